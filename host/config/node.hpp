@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// A YAML document as a tree that remembers where every value stood, so that whoever finds something wrong with it can
+// say where. Immutable and cheap to copy. The only users of yaml-cpp are the .cpp files of this room.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace regista::config {
+
+// A place in a file; line and column count from 1. file may be "--set" with column 0 for values from the command line.
+struct Location {
+  std::string file;
+  int line = 0, column = 0;
+  friend bool operator==(const Location&, const Location&) = default;
+};
+
+// "file:line:column"
+std::string to_string(const Location&);
+
+// A user error in a configuration; what() is one line "file:line:column: message".
+class Error : public std::runtime_error {
+ public:
+  Error(Location where, const std::string& message);
+  const Location& where() const { return where_; }
+
+ private:
+  Location where_;
+};
+
+class Node {
+ public:
+  enum class Kind { absent, null, scalar, sequence, map };
+  struct Entry;
+
+  Node() = default;  // absent
+  static Node scalar(std::string text, bool quoted, Location where);
+  static Node sequence(std::vector<Node> elements, Location where);
+  static Node map(std::vector<Entry> entries, Location where);
+  static Node null(Location where);
+
+  Kind kind() const;
+  explicit operator bool() const { return kind() != Kind::absent; }
+  const Location& where() const;
+  const std::string& text() const;            // scalar
+  bool quoted() const;                        // scalar written in quotes: always text
+  std::span<const Node> elements() const;     // sequence
+  std::span<const Entry> entries() const;     // map, in written order
+  Node operator[](std::string_view key) const;  // map; absent when missing
+
+  // Same structure and texts, wherever they stood.
+  friend bool same(const Node&, const Node&);
+
+ private:
+  struct Data;
+  std::shared_ptr<const Data> data_;
+};
+
+struct Node::Entry {
+  std::string key;
+  Location key_where;
+  Node value;
+};
+
+}  // namespace regista::config

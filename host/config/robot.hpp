@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// The robot profile: body, walk, kicks, camera, odometry, radio of one type of robot. SI units, radians in memory
+// (degrees in YAML, where a person reads them, in keys that end in _deg). Sources: docs/realism.md.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace regista::config {
+
+struct Walk {
+  double forward = 0.25, sideways = 0.18, backward = 0.20;  // m/s
+  double turn = 1.57;                                       // rad/s
+  double acceleration = 0.5;                                // m/s^2
+  double turn_acceleration = 6.0;                           // rad/s^2
+  double step_period = 0.25;                                // a new command takes effect at the next step
+};
+
+// One kind of kick. The ball leaves `impact` s after the beginning, and the robot stands until `duration` is over.
+struct Kick {
+  std::string name;
+  double minimum_distance = 1.6, maximum_distance = 4.5;    // that the ball rolls, m
+  double duration = 1.6, impact = 0.65;                     // s
+  double distance_noise = 0.07;                             // half width of a triangular law, relative
+  double direction_noise = 0.122;                           // standard deviation, rad
+};
+
+struct Body {
+  double radius = 0.15;   // torso against torso
+  double mass = 5.4;      // kg
+  double reach = 0.22;    // centre to ball centre within which it can kick, m
+  double get_up = 5.0;    // s
+  double falls_per_contact_second = 0.02;  // assumption: no published rate
+};
+
+struct Camera {
+  double half_angle = 0.477;          // of the horizontal field of view, rad
+  double head_yaw = 1.57;             // head turns up to this to either side, rad
+  double head_speed = 2.0;            // rad/s
+  double ball_range = 5.0, ball_probability = 0.9;
+  double robot_range = 4.0, robot_probability = 0.6;
+  double landmark_range = 8.0, landmark_probability = 0.9;  // goal posts; lines: line_range
+  double line_range = 3.0, line_probability = 0.6;
+  double false_balls_per_frame = 0.0005;
+  double distance_noise = 0.05;       // standard deviation, relative to the distance
+  double bearing_noise = 0.02;        // standard deviation, rad
+};
+
+struct Odometry {
+  double distance_noise = 0.05;       // relative standard deviation of the distance walked, per step of decision
+  double turn_noise = 0.05;           // relative standard deviation of the angle turned
+  double scale_bias = 0.03;           // standard deviation of a scale error drawn once per robot and match
+  double placing_noise = 0.05;        // m: how well a robot knows where it was put down
+  double placing_turn_noise = 0.05;   // rad
+};
+
+struct Radio {
+  double delay = 0.05, jitter = 0.05;  // s: fixed part, and width of a uniform law on top
+  double loss = 0.0;                   // probability per packet and receiver
+};
+
+struct Hearing {
+  double whistle_probability = 0.9;
+};
+
+struct Robot {
+  std::string name = "nao";
+  Body body;
+  Walk walk;
+  std::vector<Kick> kicks;
+  Camera camera;
+  Odometry odometry;
+  Radio radio;
+  Hearing hearing;
+  double decision_period = 0.1;       // s
+};
+
+}  // namespace regista::config

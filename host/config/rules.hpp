@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The rules profile: field, ball, durations, budget of a game (RoboCup SPL rule book 2023 by default). Lengths in
+// metres between line centres, time in seconds. Every number that a rule book fixes is data here, none is code.
+#pragma once
+
+#include <string>
+
+namespace regista::config {
+
+struct FieldSize {
+  double length = 9.0, width = 6.0;
+  double border_strip = 0.7;
+  double line_width = 0.05;
+  double goal_width = 1.5;  // inner
+  double goal_depth = 0.5;
+  double post_diameter = 0.1;
+  double goal_area_length = 0.6, goal_area_width = 2.2;
+  double penalty_area_length = 1.65, penalty_area_width = 4.0;
+  double penalty_mark_distance = 1.3;  // from the goal line
+  double centre_circle_diameter = 1.5;
+};
+
+struct BallSize {
+  double diameter = 0.10;
+  double mass = 0.044;                  // kg
+  double rolling_deceleration = 0.32;   // m/s^2
+  double restitution = 0.5;             // with bodies and posts
+};
+
+struct Durations {
+  double half = 600.0;
+  int halves = 2;
+  double ready = 45.0;
+  double set = 5.0;                     // from Set to the whistle
+  double kick_off_free_after = 10.0;    // ball free without a touch
+  double set_play = 30.0;               // kick-in, goal kick, corner kick
+  double state_delay = 15.0;            // Goal -> Ready and Set -> Playing reach robots late, except by whistle
+  double game_stuck = 30.0;             // nobody touches the ball
+};
+
+struct Messages {
+  int budget = 1200;                    // packets per team and match
+  int extra_per_minute = 60;            // of added time
+  int size = 128;                       // bytes
+};
+
+struct Penalties {
+  double removal = 45.0, removal_growth = 10.0;
+  double get_up_within = 5.0;
+};
+
+struct Rules {
+  std::string name = "spl2023";
+  int team_size = 7;
+  FieldSize field;
+  BallSize ball;
+  Durations durations;
+  Messages messages;
+  Penalties penalties;
+  double set_play_distance = 0.75;      // defenders keep away
+  int mercy_difference = 10;            // goals
+};
+
+}  // namespace regista::config

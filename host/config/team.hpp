@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// A team as its YAML page says it: which plugins, which contexts, which roles, which weights. Values only; plugins are
+// named, not opened (host/plugin does that), and their parameters stay located YAML until their declaration is known.
+// The system is Affinita et al., "Multi-Agent Coordination for a Partially Observable and Dynamic Robot Soccer
+// Environment with Limited Communication", 2023.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/node.hpp"
+
+namespace regista::config {
+
+// `{plugin: greedy, file: old/greedy.so, params: {...}}`
+struct PluginUse {
+  std::string plugin;
+  std::string file;        // pinned shared object, absolute; empty: whatever the search finds
+  Node params;             // map, or absent
+  Location where;
+};
+
+enum class Knowledge { mine, common };
+
+// A named point of the field, or a literal one.
+enum class Anchor {
+  ball, ball_rest, own_goal, opponent_goal, own_left_post, own_right_post, centre,
+  own_penalty_mark, opponent_penalty_mark, point,
+};
+
+struct Place {
+  Anchor anchor = Anchor::centre;
+  std::array<double, 2> point{};  // when anchor is point
+};
+
+// Where a role is played, as data. Steps are applied from top to bottom; the result is a point of the field frame.
+struct TargetRule {
+  // Exactly one of the three gives the point to start from:
+  std::optional<Place> at;
+  struct OnLine { Place from, to; double distance_from_to = 0.0; };  // on the segment, so far from its second end
+  std::optional<OnLine> on_line;
+  // Where the line from `from` to `towards` enters a circle whose radius grows with the distance of `from`.
+  struct OnCircle {
+    Place from, towards, centre;
+    double least_radius = 0.8, largest_radius = 1.3;
+    double least_distance = 1.0, largest_distance = 8.0;  // of `from` from the centre, between which it grows
+  };
+  std::optional<OnCircle> on_circle;
+
+  std::array<double, 2> shift{};                         // m
+  std::optional<double> across;                          // then y := -sign(y of the ball) * across: the far side
+  std::optional<std::array<double, 4>> within;           // x_min, x_max, y_min, y_max
+  Place facing{Anchor::ball, {}};
+  std::optional<Place> without_ball;                     // used instead while nobody knows the ball
+};
+
+enum class Behaviour { keep_goal, play_ball, support, search };
+
+struct Role {
+  std::string name;
+  int robot = 0;             // shirt number that alone may take it; 0 = any
+  bool required = false;
+  bool offset = true;        // may be moved towards a waypoint
+  int group = -1;
+  Behaviour behaviour = Behaviour::support;
+  TargetRule target;
+  Location where;
+};
+
+struct RoleList {
+  std::string name;
+  std::vector<Role> roles;   // in order of importance
+};
+
+struct UtilityTerm {
+  std::string name;
+  PluginUse use;
+  double weight = 1.0;
+  std::optional<std::array<double, 2>> tune;  // range for the tuner
+  Location where;
+};
+
+struct TaskRules {
+  enum class Keep { all, nearest_to_waypoints } keep = Keep::nearest_to_waypoints;
+  double offset_at_most = 0.5;                // m, 0 = off
+  Knowledge knowledge = Knowledge::mine;
+  bool walk_along_edges = false;
+};
+
+// What is in force while a context holds. The values are the team's own with the context's `use:` laid over.
+struct Context {
+  std::string name;
+  int priority = 0;
+  PluginUse use;
+  int role_list = 0;                          // index into Team::role_lists
+  PluginUse positioner;
+  TaskRules tasks;
+  Knowledge utility_knowledge = Knowledge::mine;
+  std::vector<UtilityTerm> terms;
+  PluginUse assigner;
+  PluginUse sender;
+  Location where;
+};
+
+struct Team {
+  std::string name;
+  std::string file;                           // where it was read
+  PluginUse self, ball, opponents, teammates; // predictors
+  double forget_teammate_after = 25.0;        // s of silence until a teammate is given up
+  std::vector<RoleList> role_lists;
+  std::vector<Context> contexts;              // highest priority first; the first that holds is in force
+  Location where;
+};
+
+}  // namespace regista::config

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: MIT
+# regista_add_plugin(<name> SOURCES <files>... [LINKS <targets>...] [TEST <file>])
+#
+# Builds <name>.so as a Regista plugin: everything hidden but the one entry point, no contraction of floating-point
+# expressions, never unloaded. TEST names a GoogleTest source; it is compiled into test_<name>, which finds the shared
+# object through the macro REGISTA_PLUGIN_FILE.
+set(_regista_cmake_dir ${CMAKE_CURRENT_LIST_DIR})
+
+function(regista_add_plugin name)
+  cmake_parse_arguments(PLUGIN "" "TEST" "SOURCES;LINKS" ${ARGN})
+  if(NOT PLUGIN_SOURCES)
+    message(FATAL_ERROR "regista_add_plugin(${name}): SOURCES is missing")
+  endif()
+  add_library(${name} MODULE ${PLUGIN_SOURCES})
+  set_target_properties(${name} PROPERTIES
+    PREFIX "" CXX_VISIBILITY_PRESET hidden C_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  if(REGISTA_PLUGIN_OUTPUT_DIRECTORY)
+    set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${REGISTA_PLUGIN_OUTPUT_DIRECTORY})
+  endif()
+  target_compile_options(${name} PRIVATE -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+  target_compile_definitions(${name} PRIVATE
+    REGISTA_BUILD_TAG="${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_BUILD_TYPE}")
+  # Hidden visibility alone leaks weak standard-library symbols into the process; the version script leaves one.
+  target_link_options(${name} PRIVATE
+    LINKER:--version-script=${_regista_cmake_dir}/plugin.map LINKER:-z,nodelete)
+  set_property(TARGET ${name} APPEND PROPERTY LINK_DEPENDS ${_regista_cmake_dir}/plugin.map)
+  target_link_libraries(${name} PRIVATE regista::sdk ${PLUGIN_LINKS})
+  if(TARGET regista_flags)
+    target_link_libraries(${name} PRIVATE regista_flags)
+  endif()
+
+  if(PLUGIN_TEST AND (REGISTA_TESTS OR NOT DEFINED REGISTA_TESTS))
+    add_executable(test_${name} ${PLUGIN_TEST})
+    target_link_libraries(test_${name} PRIVATE regista::testkit GTest::gmock_main ${PLUGIN_LINKS})
+    if(TARGET regista_flags)
+      target_link_libraries(test_${name} PRIVATE regista_flags)
+    endif()
+    target_compile_definitions(test_${name} PRIVATE REGISTA_PLUGIN_FILE="$<TARGET_FILE:${name}>")
+    add_dependencies(test_${name} ${name})
+    gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST)
+  endif()
+endfunction()
