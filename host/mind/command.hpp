@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// All that leaves one robot's mind at a decision: what the body shall do, perhaps a packet, and, for whoever keeps
+// count, the role it took. Units SI and radians, robot frame.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mind/percepts.hpp"
+
+namespace regista::mind {
+
+struct Walk {
+  double forward = 0.0, sideways = 0.0;  // m/s; the body clips them to what it can do
+  double turn = 0.0;                     // rad/s
+};
+
+struct KickRequest {
+  int kind = 0;                          // index into config::Robot::kicks
+  double direction = 0.0;                // in which the ball shall go
+  double distance = 0.0;                 // that it shall roll; clipped to the kind's range
+};
+
+struct Command {
+  Walk walk;
+  std::optional<KickRequest> kick;       // begins when the ball is in reach, else nothing happens
+  double head_yaw = 0.0;                 // wanted heading of the camera relative to the body
+};
+
+struct Outcome {
+  Command command;
+  bool send = false;                     // the bytes below are a packet
+  int send_reason = 0;                   // REGISTA_EVENT_*
+  std::vector<std::uint8_t> packet;
+  int role = -1;                         // row of the team's table of roles, -1 = none (penalised, no task)
+  std::vector<int> assignment;           // per robot (n - 1): row of the table of roles, -1 none, -2 unknown
+};
+
+// One decision of one robot. A match knows minds only as this.
+using Think = std::function<void(const Percepts&, std::span<const HeardPacket>, Outcome&)>;
+
+}  // namespace regista::mind
