@@ -48,10 +48,10 @@ class Node {
   Kind kind() const;
   explicit operator bool() const { return kind() != Kind::absent; }
   const Location& where() const;
-  const std::string& text() const;            // scalar
-  bool quoted() const;                        // scalar written in quotes: always text
-  std::span<const Node> elements() const;     // sequence
-  std::span<const Entry> entries() const;     // map, in written order
+  const std::string& text() const;              // scalar
+  bool quoted() const;                          // scalar written in quotes: always text
+  std::span<const Node> elements() const;       // sequence
+  std::span<const Entry> entries() const;       // map, in written order
   Node operator[](std::string_view key) const;  // map; absent when missing
 
   // Same structure and texts, wherever they stood.

@@ -19,39 +19,39 @@ struct Walk {
 // One kind of kick. The ball leaves `impact` s after the beginning, and the robot stands until `duration` is over.
 struct Kick {
   std::string name;
-  double minimum_distance = 1.6, maximum_distance = 4.5;    // that the ball rolls, m
-  double duration = 1.6, impact = 0.65;                     // s
-  double distance_noise = 0.07;                             // half width of a triangular law, relative
-  double direction_noise = 0.122;                           // standard deviation, rad
+  double minimum_distance = 1.6, maximum_distance = 4.5;  // that the ball rolls, m
+  double duration = 1.6, impact = 0.65;                   // s
+  double distance_noise = 0.07;                           // half width of a triangular law, relative
+  double direction_noise = 0.122;                         // standard deviation, rad
 };
 
 struct Body {
-  double radius = 0.15;   // torso against torso
-  double mass = 5.4;      // kg
-  double reach = 0.22;    // centre to ball centre within which it can kick, m
-  double get_up = 5.0;    // s
+  double radius = 0.15;                    // torso against torso
+  double mass = 5.4;                       // kg
+  double reach = 0.22;                     // centre to ball centre within which it can kick, m
+  double get_up = 5.0;                     // s
   double falls_per_contact_second = 0.02;  // assumption: no published rate
 };
 
 struct Camera {
-  double half_angle = 0.477;          // of the horizontal field of view, rad
-  double head_yaw = 1.57;             // head turns up to this to either side, rad
-  double head_speed = 2.0;            // rad/s
+  double half_angle = 0.477;  // of the horizontal field of view, rad
+  double head_yaw = 1.57;     // head turns up to this to either side, rad
+  double head_speed = 2.0;    // rad/s
   double ball_range = 5.0, ball_probability = 0.9;
   double robot_range = 4.0, robot_probability = 0.6;
   double landmark_range = 8.0, landmark_probability = 0.9;  // goal posts; lines: line_range
   double line_range = 3.0, line_probability = 0.6;
   double false_balls_per_frame = 0.0005;
-  double distance_noise = 0.05;       // standard deviation, relative to the distance
-  double bearing_noise = 0.02;        // standard deviation, rad
+  double distance_noise = 0.05;  // standard deviation, relative to the distance
+  double bearing_noise = 0.02;   // standard deviation, rad
 };
 
 struct Odometry {
-  double distance_noise = 0.05;       // relative standard deviation of the distance walked, per step of decision
-  double turn_noise = 0.05;           // relative standard deviation of the angle turned
-  double scale_bias = 0.03;           // standard deviation of a scale error drawn once per robot and match
-  double placing_noise = 0.05;        // m: how well a robot knows where it was put down
-  double placing_turn_noise = 0.05;   // rad
+  double distance_noise = 0.05;      // relative standard deviation of the distance walked, per step of decision
+  double turn_noise = 0.05;          // relative standard deviation of the angle turned
+  double scale_bias = 0.03;          // standard deviation of a scale error drawn once per robot and match
+  double placing_noise = 0.05;       // m: how well a robot knows where it was put down
+  double placing_turn_noise = 0.05;  // rad
 };
 
 struct Radio {
@@ -72,7 +72,7 @@ struct Robot {
   Odometry odometry;
   Radio radio;
   Hearing hearing;
-  double decision_period = 0.1;       // s
+  double decision_period = 0.1;  // s
 };
 
 }  // namespace regista::config

@@ -17,8 +17,8 @@ namespace regista::config {
 // `{plugin: greedy, file: old/greedy.so, params: {...}}`
 struct PluginUse {
   std::string plugin;
-  std::string file;        // pinned shared object, absolute; empty: whatever the search finds
-  Node params;             // map, or absent
+  std::string file;  // pinned shared object, absolute; empty: whatever the search finds
+  Node params;       // map, or absent
   Location where;
 };
 
@@ -26,8 +26,16 @@ enum class Knowledge { mine, common };
 
 // A named point of the field, or a literal one.
 enum class Anchor {
-  ball, ball_rest, own_goal, opponent_goal, own_left_post, own_right_post, centre,
-  own_penalty_mark, opponent_penalty_mark, point,
+  ball,
+  ball_rest,
+  own_goal,
+  opponent_goal,
+  own_left_post,
+  own_right_post,
+  centre,
+  own_penalty_mark,
+  opponent_penalty_mark,
+  point,
 };
 
 struct Place {
@@ -39,7 +47,10 @@ struct Place {
 struct TargetRule {
   // Exactly one of the three gives the point to start from:
   std::optional<Place> at;
-  struct OnLine { Place from, to; double distance_from_to = 0.0; };  // on the segment, so far from its second end
+  struct OnLine {
+    Place from, to;
+    double distance_from_to = 0.0;
+  };  // on the segment, so far from its second end
   std::optional<OnLine> on_line;
   // Where the line from `from` to `towards` enters a circle whose radius grows with the distance of `from`.
   struct OnCircle {
@@ -49,20 +60,20 @@ struct TargetRule {
   };
   std::optional<OnCircle> on_circle;
 
-  std::array<double, 2> shift{};                         // m
-  std::optional<double> across;                          // then y := -sign(y of the ball) * across: the far side
-  std::optional<std::array<double, 4>> within;           // x_min, x_max, y_min, y_max
+  std::array<double, 2> shift{};                // m
+  std::optional<double> across;                 // then y := -sign(y of the ball) * across: the far side
+  std::optional<std::array<double, 4>> within;  // x_min, x_max, y_min, y_max
   Place facing{Anchor::ball, {}};
-  std::optional<Place> without_ball;                     // used instead while nobody knows the ball
+  std::optional<Place> without_ball;  // used instead while nobody knows the ball
 };
 
 enum class Behaviour { keep_goal, play_ball, support, search };
 
 struct Role {
   std::string name;
-  int robot = 0;             // shirt number that alone may take it; 0 = any
+  int robot = 0;  // shirt number that alone may take it; 0 = any
   bool required = false;
-  bool offset = true;        // may be moved towards a waypoint
+  bool offset = true;  // may be moved towards a waypoint
   int group = -1;
   Behaviour behaviour = Behaviour::support;
   TargetRule target;
@@ -71,7 +82,7 @@ struct Role {
 
 struct RoleList {
   std::string name;
-  std::vector<Role> roles;   // in order of importance
+  std::vector<Role> roles;  // in order of importance
 };
 
 struct UtilityTerm {
@@ -84,7 +95,7 @@ struct UtilityTerm {
 
 struct TaskRules {
   enum class Keep { all, nearest_to_waypoints } keep = Keep::nearest_to_waypoints;
-  double offset_at_most = 0.5;                // m, 0 = off
+  double offset_at_most = 0.5;  // m, 0 = off
   Knowledge knowledge = Knowledge::mine;
   bool walk_along_edges = false;
 };
@@ -94,7 +105,7 @@ struct Context {
   std::string name;
   int priority = 0;
   PluginUse use;
-  int role_list = 0;                          // index into Team::role_lists
+  int role_list = 0;  // index into Team::role_lists
   PluginUse positioner;
   TaskRules tasks;
   Knowledge utility_knowledge = Knowledge::mine;
@@ -106,11 +117,11 @@ struct Context {
 
 struct Team {
   std::string name;
-  std::string file;                           // where it was read
-  PluginUse self, ball, opponents, teammates; // predictors
-  double forget_teammate_after = 25.0;        // s of silence until a teammate is given up
+  std::string file;                            // where it was read
+  PluginUse self, ball, opponents, teammates;  // predictors
+  double forget_teammate_after = 25.0;         // s of silence until a teammate is given up
   std::vector<RoleList> role_lists;
-  std::vector<Context> contexts;              // highest priority first; the first that holds is in force
+  std::vector<Context> contexts;  // highest priority first; the first that holds is in force
   Location where;
 };
 

@@ -19,24 +19,24 @@ struct Walk {
 };
 
 struct KickRequest {
-  int kind = 0;                          // index into config::Robot::kicks
-  double direction = 0.0;                // in which the ball shall go
-  double distance = 0.0;                 // that it shall roll; clipped to the kind's range
+  int kind = 0;            // index into config::Robot::kicks
+  double direction = 0.0;  // in which the ball shall go
+  double distance = 0.0;   // that it shall roll; clipped to the kind's range
 };
 
 struct Command {
   Walk walk;
-  std::optional<KickRequest> kick;       // begins when the ball is in reach, else nothing happens
-  double head_yaw = 0.0;                 // wanted heading of the camera relative to the body
+  std::optional<KickRequest> kick;  // begins when the ball is in reach, else nothing happens
+  double head_yaw = 0.0;            // wanted heading of the camera relative to the body
 };
 
 struct Outcome {
   Command command;
-  bool send = false;                     // the bytes below are a packet
-  int send_reason = 0;                   // REGISTA_EVENT_*
+  bool send = false;    // the bytes below are a packet
+  int send_reason = 0;  // REGISTA_EVENT_*
   std::vector<std::uint8_t> packet;
-  int role = -1;                         // row of the team's table of roles, -1 = none (penalised, no task)
-  std::vector<int> assignment;           // per robot (n - 1): row of the table of roles, -1 none, -2 unknown
+  int role = -1;                // row of the team's table of roles, -1 = none (penalised, no task)
+  std::vector<int> assignment;  // per robot (n - 1): row of the table of roles, -1 none, -2 unknown
 };
 
 // One decision of one robot. A match knows minds only as this.

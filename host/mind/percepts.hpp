@@ -34,11 +34,11 @@ struct BallSighting {
 struct RobotSighting {
   Eigen::Vector2d position;
   double along = 0.0, across = 0.0;
-  bool own_team = false;          // by the colour of the jersey; the number is not seen
+  bool own_team = false;  // by the colour of the jersey; the number is not seen
 };
 
 struct LandmarkSighting {
-  int kind = 0;                   // REGISTA_LANDMARK_*; which one of that kind is not seen
+  int kind = 0;  // REGISTA_LANDMARK_*; which one of that kind is not seen
   Eigen::Vector2d position;
   double along = 0.0, across = 0.0;
 };
@@ -56,31 +56,31 @@ enum class SetPlay { none, kick_off, kick_in, goal_kick, corner_kick, pushing_fr
 struct GameTold {
   Phase phase = Phase::initial;
   SetPlay set_play = SetPlay::none;
-  bool own_kick = false;          // the set play, or the last kick-off, is the own team's
+  bool own_kick = false;  // the set play, or the last kick-off, is the own team's
   int half = 1;
   int own_score = 0, opponent_score = 0;
-  double phase_time = 0.0;        // s since phase or set play began
+  double phase_time = 0.0;  // s since phase or set play began
   double half_time_left = 0.0, match_time_left = 0.0;
-  int packets_left = 0;           // of the own team
-  std::uint32_t own_penalised = 0;       // bit n - 1: robot n is penalised
+  int packets_left = 0;             // of the own team
+  std::uint32_t own_penalised = 0;  // bit n - 1: robot n is penalised
   std::uint32_t opponent_penalised = 0;
 };
 
 // The whole of a robot's input at one decision. The vectors are reused by whoever fills them.
 struct Percepts {
-  double time = 0.0;                     // s since the start of the match
-  Pose odometry;                         // motion since the last decision, in the robot frame at its beginning
-  std::optional<PlacedPose> placed;      // only when it has just been put down
-  bool camera = true;                    // false: no image this time (lying, penalised); the three below are empty
+  double time = 0.0;                 // s since the start of the match
+  Pose odometry;                     // motion since the last decision, in the robot frame at its beginning
+  std::optional<PlacedPose> placed;  // only when it has just been put down
+  bool camera = true;                // false: no image this time (lying, penalised); the three below are empty
   View view;
-  std::vector<BallSighting> balls;       // false ones included
+  std::vector<BallSighting> balls;  // false ones included
   std::vector<RobotSighting> robots;
   std::vector<LandmarkSighting> landmarks;
-  bool whistle = false;                  // heard since the last decision
+  bool whistle = false;  // heard since the last decision
   bool fallen = false;
-  double time_until_up = 0.0;            // s; 0 when it stands
-  bool kicking = false;                  // a kick is under way: commands to walk or kick are ignored
-  bool penalised = false;                // the robot itself, which is told at once
+  double time_until_up = 0.0;  // s; 0 when it stands
+  bool kicking = false;        // a kick is under way: commands to walk or kick are ignored
+  bool penalised = false;      // the robot itself, which is told at once
   GameTold game;
 };
 

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// Turns an ordinary class into a plugin. A class needs
+//
+//   static constexpr auto id = "greedy", version = "1.0.0", summary = "Best free robot per role, by priority";
+//   and the functions of the kinds it implements (see the header of each kind);
+// and may have
+//   static constexpr std::tuple parameters{...};        see parameters.hpp
+//   static constexpr auto licence = "Apache-2.0";       SPDX expression; MIT when absent
+//   void setup(const regista::Environment&);            after the parameters are set, before reset
+//   void setup(const regista::Environment&, regista::Mailbox);   when it wants to offer bytes
+//   void reset(std::uint64_t seed);                     the beginning of a match
+//
+// and one line at the end of its .cpp:
+//
+//   REGISTA_PLUGIN(Greedy, regista::assigner)                 one class, one or several kinds
+//   REGISTA_PLUGINS(regista::Plugin<A, regista::assigner>, regista::Plugin<B, regista::utility>)
+//
+// Exceptions may be thrown freely: here they become the one line that the host reports.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <type_traits>
+
+#include <regista/abi.h>
+#include <regista/frame.hpp>
+#include <regista/mailbox.hpp>
+#include <regista/parameters.hpp>
+
+#ifndef REGISTA_BUILD_TAG
+#define REGISTA_BUILD_TAG "unknown build"
+#endif
+
+namespace regista {
+namespace detail {
+
+inline void say(regista_error* error, const char* text) noexcept {
+  const std::size_t length = std::min(std::strlen(text), sizeof error->text - 1);
+  std::memcpy(error->text, text, length);
+  error->text[length] = '\0';
+}
+
+// Runs `body`; whatever it throws ends as a line in `error`.
+template <class Body>
+std::int32_t guarded(regista_error* error, Body&& body) noexcept {
+  try {
+    body();
+    return REGISTA_OK;
+  } catch (const std::exception& exception) {
+    say(error, exception.what());
+  } catch (...) {
+    say(error, "threw something that is no std::exception");
+  }
+  return REGISTA_FAILED;
+}
+
+}  // namespace detail
+
+// The descriptor of `Class`, which implements the kinds `Kinds`.
+template <class Class, class... Kinds>
+struct Plugin {
+  static const regista_descriptor* descriptor() {
+    static const regista_descriptor built = build();
+    return &built;
+  }
+
+ private:
+  static constexpr std::size_t count = detail::parameter_count<Class>();
+
+  static const std::array<regista_parameter, count>& declared() {
+    static const Class initial{};  // texts of defaults live in it
+    static const std::array<regista_parameter, count> table = [] {
+      std::array<regista_parameter, count> out{};
+      if constexpr (count > 0) {
+        std::apply([&out](const auto&... each) { out = {detail::describe(each, initial)...}; }, Class::parameters);
+      }
+      return out;
+    }();
+    return table;
+  }
+
+  static const void* table(std::int32_t kind) {
+    const void* found = nullptr;
+    ((kind == Kinds::kind ? void(found = Kinds::template table<Class>()) : void()), ...);
+    if constexpr (takes_messages<Class>) {
+      if (kind == REGISTA_KIND_MAILBOX) found = mailbox_table<Class>();
+    }
+    return found;
+  }
+
+  static void* create(const regista_environment* environment, const regista_host* host, const regista_value* values,
+                      regista_error* error) {
+    std::unique_ptr<Class> plugin;
+    const std::int32_t status = detail::guarded(error, [&] {
+      plugin = std::make_unique<Class>();
+      if constexpr (count > 0) {
+        std::apply([&](const auto&... each) { (detail::assign(each, *plugin, *values++), ...); }, Class::parameters);
+      }
+      if constexpr (requires { plugin->setup(Environment(*environment), Mailbox(host)); }) {
+        plugin->setup(Environment(*environment), Mailbox(host));
+      } else if constexpr (requires { plugin->setup(Environment(*environment)); }) {
+        plugin->setup(Environment(*environment));
+      }
+    });
+    return status == REGISTA_OK ? plugin.release() : nullptr;
+  }
+
+  static std::int32_t reset(void* instance, std::uint64_t seed, regista_error* error) {
+    if constexpr (requires(Class & plugin) { plugin.reset(seed); }) {
+      return detail::guarded(error, [&] { static_cast<Class*>(instance)->reset(seed); });
+    } else {
+      return REGISTA_OK;
+    }
+  }
+
+  static void destroy(void* instance) { delete static_cast<Class*>(instance); }
+
+  static regista_descriptor build() {
+    regista_descriptor out{};
+    out.size = sizeof out;
+    out.abi_major = REGISTA_ABI_MAJOR;
+    out.abi_minor = REGISTA_ABI_MINOR;
+    out.parameter_count = count;
+    out.id = Class::id;
+    out.version = Class::version;
+    out.summary = Class::summary;
+    if constexpr (requires { Class::licence; }) {
+      out.licence = Class::licence;
+    } else {
+      out.licence = "MIT";
+    }
+    out.build_tag = REGISTA_BUILD_TAG;
+    out.parameters = declared().data();
+    out.parameter_stride = sizeof(regista_parameter);
+    out.table = &table;
+    out.create = &create;
+    out.reset = &reset;
+    out.destroy = &destroy;
+    return out;
+  }
+};
+
+}  // namespace regista
+
+#define REGISTA_PLUGINS(...)                                                               \
+  extern "C" const regista_descriptor* regista_plugin_entry(std::uint32_t, std::uint32_t,  \
+                                                            std::uint32_t regista_index) { \
+    return ::regista::detail::nth_descriptor<__VA_ARGS__>(regista_index);                  \
+  }
+
+#define REGISTA_PLUGIN(...) REGISTA_PLUGINS(::regista::Plugin<__VA_ARGS__>)
+
+namespace regista::detail {
+
+template <class... Plugins>
+const regista_descriptor* nth_descriptor(std::uint32_t index) {
+  using Descriptor = const regista_descriptor* (*)();
+  constexpr std::array<Descriptor, sizeof...(Plugins)> all{&Plugins::descriptor...};
+  return index < all.size() ? all[index]() : nullptr;
+}
+
+}  // namespace regista::detail

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// A sender decides when to spend one of the team's packets, and which offers of other plugins go along (the events e of
+// the paper). The class has
+//
+//   std::optional<int> decide(const regista::Frame&, const regista::SendQuery&, regista::Grants out);
+//
+// which returns the reason (REGISTA_EVENT_*) to send a packet now, or nothing.
+#pragma once
+
+#include <optional>
+
+#include <regista/plugin.hpp>
+
+namespace regista {
+
+using Event = regista_event;
+using Offer = regista_offer;
+using Budget = regista_budget;
+
+struct SendQuery {
+  Span<Event> events;  // since the last decision
+  Span<Offer> offers;  // pending
+  const Budget& budget;
+};
+
+// Offers to take along, in this order; those that do not fit stay pending.
+class Grants {
+ public:
+  Grants(regista_send& raw, std::size_t capacity) : raw_(&raw), capacity_(capacity) {}
+  void grant(const Offer& offer) {
+    assert(raw_->granted_count < capacity_);
+    raw_->granted[raw_->granted_count++] = offer.handle;
+  }
+
+ private:
+  regista_send* raw_;
+  std::size_t capacity_;
+};
+
+struct sender {
+  static constexpr std::int32_t kind = REGISTA_KIND_SENDER;
+
+  template <class Class>
+  static const void* table() {
+    static constexpr regista_sender calls{
+        sizeof(regista_sender), 0,
+        [](void* instance, const regista_frame* frame, regista_span events, regista_span offers,
+           const regista_budget* budget, regista_send* out, regista_error* error) {
+          return detail::guarded(error, [&] {
+            const std::optional<int> reason = static_cast<Class*>(instance)->decide(
+                Frame(*frame), SendQuery{Span<Event>(events), Span<Offer>(offers), *budget},
+                Grants(*out, offers.count));
+            out->send = reason ? 1 : 0;
+            out->reason = reason.value_or(REGISTA_EVENT_PERIOD);
+          });
+        }};
+    return &calls;
+  }
+};
+
+}  // namespace regista
