@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "plugin/assigner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+namespace regista::plugin {
+
+Assigner::Assigner(std::shared_ptr<Instance> instance)
+    : instance_(std::move(instance)), calls_(&instance_->table<regista_assigner>(REGISTA_KIND_ASSIGNER)) {}
+
+void Assigner::assign(const regista_frame& frame, const regista_matrix& utilities, std::span<std::int32_t> out) {
+  assert(out.size() == utilities.rows);
+  constexpr std::int32_t nobody = -1;
+  std::ranges::fill(out, REGISTA_NO_TASK);
+  instance_->call("assign", calls_->assign, &frame, &utilities, out.data());
+  row_of_column_.assign(utilities.columns, nobody);
+  for (std::size_t row = 0; row < out.size(); ++row) {
+    const std::int32_t column = out[row];
+    if (column == REGISTA_NO_TASK || column == REGISTA_UNKNOWN_TASK) continue;
+    if (column < 0 || static_cast<std::uint32_t>(column) >= utilities.columns) [[unlikely]] {
+      instance_->fail("assign", fmt::format("row {} got column {} of {}", row, column, utilities.columns));
+    }
+    const auto index = static_cast<std::size_t>(column);
+    if (utilities.values[row * utilities.stride + index] == -std::numeric_limits<double>::infinity()) [[unlikely]] {
+      instance_->fail("assign", fmt::format("row {} got column {}, which is forbidden to it", row, column));
+    }
+    if (row_of_column_[index] != nobody && !negotiates()) [[unlikely]] {
+      instance_->fail("assign", fmt::format("column {} given to rows {} and {}", column, row_of_column_[index], row));
+    }
+    row_of_column_[index] = static_cast<std::int32_t>(row);
+  }
+}
+
+}  // namespace regista::plugin

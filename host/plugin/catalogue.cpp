@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "plugin/catalogue.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <string_view>
+#include <system_error>
+
+#include "plugin/descriptor.hpp"
+#include "plugin/shared_object.hpp"
+
+namespace regista::plugin {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The shared objects of a folder, by name. `reason`: why it cannot be read; a folder that does not exist is empty.
+std::vector<fs::path> shared_objects(const fs::path& folder, std::string& reason) {
+  std::vector<fs::path> out;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (it->path().extension() == ".so") out.push_back(it->path());
+  }
+  if (error && error != std::errc::no_such_file_or_directory) {
+    reason = fmt::format("cannot be searched: {}", error.message());
+  }
+  std::ranges::sort(out, {}, &fs::path::native);
+  return out;
+}
+
+std::string described(const Found& plugin) {
+  return fmt::format("{} ({}, {})", plugin.file.string(), plugin.descriptor->version, plugin.descriptor->build_tag);
+}
+
+std::string joined(std::vector<std::string> names) {
+  std::ranges::sort(names);
+  const auto repeated = std::ranges::unique(names);
+  names.erase(repeated.begin(), repeated.end());
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::vector<std::string> names_of_kind(std::span<const Found> plugins, int kind) {
+  std::vector<std::string> out;
+  for (const Found& plugin : plugins) {
+    if (implements(*plugin.descriptor, kind)) out.emplace_back(plugin.descriptor->id);
+  }
+  return out;
+}
+
+std::string kinds_in_words(const regista_descriptor& descriptor) {
+  std::string out;
+  for (const int kind : kinds(descriptor)) {
+    if (kind == REGISTA_KIND_MAILBOX) continue;
+    if (!out.empty()) out += " and ";
+    out += kind_with_article(kind);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string to_string(const Refused& refused) { return refused.file.string() + ": " + refused.reason; }
+
+Catalogue::Catalogue(std::vector<fs::path> folders) : folders_(std::move(folders)) {
+  for (const fs::path& folder : folders_) {
+    std::string reason;
+    const std::vector<fs::path> paths = shared_objects(folder, reason);
+    if (!reason.empty()) refused_.push_back({folder, reason});
+    for (const fs::path& path : paths) {
+      const std::size_t before = files_.size();
+      const File& file = open(path);
+      if (files_.size() == before) continue;  // reached a second time
+      plugins_.insert(plugins_.end(), file.plugins.begin(), file.plugins.end());
+      if (!file.reason.empty()) refused_.push_back({file.path, file.reason});
+    }
+  }
+}
+
+std::vector<fs::path> Catalogue::search_path(std::span<const fs::path> options, const char* environment_variable_value,
+                                             const fs::path& built_in) {
+  std::vector<fs::path> out;
+  for (const fs::path& folder : options) {
+    std::error_code error;
+    if (!fs::exists(folder, error)) {
+      throw config::Error({"--plugins", 0, 0}, fmt::format("folder {} does not exist", folder.string()));
+    }
+    if (!fs::is_directory(folder, error)) {
+      throw config::Error({"--plugins", 0, 0}, fmt::format("{} is not a folder", folder.string()));
+    }
+    out.push_back(folder);
+  }
+  std::string_view rest = environment_variable_value != nullptr ? environment_variable_value : "";
+  while (!rest.empty()) {
+    const std::string_view folder = rest.substr(0, rest.find(':'));
+    if (!folder.empty()) out.emplace_back(folder);
+    rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
+  }
+  if (!built_in.empty()) out.push_back(built_in);
+  return out;
+}
+
+Catalogue::File& Catalogue::open(const fs::path& path) const {
+  struct stat about {};
+  const bool exists = ::stat(path.c_str(), &about) == 0;
+  for (File& file : files_) {
+    if (exists ? file.device == about.st_dev && file.number == about.st_ino : file.path == path) return file;
+  }
+  SharedObject object = open_shared_object(path);
+  File& file = files_.emplace_back(File{about.st_dev, about.st_ino, path, {}, std::move(object.refusal)});
+  for (const regista_descriptor* descriptor : object.descriptors) file.plugins.push_back({path, descriptor});
+  return file;
+}
+
+const Found& Catalogue::find(const config::PluginUse& use, int kind, std::uint32_t subject) const {
+  const Found& found = use.file.empty() ? find_searched(use, kind) : find_pinned(use, kind);
+  if (subject != 0) {
+    const std::uint32_t subjects = table<regista_predictor>(*found.descriptor, REGISTA_KIND_PREDICTOR)->subjects;
+    if ((subjects & subject) == 0) {
+      throw config::Error(use.where, fmt::format("predictor \"{}\" models {}, not {}", use.plugin,
+                                                 subject_names(subjects), subject_names(subject)));
+    }
+  }
+  return found;
+}
+
+const Found& Catalogue::find_pinned(const config::PluginUse& use, int kind) const {
+  const File& file = open(use.file);
+  if (!file.reason.empty()) throw config::Error(use.where, to_string(Refused{use.file, file.reason}));
+  const Found* other = nullptr;
+  for (const Found& plugin : file.plugins) {
+    if (plugin.descriptor->id != use.plugin) continue;
+    if (implements(*plugin.descriptor, kind)) return plugin;
+    other = &plugin;
+  }
+  if (other != nullptr) {
+    throw config::Error(use.where, fmt::format("plugin \"{}\" in {} is {}, not {}", use.plugin, use.file,
+                                               kinds_in_words(*other->descriptor), kind_with_article(kind)));
+  }
+  std::vector<std::string> names;
+  for (const Found& plugin : file.plugins) names.emplace_back(plugin.descriptor->id);
+  throw config::Error(use.where, fmt::format("{} contains no plugin \"{}\"; it contains: {}", use.file, use.plugin,
+                                             joined(std::move(names))));
+}
+
+const Found& Catalogue::find_searched(const config::PluginUse& use, int kind) const {
+  std::vector<const Found*> found;
+  const Found* other = nullptr;
+  for (const Found& plugin : plugins_) {
+    if (plugin.descriptor->id != use.plugin) continue;
+    if (implements(*plugin.descriptor, kind)) {
+      found.push_back(&plugin);
+    } else {
+      other = &plugin;
+    }
+  }
+  if (found.size() == 1) return *found.front();
+
+  std::string message;
+  if (found.size() > 1) {
+    message = fmt::format("plugin \"{}\" exists {} times:", use.plugin, found.size());
+    for (const Found* plugin : found) message += fmt::format(" {},", described(*plugin));
+    message.back() = ';';
+    message += fmt::format(" pin one by its file: {{plugin: {}, file: {}}}", use.plugin, found.front()->file.string());
+    throw config::Error(use.where, message);
+  }
+  const std::vector<std::string> names = names_of_kind(plugins_, kind);
+  if (other != nullptr) {
+    message = fmt::format("plugin \"{}\" is {}, not {}", use.plugin, kinds_in_words(*other->descriptor),
+                          kind_with_article(kind));
+  } else {
+    message = fmt::format("there is no {} \"{}\"", kind_name(kind), use.plugin);
+  }
+  message += fmt::format("; there are: {}; searched: {}", joined(names), where_searched());
+  if (!refused_.empty()) {
+    message += "; refused:";
+    for (const Refused& refused : refused_) message += fmt::format(" {},", to_string(refused));
+    message.pop_back();
+  }
+  throw config::Error(use.where, message);
+}
+
+std::string Catalogue::where_searched() const {
+  if (folders_.empty()) return "no folder";
+  std::vector<std::string> out;
+  for (const fs::path& folder : folders_) {
+    std::error_code error;
+    out.push_back(folder.string() + (fs::exists(folder, error) ? "" : " (does not exist)"));
+  }
+  return fmt::format("{}", fmt::join(out, ", "));
+}
+
+}  // namespace regista::plugin

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "plugin/context.hpp"
+
+#include <fmt/format.h>
+
+namespace regista::plugin {
+
+Context::Context(std::shared_ptr<Instance> instance)
+    : instance_(std::move(instance)), calls_(&instance_->table<regista_context>(REGISTA_KIND_CONTEXT)) {}
+
+bool Context::holds(const regista_frame& frame) {
+  std::int32_t out = 0;
+  instance_->call("holds", calls_->holds, &frame, &out);
+  if (out != 0 && out != 1) [[unlikely]]
+    instance_->fail("holds", fmt::format("{} is neither 0 nor 1", out));
+  return out == 1;
+}
+
+}  // namespace regista::plugin

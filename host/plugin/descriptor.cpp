@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "plugin/descriptor.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <set>
+
+namespace regista::plugin {
+namespace {
+
+constexpr std::uint32_t most_parameters = 1000;
+
+// Tables of all kinds begin with their size.
+std::uint32_t size_of_table(const void* table) {
+  std::uint32_t size = 0;
+  std::memcpy(&size, table, sizeof size);
+  return size;
+}
+
+struct TableCheck {
+  std::uint32_t size;                   // that the host's version needs
+  bool (*complete)(const void* table);  // no call is missing
+};
+
+template <class Table, auto... Calls>
+constexpr TableCheck check_of() {
+  return {sizeof(Table), [](const void* raw) {
+            const Table& table = *static_cast<const Table*>(raw);
+            return ((table.*Calls != nullptr) && ...);
+          }};
+}
+
+// By kind; there is no kind 0.
+constexpr std::array<TableCheck, REGISTA_KIND_END> table_checks{
+    TableCheck{0, nullptr},
+    check_of<regista_predictor, &regista_predictor::predict, &regista_predictor::correct, &regista_predictor::absorb,
+             &regista_predictor::tracks>(),
+    check_of<regista_context, &regista_context::holds>(),
+    check_of<regista_positioner, &regista_positioner::place>(),
+    check_of<regista_utility, &regista_utility::score>(),
+    check_of<regista_assigner, &regista_assigner::assign>(),
+    check_of<regista_sender, &regista_sender::decide>(),
+    check_of<regista_mailbox, &regista_mailbox::transmitted, &regista_mailbox::dropped, &regista_mailbox::receive>()};
+
+constexpr std::array<std::string_view, REGISTA_KIND_END> kind_names{"",        "predictor", "context", "positioner",
+                                                                    "utility", "assigner",  "sender",  "mailbox"};
+constexpr std::array<std::string_view, REGISTA_KIND_END> kinds_with_article{
+    "", "a predictor", "a context", "a positioner", "a utility", "an assigner", "a sender", "a mailbox"};
+constexpr std::array<std::string_view, 7> type_names{"", "real", "integer", "boolean", "choice", "text", "file"};
+
+bool lower_snake_case(std::string_view name) {
+  if (name.empty() || name.front() < 'a' || name.front() > 'z') return false;
+  return name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string_view::npos;
+}
+
+bool one_line(std::string_view text) { return text.find_first_of("\r\n") == std::string_view::npos; }
+
+bool is_number(std::int32_t type) { return type == REGISTA_TYPE_REAL || type == REGISTA_TYPE_INTEGER; }
+
+std::string wrong_with_number(const regista_parameter& p) {
+  if (!std::isfinite(p.minimum) || !std::isfinite(p.maximum) || p.minimum > p.maximum) {
+    return fmt::format("{} to {} is no range", p.minimum, p.maximum);
+  }
+  if (!(p.initial >= p.minimum && p.initial <= p.maximum)) {
+    return fmt::format("default {} is outside its range {} to {}", p.initial, p.minimum, p.maximum);
+  }
+  if (p.type == REGISTA_TYPE_INTEGER && p.initial != std::floor(p.initial)) {
+    return fmt::format("default {} is not an integer", p.initial);
+  }
+  if ((p.flags & REGISTA_PARAMETER_LOG_SCALE) != 0 && p.minimum <= 0.0) {
+    return fmt::format("has a logarithmic scale, but its range begins at {}", p.minimum);
+  }
+  return {};
+}
+
+std::string wrong_with_choice(const regista_parameter& p) {
+  if (p.choices == nullptr || p.choice_count == 0) return "has no choices";
+  std::set<std::string_view> seen;
+  for (std::uint32_t i = 0; i < p.choice_count; ++i) {
+    if (p.choices[i] == nullptr) return fmt::format("choice {} is null", i);
+    if (!seen.insert(p.choices[i]).second) return fmt::format("offers the choice \"{}\" twice", p.choices[i]);
+  }
+  if (!(p.initial >= 0.0 && p.initial < p.choice_count) || p.initial != std::floor(p.initial)) {
+    return fmt::format("default {} is not the index of one of its {} choices", p.initial, p.choice_count);
+  }
+  return {};
+}
+
+std::string wrong_with(const regista_parameter& p) {
+  if (p.unit == nullptr) return "unit is null";
+  if (p.doc == nullptr) return "doc is null";
+  if (!one_line(p.unit) || !one_line(p.doc)) return "unit and doc must be one line each";
+  if (is_number(p.type)) return wrong_with_number(p);
+  switch (p.type) {
+    case REGISTA_TYPE_BOOLEAN:
+      return p.initial == 0.0 || p.initial == 1.0 ? "" : fmt::format("default {} is neither 0 nor 1", p.initial);
+    case REGISTA_TYPE_CHOICE:
+      return wrong_with_choice(p);
+    case REGISTA_TYPE_TEXT:
+      return p.initial_text != nullptr ? "" : "default is null";
+    case REGISTA_TYPE_FILE:
+      return p.initial_text == nullptr ? "" : "a file has no default";
+    default:
+      return fmt::format("type {} is unknown", p.type);
+  }
+}
+
+std::string wrong_with_parameters(const regista_descriptor& d) {
+  if (d.parameter_count == 0) return {};
+  if (d.parameter_count > most_parameters) return fmt::format("declares {} parameters", d.parameter_count);
+  if (d.parameters == nullptr) return "parameters are null";
+  if (d.parameter_stride < sizeof(regista_parameter) || d.parameter_stride % alignof(regista_parameter) != 0) {
+    return fmt::format("parameters are {} bytes apart; the interface needs {}", d.parameter_stride,
+                       sizeof(regista_parameter));
+  }
+  std::set<std::string_view> seen;
+  for (std::uint32_t i = 0; i < d.parameter_count; ++i) {
+    const regista_parameter& p = parameter(d, i);
+    if (p.size < sizeof p) {
+      return fmt::format("parameter {} is {} bytes; the interface needs {}", i, p.size, sizeof p);
+    }
+    if (p.name == nullptr) return fmt::format("parameter {} has a null name", i);
+    if (!lower_snake_case(p.name)) return fmt::format("parameter \"{}\" is not lower_snake_case", p.name);
+    if (!seen.insert(p.name).second) return fmt::format("parameter \"{}\" is declared twice", p.name);
+    if (const std::string wrong = wrong_with(p); !wrong.empty()) {
+      return fmt::format("parameter \"{}\": {}", p.name, wrong);
+    }
+  }
+  return {};
+}
+
+std::string wrong_with_tables(const regista_descriptor& d) {
+  bool any = false;
+  for (int kind = 1; kind < REGISTA_KIND_END; ++kind) {
+    const void* const found = d.table(kind);
+    if (found == nullptr) continue;
+    any = any || kind != REGISTA_KIND_MAILBOX;
+    const TableCheck& check = table_checks[static_cast<std::size_t>(kind)];
+    if (size_of_table(found) < check.size) {
+      return fmt::format("table of the {} is {} bytes; the interface needs {}", kind_name(kind), size_of_table(found),
+                         check.size);
+    }
+    if (!check.complete(found)) return fmt::format("table of the {} lacks a call", kind_name(kind));
+  }
+  if (!any) return "implements no kind of plugin";
+  if (const auto* predictor = table<regista_predictor>(d, REGISTA_KIND_PREDICTOR);
+      predictor != nullptr && predictor->subjects == 0) {
+    return "is a predictor of nothing";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string what_is_wrong(const regista_descriptor& d, std::uint32_t index) {
+  // Only these fields keep their places in every major version.
+  if (d.abi_major != REGISTA_ABI_MAJOR || d.abi_minor > REGISTA_ABI_MINOR) {
+    return fmt::format("built for Regista plugin interface {}.{}; this host speaks {}.{}", d.abi_major, d.abi_minor,
+                       REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR);
+  }
+  if (d.size < sizeof d) {
+    return fmt::format("descriptor {} is {} bytes; the interface needs {}", index, d.size, sizeof d);
+  }
+  if (d.id == nullptr) return fmt::format("descriptor {}: id is null", index);
+  const auto wrong = [&d](std::string_view what) { return fmt::format("plugin \"{}\": {}", d.id, what); };
+  if (!lower_snake_case(d.id)) return wrong("id is not lower_snake_case");
+  struct Text {
+    const char *name, *value;
+  };
+  for (const Text& text :
+       {Text{"version", d.version}, {"summary", d.summary}, {"licence", d.licence}, {"build tag", d.build_tag}}) {
+    if (text.value == nullptr) return wrong(fmt::format("{} is null", text.name));
+    if (!one_line(text.value)) return wrong(fmt::format("{} is not one line", text.name));
+  }
+  if (d.table == nullptr || d.create == nullptr || d.reset == nullptr || d.destroy == nullptr) {
+    return wrong("lacks one of table, create, reset, destroy");
+  }
+  if (const std::string what = wrong_with_parameters(d); !what.empty()) return wrong(what);
+  if (const std::string what = wrong_with_tables(d); !what.empty()) return wrong(what);
+  return {};
+}
+
+const regista_parameter& parameter(const regista_descriptor& descriptor, std::uint32_t index) {
+  const char* const first = reinterpret_cast<const char*>(descriptor.parameters);
+  return *reinterpret_cast<const regista_parameter*>(first + std::size_t{index} * descriptor.parameter_stride);
+}
+
+bool implements(const regista_descriptor& descriptor, int kind) { return descriptor.table(kind) != nullptr; }
+
+std::vector<int> kinds(const regista_descriptor& descriptor) {
+  std::vector<int> out;
+  for (int kind = 1; kind < REGISTA_KIND_END; ++kind) {
+    if (implements(descriptor, kind)) out.push_back(kind);
+  }
+  return out;
+}
+
+std::string_view kind_name(int kind) { return kind_names.at(static_cast<std::size_t>(kind)); }
+
+std::string_view kind_with_article(int kind) { return kinds_with_article.at(static_cast<std::size_t>(kind)); }
+
+std::optional<int> kind_of_name(std::string_view name) {
+  for (int kind = 1; kind < REGISTA_KIND_END; ++kind) {
+    if (kind_name(kind) == name) return kind;
+  }
+  return std::nullopt;
+}
+
+std::string_view type_name(std::int32_t type) { return type_names.at(static_cast<std::size_t>(type)); }
+
+std::string subject_names(std::uint32_t subjects) {
+  constexpr std::array<std::string_view, 4> names{"self", "ball", "opponents", "teammates"};
+  std::string out;
+  for (std::size_t bit = 0; bit < names.size(); ++bit) {
+    if ((subjects >> bit & 1u) == 0) continue;
+    if (!out.empty()) out += ", ";
+    out += names[bit];
+  }
+  return out;
+}
+
+}  // namespace regista::plugin

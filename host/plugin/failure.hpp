@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// A plugin that failed during a match: it said so, or what it handed back breaks a promise of <regista/abi.h>. Ends the
+// match with a line that says who, when and what.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "plugin/found.hpp"
+
+namespace regista::plugin {
+
+// For whom a plugin works at the moment. Owned by the mind, which updates it at each decision.
+struct Caller {
+  std::string team;
+  int robot = 0;
+  std::uint64_t tick = 0;
+};
+
+// what() is one line:
+//   plugin greedy (lib/greedy.so) of team paper, robot 3, tick 417: assign: column 2 given to rows 0 and 4
+class Failure : public std::runtime_error {
+ public:
+  // `caller` may be null: nobody in particular.
+  Failure(const Found& plugin, const Caller* caller, std::string call, std::string message);
+
+  const std::string& id() const { return id_; }
+  const std::filesystem::path& file() const { return file_; }
+  const std::optional<Caller>& caller() const { return caller_; }
+  const std::string& call() const { return call_; }        // e.g. "assign"
+  const std::string& message() const { return message_; }  // what went wrong, without who and when
+
+ private:
+  std::string id_;
+  std::filesystem::path file_;
+  std::optional<Caller> caller_;
+  std::string call_, message_;
+};
+
+}  // namespace regista::plugin

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "plugin/info.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "plugin/descriptor.hpp"
+
+namespace regista::plugin {
+namespace {
+
+ParameterInfo info(const regista_parameter& p) {
+  ParameterInfo out;
+  out.name = p.name;
+  out.type = type_name(p.type);
+  out.unit = p.unit;
+  out.doc = p.doc;
+  out.tunable = (p.flags & REGISTA_PARAMETER_TUNABLE) != 0;
+  out.log_scale = (p.flags & REGISTA_PARAMETER_LOG_SCALE) != 0;
+  switch (p.type) {
+    case REGISTA_TYPE_REAL:
+    case REGISTA_TYPE_INTEGER:
+      out.initial = fmt::format("{}", p.initial);
+      out.range = fmt::format("{} to {}", p.minimum, p.maximum);
+      break;
+    case REGISTA_TYPE_BOOLEAN:
+      out.initial = p.initial != 0.0 ? "true" : "false";
+      break;
+    case REGISTA_TYPE_CHOICE:
+      out.initial = p.choices[static_cast<std::size_t>(p.initial)];
+      out.range = fmt::format("{}", fmt::join(p.choices, p.choices + p.choice_count, ", "));
+      break;
+    case REGISTA_TYPE_TEXT:
+      out.initial = p.initial_text;
+      break;
+    default:
+      break;
+  }
+  return out;
+}
+
+std::string line(const ParameterInfo& p) {
+  std::string out = fmt::format("  {}: {}", p.name, p.type);
+  if (!p.range.empty()) out += fmt::format(", {}", p.range);
+  if (!p.unit.empty() && p.unit != "1") out += fmt::format(" {}", p.unit);
+  out += p.initial.empty() ? "; default: none" : fmt::format("; default: {}", p.initial);
+  if (p.tunable) out += p.log_scale ? "; tunable on a logarithmic scale" : "; tunable";
+  return fmt::format("{}\n      {}\n", out, p.doc);
+}
+
+}  // namespace
+
+Info info(const Found& plugin) {
+  const regista_descriptor& d = *plugin.descriptor;
+  Info out;
+  out.id = d.id;
+  out.version = d.version;
+  out.summary = d.summary;
+  out.licence = d.licence;
+  out.build_tag = d.build_tag;
+  out.abi = fmt::format("{}.{}", d.abi_major, d.abi_minor);
+  out.file = plugin.file.string();
+  for (const int kind : kinds(d)) out.kinds.emplace_back(kind_name(kind));
+  if (const auto* predictor = table<regista_predictor>(d, REGISTA_KIND_PREDICTOR)) {
+    out.subjects = subject_names(predictor->subjects);
+  }
+  if (const auto* assigner = table<regista_assigner>(d, REGISTA_KIND_ASSIGNER)) {
+    out.negotiates = (assigner->flags & REGISTA_ASSIGNER_NEGOTIATES) != 0;
+  }
+  for (std::uint32_t i = 0; i < d.parameter_count; ++i) out.parameters.push_back(info(parameter(d, i)));
+  return out;
+}
+
+std::string info_text(const Found& plugin) {
+  const Info about = info(plugin);
+  std::string out = fmt::format("{} {}: {}\n", about.id, about.version, about.summary);
+  out += fmt::format("kind:      {}\n", fmt::join(about.kinds, ", "));
+  if (!about.subjects.empty()) out += fmt::format("models:    {}\n", about.subjects);
+  if (about.negotiates) out += "robots may show the same task while they have not agreed yet\n";
+  out += fmt::format("file:      {}\n", about.file);
+  out += fmt::format("build:     {}\n", about.build_tag);
+  out += fmt::format("interface: {}\n", about.abi);
+  out += fmt::format("licence:   {}\n", about.licence);
+  out += about.parameters.empty() ? "parameters: none\n" : "parameters:\n";
+  for (const ParameterInfo& p : about.parameters) out += line(p);
+  return out;
+}
+
+std::string list_text(const Catalogue& catalogue) {
+  std::size_t width = 0;
+  for (const Found& plugin : catalogue.plugins()) {
+    width = std::max(width, std::string_view(plugin.descriptor->id).size());
+  }
+  std::string out;
+  for (int kind = 1; kind < REGISTA_KIND_END; ++kind) {
+    for (const Found& plugin : catalogue.plugins()) {
+      const regista_descriptor& d = *plugin.descriptor;
+      if (kind == REGISTA_KIND_MAILBOX || !implements(d, kind)) continue;
+      out += fmt::format("{:<10}  {:<{}}  {}  {}  ({})\n", kind_name(kind), d.id, width, d.version, d.summary,
+                         plugin.file.string());
+    }
+  }
+  if (out.empty()) out = "no plugins\n";
+  for (const Refused& refused : catalogue.refused()) out += fmt::format("refused: {}\n", to_string(refused));
+  for (const auto& folder : catalogue.folders()) out += fmt::format("searched: {}\n", folder.string());
+  return out;
+}
+
+}  // namespace regista::plugin

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "plugin/instance.hpp"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cstring>
+#include <exception>
+
+namespace regista::plugin {
+namespace {
+
+const regista_host host_without_radio{sizeof(regista_host),
+                                      0,
+                                      nullptr,
+                                      [](void*, const std::uint8_t*, std::uint32_t, double, double, std::int32_t,
+                                         std::uint64_t) -> std::uint64_t { return 0; },
+                                      [](void*, std::uint64_t) {},
+                                      [](void*) -> std::uint32_t { return 0; }};
+
+// What a plugin wrote, as one printable line: it may lack its end or contain several lines.
+std::string one_line(const regista_error& error) {
+  std::string text(error.text, strnlen(error.text, sizeof error.text));
+  for (char& letter : text) {
+    if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) letter = ' ';
+  }
+  return text.empty() ? "failed without saying why" : text;
+}
+
+}  // namespace
+
+Instance::Instance(const Found& plugin, const Parameters& parameters, const regista_environment& environment,
+                   const regista_host* host, const Caller* caller)
+    : plugin_(plugin), environment_(environment), caller_(caller) {
+  assert(parameters.values().size() == plugin.descriptor->parameter_count);
+  environment_.size = sizeof environment_;
+  try {
+    raw_ = plugin.descriptor->create(&environment_, host != nullptr ? host : &host_without_radio,
+                                     parameters.values().data(), &error_);
+  } catch (...) {
+    threw("create");
+  }
+  if (raw_ == nullptr) fail("create", one_line(error_));
+}
+
+Instance::~Instance() { plugin_.descriptor->destroy(raw_); }
+
+void Instance::reset(std::uint64_t seed) { call("reset", plugin_.descriptor->reset, seed); }
+
+void Instance::fail(const char* call, std::string message) const {
+  throw Failure(plugin_, caller_, call, std::move(message));
+}
+
+void Instance::failed(const char* name, std::int32_t status) const {
+  if (status != REGISTA_FAILED) fail(name, fmt::format("returned {}, which means nothing", status));
+  fail(name, one_line(error_));
+}
+
+void Instance::threw(const char* name) const {
+  try {
+    throw;
+  } catch (const std::exception& exception) {
+    fail(name, fmt::format("let an exception cross the plugin's boundary: {}", exception.what()));
+  } catch (...) {
+    fail(name, "let an exception cross the plugin's boundary");
+  }
+}
+
+void Instance::has_no_table(int kind) const { fail("table", fmt::format("is not {}", kind_with_article(kind))); }
+
+}  // namespace regista::plugin

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// One living instance of a plugin: created, reset, called, destroyed. What it fails at becomes a Failure that names
+// plugin, robot and tick. The typed calls of each kind stand in the header of that kind; several of them may share one
+// instance.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include <regista/abi.h>
+
+#include "plugin/descriptor.hpp"
+#include "plugin/failure.hpp"
+#include "plugin/found.hpp"
+#include "plugin/parameters.hpp"
+
+namespace regista::plugin {
+
+class Instance {
+ public:
+  // `environment.roles`, `host` and `caller` must outlive the instance. host null: a host that refuses every offer.
+  // caller null: failures name no robot. Throws Failure when the plugin refuses to be created.
+  Instance(const Found& plugin, const Parameters& parameters, const regista_environment& environment,
+           const regista_host* host, const Caller* caller);
+  ~Instance();
+  Instance(const Instance&) = delete;
+  Instance& operator=(const Instance&) = delete;
+
+  // The beginning of a match. Must come once before any call of a kind, and may come again at any time.
+  void reset(std::uint64_t seed);
+
+  bool implements(int kind) const { return plugin::implements(*plugin_.descriptor, kind); }
+  const Found& plugin() const { return plugin_; }
+  // As given at create; its spans belong to whoever gave them.
+  const regista_environment& environment() const { return environment_; }
+
+  // Calls `function` of a table of this plugin; `name` is the call's, for the Failure.
+  template <class Function, class... Arguments>
+  void call(const char* name, Function function, Arguments... arguments) {
+    error_.text[0] = '\0';
+    std::int32_t status = REGISTA_FAILED;
+    try {
+      status = function(raw_, arguments..., &error_);
+    } catch (...) {
+      threw(name);
+    }
+    if (status != REGISTA_OK) [[unlikely]]
+      failed(name, status);
+  }
+
+  // The table of this kind; throws Failure when the plugin has none.
+  template <class Table>
+  const Table& table(int kind) const {
+    const Table* found = plugin::table<Table>(*plugin_.descriptor, kind);
+    if (found == nullptr) has_no_table(kind);
+    return *found;
+  }
+
+  // Ends the match: what `call` handed back breaks a promise.
+  [[noreturn]] void fail(const char* call, std::string message) const;
+
+ private:
+  [[noreturn]] void failed(const char* name, std::int32_t status) const;
+  [[noreturn]] void threw(const char* name) const;
+  [[noreturn]] void has_no_table(int kind) const;
+
+  Found plugin_;
+  regista_environment environment_;
+  const Caller* caller_;
+  void* raw_ = nullptr;
+  regista_error error_{};
+};
+
+}  // namespace regista::plugin

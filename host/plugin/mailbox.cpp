@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "plugin/mailbox.hpp"
+
+#include <utility>
+
+namespace regista::plugin {
+
+std::optional<Mailbox> Mailbox::of(std::shared_ptr<Instance> instance) {
+  const auto* const calls = table<regista_mailbox>(*instance->plugin().descriptor, REGISTA_KIND_MAILBOX);
+  if (calls == nullptr) return std::nullopt;
+  return Mailbox(std::move(instance), calls);
+}
+
+Mailbox::Mailbox(std::shared_ptr<Instance> instance, const regista_mailbox* calls)
+    : instance_(std::move(instance)), calls_(calls) {}
+
+void Mailbox::transmitted(std::uint64_t handle) { instance_->call("transmitted", calls_->transmitted, handle); }
+
+void Mailbox::dropped(std::uint64_t handle) { instance_->call("dropped", calls_->dropped, handle); }
+
+void Mailbox::receive(const regista_message& message) { instance_->call("receive", calls_->receive, &message); }
+
+}  // namespace regista::plugin

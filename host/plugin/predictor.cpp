@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "plugin/predictor.hpp"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "plugin/covariance.hpp"
+
+namespace regista::plugin {
+
+Predictor::Predictor(std::shared_ptr<Instance> instance)
+    : instance_(std::move(instance)),
+      calls_(&instance_->table<regista_predictor>(REGISTA_KIND_PREDICTOR)),
+      tracks_(track_capacity) {
+  const std::uint32_t subject = instance_->environment().subject;
+  if ((calls_->subjects & subject) == 0) {
+    instance_->fail("create", fmt::format("models {}, not {}", subject_names(calls_->subjects),
+                                          subject == 0 ? "nothing" : subject_names(subject)));
+  }
+}
+
+void Predictor::predict(double dt, const regista_motion* motion, const regista_frame* last) {
+  assert(dt > 0.0);
+  instance_->call("predict", calls_->predict, dt, motion, last);
+}
+
+void Predictor::correct(std::span<const regista_measurement> measurements, const regista_visible_area& area) {
+  const regista_span raw{measurements.data(), static_cast<std::uint32_t>(measurements.size()),
+                         sizeof(regista_measurement)};
+  instance_->call("correct", calls_->correct, raw, &area);
+}
+
+void Predictor::absorb(std::span<const regista_track> tracks, double age) {
+  assert(age >= 0.0);
+  const regista_span raw{tracks.data(), static_cast<std::uint32_t>(tracks.size()), sizeof(regista_track)};
+  instance_->call("absorb", calls_->absorb, raw, age);
+}
+
+std::span<const regista_track> Predictor::tracks() {
+  std::uint32_t count = 0;
+  instance_->call("tracks", calls_->tracks, tracks_.data(), track_capacity, &count);
+  if (count > track_capacity) [[unlikely]]
+    instance_->fail("tracks", fmt::format("wrote {} tracks into room for {}", count, track_capacity));
+  const std::span<const regista_track> out(tracks_.data(), count);
+  for (const regista_track& track : out) check(track);
+  check_together(out);
+  return out;
+}
+
+void Predictor::check(const regista_track& t) const {
+  const auto wrong = [&](const char* what, double value) {
+    instance_->fail("tracks", fmt::format("{} of label {} is {}", what, t.label, value));
+  };
+  struct Field {
+    const char* name;
+    double value;
+  };
+  // A sum is finite only if all its terms are; the terms are looked at one by one only when it is not.
+  const double sum = t.x + t.y + t.heading + t.vx + t.vy + t.turn_rate + t.heading_variance + t.weight + t.age;
+  const bool has_target = (t.flags & REGISTA_TRACK_HAS_TARGET) != 0;
+  if (!std::isfinite(sum) || (has_target && !std::isfinite(t.target[0] + t.target[1]))) [[unlikely]] {
+    for (const Field& field : {Field{"x", t.x},
+                               {"y", t.y},
+                               {"heading", t.heading},
+                               {"vx", t.vx},
+                               {"vy", t.vy},
+                               {"turn rate", t.turn_rate},
+                               {"heading variance", t.heading_variance},
+                               {"weight", t.weight},
+                               {"age", t.age},
+                               {"x of the target", has_target ? t.target[0] : 0.0},
+                               {"y of the target", has_target ? t.target[1] : 0.0}}) {
+      if (!std::isfinite(field.value)) wrong(field.name, field.value);
+    }
+  }
+  if (std::abs(t.heading) > std::numbers::pi) [[unlikely]]
+    wrong("heading", t.heading);
+  if (t.heading_variance < 0.0) [[unlikely]]
+    wrong("heading variance", t.heading_variance);
+  if (!(t.weight > 0.0 && t.weight <= 1.0)) [[unlikely]]
+    wrong("weight", t.weight);
+  if (t.age < 0.0) [[unlikely]]
+    wrong("age", t.age);
+  switch (examine_covariance(t.covariance)) {
+    case Covariance::valid:
+      return;
+    case Covariance::not_finite:
+      instance_->fail("tracks", fmt::format("covariance of label {} is not finite", t.label));
+    case Covariance::not_symmetric:
+      instance_->fail("tracks", fmt::format("covariance of label {} is not symmetric", t.label));
+    case Covariance::not_semi_definite:
+      instance_->fail("tracks", fmt::format("covariance of label {} is not positive semi-definite", t.label));
+  }
+}
+
+void Predictor::check_together(std::span<const regista_track> tracks) const {
+  const regista_environment& environment = instance_->environment();
+  switch (environment.subject) {
+    case REGISTA_SUBJECT_SELF:
+      if (tracks.size() != 1 || tracks[0].label != environment.own_number) [[unlikely]] {
+        instance_->fail(
+            "tracks", fmt::format("self must be one track with label {}, not {} tracks{}", environment.own_number,
+                                  tracks.size(), tracks.empty() ? "" : fmt::format(" with label {}", tracks[0].label)));
+      }
+      return;
+    case REGISTA_SUBJECT_BALL:
+      for (std::size_t i = 1; i < tracks.size(); ++i) {
+        if (tracks[i].weight > tracks[0].weight) [[unlikely]] {
+          instance_->fail("tracks", fmt::format("hypothesis {} has weight {}, the first only {}", i, tracks[i].weight,
+                                                tracks[0].weight));
+        }
+      }
+      return;
+    case REGISTA_SUBJECT_TEAMMATES:
+      for (std::size_t i = 0; i < tracks.size(); ++i) {
+        const std::int32_t label = tracks[i].label;
+        if (label < 1 || static_cast<std::uint32_t>(label) > environment.team_size) [[unlikely]]
+          instance_->fail("tracks", fmt::format("robot {} of {} does not exist", label, environment.team_size));
+        if (i > 0 && label <= tracks[i - 1].label) [[unlikely]]
+          instance_->fail("tracks", fmt::format("label {} comes after {}", label, tracks[i - 1].label));
+      }
+      return;
+    default:
+      for (std::size_t i = 1; i < tracks.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          if (tracks[i].label == tracks[j].label) [[unlikely]]
+            instance_->fail("tracks", fmt::format("label {} stands in tracks {} and {}", tracks[i].label, j, i));
+        }
+      }
+  }
+}
+
+}  // namespace regista::plugin

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "plugin/sender.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace regista::plugin {
+
+Sender::Sender(std::shared_ptr<Instance> instance)
+    : instance_(std::move(instance)), calls_(&instance_->table<regista_sender>(REGISTA_KIND_SENDER)) {}
+
+SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_event> events,
+                            std::span<const regista_offer> offers, const regista_budget& budget) {
+  if (granted_.size() < offers.size()) granted_.resize(offers.size());
+  regista_send out{sizeof(regista_send), 0, REGISTA_EVENT_PERIOD, 0, granted_.data()};
+  const regista_span raw_events{events.data(), static_cast<std::uint32_t>(events.size()), sizeof(regista_event)};
+  const regista_span raw_offers{offers.data(), static_cast<std::uint32_t>(offers.size()), sizeof(regista_offer)};
+  instance_->call("decide", calls_->decide, &frame, raw_events, raw_offers, &budget, &out);
+
+  if (out.send != 0 && out.send != 1) [[unlikely]]
+    instance_->fail("decide", fmt::format("send is {}, neither 0 nor 1", out.send));
+  if (out.granted_count > offers.size()) [[unlikely]] {
+    instance_->fail("decide", fmt::format("granted {} offers of {}", out.granted_count, offers.size()));
+  }
+  if (out.send == 0) return {};
+  if (out.reason < 0 || out.reason >= REGISTA_EVENT_COUNT) [[unlikely]]
+    instance_->fail("decide", fmt::format("reason {} does not exist", out.reason));
+  const std::span<const std::uint64_t> granted(granted_.data(), out.granted_count);
+  for (std::size_t i = 0; i < granted.size(); ++i) {
+    if (std::ranges::find(offers, granted[i], &regista_offer::handle) == offers.end()) [[unlikely]]
+      instance_->fail("decide", fmt::format("granted {} is handle {}, which is not on offer", i, granted[i]));
+    const auto earlier = granted.first(i);
+    if (std::ranges::find(earlier, granted[i]) != earlier.end()) [[unlikely]]
+      instance_->fail("decide", fmt::format("handle {} is granted twice", granted[i]));
+  }
+  return {true, out.reason, granted};
+}
+
+}  // namespace regista::plugin

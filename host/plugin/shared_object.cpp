@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "plugin/shared_object.hpp"
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gelf.h>
+#include <libelf.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <string_view>
+#include <system_error>
+
+#include "plugin/descriptor.hpp"
+
+namespace regista::plugin {
+namespace {
+
+constexpr std::uint32_t most_descriptors = 1000;
+constexpr const char* truncated = "is damaged: it ends too early";
+
+class OpenFile {
+ public:
+  // Not blocking, so that a pipe does not keep us waiting for a writer.
+  explicit OpenFile(const std::filesystem::path& path)
+      : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
+  ~OpenFile() {
+    if (number_ >= 0) ::close(number_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+struct CloseElf {
+  void operator()(Elf* elf) const { elf_end(elf); }
+};
+using ElfFile = std::unique_ptr<Elf, CloseElf>;
+
+std::string system_message(int code) { return std::generic_category().message(code); }
+
+// Whether [offset, offset + size) is inside a file of `file_size` bytes.
+bool inside(std::uint64_t offset, std::uint64_t size, std::uint64_t file_size) {
+  return offset <= file_size && size <= file_size - offset;
+}
+
+// The loader maps segments without asking whether the file has them; touching what is missing kills the process.
+bool complete(Elf* elf, const GElf_Ehdr& header, std::uint64_t file_size) {
+  if (!inside(header.e_phoff, std::uint64_t{header.e_phnum} * header.e_phentsize, file_size)) return false;
+  if (!inside(header.e_shoff, std::uint64_t{header.e_shnum} * header.e_shentsize, file_size)) return false;
+  for (int i = 0; i < header.e_phnum; ++i) {
+    GElf_Phdr segment;
+    if (gelf_getphdr(elf, i, &segment) == nullptr) return false;
+    if (segment.p_type == PT_LOAD && !inside(segment.p_offset, segment.p_filesz, file_size)) return false;
+  }
+  return true;
+}
+
+bool exports(Elf* elf, std::string_view wanted) {
+  for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf, section)) != nullptr;) {
+    GElf_Shdr header;
+    if (gelf_getshdr(section, &header) == nullptr || header.sh_type != SHT_DYNSYM || header.sh_entsize == 0) continue;
+    Elf_Data* const data = elf_getdata(section, nullptr);
+    if (data == nullptr) continue;
+    const int count = static_cast<int>(header.sh_size / header.sh_entsize);
+    for (int i = 0; i < count; ++i) {
+      GElf_Sym symbol;
+      if (gelf_getsym(data, i, &symbol) == nullptr) break;
+      const char* const name = elf_strptr(elf, header.sh_link, symbol.st_name);
+      if (name != nullptr && name == wanted && symbol.st_shndx != SHN_UNDEF &&
+          GELF_ST_TYPE(symbol.st_info) == STT_FUNC) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// Why the file is no plugin, as far as that can be known without running it; empty when it may be one.
+std::string why_no_plugin(const std::filesystem::path& path) {
+  const OpenFile file(path);
+  const int code = errno;
+  if (file.number() < 0) {
+    return code == ENOENT ? "does not exist" : fmt::format("cannot be read: {}", system_message(code));
+  }
+  struct stat about {};
+  if (::fstat(file.number(), &about) != 0) return fmt::format("cannot be read: {}", system_message(errno));
+  if (S_ISDIR(about.st_mode)) return "is a folder, not a shared object";
+  if (!S_ISREG(about.st_mode)) return "is not an ordinary file";
+  if (about.st_size == 0) return "is empty";
+  if (elf_version(EV_CURRENT) == EV_NONE) return "cannot be checked: libelf is too old";
+  const ElfFile elf(elf_begin(file.number(), ELF_C_READ, nullptr));
+  GElf_Ehdr header;
+  if (elf == nullptr || elf_kind(elf.get()) != ELF_K_ELF) return "is not a shared object";
+  if (gelf_getehdr(elf.get(), &header) == nullptr) return truncated;
+  if (header.e_type != ET_DYN) return "is not a shared object";
+  if (!complete(elf.get(), header, static_cast<std::uint64_t>(about.st_size))) return truncated;
+  if (!exports(elf.get(), REGISTA_ENTRY_NAME)) return "is no Regista plugin: it does not export " REGISTA_ENTRY_NAME;
+  return {};
+}
+
+// The loader's message, without the path that it begins with: whoever prints a refusal names the file.
+std::string loader_message(const std::filesystem::path& path) {
+  const char* const raw = ::dlerror();
+  std::string_view text = raw != nullptr ? raw : "unknown error";
+  const std::string prefix = path.string() + ": ";
+  if (text.starts_with(prefix)) text.remove_prefix(prefix.size());
+  return std::string(text);
+}
+
+bool share_a_kind(const regista_descriptor& a, const regista_descriptor& b) {
+  for (int kind = 1; kind < REGISTA_KIND_END; ++kind) {
+    if (implements(a, kind) && implements(b, kind)) return true;
+  }
+  return false;
+}
+
+SharedObject refuse(std::string reason) { return {{}, std::move(reason)}; }
+
+SharedObject shake_hands(decltype(&regista_plugin_entry) entry) {
+  SharedObject out;
+  for (std::uint32_t i = 0; i <= most_descriptors; ++i) {
+    const regista_descriptor* const next = entry(REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR, i);
+    if (next == nullptr) {
+      if (out.descriptors.empty()) return refuse("contains no plugin");
+      return out;
+    }
+    if (std::string wrong = what_is_wrong(*next, i); !wrong.empty()) return refuse(std::move(wrong));
+    for (const regista_descriptor* other : out.descriptors) {
+      if (std::string_view(other->id) == next->id && share_a_kind(*other, *next)) {
+        return refuse(fmt::format("contains two plugins \"{}\" of the same kind", next->id));
+      }
+    }
+    out.descriptors.push_back(next);
+  }
+  return refuse("its list of plugins has no end");
+}
+
+}  // namespace
+
+SharedObject open_shared_object(const std::filesystem::path& file) {
+  // Without a slash the loader would look in its own folders.
+  const std::filesystem::path path = std::filesystem::absolute(file);
+  if (std::string why = why_no_plugin(path); !why.empty()) return refuse(std::move(why));
+  void* const handle = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  if (handle == nullptr) return refuse("cannot be opened: " + loader_message(path));
+  void* const entry = ::dlsym(handle, REGISTA_ENTRY_NAME);
+  if (entry == nullptr) return refuse("cannot be opened: " + loader_message(path));
+  try {
+    return shake_hands(reinterpret_cast<decltype(&regista_plugin_entry)>(entry));
+  } catch (const std::exception& exception) {
+    return refuse(fmt::format("threw while it was asked for its plugins: {}", exception.what()));
+  } catch (...) {
+    return refuse("threw while it was asked for its plugins");
+  }
+}
+
+}  // namespace regista::plugin
