@@ -72,7 +72,7 @@ struct Plugin {
   static constexpr std::size_t count = detail::parameter_count<Class>();
 
   static const std::array<regista_parameter, count>& declared() {
-    static const Class initial{};  // texts of defaults live in it
+    [[maybe_unused]] static const Class initial{};  // texts of defaults live in it
     static const std::array<regista_parameter, count> table = [] {
       std::array<regista_parameter, count> out{};
       if constexpr (count > 0) {

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// The simplest sound plugin of each kind: what every contract suite must accept.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <regista/assigner.hpp>
+#include <regista/context.hpp>
+#include <regista/positioner.hpp>
+#include <regista/predictor.hpp>
+#include <regista/sender.hpp>
+#include <regista/utility.hpp>
+
+namespace {
+
+struct FirstFree {
+  static constexpr auto id = "first_free", version = "1.0.0", summary = "Each robot takes the first task open to it";
+  std::vector<char> taken;
+
+  void assign(const regista::Frame&, regista::UtilityMatrix u, regista::Assignment out) {
+    taken.assign(u.columns(), 0);
+    for (std::size_t i = 0; i < u.rows(); ++i) {
+      for (std::size_t j = 0; j < u.columns() && out[i] == regista::Assignment::no_task; ++j) {
+        if (taken[j] || u(i, j) == regista::UtilityMatrix::forbidden) continue;
+        taken[j] = 1;
+        out[i] = static_cast<std::int32_t>(j);
+      }
+    }
+  }
+};
+
+struct Nearness {
+  static constexpr auto id = "nearness", version = "1.0.0", summary = "One over one plus distance";
+  double scale = 1.0;
+  bool squared = false;
+  static constexpr std::tuple parameters{
+      regista::real("scale", &Nearness::scale, {0.1, 10.0}, "m", "Distance at which half is left").tunable(),
+      regista::boolean("squared", &Nearness::squared, "Falls off with the square")};
+
+  void score(const regista::Frame& frame, regista::Utilities out) {
+    const regista::World world = frame.world();
+    for (std::size_t i = 0; i < out.rows(); ++i) {
+      const regista::Robot& robot = world.robot(world.active()[i]);
+      for (std::size_t j = 0; j < out.columns(); ++j) {
+        const regista::Task& task = frame.tasks()[j];
+        const double d = std::hypot(task.after[0] - robot.pose[0], task.after[1] - robot.pose[1]) / scale;
+        out(i, j) = 1.0 / (1.0 + (squared ? d * d : d));
+      }
+    }
+  }
+};
+
+struct BallSeen {
+  static constexpr auto id = "ball_seen", version = "1.0.0", summary = "Someone knows where the ball is";
+  bool holds(const regista::Frame& frame) { return frame.world().ball_known(); }
+};
+
+struct AtTheBall {
+  static constexpr auto id = "at_the_ball", version = "1.0.0", summary = "Two points about the ball, on the field";
+  double x_limit = 0.0, y_limit = 0.0;
+  void setup(const regista::Environment& e) {
+    x_limit = e->field_length / 2;
+    y_limit = e->field_width / 2;
+  }
+  void place(const regista::Frame& frame, regista::Placement out) {
+    if (!frame.world().ball_known()) return;
+    const double* ball = frame.world().ball().position;
+    const double x = std::clamp(ball[0], -x_limit, x_limit), y = std::clamp(ball[1], -y_limit, y_limit);
+    const std::uint32_t a = out.point(x, y), b = out.point(x, -y, 0.5);
+    out.edge(a, b);
+  }
+};
+
+struct EverySecond {
+  static constexpr auto id = "every_second", version = "1.0.0", summary = "A packet a second, with every offer";
+  std::optional<int> decide(const regista::Frame&, const regista::SendQuery& query, regista::Grants out) {
+    if (query.budget.packets_left <= 0 || query.budget.since_own < 1.0) return std::nullopt;
+    for (const regista::Offer& offer : query.offers) out.grant(offer);
+    return REGISTA_EVENT_PERIOD;
+  }
+};
+
+// Believes the last that it was told, and trusts it less and less.
+struct LastNews {
+  static constexpr auto id = "last_news", version = "1.0.0", summary = "Where it was last measured";
+  static constexpr unsigned subjects =
+      REGISTA_SUBJECT_SELF | REGISTA_SUBJECT_BALL | REGISTA_SUBJECT_OPPONENTS | REGISTA_SUBJECT_TEAMMATES;
+  std::vector<regista::Track> now;
+  unsigned subject = 0;
+  int own = 0, next = 1;
+
+  void setup(const regista::Environment& e) {
+    subject = e->subject;
+    own = e->own_number;
+  }
+  void reset(std::uint64_t) {
+    now.clear();
+    next = 1;
+    if (subject == REGISTA_SUBJECT_SELF) now.push_back(fresh(own, 0.0, 0.0));
+  }
+  static regista::Track fresh(int label, double x, double y) {
+    regista::Track t{};
+    t.label = label;
+    t.x = x;
+    t.y = y;
+    for (const std::size_t i : {0u, 5u, 10u, 15u}) t.covariance[i] = 0.1;
+    t.heading_variance = 0.1;
+    t.weight = 1.0;
+    return t;
+  }
+  void predict(double dt, const regista::Motion*, const regista::Frame*) {
+    for (regista::Track& t : now) {
+      t.age += dt;
+      for (const std::size_t i : {0u, 5u}) t.covariance[i] += 0.01 * dt;
+      t.heading_variance += 0.01 * dt;
+    }
+  }
+  void correct(regista::Span<regista::Measurement> measured, const regista::VisibleArea&) {
+    for (const regista::Measurement& m : measured) {
+      if (m.kind == REGISTA_MEASURED_POSE) {
+        now = {fresh(own, m.position[0], m.position[1])};
+      } else if (m.kind == REGISTA_MEASURED_BALL) {
+        now = {fresh(1, m.position[0], m.position[1])};
+      } else if (m.kind == REGISTA_MEASURED_ROBOT) {
+        const auto near = std::find_if(now.begin(), now.end(), [&](const regista::Track& t) {
+          return std::hypot(t.x - m.position[0], t.y - m.position[1]) < 1.0;
+        });
+        if (near == now.end()) {
+          if (now.size() == 32) now.erase(now.begin());
+          now.push_back(fresh(next++, m.position[0], m.position[1]));
+        } else {
+          *near = fresh(near->label, m.position[0], m.position[1]);
+        }
+      }
+    }
+  }
+  void absorb(regista::Span<regista::Track> said, double age) {
+    if (subject != REGISTA_SUBJECT_TEAMMATES) now.clear();
+    for (regista::Track t : said) {
+      t.age += age;
+      const auto place = std::lower_bound(now.begin(), now.end(), t.label,
+                                          [](const regista::Track& a, int label) { return a.label < label; });
+      if (place != now.end() && place->label == t.label) {
+        *place = t;
+      } else {
+        now.insert(place, t);
+      }
+      next = std::max(next, t.label + 1);
+    }
+  }
+  void tracks(regista::Tracks out) const {
+    for (const regista::Track& t : now) out.add(t);
+  }
+};
+
+}  // namespace
+
+REGISTA_PLUGINS(regista::Plugin<FirstFree, regista::assigner>, regista::Plugin<Nearness, regista::utility>,
+                regista::Plugin<BallSeen, regista::context>, regista::Plugin<AtTheBall, regista::positioner>,
+                regista::Plugin<EverySecond, regista::sender>, regista::Plugin<LastNews, regista::predictor>)
