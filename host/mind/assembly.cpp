@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "mind/assembly.hpp"
+
+#include <Random123/philox.h>
+
+namespace regista::mind {
+
+Assembly::Assembly(const TeamPlan& plan, int number, std::uint64_t seed, Mailboxes& mailboxes,
+                   const plugin::Caller& caller)
+    : plan_(&plan), number_(number), seed_(seed), mailboxes_(&mailboxes), caller_(&caller) {}
+
+std::shared_ptr<plugin::Instance> Assembly::create(const Part& part, unsigned subject) {
+  const regista_host* host = mailboxes_->open();
+  auto instance = std::make_shared<plugin::Instance>(*part.found, part.parameters, plan_->environment(number_, subject),
+                                                     host, caller_);
+  mailboxes_->connect(instance);
+  // Every instance has a stream of its own.
+  const r123::Philox2x64 philox;
+  const auto words = philox({{static_cast<std::uint64_t>(number_), created_++}}, {{seed_}});
+  instance->reset(words[0]);
+  return instance;
+}
+
+std::shared_ptr<plugin::Instance> Assembly::shared(const Part& part) {
+  for (const Shared& each : shared_) {
+    if (each.part->found == part.found && same(each.part->use.params, part.use.params)) return each.instance;
+  }
+  return shared_.emplace_back(Shared{&part, create(part)}).instance;
+}
+
+LocalModel Assembly::local_model() {
+  plugin::Predictor self(create(plan_->self(), REGISTA_SUBJECT_SELF));
+  plugin::Predictor ball(create(plan_->ball(), REGISTA_SUBJECT_BALL));
+  plugin::Predictor opponents(create(plan_->opponents(), REGISTA_SUBJECT_OPPONENTS));
+  return {*plan_, std::move(self), std::move(ball), std::move(opponents)};
+}
+
+TeamModel Assembly::team_model() {
+  const int team_size = plan_->rules().team_size;
+  plugin::Predictor teammates(create(plan_->teammates(), REGISTA_SUBJECT_TEAMMATES));
+  std::vector<plugin::Predictor> balls, opponents;
+  for (int number = 1; number <= team_size; ++number) {
+    balls.emplace_back(create(plan_->ball(), REGISTA_SUBJECT_BALL));
+    opponents.emplace_back(create(plan_->opponents(), REGISTA_SUBJECT_OPPONENTS));
+  }
+  return {team_size, std::move(teammates), std::move(balls), std::move(opponents)};
+}
+
+std::vector<ContextParts> Assembly::contexts() {
+  std::vector<ContextParts> out;
+  for (const ContextPlan& context : plan_->contexts()) {
+    plugin::Context condition(create(context.condition));
+    plugin::Positioner positioner(shared(context.positioner));
+    std::vector<plugin::Utility> terms;
+    for (const TermPart& term : context.terms) terms.emplace_back(shared(term.part));
+    plugin::Assigner assigner(shared(context.assigner));
+    plugin::Sender sender(shared(context.sender));
+    out.push_back(
+        {std::move(condition), std::move(positioner), std::move(terms), std::move(assigner), std::move(sender)});
+  }
+  return out;
+}
+
+}  // namespace regista::mind

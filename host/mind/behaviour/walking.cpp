@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "mind/behaviour/walking.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace regista::mind {
+namespace {
+
+constexpr double personal_space = 0.12;   // m between two torsos, beyond which nobody feels pushed
+constexpr double look_ahead = 1.2;        // m of the way that is checked for obstacles
+constexpr double walk_turned_from = 0.7;  // m: nearer targets are approached without turning the back to them
+constexpr double turn_gain = 3.0;         // 1/s
+constexpr double distance_gain = 1.5;     // 1/s
+constexpr double arrived = 0.08;          // m
+constexpr double heading_reached = 0.1;   // rad
+
+// Scales a velocity in the robot frame into the ellipse of what the walk can do.
+Walk limited(const config::Walk& walk, Vector2d velocity, double turn) {
+  const double along = velocity.x() >= 0.0 ? walk.forward : walk.backward;
+  const double share = std::sqrt(velocity.x() * velocity.x() / (along * along) +
+                                 velocity.y() * velocity.y() / (walk.sideways * walk.sideways));
+  if (share > 1.0) velocity /= share;
+  return {velocity.x(), velocity.y(), std::clamp(turn, -walk.turn, walk.turn)};
+}
+
+}  // namespace
+
+Obstacles robots_around(const Situation& situation) {
+  Obstacles out;
+  const double radius = 2.0 * situation.robot.body.radius + personal_space;
+  for (const RobotSighting& seen : situation.robots_seen) out.add(situation.frame.to_field(seen.position), radius);
+  for (const regista_opponent& opponent : situation.world.opponents) {
+    const Vector2d position(opponent.position[0], opponent.position[1]);
+    if ((position - situation.frame.origin()).squaredNorm() < 2.25) out.add(position, radius);
+  }
+  for (const regista_robot& robot : situation.world.robots) {
+    if ((robot.flags & REGISTA_ROBOT_ACTIVE) == 0 || robot.number == situation.own_number) continue;
+    const Vector2d position(robot.pose[0], robot.pose[1]);
+    // Old news of a teammate's place are worse than none.
+    if (robot.age < 3.0 && (position - situation.frame.origin()).squaredNorm() < 2.25) out.add(position, radius);
+  }
+  return out;
+}
+
+Vector2d way_around(const Vector2d& from, const Vector2d& to, std::span<const Obstacle> obstacles) {
+  const Vector2d whole = to - from;
+  const double distance = whole.norm();
+  if (distance < 1e-9) return to;
+  const Vector2d ahead = whole / distance;
+  const Vector2d left(-ahead.y(), ahead.x());
+  const Obstacle* first = nullptr;
+  double first_along = std::min(distance, look_ahead);
+  for (const Obstacle& obstacle : obstacles) {
+    const Vector2d offset = obstacle.position - from;
+    const double along = offset.dot(ahead), across = offset.dot(left);
+    if (along <= 0.0 || std::abs(across) >= obstacle.radius || along >= first_along) continue;
+    // Who stands on the target itself cannot be walked around.
+    if ((obstacle.position - to).norm() < 0.5 * obstacle.radius) continue;
+    first = &obstacle;
+    first_along = along;
+  }
+  if (first == nullptr) return to;
+  const double across = (first->position - from).dot(left);
+  const double side = across > 0.0 ? -1.0 : 1.0;  // pass where there is less to go around
+  return first->position + left * (side * first->radius * 1.1);
+}
+
+Walk walk_to(const Situation& situation, const Pose& target, std::span<const Obstacle> obstacles, bool brisk) {
+  const config::Walk& walk = situation.robot.walk;
+  const Vector2d goal(target.x, target.y);
+  const double distance = (goal - situation.frame.origin()).norm();
+  if (distance < arrived && !brisk) {
+    const double turn = wrap(target.heading - situation.pose.heading);
+    return limited(walk, situation.frame.direction_to_robot(goal - situation.frame.origin()),
+                   std::abs(turn) < heading_reached ? 0.0 : turn_gain * turn);
+  }
+  const Vector2d next = way_around(situation.frame.origin(), goal, obstacles);
+  const Vector2d direction = situation.frame.direction_to_robot(next - situation.frame.origin());
+  const double wanted =
+      distance > walk_turned_from ? angle_of(direction) : wrap(target.heading - situation.pose.heading);
+  // Far targets: turn first, so that the walk is forward, the fastest there is.
+  const double facing = distance > walk_turned_from ? std::max(0.0, std::cos(wanted)) : 1.0;
+  const double speed = brisk ? walk.forward : std::min(walk.forward, distance_gain * distance);
+  return limited(walk, direction.normalized() * (speed * facing), turn_gain * wanted);
+}
+
+Walk turn_to(const Situation& situation, double heading) {
+  return limited(situation.robot.walk, {0.0, 0.0}, turn_gain * wrap(heading - situation.pose.heading));
+}
+
+}  // namespace regista::mind

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Walking to a pose: straight and fast from afar, sideways near the target, around whoever stands in the way. A robot
+// yields: it never pushes (pushing is punished by the rules).
+#pragma once
+
+#include <span>
+
+#include "config/robot.hpp"
+#include "mind/behaviour/situation.hpp"
+#include "mind/command.hpp"
+#include "mind/geometry.hpp"
+
+namespace regista::mind {
+
+// A disc to keep away from; field frame.
+struct Obstacle {
+  Vector2d position{0, 0};
+  double radius = 0.0;  // distance that the own centre should keep
+};
+
+// Up to so many obstacles are looked at, the nearest ones.
+class Obstacles {
+ public:
+  static constexpr std::size_t most = 24;
+  void add(const Vector2d& position, double radius) {
+    if (count_ < most) list_[count_++] = {position, radius};
+  }
+  std::span<const Obstacle> list() const { return {list_, count_}; }
+
+ private:
+  Obstacle list_[most];
+  std::size_t count_ = 0;
+};
+
+// Robots that are seen now, and opponents and teammates that are believed to be near.
+Obstacles robots_around(const Situation& situation);
+
+// The point to walk to next on the way from `from` to `to`: `to` itself, or beside the first obstacle in the way.
+Vector2d way_around(const Vector2d& from, const Vector2d& to, std::span<const Obstacle> obstacles);
+
+// Velocity towards a pose. `brisk`: do not slow down to arrive.
+Walk walk_to(const Situation& situation, const Pose& target, std::span<const Obstacle> obstacles, bool brisk = false);
+
+// Turn in place towards a heading.
+Walk turn_to(const Situation& situation, double heading);
+
+}  // namespace regista::mind

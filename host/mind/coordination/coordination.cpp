@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "mind/coordination/coordination.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mind/coordination/target.hpp"
+
+namespace regista::mind {
+namespace {
+
+constexpr double forbidden = -std::numeric_limits<double>::infinity();
+
+template <class T>
+regista_span span(const std::vector<T>& elements) {
+  return {elements.data(), static_cast<std::uint32_t>(elements.size()), sizeof(T)};
+}
+
+regista_matrix matrix(std::vector<double>& values, std::size_t rows, std::size_t columns) {
+  return {values.data(), static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(columns),
+          static_cast<std::uint32_t>(columns), 0};
+}
+
+}  // namespace
+
+Coordination::Coordination(const TeamPlan& plan, int own_number, std::vector<ContextParts> parts)
+    : plan_(&plan), own_number_(own_number), parts_(std::move(parts)) {
+  previous_.assign(static_cast<std::size_t>(plan.rules().team_size), REGISTA_NO_TASK);
+  decision_.role_of = previous_;
+}
+
+const config::Context& Coordination::context() const {
+  return plan_->team().contexts[static_cast<std::size_t>(decision_.context)];
+}
+
+// The world of a step; plugins called next see it as frame.world().
+const Snapshot& Coordination::world_for(config::Knowledge knowledge, const WorldModel& world) {
+  const bool common = knowledge == config::Knowledge::common;
+  decision_.frame.knowledge = static_cast<std::int32_t>(common ? REGISTA_COMMON : REGISTA_MINE);
+  return common ? world.common() : world.mine();
+}
+
+const Decision& Coordination::decide(const WorldModel& world, double time, std::uint64_t tick) {
+  regista_frame& frame = decision_.frame;
+  previous_ = decision_.role_of;
+  frame = {};
+  frame.size = sizeof frame;
+  frame.own_number = own_number_;
+  frame.tick = tick;
+  frame.time = time;
+  frame.mine = &world.mine().raw;
+  frame.common = &world.common().raw;
+  frame.previous = span(previous_);
+  frame.context = decision_.context;
+
+  choose_context();
+  if (decision_.context < 0) {
+    forget_roles();
+    return decision_;
+  }
+  const Snapshot& task_world = world_for(context().tasks.knowledge, world);
+  list_tasks(task_world);
+  parts_[static_cast<std::size_t>(decision_.context)].positioner.place(frame, decision_.placement);
+  filter_and_offset(task_world);
+
+  const Snapshot& utility_world = world_for(context().utility_knowledge, world);
+  estimate_times(utility_world);
+  estimate_utilities(utility_world);
+  forbid(utility_world);
+  assign(utility_world);
+  take_own_role();
+  return decision_;
+}
+
+// All conditions are asked, so that those with a memory keep it; the first that holds is in force.
+void Coordination::choose_context() {
+  int chosen = -1;
+  decision_.frame.knowledge = REGISTA_MINE;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (parts_[i].condition.holds(decision_.frame) && chosen < 0) chosen = static_cast<int>(i);
+  }
+  decision_.context = chosen;
+  decision_.frame.context = chosen;
+}
+
+void Coordination::list_tasks(const Snapshot& world) {
+  const Anchors anchors(plan_->rules().field, plan_->rules().ball.rolling_deceleration, world);
+  const int list = context().role_list;
+  decision_.tasks.clear();
+  const auto& roles = plan_->team().role_lists[static_cast<std::size_t>(list)].roles;
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    const config::Role& role = roles[i];
+    regista_task& task = decision_.tasks.emplace_back();
+    task = {};
+    task.id = plan_->first_role(list) + static_cast<int>(i);
+    task.priority = static_cast<std::int32_t>(i);
+    task.group = role.group;
+    task.robot = role.robot;
+    task.flags = role.required ? std::uint32_t{REGISTA_TASK_REQUIRED} : 0u;
+    const Vector2d point = target_of(role.target, anchors);
+    const Vector2d facing = anchors.at(role.target.facing) - point;
+    task.before[0] = task.after[0] = point.x();
+    task.before[1] = task.after[1] = point.y();
+    task.before[2] = task.after[2] = facing.isZero() ? 0.0 : angle_of(facing);
+  }
+  decision_.frame.tasks = span(decision_.tasks);
+}
+
+void Coordination::filter_and_offset(const Snapshot& world) {
+  const config::TaskRules& rules = context().tasks;
+  const auto& waypoints = decision_.placement.points;
+  filter_.keep(decision_.tasks, waypoints, world.active, rules.keep == config::TaskRules::Keep::all, decision_.kept);
+  decision_.columns.clear();
+  for (const std::size_t index : decision_.kept) {
+    regista_task& task = decision_.columns.emplace_back(decision_.tasks[index]);
+    const bool movable = plan_->roles()[static_cast<std::size_t>(task.id)].role->offset;
+    if (movable && rules.offset_at_most > 0.0) offset(task, static_cast<int>(index), waypoints, rules.offset_at_most);
+  }
+  decision_.frame.tasks = span(decision_.columns);
+  decision_.frame.waypoints = span(waypoints);
+  decision_.frame.edges = span(decision_.placement.edges);
+}
+
+// Straight walk at full speed, once the robot stands. Turning is left out: it takes a second at most, and is what the
+// bearing term of a utility weighs.
+void Coordination::estimate_times(const Snapshot& world) {
+  const std::size_t rows = world.active.size(), columns = decision_.columns.size();
+  const double slowness = 1.0 / plan_->robot().walk.forward;
+  decision_.time_to_task.resize(rows * columns);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const regista_robot& robot = world.robot(world.active[i]);
+    for (std::size_t j = 0; j < columns; ++j) {
+      const double dx = decision_.columns[j].after[0] - robot.pose[0];
+      const double dy = decision_.columns[j].after[1] - robot.pose[1];
+      decision_.time_to_task[i * columns + j] = robot.time_until_up + slowness * std::sqrt(dx * dx + dy * dy);
+    }
+  }
+  decision_.frame.time_to_task = matrix(decision_.time_to_task, rows, columns);
+}
+
+void Coordination::estimate_utilities(const Snapshot& world) {
+  const std::size_t rows = world.active.size(), columns = decision_.columns.size();
+  auto& plugins = parts_[static_cast<std::size_t>(decision_.context)].terms;
+  const auto& terms = plan_->contexts()[static_cast<std::size_t>(decision_.context)].terms;
+  decision_.utility.assign(rows * columns, 0.0);
+  decision_.terms.resize(plugins.size());
+  for (std::size_t k = 0; k < plugins.size(); ++k) {
+    std::vector<double>& term = decision_.terms[k];
+    term.assign(rows * columns, 0.0);
+    if (rows == 0 || columns == 0) continue;
+    plugins[k].score(decision_.frame, matrix(term, rows, columns));
+    for (std::size_t i = 0; i < term.size(); ++i) decision_.utility[i] += terms[k].weight * term[i];
+  }
+}
+
+// A task that is bound to a robot is for that robot alone, and that robot for it.
+void Coordination::forbid(const Snapshot& world) {
+  const std::size_t rows = world.active.size(), columns = decision_.columns.size();
+  for (std::size_t j = 0; j < columns; ++j) {
+    const int bound = decision_.columns[j].robot;
+    if (bound == 0) continue;
+    for (std::size_t i = 0; i < rows; ++i) {
+      if (world.active[i] != bound) {
+        decision_.utility[i * columns + j] = forbidden;
+        continue;
+      }
+      for (std::size_t other = 0; other < columns; ++other) {
+        if (decision_.columns[other].robot != bound) decision_.utility[i * columns + other] = forbidden;
+      }
+    }
+  }
+}
+
+void Coordination::assign(const Snapshot& world) {
+  const std::size_t rows = world.active.size(), columns = decision_.columns.size();
+  decision_.assigned.assign(rows, REGISTA_NO_TASK);
+  parts_[static_cast<std::size_t>(decision_.context)].assigner.assign(
+      decision_.frame, matrix(decision_.utility, rows, columns), decision_.assigned);
+  std::ranges::fill(decision_.role_of, REGISTA_NO_TASK);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const std::int32_t column = decision_.assigned[i];
+    decision_.role_of[static_cast<std::size_t>(world.active[i] - 1)] =
+        column >= 0 ? decision_.columns[static_cast<std::size_t>(column)].id : column;
+  }
+}
+
+void Coordination::take_own_role() {
+  int role = decision_.role_of[static_cast<std::size_t>(own_number_ - 1)];
+  // While the others have not agreed, the robot goes on with what it does, if that still exists.
+  if (role == REGISTA_UNKNOWN_TASK) role = decision_.own_role;
+  decision_.own_task = nullptr;
+  for (const regista_task& task : decision_.columns) {
+    if (task.id == role) decision_.own_task = &task;
+  }
+  if (decision_.own_task == nullptr) role = -1;
+  if (role != decision_.own_role) {
+    decision_.own_role = role;
+    decision_.own_role_since = decision_.frame.time;
+  }
+}
+
+void Coordination::forget_roles() {
+  decision_.tasks.clear();
+  decision_.placement.points.clear();
+  decision_.placement.edges.clear();
+  decision_.placement.cells.clear();
+  decision_.placement.vertices.clear();
+  decision_.kept.clear();
+  decision_.columns.clear();
+  decision_.assigned.clear();
+  decision_.utility.clear();
+  std::ranges::fill(decision_.role_of, REGISTA_NO_TASK);
+  take_own_role();
+}
+
+}  // namespace regista::mind

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The paper's pipeline (Affinita et al. 2023), run by every robot alone: context -> tasks -> V -> filter and offset ->
+// utility estimation matrix -> Phi. A straight line of steps, each of which fills its part of the Decision.
+#pragma once
+
+#include <vector>
+
+#include "mind/coordination/decision.hpp"
+#include "mind/coordination/task_filter.hpp"
+#include "mind/team_plan.hpp"
+#include "mind/world/world_model.hpp"
+#include "plugin/kinds.hpp"
+
+namespace regista::mind {
+
+// The running plugins of one context, in the order of the team's contexts.
+struct ContextParts {
+  plugin::Context condition;
+  plugin::Positioner positioner;
+  std::vector<plugin::Utility> terms;
+  plugin::Assigner assigner;
+  plugin::Sender sender;
+};
+
+class Coordination {
+ public:
+  Coordination(const TeamPlan& plan, int own_number, std::vector<ContextParts> parts);
+
+  const Decision& decide(const WorldModel& world, double time, std::uint64_t tick);
+
+  const Decision& decision() const { return decision_; }
+  // The frame of the last decision, null before the first.
+  const regista_frame* last_frame() const { return decision_.frame.size != 0 ? &decision_.frame : nullptr; }
+  plugin::Sender& sender() { return parts_[static_cast<std::size_t>(decision_.context)].sender; }
+  // Nothing is assigned any more: the robot left the game, or no context holds.
+  void forget_roles();
+
+ private:
+  const config::Context& context() const;
+  const Snapshot& world_for(config::Knowledge knowledge, const WorldModel& world);
+  void choose_context();
+  void list_tasks(const Snapshot& world);
+  void filter_and_offset(const Snapshot& world);
+  void estimate_times(const Snapshot& world);
+  void estimate_utilities(const Snapshot& world);
+  void forbid(const Snapshot& world);
+  void assign(const Snapshot& world);
+  void take_own_role();
+
+  const TeamPlan* plan_;
+  int own_number_;
+  std::vector<ContextParts> parts_;
+  TaskFilter filter_;
+  Decision decision_;
+  std::vector<std::int32_t> previous_;  // role_of, one decision ago
+};
+
+}  // namespace regista::mind

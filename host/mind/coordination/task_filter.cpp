@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "mind/coordination/task_filter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace regista::mind {
+namespace {
+
+double distance2(const regista_waypoint& point, double x, double y) {
+  const double dx = point.x - x, dy = point.y - y;
+  return dx * dx + dy * dy;
+}
+
+bool contains(std::span<const std::int32_t> numbers, std::int32_t number) {
+  return std::ranges::find(numbers, number) != numbers.end();
+}
+
+}  // namespace
+
+int nearest_waypoint(std::span<const regista_waypoint> waypoints, double x, double y) {
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    const double d2 = distance2(waypoints[i], x, y);
+    if (d2 < least) {
+      least = d2;
+      nearest = static_cast<int>(i);
+    }
+  }
+  return nearest;
+}
+
+void TaskFilter::keep(std::span<const regista_task> tasks, std::span<const regista_waypoint> waypoints,
+                      std::span<const std::int32_t> active, bool all, std::vector<std::size_t>& kept) {
+  kept.clear();
+  chosen_.assign(tasks.size(), 0);
+  candidates_.clear();
+  std::size_t room = all ? tasks.size() : active.size();
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const regista_task& task = tasks[i];
+    if (task.robot != 0) {
+      if (contains(active, task.robot) && room > 0) {
+        chosen_[i] = 1;
+        --room;
+      }
+      continue;
+    }
+    const int nearest = nearest_waypoint(waypoints, task.before[0], task.before[1]);
+    double d2 =
+        nearest < 0 ? 0.0 : distance2(waypoints[static_cast<std::size_t>(nearest)], task.before[0], task.before[1]);
+    if ((task.flags & REGISTA_TASK_REQUIRED) != 0) d2 = -1.0;
+    candidates_.push_back({d2, i});
+  }
+  std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
+    return a.distance2 != b.distance2 ? a.distance2 < b.distance2 : a.index < b.index;
+  });
+  for (std::size_t i = 0; i < std::min(room, candidates_.size()); ++i) chosen_[candidates_[i].index] = 1;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (chosen_[i] != 0) kept.push_back(i);
+  }
+}
+
+void offset(regista_task& task, int index, std::span<const regista_waypoint> waypoints, double at_most) {
+  int nearest = -1;
+  for (std::size_t i = 0; i < waypoints.size() && nearest < 0; ++i) {
+    if (waypoints[i].task == index) nearest = static_cast<int>(i);
+  }
+  if (nearest < 0) nearest = nearest_waypoint(waypoints, task.before[0], task.before[1]);
+  if (nearest < 0) return;
+  const regista_waypoint& point = waypoints[static_cast<std::size_t>(nearest)];
+  const double dx = point.x - task.before[0], dy = point.y - task.before[1];
+  const double distance = std::hypot(dx, dy);
+  const double share = distance <= at_most ? 1.0 : at_most / distance;
+  task.after[0] = task.before[0] + share * dx;
+  task.after[1] = task.before[1] + share * dy;
+}
+
+}  // namespace regista::mind

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// From M tasks to N (Affinita et al. 2023): "the filtering process for the N out of M tasks is done through the
+// proximity of the tasks to the nodes", and the offset of the kept ones towards their nearest node.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "regista/abi.h"
+
+namespace regista::mind {
+
+// Keeps at most as many tasks as there are active robots (their numbers, ascending), in the given order: those bound to
+// an active robot, those required, then those nearest to a waypoint, or the first ones while there are no waypoints.
+// A task bound to a robot that is not active is never kept. `all`: whoever can be kept is. Writes indices, ascending.
+class TaskFilter {
+ public:
+  void keep(std::span<const regista_task> tasks, std::span<const regista_waypoint> waypoints,
+            std::span<const std::int32_t> active, bool all, std::vector<std::size_t>& kept);
+
+ private:
+  struct Candidate {
+    double distance2;
+    std::size_t index;
+  };
+  std::vector<Candidate> candidates_;
+  std::vector<char> chosen_;
+};
+
+// The waypoint nearest to (x, y), the first of equals; -1 without waypoints.
+int nearest_waypoint(std::span<const regista_waypoint> waypoints, double x, double y);
+
+// Moves `after` towards the nearest waypoint by at most `at_most` metres. A waypoint that belongs to this very task
+// (its `index` among the context's) takes precedence over nearer ones.
+void offset(regista_task& task, int index, std::span<const regista_waypoint> waypoints, double at_most);
+
+}  // namespace regista::mind

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Plane geometry that every room of a mind needs: angles, and the two changes of frame. Radians, metres.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <numbers>
+
+#include "mind/percepts.hpp"
+
+namespace regista::mind {
+
+using Eigen::Vector2d;
+
+inline constexpr double pi = std::numbers::pi;
+
+// The same angle in (-pi, pi].
+inline double wrap(double angle) {
+  if (angle > -pi && angle <= pi) return angle;
+  const double wrapped = std::remainder(angle, 2.0 * pi);
+  return wrapped <= -pi ? pi : wrapped;
+}
+
+inline Vector2d position(const Pose& pose) { return {pose.x, pose.y}; }
+
+inline double angle_of(const Vector2d& v) { return std::atan2(v.y(), v.x()); }
+
+// A pose with its direction as a vector, so that changing frames costs no trigonometry.
+class Frame2 {
+ public:
+  explicit Frame2(const Pose& pose)
+      : origin_(pose.x, pose.y), cos_(std::cos(pose.heading)), sin_(std::sin(pose.heading)) {}
+  Vector2d direction_to_field(const Vector2d& v) const {
+    return {cos_ * v.x() - sin_ * v.y(), sin_ * v.x() + cos_ * v.y()};
+  }
+  Vector2d direction_to_robot(const Vector2d& v) const {
+    return {cos_ * v.x() + sin_ * v.y(), cos_ * v.y() - sin_ * v.x()};
+  }
+  Vector2d to_field(const Vector2d& v) const { return origin_ + direction_to_field(v); }
+  Vector2d to_robot(const Vector2d& v) const { return direction_to_robot(v - origin_); }
+  const Vector2d& origin() const { return origin_; }
+  Vector2d ahead() const { return {cos_, sin_}; }
+
+ private:
+  Vector2d origin_;
+  double cos_, sin_;
+};
+
+// The point of the segment a-b nearest to p.
+inline Vector2d nearest_on_segment(const Vector2d& a, const Vector2d& b, const Vector2d& p) {
+  const Vector2d along = b - a;
+  const double length2 = along.squaredNorm();
+  if (length2 == 0.0) return a;
+  const double t = std::fmin(1.0, std::fmax(0.0, (p - a).dot(along) / length2));
+  return a + t * along;
+}
+
+}  // namespace regista::mind

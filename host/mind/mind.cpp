@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "mind/mind.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "mind/assembly.hpp"
+#include "mind/behaviour/behaviour.hpp"
+#include "mind/coordination/events.hpp"
+#include "mind/world/packet.hpp"
+
+namespace regista::mind {
+namespace {
+
+constexpr double ball_trusted_for = 5.0;   // s: nobody acts on older news of the ball
+constexpr double ball_told_for = 10.0;     // s: nor tells them
+constexpr double opponent_told_for = 4.0;  // s
+
+}  // namespace
+
+struct Mind::Parts {
+  Parts(const TeamPlan& team_plan, int own_number, std::uint64_t seed)
+      : plan(team_plan),
+        number(own_number),
+        caller{team_plan.team().name, own_number, 0},
+        mailboxes(static_cast<std::size_t>(team_plan.rules().messages.size)),
+        assembly(team_plan, own_number, seed, mailboxes, caller),
+        // In braces: the order of evaluation, and so of creating plugins, is that of the text.
+        world{team_plan, own_number, assembly.local_model(), assembly.team_model()},
+        coordination(team_plan, own_number, assembly.contexts()),
+        detector(own_number) {
+    limits.team_size = plan.rules().team_size;
+    limits.role_count = static_cast<int>(plan.roles().size());
+    limits.context_count = static_cast<int>(plan.contexts().size());
+    limits.size = static_cast<std::size_t>(plan.rules().messages.size);
+  }
+
+  void hear(std::span<const HeardPacket> heard);
+  void listen_to(const HeardPacket& packet);
+  Situation situation(const Percepts& percepts) const;
+  Command act(const Percepts& percepts);
+  void decide_to_send(const Percepts& percepts, Outcome& out);
+  Report report(const Percepts& percepts) const;
+  const RoleRow* own_role() const;
+
+  const TeamPlan& plan;
+  int number;
+  plugin::Caller caller;
+  PacketLimits limits;
+  Mailboxes mailboxes;
+  Assembly assembly;
+  WorldModel world;
+  Coordination coordination;
+  EventDetector detector;
+  Behaviour behaviour;
+
+  bool first = true;
+  double now = 0.0;
+  double own_sent_at = 0.0, team_sent_at = 0.0;
+  std::vector<regista_event> events;
+  std::vector<Segment> segments;
+};
+
+Mind::Mind(const TeamPlan& plan, int number, std::uint64_t seed)
+    : parts_(std::make_unique<Parts>(plan, number, seed)) {}
+Mind::~Mind() = default;
+Mind::Mind(Mind&&) noexcept = default;
+Mind& Mind::operator=(Mind&&) noexcept = default;
+
+const Decision& Mind::decision() const { return parts_->coordination.decision(); }
+const WorldModel& Mind::world() const { return parts_->world; }
+std::span<const regista_event> Mind::events() const { return parts_->events; }
+int Mind::number() const { return parts_->number; }
+
+void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, Outcome& out) {
+  Parts& parts = *parts_;
+  const double dt = parts.first ? 0.0 : percepts.time - parts.now;
+  assert(dt >= 0.0);
+  parts.now = percepts.time;
+  parts.mailboxes.begin(percepts.time);
+
+  parts.world.sense(percepts, dt, parts.coordination.last_frame());
+  parts.hear(heard);
+  const Decision& last = parts.coordination.decision();
+  const Vector2d target = last.own_task != nullptr ? Vector2d(last.own_task->after[0], last.own_task->after[1])
+                                                   : position(parts.world.local().pose());
+  parts.world.fuse(percepts, {last.own_role, last.own_role_since, target});
+  const Decision& decision = parts.coordination.decide(parts.world, percepts.time, parts.caller.tick);
+  out.command = parts.act(percepts);
+  parts.decide_to_send(percepts, out);
+  out.role = decision.own_role;
+  out.assignment.assign(decision.role_of.begin(), decision.role_of.end());
+  parts.first = false;
+  ++parts.caller.tick;
+}
+
+void Mind::Parts::hear(std::span<const HeardPacket> heard) {
+  for (const HeardPacket& packet : heard) listen_to(packet);
+}
+
+void Mind::Parts::listen_to(const HeardPacket& packet) {
+  const std::optional<Report> report = decode(packet.bytes, limits, segments);
+  // What is no packet of this team, or claims to be one's own, is noise.
+  if (!report || report->sender == number) return;
+  world.hear(*report, now);
+  team_sent_at = std::max(team_sent_at, report->time_sent);
+  for (const Segment& segment : segments) {
+    mailboxes.deliver(segment, report->sender, report->time_sent, packet.time_heard);
+  }
+}
+
+const RoleRow* Mind::Parts::own_role() const {
+  const int role = coordination.decision().own_role;
+  return role < 0 ? nullptr : &plan.roles()[static_cast<std::size_t>(role)];
+}
+
+Situation Mind::Parts::situation(const Percepts& percepts) const {
+  const Decision& decision = coordination.decision();
+  const Snapshot& mine = world.mine();
+  const Pose pose = world.local().pose();
+  Situation situation{.rules = plan.rules(),
+                      .robot = plan.robot(),
+                      .world = mine,
+                      .placement = decision.placement,
+                      .time = now,
+                      .own_number = number,
+                      .pose = pose,
+                      .frame = Frame2(pose),
+                      .target = pose,
+                      .robots_seen = percepts.robots};
+  if (const RoleRow* row = own_role()) {
+    situation.has_role = true;
+    situation.behaviour = row->role->behaviour;
+    const double* after = decision.own_task->after;
+    situation.target = {after[0], after[1], after[2]};
+    situation.along_edges = plan.team().contexts[static_cast<std::size_t>(decision.context)].tasks.walk_along_edges;
+  }
+  situation.ball = mine.ball();
+  situation.ball_velocity = mine.ball_velocity();
+  situation.ball_age = mine.raw.ball.age;
+  situation.ball_trusted = mine.ball_known() && situation.ball_age < ball_trusted_for;
+  situation.sees_ball = world.local().sees_ball();
+  return situation;
+}
+
+Command Mind::Parts::act(const Percepts& percepts) { return behaviour.act(situation(percepts), percepts); }
+
+void Mind::Parts::decide_to_send(const Percepts& percepts, Outcome& out) {
+  const Decision& decision = coordination.decision();
+  const RoleRow* role = own_role();
+  const bool searching = role != nullptr && role->role->behaviour == config::Behaviour::search;
+  detector.detect(percepts, world, decision, searching, events);
+
+  out.send = false;
+  out.packet.clear();
+  const Phase phase = percepts.game.phase;
+  const bool may_send = phase == Phase::ready || phase == Phase::set || phase == Phase::playing;
+  if (!may_send || percepts.penalised || decision.context < 0) return;
+
+  const config::Rules& rules = plan.rules();
+  const double match = rules.durations.half * rules.durations.halves;
+  const Report told = report(percepts);
+  encode(told, out.packet);
+  regista_budget budget{};
+  budget.size = sizeof budget;
+  budget.packets_left = percepts.game.packets_left;
+  budget.line = rules.messages.budget * percepts.game.match_time_left / match;
+  budget.match_time_left = percepts.game.match_time_left;
+  budget.since_own = now - own_sent_at;
+  budget.since_team = now - std::max(own_sent_at, team_sent_at);
+  budget.bytes_free = mailboxes.bytes_free(out.packet.size());
+  const plugin::SendDecision send_decision =
+      coordination.sender().decide(decision.frame, events, mailboxes.pending(), budget);
+  if (!send_decision.send) {
+    out.packet.clear();
+    return;
+  }
+  out.send = true;
+  out.send_reason = send_decision.reason;
+  mailboxes.load(send_decision.granted, out.packet);
+  own_sent_at = now;
+  // What the others will know of this robot is what they decode.
+  const std::optional<Report> decoded = decode(out.packet, limits, segments);
+  assert(decoded);
+  world.hear(*decoded, now);
+}
+
+Report Mind::Parts::report(const Percepts& percepts) const {
+  const Decision& decision = coordination.decision();
+  const regista_track& self = world.local().self();
+  Report report;
+  report.sender = number;
+  report.time_sent = now;
+  report.pose = world.local().pose();
+  report.position_deviation = std::sqrt(0.5 * (self.covariance[0] + self.covariance[5]));
+  report.heading_deviation = std::sqrt(self.heading_variance);
+  report.velocity = {self.vx, self.vy};
+  report.target = decision.own_task != nullptr ? Vector2d(decision.own_task->after[0], decision.own_task->after[1])
+                                               : position(report.pose);
+  report.fallen = percepts.fallen;
+  report.time_until_up = percepts.time_until_up;
+  report.playing = world.mine().raw.game.phase == REGISTA_PHASE_PLAYING;
+  report.role = decision.own_role;
+  report.role_since = decision.own_role_since;
+  report.context = decision.context;
+  const auto balls = world.local().balls();
+  if (!balls.empty() && balls.front().age < ball_told_for) {
+    const regista_track& ball = balls.front();
+    report.ball = ReportedBall{
+        {ball.x, ball.y}, {ball.vx, ball.vy}, std::sqrt(0.5 * (ball.covariance[0] + ball.covariance[5])), ball.age};
+  }
+  // The five that were seen last, the likelier of equals.
+  std::array<const regista_track*, Report::most_opponents> chosen{};
+  const auto younger = [](const regista_track* a, const regista_track* b) {
+    if (a->age != b->age) return a->age < b->age;
+    return a->weight != b->weight ? a->weight > b->weight : a->label < b->label;
+  };
+  for (const regista_track& track : world.local().opponents()) {
+    if (track.age > opponent_told_for) continue;
+    const regista_track* candidate = &track;
+    for (std::size_t i = 0; i < chosen.size() && candidate != nullptr; ++i) {
+      if (chosen[i] == nullptr || younger(candidate, chosen[i])) std::swap(chosen[i], candidate);
+    }
+  }
+  for (const regista_track* track : chosen) {
+    if (track == nullptr) break;
+    report.opponents[report.opponent_count++] = {
+        {track->x, track->y}, std::sqrt(0.5 * (track->covariance[0] + track->covariance[5])), track->age};
+  }
+  return report;
+}
+
+}  // namespace regista::mind

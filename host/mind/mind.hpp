@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// One robot, alone: percepts and packets in, a command and perhaps a packet out. Knows neither physics nor truth, so
+// the same code could run on a robot or against another simulator.
+//
+// A decision: sense -> hear -> predict -> fuse -> choose context -> place -> filter and offset tasks -> score -> assign
+// -> act -> decide to send.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "mind/command.hpp"
+#include "mind/coordination/decision.hpp"
+#include "mind/percepts.hpp"
+#include "mind/team_plan.hpp"
+#include "mind/world/world_model.hpp"
+
+namespace regista::mind {
+
+class Mind {
+ public:
+  // `plan` outlives the mind. `seed`: of the match and the side; every plugin instance gets its own stream of it.
+  // Throws plugin::Failure when a plugin cannot be created.
+  Mind(const TeamPlan& plan, int number, std::uint64_t seed);
+  ~Mind();
+  Mind(Mind&&) noexcept;
+  Mind& operator=(Mind&&) noexcept;
+
+  // One decision. Throws plugin::Failure when a plugin fails or breaks a promise.
+  void think(const Percepts& percepts, std::span<const HeardPacket> heard, Outcome& out);
+
+  // For recorders: how the last decision came about. Valid until the next one.
+  const Decision& decision() const;
+  const WorldModel& world() const;
+  std::span<const regista_event> events() const;
+  int number() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace regista::mind

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "mind/team_plan.hpp"
+
+#include "mind/landmarks.hpp"
+
+namespace regista::mind {
+namespace {
+
+Part open(const config::PluginUse& use, int kind, const plugin::Catalogue& catalogue) {
+  const plugin::Found& found = catalogue.find(use, kind);
+  return {&found, plugin::resolve(*found.descriptor, use), use};
+}
+
+Part open_predictor(const config::PluginUse& use, unsigned subject, const char* what,
+                    const plugin::Catalogue& catalogue) {
+  Part part = open(use, REGISTA_KIND_PREDICTOR, catalogue);
+  const auto* table = static_cast<const regista_predictor*>(part.found->descriptor->table(REGISTA_KIND_PREDICTOR));
+  if ((table->subjects & subject) == 0) {
+    throw config::Error(use.where, "plugin '" + use.plugin + "' is a predictor, but not of " + what);
+  }
+  return part;
+}
+
+}  // namespace
+
+TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue)
+    : team_(std::move(team)),
+      rules_(std::move(rules)),
+      robot_(std::move(robot)),
+      self_(open_predictor(team_.self, REGISTA_SUBJECT_SELF, "the own pose", catalogue)),
+      ball_(open_predictor(team_.ball, REGISTA_SUBJECT_BALL, "the ball", catalogue)),
+      opponents_(open_predictor(team_.opponents, REGISTA_SUBJECT_OPPONENTS, "opponents", catalogue)),
+      teammates_(open_predictor(team_.teammates, REGISTA_SUBJECT_TEAMMATES, "teammates", catalogue)) {
+  for (const config::Context& context : team_.contexts) {
+    std::vector<TermPart> terms;
+    for (const config::UtilityTerm& term : context.terms) {
+      terms.push_back({term.name, term.weight, open(term.use, REGISTA_KIND_UTILITY, catalogue)});
+    }
+    contexts_.push_back({open(context.use, REGISTA_KIND_CONTEXT, catalogue),
+                         open(context.positioner, REGISTA_KIND_POSITIONER, catalogue),
+                         open(context.assigner, REGISTA_KIND_ASSIGNER, catalogue),
+                         open(context.sender, REGISTA_KIND_SENDER, catalogue), std::move(terms)});
+  }
+
+  for (std::size_t list = 0; list < team_.role_lists.size(); ++list) {
+    const config::RoleList& roles = team_.role_lists[list];
+    first_role_.push_back(static_cast<int>(roles_.size()));
+    for (std::size_t i = 0; i < roles.roles.size(); ++i) {
+      const config::Role& role = roles.roles[i];
+      roles_.push_back({&role, static_cast<int>(list), static_cast<int>(i)});
+      role_table_.push_back({role.name.c_str(), roles.name.c_str(), static_cast<std::int32_t>(i), role.robot});
+    }
+  }
+  constexpr std::size_t most_roles = 254;  // one byte in a packet, one value of it for "none"
+  if (roles_.size() > most_roles) {
+    throw config::Error(team_.where, "a team may name at most 254 roles in all its lists, this one has " +
+                                         std::to_string(roles_.size()));
+  }
+  landmarks_ = landmarks(rules_.field);
+}
+
+regista_environment TeamPlan::environment(int number, unsigned subject) const {
+  const config::FieldSize& field = rules_.field;
+  regista_environment out{};
+  out.size = sizeof out;
+  out.team_size = static_cast<std::uint32_t>(rules_.team_size);
+  out.own_number = number;
+  out.subject = subject;
+  out.field_length = field.length;
+  out.field_width = field.width;
+  out.border_strip = field.border_strip;
+  out.goal_width = field.goal_width;
+  out.goal_depth = field.goal_depth;
+  out.goal_area_length = field.goal_area_length;
+  out.goal_area_width = field.goal_area_width;
+  out.penalty_area_length = field.penalty_area_length;
+  out.penalty_area_width = field.penalty_area_width;
+  out.penalty_mark_distance = field.penalty_mark_distance;
+  out.centre_circle_radius = field.centre_circle_diameter / 2.0;
+  out.ball_radius = rules_.ball.diameter / 2.0;
+  out.robot_radius = robot_.body.radius;
+  out.walk_forward = robot_.walk.forward;
+  out.walk_sideways = robot_.walk.sideways;
+  out.walk_backward = robot_.walk.backward;
+  out.turn_rate = robot_.walk.turn;
+  out.decision_period = robot_.decision_period;
+  out.packet_size = static_cast<std::uint32_t>(rules_.messages.size);
+  out.packet_budget = static_cast<std::uint32_t>(rules_.messages.budget);
+  out.landmarks = {landmarks_.data(), static_cast<std::uint32_t>(landmarks_.size()), sizeof(regista_landmark)};
+  out.roles = {role_table_.data(), static_cast<std::uint32_t>(role_table_.size()), sizeof(regista_role)};
+  return out;
+}
+
+}  // namespace regista::mind

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// A team whose plugins have been found and whose parameters have been checked: everything that is the same for all its
+// robots. From one plan come as many minds as the team has robots.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/robot.hpp"
+#include "config/rules.hpp"
+#include "config/team.hpp"
+#include "plugin/catalogue.hpp"
+#include "plugin/parameters.hpp"
+
+namespace regista::mind {
+
+// A plugin with the values of its parameters.
+struct Part {
+  const plugin::Found* found = nullptr;
+  plugin::Parameters parameters;
+  config::PluginUse use;  // as the team's page has it
+};
+
+struct TermPart {
+  std::string name;
+  double weight = 1.0;
+  Part part;
+};
+
+// What is in force while a context holds.
+struct ContextPlan {
+  Part condition, positioner, assigner, sender;
+  std::vector<TermPart> terms;
+};
+
+// A row of the table of roles: its index is the id of role and task.
+struct RoleRow {
+  const config::Role* role = nullptr;
+  int list = 0;      // index into Team::role_lists
+  int priority = 0;  // place in the list
+};
+
+class TeamPlan {
+ public:
+  // Throws config::Error, located in the team's page, for a plugin that is missing, refused, of the wrong kind or given
+  // wrong parameters. `catalogue` outlives the plan.
+  TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue);
+
+  // Rows of the table of roles point into the team.
+  TeamPlan(const TeamPlan&) = delete;
+  TeamPlan& operator=(const TeamPlan&) = delete;
+
+  const config::Team& team() const { return team_; }
+  const config::Rules& rules() const { return rules_; }
+  const config::Robot& robot() const { return robot_; }
+
+  const Part& self() const { return self_; }
+  const Part& ball() const { return ball_; }
+  const Part& opponents() const { return opponents_; }
+  const Part& teammates() const { return teammates_; }
+  // In the order of Team::contexts: highest priority first.
+  const std::vector<ContextPlan>& contexts() const { return contexts_; }
+
+  const std::vector<RoleRow>& roles() const { return roles_; }
+  // Row of the first role of a list.
+  int first_role(int list) const { return first_role_[static_cast<std::size_t>(list)]; }
+
+  // The environment of robot `number`; its spans and strings live in the plan.
+  regista_environment environment(int number, unsigned subject = 0) const;
+
+ private:
+  config::Team team_;
+  config::Rules rules_;
+  config::Robot robot_;
+  Part self_, ball_, opponents_, teammates_;
+  std::vector<ContextPlan> contexts_;
+  std::vector<RoleRow> roles_;
+  std::vector<int> first_role_;
+  std::vector<regista_role> role_table_;
+  std::vector<regista_landmark> landmarks_;
+};
+
+}  // namespace regista::mind

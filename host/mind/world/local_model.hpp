@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// LM and its update psi (Affinita et al. 2023): what one robot knows through its own sensors alone. Own pose, ball and
+// opponents are modelled by the team's predictors; this class brings sightings into the field frame, with the
+// uncertainty of the own pose added to theirs.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mind/geometry.hpp"
+#include "mind/percepts.hpp"
+#include "mind/team_plan.hpp"
+#include "plugin/kinds.hpp"
+
+namespace regista::mind {
+
+class LocalModel {
+ public:
+  LocalModel(const TeamPlan& plan, plugin::Predictor self, plugin::Predictor ball, plugin::Predictor opponents);
+
+  // Carries everything dt seconds forward and takes the new percepts. `last`: the frame of the last decision, or null.
+  void update(const Percepts& percepts, double dt, const regista_frame* last);
+
+  const regista_track& self() const { return self_; }
+  Pose pose() const { return {self_.x, self_.y, self_.heading}; }
+  // Hypotheses, best first; opponents in no order. Valid until the next update.
+  std::span<const regista_track> balls() const { return balls_; }
+  std::span<const regista_track> opponents() const { return opponents_; }
+  // A ball was seen at the last update, near the best hypothesis.
+  bool sees_ball() const { return !balls_.empty() && balls_.front().age < 0.5 * decision_period_; }
+
+ private:
+  void measure_self(const Percepts& percepts);
+  void add_in_field_frame(int kind, const Frame2& frame, const Vector2d& position, double along, double across);
+
+  double decision_period_;
+  plugin::Predictor self_model_, ball_model_, opponent_model_;
+  regista_track self_{};
+  std::span<const regista_track> balls_, opponents_;
+  std::vector<regista_measurement> measurements_;
+};
+
+}  // namespace regista::mind

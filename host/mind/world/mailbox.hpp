@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The mailboxes of one robot's plugins: what they offer for the next packets, what left, what arrived. Every plugin
+// instance has a place, numbered in the order of the team's page, so that bytes find the same place in the minds of the
+// teammates. Segments: see packet.hpp.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mind/world/packet.hpp"
+#include "plugin/kinds.hpp"
+
+namespace regista::mind {
+
+class Mailboxes {
+ public:
+  // `packet_size` in bytes; room is kept for the largest core.
+  explicit Mailboxes(std::size_t packet_size);
+  ~Mailboxes();
+  Mailboxes(const Mailboxes&) = delete;
+  Mailboxes& operator=(const Mailboxes&) = delete;
+
+  // The way out for the next instance, to be given to its create; then connect() that instance.
+  const regista_host* open();
+  void connect(const std::shared_ptr<plugin::Instance>& instance);
+
+  // Sets the time and drops what has expired.
+  void begin(double now);
+  // All that waits, oldest first. Valid until the next call.
+  std::span<const regista_offer> pending();
+  // Bytes for segments in a packet whose core has `core` bytes.
+  std::uint32_t bytes_free(std::size_t core) const;
+  // Appends the granted offers that fit to the packet and tells their plugins.
+  void load(std::span<const std::uint64_t> granted, std::vector<std::uint8_t>& packet);
+  void deliver(const Segment& segment, int sender, double time_sent, double time_heard);
+
+ private:
+  struct Endpoint;
+  struct Waiting {
+    regista_offer offer{};
+    std::size_t place = 0;
+    std::vector<std::uint8_t> bytes;
+  };
+  std::uint64_t offer(std::size_t place, std::span<const std::uint8_t> bytes, double urgency, double expiry, int medium,
+                      std::uint64_t replaces);
+  void drop(std::size_t index);
+  std::size_t longest_segment() const;
+
+  std::size_t packet_size_;
+  double now_ = 0.0;
+  std::uint64_t last_handle_ = 0;
+  std::vector<std::unique_ptr<Endpoint>> endpoints_;
+  std::vector<Waiting> waiting_;
+  std::vector<regista_offer> listed_;
+};
+
+}  // namespace regista::mind

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// OLM_j and its update delta (Affinita et al. 2023): for every robot j of the team, what its last packet said, carried
+// forward by the team's predictors while nothing arrives. The own number has a model too, of what the *others* know of
+// this robot: its own packets as they were decoded. All robots that heard the same packets hold the same models.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mind/world/fusion.hpp"
+#include "mind/world/packet.hpp"
+#include "plugin/kinds.hpp"
+
+namespace regista::mind {
+
+class TeamModel {
+ public:
+  // `balls` and `opponents` hold one predictor per robot, by number.
+  TeamModel(int team_size, plugin::Predictor teammates, std::vector<plugin::Predictor> balls,
+            std::vector<plugin::Predictor> opponents);
+
+  void predict(double dt, const regista_frame* last);
+  // A packet that left report.time_sent <= now. One older than the newest of its sender changes nothing.
+  void absorb(const Report& report, double now);
+  // Reads the predictors once; everything below is as of the last call.
+  void refresh();
+
+  // What robot `number` last said; null before its first packet.
+  const Report* report(int number) const {
+    const auto& member = members_[static_cast<std::size_t>(number - 1)];
+    return member.report ? &*member.report : nullptr;
+  }
+  // Its track, carried forward; null before its first packet.
+  const regista_track* track(int number) const { return members_[static_cast<std::size_t>(number - 1)].track; }
+  // Appends the estimates of everyone but `except` (0: of everyone).
+  void balls(int except, std::vector<Estimate>& out) const;
+  void opponents(int except, std::vector<Estimate>& out) const;
+
+ private:
+  struct Member {
+    plugin::Predictor ball, opponents;
+    std::optional<Report> report;
+    const regista_track* track = nullptr;
+    std::span<const regista_track> ball_tracks, opponent_tracks;
+  };
+  plugin::Predictor teammates_;
+  std::vector<Member> members_;
+  std::vector<regista_track> scratch_;
+};
+
+}  // namespace regista::mind

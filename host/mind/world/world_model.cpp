@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "mind/world/world_model.hpp"
+
+#include <algorithm>
+
+namespace regista::mind {
+namespace {
+
+// Obstacles of two robots this near are one (B-Human's release: 1.1 m).
+constexpr double merge_distance = 1.1;
+
+// A ball that nobody has seen for so long may be anywhere on the field.
+constexpr double ball_forgotten_after = 30.0;
+
+int abi(Phase phase) { return static_cast<int>(phase); }
+int abi(SetPlay set_play) { return static_cast<int>(set_play); }
+static_assert(static_cast<int>(Phase::finished) == REGISTA_PHASE_FINISHED);
+static_assert(static_cast<int>(SetPlay::penalty_kick) == REGISTA_SET_PLAY_PENALTY_KICK);
+
+}  // namespace
+
+WorldModel::WorldModel(const TeamPlan& plan, int own_number, LocalModel local, TeamModel team)
+    : plan_(&plan),
+      own_number_(own_number),
+      local_(std::move(local)),
+      team_(std::move(team)),
+      mine_(plan.rules().team_size),
+      common_(plan.rules().team_size),
+      fusion_(merge_distance, static_cast<std::size_t>(plan.rules().team_size)) {
+  estimates_.reserve(256);
+}
+
+void WorldModel::sense(const Percepts& percepts, double dt, const regista_frame* last) {
+  local_.update(percepts, dt, last);
+  if (dt > 0.0) team_.predict(dt, last);
+}
+
+regista_game WorldModel::game(const Percepts& percepts) const {
+  const GameTold& told = percepts.game;
+  regista_game game{};
+  game.phase = abi(told.phase);
+  game.set_play = abi(told.set_play);
+  game.own_kick = told.own_kick ? 1 : 0;
+  game.half = told.half;
+  game.own_score = told.own_score;
+  game.opponent_score = told.opponent_score;
+  game.phase_time = told.phase_time;
+  game.time_left = told.half_time_left;
+  // Whoever heard the whistle says so in its packet; the others need not wait for the game controller.
+  if (told.phase == Phase::set) {
+    for (int number = 1; number <= plan_->rules().team_size; ++number) {
+      const Report* report = team_.report(number);
+      if (report != nullptr && report->playing && report->time_sent > percepts.time - told.phase_time) {
+        game.phase = REGISTA_PHASE_PLAYING;
+      }
+    }
+  }
+  return game;
+}
+
+void WorldModel::fuse(const Percepts& percepts, const OwnRole& own) {
+  team_.refresh();
+  const regista_game now = game(percepts);
+
+  estimates_.clear();
+  for (const regista_track& ball : local_.balls()) estimates_.push_back({ball, 0});
+  fill(mine_, own_number_, percepts, now);
+  fill_self(percepts, own);
+  mine_.close();
+
+  estimates_.clear();
+  fill(common_, 0, percepts, now);
+  common_.robot(own_number_).flags |= REGISTA_ROBOT_SELF;
+  common_.close();
+}
+
+// `estimates_` comes in with the own hypotheses of the ball, for `mine`.
+void WorldModel::fill(Snapshot& out, int except, const Percepts& percepts, const regista_game& now) {
+  out.raw.game = now;
+  team_.balls(except, estimates_);
+  std::erase_if(estimates_, [](const Estimate& each) { return each.track.age > ball_forgotten_after; });
+  out.raw.ball = fuse_ball(estimates_);
+
+  estimates_.clear();
+  if (except != 0) {
+    for (const regista_track& opponent : local_.opponents()) estimates_.push_back({opponent, 0});
+  }
+  team_.opponents(except, estimates_);
+  fusion_.fuse(estimates_, out.opponents);
+
+  for (regista_robot& robot : out.robots) {
+    const Report* report = team_.report(robot.number);
+    const regista_track* track = team_.track(robot.number);
+    const bool penalised = (percepts.game.own_penalised >> (robot.number - 1) & 1u) != 0;
+    robot.flags = penalised ? REGISTA_ROBOT_PENALISED : 0;
+    if (report == nullptr || track == nullptr) continue;
+    robot.flags |= REGISTA_ROBOT_KNOWN | REGISTA_ROBOT_HAS_TARGET;
+    robot.age = std::max(0.0, percepts.time - report->time_sent);
+    if (!penalised && robot.age <= plan_->team().forget_teammate_after) robot.flags |= REGISTA_ROBOT_ACTIVE;
+    robot.time_until_up = std::max(0.0, report->time_until_up - robot.age);
+    if (robot.time_until_up > 0.0) robot.flags |= REGISTA_ROBOT_FALLEN;
+    robot.pose[0] = track->x;
+    robot.pose[1] = track->y;
+    robot.pose[2] = track->heading;
+    robot.velocity[0] = track->vx;
+    robot.velocity[1] = track->vy;
+    robot.velocity[2] = track->turn_rate;
+    robot.covariance[0] = track->covariance[0];
+    robot.covariance[1] = robot.covariance[3] = track->covariance[1];
+    robot.covariance[4] = track->covariance[5];
+    robot.covariance[8] = track->heading_variance;
+    robot.target[0] = report->target.x();
+    robot.target[1] = report->target.y();
+    robot.role = report->role;
+    robot.role_since = report->role_since;
+  }
+}
+
+void WorldModel::fill_self(const Percepts& percepts, const OwnRole& own) {
+  regista_robot& self = mine_.robot(own_number_);
+  const regista_track& track = local_.self();
+  self.flags = REGISTA_ROBOT_SELF | REGISTA_ROBOT_KNOWN | REGISTA_ROBOT_HAS_TARGET |
+               (percepts.penalised ? REGISTA_ROBOT_PENALISED : REGISTA_ROBOT_ACTIVE) |
+               (percepts.fallen ? REGISTA_ROBOT_FALLEN : 0);
+  self.age = 0.0;
+  self.time_until_up = percepts.time_until_up;
+  self.pose[0] = track.x;
+  self.pose[1] = track.y;
+  self.pose[2] = track.heading;
+  self.velocity[0] = track.vx;
+  self.velocity[1] = track.vy;
+  self.velocity[2] = track.turn_rate;
+  self.covariance[0] = track.covariance[0];
+  self.covariance[1] = self.covariance[3] = track.covariance[1];
+  self.covariance[4] = track.covariance[5];
+  self.covariance[8] = track.heading_variance;
+  self.target[0] = own.target.x();
+  self.target[1] = own.target.y();
+  self.role = own.role;
+  self.role_since = own.since;
+}
+
+}  // namespace regista::mind

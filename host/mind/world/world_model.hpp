@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The distributed world model (DWM of Affinita et al. 2023) twice over: `mine` fuses the own local model with the
+// models of the others; `common` fuses only what has been sent, the own packets included, so that robots which heard
+// the same packets see the same world.
+#pragma once
+
+#include <vector>
+
+#include "mind/percepts.hpp"
+#include "mind/world/fusion.hpp"
+#include "mind/world/local_model.hpp"
+#include "mind/world/snapshot.hpp"
+#include "mind/world/team_model.hpp"
+
+namespace regista::mind {
+
+// What this robot plays now: for its own row in `mine`.
+struct OwnRole {
+  int role = -1;
+  double since = 0.0;
+  Vector2d target{0, 0};
+};
+
+class WorldModel {
+ public:
+  WorldModel(const TeamPlan& plan, int own_number, LocalModel local, TeamModel team);
+
+  // Order of a decision: sense(), hear() for each report, fuse(). `last` as in LocalModel::update.
+  void sense(const Percepts& percepts, double dt, const regista_frame* last);
+  void hear(const Report& report, double now) { team_.absorb(report, now); }
+  void fuse(const Percepts& percepts, const OwnRole& own);
+
+  const Snapshot& mine() const { return mine_; }
+  const Snapshot& common() const { return common_; }
+  const LocalModel& local() const { return local_; }
+  const TeamModel& team() const { return team_; }
+
+ private:
+  void fill(Snapshot& out, int except, const Percepts& percepts, const regista_game& game);
+  void fill_self(const Percepts& percepts, const OwnRole& own);
+  regista_game game(const Percepts& percepts) const;
+
+  const TeamPlan* plan_;
+  int own_number_;
+  LocalModel local_;
+  TeamModel team_;
+  Snapshot mine_, common_;
+  OpponentFusion fusion_;
+  std::vector<Estimate> estimates_;
+};
+
+}  // namespace regista::mind
