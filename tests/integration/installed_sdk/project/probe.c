@@ -5,10 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#define REQUIRE(condition)                               \
-  if (!(condition)) {                                    \
+#define REQUIRE(condition)                              \
+  if (!(condition)) {                                   \
     fprintf(stderr, "does not hold: %s\n", #condition); \
-    return 1;                                            \
+    return 1;                                           \
   }
 
 typedef const regista_descriptor* entry_function(uint32_t, uint32_t, uint32_t);
@@ -37,7 +37,7 @@ int main(int argument_count, char** arguments) {
   void* instance = plugin->create(NULL, NULL, &value, &error);
   REQUIRE(instance);
   REQUIRE(plugin->reset(instance, 1, &error) == REGISTA_OK);
-  double values[2][4] = {{0}};  /* the last column lies beyond the matrix */
+  double values[2][4] = {{0}}; /* the last column lies beyond the matrix */
   const regista_matrix matrix = {.values = &values[0][0], .rows = 2, .columns = 3, .stride = 4};
   REQUIRE(utility->score(instance, NULL, &matrix, &error) == REGISTA_OK);
   for (int row = 0; row < 2; ++row) {
