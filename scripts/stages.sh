@@ -20,7 +20,7 @@ stage() {
   "$@"
   local seconds=$((SECONDS - begin))
   printf '<== %s: %d s\n' "$current_stage" "$seconds"
-  finished_stages+=("$(printf '  %-28s %5d s  %s' "$current_stage" "$seconds" "$stage_note")")
+  finished_stages+=("$(printf "  %-20s %5d s%s" "$current_stage" "$seconds" "${stage_note:+  $stage_note}")")
   current_stage=""
 }
 
