@@ -3,6 +3,7 @@
 # stages that are named, timed and summed up. The first command that fails ends the script and names its stage.
 # shellcheck shell=bash
 set -euo pipefail
+shopt -s inherit_errexit
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 exec </dev/null
 
