@@ -10,6 +10,7 @@ exec </dev/null
 current_stage="start"
 finished_stages=()
 stage_note=""
+closing=""  # printed last, when all went well
 
 # stage NAME COMMAND [ARGUMENT...]: runs the command; it may leave a remark for the summary in stage_note.
 stage() {
@@ -32,7 +33,7 @@ print_summary() {
   if ((status)); then
     printf '  FAILED in stage "%s" after %d s\n' "$current_stage" "$SECONDS" >&2
   else
-    printf '  all stages passed in %d s\n' "$SECONDS"
+    printf '  all stages passed in %d s\n%s' "$SECONDS" "$closing"
   fi
 }
 trap print_summary EXIT
