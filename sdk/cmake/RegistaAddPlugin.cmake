@@ -4,7 +4,6 @@
 # Builds <name>.so as a Regista plugin: everything hidden but the one entry point, no contraction of floating-point
 # expressions, never unloaded. TEST names a GoogleTest source; it is compiled into test_<name>, which finds the shared
 # object through the macro REGISTA_PLUGIN_FILE.
-set(_regista_cmake_dir ${CMAKE_CURRENT_LIST_DIR})
 
 function(regista_add_plugin name)
   cmake_parse_arguments(PLUGIN "" "TEST" "SOURCES;LINKS" ${ARGN})
@@ -22,8 +21,8 @@ function(regista_add_plugin name)
     REGISTA_BUILD_TAG="${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_BUILD_TYPE}")
   # Hidden visibility alone leaks weak standard-library symbols into the process; the version script leaves one.
   target_link_options(${name} PRIVATE
-    LINKER:--version-script=${_regista_cmake_dir}/plugin.map LINKER:-z,nodelete)
-  set_property(TARGET ${name} APPEND PROPERTY LINK_DEPENDS ${_regista_cmake_dir}/plugin.map)
+    LINKER:--version-script=${CMAKE_CURRENT_FUNCTION_LIST_DIR}/plugin.map LINKER:-z,nodelete)
+  set_property(TARGET ${name} APPEND PROPERTY LINK_DEPENDS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/plugin.map)
   target_link_libraries(${name} PRIVATE regista::sdk ${PLUGIN_LINKS})
   if(TARGET regista_flags)
     target_link_libraries(${name} PRIVATE regista_flags)

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+# Sourced by scripts/check and scripts/demo: strict mode, the project's root as current folder, no standard input, and
+# stages that are named, timed and summed up. The first command that fails ends the script and names its stage.
+# shellcheck shell=bash
+set -euo pipefail
+shopt -s inherit_errexit
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
+exec </dev/null
+
+current_stage="start"
+finished_stages=()
+stage_note=""
+closing=""  # printed last, when all went well
+
+# stage NAME COMMAND [ARGUMENT...]: runs the command; it may leave a remark for the summary in stage_note.
+stage() {
+  current_stage=$1
+  shift
+  stage_note=""
+  local begin=$SECONDS
+  printf '\n==> %s\n' "$current_stage"
+  "$@"
+  local seconds=$((SECONDS - begin))
+  printf '<== %s: %d s\n' "$current_stage" "$seconds"
+  finished_stages+=("$(printf "  %-20s %5d s%s" "$current_stage" "$seconds" "${stage_note:+  $stage_note}")")
+  current_stage=""
+}
+
+print_summary() {
+  local status=$?
+  printf '\nSummary of %s\n' "${0##*/}"
+  if ((${#finished_stages[@]})); then printf '%s\n' "${finished_stages[@]}"; fi
+  if ((status)); then
+    printf '  FAILED in stage "%s" after %d s\n' "$current_stage" "$SECONDS" >&2
+  else
+    printf '  all stages passed in %d s\n%s' "$SECONDS" "$closing"
+  fi
+}
+trap print_summary EXIT
+
+# Where there is no home folder to keep ccache's store in, keep it beside the builds.
+if [[ ! -w ${HOME:-/nonexistent} ]]; then export CCACHE_DIR="$PWD/build/ccache"; fi
+
+# Every script configures a preset through here: two of them with different cache options would rebuild each other's
+# files for ever.
+configure() { cmake --preset "$1" -DREGISTA_WERROR=ON; }

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: MIT
+"""Who may know whom: the arrows of docs/architecture.md as data. A change here is a change of the architecture.
+
+    cli -> report, study -> campaign -> match -> mind -> plugin -> sdk;  config and statistics are leaves
+
+An arrow may skip rooms (match may include plugin), never run backwards or sideways.
+"""
+
+# room of host/ -> the rooms it may include or link. "sdk" stands for <regista/abi.h>, all that host and plugins share.
+KNOWS = {
+    "config": set(),
+    "statistics": set(),
+    "plugin": {"sdk", "config"},
+    "mind": {"sdk", "config", "plugin"},
+    "match": {"sdk", "config", "plugin", "mind"},
+    "campaign": {"sdk", "config", "plugin", "mind", "match", "statistics"},
+    "study": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign"},
+    "report": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign"},
+    "cli": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study", "report"},
+}
+
+# What of the SDK the host may include.
+HOST_SEES_OF_SDK = "regista/abi.h"
+
+
+class Library:
+    """A library that only one place of the tree may know, and there perhaps only its .cpp files."""
+
+    def __init__(self, name, place, headers, targets, sources_only=False):
+        self.name, self.place, self.sources_only = name, place, sources_only
+        self.headers = headers  # how an include of it begins
+        self.targets = targets  # how a build file names it
+
+
+CONFINED = [
+    Library("box2d", "host/match/", ("box2d/", "Box2D/"), ("box2d", "box2d::box2d")),
+    Library("CGAL", "plugins/positioners/voronoi", ("CGAL/",), ("CGAL", "CGAL::CGAL")),
+    Library("nlopt", "host/study/", ("nlopt.h", "nlopt.hpp"), ("nlopt", "nlopt_cxx", "NLopt", "NLopt::nlopt",
+                                                                "NLopt::nlopt_cxx")),
+    Library("yaml-cpp", "host/config/", ("yaml-cpp/",), ("yaml-cpp", "yaml-cpp::yaml-cpp"), sources_only=True),
+    Library("sqlite", "host/campaign/", ("sqlite3.h", "sqlite3ext.h", "SQLiteCpp/"),
+            ("sqlite3", "SQLiteCpp", "SQLite3", "SQLite::SQLite3"), sources_only=True),
+]
+
+# Headers of C that the C++ headers of the SDK may name besides those without extension.
+C_HEADERS = {"assert.h", "errno.h", "float.h", "inttypes.h", "limits.h", "math.h", "stdalign.h", "stdarg.h",
+             "stdbool.h", "stddef.h", "stdint.h", "stdio.h", "stdlib.h", "string.h"}
