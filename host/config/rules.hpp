@@ -22,26 +22,26 @@ struct FieldSize {
 
 struct BallSize {
   double diameter = 0.10;
-  double mass = 0.044;                  // kg
-  double rolling_deceleration = 0.32;   // m/s^2
-  double restitution = 0.5;             // with bodies and posts
+  double mass = 0.044;                 // kg
+  double rolling_deceleration = 0.32;  // m/s^2
+  double restitution = 0.5;            // with bodies and posts
 };
 
 struct Durations {
   double half = 600.0;
   int halves = 2;
   double ready = 45.0;
-  double set = 5.0;                     // from Set to the whistle
-  double kick_off_free_after = 10.0;    // ball free without a touch
-  double set_play = 30.0;               // kick-in, goal kick, corner kick
-  double state_delay = 15.0;            // Goal -> Ready and Set -> Playing reach robots late, except by whistle
-  double game_stuck = 30.0;             // nobody touches the ball
+  double set = 5.0;                   // from Set to the whistle
+  double kick_off_free_after = 10.0;  // ball free without a touch
+  double set_play = 30.0;             // kick-in, goal kick, corner kick
+  double state_delay = 15.0;          // Goal -> Ready and Set -> Playing reach robots late, except by whistle
+  double game_stuck = 30.0;           // nobody touches the ball
 };
 
 struct Messages {
-  int budget = 1200;                    // packets per team and match
-  int extra_per_minute = 60;            // of added time
-  int size = 128;                       // bytes
+  int budget = 1200;          // packets per team and match
+  int extra_per_minute = 60;  // of added time
+  int size = 128;             // bytes
 };
 
 struct Penalties {
@@ -57,8 +57,8 @@ struct Rules {
   Durations durations;
   Messages messages;
   Penalties penalties;
-  double set_play_distance = 0.75;      // defenders keep away
-  int mercy_difference = 10;            // goals
+  double set_play_distance = 0.75;  // defenders keep away
+  int mercy_difference = 10;        // goals
 };
 
 }  // namespace regista::config

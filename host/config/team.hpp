@@ -11,35 +11,28 @@
 #include <vector>
 
 #include "config/node.hpp"
+#include "config/place.hpp"
 
 namespace regista::config {
 
 // `{plugin: greedy, file: old/greedy.so, params: {...}}`
 struct PluginUse {
-  std::string plugin;
-  std::string file;        // pinned shared object, absolute; empty: whatever the search finds
-  Node params;             // map, or absent
+  std::string plugin;  // id; empty only for the positioner of a team without waypoints
+  std::string file;    // pinned shared object, absolute; empty: whatever the search finds
+  Node params;         // map, or absent
   Location where;
 };
 
 enum class Knowledge { mine, common };
 
-// A named point of the field, or a literal one.
-enum class Anchor {
-  ball, ball_rest, own_goal, opponent_goal, own_left_post, own_right_post, centre,
-  own_penalty_mark, opponent_penalty_mark, point,
-};
-
-struct Place {
-  Anchor anchor = Anchor::centre;
-  std::array<double, 2> point{};  // when anchor is point
-};
-
 // Where a role is played, as data. Steps are applied from top to bottom; the result is a point of the field frame.
 struct TargetRule {
   // Exactly one of the three gives the point to start from:
   std::optional<Place> at;
-  struct OnLine { Place from, to; double distance_from_to = 0.0; };  // on the segment, so far from its second end
+  struct OnLine {
+    Place from, to;
+    double distance_from_to = 0.0;
+  };  // on the segment, so far from its second end
   std::optional<OnLine> on_line;
   // Where the line from `from` to `towards` enters a circle whose radius grows with the distance of `from`.
   struct OnCircle {
@@ -49,29 +42,31 @@ struct TargetRule {
   };
   std::optional<OnCircle> on_circle;
 
-  std::array<double, 2> shift{};                         // m
-  std::optional<double> across;                          // then y := -sign(y of the ball) * across: the far side
-  std::optional<std::array<double, 4>> within;           // x_min, x_max, y_min, y_max
+  std::array<double, 2> shift{};                // m
+  std::optional<double> across;                 // then y := -sign(y of the ball) * across: the far side
+  std::optional<std::array<double, 4>> within;  // x_min, x_max, y_min, y_max
   Place facing{Anchor::ball, {}};
-  std::optional<Place> without_ball;                     // used instead while nobody knows the ball
+  std::optional<Place> without_ball;  // used instead while nobody knows the ball
 };
 
+// How a role acts. Unless the page says it: play_ball for a target that is the unmoved ball, keep_goal for the role
+// named goalkeeper, support for all others.
 enum class Behaviour { keep_goal, play_ball, support, search };
 
 struct Role {
   std::string name;
-  int robot = 0;             // shirt number that alone may take it; 0 = any
+  int robot = 0;  // shirt number that alone may take it; 0 = any
   bool required = false;
-  bool offset = true;        // may be moved towards a waypoint
-  int group = -1;
+  bool offset = true;  // may be moved towards a waypoint
+  int group = -1;      // at most one role of a group per robot; -1 = none
   Behaviour behaviour = Behaviour::support;
   TargetRule target;
   Location where;
 };
 
 struct RoleList {
-  std::string name;
-  std::vector<Role> roles;   // in order of importance
+  std::string name;         // role names are unique in a list; the same name may stand in several lists
+  std::vector<Role> roles;  // in order of importance
 };
 
 struct UtilityTerm {
@@ -84,7 +79,7 @@ struct UtilityTerm {
 
 struct TaskRules {
   enum class Keep { all, nearest_to_waypoints } keep = Keep::nearest_to_waypoints;
-  double offset_at_most = 0.5;                // m, 0 = off
+  double offset_at_most = 0.5;  // m, 0 = off
   Knowledge knowledge = Knowledge::mine;
   bool walk_along_edges = false;
 };
@@ -94,7 +89,7 @@ struct Context {
   std::string name;
   int priority = 0;
   PluginUse use;
-  int role_list = 0;                          // index into Team::role_lists
+  int role_list = 0;  // index into Team::role_lists; `use: {roles: NAME}`, else the first
   PluginUse positioner;
   TaskRules tasks;
   Knowledge utility_knowledge = Knowledge::mine;
@@ -106,11 +101,11 @@ struct Context {
 
 struct Team {
   std::string name;
-  std::string file;                           // where it was read
-  PluginUse self, ball, opponents, teammates; // predictors
-  double forget_teammate_after = 25.0;        // s of silence until a teammate is given up
+  std::string file;                            // where it was read
+  PluginUse self, ball, opponents, teammates;  // predictors
+  double forget_teammate_after = 25.0;         // s of silence until a teammate is given up
   std::vector<RoleList> role_lists;
-  std::vector<Context> contexts;              // highest priority first; the first that holds is in force
+  std::vector<Context> contexts;  // highest priority first; the first that holds is in force
   Location where;
 };
 
