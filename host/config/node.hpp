@@ -14,17 +14,19 @@
 
 namespace regista::config {
 
-// A place in a file; line and column count from 1. file may be "--set" with column 0 for values from the command line.
+// A place in a file; line and column (in bytes) count from 1. Line 0: the file as a whole, or a value of the command
+// line, whose file reads "--set path=value".
 struct Location {
   std::string file;
   int line = 0, column = 0;
   friend bool operator==(const Location&, const Location&) = default;
 };
 
-// "file:line:column"
+// "file:line:column", or "file" where line is 0
 std::string to_string(const Location&);
 
-// A user error in a configuration; what() is one line "file:line:column: message".
+// A user error in a configuration; what() is one line "file:line:column: message", whatever control characters the
+// name of the file or the message contain.
 class Error : public std::runtime_error {
  public:
   Error(Location where, const std::string& message);
@@ -40,6 +42,7 @@ class Node {
   struct Entry;
 
   Node() = default;  // absent
+  // A value without a place, or with one. The keys of a map are unique (the parser refuses others).
   static Node scalar(std::string text, bool quoted, Location where);
   static Node sequence(std::vector<Node> elements, Location where);
   static Node map(std::vector<Entry> entries, Location where);
@@ -48,13 +51,21 @@ class Node {
   Kind kind() const;
   explicit operator bool() const { return kind() != Kind::absent; }
   const Location& where() const;
+<<<<<<< HEAD
   const std::string& text() const;              // scalar
   bool quoted() const;                          // scalar written in quotes: always text
   std::span<const Node> elements() const;       // sequence
   std::span<const Entry> entries() const;       // map, in written order
   Node operator[](std::string_view key) const;  // map; absent when missing
+=======
+  const std::string& text() const;              // scalar; empty for every other kind
+  bool quoted() const;                          // scalar written in quotes: always text
+  std::span<const Node> elements() const;       // sequence; empty for every other kind
+  std::span<const Entry> entries() const;       // map, in written order; empty for every other kind
+  Node operator[](std::string_view key) const;  // absent when missing, and for every kind but a map
+>>>>>>> config
 
-  // Same structure and texts, wherever they stood.
+  // Same structure and texts, wherever they stood and however they were quoted; the order of keys does not matter.
   friend bool same(const Node&, const Node&);
 
  private:

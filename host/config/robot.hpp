@@ -3,16 +3,22 @@
 // (degrees in YAML, where a person reads them, in keys that end in _deg). Sources: docs/realism.md.
 #pragma once
 
+#include <numbers>
 #include <string>
 #include <vector>
 
 namespace regista::config {
 
+inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
+
+// The match advances by this, so every robot decides after a whole number of it. s
+inline constexpr double physics_step = 0.02;
+
 struct Walk {
   double forward = 0.25, sideways = 0.18, backward = 0.20;  // m/s
-  double turn = 1.57;                                       // rad/s
+  double turn = 90.0 * radians_per_degree;                  // rad/s
   double acceleration = 0.5;                                // m/s^2
-  double turn_acceleration = 6.0;                           // rad/s^2
+  double turn_acceleration = 340.0 * radians_per_degree;    // rad/s^2
   double step_period = 0.25;                                // a new command takes effect at the next step
 };
 
@@ -22,7 +28,11 @@ struct Kick {
   double minimum_distance = 1.6, maximum_distance = 4.5;  // that the ball rolls, m
   double duration = 1.6, impact = 0.65;                   // s
   double distance_noise = 0.07;                           // half width of a triangular law, relative
+<<<<<<< HEAD
   double direction_noise = 0.122;                         // standard deviation, rad
+=======
+  double direction_noise = 7.0 * radians_per_degree;      // standard deviation, rad
+>>>>>>> config
 };
 
 struct Body {
@@ -34,14 +44,21 @@ struct Body {
 };
 
 struct Camera {
+<<<<<<< HEAD
   double half_angle = 0.477;  // of the horizontal field of view, rad
   double head_yaw = 1.57;     // head turns up to this to either side, rad
   double head_speed = 2.0;    // rad/s
+=======
+  double half_angle = 27.35 * radians_per_degree;  // of the horizontal field of view, rad
+  double head_yaw = 90.0 * radians_per_degree;     // head turns up to this to either side, rad
+  double head_speed = 115.0 * radians_per_degree;  // rad/s
+>>>>>>> config
   double ball_range = 5.0, ball_probability = 0.9;
   double robot_range = 4.0, robot_probability = 0.6;
   double landmark_range = 8.0, landmark_probability = 0.9;  // goal posts; lines: line_range
   double line_range = 3.0, line_probability = 0.6;
   double false_balls_per_frame = 0.0005;
+<<<<<<< HEAD
   double distance_noise = 0.05;  // standard deviation, relative to the distance
   double bearing_noise = 0.02;   // standard deviation, rad
 };
@@ -52,6 +69,18 @@ struct Odometry {
   double scale_bias = 0.03;          // standard deviation of a scale error drawn once per robot and match
   double placing_noise = 0.05;       // m: how well a robot knows where it was put down
   double placing_turn_noise = 0.05;  // rad
+=======
+  double distance_noise = 0.05;                      // standard deviation, relative to the distance
+  double bearing_noise = 1.15 * radians_per_degree;  // standard deviation, rad
+};
+
+struct Odometry {
+  double distance_noise = 0.05;  // relative standard deviation of the distance walked, per step of decision
+  double turn_noise = 0.05;      // relative standard deviation of the angle turned
+  double scale_bias = 0.03;      // standard deviation of a scale error drawn once per robot and match
+  double placing_noise = 0.05;   // m: how well a robot knows where it was put down
+  double placing_turn_noise = 3.0 * radians_per_degree;  // rad
+>>>>>>> config
 };
 
 struct Radio {
@@ -67,7 +96,8 @@ struct Robot {
   std::string name = "nao";
   Body body;
   Walk walk;
-  std::vector<Kick> kicks;
+  // At least one; these where a profile says nothing.
+  std::vector<Kick> kicks{{.name = "fast"}, {"long", 5.4, 5.4, 1.65, 0.65}, {"in_walk", 0.4, 1.0, 0.5, 0.25}};
   Camera camera;
   Odometry odometry;
   Radio radio;

@@ -11,37 +11,19 @@
 #include <vector>
 
 #include "config/node.hpp"
+#include "config/place.hpp"
 
 namespace regista::config {
 
 // `{plugin: greedy, file: old/greedy.so, params: {...}}`
 struct PluginUse {
-  std::string plugin;
-  std::string file;  // pinned shared object, absolute; empty: whatever the search finds
-  Node params;       // map, or absent
+  std::string plugin;  // id; empty only for the positioner of a team without waypoints
+  std::string file;    // pinned shared object, absolute; empty: whatever the search finds
+  Node params;         // map, or absent
   Location where;
 };
 
 enum class Knowledge { mine, common };
-
-// A named point of the field, or a literal one.
-enum class Anchor {
-  ball,
-  ball_rest,
-  own_goal,
-  opponent_goal,
-  own_left_post,
-  own_right_post,
-  centre,
-  own_penalty_mark,
-  opponent_penalty_mark,
-  point,
-};
-
-struct Place {
-  Anchor anchor = Anchor::centre;
-  std::array<double, 2> point{};  // when anchor is point
-};
 
 // Where a role is played, as data. Steps are applied from top to bottom; the result is a point of the field frame.
 struct TargetRule {
@@ -67,6 +49,8 @@ struct TargetRule {
   std::optional<Place> without_ball;  // used instead while nobody knows the ball
 };
 
+// How a role acts. Unless the page says it: play_ball for a target that is the unmoved ball, keep_goal for the role
+// named goalkeeper, support for all others.
 enum class Behaviour { keep_goal, play_ball, support, search };
 
 struct Role {
@@ -74,14 +58,14 @@ struct Role {
   int robot = 0;  // shirt number that alone may take it; 0 = any
   bool required = false;
   bool offset = true;  // may be moved towards a waypoint
-  int group = -1;
+  int group = -1;      // at most one role of a group per robot; -1 = none
   Behaviour behaviour = Behaviour::support;
   TargetRule target;
   Location where;
 };
 
 struct RoleList {
-  std::string name;
+  std::string name;         // role names are unique in a list; the same name may stand in several lists
   std::vector<Role> roles;  // in order of importance
 };
 
@@ -105,7 +89,7 @@ struct Context {
   std::string name;
   int priority = 0;
   PluginUse use;
-  int role_list = 0;  // index into Team::role_lists
+  int role_list = 0;  // index into Team::role_lists; `use: {roles: NAME}`, else the first
   PluginUse positioner;
   TaskRules tasks;
   Knowledge utility_knowledge = Knowledge::mine;

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "config/declaration.hpp"
+
+#include "config/robot.hpp"
+
+namespace regista::config {
+
+Field real(std::string key, Member<double> member, Range range, std::string unit, std::string doc) {
+  return {std::move(key), std::move(doc), Real{std::move(member), range, std::move(unit), 1.0}};
+}
+
+Field degrees(std::string key, Member<double> member, Range range, std::string unit, std::string doc) {
+  assert(key.ends_with("_deg"));
+  return {std::move(key), std::move(doc), Real{std::move(member), range, std::move(unit), radians_per_degree}};
+}
+
+Field integer(std::string key, Member<int> member, Range range, std::string unit, std::string doc) {
+  return {std::move(key), std::move(doc), Integer{std::move(member), range, std::move(unit)}};
+}
+
+Field bounds(std::string key, double& least, double& largest, Range range, std::string unit, std::string doc) {
+  return {std::move(key), std::move(doc),
+          Numbers{2,
+                  [&least, &largest] {
+                    return std::vector<double*>{&least, &largest};
+                  },
+                  [] { return true; }, range, std::move(unit), true}};
+}
+
+Field bounds(std::string key, std::optional<std::array<double, 2>>& member, Range range, std::string unit,
+             std::string doc) {
+  return numbers(std::move(key), Member<std::array<double, 2>>(member), range, std::move(unit), std::move(doc), true);
+}
+
+Field boolean(std::string key, Member<bool> member, std::string doc) {
+  return {std::move(key), std::move(doc), Boolean{std::move(member)}};
+}
+
+Field name(std::string key, Member<std::string> member, std::string doc) {
+  return {std::move(key), std::move(doc), Name{std::move(member)}};
+}
+
+Field file(std::string key, Member<std::string> member, std::string doc) {
+  return {std::move(key), std::move(doc), File{std::move(member)}};
+}
+
+Field free(std::string key, Node& member, std::string definition, std::string doc) {
+  return {std::move(key), std::move(doc), Free{&member, std::move(definition)}};
+}
+
+}  // namespace regista::config

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "config/documents.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "config/check.hpp"
+#include "config/profiles.hpp"
+#include "config/read.hpp"
+#include "config/schema.hpp"
+#include "config/show.hpp"
+#include "config/team_page.hpp"
+
+namespace regista::config {
+namespace {
+
+constexpr std::array<std::string_view, 4> kinds{"rules", "robot", "disturbance", "team"};
+
+// Calls use(value, declaration) for a read document of the kind it says, checked.
+template <class Use>
+auto visit(const Node& document, Use use) {
+  switch (kind_of(document)) {
+    case DocumentKind::rules: {
+      Rules rules = read_rules(document);
+      return use(declare(rules));
+    }
+    case DocumentKind::robot: {
+      Robot robot = read_robot(document);
+      return use(declare(robot));
+    }
+    case DocumentKind::disturbance: {
+      Disturbance disturbance = read_disturbance(document);
+      return use(declare(disturbance));
+    }
+    case DocumentKind::team:
+      break;
+  }
+  read_team(document);  // checks the contexts too, which the page alone does not
+  TeamPage page = read_team_page(document);
+  return use(declare(page));
+}
+
+}  // namespace
+
+std::string_view name_of(DocumentKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
+
+DocumentKind kind_of(const Node& document) {
+  // A team has a key `roles` and may one day have one of the others: its own key comes first.
+  if (document["team"]) return DocumentKind::team;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (document[kinds[i]]) return static_cast<DocumentKind>(i);
+  }
+  throw Error(document.where(), "no key says what this is: rules, robot, disturbance or team, with its name");
+}
+
+void require_kind(const Node& document, DocumentKind kind) {
+  const DocumentKind found = kind_of(document);
+  if (found == kind) return;
+  throw Error(document.where(), fmt::format("describes a {}; a {} is wanted", name_of(found), name_of(kind)));
+}
+
+Rules read_rules(const Node& document) {
+  require_kind(document, DocumentKind::rules);
+  Rules rules;
+  read(declare(rules), document);
+  check(rules, document);
+  return rules;
+}
+
+Robot read_robot(const Node& document) {
+  require_kind(document, DocumentKind::robot);
+  Robot robot;
+  read(declare(robot), document);
+  check(robot, document);
+  return robot;
+}
+
+Disturbance read_disturbance(const Node& document) {
+  require_kind(document, DocumentKind::disturbance);
+  Disturbance disturbance;
+  read(declare(disturbance), document);
+  return disturbance;
+}
+
+Rules read_rules(const std::filesystem::path& file, const Overrides& overrides) {
+  return read_rules(load(file, overrides));
+}
+Robot read_robot(const std::filesystem::path& file, const Overrides& overrides) {
+  return read_robot(load(file, overrides));
+}
+Disturbance read_disturbance(const std::filesystem::path& file, const Overrides& overrides) {
+  return read_disturbance(load(file, overrides));
+}
+Team read_team(const std::filesystem::path& file, const Overrides& overrides) {
+  return read_team(load(file, overrides));
+}
+
+DocumentKind check(const std::filesystem::path& file, const Overrides& overrides) {
+  const Node document = load(file, overrides);
+  visit(document, [](const Map&) {});
+  return kind_of(document);
+}
+
+std::string show(const Node& document, std::span<const PluginDeclaration> plugins) {
+  return visit(document, [&](const Map& map) { return show(map, document, plugins); });
+}
+
+std::string show(const std::filesystem::path& file, const Overrides& overrides,
+                 std::span<const PluginDeclaration> plugins) {
+  return show(load(file, overrides), plugins);
+}
+
+std::string schema(DocumentKind kind, std::span<const PluginDeclaration> plugins) {
+  const std::string title = fmt::format("Regista {}", name_of(kind));
+  switch (kind) {
+    case DocumentKind::rules: {
+      Rules rules;
+      return schema(declare(rules), title, plugins);
+    }
+    case DocumentKind::robot: {
+      Robot robot;
+      return schema(declare(robot), title, plugins);
+    }
+    case DocumentKind::disturbance: {
+      Disturbance disturbance;
+      return schema(declare(disturbance), title, plugins);
+    }
+    case DocumentKind::team:
+      break;
+  }
+  TeamPage page;
+  return schema(declare(page), title, plugins);
+}
+
+}  // namespace regista::config

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The four kinds of document: read, shown, described. A document says its kind by the key that holds its name
+// (`rules: spl2023`, `robot: nao`, `disturbance: none`, `team: paper`).
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "config/disturbance.hpp"
+#include "config/load.hpp"
+#include "config/node.hpp"
+#include "config/plugin_declaration.hpp"
+#include "config/robot.hpp"
+#include "config/rules.hpp"
+#include "config/team.hpp"
+
+namespace regista::config {
+
+// Each reads a file with what it extends, overrides laid over it ("path=value"), every value checked alone and against
+// the others. Throws Error at the first thing that is wrong.
+Rules read_rules(const std::filesystem::path& file, const Overrides& overrides = {});
+Robot read_robot(const std::filesystem::path& file, const Overrides& overrides = {});
+Disturbance read_disturbance(const std::filesystem::path& file, const Overrides& overrides = {});
+Team read_team(const std::filesystem::path& file, const Overrides& overrides = {});
+
+// The same from a loaded document.
+Rules read_rules(const Node& document);
+Robot read_robot(const Node& document);
+Disturbance read_disturbance(const Node& document);
+Team read_team(const Node& document);
+
+enum class DocumentKind { rules, robot, disturbance, team };
+
+// "rules", "robot", "disturbance", "team"
+std::string_view name_of(DocumentKind kind);
+
+// Throws Error at the document when it says no kind.
+DocumentKind kind_of(const Node& document);
+
+// Throws Error at the document when it is of another kind.
+void require_kind(const Node& document, DocumentKind kind);
+
+// Reads a document of whatever kind and tells the kind. Throws as the readers do.
+DocumentKind check(const std::filesystem::path& file, const Overrides& overrides = {});
+
+// The resolved document as YAML: every value that is in force, defaults too, each with its unit, its meaning and where
+// it came from. Reading it gives the same values. Parameters of plugins that are declared are shown like any other
+// value; those of other plugins as they stand. Throws as the readers do.
+std::string show(const Node& document, std::span<const PluginDeclaration> plugins = {});
+std::string show(const std::filesystem::path& file, const Overrides& overrides = {},
+                 std::span<const PluginDeclaration> plugins = {});
+
+// JSON Schema (draft 2020-12) of a kind of document, for editors. With plugins, only those are known, each with its own
+// parameters; without, every plugin and every parameter passes. Files with `extends` need not be complete.
+std::string schema(DocumentKind kind, std::span<const PluginDeclaration> plugins = {});
+
+}  // namespace regista::config

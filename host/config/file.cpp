@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "config/file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <vector>
+
+#include "config/nearest.hpp"
+#include "config/parse.hpp"
+#include "config/scalar.hpp"
+#include "config/text.hpp"
+
+namespace regista::config {
+namespace {
+
+namespace fs = std::filesystem;
+
+// `; nearest: "b.yaml"` when the folder holds a file of nearly that name.
+std::string neighbour(const fs::path& file) {
+  constexpr std::size_t most = 1000;
+  std::vector<std::string> names;
+  std::error_code failed;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end && names.size() < most;
+       entry.increment(failed)) {
+    names.push_back(entry->path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  const std::string asked = file.filename().string();
+  const std::string_view near = nearest(asked, names);
+  return near.empty() || near == asked ? "" : fmt::format("; nearest: {}", in_quotes(near));
+}
+
+}  // namespace
+
+std::string read_file(const fs::path& file, const Location& asked_by) {
+  const bool asked = !asked_by.file.empty();
+  const Location here = asked ? asked_by : Location{file.string(), 0, 0};
+  const std::string name = asked ? file.string() + ": " : "";
+  std::error_code failed;
+  const fs::file_status status = fs::status(file, failed);
+  if (status.type() == fs::file_type::not_found) throw Error(here, name + "no such file" + neighbour(file));
+  if (status.type() == fs::file_type::directory) throw Error(here, name + "is a folder; a YAML file is wanted");
+  if (status.type() == fs::file_type::regular) {
+    const auto size = fs::file_size(file, failed);
+    if (!failed && size > largest_file) {
+      throw Error(here, fmt::format("{}is {} bytes large; at most {} are read", name, size, largest_file));
+    }
+    std::ifstream stream(file, std::ios::binary);
+    std::string content(largest_file + 1, '\0');
+    if (stream) {
+      stream.read(content.data(), static_cast<std::streamsize>(content.size()));
+      if (!stream.bad()) {
+        content.resize(static_cast<std::size_t>(stream.gcount()));
+        return content;
+      }
+    }
+    throw Error(here, name + "cannot be read");
+  }
+  throw Error(here, name + (failed ? "cannot be read: " + failed.message() : "is not a regular file"));
+}
+
+fs::path named_file(const Node& value, std::string_view what) {
+  const std::string name = to_text(value, what);
+  if (name.empty()) throw Error(value.where(), fmt::format("{}: empty; a path is wanted", what));
+  const fs::path path = name;
+  if (path.is_absolute() || value.where().line == 0) return path.lexically_normal();
+  return (fs::path(value.where().file).parent_path() / path).lexically_normal();
+}
+
+fs::path existing_file(const Node& value, std::string_view what) {
+  const fs::path path = named_file(value, what);
+  std::error_code failed;
+  if (!fs::is_regular_file(path, failed)) {
+    const bool there = fs::exists(path, failed);
+    throw Error(value.where(), fmt::format("{}: {}", what, path.string()) +
+                                   (there ? ": is not a regular file" : ": no such file" + neighbour(path)));
+  }
+  return fs::absolute(path).lexically_normal();
+}
+
+}  // namespace regista::config

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "config/load.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "config/file.hpp"
+#include "config/overlay.hpp"
+#include "config/parse.hpp"
+
+namespace regista::config {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_chain = 16;
+
+// One file of the chain that is being read.
+struct Link {
+  std::string name;  // as it was asked for
+  fs::path identity;
+};
+
+std::string names(const std::vector<Link>& chain, const fs::path& last) {
+  std::string text;
+  for (const Link& link : chain) text += link.name + " -> ";
+  return text + last.string();
+}
+
+Node without(const Node& map, std::string_view key) {
+  std::vector<Node::Entry> entries(map.entries().begin(), map.entries().end());
+  std::erase_if(entries, [&](const Node::Entry& entry) { return entry.key == key; });
+  return Node::map(std::move(entries), map.where());
+}
+
+Node load_over(const fs::path& file, const Location& asked_by, std::vector<Link>& chain) {
+  std::error_code failed;
+  const fs::path identity = fs::weakly_canonical(file, failed);
+  const bool cycle =
+      std::any_of(chain.begin(), chain.end(), [&](const Link& link) { return link.identity == identity; });
+  if (cycle) throw Error(asked_by, "extends itself: " + names(chain, file));
+  if (chain.size() >= longest_chain)
+    throw Error(asked_by, fmt::format("extends more than {} files", longest_chain - 1));
+  Node document = parse(file, asked_by);
+  const Node extends = document["extends"];
+  if (!extends) return document;
+  document = without(document, "extends");
+  chain.push_back({file.string(), identity});
+  return merge(load_over(named_file(extends, "extends"), extends.where(), chain), document);
+}
+
+}  // namespace
+
+Node load(const fs::path& file, const Overrides& overrides) {
+  std::vector<Link> chain;
+  return override_with(load_over(file, {}, chain), overrides);
+}
+
+Node override_with(Node document, const Overrides& overrides) {
+  for (const std::string& text : overrides) {
+    const Location where{"--set " + text, 0, 0};
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) throw Error(where, "path=value is wanted");
+    const Node value = parse_value(std::string_view(text).substr(equals + 1), where);
+    document = with(document, std::string_view(text).substr(0, equals), value, where);
+  }
+  return document;
+}
+
+}  // namespace regista::config

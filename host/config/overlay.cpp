@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "config/overlay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "config/scalar.hpp"
+#include "config/text.hpp"
+
+namespace regista::config {
+namespace {
+
+using Entries = std::vector<Node::Entry>;
+
+Entries::iterator find(Entries& entries, std::string_view key) {
+  return std::find_if(entries.begin(), entries.end(), [&](const Node::Entry& entry) { return entry.key == key; });
+}
+
+std::vector<std::string> keys_of(const Node& map) {
+  std::vector<std::string> keys;
+  for (const Node::Entry& entry : map.entries()) keys.push_back(entry.key);
+  return keys;
+}
+
+// Whether `over` puts another plugin into the place of the one in `base`.
+bool names_another_plugin(const Node& base, const Node& over) {
+  const Node before = base["plugin"], after = over["plugin"];
+  return before && after && before.text() != after.text();
+}
+
+// The path as its error messages name it, up to where `rest` begins.
+std::string_view walked(std::string_view path, std::string_view rest) {
+  std::string_view part = path.substr(0, path.size() - rest.size());
+  if (part.ends_with('.')) part.remove_suffix(1);
+  return part.empty() ? "the document" : part;
+}
+
+struct Overlay {
+  std::string_view path;
+  const Node& value;
+  const Location& where;
+
+  Node lay(const Node& node, std::string_view rest) const {
+    switch (node.kind()) {
+      case Node::Kind::map:
+        return lay_map(node, rest);
+      case Node::Kind::sequence:
+        return lay_sequence(node, rest);
+      default:
+        throw Error(where, fmt::format("{} is {}, which has no parts", walked(path, rest), described(node)));
+    }
+  }
+
+  Node lay_map(const Node& map, std::string_view rest) const {
+    // A key may itself contain dots (those of `use:` do): the longest that fits is meant.
+    std::string_view key = rest.substr(0, rest.find('.'));
+    bool there = false;
+    for (const Node::Entry& entry : map.entries()) {
+      const bool fits = rest == entry.key || (rest.starts_with(entry.key) && rest[entry.key.size()] == '.');
+      if (fits && (!there || entry.key.size() > key.size())) {
+        key = rest.substr(0, entry.key.size());
+        there = true;
+      }
+    }
+    if (key.empty()) throw Error(where, fmt::format("{}: empty name in the path", in_quotes(path)));
+    const bool last = key.size() == rest.size();
+    if (last) return merge(map, Node::map({{std::string(key), where, value}}, where));
+    const std::string_view below = rest.substr(key.size() + 1);
+    Entries entries(map.entries().begin(), map.entries().end());
+    const auto found = find(entries, key);
+    if (found == entries.end()) {
+      entries.push_back({std::string(key), where, lay_map(Node::map({}, where), below)});
+    } else if (found->value.kind() == Node::Kind::null) {
+      found->value = lay_map(Node::map({}, where), below);
+    } else {
+      found->value = lay(found->value, below);
+    }
+    return Node::map(std::move(entries), map.where());
+  }
+
+  Node lay_sequence(const Node& sequence, std::string_view rest) const {
+    const std::string_view name = rest.substr(0, rest.find('.'));
+    std::vector<Node> elements(sequence.elements().begin(), sequence.elements().end());
+    const std::size_t index = element(sequence, name, rest);
+    if (name.size() < rest.size()) {
+      elements[index] = lay(elements[index], rest.substr(name.size() + 1));
+    } else if (value.kind() == Node::Kind::null) {
+      elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(index));
+    } else {
+      elements[index] = merge(elements[index], value);
+    }
+    return Node::sequence(std::move(elements), sequence.where());
+  }
+
+  std::size_t element(const Node& sequence, std::string_view name, std::string_view rest) const {
+    const std::span<const Node> elements = sequence.elements();
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const Node own = elements[i]["name"];
+      if (own && own.text() == name) return i;
+      if (own) names.push_back(own.text());
+    }
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
+    const bool number = error == std::errc{} && end == name.data() + name.size();
+    if (number && index < elements.size()) return index;
+    if (number) {
+      throw Error(where, fmt::format("{} has {} elements; there is no {}", walked(path, rest), elements.size(), index));
+    }
+    throw Error(where, unknown("element", name, walked(path, rest), names));
+  }
+};
+
+}  // namespace
+
+Node merge(const Node& base, const Node& over) {
+  if (base.kind() != Node::Kind::map || over.kind() != Node::Kind::map) return over;
+  const bool other_plugin = names_another_plugin(base, over);
+  Entries entries;
+  std::map<std::string_view, std::size_t> places;  // key of base -> index in entries
+  for (const Node::Entry& entry : base.entries()) {
+    if (over[entry.key].kind() == Node::Kind::null) continue;
+    if (other_plugin && (entry.key == "params" || entry.key == "file")) continue;
+    places.emplace(entry.key, entries.size());
+    entries.push_back(entry);
+  }
+  for (const Node::Entry& entry : over.entries()) {
+    if (entry.value.kind() == Node::Kind::null) {
+      if (base[entry.key]) continue;
+      throw Error(entry.key_where, "nothing to remove: " + unknown("key", entry.key, "", keys_of(base)));
+    }
+    const auto place = places.find(entry.key);
+    if (place == places.end()) {
+      entries.push_back(entry);
+    } else {
+      Node::Entry& below = entries[place->second];
+      below = {entry.key, entry.key_where, merge(below.value, entry.value)};
+    }
+  }
+  return Node::map(std::move(entries), over.where());
+}
+
+Node with(const Node& document, std::string_view path, const Node& value, const Location& where) {
+  return Overlay{path, value, where}.lay(document, path);
+}
+
+}  // namespace regista::config

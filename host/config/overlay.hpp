@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Laying one document over another: what `extends`, `--set path=value` and a context's `use:` have in common.
+#pragma once
+
+#include <string_view>
+
+#include "config/node.hpp"
+
+namespace regista::config {
+
+// `over` laid over `base`: maps merge key by key, everything else replaces, null removes the key. A map that names
+// another `plugin` than the one below it drops that plugin's `params` and `file`: they mean nothing to the new one.
+// Locations stay those of the values. Throws Error at a null whose key is not there to be removed.
+Node merge(const Node& base, const Node& over);
+
+// `value` laid over what stands at a dotted path of `document`. Elements of a list of maps are addressed by their
+// `name`, of any list by their index from 0; null removes what is there. A path may end in keys that do not exist yet:
+// whether they are known is for the reader to say, so everything created stands at `where`. Throws Error at `where`
+// for a path that leads through a value without parts, or to an element that is not there.
+Node with(const Node& document, std::string_view path, const Node& value, const Location& where);
+
+}  // namespace regista::config

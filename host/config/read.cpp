@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "config/read.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "config/file.hpp"
+#include "config/scalar.hpp"
+#include "config/text.hpp"
+
+namespace regista::config {
+namespace {
+
+std::string range_text(Range range, const std::string& unit) {
+  return fmt::format("{} to {}{}{}", real_text(range.least), real_text(range.most),
+                     unit.empty() || unit == "1" ? "" : " ", unit == "1" ? "" : unit);
+}
+
+double real_in(const Node& node, const std::string& what, Range range, const std::string& unit) {
+  const double value = to_real(node, what);
+  if (value < range.least || value > range.most) {
+    throw Error(node.where(),
+                fmt::format("{}: {} is outside {}", what, in_quotes(node.text()), range_text(range, unit)));
+  }
+  return value;
+}
+
+std::string inside(const std::string& what, const std::string& key) { return what.empty() ? key : what + '.' + key; }
+
+// Reads one value; `what` is its path.
+struct Reader {
+  const Node& node;
+  const std::string& what;
+
+  void operator()(const Real& real) const {
+    real.member.get() = real.scale * real_in(node, what, real.range, real.unit);
+  }
+
+  void operator()(const Integer& integer) const {
+    const std::int64_t value = to_integer(node, what);
+    if (static_cast<double>(value) < integer.range.least || static_cast<double>(value) > integer.range.most) {
+      throw Error(node.where(),
+                  fmt::format("{}: {} is outside {}", what, value, range_text(integer.range, integer.unit)));
+    }
+    integer.member.get() = static_cast<int>(value);
+  }
+
+  void operator()(const Boolean& boolean) const { boolean.member.get() = to_boolean(node, what); }
+  void operator()(const Name& name) const { name.member.get() = to_name(node, what); }
+  void operator()(const File& file) const { file.member.get() = existing_file(node, what).string(); }
+
+  void operator()(const Choice& choice) const {
+    const std::string asked = to_text(node, what);
+    const auto found = std::find(choice.names.begin(), choice.names.end(), asked);
+    if (found == choice.names.end()) throw Error(node.where(), what + ": " + unknown("value", asked, "", choice.names));
+    choice.set(static_cast<std::size_t>(found - choice.names.begin()));
+  }
+
+  void operator()(const Numbers& numbers) const {
+    const std::string wanted = fmt::format("a list of {} numbers", numbers.count);
+    if (node.kind() != Node::Kind::sequence) refuse_kind(node, what, wanted);
+    const std::span<const Node> elements = node.elements();
+    if (elements.size() != numbers.count) {
+      throw Error(node.where(), fmt::format("{}: {} elements; {} is wanted", what, elements.size(), wanted));
+    }
+    const std::vector<double*> values = numbers.get();
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      *values[i] = real_in(elements[i], fmt::format("{}.{}", what, i), numbers.range, numbers.unit);
+      if (numbers.ascending && i > 0 && *values[i - 1] > *values[i]) {
+        throw Error(node.where(),
+                    fmt::format("{}: {} is more than {}", what, elements[i - 1].text(), elements[i].text()));
+      }
+    }
+  }
+
+  void operator()(const Own& own) const { own.read(node, what); }
+
+  void operator()(const Free& free) const {
+    if (node.kind() != Node::Kind::map) refuse_kind(node, what, "a map");
+    *free.member = node;
+  }
+
+  void operator()(const Section& section) const {
+    if (node.kind() != Node::Kind::map) refuse_kind(node, what, "a map");
+    read(section.open(), node, what);
+  }
+
+  void operator()(const List& list) const {
+    if (node.kind() != Node::Kind::sequence) refuse_kind(node, what, "a list");
+    check_count(node.elements().size(), list.least, list.most);
+    list.clear();
+    for (std::size_t i = 0; i < node.elements().size(); ++i) {
+      const Node& element = node.elements()[i];
+      const std::string path = fmt::format("{}.{}", what, i);
+      if (element.kind() != Node::Kind::map) refuse_kind(element, path, "a map");
+      read(list.append(), element, path);
+    }
+    check_names();
+  }
+
+  void operator()(const Dictionary& dictionary) const {
+    if (node.kind() != Node::Kind::map) refuse_kind(node, what, "a map");
+    check_count(node.entries().size(), dictionary.least, dictionary.most);
+    dictionary.clear();
+    for (const Node::Entry& entry : node.entries()) {
+      const std::string name = to_name(Node::scalar(entry.key, true, entry.key_where), what);
+      const Field field = dictionary.append(name);
+      const std::string path = inside(what, name);
+      std::visit(Reader{entry.value, path}, field.kind);
+    }
+  }
+
+  void check_count(std::size_t count, std::size_t least, std::size_t most) const {
+    if (count >= least && count <= most) return;
+    throw Error(node.where(), fmt::format("{}: {} elements; {} to {} are wanted", what, count, least, most));
+  }
+
+  // Elements that have a name are addressed by it, so no two may share one.
+  void check_names() const {
+    const std::span<const Node> elements = node.elements();
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const Node own = elements[i]["name"];
+      for (std::size_t j = 0; own && j < i; ++j) {
+        const Node other = elements[j]["name"];
+        if (other && other.text() == own.text()) {
+          throw Error(own.where(), fmt::format("{}: second element named {}; the first is at {}", what,
+                                               in_quotes(own.text()), to_string(other.where())));
+        }
+      }
+    }
+  }
+};
+
+std::vector<std::string> keys_of(const Map& map) {
+  std::vector<std::string> keys;
+  for (const Field& field : map.fields) keys.push_back(field.key);
+  return keys;
+}
+
+}  // namespace
+
+void read(const Map& map, const Node& node, const std::string& what) {
+  const std::vector<std::string> keys = keys_of(map);
+  for (const Node::Entry& entry : node.entries()) {
+    if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
+    throw Error(entry.key_where, unknown("key", entry.key, what, keys));
+  }
+  const std::string in = what.empty() ? "" : " in " + what;
+  for (const Field& field : map.fields) {
+    if (field.required && !node[field.key]) {
+      throw Error(node.where(), fmt::format("missing key \"{}\"{}", field.key, in));
+    }
+  }
+  if (!map.exactly_one.empty()) {
+    std::size_t present = 0;
+    for (const std::string& key : map.exactly_one) {
+      if (node[key] && ++present == 2) {
+        throw Error(node[key].where(), fmt::format("{}: exactly one of {} is wanted", what, join(map.exactly_one)));
+      }
+    }
+    if (present == 0) throw Error(node.where(), fmt::format("{}: one of {} is wanted", what, join(map.exactly_one)));
+  }
+  for (const auto& [key, other] : map.needs) {
+    if (node[key] && !node[other]) {
+      throw Error(node[key].where(), fmt::format("{}: makes sense only with {}", inside(what, key), other));
+    }
+  }
+  for (const Field& field : map.fields) {
+    const std::string path = inside(what, field.key);
+    if (const Node value = node[field.key]) std::visit(Reader{value, path}, field.kind);
+  }
+  if (map.where) *map.where = node.where();
+}
+
+Node at(const Node& document, std::string_view path) {
+  Node node = document;
+  while (node && !path.empty()) {
+    const std::string_view key = path.substr(0, path.find('.'));
+    if (node.kind() == Node::Kind::sequence) {
+      const std::span<const Node> elements = node.elements();
+      std::size_t index = 0;
+      while (index < elements.size() && fmt::format("{}", index) != key) ++index;
+      node = index < elements.size() ? Node(elements[index]) : Node();
+    } else {
+      node = node[key];
+    }
+    path.remove_prefix(std::min(path.size(), key.size() + 1));
+  }
+  return node;
+}
+
+void refuse(const Node& document, std::initializer_list<std::string_view> paths, const std::string& reason) {
+  for (const std::string_view path : paths) {
+    if (const Node value = at(document, path)) throw Error(value.where(), reason);
+  }
+  throw Error(document.where(), reason);
+}
+
+}  // namespace regista::config

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// Two forms of every map: strict, and variant for a file with `extends`, in which nothing is required and null removes
+// a key. Elements of lists are always strict, because lists are replaced as a whole.
+#include "config/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "config/place.hpp"
+#include "config/scalar.hpp"
+#include "config/team_page.hpp"
+
+namespace regista::config {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string with_unit(const std::string& doc, const std::string& unit) {
+  return unit.empty() || unit == "1" ? doc : fmt::format("{} [{}]", doc, unit);
+}
+
+Json number(Range range) { return {{"type", "number"}, {"minimum", range.least}, {"maximum", range.most}}; }
+
+class Writer {
+ public:
+  Writer(std::span<const PluginDeclaration> plugins, bool variant) : plugins_(plugins), variant_(variant) {}
+
+  Json map(const Map& declared) const {
+    Json properties = Json::object(), required = Json::array();
+    for (const Field& each : declared.fields) {
+      properties[each.key] = field(each);
+      if (each.required) required.push_back(each.key);
+    }
+    Json result{{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+    if (!variant_ && !required.empty()) result["required"] = required;
+    if (!variant_ && !declared.exactly_one.empty()) {
+      Json one = Json::array();
+      for (const std::string& key : declared.exactly_one) one.push_back({{"required", {key}}});
+      result["oneOf"] = one;
+    }
+    if (!variant_) {
+      for (const auto& [key, other] : declared.needs) result["dependentRequired"][key] = {other};
+    }
+    if (!declared.plugin_kind.empty() && !plugins_.empty()) discriminate(result, declared.plugin_kind);
+    return result;
+  }
+
+ private:
+  Writer strict() const { return {plugins_, false}; }
+
+  // Which plugins there are of a kind, and for each its own parameters.
+  void discriminate(Json& result, const std::string& kind) const {
+    Json ids = Json::array(), cases = Json::array();
+    for (const PluginDeclaration& plugin : plugins_) {
+      if (plugin.kind != kind) continue;
+      ids.push_back(plugin.id);
+      Json params = Json::object();
+      for (const PluginParameter& each : plugin.parameters) params[each.name] = parameter(each);
+      const Json object{{"type", "object"}, {"properties", params}, {"additionalProperties", false}};
+      cases.push_back({{"if", {{"properties", {{"plugin", {{"const", plugin.id}}}}}, {"required", {"plugin"}}}},
+                       {"then", {{"description", plugin.summary}, {"properties", {{"params", object}}}}}});
+    }
+    Json& plugin = result["properties"]["plugin"];
+    plugin = {{"description", plugin["description"]}, {"enum", ids}};
+    if (!cases.empty()) result["allOf"] = cases;
+  }
+
+  Json parameter(const PluginParameter& parameter) const {
+    Json result;
+    switch (parameter.type) {
+      case PluginParameter::Type::real:
+        result = number({parameter.minimum, parameter.maximum});
+        result["default"] = parameter.initial;
+        break;
+      case PluginParameter::Type::integer:
+        result = number({parameter.minimum, parameter.maximum});
+        result["type"] = "integer";
+        result["default"] = static_cast<std::int64_t>(parameter.initial);
+        break;
+      case PluginParameter::Type::boolean:
+        result = {{"type", "boolean"}, {"default", parameter.initial != 0.0}};
+        break;
+      case PluginParameter::Type::choice:
+        result = {{"enum", parameter.choices}};
+        break;
+      case PluginParameter::Type::text:
+        result = {{"type", "string"}, {"default", parameter.initial_text}};
+        break;
+      case PluginParameter::Type::file:
+        result = {{"type", "string"}, {"minLength", 1}};
+        break;
+    }
+    result["description"] = with_unit(parameter.doc, parameter.unit) + (parameter.tunable ? " (tunable)" : "");
+    return variant_ ? or_null(result) : result;
+  }
+
+  Json field(const Field& field) const {
+    Json result = std::visit([this](const auto& kind) { return value(kind); }, field.kind);
+    std::string unit;
+    if (const Real* real = std::get_if<Real>(&field.kind)) unit = real->unit;
+    if (const Integer* integer = std::get_if<Integer>(&field.kind)) unit = integer->unit;
+    if (const Numbers* numbers = std::get_if<Numbers>(&field.kind)) unit = numbers->unit;
+    result["description"] = with_unit(field.doc, unit);
+    return variant_ ? or_null(result) : result;
+  }
+
+  static Json or_null(const Json& json) { return {{"anyOf", {json, {{"type", "null"}}}}}; }
+
+  Json value(const Real& real) const {
+    Json result = number(real.range);
+    if (real.member.present()) {
+      const double exact = real.member.get() / real.scale;
+      result["default"] = std::stod(fmt::format("{:.12g}", exact));  // degrees without the traces of their conversion
+    }
+    return result;
+  }
+  Json value(const Integer& integer) const {
+    Json result{{"type", "integer"},
+                {"minimum", static_cast<std::int64_t>(integer.range.least)},
+                {"maximum", static_cast<std::int64_t>(integer.range.most)}};
+    if (integer.member.present()) result["default"] = integer.member.get();
+    return result;
+  }
+  Json value(const Boolean& boolean) const {
+    Json result{{"type", "boolean"}};
+    if (boolean.member.present()) result["default"] = boolean.member.get();
+    return result;
+  }
+  Json value(const Name&) const { return {{"type", "string"}, {"pattern", name_pattern}, {"maxLength", 64}}; }
+  Json value(const File&) const { return {{"type", "string"}, {"minLength", 1}}; }
+  Json value(const Choice& choice) const { return {{"enum", choice.names}}; }
+  Json value(const Numbers& numbers) const {
+    return {
+        {"type", "array"}, {"items", number(numbers.range)}, {"minItems", numbers.count}, {"maxItems", numbers.count}};
+  }
+  Json value(const Own& own) const { return {{"$ref", "#/$defs/" + own.definition}}; }
+  Json value(const Free& free) const { return {{"$ref", "#/$defs/" + free.definition}}; }
+  Json value(const Section& section) const { return map(section.open()); }
+  Json value(const List& list) const {
+    return {
+        {"type", "array"}, {"items", strict().map(list.append())}, {"minItems", list.least}, {"maxItems", list.most}};
+  }
+  Json value(const Dictionary& dictionary) const {
+    Json result{{"type", "object"},
+                {"propertyNames", {{"pattern", name_pattern}}},
+                {"additionalProperties", field(dictionary.append("name"))},
+                {"maxProperties", dictionary.most}};
+    if (!variant_) result["minProperties"] = dictionary.least;
+    return result;
+  }
+
+  std::span<const PluginDeclaration> plugins_;
+  bool variant_;
+};
+
+// What Own and Free refer to.
+Json definitions() {
+  const Json coordinate = number({-farthest_coordinate, farthest_coordinate});
+  const Json point{{"type", "array"}, {"items", coordinate}, {"minItems", 2}, {"maxItems", 2}};
+  const std::span<const std::string> anchors = anchor_names();
+  const Json anchor{{"enum", std::vector<std::string>(anchors.begin(), anchors.end())}};
+  std::string keys;
+  for (const std::string& key : usable_keys()) {
+    if (key != "roles") keys += (keys.empty() ? "" : "|") + key;
+  }
+  return {{"place", {{"anyOf", {anchor, point}}}},
+          {"segment", {{"type", "array"}, {"items", {{"$ref", "#/$defs/place"}}}, {"minItems", 2}, {"maxItems", 2}}},
+          {"params", {{"type", "object"}}},
+          {"use",
+           {{"type", "object"},
+            {"properties", {{"roles", {{"type", "string"}, {"pattern", name_pattern}}}}},
+            {"propertyNames", {{"pattern", fmt::format("^(roles|({})(\\..+)?)$", keys)}}}}}};
+}
+
+}  // namespace
+
+std::string schema(const Map& map, const std::string& title, std::span<const PluginDeclaration> plugins) {
+  const Json strict = Writer(plugins, false).map(map);
+  Json variant = Writer(plugins, true).map(map);
+  variant["properties"]["extends"] = {
+      {"type", "string"}, {"minLength", 1}, {"description", "file that this one is a variant of, relative to it"}};
+  const Json document{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                      {"title", title},
+                      {"type", "object"},
+                      {"if", {{"required", {"extends"}}}},
+                      {"then", {{"$ref", "#/$defs/variant"}}},
+                      {"else", {{"$ref", "#/$defs/document"}}},
+                      {"$defs", [&] {
+                         Json all = definitions();
+                         all["document"] = strict;
+                         all["variant"] = variant;
+                         return all;
+                       }()}};
+  return document.dump(2) + '\n';
+}
+
+}  // namespace regista::config

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// A team page key by key, as it is written; Team is what comes of it once every context's `use:` has been laid over the
+// team's own values.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/declaration.hpp"
+#include "config/node.hpp"
+#include "config/team.hpp"
+
+namespace regista::config {
+
+struct Predictors {
+  PluginUse self, ball, opponents, teammates;
+};
+
+// What a context may change: the keys that `use:` can name, besides `roles`.
+struct Coordination {
+  PluginUse positioner;  // no plugin: no waypoints
+  TaskRules tasks;
+  Knowledge utility_knowledge = Knowledge::mine;
+  std::vector<UtilityTerm> terms;
+  PluginUse assigner, sender;
+};
+
+struct ContextPage {
+  std::string name;
+  int priority = 0;
+  PluginUse plugin;
+  Node use;
+  Location where;
+};
+
+struct TeamPage {
+  std::string name;
+  Predictors predictors;
+  std::vector<ContextPage> contexts;
+  Coordination coordination;
+  std::vector<RoleList> role_lists;
+  double forget_teammate_after = Team{}.forget_teammate_after;
+};
+
+Map declare(TeamPage& page);
+Map declare(Coordination& coordination);
+
+// The keys that may begin a path of `use:`.
+const std::vector<std::string>& usable_keys();
+
+// Reads and checks a page, and fills in what follows from other values (the behaviours of roles).
+TeamPage read_team_page(const Node& document);
+
+}  // namespace regista::config

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// How texts of users are put into messages: in one line, and not too long.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace regista::config {
+
+// The text with control characters as escapes ("\n", "\x1b"), so that it stays in one line of a terminal.
+std::string one_line(std::string_view text);
+
+// "text" in double quotes, in one line, cut after 40 characters.
+std::string in_quotes(std::string_view text);
+
+// "a, b, c"
+std::string join(std::span<const std::string> names);
+
+// `unknown key "a" in b; nearest: "c"; known: c, d`, the message for anything that is asked for by name. `what` is what
+// was asked for ("key"), `where` where it was looked for, "" where that is plain.
+std::string unknown(std::string_view what, std::string_view asked, std::string_view where,
+                    std::span<const std::string> known);
+
+}  // namespace regista::config
