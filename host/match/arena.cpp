@@ -209,7 +209,7 @@ struct Arena::World {
 };
 
 Arena::Arena(const config::FieldSize& field, const config::BallSize& ball, std::span<const config::Body> robots)
-    : world_(std::make_unique<World>(field, ball, robots)) {}
+    : world_(std::make_unique<World>(field, ball, robots)), states_(world_->states) {}
 Arena::~Arena() = default;
 Arena::Arena(Arena&&) noexcept = default;
 Arena& Arena::operator=(Arena&&) noexcept = default;
@@ -262,7 +262,6 @@ void Arena::step() {
   world.observe();
 }
 
-std::span<const BodyState> Arena::states() const { return world_->states; }
 const Contacts& Arena::contacts() const { return world_->touches.contacts(); }
 void Arena::record(Recording* recording) { world_->recording = recording; }
 

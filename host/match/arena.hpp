@@ -53,7 +53,7 @@ class Arena {
   void step();
 
   // Robots by id, then the ball; as after the last change.
-  std::span<const BodyState> states() const;
+  std::span<const BodyState> states() const { return states_; }
   const BodyState& robot(int id) const { return states()[static_cast<std::size_t>(id)]; }
   const BodyState& ball() const { return states().back(); }
   Vector ball_position() const { return {ball().x, ball().y}; }
@@ -69,6 +69,7 @@ class Arena {
  private:
   struct World;
   std::unique_ptr<World> world_;
+  std::span<const BodyState> states_;  // of world_
 };
 
 }  // namespace regista::match

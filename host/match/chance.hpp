@@ -11,7 +11,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
 #include "match/side.hpp"
 
@@ -63,18 +62,23 @@ class Chance {
     return first - second;
   }
 
-  // Standard normal law by Box and Muller, "A Note on the Generation of Random Normal Deviates", 1958. Draws come in
-  // pairs, both are used; |value| < 6.7.
+  // Standard normal law by Box and Muller, "A Note on the Generation of Random Normal Deviates", 1958, in the polar
+  // form (Marsaglia and Bray, 1964), which needs no sine. Draws come in pairs, both are used.
   double normal() {
     if (spare_) {
       spare_ = false;
       return second_normal_;
     }
-    const double radius = std::sqrt(-2.0 * std::log((bits() + 1.0) * 0x1p-32));
-    const double angle = 2.0 * std::numbers::pi * uniform();
-    second_normal_ = radius * std::sin(angle);
+    double x, y, squared;
+    do {
+      x = 2.0 * uniform() - 1.0;
+      y = 2.0 * uniform() - 1.0;
+      squared = x * x + y * y;
+    } while (squared >= 1.0 || squared == 0.0);
+    const double scale = std::sqrt(-2.0 * std::log(squared) / squared);
+    second_normal_ = scale * y;
     spare_ = true;
-    return radius * std::cos(angle);
+    return scale * x;
   }
 
  private:

@@ -15,7 +15,6 @@
 #include "match/referee.hpp"
 #include "match/sensing.hpp"
 #include "match/told.hpp"
-#include "mind/landmarks.hpp"
 
 namespace regista::match {
 namespace {
@@ -41,14 +40,6 @@ void check(const Setup& setup, std::size_t home, std::size_t away) {
     throw std::invalid_argument("rules want " + std::to_string(size) + " robots a team, minds are given for " +
                                 std::to_string(home) + " and " + std::to_string(away));
   }
-}
-
-std::vector<Mark> marks_of(const config::FieldSize& field) {
-  std::vector<Mark> marks;
-  for (const regista_landmark& landmark : mind::landmarks(field)) {
-    marks.push_back({landmark.kind, {landmark.x, landmark.y}});
-  }
-  return marks;
 }
 
 std::vector<config::Body> bodies_of(const Setup& setup) {
@@ -106,7 +97,7 @@ class Course {
   const Setup& setup_;
   const Observer& observer_;
   Roster roster_;
-  std::vector<Mark> marks_;
+  std::array<Marks, 2> marks_;  // as either side's cameras see them
   Arena arena_;
   Referee referee_;
   Told told_;
@@ -116,6 +107,7 @@ class Course {
   std::vector<Robot> robots_;
   std::vector<mind::HeardPacket> heard_;
   std::vector<Vector> positions_;
+  Points in_view_;                 // the same, but who is out of play is nowhere
   std::uint32_t out_of_play_ = 0;  // bit id: penalised
   std::uint32_t tick_ = 0;
   double time_ = 0.0;
@@ -126,7 +118,7 @@ Course::Course(const Setup& setup, std::span<const mind::Think> home, std::span<
     : setup_(setup),
       observer_(observer),
       roster_{setup.rules.team_size},
-      marks_(marks_of(setup.rules.field)),
+      marks_{Marks(setup.rules.field, setup.robots[0].camera), Marks(setup.rules.field, setup.robots[1].camera)},
       arena_(setup.rules.field, setup.rules.ball, bodies_of(setup)),
       referee_(setup.rules, largest_radius(setup)),
       told_(setup.rules),
@@ -139,17 +131,18 @@ Course::Course(const Setup& setup, std::span<const mind::Think> home, std::span<
   }
   robots_.reserve(static_cast<std::size_t>(roster_.count()));
   positions_.resize(static_cast<std::size_t>(roster_.count()));
+  in_view_.count = positions_.size();
   for (int id = 0; id < roster_.count(); ++id) {
     const Side side = roster_.side(id);
     const int number = roster_.number(id);
     const config::Robot& profile = setup.robots[index(side)];
     const int steps = steps_per_decision(profile);
     const int first = (2 * (number - 1) + static_cast<int>(index(side))) % steps;
-    robots_.emplace_back(
-        (side == Side::home ? home : away)[static_cast<std::size_t>(number - 1)], profile,
-        Body(profile, setup.rules.ball.rolling_deceleration, setup.seed, side, number),
-        Sensing(profile, setup.disturbances[index(side)], marks_, roster_, id, setup.seed, largest_radius(setup)),
-        steps, first);
+    robots_.emplace_back((side == Side::home ? home : away)[static_cast<std::size_t>(number - 1)], profile,
+                         Body(profile, setup.rules.ball.rolling_deceleration, setup.seed, side, number),
+                         Sensing(profile, setup.disturbances[index(side)], marks_[index(side)], roster_, id, setup.seed,
+                                 largest_radius(setup)),
+                         steps, first);
   }
 }
 
@@ -202,7 +195,8 @@ void Course::decide(int id) {
   percepts.kicking = robot.body.kicking();
   percepts.whistle = robot.whistle;
   robot.whistle = false;
-  robot.sensing.sense({arena_.states(), out_of_play_}, time_, tick_, !percepts.penalised && !percepts.fallen, percepts);
+  robot.sensing.sense({arena_.robot(id), arena_.ball_position(), in_view_}, time_, tick_,
+                      !percepts.penalised && !percepts.fallen, percepts);
   told_.tell(id, state, time_, percepts.game);
   heard_.clear();
   radio_[index(side)].deliver(number, time_, tick_, heard_);
@@ -220,7 +214,9 @@ void Course::decide(int id) {
   digest_outcome(outcome);
   metrics_.decided(side, number, outcome.role, outcome.assignment, state);
   robot.sensing.look(outcome.command.head_yaw);
-  if (!percepts.penalised) robot.body.command(outcome.command, time_, ball_distance(id));
+  if (!percepts.penalised) {
+    robot.body.command(outcome.command, time_, outcome.command.kick ? ball_distance(id) : 0.0);
+  }
   if (outcome.send) {
     const int charged = state.packets[index(side)];
     const bool in_the_air = referee_.packet(side, outcome.packet.size());
@@ -304,6 +300,11 @@ void Course::judge(int touched_by) {
   }
   if (touched_by >= 0) metrics_.touched(roster_.side(touched_by));
   follow(referee_.update({time_, arena_.ball_position(), touched_by, positions_}));
+  for (int id = 0; id < roster_.count(); ++id) {
+    const bool away = (out_of_play_ >> id & 1u) != 0;
+    in_view_.x[static_cast<std::size_t>(id)] = away ? nowhere : arena_.robot(id).x;
+    in_view_.y[static_cast<std::size_t>(id)] = away ? nowhere : arena_.robot(id).y;
+  }
 }
 
 void Course::follow(const Calls& calls) {

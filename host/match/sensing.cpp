@@ -4,10 +4,15 @@
 #include <regista/abi.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+
+#include "mind/landmarks.hpp"
 
 namespace regista::match {
 namespace {
+
+float squared(double value) { return static_cast<float>(value * value); }
 
 // Keeps `list` sorted by distance while it grows; lists are short.
 template <class List, class Item>
@@ -22,11 +27,27 @@ void insert_by_distance(List& list, const Item& item) {
   list[place] = item;
 }
 
-Eigen::Vector2d to_eigen(Vector v) { return {v.x, v.y}; }
+// `v` turned by `angle`: a true rotation by 2 atan(t), where t is tan(angle / 2) but for terms of the fifth order.
+Vector turned_little(Vector v, double angle) {
+  const double t = angle / 2.0 * (1.0 + angle * angle / 12.0), scale = 1.0 / (1.0 + t * t);
+  return turned(v, (1.0 - t * t) * scale, 2.0 * t * scale);
+}
 
 }  // namespace
 
-Sensing::Sensing(const config::Robot& profile, const config::Disturbance& disturbance, std::span<const Mark> marks,
+Marks::Marks(const config::FieldSize& field, const config::Camera& camera) : kind{}, squared_range{}, probability{} {
+  for (const regista_landmark& landmark : mind::landmarks(field)) {
+    const bool post = landmark.kind == REGISTA_LANDMARK_GOAL_POST;
+    const std::size_t i = points.count++;
+    points.x[i] = static_cast<float>(landmark.x);
+    points.y[i] = static_cast<float>(landmark.y);
+    kind[i] = landmark.kind;
+    squared_range[i] = squared(post ? camera.landmark_range : camera.line_range);
+    probability[i] = post ? camera.landmark_probability : camera.line_probability;
+  }
+}
+
+Sensing::Sensing(const config::Robot& profile, const config::Disturbance& disturbance, const Marks& marks,
                  Roster roster, int id, std::uint64_t seed, double robot_radius)
     : profile_(profile),
       disturbance_(disturbance),
@@ -36,13 +57,13 @@ Sensing::Sensing(const config::Robot& profile, const config::Disturbance& distur
       seed_(seed),
       side_(roster.side(id)),
       number_(roster.number(id)),
-      robot_radius_(robot_radius),
-      cosine_half_angle_(std::cos(profile.camera.half_angle)) {
-  const config::Camera& camera = profile.camera;
-  largest_range_ = std::max({camera.ball_range, camera.robot_range, camera.landmark_range, camera.line_range});
+      squared_radius_(squared(robot_radius)),
+      squared_ball_range_(squared(profile.camera.ball_range)),
+      sector_{0.0f, 0.0f, 1.0f, 0.0f, static_cast<float>(std::cos(profile.camera.half_angle))} {
+  squared_robot_range_.fill(squared(profile.camera.robot_range));
+  squared_robot_range_[static_cast<std::size_t>(id)] = -1.0f;  // never itself
   Chance chance(seed_, Purpose::odometry_scale, side_, number_, 0, 0);
   scale_ = 1.0 + profile.odometry.scale_bias * chance.normal();
-  neighbours_.reserve(static_cast<std::size_t>(roster.count()));
 }
 
 void Sensing::put_down(const mind::Pose& world, double direction, std::uint32_t tick) {
@@ -59,7 +80,7 @@ void Sensing::put_down(const mind::Pose& world, double direction, std::uint32_t 
 void Sensing::look(double yaw) { wanted_head_ = std::clamp(yaw, -profile_.camera.head_yaw, profile_.camera.head_yaw); }
 
 void Sensing::sense(const Truth& truth, double time, std::uint32_t tick, bool able, mind::Percepts& out) {
-  const BodyState& own = truth.states[static_cast<std::size_t>(id_)];
+  const BodyState& own = truth.own;
   out.placed.reset();
   placed_.swap(out.placed);
   measure_motion(own, tick, out);
@@ -71,22 +92,11 @@ void Sensing::sense(const Truth& truth, double time, std::uint32_t tick, bool ab
   out.view = {head_, profile_.camera.half_angle, profile_.camera.ball_range, profile_.camera.robot_range};
   if (!able) return;
 
-  axis_ = {std::cos(head_), std::sin(head_)};
-  neighbours_.clear();
-  const double most = largest_range_ * largest_range_;
-  for (int id = 0; id < roster_.count(); ++id) {
-    if (id == id_ || (truth.out_of_play >> id & 1u) != 0) continue;
-    const BodyState& other = truth.states[static_cast<std::size_t>(id)];
-    const Vector apart{static_cast<double>(other.x) - own.x, static_cast<double>(other.y) - own.y};
-    const double squared = squared_length(apart);
-    if (squared > most) continue;
-    const Vector relative = turned(apart, own.cosine, -own.sine);
-    // What is behind the camera's plane by more than a body neither is seen nor hides anything.
-    if (cosine_half_angle_ > 0.0 && dot(relative, axis_) < -robot_radius_) continue;
-    neighbours_.push_back({{relative, squared}, id});
-  }
+  const Vector axis = turned({own.cosine, own.sine}, head_cosine_, head_sine_);
+  sector_ = {own.x, own.y, static_cast<float>(axis.x), static_cast<float>(axis.y), sector_.cosine};
+  offsets(truth.robots, sector_, robots_);
   see_ball(truth, tick, out);
-  see_robots(tick, out);
+  see_robots(own, tick, out);
   see_landmarks(own, tick, out);
 }
 
@@ -113,48 +123,30 @@ void Sensing::measure_motion(const BodyState& own, std::uint32_t tick, mind::Per
 
 void Sensing::turn_head(double time) {
   const double most = profile_.camera.head_speed * (time - head_time_);
-  head_ += std::clamp(wanted_head_ - head_, -most, most);
   head_time_ = time;
+  if (head_ == wanted_head_) return;
+  head_ += std::clamp(wanted_head_ - head_, -most, most);
+  head_cosine_ = std::cos(head_);
+  head_sine_ = std::sin(head_);
 }
 
-// Without a square root: ahead >= cos(half angle) * distance.
-bool Sensing::in_sector(const Candidate& candidate, double range) const {
-  if (candidate.squared_distance > range * range) return false;
-  const double ahead = dot(candidate.relative, axis_);
-  const double edge = cosine_half_angle_ * cosine_half_angle_ * candidate.squared_distance;
-  if (cosine_half_angle_ >= 0.0) return ahead >= 0.0 && ahead * ahead >= edge;
-  return ahead >= 0.0 || ahead * ahead <= edge;
-}
-
-// Another robot stands on the line of sight, nearer than the object.
-bool Sensing::hidden(const Candidate& object) const {
-  const double radius = robot_radius_ * robot_radius_;
-  for (const Neighbour& neighbour : neighbours_) {
-    const Candidate& other = neighbour.candidate;
-    if (other.squared_distance >= object.squared_distance) continue;
-    if (dot(other.relative, object.relative) <= 0.0) continue;
-    const double beside = cross(other.relative, object.relative);
-    if (beside * beside < radius * object.squared_distance) return true;
-  }
-  return false;
-}
-
-Sensing::Sighting Sensing::measured(const Candidate& candidate, Chance& chance) const {
+// Noise on a true offset (world frame, with its squared length), given in the robot frame.
+Sensing::Sighting Sensing::measured(const BodyState& own, float x, float y, float squared, Chance& chance) const {
   const config::Camera& camera = profile_.camera;
   const double stretch = 1.0 + camera.distance_noise * chance.normal();
   const double bearing = camera.bearing_noise * chance.normal();
-  const Vector position = stretch * turned(candidate.relative, std::cos(bearing), std::sin(bearing));
-  const double distance = std::sqrt(candidate.squared_distance);
-  return {position, camera.distance_noise * distance, camera.bearing_noise * distance};
+  const Vector position = stretch * turned_little(turned({x, y}, own.cosine, -own.sine), bearing);
+  const double distance = std::sqrt(static_cast<double>(squared));
+  return {{position.x, position.y}, camera.distance_noise * distance, camera.bearing_noise * distance};
 }
 
 void Sensing::see_ball(const Truth& truth, std::uint32_t tick, mind::Percepts& out) const {
   const config::Camera& camera = profile_.camera;
-  const BodyState& own = truth.states[static_cast<std::size_t>(id_)];
-  const BodyState& ball = truth.states.back();
-  const Vector apart{static_cast<double>(ball.x) - own.x, static_cast<double>(ball.y) - own.y};
-  const Candidate candidate{turned(apart, own.cosine, -own.sine), squared_length(apart)};
-  if (in_sector(candidate, camera.ball_range) && !hidden(candidate)) {
+  const float x = static_cast<float>(truth.ball.x) - sector_.x, y = static_cast<float>(truth.ball.y) - sector_.y;
+  const float distance_squared = x * x + y * y, ahead = x * sector_.axis_x + y * sector_.axis_y;
+  if (distance_squared <= squared_ball_range_ &&
+      signed_square(ahead) >= signed_square(sector_.cosine) * distance_squared &&
+      !hidden(x, y, robots_, squared_radius_)) {
     Chance chance(seed_, Purpose::ball, side_, number_, 0, tick);
     bool seen = chance.bernoulli(camera.ball_probability);
     if (seen && disturbance_.ball_blindness > 0.0) {
@@ -162,8 +154,8 @@ void Sensing::see_ball(const Truth& truth, std::uint32_t tick, mind::Percepts& o
       seen = !blindness.bernoulli(disturbance_.ball_blindness);
     }
     if (seen) {
-      const Sighting sighting = measured(candidate, chance);
-      out.balls.push_back({to_eigen(sighting.position), sighting.along, sighting.across});
+      const Sighting sighting = measured(truth.own, x, y, distance_squared, chance);
+      out.balls.push_back({sighting.position, sighting.along, sighting.across});
     }
   }
   if (camera.false_balls_per_frame <= 0.0) return;
@@ -172,39 +164,35 @@ void Sensing::see_ball(const Truth& truth, std::uint32_t tick, mind::Percepts& o
   // Anywhere in the sector with equal density.
   const double distance = camera.ball_range * std::sqrt(chance.uniform());
   const double bearing = head_ + camera.half_angle * (2.0 * chance.uniform() - 1.0);
-  const Vector position{distance * std::cos(bearing), distance * std::sin(bearing)};
-  insert_by_distance(out.balls, mind::BallSighting{to_eigen(position), camera.distance_noise * distance,
+  insert_by_distance(out.balls, mind::BallSighting{{distance * std::cos(bearing), distance * std::sin(bearing)},
+                                                   camera.distance_noise * distance,
                                                    camera.bearing_noise * distance});
 }
 
-void Sensing::see_robots(std::uint32_t tick, mind::Percepts& out) const {
-  const config::Camera& camera = profile_.camera;
-  for (const Neighbour& neighbour : neighbours_) {
-    if (!in_sector(neighbour.candidate, camera.robot_range) || hidden(neighbour.candidate)) continue;
-    Chance chance(seed_, Purpose::robot, side_, number_, neighbour.id, tick);
-    if (!chance.bernoulli(camera.robot_probability)) continue;
-    const Sighting sighting = measured(neighbour.candidate, chance);
-    insert_by_distance(out.robots, mind::RobotSighting{to_eigen(sighting.position), sighting.along, sighting.across,
-                                                       roster_.side(neighbour.id) == side_});
+void Sensing::see_robots(const BodyState& own, std::uint32_t tick, mind::Percepts& out) const {
+  for (std::uint32_t set = inside(robots_, sector_, squared_robot_range_); set != 0; set &= set - 1) {
+    const std::size_t i = static_cast<std::size_t>(std::countr_zero(set));
+    const int id = static_cast<int>(i);
+    Chance chance(seed_, Purpose::robot, side_, number_, id, tick);
+    if (!chance.bernoulli(profile_.camera.robot_probability)) continue;
+    if (hidden(robots_.x[i], robots_.y[i], robots_, squared_radius_)) continue;
+    const Sighting sighting = measured(own, robots_.x[i], robots_.y[i], robots_.squared[i], chance);
+    insert_by_distance(
+        out.robots, mind::RobotSighting{sighting.position, sighting.along, sighting.across, roster_.side(id) == side_});
   }
 }
 
 void Sensing::see_landmarks(const BodyState& own, std::uint32_t tick, mind::Percepts& out) const {
-  const config::Camera& camera = profile_.camera;
-  for (std::size_t i = 0; i < marks_.size(); ++i) {
-    const Mark& mark = marks_[i];
-    const bool post = mark.kind == REGISTA_LANDMARK_GOAL_POST;
-    const double range = post ? camera.landmark_range : camera.line_range;
-    const Vector apart{mark.position.x - own.x, mark.position.y - own.y};
-    const double squared = squared_length(apart);
-    if (squared > range * range) continue;
-    const Candidate candidate{turned(apart, own.cosine, -own.sine), squared};
-    if (!in_sector(candidate, range) || hidden(candidate)) continue;
+  Offsets marks;
+  offsets(marks_.points, sector_, marks);
+  for (std::uint32_t set = inside(marks, sector_, marks_.squared_range); set != 0; set &= set - 1) {
+    const std::size_t i = static_cast<std::size_t>(std::countr_zero(set));
+    if (hidden(marks.x[i], marks.y[i], robots_, squared_radius_)) continue;
     Chance chance(seed_, Purpose::landmark, side_, number_, static_cast<int>(i), tick);
-    if (!chance.bernoulli(post ? camera.landmark_probability : camera.line_probability)) continue;
-    const Sighting sighting = measured(candidate, chance);
+    if (!chance.bernoulli(marks_.probability[i])) continue;
+    const Sighting sighting = measured(own, marks.x[i], marks.y[i], marks.squared[i], chance);
     insert_by_distance(out.landmarks,
-                       mind::LandmarkSighting{mark.kind, to_eigen(sighting.position), sighting.along, sighting.across});
+                       mind::LandmarkSighting{marks_.kind[i], sighting.position, sighting.along, sighting.across});
   }
 }
 
