@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "match/body.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "match/arena.hpp"
+#include "match/chance.hpp"
+
+namespace regista::match {
+namespace {
+
+constexpr double instant = physics_step / 2.0;  // moments are met at the nearest physics step
+
+}  // namespace
+
+mind::Walk within_limits(const mind::Walk& wanted, const config::Walk& limits) {
+  const auto share = [](double value, double limit) { return limit > 0.0 ? value / limit : 0.0; };
+  const double x = share(wanted.forward, wanted.forward >= 0.0 ? limits.forward : limits.backward);
+  const double y = share(wanted.sideways, limits.sideways);
+  const double z = share(wanted.turn, limits.turn);
+  const double size = x * x + y * y + z * z;
+  const double scale = size > 1.0 ? 1.0 / std::sqrt(size) : 1.0;
+  const auto scaled = [scale](double value, double limit) { return limit > 0.0 ? scale * value : 0.0; };
+  return {scaled(wanted.forward, wanted.forward >= 0.0 ? limits.forward : limits.backward),
+          scaled(wanted.sideways, limits.sideways), scaled(wanted.turn, limits.turn)};
+}
+
+double speed_for_distance(double distance, double rolling_deceleration) {
+  return std::sqrt(2.0 * rolling_deceleration * distance);
+}
+
+Body::Body(const config::Robot& profile, double rolling_deceleration, std::uint64_t seed, Side side, int number)
+    : profile_(profile), rolling_deceleration_(rolling_deceleration), seed_(seed), side_(side), number_(number) {}
+
+void Body::command(const mind::Command& command, double time, double ball_distance) {
+  if (kick_ || fallen(time)) return;
+  commanded_ = command.walk;
+  if (command.kick && ball_distance <= profile_.body.reach) kick_ = Kick{*command.kick, time};
+}
+
+Body::Motion Body::move(double time, std::uint32_t tick, double ball_distance) {
+  Motion motion;
+  const bool at_step = time >= next_step_ - instant;
+  if (at_step) next_step_ = time + profile_.walk.step_period;
+  if (fallen(time)) return motion;
+  if (kick_) {
+    const config::Kick& kind = profile_.kicks[static_cast<std::size_t>(kick_->request.kind)];
+    const double since = time - kick_->began;
+    if (!kick_->hit && since >= kind.impact - instant) {
+      kick_->hit = true;
+      if (ball_distance <= profile_.body.reach) motion.ball_velocity = launch(kick_->request, tick);
+    }
+    if (since < kind.duration - instant) return motion;
+    kick_.reset();
+    commanded_ = {};
+    walk_ = {};
+  }
+  if (at_step) walk_ = within_limits(commanded_, profile_.walk);
+  motion.walk = walk_;
+  return motion;
+}
+
+Vector Body::launch(const mind::KickRequest& request, std::uint32_t tick) const {
+  const config::Kick& kind = profile_.kicks[static_cast<std::size_t>(request.kind)];
+  Chance chance(seed_, Purpose::kick, side_, number_, 0, tick);
+  const double relative = 1.0 + kind.distance_noise * chance.triangular();
+  const double direction = request.direction + kind.direction_noise * chance.normal();
+  const double distance = std::clamp(request.distance, kind.minimum_distance, kind.maximum_distance) * relative;
+  const double speed = speed_for_distance(std::max(distance, 0.0), rolling_deceleration_);
+  return {speed * std::cos(direction), speed * std::sin(direction)};
+}
+
+void Body::jostled(double time, std::uint32_t tick) {
+  if (fallen(time)) return;
+  Chance chance(seed_, Purpose::fall, side_, number_, 0, tick);
+  if (!chance.bernoulli(profile_.body.falls_per_contact_second * physics_step)) return;
+  put_down();
+  up_at_ = time + profile_.body.get_up;
+  ++falls_;
+}
+
+void Body::put_down() {
+  commanded_ = {};
+  walk_ = {};
+  kick_.reset();
+  up_at_ = -1.0;
+}
+
+}  // namespace regista::match

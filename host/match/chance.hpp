@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Every source of chance of a match as its own counter-based stream: Philox4x32-10 of Salmon et al., "Parallel Random
+// Numbers: As Easy as 1, 2, 3", SC 2011. A stream is named by (seed; purpose, side, observer, object, tick) and shares
+// no state with any other, so that drawing more or fewer numbers here never changes the luck there. `side` is the
+// colour slot: when two teams swap places, the luck stays where it was.
+//
+// Two draws must not stand in one argument list: the order of evaluation differs between compilers.
+#pragma once
+
+#include <Random123/philox.h>
+
+#include <cmath>
+#include <cstdint>
+
+#include "match/side.hpp"
+
+namespace regista::match {
+
+enum class Purpose : std::uint32_t {
+  kick,
+  fall,
+  odometry,
+  odometry_scale,
+  placing,
+  whistle,
+  ball,
+  false_ball,
+  ball_blindness,
+  robot,
+  landmark,
+  radio_delay,
+  radio_loss,
+};
+
+// A stream: 2^32 blocks of four words. Cheap to make (nothing is drawn until it is asked for).
+class Chance {
+ public:
+  // observer and object: below 2^12 each; tick: physics steps since the start of the match.
+  Chance(std::uint64_t seed, Purpose purpose, Side side, int observer, int object, std::uint32_t tick)
+      : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}},
+        counter_{{0, tick, static_cast<std::uint32_t>(purpose) << 1 | static_cast<std::uint32_t>(side),
+                  static_cast<std::uint32_t>(observer) << 12 | static_cast<std::uint32_t>(object)}} {}
+
+  std::uint32_t bits() {
+    if (used_ == 4) {
+      words_ = Generator{}(counter_, key_);
+      ++counter_[0];
+      used_ = 0;
+    }
+    return words_[used_++];
+  }
+
+  // [0, 1), in steps of 2^-32.
+  double uniform() { return bits() * 0x1p-32; }
+
+  bool bernoulli(double probability) { return uniform() < probability; }
+
+  // Symmetric triangular law on (-1, 1): variance 1/6.
+  double triangular() {
+    const double first = uniform();
+    const double second = uniform();
+    return first - second;
+  }
+
+  // Standard normal law by Box and Muller, "A Note on the Generation of Random Normal Deviates", 1958, in the polar
+  // form (Marsaglia and Bray, 1964), which needs no sine. Draws come in pairs, both are used.
+  double normal() {
+    if (spare_) {
+      spare_ = false;
+      return second_normal_;
+    }
+    double x, y, squared;
+    do {
+      x = 2.0 * uniform() - 1.0;
+      y = 2.0 * uniform() - 1.0;
+      squared = x * x + y * y;
+    } while (squared >= 1.0 || squared == 0.0);
+    const double scale = std::sqrt(-2.0 * std::log(squared) / squared);
+    second_normal_ = scale * y;
+    spare_ = true;
+    return scale * x;
+  }
+
+ private:
+  using Generator = r123::Philox4x32;  // ten rounds
+  Generator::key_type key_;
+  Generator::ctr_type counter_;
+  Generator::ctr_type words_;
+  unsigned used_ = 4;
+  bool spare_ = false;
+  double second_normal_ = 0.0;
+};
+
+}  // namespace regista::match

@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: MIT
+#include "match/match.hpp"
+
+#include <regista/abi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "match/body.hpp"
+#include "match/chance.hpp"
+#include "match/digest.hpp"
+#include "match/placement.hpp"
+#include "match/radio.hpp"
+#include "match/referee.hpp"
+#include "match/sensing.hpp"
+#include "match/told.hpp"
+
+namespace regista::match {
+namespace {
+
+constexpr std::uint32_t steps_per_sample = 5;  // of the metrics: 10 Hz
+
+int steps_per_decision(const config::Robot& robot) {
+  const double steps = robot.decision_period / physics_step;
+  const double whole = std::round(steps);
+  if (!(whole >= 1.0) || std::fabs(steps - whole) > 1e-6) {
+    throw std::invalid_argument("robot profile '" + robot.name + "': the decision period, " +
+                                std::to_string(robot.decision_period) + " s, is not a multiple of 0.02 s");
+  }
+  return static_cast<int>(whole);
+}
+
+void check(const Setup& setup, std::size_t home, std::size_t away) {
+  const int size = setup.rules.team_size;
+  if (size < 1 || size > largest_team) {
+    throw std::invalid_argument("team size " + std::to_string(size) + " is not in 1.." + std::to_string(largest_team));
+  }
+  if (home != static_cast<std::size_t>(size) || away != static_cast<std::size_t>(size)) {
+    throw std::invalid_argument("rules want " + std::to_string(size) + " robots a team, minds are given for " +
+                                std::to_string(home) + " and " + std::to_string(away));
+  }
+}
+
+std::vector<config::Body> bodies_of(const Setup& setup) {
+  std::vector<config::Body> bodies;
+  for (const Side side : both_sides) {
+    bodies.insert(bodies.end(), static_cast<std::size_t>(setup.rules.team_size), setup.robots[index(side)].body);
+  }
+  return bodies;
+}
+
+double largest_radius(const Setup& setup) { return std::max(setup.robots[0].body.radius, setup.robots[1].body.radius); }
+
+// One robot as the match sees it: a mind, a body, senses.
+struct Robot {
+  Robot(const mind::Think& decides, const config::Robot& its_profile, Body its_body, Sensing its_sensing, int steps,
+        int first)
+      : think(decides),
+        profile(its_profile),
+        body(its_body),
+        sensing(std::move(its_sensing)),
+        steps_between(steps),
+        next_decision(static_cast<std::uint32_t>(first)) {}
+
+  const mind::Think& think;
+  const config::Robot& profile;
+  Body body;
+  Sensing sensing;
+  int steps_between;
+  std::uint32_t next_decision;
+  bool whistle = false;  // heard since the last decision
+  mind::Percepts percepts;
+  mind::Outcome outcome;
+};
+
+class Course {
+ public:
+  Course(const Setup& setup, std::span<const mind::Think> home, std::span<const mind::Think> away,
+         const Observer& observer);
+  Result run();
+
+ private:
+  void decide(int id);
+  void check_outcome(int id, const Robot& robot) const;
+  void digest_outcome(const mind::Outcome& outcome);
+  int move_bodies();
+  void jostle();
+  void judge(int touched_by);
+  void follow(const Calls& calls);
+  void observe();
+  Robot& robot(int id) { return robots_[static_cast<std::size_t>(id)]; }
+  Side side_of(int id) const { return roster_.side(id); }
+  double ball_distance(int id) const;
+  [[noreturn]] void refuse(int id, const std::string& why) const;
+
+  const Setup& setup_;
+  const Observer& observer_;
+  Roster roster_;
+  std::array<Marks, 2> marks_;  // as either side's cameras see them
+  Arena arena_;
+  Referee referee_;
+  Told told_;
+  std::array<Radio, 2> radio_;
+  Metrics metrics_;
+  Digest digest_;
+  std::vector<Robot> robots_;
+  std::vector<mind::HeardPacket> heard_;
+  std::vector<Vector> positions_;
+  Points in_view_;                 // the same, but who is out of play is nowhere
+  std::uint32_t out_of_play_ = 0;  // bit id: penalised
+  std::uint32_t tick_ = 0;
+  double time_ = 0.0;
+};
+
+Course::Course(const Setup& setup, std::span<const mind::Think> home, std::span<const mind::Think> away,
+               const Observer& observer)
+    : setup_(setup),
+      observer_(observer),
+      roster_{setup.rules.team_size},
+      marks_{Marks(setup.rules.field, setup.robots[0].camera), Marks(setup.rules.field, setup.robots[1].camera)},
+      arena_(setup.rules.field, setup.rules.ball, bodies_of(setup)),
+      referee_(setup.rules, largest_radius(setup)),
+      told_(setup.rules),
+      radio_{Radio(setup.robots[0].radio, setup.disturbances[0], roster_.team_size, setup.seed, Side::home),
+             Radio(setup.robots[1].radio, setup.disturbances[1], roster_.team_size, setup.seed, Side::away)},
+      metrics_(roster_.team_size, setup.roles) {
+  if (observer.recording != nullptr) {
+    *observer.recording = {setup.rules.field, setup.rules.ball, bodies_of(setup), {}, {}};
+    arena_.record(observer.recording);
+  }
+  robots_.reserve(static_cast<std::size_t>(roster_.count()));
+  positions_.resize(static_cast<std::size_t>(roster_.count()));
+  in_view_.count = positions_.size();
+  for (int id = 0; id < roster_.count(); ++id) {
+    const Side side = roster_.side(id);
+    const int number = roster_.number(id);
+    const config::Robot& profile = setup.robots[index(side)];
+    const int steps = steps_per_decision(profile);
+    const int first = (2 * (number - 1) + static_cast<int>(index(side))) % steps;
+    robots_.emplace_back((side == Side::home ? home : away)[static_cast<std::size_t>(number - 1)], profile,
+                         Body(profile, setup.rules.ball.rolling_deceleration, setup.seed, side, number),
+                         Sensing(profile, setup.disturbances[index(side)], marks_[index(side)], roster_, id, setup.seed,
+                                 largest_radius(setup)),
+                         steps, first);
+  }
+}
+
+void Course::refuse(int id, const std::string& why) const {
+  throw std::runtime_error(std::string(name(side_of(id))) + " robot " + std::to_string(roster_.number(id)) + " at " +
+                           std::to_string(time_) + " s: " + why);
+}
+
+double Course::ball_distance(int id) const {
+  const BodyState& body = arena_.robot(id);
+  return length(arena_.ball_position() - Vector{body.x, body.y});
+}
+
+Result Course::run() {
+  judge(-1);
+  while (referee_.state().ended == Ended::no) {
+    if (setup_.limit && time_ >= *setup_.limit - physics_step / 2.0) break;
+    for (int id = 0; id < roster_.count(); ++id) {
+      if (robot(id).next_decision == tick_) decide(id);
+    }
+    const int kicker = move_bodies();
+    arena_.step();
+    const Contacts& contacts = arena_.contacts();
+    if (contacts.robots_on_robots != 0) jostle();
+    ++tick_;
+    time_ = tick_ * physics_step;
+    judge(contacts.hardest_on_ball >= 0 ? contacts.hardest_on_ball : kicker);
+    digest_.add(std::as_bytes(arena_.states()));
+    if (tick_ % steps_per_sample == 0) metrics_.sample(referee_.state());
+    observe();
+  }
+  const GameState& state = referee_.state();
+  return {
+      state.goals,    state.ended == Ended::no ? Ended::limit : state.ended, time_, state.packets, metrics_.result(),
+      digest_.value()};
+}
+
+void Course::decide(int id) {
+  Robot& robot = this->robot(id);
+  robot.next_decision += static_cast<std::uint32_t>(robot.steps_between);
+  const Side side = roster_.side(id);
+  const int number = roster_.number(id);
+  const GameState& state = referee_.state();
+
+  mind::Percepts& percepts = robot.percepts;
+  percepts.time = time_;
+  percepts.penalised = state.is_penalised(side, number);
+  percepts.fallen = robot.body.fallen(time_);
+  percepts.time_until_up = robot.body.time_until_up(time_);
+  percepts.kicking = robot.body.kicking();
+  percepts.whistle = robot.whistle;
+  robot.whistle = false;
+  robot.sensing.sense({arena_.robot(id), arena_.ball_position(), in_view_}, time_, tick_,
+                      !percepts.penalised && !percepts.fallen, percepts);
+  told_.tell(id, state, time_, percepts.game);
+  heard_.clear();
+  radio_[index(side)].deliver(number, time_, tick_, heard_);
+
+  mind::Outcome& outcome = robot.outcome;
+  outcome.command = {};
+  outcome.send = false;
+  outcome.send_reason = 0;
+  outcome.packet.clear();
+  outcome.role = -1;
+  outcome.assignment.clear();
+  robot.think(percepts, heard_, outcome);
+  check_outcome(id, robot);
+
+  digest_outcome(outcome);
+  metrics_.decided(side, number, outcome.role, outcome.assignment, state);
+  robot.sensing.look(outcome.command.head_yaw);
+  if (!percepts.penalised) {
+    robot.body.command(outcome.command, time_, outcome.command.kick ? ball_distance(id) : 0.0);
+  }
+  if (outcome.send) {
+    const int charged = state.packets[index(side)];
+    const bool in_the_air = referee_.packet(side, outcome.packet.size());
+    if (state.packets[index(side)] != charged) metrics_.sent(side, outcome.send_reason);
+    if (in_the_air) radio_[index(side)].send(number, outcome.packet, time_, tick_);
+  }
+  if (observer_.decision) observer_.decision({time_, side, number, percepts, heard_, outcome});
+}
+
+void Course::check_outcome(int id, const Robot& robot) const {
+  const mind::Outcome& outcome = robot.outcome;
+  const mind::Command& command = outcome.command;
+  if (!std::isfinite(command.walk.forward) || !std::isfinite(command.walk.sideways) ||
+      !std::isfinite(command.walk.turn)) {
+    refuse(id, "walk command is not finite");
+  }
+  if (!std::isfinite(command.head_yaw)) refuse(id, "head yaw is not finite");
+  if (command.kick) {
+    const mind::KickRequest& kick = *command.kick;
+    const int kinds = static_cast<int>(robot.profile.kicks.size());
+    if (kick.kind < 0 || kick.kind >= kinds) {
+      refuse(id, "kick " + std::to_string(kick.kind) + ", but the profile '" + robot.profile.name + "' has " +
+                     std::to_string(kinds));
+    }
+    if (!std::isfinite(kick.direction) || !std::isfinite(kick.distance)) refuse(id, "kick is not finite");
+  }
+  const int roles = static_cast<int>(setup_.roles[index(roster_.side(id))].size());
+  if (outcome.role < -1 || outcome.role >= roles) {
+    refuse(id, "role " + std::to_string(outcome.role) + ", but the table of roles has " + std::to_string(roles));
+  }
+  if (outcome.send && (outcome.send_reason < 0 || outcome.send_reason >= REGISTA_EVENT_COUNT)) {
+    refuse(id, "no reason to send has number " + std::to_string(outcome.send_reason));
+  }
+}
+
+void Course::digest_outcome(const mind::Outcome& outcome) {
+  const mind::Command& command = outcome.command;
+  const mind::KickRequest kick = command.kick.value_or(mind::KickRequest{-1, 0.0, 0.0});
+  const std::array<double, 6> values{command.walk.forward, command.walk.sideways, command.walk.turn,
+                                     command.head_yaw,     kick.direction,        kick.distance};
+  const std::array<std::int32_t, 4> choices{kick.kind, outcome.role, outcome.send ? outcome.send_reason : -1,
+                                            static_cast<std::int32_t>(outcome.packet.size())};
+  digest_.add(std::as_bytes(std::span(values)));
+  digest_.add(std::as_bytes(std::span(choices)));
+  digest_.add(std::as_bytes(std::span(outcome.packet)));
+}
+
+// Returns the robot that kicked the ball in this step, or -1.
+int Course::move_bodies() {
+  int kicker = -1;
+  for (int id = 0; id < roster_.count(); ++id) {
+    if ((out_of_play_ >> id & 1u) != 0) continue;
+    Robot& robot = this->robot(id);
+    const BodyState& now = arena_.robot(id);
+    const Body::Motion motion = robot.body.move(time_, tick_, robot.body.kicking() ? ball_distance(id) : 0.0);
+    const config::Walk& limits = robot.profile.walk;
+    arena_.drive(id, turned({motion.walk.forward, motion.walk.sideways}, now.cosine, now.sine), motion.walk.turn,
+                 limits.acceleration, limits.turn_acceleration);
+    if (motion.ball_velocity) {
+      arena_.kick(turned(*motion.ball_velocity, now.cosine, now.sine));
+      metrics_.kicked(roster_.side(id));
+      kicker = id;
+    }
+  }
+  return kicker;
+}
+
+void Course::jostle() {
+  for (int id = 0; id < roster_.count(); ++id) {
+    if ((arena_.contacts().robots_on_robots >> id & 1u) == 0) continue;
+    Body& body = robot(id).body;
+    const int falls = body.falls();
+    body.jostled(time_, tick_);
+    if (body.falls() != falls) metrics_.fell(roster_.side(id));
+  }
+}
+
+void Course::judge(int touched_by) {
+  for (int id = 0; id < roster_.count(); ++id) {
+    positions_[static_cast<std::size_t>(id)] = {arena_.robot(id).x, arena_.robot(id).y};
+  }
+  if (touched_by >= 0) metrics_.touched(roster_.side(touched_by));
+  follow(referee_.update({time_, arena_.ball_position(), touched_by, positions_}));
+  for (int id = 0; id < roster_.count(); ++id) {
+    const bool away = (out_of_play_ >> id & 1u) != 0;
+    in_view_.x[static_cast<std::size_t>(id)] = away ? nowhere : arena_.robot(id).x;
+    in_view_.y[static_cast<std::size_t>(id)] = away ? nowhere : arena_.robot(id).y;
+  }
+}
+
+void Course::follow(const Calls& calls) {
+  const GameState& state = referee_.state();
+  for (const int id : calls.removed) {
+    arena_.place(id, waiting_pose(setup_.rules.field, id, largest_radius(setup_)));
+    robot(id).body.put_down();
+    out_of_play_ |= 1u << id;
+    metrics_.penalised(roster_.side(id));
+  }
+  for (const Placement& placement : calls.placements) {
+    const int id = placement.robot;
+    arena_.place(id, placement.pose);
+    robot(id).body.put_down();
+    robot(id).sensing.put_down(placement.pose, attack(roster_.side(id), state.half), tick_);
+    out_of_play_ &= ~(1u << id);
+  }
+  if (calls.ball) arena_.place_ball(*calls.ball);
+  if (calls.announced) {
+    told_.announce(state, time_, calls.told_late ? setup_.rules.durations.state_delay : 0.0, calls.ball_came_free);
+  }
+  if (calls.whistle) {
+    for (int id = 0; id < roster_.count(); ++id) {
+      const Side side = roster_.side(id);
+      Chance chance(setup_.seed, Purpose::whistle, side, roster_.number(id), 0, tick_);
+      if (!chance.bernoulli(setup_.robots[index(side)].hearing.whistle_probability)) continue;
+      robot(id).whistle = true;
+      told_.whistle(id, time_);
+    }
+  }
+  for (const Event& event : calls.events) {
+    digest_.add(static_cast<std::uint8_t>(event.kind));
+    digest_.add(static_cast<std::int32_t>(index(event.side)));
+    digest_.add(event.number);
+    if (observer_.event) observer_.event(time_, event, state);
+  }
+}
+
+void Course::observe() {
+  if (observer_.step) {
+    std::uint32_t fallen = 0, kicking = 0;
+    for (int id = 0; id < roster_.count(); ++id) {
+      if (robot(id).body.fallen(time_)) fallen |= 1u << id;
+      if (robot(id).body.kicking()) kicking |= 1u << id;
+    }
+    observer_.step({time_, referee_.state(), arena_.states(), fallen, kicking});
+  }
+  if (observer_.second && tick_ % physics_steps_per_second == 0) observer_.second(time_, referee_.state());
+}
+
+}  // namespace
+
+const char* name(Ended ended) {
+  constexpr std::array names{"no", "full_time", "mercy", "limit"};
+  return names[static_cast<std::size_t>(ended)];
+}
+
+Result play(const Setup& setup, std::span<const mind::Think> home, std::span<const mind::Think> away,
+            const Observer* observer) {
+  check(setup, home.size(), away.size());
+  static const Observer nobody;
+  return Course(setup, home, away, observer != nullptr ? *observer : nobody).run();
+}
+
+}  // namespace regista::match

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// One match from the first half's placement to the end: a pure function of its setup and of the minds that play. Minds
+// are known as mind::Think only, one for each robot; all that reaches them are percepts and packets.
+//
+// In each physics step (50 Hz): the robots whose turn it is decide, bodies move, the arena steps, the referee judges.
+// A robot decides once in a decision period; side and number spread the robots over the steps of a period.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "config/disturbance.hpp"
+#include "config/robot.hpp"
+#include "config/rules.hpp"
+#include "match/arena.hpp"
+#include "match/digest.hpp"
+#include "match/game_state.hpp"
+#include "match/metrics.hpp"
+#include "match/recording.hpp"
+#include "mind/command.hpp"
+#include "mind/percepts.hpp"
+
+namespace regista::match {
+
+// Arrays are by side (index(Side)).
+struct Setup {
+  config::Rules rules;
+  std::array<config::Robot, 2> robots;
+  std::array<config::Disturbance, 2> disturbances;
+  std::array<std::vector<Role>, 2> roles;  // the teams' tables of roles; Outcome::role is a row of it
+  std::uint64_t seed = 1;
+  std::optional<double> limit;  // s of simulated time after which the match ends
+};
+
+struct Result {
+  std::array<int, 2> score{};
+  Ended ended = Ended::no;
+  double simulated_seconds = 0.0;
+  std::array<int, 2> packets{};  // charged
+  MatchMetrics metrics;
+  std::uint64_t hash = 0;  // over the course of the match
+};
+
+const char* name(Ended ended);  // "full_time", "mercy", "limit"
+
+// The truth after a physics step. Memory is the match's, for the time of the call. World frame; masks: bit id.
+struct Snapshot {
+  double time;
+  const GameState& state;
+  std::span<const BodyState> bodies;  // robots by id (home 1..n, away 1..n), then the ball
+  std::uint32_t fallen, kicking;
+};
+
+struct Decision {
+  double time;
+  Side side;
+  int number;
+  const mind::Percepts& percepts;
+  std::span<const mind::HeardPacket> heard;
+  const mind::Outcome& outcome;
+};
+
+// Whoever wants to watch. It cannot change the match. Empty functions are not called.
+struct Observer {
+  std::function<void(double time, const GameState&)> second;  // each second of match time
+  std::function<void(double time, const Event&, const GameState&)> event;
+  std::function<void(const Snapshot&)> step;
+  std::function<void(const Decision&)> decision;
+  Recording* recording = nullptr;  // of what is done to the bodies, for Replay
+};
+
+// Plays. home, away: a mind for each robot, number n at n - 1. Throws std::invalid_argument when the setup cannot be
+// played, std::runtime_error naming the robot when an outcome is not sound (not finite, no such kick or role or
+// reason); what a mind throws passes through.
+Result play(const Setup& setup, std::span<const mind::Think> home, std::span<const mind::Think> away,
+            const Observer* observer = nullptr);
+
+}  // namespace regista::match

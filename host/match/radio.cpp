@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "match/radio.hpp"
+
+#include <utility>
+
+#include "match/chance.hpp"
+
+namespace regista::match {
+
+Radio::Radio(const config::Radio& profile, const config::Disturbance& disturbance, int team_size, std::uint64_t seed,
+             Side side)
+    : profile_(profile), team_size_(team_size), seed_(seed), side_(side) {
+  profile_.delay += disturbance.extra_delay;
+  // Lost by either of two independent causes.
+  profile_.loss = 1.0 - (1.0 - profile.loss) * (1.0 - disturbance.extra_packet_loss);
+}
+
+void Radio::send(int sender, std::span<const std::uint8_t> bytes, double time, std::uint32_t tick) {
+  if (free_.empty()) {
+    free_.push_back(packets_.size());
+    packets_.emplace_back();
+  }
+  const std::size_t slot = free_.back();
+  Packet& packet = packets_[slot];
+  packet.waiting = 0;
+  for (int number = 1; number <= team_size_; ++number) {
+    if (number == sender) continue;
+    if (profile_.loss > 0.0) {
+      Chance loss(seed_, Purpose::radio_loss, side_, number, sender, tick);
+      if (loss.bernoulli(profile_.loss)) continue;
+    }
+    Chance delay(seed_, Purpose::radio_delay, side_, number, sender, tick);
+    packet.heard[static_cast<std::size_t>(number - 1)] = time + profile_.delay + profile_.jitter * delay.uniform();
+    packet.waiting |= 1u << (number - 1);
+  }
+  if (packet.waiting == 0) return;
+  packet.bytes.assign(bytes.begin(), bytes.end());
+  packet.sender = sender;
+  packet.tick = tick;
+  free_.pop_back();
+  in_flight_.push_back(slot);
+}
+
+void Radio::deliver(int receiver, double time, std::uint32_t tick, std::vector<mind::HeardPacket>& out) {
+  if (in_flight_.empty()) return;
+  const std::uint32_t bit = 1u << (receiver - 1);
+  const std::size_t first = out.size();
+  senders_.clear();
+  std::size_t kept = 0;
+  for (const std::size_t slot : in_flight_) {
+    Packet& packet = packets_[slot];
+    const double heard = packet.heard[static_cast<std::size_t>(receiver - 1)];
+    if ((packet.waiting & bit) != 0 && heard <= time && packet.tick != tick) {
+      packet.waiting &= ~bit;
+      out.push_back({heard, packet.bytes});
+      senders_.push_back(packet.sender);
+      for (std::size_t i = senders_.size() - 1; i > 0; --i) {
+        mind::HeardPacket &before = out[first + i - 1], &after = out[first + i];
+        if (std::pair(before.time_heard, senders_[i - 1]) <= std::pair(after.time_heard, senders_[i])) break;
+        std::swap(before, after);
+        std::swap(senders_[i - 1], senders_[i]);
+      }
+    }
+    if (packet.waiting != 0) {
+      in_flight_[kept++] = slot;
+    } else {
+      free_.push_back(slot);
+    }
+  }
+  in_flight_.resize(kept);
+}
+
+}  // namespace regista::match

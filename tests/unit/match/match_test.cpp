@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+#include "match/match.hpp"
+#include <gtest/gtest.h>
+TEST(A,B){}
