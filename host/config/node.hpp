@@ -51,19 +51,11 @@ class Node {
   Kind kind() const;
   explicit operator bool() const { return kind() != Kind::absent; }
   const Location& where() const;
-<<<<<<< HEAD
-  const std::string& text() const;              // scalar
-  bool quoted() const;                          // scalar written in quotes: always text
-  std::span<const Node> elements() const;       // sequence
-  std::span<const Entry> entries() const;       // map, in written order
-  Node operator[](std::string_view key) const;  // map; absent when missing
-=======
   const std::string& text() const;              // scalar; empty for every other kind
   bool quoted() const;                          // scalar written in quotes: always text
   std::span<const Node> elements() const;       // sequence; empty for every other kind
   std::span<const Entry> entries() const;       // map, in written order; empty for every other kind
   Node operator[](std::string_view key) const;  // absent when missing, and for every kind but a map
->>>>>>> config
 
   // Same structure and texts, wherever they stood and however they were quoted; the order of keys does not matter.
   friend bool same(const Node&, const Node&);

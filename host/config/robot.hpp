@@ -28,11 +28,7 @@ struct Kick {
   double minimum_distance = 1.6, maximum_distance = 4.5;  // that the ball rolls, m
   double duration = 1.6, impact = 0.65;                   // s
   double distance_noise = 0.07;                           // half width of a triangular law, relative
-<<<<<<< HEAD
-  double direction_noise = 0.122;                         // standard deviation, rad
-=======
   double direction_noise = 7.0 * radians_per_degree;      // standard deviation, rad
->>>>>>> config
 };
 
 struct Body {
@@ -44,32 +40,14 @@ struct Body {
 };
 
 struct Camera {
-<<<<<<< HEAD
-  double half_angle = 0.477;  // of the horizontal field of view, rad
-  double head_yaw = 1.57;     // head turns up to this to either side, rad
-  double head_speed = 2.0;    // rad/s
-=======
   double half_angle = 27.35 * radians_per_degree;  // of the horizontal field of view, rad
   double head_yaw = 90.0 * radians_per_degree;     // head turns up to this to either side, rad
   double head_speed = 115.0 * radians_per_degree;  // rad/s
->>>>>>> config
   double ball_range = 5.0, ball_probability = 0.9;
   double robot_range = 4.0, robot_probability = 0.6;
   double landmark_range = 8.0, landmark_probability = 0.9;  // goal posts; lines: line_range
   double line_range = 3.0, line_probability = 0.6;
   double false_balls_per_frame = 0.0005;
-<<<<<<< HEAD
-  double distance_noise = 0.05;  // standard deviation, relative to the distance
-  double bearing_noise = 0.02;   // standard deviation, rad
-};
-
-struct Odometry {
-  double distance_noise = 0.05;      // relative standard deviation of the distance walked, per step of decision
-  double turn_noise = 0.05;          // relative standard deviation of the angle turned
-  double scale_bias = 0.03;          // standard deviation of a scale error drawn once per robot and match
-  double placing_noise = 0.05;       // m: how well a robot knows where it was put down
-  double placing_turn_noise = 0.05;  // rad
-=======
   double distance_noise = 0.05;                      // standard deviation, relative to the distance
   double bearing_noise = 1.15 * radians_per_degree;  // standard deviation, rad
 };
@@ -80,7 +58,6 @@ struct Odometry {
   double scale_bias = 0.03;      // standard deviation of a scale error drawn once per robot and match
   double placing_noise = 0.05;   // m: how well a robot knows where it was put down
   double placing_turn_noise = 3.0 * radians_per_degree;  // rad
->>>>>>> config
 };
 
 struct Radio {
