@@ -50,7 +50,8 @@ std::vector<ContextParts> Assembly::contexts() {
   std::vector<ContextParts> out;
   for (const ContextPlan& context : plan_->contexts()) {
     plugin::Context condition(create(context.condition));
-    plugin::Positioner positioner(shared(context.positioner));
+    std::optional<plugin::Positioner> positioner;
+    if (context.positioner) positioner.emplace(shared(*context.positioner));
     std::vector<plugin::Utility> terms;
     for (const TermPart& term : context.terms) terms.emplace_back(shared(term.part));
     plugin::Assigner assigner(shared(context.assigner));

@@ -32,12 +32,16 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
       opponents_(open_predictor(team_.opponents, REGISTA_SUBJECT_OPPONENTS, "opponents", catalogue)),
       teammates_(open_predictor(team_.teammates, REGISTA_SUBJECT_TEAMMATES, "teammates", catalogue)) {
   for (const config::Context& context : team_.contexts) {
+    std::optional<Part> positioner;
+    if (!context.positioner.plugin.empty()) {
+      positioner = open(context.positioner, REGISTA_KIND_POSITIONER, catalogue);
+    }
     std::vector<TermPart> terms;
     for (const config::UtilityTerm& term : context.terms) {
       terms.push_back({term.name, term.weight, open(term.use, REGISTA_KIND_UTILITY, catalogue)});
     }
     contexts_.push_back({open(context.use, REGISTA_KIND_CONTEXT, catalogue),
-                         open(context.positioner, REGISTA_KIND_POSITIONER, catalogue),
+                         std::move(positioner),
                          open(context.assigner, REGISTA_KIND_ASSIGNER, catalogue),
                          open(context.sender, REGISTA_KIND_SENDER, catalogue), std::move(terms)});
   }

@@ -3,6 +3,7 @@
 // robots. From one plan come as many minds as the team has robots.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,9 @@ struct TermPart {
 
 // What is in force while a context holds.
 struct ContextPlan {
-  Part condition, positioner, assigner, sender;
+  Part condition;
+  std::optional<Part> positioner;  // none: no waypoints, no filter by them, no offset
+  Part assigner, sender;
   std::vector<TermPart> terms;
 };
 

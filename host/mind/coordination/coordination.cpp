@@ -61,7 +61,7 @@ const Decision& Coordination::decide(const WorldModel& world, double time, std::
   }
   const Snapshot& task_world = world_for(context().tasks.knowledge, world);
   list_tasks(task_world);
-  parts_[static_cast<std::size_t>(decision_.context)].positioner.place(frame, decision_.placement);
+  place();
   filter_and_offset(task_world);
 
   const Snapshot& utility_world = world_for(context().utility_knowledge, world);
@@ -105,6 +105,22 @@ void Coordination::list_tasks(const Snapshot& world) {
     task.before[2] = task.after[2] = facing.isZero() ? 0.0 : angle_of(facing);
   }
   decision_.frame.tasks = span(decision_.tasks);
+}
+
+void Coordination::place() {
+  auto& positioner = parts_[static_cast<std::size_t>(decision_.context)].positioner;
+  if (positioner) {
+    positioner->place(decision_.frame, decision_.placement);
+  } else {
+    forget_placement();
+  }
+}
+
+void Coordination::forget_placement() {
+  decision_.placement.points.clear();
+  decision_.placement.edges.clear();
+  decision_.placement.cells.clear();
+  decision_.placement.vertices.clear();
 }
 
 void Coordination::filter_and_offset(const Snapshot& world) {
@@ -202,10 +218,7 @@ void Coordination::take_own_role() {
 
 void Coordination::forget_roles() {
   decision_.tasks.clear();
-  decision_.placement.points.clear();
-  decision_.placement.edges.clear();
-  decision_.placement.cells.clear();
-  decision_.placement.vertices.clear();
+  forget_placement();
   decision_.kept.clear();
   decision_.columns.clear();
   decision_.assigned.clear();

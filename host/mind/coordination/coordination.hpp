@@ -3,6 +3,7 @@
 // utility estimation matrix -> Phi. A straight line of steps, each of which fills its part of the Decision.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mind/coordination/decision.hpp"
@@ -16,7 +17,7 @@ namespace regista::mind {
 // The running plugins of one context, in the order of the team's contexts.
 struct ContextParts {
   plugin::Context condition;
-  plugin::Positioner positioner;
+  std::optional<plugin::Positioner> positioner;
   std::vector<plugin::Utility> terms;
   plugin::Assigner assigner;
   plugin::Sender sender;
@@ -40,6 +41,8 @@ class Coordination {
   const Snapshot& world_for(config::Knowledge knowledge, const WorldModel& world);
   void choose_context();
   void list_tasks(const Snapshot& world);
+  void place();
+  void forget_placement();
   void filter_and_offset(const Snapshot& world);
   void estimate_times(const Snapshot& world);
   void estimate_utilities(const Snapshot& world);
