@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "match/teams.hpp"
+
+#include <Random123/philox.h>
+
+#include <utility>
+
+namespace regista::match {
+
+std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed) {
+  const r123::Philox2x64 philox;
+  const auto words = philox({{static_cast<std::uint64_t>(index(side)), 0}}, {{seed}});
+  std::vector<mind::Mind> out;
+  for (int number = 1; number <= plan.rules().team_size; ++number) out.emplace_back(plan, number, words[0]);
+  return out;
+}
+
+std::vector<Role> roles(const mind::TeamPlan& plan) {
+  std::vector<Role> out;
+  for (const mind::RoleRow& row : plan.roles()) {
+    const auto& list = plan.team().role_lists[static_cast<std::size_t>(row.list)];
+    out.push_back({row.role->name, list.name, row.priority, row.role->robot});
+  }
+  return out;
+}
+
+Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, const Observer* observer,
+            const AfterDecision& after) {
+  std::array<std::vector<mind::Mind>, 2> all;
+  std::array<std::vector<mind::Think>, 2> think;
+  for (const Side side : both_sides) {
+    const mind::TeamPlan& plan = *teams[index(side)];
+    setup.roles[index(side)] = roles(plan);
+    all[index(side)] = minds(plan, side, setup.seed);
+    for (mind::Mind& each : all[index(side)]) {
+      if (!after) {
+        think[index(side)].push_back([&each](const mind::Percepts& percepts, std::span<const mind::HeardPacket> heard,
+                                             mind::Outcome& out) { each.think(percepts, heard, out); });
+        continue;
+      }
+      think[index(side)].push_back([&each, &after, side](const mind::Percepts& percepts,
+                                                         std::span<const mind::HeardPacket> heard,
+                                                         mind::Outcome& out) {
+        each.think(percepts, heard, out);
+        after(side, each, percepts, out);
+      });
+    }
+  }
+  return play(setup, think[0], think[1], observer);
+}
+
+}  // namespace regista::match

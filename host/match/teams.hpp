@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A match between two teams of minds: from two plans to fourteen minds, each alone, and the match they play.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "match/match.hpp"
+#include "mind/mind.hpp"
+#include "mind/team_plan.hpp"
+
+namespace regista::match {
+
+// The minds of one side. Their luck belongs to (seed, side), so that it stays when teams swap sides.
+// Throws plugin::Failure when a plugin cannot be created.
+std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed);
+
+// The team's table of roles, for the metrics.
+std::vector<Role> roles(const mind::TeamPlan& plan);
+
+// Called after each decision of a mind; it cannot change it.
+using AfterDecision =
+    std::function<void(Side, const mind::Mind&, const mind::Percepts&, const mind::Outcome&)>;
+
+// Plays `setup` (its `roles` are taken from the plans). Throws as play() and Mind do.
+Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, const Observer* observer = nullptr,
+            const AfterDecision& after = {});
+
+}  // namespace regista::match
