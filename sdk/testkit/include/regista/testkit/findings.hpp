@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace regista::testkit {
@@ -23,7 +24,10 @@ class Findings {
     (text << ... << parts);
     if (std::find(seen_.begin(), seen_.end(), text.str()) != seen_.end()) return;
     seen_.push_back(text.str());
-    if (lines_.size() == most) return;
+    if (lines_.size() == most) {
+      ++left_out_;
+      return;
+    }
     std::string place = corner_ + (corner_.empty() || scene_.empty() ? "" : "; ") + scene_;
     lines_.push_back(text.str() + (place.empty() ? "" : " (" + place + ")"));
   }
@@ -32,14 +36,15 @@ class Findings {
   std::string text() const {
     std::string out;
     for (const std::string& line : lines_) out += line + "\n";
+    if (left_out_ > 0) out += "and " + std::to_string(left_out_) + " more like these\n";
     return out;
   }
-  void append(const Findings& other) { lines_.insert(lines_.end(), other.lines_.begin(), other.lines_.end()); }
 
  private:
   static constexpr std::size_t most = 20;
   std::vector<std::string> lines_, seen_;
   std::string corner_, scene_;
+  std::size_t left_out_ = 0;
 };
 
 }  // namespace regista::testkit
