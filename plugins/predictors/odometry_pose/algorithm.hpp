@@ -5,7 +5,9 @@
 // Source: Thrun, Burgard, Fox, "Probabilistic Robotics" (2005), section 7.5 (EKF localisation with unknown
 // correspondences: nearest by Mahalanobis distance, chi-square gate). Written in the field frame: the place of a
 // sighting is p + R(heading) z, whose covariance is the same for every candidate, so that one 2 x 2 inverse serves
-// the search, the gate and the update.
+// the search, the gate and the update. The gate is wide: simulated walks showed that at the customary 0.99 quantile a
+// filter with a bad moment refuses the sightings that would set it right (a few of 1000 walks of ten minutes were lost;
+// none at 0.9999). What guards against mistaken landmarks is that an ambiguous sighting is left unused.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,12 +29,13 @@ inline double normalised(double angle) {
 }
 
 struct Parameters {
-  double distance_noise = 0.04;      // m / sqrt(m): deviation of the position after 1 m walked
-  double turn_noise = 0.05;          // rad / sqrt(rad): deviation of the heading after 1 rad turned
-  double drift_noise = 0.03;         // rad / sqrt(m): deviation of the heading after 1 m walked
-  double standing_noise = 0.002;     // m / sqrt(s), and rad / sqrt(s): creep of a body that claims to stand
-  double gate = 9.21034037;          // squared Mahalanobis distance: chi-square, 2 degrees of freedom, 0.99
-  double ambiguity_ratio = 20.0;     // how many times likelier than the second nearest the nearest has to be
+  double distance_noise = 0.04;   // m / sqrt(m): deviation of the position after 1 m walked
+  double turn_noise = 0.05;       // rad / sqrt(rad): deviation of the heading after 1 rad turned
+  double drift_noise = 0.03;      // rad / sqrt(m): deviation of the heading after 1 m walked
+  double standing_noise = 0.002;  // m / sqrt(s), and rad / sqrt(s): creep of a body that claims to stand
+  double gate = 18.4206807;       // squared Mahalanobis distance: chi-square, 2 degrees of freedom, 0.9999
+  double ambiguity_ratio = 20.0;  // how many times likelier than the second nearest the nearest has to be
+  int doubt_after = 3;            // more sightings beyond the gate than within before the covariance is doubled at each
   double velocity_smoothing = 0.3;   // s, time constant
   double velocity_deviation = 0.05;  // m/s
 };
@@ -70,6 +73,7 @@ class Filter {
   void place(const Estimate& pose) {
     estimate_ = pose;
     age_ = 0.0;
+    rejected_ = 0;
     turn();
   }
 
@@ -133,7 +137,10 @@ class Filter {
       }
     }
     // Likelihoods are exp(-distance / 2), so their ratio is a difference of the distances.
-    if (nearest == nullptr || least > parameters_.gate || second - least < margin_) return false;
+    if (nearest == nullptr) return false;
+    if (least > parameters_.gate) return reject();
+    if (second - least < margin_) return false;
+    rejected_ = std::max(0, rejected_ - 1);
 
     Eigen::Matrix2d inverse;
     inverse << xx, xy, xy, yy;
@@ -171,6 +178,14 @@ class Filter {
     p(2, 0) = p(0, 2);
     p(2, 1) = p(1, 2);
   }
+  // One sighting beyond the gate is bad luck, more of them than fit mean that the pose is worse than believed: without
+  // this a filter that went astray would refuse for ever what could set it right.
+  bool reject() {
+    if (++rejected_ >= parameters_.doubt_after && estimate_.covariance.trace() < unknown_.covariance.trace()) {
+      estimate_.covariance *= 2.0;
+    }
+    return false;
+  }
   void turn() {
     cosine_ = std::cos(estimate_.heading);
     sine_ = std::sin(estimate_.heading);
@@ -184,6 +199,7 @@ class Filter {
   double cosine_ = 1.0, sine_ = 0.0;                    // of the heading
   Eigen::Vector2d velocity_ = Eigen::Vector2d::Zero();  // robot frame, smoothed
   double turn_rate_ = 0.0, age_ = 0.0;
+  int rejected_ = 0;  // sightings beyond the gate, each paid off by one within
 };
 
 }  // namespace odometry_pose

@@ -22,6 +22,7 @@ struct OdometryPose {
   double standing_noise = initial.standing_noise;
   double gate = initial.gate;
   double ambiguity_ratio = initial.ambiguity_ratio;
+  int doubt_after = initial.doubt_after;
   double velocity_smoothing = initial.velocity_smoothing;
   double velocity_deviation = initial.velocity_deviation;
 
@@ -41,15 +42,21 @@ struct OdometryPose {
           .log_scale(),
       regista::real("standing_noise", &OdometryPose::standing_noise, {0.0, 0.05}, "1/s^0.5",
                     "Standard deviation of position (m) and heading (rad) after one second of standing; assumption"),
-      regista::real("gate", &OdometryPose::gate, {1.0, 30.0}, "1",
-                    "Largest squared Mahalanobis distance of a sighting to its landmark; 9.21 is the 0.99 quantile of "
-                    "chi-square with 2 degrees of freedom")
+      regista::real(
+          "gate", &OdometryPose::gate, {1.0, 50.0}, "1",
+          "Largest squared Mahalanobis distance of a sighting to its landmark; quantiles of chi-square with 2 "
+          "degrees of freedom: 9.21 (0.99), 18.4 (0.9999)")
           .tunable(),
       regista::real("ambiguity_ratio", &OdometryPose::ambiguity_ratio, {1.0, 10000.0}, "1",
                     "A sighting counts only if its nearest landmark is this many times likelier than the second "
                     "nearest; assumption")
           .tunable()
           .log_scale(),
+      regista::integer(
+          "doubt_after", &OdometryPose::doubt_after, {1, 1000}, "1",
+          "When so many more sightings were beyond the gate than within, the covariance is doubled at each "
+          "further one; assumption")
+          .tunable(),
       regista::real("velocity_smoothing", &OdometryPose::velocity_smoothing, {0.0, 5.0}, "s",
                     "Time constant of the smoothing of the velocity; about one step of the walk (0.25 s, SPL)"),
       regista::real("velocity_deviation", &OdometryPose::velocity_deviation, {0.001, 0.5}, "m/s",
@@ -63,7 +70,7 @@ struct OdometryPose {
     unknown.covariance.diagonal() << environment->field_length * environment->field_length / 12.0,
         environment->field_width * environment->field_width / 12.0, odometry_pose::pi * odometry_pose::pi / 3.0;
     filter.emplace(odometry_pose::Parameters{distance_noise, turn_noise, drift_noise, standing_noise, gate,
-                                             ambiguity_ratio, velocity_smoothing, velocity_deviation},
+                                             ambiguity_ratio, doubt_after, velocity_smoothing, velocity_deviation},
                    landmarks, unknown);
     number = environment->own_number;
   }
