@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+// Opponents as a Gaussian mixture: predict, match, merge, prune. Each component is one robot that may be there: place
+// and velocity by a Kalman filter, and the probability that it exists.
+//
+// Sources: Affinita et al. (the paper: a Gaussian mixture models the obstacles); merging within 1.1 m, forgetting
+// after 8 s and velocities of 0.1 to 0.4 m/s as SPL teams have them; moment-preserving merge: Runnalls, "Kullback-
+// Leibler approach to Gaussian mixture reduction" (IEEE Trans. AES 43, 2007), section IV.
+//
+// Motion: each velocity component is an Ornstein-Uhlenbeck process (a random walk pulled back to zero) with the
+// standing deviation `speed` and the time constant `persistence`; over a longer time the place walks at random.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gaussian_mixture {
+
+struct Parameters {
+  double speed = 0.2;                  // m/s, standard deviation of each component of the velocity
+  double persistence = 1.0;            // s
+  double gate = 9.21034037;            // squared Mahalanobis distance
+  double merge_distance = 1.1;         // m
+  double detection_probability = 0.6;  // of a robot in the visible area
+  double false_probability = 0.05;     // that a sighting at a component's place is false
+  double birth_weight = 0.4;           // of a component at its first sighting
+  double prune_weight = 0.05;          // components below it are dropped
+  double forget_after = 8.0;           // s unseen
+  double touching_distance = 0.3;      // m between the centres of two robots that touch
+};
+
+struct Sighting {
+  Eigen::Vector2d position;
+  Eigen::Matrix2d covariance;
+};
+
+// A sector of a disc, seen from `apex` along the unit vector `axis`.
+struct View {
+  Eigen::Vector2d apex, axis;
+  double cosine;  // of half the opening angle
+  double range;
+
+  bool holds(const Eigen::Vector2d& point) const {
+    const Eigen::Vector2d arm = point - apex;
+    const double squared = arm.squaredNorm();
+    return squared <= range * range && arm.dot(axis) >= cosine * std::sqrt(squared);
+  }
+};
+
+struct Component {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero(), velocity = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d position_covariance = Eigen::Matrix2d::Zero(), cross = Eigen::Matrix2d::Zero(),
+                  velocity_covariance = Eigen::Matrix2d::Zero();  // cross = E[dp dv']
+  int label = 0;
+  bool seen = false;    // in the image just taken in
+  double weight = 0.0;  // probability that it exists
+  double age = 0.0;     // s since it was last seen
+};
+
+class Mixture {
+ public:
+  static constexpr int capacity = 24;
+
+  Mixture() : Mixture(Parameters{}) {}
+  explicit Mixture(const Parameters& parameters) : parameters_(parameters) {}
+
+  void reset() {
+    count_ = 0;
+    next_label_ = 1;
+    step_ = {};
+  }
+
+  void predict(double dt) {
+    if (count_ == 0) return;
+    if (dt != step_.dt) step_ = Step(dt, parameters_);
+    for (int i = 0; i < count_; ++i) advance(components_[index(i)]);
+    drop([this](const Component& each) { return each.age > parameters_.forget_after; });
+  }
+
+  // One image: match, miss, merge, prune. `sightings`: a range of Sighting.
+  template <class Sightings>
+  void correct(const Sightings& sightings, const View& view) {
+    for (int i = 0; i < count_; ++i) components_[index(i)].seen = false;
+    for (const Sighting& sighting : sightings) match(sighting);
+    const double detected = parameters_.detection_probability, missed = 1.0 - detected;
+    for (int i = 0; i < count_; ++i) {
+      Component& each = components_[index(i)];
+      if (!each.seen && view.holds(each.position)) each.weight *= missed / (1.0 - each.weight * detected);
+    }
+    merge();
+    drop([this](const Component& each) { return each.weight < parameters_.prune_weight; });
+  }
+
+  // Replacing the whole model by what a packet said: clear, add each, then predict(age).
+  void clear() { count_ = 0; }
+  // label <= 0 or taken: a fresh one. Ignored when there is no room or the weight is below what is kept.
+  void add(Component told) {
+    if (count_ == capacity || told.weight < parameters_.prune_weight) return;
+    told.weight = std::min(told.weight, greatest_weight);
+    if (told.label <= 0 || taken(told.label)) {
+      told.label = fresh_label();
+    } else if (told.label >= next_label_ && told.label < std::numeric_limits<int>::max()) {
+      next_label_ = told.label + 1;
+    }
+    components_[index(count_++)] = told;
+  }
+
+  const Component* begin() const { return components_.data(); }
+  const Component* end() const { return components_.data() + count_; }
+  // The sightings have told more than half of what there was to know of the velocity.
+  bool velocity_believed(const Component& each) const {
+    return each.velocity_covariance.trace() < parameters_.speed * parameters_.speed;
+  }
+
+ private:
+  // A weight of exactly 1 could never fall again.
+  static constexpr double greatest_weight = 0.99;
+
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  // The motion over dt, in closed form: p' = p + reach v, v' = keep v, and its noise per axis.
+  struct Step {
+    double dt = 0.0, keep = 1.0, reach = 0.0, position_noise = 0.0, cross_noise = 0.0, velocity_noise = 0.0;
+    Step() = default;
+    Step(double duration, const Parameters& parameters) : dt(duration) {
+      const double tau = parameters.persistence, variance = parameters.speed * parameters.speed;
+      const double lost = -std::expm1(-dt / tau);  // 1 - keep
+      keep = 1.0 - lost;
+      reach = tau * lost;
+      velocity_noise = variance * lost * (1.0 + keep);
+      cross_noise = variance * tau * lost * lost;
+      position_noise = std::max(0.0, variance * tau * (2.0 * (dt - reach) - tau * lost * lost));
+    }
+  };
+
+  void advance(Component& each) const {
+    const Step& step = step_;
+    each.position += step.reach * each.velocity;
+    each.velocity *= step.keep;
+    each.position_covariance +=
+        step.reach * (each.cross + each.cross.transpose()) + (step.reach * step.reach) * each.velocity_covariance;
+    each.cross = step.keep * (each.cross + step.reach * each.velocity_covariance);
+    each.velocity_covariance *= step.keep * step.keep;
+    each.position_covariance.diagonal().array() += step.position_noise;
+    each.cross.diagonal().array() += step.cross_noise;
+    each.velocity_covariance.diagonal().array() += step.velocity_noise;
+    each.age += step.dt;
+  }
+
+  void match(const Sighting& sighting) {
+    Component* nearest = nullptr;
+    double least = parameters_.gate;
+    Eigen::Matrix2d inverse;
+    for (int i = 0; i < count_; ++i) {
+      Component& each = components_[index(i)];
+      if (each.seen) continue;  // a camera sees a robot once
+      const Eigen::Matrix2d spread = each.position_covariance + sighting.covariance;
+      const Eigen::Vector2d gap = sighting.position - each.position;
+      const double determinant = spread(0, 0) * spread(1, 1) - spread(0, 1) * spread(1, 0);
+      const double distance = (spread(1, 1) * gap.x() * gap.x() - 2.0 * spread(0, 1) * gap.x() * gap.y() +
+                               spread(0, 0) * gap.y() * gap.y()) /
+                              determinant;
+      if (distance <= least) {
+        least = distance;
+        nearest = &each;
+        inverse << spread(1, 1) / determinant, -spread(0, 1) / determinant, -spread(0, 1) / determinant,
+            spread(0, 0) / determinant;
+      }
+    }
+    if (nearest == nullptr) return start(sighting);
+    update(*nearest, sighting, inverse);
+    const double w = nearest->weight, detected = parameters_.detection_probability;
+    nearest->weight =
+        std::min(greatest_weight, w * detected / (w * detected + (1.0 - w) * parameters_.false_probability));
+  }
+
+  // The Kalman update, in Joseph's form, which stays positive semi-definite.
+  static void update(Component& each, const Sighting& sighting, const Eigen::Matrix2d& inverse) {
+    const Eigen::Vector2d gap = sighting.position - each.position;
+    const Eigen::Matrix2d gain = each.position_covariance * inverse;
+    const Eigen::Matrix2d velocity_gain = each.cross.transpose() * inverse;
+    const Eigen::Matrix2d kept = Eigen::Matrix2d::Identity() - gain;
+    const Eigen::Matrix2d noisy = sighting.covariance * velocity_gain.transpose();
+    const Eigen::Matrix2d shared = velocity_gain * each.cross;
+    each.position += gain * gap;
+    each.velocity += velocity_gain * gap;
+    each.velocity_covariance +=
+        velocity_gain * (each.position_covariance * velocity_gain.transpose() + noisy) - shared - shared.transpose();
+    each.cross = (kept * (each.cross - each.position_covariance * velocity_gain.transpose()) + gain * noisy).eval();
+    each.position_covariance =
+        (kept * each.position_covariance * kept.transpose() + gain * sighting.covariance * gain.transpose()).eval();
+    each.position_covariance(1, 0) = each.position_covariance(0, 1);
+    each.velocity_covariance(1, 0) = each.velocity_covariance(0, 1);
+    each.seen = true;
+    each.age = 0.0;
+  }
+
+  void start(const Sighting& sighting) {
+    if (parameters_.birth_weight < parameters_.prune_weight) return;
+    int place = count_;
+    if (count_ < capacity) {
+      ++count_;
+    } else {  // the weakest gives way
+      place = 0;
+      for (int i = 1; i < count_; ++i) {
+        if (components_[index(i)].weight <= components_[index(place)].weight) place = i;
+      }
+      if (components_[index(place)].weight >= parameters_.birth_weight) return;
+    }
+    const int label = fresh_label();
+    Component& fresh = components_[index(place)];
+    fresh = {};
+    fresh.label = label;
+    fresh.position = sighting.position;
+    fresh.position_covariance = sighting.covariance;
+    fresh.velocity_covariance.diagonal().setConstant(parameters_.speed * parameters_.speed);
+    fresh.weight = std::min(parameters_.birth_weight, greatest_weight);
+    fresh.seen = true;
+  }
+
+  // Near ones become one, under the older label. Two that were seen at once are two, unless bodies cannot be so near.
+  void merge() {
+    for (int i = 0; i < count_; ++i) {
+      for (int j = i + 1; j < count_;) {
+        Component &a = components_[index(i)], &b = components_[index(j)];
+        const double limit = a.seen && b.seen ? std::min(parameters_.touching_distance, parameters_.merge_distance)
+                                              : parameters_.merge_distance;
+        if ((a.position - b.position).squaredNorm() < limit * limit) {
+          combine(a, b);
+          remove(j);
+          j = i + 1;  // the merged one has moved
+        } else {
+          ++j;
+        }
+      }
+    }
+  }
+
+  // Mean and covariance of the two as a mixture.
+  static void combine(Component& a, const Component& b) {
+    const double share = b.weight / (a.weight + b.weight), rest = 1.0 - share, both = share * rest;
+    const Eigen::Vector2d dp = b.position - a.position, dv = b.velocity - a.velocity;
+    a.position += share * dp;
+    a.velocity += share * dv;
+    a.position_covariance = rest * a.position_covariance + share * b.position_covariance + both * dp * dp.transpose();
+    a.cross = rest * a.cross + share * b.cross + both * dp * dv.transpose();
+    a.velocity_covariance = rest * a.velocity_covariance + share * b.velocity_covariance + both * dv * dv.transpose();
+    a.label = std::min(a.label, b.label);
+    a.seen = a.seen || b.seen;
+    a.weight = std::min(greatest_weight, a.weight + b.weight - a.weight * b.weight);
+    a.age = std::min(a.age, b.age);
+  }
+
+  void remove(int place) {
+    for (int i = place + 1; i < count_; ++i) components_[index(i - 1)] = components_[index(i)];
+    --count_;
+  }
+
+  template <class Condition>
+  void drop(const Condition& condition) {
+    int kept = 0;
+    for (int i = 0; i < count_; ++i) {
+      if (condition(components_[index(i)])) continue;
+      if (kept != i) components_[index(kept)] = components_[index(i)];
+      ++kept;
+    }
+    count_ = kept;
+  }
+
+  bool taken(int label) const {
+    return std::any_of(begin(), end(), [label](const Component& each) { return each.label == label; });
+  }
+
+  int fresh_label() {
+    int label;
+    do {
+      label = next_label_;
+      next_label_ = label == std::numeric_limits<int>::max() ? 1 : label + 1;
+    } while (taken(label));
+    return label;
+  }
+
+  Parameters parameters_;
+  std::array<Component, capacity> components_;
+  int count_ = 0, next_label_ = 1;
+  Step step_;
+};
+
+}  // namespace gaussian_mixture

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// How a ball rolls on the carpet: straight on with a constant deceleration, until it is slower than `stop_speed` and
+// stands. Mean and covariance are carried forward in closed form, so that one long step equals many short ones and
+// all robots that start from the same packet get the same ball.
+//
+// Source: the kinematics of constant deceleration; deceleration 0.30 to 0.35 m/s^2 on SPL carpet as measured by SPL
+// teams. The covariance follows the exact Jacobian of that motion plus two noises: white noise on the deceleration
+// along the path and a random walk of the direction across it.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+namespace kalman_ball {
+
+struct RollingModel {
+  double deceleration = 0.32;       // m/s^2, > 0
+  double stop_speed = 0.08;         // m/s
+  double acceleration_noise = 0.1;  // m/s / sqrt(s), along the path
+  double direction_noise = 0.05;    // rad / sqrt(s)
+  double resting_noise = 0.01;      // m / sqrt(s)
+};
+
+// Position and velocity with the blocks of their covariance; cross = E[dp dv'].
+struct BallState {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero(), velocity = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d position_covariance = Eigen::Matrix2d::Zero(), cross = Eigen::Matrix2d::Zero(),
+                  velocity_covariance = Eigen::Matrix2d::Zero();
+};
+
+// Seconds until a ball of this speed stands.
+inline double time_to_stop(double speed, const RollingModel& model) {
+  return std::max(0.0, (speed - model.stop_speed) / model.deceleration);
+}
+
+inline void rest(BallState& ball, double dt, const RollingModel& model) {
+  ball.position_covariance.diagonal().array() += model.resting_noise * model.resting_noise * dt;
+}
+
+// The ball stands from now on. What is not known of its velocity becomes uncertainty of the place: a ball that is
+// faster by w at this instant rolls on for stop_speed / deceleration seconds.
+inline void stop(BallState& ball, const RollingModel& model) {
+  const double extra = model.stop_speed / model.deceleration;
+  ball.position_covariance += extra * (ball.cross + ball.cross.transpose()) + extra * extra * ball.velocity_covariance;
+  ball.velocity.setZero();
+  ball.cross.setZero();
+  ball.velocity_covariance.setZero();
+}
+
+// `dt` seconds during which it is known to roll; speed = |velocity| > 0.
+inline void roll(BallState& ball, double dt, double speed, const RollingModel& model) {
+  const double a = model.deceleration, after = speed - a * dt, way = 0.5 * dt * (speed + after);
+  const Eigen::Vector2d ahead = ball.velocity / speed;
+  Eigen::Matrix2d along;  // projects onto the path
+  along << ahead.x() * ahead.x(), ahead.x() * ahead.y(), ahead.x() * ahead.y(), ahead.y() * ahead.y();
+  const Eigen::Matrix2d across = Eigen::Matrix2d::Identity() - along;
+
+  ball.position += way * ahead;
+  ball.velocity = after * ahead;
+  const Eigen::Matrix2d to_position = dt * along + (way / speed) * across;  // d position / d velocity before
+  const Eigen::Matrix2d to_velocity = along + (after / speed) * across;     // d velocity / d velocity before
+  const Eigen::Matrix2d moved = to_position * ball.velocity_covariance;
+  const Eigen::Matrix2d crossed = ball.cross * to_position;
+  ball.position_covariance += crossed + crossed.transpose() + moved * to_position;
+  ball.cross = ((ball.cross + moved) * to_velocity).eval();
+  ball.velocity_covariance = (to_velocity * ball.velocity_covariance * to_velocity).eval();
+
+  // Integrals of the two noises over the step, each carried to its end by the same Jacobian.
+  const double q = model.acceleration_noise * model.acceleration_noise;
+  const double s = model.direction_noise * model.direction_noise;
+  const double t2 = dt * dt, t3 = t2 * dt;
+  ball.position_covariance +=
+      (q * t3 / 3.0) * along + (s * t3 * (after * after / 3.0 + after * a * dt / 4.0 + a * a * t2 / 20.0)) * across;
+  ball.cross += (q * t2 / 2.0) * along + (s * after * t2 * (after / 2.0 + a * dt / 6.0)) * across;
+  ball.velocity_covariance += (q * dt) * along + (s * after * after * dt) * across;
+  rest(ball, dt, model);
+}
+
+// Carries a rolling ball `dt` seconds forward. True when it stands at the end.
+inline bool advance_rolling(BallState& ball, double dt, const RollingModel& model) {
+  const double speed = std::sqrt(ball.velocity.squaredNorm());
+  const double rolls = time_to_stop(speed, model);
+  if (dt < rolls) {
+    roll(ball, dt, speed, model);
+    return false;
+  }
+  if (rolls > 0.0) roll(ball, rolls, speed, model);
+  stop(ball, model);
+  rest(ball, dt - rolls, model);
+  return true;
+}
+
+// A ball whose velocity is hardly known yet: constant velocity with white noise of acceleration.
+inline void advance_unknown(BallState& ball, double dt, const RollingModel& model) {
+  const double q = model.acceleration_noise * model.acceleration_noise;
+  ball.position += dt * ball.velocity;
+  ball.position_covariance += dt * (ball.cross + ball.cross.transpose()) + dt * dt * ball.velocity_covariance;
+  ball.cross += dt * ball.velocity_covariance;
+  ball.position_covariance.diagonal().array() += q * dt * dt * dt / 3.0;
+  ball.cross.diagonal().array() += q * dt * dt / 2.0;
+  ball.velocity_covariance.diagonal().array() += q * dt;
+  rest(ball, dt, model);
+}
+
+}  // namespace kalman_ball
