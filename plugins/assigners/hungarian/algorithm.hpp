@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// The assignment of robots to tasks with the largest sum of utilities: as many pairs as the forbidden ones leave room
+// for, then the largest sum, then the lexicographically least of the optimal ones (see tie_rule.hpp).
+//
+// Ties: a pair counts as tight when its reduced cost is at most `tie_tolerance` times the largest |utility|. So
+// utilities that differ by rounding only are equal, and the sum may fall short of the maximum by the tolerance per
+// robot at most.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shortest_paths.hpp"
+#include "tie_rule.hpp"
+
+namespace hungarian {
+
+inline constexpr double forbidden = -infinity;
+inline constexpr double tie_tolerance = 1e-9;
+
+// Row-major view of the utilities: rows are robots, columns tasks; entries finite or `forbidden`.
+struct Matrix {
+  const double* values;
+  std::size_t rows, columns, stride;
+  double operator()(std::size_t i, std::size_t j) const { return values[i * stride + j]; }
+};
+
+// Reuse one object: it keeps its memory, and allocates only for a matrix larger than any before.
+class Solver {
+ public:
+  void reserve(std::size_t rows, std::size_t columns) { costs_.reserve(rows * columns); }
+
+  // order: every column once, the most important first. out[row] := column, or -1.
+  void assign(const Matrix& utilities, std::span<const std::uint32_t> order, std::span<std::int32_t> out) {
+    assert(order.size() == utilities.columns && out.size() == utilities.rows);
+    std::fill(out.begin(), out.end(), nobody);
+    if (utilities.rows == 0 || utilities.columns == 0) return;
+    const bool transposed = utilities.rows > utilities.columns;  // agents are the fewer
+    const Costs costs = copy(utilities, transposed);
+    if (all_.solve(costs)) {
+      break_ties(all_, costs, transposed, order, out);
+    } else {
+      some_.solve(costs);
+      break_ties(some_, costs, transposed, order, out);
+    }
+  }
+
+ private:
+  Costs copy(const Matrix& utilities, bool transposed) {
+    costs_.resize(utilities.rows * utilities.columns);
+    largest_ = 0.0;
+    double* to = costs_.data();
+    const std::size_t agents = transposed ? utilities.columns : utilities.rows;
+    const std::size_t objects = transposed ? utilities.rows : utilities.columns;
+    for (std::size_t i = 0; i < agents; ++i) {
+      for (std::size_t j = 0; j < objects; ++j) {
+        const double cost = transposed ? -utilities(j, i) : -utilities(i, j);
+        if (cost != infinity) largest_ = std::max(largest_, std::abs(cost));
+        *to++ = cost;
+      }
+    }
+    return {costs_.data(), agents, objects};
+  }
+
+  static bool is_tight(double reduced, double tolerance) { return reduced <= tolerance; }
+  static bool is_tight(Ranked reduced, double tolerance) { return reduced.left_out <= 0 && reduced.sum <= tolerance; }
+  static double reduced_cost(double cost, double agent, double object) { return cost - agent - object; }
+  static Ranked reduced_cost(double cost, Ranked agent, Ranked object) { return Ranked{0, cost} - agent - object; }
+
+  template <class Cost>
+  void break_ties(ShortestPaths<Cost>& solution, const Costs& costs, bool transposed,
+                  std::span<const std::uint32_t> order, std::span<std::int32_t> out) {
+    const double tolerance = tie_tolerance * largest_;
+    const std::size_t rows = transposed ? costs.objects : costs.agents;
+    const std::size_t columns = transposed ? costs.agents : costs.objects;
+    ties_.begin(rows, columns);
+    for (std::size_t agent = 0; agent < costs.agents; ++agent) {
+      const double* row = costs.values + agent * costs.objects;
+      const Cost agent_dual = solution.agent_dual[agent];
+      for (std::size_t object = 0; object < costs.objects; ++object) {
+        if (row[object] == infinity) continue;
+        if (!is_tight(reduced_cost(row[object], agent_dual, solution.object_dual[object]), tolerance)) continue;
+        ties_.tight(transposed ? object : agent, transposed ? agent : object);
+      }
+      if constexpr (ShortestPaths<Cost>::may_leave_out) {
+        if (is_tight(Ranked{1, 0.0} - agent_dual, tolerance)) {
+          transposed ? ties_.column_may_stay_free(agent) : ties_.row_may_stay_free(agent);
+        }
+      }
+    }
+    for (std::size_t object = 0; object < costs.objects; ++object) {
+      if (is_tight(Cost{} - solution.object_dual[object], tolerance)) {
+        transposed ? ties_.row_may_stay_free(object) : ties_.column_may_stay_free(object);
+      }
+    }
+    std::vector<std::int32_t>& column_of = transposed ? solution.agent_of : solution.object_of;
+    std::vector<std::int32_t>& row_of = transposed ? solution.object_of : solution.agent_of;
+    ties_.apply(order, column_of, row_of);
+    std::copy(column_of.begin(), column_of.end(), out.begin());
+  }
+
+  std::vector<double> costs_;
+  double largest_ = 0.0;
+  ShortestPaths<double> all_;
+  ShortestPaths<Ranked> some_;
+  TieRule ties_;
+};
+
+}  // namespace hungarian

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The rule against a clock counted by hand.
+#include <gtest/gtest.h>
+
+#include "algorithm.hpp"
+
+namespace {
+
+using ball_lost::Memory;
+using ball_lost::Rule;
+
+TEST(BallLost, UnknownIsLostAtOnce) {
+  Memory memory;
+  EXPECT_TRUE(memory.update({}, 0.0, false, 0.0));
+}
+
+TEST(BallLost, HoldsOnlyBeyondTheAge) {
+  Memory memory;
+  EXPECT_FALSE(memory.update({}, 4.5, true, 4.5));
+  EXPECT_TRUE(memory.update({}, 4.6, true, 4.6));
+}
+
+TEST(BallLost, OneSightingEndsTheSearchByDefault) {
+  Memory memory;
+  ASSERT_TRUE(memory.update({}, 10.0, true, 5.0));
+  EXPECT_FALSE(memory.update({}, 10.1, true, 0.0));
+}
+
+// Ticks until the search ends when the ball is seen at every tick of 0.1 s from the first.
+int ticks_of_sight(double seen_again) {
+  const Rule rule{4.5, seen_again};
+  Memory memory;
+  memory.update(rule, 0.0, false, 0.0);
+  int tick = 0;
+  while (memory.update(rule, 10.0 + 0.1 * tick, true, 0.0)) ++tick;
+  return tick;
+}
+
+TEST(BallLost, HysteresisWantsSightingsOverItsSpan) {
+  EXPECT_EQ(ticks_of_sight(0.0), 0);
+  EXPECT_EQ(ticks_of_sight(0.5), 5);
+  EXPECT_EQ(ticks_of_sight(2.0), 20);
+}
+
+TEST(BallLost, OneFalseSightingDoesNotEndTheSearchWithHysteresis) {
+  const Rule rule{4.5, 1.0};
+  Memory memory;
+  ASSERT_TRUE(memory.update(rule, 0.0, false, 0.0));
+  for (int tick = 0; tick <= 60; ++tick) {  // one sighting at 10 s that only grows older
+    EXPECT_TRUE(memory.update(rule, 10.0 + 0.1 * tick, true, 0.1 * tick)) << tick;
+  }
+  // The run was broken by its age, so a later sighting starts a new one.
+  EXPECT_TRUE(memory.update(rule, 17.0, true, 0.0));
+  EXPECT_TRUE(memory.update(rule, 17.9, true, 0.0));
+  EXPECT_FALSE(memory.update(rule, 18.0, true, 0.0));
+}
+
+TEST(BallLost, ForgetStartsAfresh) {
+  const Rule rule{4.5, 1.0};
+  Memory memory;
+  ASSERT_TRUE(memory.update(rule, 0.0, false, 0.0));
+  memory.forget();
+  EXPECT_FALSE(memory.update(rule, 0.1, true, 0.0));
+}
+
+}  // namespace

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algorithm.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace voronoi {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+// Triangles of sites on one circle have the same node but for rounding.
+constexpr double coincident = 1e-9;  // m
+
+double squared(const Point& a, const Point& b) {
+  const double dx = a.x - b.x, dy = a.y - b.y;
+  return dx * dx + dy * dy;
+}
+
+Point into(const Extent& extent, const Point& point) {
+  return {std::clamp(point.x, -extent.x, extent.x), std::clamp(point.y, -extent.y, extent.y)};
+}
+
+// Cuts [from, to] to the part in which origin + t * slope is within [-limit, limit]; from > to when none is.
+void cut(double origin, double slope, double limit, double& from, double& to) {
+  if (slope == 0.0) {
+    if (std::abs(origin) > limit) to = -infinity;
+    return;
+  }
+  double enter = (-limit - origin) / slope, leave = (limit - origin) / slope;
+  if (enter > leave) std::swap(enter, leave);
+  from = std::max(from, enter);
+  to = std::min(to, leave);
+}
+
+}  // namespace
+
+Point circumcentre(const Point& a, const Point& b, const Point& c) {
+  const double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
+  const double b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
+  const double twice_area = 2.0 * (bx * cy - by * cx);
+  return {a.x + (cy * b2 - by * c2) / twice_area, a.y + (bx * c2 - cx * b2) / twice_area};
+}
+
+double squared_distance(const Point& point, const Point& a, const Point& b) {
+  const double dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
+  if (length2 == 0.0) return squared(point, a);
+  const double t = std::clamp(((point.x - a.x) * dx + (point.y - a.y) * dy) / length2, 0.0, 1.0);
+  return squared(point, {a.x + t * dx, a.y + t * dy});
+}
+
+Diagram::Diagram(Settings settings) : settings_(std::move(settings)) {}
+
+const Graph& Diagram::of(std::span<const Point> opponents) {
+  opponents_.clear();
+  for (const Point& opponent : opponents) {
+    // -0 and 0 are one place: adding 0 makes them one number.
+    if (settings_.sites.contains(opponent)) opponents_.push_back({opponent.x + 0.0, opponent.y + 0.0});
+  }
+  std::sort(opponents_.begin(), opponents_.end());
+  opponents_.erase(std::unique(opponents_.begin(), opponents_.end()), opponents_.end());
+  if (known_ && opponents_ == asked_) return graph_;
+  known_ = false;
+
+  sites_ = opponents_;
+  sites_.insert(sites_.end(), settings_.fixed.begin(), settings_.fixed.end());
+  std::sort(sites_.begin(), sites_.end());
+  sites_.erase(std::unique(sites_.begin(), sites_.end()), sites_.end());
+  delaunay_.build(sites_);
+  find_corners();
+  merge();
+  join();
+  score();
+  asked_ = opponents_;
+  known_ = true;
+  return graph_;
+}
+
+// The diagram's nodes and edges, dropped and clipped.
+void Diagram::find_corners() {
+  circumcentres_.clear();
+  corner_of_.clear();
+  corners_.clear();
+  links_.clear();
+  for (Delaunay::Triangle triangle : delaunay_.triangles()) {
+    std::sort(triangle.begin(), triangle.end());  // where CGAL starts to count must not matter
+    const auto site = [&](std::size_t k) { return sites_[static_cast<std::size_t>(triangle[k])]; };
+    const Point centre = circumcentre(site(0), site(1), site(2));
+    circumcentres_.push_back(centre);
+    corner_of_.push_back(settings_.keep.contains(centre) ? corners_.size() : none);
+    if (settings_.keep.contains(centre)) corners_.push_back(into(settings_.clip, centre));
+  }
+  for (const Delaunay::Edge& edge : delaunay_.edges()) {
+    if (edge.left == Delaunay::outside || edge.right == Delaunay::outside) continue;
+    const std::size_t left = corner_of_[static_cast<std::size_t>(edge.left)];
+    const std::size_t right = corner_of_[static_cast<std::size_t>(edge.right)];
+    if (left != none && right != none) links_.push_back({left, right});
+  }
+  if (settings_.boundary) add_boundary();
+}
+
+// Edges with an end that is dropped or at infinity: a node where they cross the border of the clipping rectangle.
+void Diagram::add_boundary() {
+  for (const Delaunay::Edge& edge : delaunay_.edges()) {
+    const Point a = sites_[static_cast<std::size_t>(edge.a)], b = sites_[static_cast<std::size_t>(edge.b)];
+    const Point middle{(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
+    const Point normal{a.y - b.y, b.x - a.x};  // to the left of a -> b
+    // The Voronoi edge is middle + t * normal for t from the right triangle's centre to the left one's.
+    const auto place = [&](int triangle, double at_infinity) {
+      if (triangle == Delaunay::outside) return at_infinity;
+      const Point centre = circumcentres_[static_cast<std::size_t>(triangle)];
+      return ((centre.x - middle.x) * normal.x + (centre.y - middle.y) * normal.y) /
+             (normal.x * normal.x + normal.y * normal.y);
+    };
+    const auto corner = [&](int triangle) {
+      return triangle == Delaunay::outside ? none : corner_of_[static_cast<std::size_t>(triangle)];
+    };
+    std::size_t right = corner(edge.right), left = corner(edge.left);
+    if (right != none && left != none) continue;
+    double from = place(edge.right, -infinity), to = place(edge.left, infinity);
+    cut(middle.x, normal.x, settings_.clip.x, from, to);
+    cut(middle.y, normal.y, settings_.clip.y, from, to);
+    if (!(from < to)) continue;  // passes by, or the centre of a flat triangle is not a number
+    const auto add = [&](double t) {
+      corners_.push_back(into(settings_.clip, {middle.x + t * normal.x, middle.y + t * normal.y}));
+      return corners_.size() - 1;
+    };
+    if (right == none) right = add(from);
+    if (left == none) left = add(to);
+    links_.push_back({right, left});
+  }
+}
+
+// The nearest two clusters become one, until all are at least the merging distance apart. So the order of the corners
+// does not matter; of equally near pairs the first in order of the coordinates comes first.
+void Diagram::merge() {
+  in_order_.clear();
+  for (std::size_t i = 0; i < corners_.size(); ++i) in_order_.push_back({corners_[i], i});
+  std::sort(in_order_.begin(), in_order_.end(),
+            [](const Corner& a, const Corner& b) { return a.at != b.at ? a.at < b.at : a.index < b.index; });
+  clusters_.clear();
+  merged_into_.resize(corners_.size());
+  for (std::size_t k = 0; k < in_order_.size(); ++k) {
+    const Point at = in_order_[k].at;
+    clusters_.push_back({at.x, at.y, 1.0, at, none, infinity, true});
+    merged_into_[in_order_[k].index] = k;
+  }
+  for (std::size_t k = 0; k < clusters_.size(); ++k) find_nearest(k);
+
+  const double reach = std::max(settings_.merge, coincident);
+  while (true) {
+    std::size_t first = none;
+    double least = reach * reach;
+    for (std::size_t k = 0; k < clusters_.size(); ++k) {
+      if (clusters_[k].alive && clusters_[k].distance < least) {
+        least = clusters_[k].distance;
+        first = k;
+      }
+    }
+    if (first == none) break;
+    Cluster& winner = clusters_[first];
+    const std::size_t second = winner.nearest;
+    Cluster& loser = clusters_[second];
+    loser.alive = false;
+    winner.sum_x += loser.sum_x;
+    winner.sum_y += loser.sum_y;
+    winner.count += loser.count;
+    winner.middle = {winner.sum_x / winner.count, winner.sum_y / winner.count};
+    for (std::size_t& cluster : merged_into_) cluster = cluster == second ? first : cluster;
+    find_nearest(first);
+    for (std::size_t k = 0; k < second; ++k) {
+      if (!clusters_[k].alive || k == first) continue;
+      if (clusters_[k].nearest == second || clusters_[k].nearest == first) {
+        find_nearest(k);
+      } else if (k < first) {
+        const double distance = squared(clusters_[k].middle, winner.middle);
+        if (distance < clusters_[k].distance) {
+          clusters_[k].distance = distance;
+          clusters_[k].nearest = first;
+        }
+      }
+    }
+  }
+}
+
+void Diagram::find_nearest(std::size_t cluster) {
+  Cluster& self = clusters_[cluster];
+  self.distance = infinity;
+  self.nearest = none;
+  for (std::size_t k = cluster + 1; k < clusters_.size(); ++k) {
+    if (!clusters_[k].alive) continue;
+    const double distance = squared(self.middle, clusters_[k].middle);
+    if (distance < self.distance) {
+      self.distance = distance;
+      self.nearest = k;
+    }
+  }
+}
+
+// Clusters become nodes, links edges.
+void Diagram::join() {
+  graph_.nodes.clear();
+  graph_.edges.clear();
+  for (Cluster& cluster : clusters_) {
+    if (!cluster.alive) continue;
+    cluster.nearest = graph_.nodes.size();  // from here on: its node
+    graph_.nodes.push_back({cluster.middle.x, cluster.middle.y, 1.0});
+  }
+  for (const Edge& link : links_) {
+    const std::size_t a = clusters_[merged_into_[link.from]].nearest, b = clusters_[merged_into_[link.to]].nearest;
+    if (a != b) graph_.edges.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::sort(graph_.edges.begin(), graph_.edges.end());
+  graph_.edges.erase(std::unique(graph_.edges.begin(), graph_.edges.end()), graph_.edges.end());
+  std::erase_if(graph_.edges,
+                [&](const Edge& edge) { return !is_clear(graph_.nodes[edge.from], graph_.nodes[edge.to]); });
+}
+
+bool Diagram::is_clear(const Node& a, const Node& b) const {
+  const double least = settings_.clearance * settings_.clearance;
+  return std::none_of(opponents_.begin(), opponents_.end(), [&](const Point& opponent) {
+    return squared_distance(opponent, {a.x, a.y}, {b.x, b.y}) < least;
+  });
+}
+
+void Diagram::score() {
+  for (Node& node : graph_.nodes) {
+    double least = settings_.full_score * settings_.full_score;
+    for (const Point& opponent : opponents_) least = std::min(least, squared(opponent, {node.x, node.y}));
+    node.score = std::min(1.0, std::sqrt(least) / settings_.full_score);
+  }
+}
+
+}  // namespace voronoi

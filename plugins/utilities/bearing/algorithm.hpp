@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// How little each robot would have to turn to face each target. The SPQR team's utility of 2022 takes (pi - |a|) / pi
+// of the bearing error a, with weight 0.05 for the role's target and 0.05 for the goal. (1 + cos a) / 2 falls from 1 to
+// 0 over the same angles, and equals it at 0, a right angle and pi; in between it differs by at most 0.105. It orders
+// robots alike and comes from a dot product, so it is the default.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <span>
+
+namespace bearing_utility {
+
+enum class Form { cosine, angle };
+
+struct Pose {
+  double x, y, heading;  // m, m, rad; field frame
+};
+
+struct Targets {
+  std::span<const double> x, y;  // m, field frame, of equal length
+};
+
+// A target nearer than this has no bearing worth the name: a robot that is there need not turn, the utility is 1.
+inline constexpr double here = 1e-6;  // m
+
+// From the cosine of the bearing error to the utility of the form.
+inline double from_cosine(double cosine, Form form) {
+  cosine = std::clamp(cosine, -1.0, 1.0);  // rounding
+  return form == Form::cosine ? 0.5 + 0.5 * cosine : 1.0 - std::acos(cosine) * std::numbers::inv_pi;
+}
+
+// out[i * stride + j] in [0, 1] for robot i and target j. stride >= number of targets.
+inline void score(std::span<const Pose> robots, const Targets& targets, Form form, double* out, std::size_t stride) {
+  assert(targets.x.size() == targets.y.size());
+  const std::size_t columns = targets.x.size();
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const double ahead_x = std::cos(robots[i].heading), ahead_y = std::sin(robots[i].heading);
+    double* row = out + i * stride;
+    for (std::size_t j = 0; j < columns; ++j) {
+      const double dx = targets.x[j] - robots[i].x, dy = targets.y[j] - robots[i].y;
+      const double distance = std::sqrt(dx * dx + dy * dy);
+      const double cosine = (dx * ahead_x + dy * ahead_y) / std::max(distance, here);
+      row[j] = distance < here ? 1.0 : from_cosine(cosine, form);
+    }
+  }
+}
+
+}  // namespace bearing_utility

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Utility plugin around algorithm.hpp: the chosen world's active robots against the tasks, or against the opponent's
+// goal.
+#include <vector>
+
+#include <regista/utility.hpp>
+
+#include "algorithm.hpp"
+
+namespace {
+
+enum class Towards { task, opponent_goal };
+
+struct Bearing {
+  static constexpr auto id = "bearing", version = "1.0.0", summary = "How little the robot must turn to face the task";
+  bearing_utility::Form form = bearing_utility::Form::cosine;
+  Towards towards = Towards::task;
+  static constexpr std::array<const char*, 2> forms{"cosine", "angle"};
+  static constexpr std::array<const char*, 2> aims{"task", "opponent_goal"};
+  static constexpr std::tuple parameters{
+      regista::choice("form", &Bearing::form, forms,
+                      "cosine: (1 + cos a) / 2, without trigonometry per task; angle: (pi - |a|) / pi as in SPQR 2022"),
+      regista::choice("towards", &Bearing::towards, aims,
+                      "What the robot should face; SPQR 2022 has a term for either, each with weight 0.05")};
+
+  std::vector<bearing_utility::Pose> robots;
+  std::vector<double> x, y;
+  double goal_x = 0.0;
+
+  void setup(const regista::Environment& environment) {
+    robots.reserve(environment->team_size);
+    x.reserve(environment.roles().size());
+    y.reserve(environment.roles().size());
+    goal_x = environment->field_length / 2.0;
+  }
+  void score(const regista::Frame& frame, regista::Utilities out) {
+    const regista::World world = frame.world();
+    robots.clear();
+    x.clear();
+    y.clear();
+    for (const int number : world.active()) {
+      const regista::Robot& robot = world.robot(number);
+      robots.push_back({robot.pose[0], robot.pose[1], robot.pose[2]});
+    }
+    for (const regista::Task& task : frame.tasks()) {
+      x.push_back(towards == Towards::task ? task.after[0] : goal_x);
+      y.push_back(towards == Towards::task ? task.after[1] : 0.0);
+    }
+    bearing_utility::score(robots, {x, y}, form, out.data(), out.stride());
+  }
+};
+
+}  // namespace
+
+REGISTA_PLUGIN(Bearing, regista::utility)

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Against bearings computed with atan2, and the claims that the algorithm's head makes.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "algorithm.hpp"
+
+namespace {
+
+using bearing_utility::Form;
+using bearing_utility::Pose;
+
+constexpr double pi = std::numbers::pi;
+
+double one(const Pose& robot, double x, double y, Form form) {
+  double out = -1.0;
+  bearing_utility::score({&robot, 1}, {{&x, 1}, {&y, 1}}, form, &out, 1);
+  return out;
+}
+
+TEST(Bearing, AgreesWithTheAngleByAtan2) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> anywhere(-5.0, 5.0), any_heading(-pi, pi);
+  for (int round = 0; round < 10000; ++round) {
+    const Pose robot{anywhere(random), anywhere(random), any_heading(random)};
+    const double x = anywhere(random), y = anywhere(random);
+    const double error = std::abs(std::remainder(std::atan2(y - robot.y, x - robot.x) - robot.heading, 2.0 * pi));
+    EXPECT_NEAR(one(robot, x, y, Form::angle), (pi - error) / pi, 1e-7);
+    EXPECT_NEAR(one(robot, x, y, Form::cosine), (1.0 + std::cos(error)) / 2.0, 1e-12);
+  }
+}
+
+TEST(Bearing, BothFormsMeetAheadAsideAndBehind) {
+  const Pose robot{1.0, 2.0, pi / 2.0};
+  for (const Form form : {Form::cosine, Form::angle}) {
+    EXPECT_NEAR(one(robot, 1.0, 5.0, form), 1.0, 1e-7);
+    EXPECT_NEAR(one(robot, 4.0, 2.0, form), 0.5, 1e-12);
+    EXPECT_NEAR(one(robot, -4.0, 2.0, form), 0.5, 1e-12);
+    EXPECT_NEAR(one(robot, 1.0, -3.0, form), 0.0, 1e-7);
+  }
+}
+
+TEST(Bearing, FormsDifferByAtMostWhatIsDocumented) {
+  double largest = 0.0;
+  for (int step = 0; step <= 10000; ++step) {
+    const double cosine = std::cos(pi * step / 10000.0);
+    largest = std::max(largest, std::abs(bearing_utility::from_cosine(cosine, Form::cosine) -
+                                         bearing_utility::from_cosine(cosine, Form::angle)));
+  }
+  EXPECT_LT(largest, 0.1055);
+  EXPECT_GT(largest, 0.1045);
+}
+
+TEST(Bearing, ARobotOnTheSpotNeedNotTurn) {
+  EXPECT_EQ(one({1.0, 1.0, 2.0}, 1.0, 1.0, Form::cosine), 1.0);
+  EXPECT_EQ(one({1.0, 1.0, 2.0}, 1.0, 1.0, Form::angle), 1.0);
+}
+
+}  // namespace

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Utility plugin around algorithm.hpp: who holds which role, and for how long, in the chosen world.
+//
+// In `mine` the own role is the one of this robot's last assignment. In `common` the own row is what was last sent,
+// like every other row: nothing that teammates cannot know may enter a matrix that all are to share.
+#include <vector>
+
+#include <regista/utility.hpp>
+
+#include "algorithm.hpp"
+
+namespace {
+
+enum class Rows { all, own };
+
+struct Persistence {
+  static constexpr auto id = "persistence", version = "1.0.0", summary = "How long the robot has held the role";
+  double full_after = 10.0;
+  Rows rows = Rows::all;
+  static constexpr std::array<const char*, 2> row_choices{"all", "own"};
+  static constexpr std::tuple parameters{
+      regista::real("full_after", &Persistence::full_after, {0.1, 120.0}, "s",
+                    "Time from which on a held role counts fully; SPQR 2022: 10")
+          .tunable(),
+      regista::choice("rows", &Persistence::rows, row_choices,
+                      "all: every robot's role counts; own: only the own one, as in SPQR's released code")};
+
+  std::vector<persistence_utility::Holder> holders;
+  std::vector<int> tasks;
+
+  void setup(const regista::Environment& environment) {
+    holders.reserve(environment->team_size);
+    tasks.reserve(environment.roles().size());
+  }
+  void score(const regista::Frame& frame, regista::Utilities out) {
+    const regista::World world = frame.world();
+    const bool is_private = frame.raw().knowledge == REGISTA_MINE;
+    holders.clear();
+    tasks.clear();
+    for (const int number : world.active()) {
+      const bool own = number == frame.own_number();
+      const regista::Robot& robot = world.robot(number);
+      persistence_utility::Holder holder;
+      if (own || rows == Rows::all) {
+        holder.role = own && is_private ? frame.previous_task(number) : robot.role;
+        holder.held = holder.role == robot.role ? frame.time() - robot.role_since : 0.0;
+      }
+      holders.push_back(holder);
+    }
+    for (const regista::Task& task : frame.tasks()) tasks.push_back(task.id);
+    persistence_utility::score(holders, tasks, full_after, out.data(), out.stride());
+  }
+};
+
+}  // namespace
+
+REGISTA_PLUGIN(Persistence, regista::utility)
