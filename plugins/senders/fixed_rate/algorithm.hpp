@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Packets at a fixed rate: the arm "without events" of Affinita et al. 2023, with the periods of the SPQR team's
+// fixed-rate configuration: every 8 s, the striker every 4 s. Seven robots then send one packet a second: 1200 in two
+// halves of 600 s.
+//
+// Every robot has a phase of its own, so that robots do not send at once, and the times at which it is due do not drift
+// with the moments at which it decides.
+#pragma once
+
+#include <cassert>
+
+namespace fixed_rate {
+
+struct Settings {
+  double period = 8.0;       // s, > 0
+  double fast_period = 4.0;  // s, > 0, of the robot with the fast role
+  int reserve = 0;           // packets that are left unspent, >= 0
+};
+
+class Schedule {
+ public:
+  Schedule() = default;
+  // Robot `number` of `team_size`, counted from 1.
+  Schedule(int number, int team_size) : phase_((number - 0.5) / team_size) {
+    assert(1 <= number && number <= team_size);
+  }
+
+  // Whether to send now. time: s, never runs back. packets_left: of the whole team. Call once per decision. The team is
+  // silent from the moment at which only the reserve is left.
+  bool decide(const Settings& settings, double time, bool fast, int packets_left) {
+    const double period = fast ? settings.fast_period : settings.period;
+    if (!started_) {
+      started_ = true;
+      last_due_ = time + (phase_ - 1.0) * period;  // number k of n is due first after (k - 1/2) n-ths of its period
+    }
+    if (time < last_due_ + period - rounding) return false;
+    if (packets_left <= settings.reserve) return false;
+    last_due_ += period;
+    if (last_due_ + period < time) last_due_ = time;  // was out of play, or silent: does not make up for it
+    return true;
+  }
+
+ private:
+  static constexpr double rounding = 1e-9;  // s
+  double phase_ = 1.0, last_due_ = 0.0;
+  bool started_ = false;
+};
+
+}  // namespace fixed_rate

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Sender plugin around algorithm.hpp: finds out whether this robot has the fast role; takes along what offers fit.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <regista/sender.hpp>
+
+#include "../grant_offers.hpp"
+#include "algorithm.hpp"
+
+namespace {
+
+struct FixedRate {
+  static constexpr auto id = "fixed_rate", version = "1.0.0", summary = "A packet every so many seconds";
+  double period = 8.0, fast_period = 4.0;
+  std::string fast_role = "striker";
+  int reserve = 0;
+  static constexpr std::tuple parameters{
+      regista::real("period", &FixedRate::period, {0.5, 120.0}, "s", "Time between two packets of a robot; SPQR: 8")
+          .tunable(),
+      regista::real("fast_period", &FixedRate::fast_period, {0.5, 120.0}, "s",
+                    "The same for the robot that has the fast role; SPQR: 4")
+          .tunable(),
+      regista::text("fast_role", &FixedRate::fast_role, "Name of the fast role, in any list of roles; SPQR: striker"),
+      regista::integer("reserve", &FixedRate::reserve, {0, 10000}, "1",
+                       "Packets of the team that are never spent; more than 0 where the count of packets comes late")};
+
+  fixed_rate::Schedule schedule, fresh;
+  std::vector<bool> is_fast;  // by id of the role
+  std::vector<senders::Offer> offers;
+  std::vector<std::size_t> chosen;
+
+  void setup(const regista::Environment& environment) {
+    fresh = fixed_rate::Schedule(environment->own_number, static_cast<int>(environment->team_size));
+    schedule = fresh;
+    for (const regista::Role& role : environment.roles()) is_fast.push_back(fast_role == role.name);
+    offers.reserve(16);
+    chosen.reserve(16);
+  }
+  void reset(std::uint64_t) { schedule = fresh; }
+
+  std::optional<int> decide(const regista::Frame& frame, const regista::SendQuery& query, regista::Grants out) {
+    const int task = frame.previous_task(frame.own_number());
+    const bool fast =
+        task >= 0 && static_cast<std::size_t>(task) < is_fast.size() && is_fast[static_cast<std::size_t>(task)];
+    if (!schedule.decide({period, fast_period, reserve}, frame.time(), fast, query.budget.packets_left)) {
+      return std::nullopt;
+    }
+    offers.clear();
+    for (const regista::Offer& offer : query.offers) offers.push_back({offer.bytes, offer.urgency});
+    senders::choose_offers(offers, query.budget.bytes_free, chosen);
+    for (const std::size_t index : chosen) out.grant(query.offers[index]);
+    return REGISTA_EVENT_PERIOD;
+  }
+};
+
+}  // namespace
+
+REGISTA_PLUGIN(FixedRate, regista::sender)

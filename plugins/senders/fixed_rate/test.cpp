@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Matches' worth of decisions: what is sent, when, and that the budget holds.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <vector>
+
+#include "../grant_offers.hpp"
+#include "algorithm.hpp"
+
+namespace {
+
+using fixed_rate::Schedule;
+using fixed_rate::Settings;
+
+struct Match {
+  int robots = 7, budget = 1200, striker = 7;
+  double length = 1200.0;
+  double count_delay = 0.0;   // s until a packet shows in the count that robots are told
+  bool keeps_striker = true;  // else the role goes round, a robot every 3 s
+  Settings settings;
+};
+
+struct Course {
+  std::vector<std::vector<double>> sent;  // times, by robot
+  int packets = 0;
+};
+
+// Every robot decides ten times a second, each at its own moment.
+Course play(const Match& match) {
+  Course course;
+  course.sent.resize(static_cast<std::size_t>(match.robots));
+  std::vector<Schedule> schedules;
+  for (int number = 1; number <= match.robots; ++number) schedules.emplace_back(number, match.robots);
+  std::deque<double> uncounted;
+  int counted = 0;
+  for (int tick = 0; tick < static_cast<int>(match.length * 10.0); ++tick) {
+    for (int number = 1; number <= match.robots; ++number) {
+      const double time = 0.1 * tick + 0.013 * number;
+      while (!uncounted.empty() && uncounted.front() + match.count_delay <= time) {
+        uncounted.pop_front();
+        ++counted;
+      }
+      const int striker = match.keeps_striker ? match.striker : 1 + static_cast<int>(time / 3.0) % match.robots;
+      const auto index = static_cast<std::size_t>(number - 1);
+      if (schedules[index].decide(match.settings, time, number == striker, match.budget - counted)) {
+        course.sent[index].push_back(time);
+        uncounted.push_back(time);
+        ++course.packets;
+      }
+    }
+  }
+  return course;
+}
+
+TEST(FixedRate, SevenRobotsSpendTheBudgetInAMatch) {
+  const Course course = play({});
+  EXPECT_EQ(course.packets, 1200);
+  for (std::size_t robot = 0; robot < 7; ++robot) {
+    EXPECT_EQ(course.sent[robot].size(), robot == 6 ? 300u : 150u) << "robot " << robot + 1;
+  }
+}
+
+TEST(FixedRate, PeriodsDoNotDrift) {
+  const Course course = play({});
+  for (std::size_t robot = 0; robot < 7; ++robot) {
+    const double period = robot == 6 ? 4.0 : 8.0;
+    const std::vector<double>& sent = course.sent[robot];
+    for (std::size_t k = 1; k < sent.size(); ++k) EXPECT_NEAR(sent[k] - sent[k - 1], period, 0.1 + 1e-9);
+    EXPECT_NEAR(sent.back() - sent.front(), period * static_cast<double>(sent.size() - 1), 0.1 + 1e-9);
+  }
+}
+
+TEST(FixedRate, RobotsDoNotSendAtOnce) {
+  Course course = play({});
+  std::vector<double> all;
+  for (std::size_t robot = 0; robot < 6; ++robot) {  // the six of equal period
+    for (const double time : course.sent[robot]) all.push_back(time);
+  }
+  std::sort(all.begin(), all.end());
+  for (std::size_t k = 1; k < all.size(); ++k) EXPECT_GT(all[k] - all[k - 1], 8.0 / 7.0 - 0.2);
+}
+
+TEST(FixedRate, BudgetIsNeverExceededAndIsSpentExactly) {
+  for (const int budget : {0, 1, 100, 700, 1199}) {
+    Match match;
+    match.budget = budget;
+    EXPECT_EQ(play(match).packets, budget);
+    match.settings.reserve = 30;
+    EXPECT_EQ(play(match).packets, std::max(0, budget - 30));
+  }
+  Match long_match;
+  long_match.length = 2000.0;
+  EXPECT_EQ(play(long_match).packets, 1200);
+  Match quick;
+  quick.settings.period = 2.0;
+  EXPECT_EQ(play(quick).packets, 1200);
+  Match unsteady;
+  unsteady.keeps_striker = false;
+  EXPECT_LE(play(unsteady).packets, 1200);
+}
+
+TEST(FixedRate, ALateCountNeedsAReserve) {
+  Match match;
+  match.length = 2000.0;
+  match.count_delay = 0.5;
+  match.settings.reserve = 7;
+  EXPECT_LE(play(match).packets, 1200);
+  EXPECT_GE(play(match).packets, 1193);
+}
+
+TEST(FixedRate, SilenceForGoodOnceSpent) {
+  Match match;
+  match.budget = 100;
+  const Course course = play(match);
+  double last = 0.0;
+  for (const auto& sent : course.sent) last = sent.empty() ? last : std::max(last, sent.back());
+  EXPECT_NEAR(last, 100.0, 3.0);
+}
+
+TEST(FixedRate, DoesNotMakeUpForAbsence) {
+  Schedule schedule(1, 1);
+  const Settings settings;
+  int packets = 0;
+  for (int tick = 0; tick < 100; ++tick) packets += schedule.decide(settings, 0.1 * tick, false, 1000) ? 1 : 0;
+  EXPECT_EQ(packets, 1);  // at 4 s
+  packets = 0;
+  for (int tick = 0; tick < 70; ++tick) packets += schedule.decide(settings, 100.0 + 0.1 * tick, false, 1000) ? 1 : 0;
+  EXPECT_EQ(packets, 1);  // at once, and not again before 108 s
+}
+
+TEST(FixedRate, BecomingStrikerShortensTheWait) {
+  Schedule schedule(1, 1);
+  const Settings settings;
+  for (int tick = 0; tick <= 40; ++tick) EXPECT_EQ(schedule.decide(settings, 0.1 * tick, false, 1000), tick == 40);
+  EXPECT_FALSE(schedule.decide(settings, 7.9, true, 1000));
+  EXPECT_TRUE(schedule.decide(settings, 8.0, true, 1000));
+}
+
+TEST(Offers, UrgencyThenAgeWhileTheyFit) {
+  std::vector<std::size_t> chosen;
+  const std::vector<senders::Offer> offers{{20, 0.5}, {30, 0.9}, {10, 0.5}, {70, 1.0}, {5, 0.1}};
+  senders::choose_offers(offers, 1000, chosen);
+  EXPECT_EQ(chosen, (std::vector<std::size_t>{3, 1, 0, 2, 4}));
+  senders::choose_offers(offers, 65, chosen);
+  EXPECT_EQ(chosen, (std::vector<std::size_t>{1, 0, 2, 4}));
+  senders::choose_offers(offers, 34, chosen);
+  EXPECT_EQ(chosen, (std::vector<std::size_t>{1}));
+  senders::choose_offers(offers, 0, chosen);
+  EXPECT_TRUE(chosen.empty());
+}
+
+}  // namespace
