@@ -43,12 +43,12 @@ inline mind::Walk walk_to(Vector relative, double turn) {
 
 struct Chaser {
   int number, team_size;
-  int send_every = 0;                      // decisions between packets, 0 = silent
-  bool chase_all = false;                  // everybody chases, not only the two at the front
+  int send_every = 0;      // decisions between packets, 0 = silent
+  bool chase_all = false;  // everybody chases, not only the two at the front
   int packet_size = 40;
 
   mind::Pose pose;
-  Vector ball;                             // robot frame
+  Vector ball;  // robot frame
   double ball_age = 1e9;
   int decisions = 0, heard = 0;
 
