@@ -14,21 +14,38 @@ using Vector4 = Eigen::Vector4d;
 // A covariance of exact knowledge would weigh infinitely; no estimate of a ball is better than a millimetre.
 constexpr double least_variance = 1e-6;
 
+// A ball that nobody watches may be kicked: the deviation of its place grows so fast on top of its model's. Half of a
+// robot's walking speed pushes it about; a kick is ten times that, but rare. Assumption. m/s
+constexpr double unwatched_speed = 0.3;
+
 double position_trace(const regista_track& track) {
   return std::max(track.covariance[0] + track.covariance[5], 2.0 * least_variance);
 }
 
 Vector4 state(const regista_track& track) { return {track.x, track.y, track.vx, track.vy}; }
 
-Matrix4 covariance(const regista_track& track) {
-  return Eigen::Map<const Matrix4>(track.covariance) + least_variance * Matrix4::Identity();
+double unwatched_variance(const regista_track& ball) {
+  const double deviation = unwatched_speed * ball.age;
+  return deviation * deviation + least_variance;
+}
+
+double ball_trace(const regista_track& ball) {
+  return ball.covariance[0] + ball.covariance[5] + 2.0 * unwatched_variance(ball);
+}
+
+Matrix4 ball_covariance(const regista_track& ball) {
+  Matrix4 out = Eigen::Map<const Matrix4>(ball.covariance);
+  out.diagonal() +=
+      Vector4(1.0, 1.0, 0.0, 0.0) * unwatched_variance(ball) + Vector4(0.0, 0.0, 1.0, 1.0) * least_variance;
+  return out;
 }
 
 // Squared Mahalanobis distance of the positions, under the sum of both covariances.
 double distance2(const regista_track& a, const regista_track& b) {
-  const double xx = a.covariance[0] + b.covariance[0] + least_variance;
+  const double unwatched = unwatched_variance(a) + unwatched_variance(b);
+  const double xx = a.covariance[0] + b.covariance[0] + unwatched;
   const double xy = a.covariance[1] + b.covariance[1];
-  const double yy = a.covariance[5] + b.covariance[5] + least_variance;
+  const double yy = a.covariance[5] + b.covariance[5] + unwatched;
   const double dx = a.x - b.x, dy = a.y - b.y;
   return (yy * dx * dx - 2.0 * xy * dx * dy + xx * dy * dy) / (xx * yy - xy * xy);
 }
@@ -43,7 +60,7 @@ regista_ball fuse_ball(std::span<const Estimate> estimates) {
   double best_cost = std::numeric_limits<double>::infinity();
   for (const Estimate& estimate : estimates) {
     if (estimate.track.weight <= 0.0) continue;
-    const double cost = position_trace(estimate.track) / estimate.track.weight;
+    const double cost = ball_trace(estimate.track) / estimate.track.weight;
     if (cost < best_cost) {
       best_cost = cost;
       best = &estimate.track;
@@ -52,13 +69,13 @@ regista_ball fuse_ball(std::span<const Estimate> estimates) {
   if (best == nullptr) return ball;
 
   Vector4 mean = state(*best);
-  Matrix4 fused = covariance(*best);
+  Matrix4 fused = ball_covariance(*best);
   double age = best->age;
   double information = 0.0;
   int count = 0;
   for (const Estimate& estimate : estimates) {
     if (estimate.track.weight <= 0.0 || distance2(*best, estimate.track) > gate) continue;
-    information += estimate.track.weight / position_trace(estimate.track);
+    information += estimate.track.weight / ball_trace(estimate.track);
     age = std::min(age, estimate.track.age);
     ++count;
   }
@@ -67,10 +84,10 @@ regista_ball fuse_ball(std::span<const Estimate> estimates) {
     Vector4 weighted = Vector4::Zero();
     for (const Estimate& estimate : estimates) {
       if (estimate.track.weight <= 0.0 || distance2(*best, estimate.track) > gate) continue;
-      const double share = estimate.track.weight / position_trace(estimate.track) / information;
+      const double share = estimate.track.weight / ball_trace(estimate.track) / information;
       // What weighs next to nothing changes nothing, but costs an inversion.
       if (share < 1e-3) continue;
-      const Matrix4 information_matrix = covariance(estimate.track).inverse() * share;
+      const Matrix4 information_matrix = ball_covariance(estimate.track).inverse() * share;
       inverse += information_matrix;
       weighted += information_matrix * state(estimate.track);
     }

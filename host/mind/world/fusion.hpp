@@ -19,8 +19,9 @@ struct Estimate {
   int source = 0;
 };
 
-// The ball that the estimates agree on: the most certain one, fused with those that do not contradict it. `age` is the
-// youngest of those fused. Not known (flags 0) without estimates. Estimates of weight 0 are ignored.
+// The ball that the estimates agree on: the most certain one, fused with those that do not contradict it. An estimate
+// becomes less certain with its age, whatever its covariance says, because anybody may have kicked the ball since.
+// `age` is the youngest of those fused. Not known (flags 0) without estimates. Estimates of weight 0 are ignored.
 regista_ball fuse_ball(std::span<const Estimate> estimates);
 
 // One list of opponents out of several: estimates of different sources within `merge_distance` are the same robot. At

@@ -63,7 +63,7 @@ void WorldModel::fuse(const Percepts& percepts, const OwnRole& own) {
   const regista_game now = game(percepts);
 
   estimates_.clear();
-  for (const regista_track& ball : local_.balls()) estimates_.push_back({ball, 0});
+  if (!local_.balls().empty()) estimates_.push_back({local_.balls().front(), 0});
   fill(mine_, own_number_, percepts, now);
   fill_self(percepts, own);
   mine_.close();
@@ -74,7 +74,7 @@ void WorldModel::fuse(const Percepts& percepts, const OwnRole& own) {
   common_.close();
 }
 
-// `estimates_` comes in with the own hypotheses of the ball, for `mine`.
+// `estimates_` comes in with the own best hypothesis of the ball, for `mine`.
 void WorldModel::fill(Snapshot& out, int except, const Percepts& percepts, const regista_game& now) {
   out.raw.game = now;
   team_.balls(except, estimates_);
