@@ -63,7 +63,7 @@ class Writer {
                        {"then", {{"description", plugin.summary}, {"properties", {{"params", object}}}}}});
     }
     Json& plugin = result["properties"]["plugin"];
-    plugin = {{"description", plugin["description"]}, {"enum", ids}};
+    plugin = described({{"enum", ids}}, plugin["description"]);
     if (!cases.empty()) result["allOf"] = cases;
   }
 
@@ -92,8 +92,7 @@ class Writer {
         result = {{"type", "string"}, {"minLength", 1}};
         break;
     }
-    result["description"] = with_unit(parameter.doc, parameter.unit) + (parameter.tunable ? " (tunable)" : "");
-    return variant_ ? or_null(result) : result;
+    return described(result, with_unit(parameter.doc, parameter.unit) + (parameter.tunable ? " (tunable)" : ""));
   }
 
   Json field(const Field& field) const {
@@ -102,11 +101,15 @@ class Writer {
     if (const Real* real = std::get_if<Real>(&field.kind)) unit = real->unit;
     if (const Integer* integer = std::get_if<Integer>(&field.kind)) unit = integer->unit;
     if (const Numbers* numbers = std::get_if<Numbers>(&field.kind)) unit = numbers->unit;
-    result["description"] = with_unit(field.doc, unit);
-    return variant_ ? or_null(result) : result;
+    return described(result, with_unit(field.doc, unit));
   }
 
-  static Json or_null(const Json& json) { return {{"anyOf", {json, {{"type", "null"}}}}}; }
+  // In a variant null removes the key.
+  Json described(const Json& json, const std::string& doc) const {
+    Json result = variant_ ? Json{{"anyOf", {json, {{"type", "null"}}}}} : json;
+    result["description"] = doc;
+    return result;
+  }
 
   Json value(const Real& real) const {
     Json result = number(real.range);
