@@ -180,22 +180,22 @@ Json definitions() {
 }  // namespace
 
 std::string schema(const Map& map, const std::string& title, std::span<const PluginDeclaration> plugins) {
-  const Json strict = Writer(plugins, false).map(map);
-  Json variant = Writer(plugins, true).map(map);
-  variant["properties"]["extends"] = {
+  Json parts{{"document", Writer(plugins, false).map(map)}, {"variant", Writer(plugins, true).map(map)}};
+  parts["variant"]["properties"]["extends"] = {
       {"type", "string"}, {"minLength", 1}, {"description", "file that this one is a variant of, relative to it"}};
+  // Only the definitions that are referred to; a later one may refer to an earlier one.
+  const Json all = definitions();
+  for (auto definition = all.rbegin(); definition != all.rend(); ++definition) {
+    const std::string reference = fmt::format("\"#/$defs/{}\"", definition.key());
+    if (parts.dump().find(reference) != std::string::npos) parts[definition.key()] = definition.value();
+  }
   const Json document{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                       {"title", title},
                       {"type", "object"},
                       {"if", {{"required", {"extends"}}}},
                       {"then", {{"$ref", "#/$defs/variant"}}},
                       {"else", {{"$ref", "#/$defs/document"}}},
-                      {"$defs", [&] {
-                         Json all = definitions();
-                         all["document"] = strict;
-                         all["variant"] = variant;
-                         return all;
-                       }()}};
+                      {"$defs", parts}};
   return document.dump(2) + '\n';
 }
 
