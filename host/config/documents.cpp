@@ -57,7 +57,8 @@ DocumentKind kind_of(const Node& document) {
 void require_kind(const Node& document, DocumentKind kind) {
   const DocumentKind found = kind_of(document);
   if (found == kind) return;
-  throw Error(document.where(), fmt::format("describes a {}; a {} is wanted", name_of(found), name_of(kind)));
+  throw Error(document.where(),
+              fmt::format("this is a {} document; a {} document is wanted", name_of(found), name_of(kind)));
 }
 
 Rules read_rules(const Node& document) {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "config/node.hpp"
+#include <utility>
 
 namespace regista::config {
 namespace {
@@ -30,20 +30,20 @@ std::size_t sequence_length(std::string_view text) {
 
 }  // namespace
 
-void check_encoding(std::string_view text, const std::string& name) {
+std::optional<EncodingFlaw> encoding_flaw(std::string_view text) {
   constexpr std::size_t longest_line = 65536;  // yaml-cpp may look ahead to the end of a line
   if (text.starts_with("\xef\xbb\xbf")) {
-    throw Error({name, 1, 1}, "begins with a byte order mark; save it as UTF-8 without one");
+    return EncodingFlaw{1, 1, "begins with a byte order mark; save it as UTF-8 without one"};
   }
   if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
-    throw Error({name, 1, 1}, "is UTF-16 text; save it as UTF-8");
+    return EncodingFlaw{1, 1, "is UTF-16 text; save it as UTF-8"};
   }
   int line = 1;
   std::size_t line_start = 0;
   bool indenting = true;
   for (std::size_t i = 0; i < text.size();) {
-    const auto refuse = [&](const std::string& message) {
-      throw Error({name, line, static_cast<int>(i - line_start) + 1}, message);
+    const auto flaw = [&](std::string message) {
+      return EncodingFlaw{line, static_cast<int>(i - line_start) + 1, std::move(message)};
     };
     const auto byte = static_cast<unsigned char>(text[i]);
     if (byte == '\n') {
@@ -52,17 +52,18 @@ void check_encoding(std::string_view text, const std::string& name) {
       indenting = true;
       continue;
     }
-    if (i - line_start >= longest_line) refuse(fmt::format("line is longer than {} bytes", longest_line));
-    if (byte == '\t' && indenting) refuse("tab in the indentation; use spaces");
-    if (byte == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')) refuse("carriage return inside a line");
+    if (i - line_start >= longest_line) return flaw(fmt::format("line is longer than {} bytes", longest_line));
+    if (byte == '\t' && indenting) return flaw("tab in the indentation; use spaces");
+    if (byte == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')) return flaw("carriage return inside a line");
     if ((byte < 0x20 && byte != '\t' && byte != '\r') || byte == 0x7f) {
-      refuse(fmt::format("byte 0x{:02x} is not text; is this a binary file?", byte));
+      return flaw(fmt::format("byte 0x{:02x} is not text; is this a binary file?", byte));
     }
     if (byte != ' ') indenting = false;
     const std::size_t length = sequence_length(text.substr(i, 4));
-    if (length == 0) refuse(fmt::format("byte 0x{:02x} is not UTF-8", byte));
+    if (length == 0) return flaw(fmt::format("byte 0x{:02x} is not UTF-8", byte));
     i += length;
   }
+  return std::nullopt;
 }
 
 }  // namespace regista::config

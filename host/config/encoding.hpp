@@ -3,12 +3,18 @@
 // spaces. yaml-cpp reads bytes outside of that silently as something else (0x04 ends its input).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace regista::config {
 
-// Throws Error at the first byte that may not stand there. `name` is what messages call the text.
-void check_encoding(std::string_view text, const std::string& name);
+struct EncodingFlaw {
+  int line, column;  // from 1
+  std::string message;
+};
+
+// The first byte that may not stand where it does, if there is one.
+std::optional<EncodingFlaw> encoding_flaw(std::string_view text);
 
 }  // namespace regista::config

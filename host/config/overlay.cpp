@@ -69,7 +69,7 @@ struct Overlay {
     }
     if (key.empty()) throw Error(where, fmt::format("{}: empty name in the path", in_quotes(path)));
     const bool last = key.size() == rest.size();
-    if (last) return merge(map, Node::map({{std::string(key), where, value}}, where));
+    if (last) return merge(map, Node::map({{std::string(key), where, value}}, map.where()));
     const std::string_view below = rest.substr(key.size() + 1);
     Entries entries(map.entries().begin(), map.entries().end());
     const auto found = find(entries, key);

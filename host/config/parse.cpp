@@ -56,7 +56,7 @@ class Builder : public YAML::EventHandler {
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     if (key_wanted()) throw Error(at(mark), "a key is missing before the ':'");
     count(mark);
-    Node node = Node::null(at(mark));
+    Node node = Node::null(null_place(mark));
     remember(anchor, {node, {}});
     add(std::move(node), {});
   }
@@ -127,6 +127,16 @@ class Builder : public YAML::EventHandler {
 
   bool key_wanted() const { return !open_.empty() && open_.back().map && !open_.back().key; }
 
+  // A value that was left out has its mark at whatever comes next; it stands where its key does.
+  Location null_place(const YAML::Mark& mark) const {
+    const Location here = at(mark);
+    if (open_.empty() || !open_.back().key) return here;
+    const Location& key = open_.back().key->key_where;
+    const std::string_view rest = from(mark);
+    const bool written = here.line == key.line && !rest.empty() && std::string_view("~nN").find(rest[0]) != rest.npos;
+    return written ? here : key;
+  }
+
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {
     if (!tag.empty() && tag != "?" && tag != "!") {
       throw Error(at(mark), fmt::format("tag {}; tags are not supported", in_quotes(tag)));
@@ -170,7 +180,7 @@ class Builder : public YAML::EventHandler {
 
   void start(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, bool map) {
     refuse_tag(mark, tag);
-    if (key_wanted()) throw Error(at(mark), "a key must be plain text");
+    if (key_wanted()) throw Error(at(mark), "a key must be plain text; is a bracket not closed?");
     count(mark, {1, 1});
     open_.push_back({map, at(mark), anchor, {1, 1}, {}, {}, {}, {}});
   }
@@ -268,7 +278,7 @@ Node parse_text(std::string_view text, const std::string& name) {
   if (text.size() > largest_file) {
     throw Error({name, 0, 0}, fmt::format("larger than {} bytes", largest_file));
   }
-  check_encoding(text, name);
+  if (const auto flaw = encoding_flaw(text)) throw Error({name, flaw->line, flaw->column}, flaw->message);
   Node document = build(text, {name, 0, 0}, false);
   if (!document) throw Error({name, 0, 0}, "is empty");
   if (document.kind() == Node::Kind::null) throw Error(document.where(), "is empty");
@@ -278,11 +288,7 @@ Node parse_text(std::string_view text, const std::string& name) {
 }
 
 Node parse_value(std::string_view text, const Location& where) {
-  try {
-    check_encoding(text, where.file);
-  } catch (const Error& error) {
-    throw Error(where, std::string(error.what()).substr(to_string(error.where()).size() + 2));
-  }
+  if (const auto flaw = encoding_flaw(text)) throw Error(where, flaw->message);
   Node value = build(text, where, true);
   return value ? value : Node::null(where);
 }

@@ -11,14 +11,14 @@ namespace regista::config {
 struct PluginParameter {
   enum class Type { real, integer, boolean, choice, text, file };
 
-  std::string name;
+  std::string name = {};
   Type type = Type::real;
   double minimum = 0.0, maximum = 0.0;  // closed range; real and integer
-  std::string unit;                     // SI symbol, "1" for a plain number, "" where there is none
-  std::string doc;
-  double initial = 0.0;              // default: real, integer, boolean (0 or 1), choice (index)
-  std::string initial_text;          // default: text; for a file empty = none
-  std::vector<std::string> choices;  // choice only
+  std::string unit = {};                // SI symbol, "1" for a plain number, "" where there is none
+  std::string doc = {};
+  double initial = 0.0;                   // default: real, integer, boolean (0 or 1), choice (index)
+  std::string initial_text = {};          // default: text; for a file empty = none
+  std::vector<std::string> choices = {};  // choice only
   bool tunable = false;
 };
 
@@ -26,8 +26,8 @@ struct PluginParameter {
 struct PluginDeclaration {
   std::string id;
   std::string kind;  // "predictor", "context", "positioner", "utility", "assigner", "sender"
-  std::string summary;
-  std::vector<PluginParameter> parameters;
+  std::string summary = {};
+  std::vector<PluginParameter> parameters = {};
 };
 
 }  // namespace regista::config

@@ -63,7 +63,7 @@ class Writer {
                        {"then", {{"description", plugin.summary}, {"properties", {{"params", object}}}}}});
     }
     Json& plugin = result["properties"]["plugin"];
-    plugin = {{"description", plugin["description"]}, {"enum", ids}};
+    plugin = described({{"enum", ids}}, plugin["description"]);
     if (!cases.empty()) result["allOf"] = cases;
   }
 
@@ -92,8 +92,7 @@ class Writer {
         result = {{"type", "string"}, {"minLength", 1}};
         break;
     }
-    result["description"] = with_unit(parameter.doc, parameter.unit) + (parameter.tunable ? " (tunable)" : "");
-    return variant_ ? or_null(result) : result;
+    return described(result, with_unit(parameter.doc, parameter.unit) + (parameter.tunable ? " (tunable)" : ""));
   }
 
   Json field(const Field& field) const {
@@ -102,11 +101,15 @@ class Writer {
     if (const Real* real = std::get_if<Real>(&field.kind)) unit = real->unit;
     if (const Integer* integer = std::get_if<Integer>(&field.kind)) unit = integer->unit;
     if (const Numbers* numbers = std::get_if<Numbers>(&field.kind)) unit = numbers->unit;
-    result["description"] = with_unit(field.doc, unit);
-    return variant_ ? or_null(result) : result;
+    return described(result, with_unit(field.doc, unit));
   }
 
-  static Json or_null(const Json& json) { return {{"anyOf", {json, {{"type", "null"}}}}}; }
+  // In a variant null removes the key.
+  Json described(const Json& json, const std::string& doc) const {
+    Json result = variant_ ? Json{{"anyOf", {json, {{"type", "null"}}}}} : json;
+    result["description"] = doc;
+    return result;
+  }
 
   Json value(const Real& real) const {
     Json result = number(real.range);
@@ -177,22 +180,22 @@ Json definitions() {
 }  // namespace
 
 std::string schema(const Map& map, const std::string& title, std::span<const PluginDeclaration> plugins) {
-  const Json strict = Writer(plugins, false).map(map);
-  Json variant = Writer(plugins, true).map(map);
-  variant["properties"]["extends"] = {
+  Json parts{{"document", Writer(plugins, false).map(map)}, {"variant", Writer(plugins, true).map(map)}};
+  parts["variant"]["properties"]["extends"] = {
       {"type", "string"}, {"minLength", 1}, {"description", "file that this one is a variant of, relative to it"}};
+  // Only the definitions that are referred to; a later one may refer to an earlier one.
+  const Json all = definitions();
+  for (auto definition = all.rbegin(); definition != all.rend(); ++definition) {
+    const std::string reference = fmt::format("\"#/$defs/{}\"", definition.key());
+    if (parts.dump().find(reference) != std::string::npos) parts[definition.key()] = definition.value();
+  }
   const Json document{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                       {"title", title},
                       {"type", "object"},
                       {"if", {{"required", {"extends"}}}},
                       {"then", {{"$ref", "#/$defs/variant"}}},
                       {"else", {{"$ref", "#/$defs/document"}}},
-                      {"$defs", [&] {
-                         Json all = definitions();
-                         all["document"] = strict;
-                         all["variant"] = variant;
-                         return all;
-                       }()}};
+                      {"$defs", parts}};
   return document.dump(2) + '\n';
 }
 

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+# schema_test.py PRINT_SCHEMA PROJECT: holds the generated schemas against their meta-schema, our documents, and
+# documents that are wrong in one place each.
+import copy
+import json
+import pathlib
+import subprocess
+import sys
+
+try:
+    import jsonschema
+    import yaml
+except ImportError as missing:
+    print(f"skipped: {missing}")
+    sys.exit(77)
+
+program, project = sys.argv[1], pathlib.Path(sys.argv[2])
+failures = []
+
+
+def validator(*arguments):
+    text = subprocess.run([program, *arguments], check=True, capture_output=True, text=True).stdout
+    schema = json.loads(text)
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
+
+def load(path):
+    return yaml.safe_load((project / path).read_text(encoding="utf-8"))
+
+
+def expect(valid, schema, document, what):
+    if schema.is_valid(document) != valid:
+        reasons = "; ".join(error.message for error in schema.iter_errors(document))
+        failures.append(f"{what}: {'refused: ' + reasons if valid else 'accepted'}")
+
+
+def changed(document, path, value):
+    """The document with the value at a path of keys and indices; None as value removes."""
+    result = copy.deepcopy(document)
+    place = result
+    for key in path[:-1]:
+        place = place[key]
+    if value is None:
+        del place[path[-1]]
+    else:
+        place[path[-1]] = value
+    return result
+
+
+rules, robot, disturbance = validator("rules"), validator("robot"), validator("disturbance")
+team, team_with_plugins = validator("team"), validator("team", "plugins")
+documents = {
+    "rules": load("configs/rules/spl2023.yaml"),
+    "robot": load("configs/robots/nao.yaml"),
+    "disturbance": load("configs/disturbances/none.yaml"),
+    "team": load("tests/fixtures/config/team.yaml"),
+}
+schemas = {"rules": [rules], "robot": [robot], "disturbance": [disturbance], "team": [team, team_with_plugins]}
+
+for kind, document in documents.items():
+    for other, choices in schemas.items():
+        for schema in choices:
+            expect(kind == other, schema, document, f"{kind} as {other}")
+
+broken = {
+    "rules": [
+        (["rules"], None), (["rules"], "a b"), (["team_size"], 0), (["team_size"], 5.5), (["field", "lenght"], 9),
+        (["field", "length"], "9 m"), (["field", "length"], 1000), (["durations", "half"], -1),
+        (["messages", "size"], 63), (["messages", "budget"], -1), (["messages"], [1]), (["extra"], {}),
+    ],
+    "robot": [
+        (["kicks"], []), (["kicks", 0, "name"], None), (["kicks", 0, "power"], 1), (["kicks", 0, "impact"], -1),
+        (["walk", "turn"], 1.5), (["camera", "ball_probability"], 1.5), (["decision_period"], 0.01),
+    ],
+    "disturbance": [(["extra_packet_loss"], 1.1), (["extra_loss"], 0.1), (["disturbance"], None)],
+    "team": [
+        (["assigner"], None), (["assigner", "plugin"], None), (["assigner", "weight"], 1),
+        (["predictors", "self"], None), (["contexts"], []), (["contexts", 0, "name"], None),
+        (["contexts", 1, "use", "rolls"], "x"), (["contexts", 1, "use", "roles.playing"], "x"),
+        (["contexts", 1, "priority"], "high"), (["roles"], {}), (["roles", "playing"], []),
+        (["roles", "playing", 0, "target", "at"], "ball"), (["roles", "playing", 1, "target"], {}),
+        (["roles", "playing", 1, "target", "at"], "moon"), (["roles", "playing", 1, "target", "at"], [1, 2, 3]),
+        (["roles", "playing", 1, "target", "from_goal"], 0.4), (["roles", "playing", 1, "target", "shift"], [1]),
+        (["roles", "playing", 0, "target", "on_line"], ["ball"]), (["roles", "playing", 1, "behaviour"], "dance"),
+        (["roles", "playing", 3, "target", "on_circle", "centre"], None), (["roles", "play ing"], [{}]),
+        (["utility", "terms", "distance", "weight"], -0.1), (["utility", "terms", "distance", "tune"], [0]),
+        (["tasks", "keep"], "some"), (["tasks", "offset"], 0.5), (["teammates_forgotten_after"], 0),
+    ],
+}
+for kind, changes in broken.items():
+    for path, value in changes:
+        for schema in schemas[kind]:
+            expect(False, schema, changed(documents[kind], path, value), f"{kind} with {path} = {value}")
+
+# What plugins declare: wrong only where they are known.
+for path, value in [
+    (["assigner", "plugin"], "gredy"), (["assigner", "plugin"], "voronoi"), (["assigner", "params"], {"x": 1}),
+    (["sender", "params", "reserve"], 1.5), (["sender", "params", "reserve"], -1), (["sender", "params", "period"], "4 s"),
+    (["sender", "params", "whistle"], 1), (["utility", "terms", "persistence", "params", "rows"], "none"),
+    (["contexts", 1, "params", "after"], 61),
+]:
+    document = changed(documents["team"], path, value)
+    expect(True, team, document, f"team with {path} = {value}, plugins not known")
+    expect(False, team_with_plugins, document, f"team with {path} = {value}, plugins known")
+
+# Variants: nothing is required, null removes, the rest holds.
+for schema in (team, team_with_plugins):
+    expect(True, schema, {"extends": "paper.yaml"}, "bare variant")
+    expect(True, schema, {"extends": "paper.yaml", "positioner": None, "sender": {"params": {"period": 4}}}, "variant")
+    expect(True, schema, {"extends": "paper.yaml", "utility": {"terms": {"waypoint": None}}}, "variant without a term")
+    expect(False, schema, {"extends": "paper.yaml", "senders": None}, "variant with an unknown key")
+    expect(False, schema, {"extends": "paper.yaml", "roles": {"playing": [{"name": "a"}]}}, "incomplete list element")
+    expect(False, schema, {"team": "x", "positioner": None}, "null without extends")
+expect(False, team_with_plugins, {"extends": "p.yaml", "sender": {"plugin": "event_based", "params": {"x": 1}}},
+       "variant with an unknown parameter")
+
+print("\n".join(failures) if failures else "all documents judged as expected")
+sys.exit(1 if failures else 0)
