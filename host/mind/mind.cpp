@@ -84,7 +84,7 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   const Decision& last = parts.coordination.decision();
   const Vector2d target = last.own_task != nullptr ? Vector2d(last.own_task->after[0], last.own_task->after[1])
                                                    : position(parts.world.local().pose());
-  parts.world.fuse(percepts, {last.own_role, last.own_role_since, target});
+  parts.world.fuse(percepts, dt, {last.own_role, last.own_role_since, target});
   const Decision& decision = parts.coordination.decide(parts.world, percepts.time, parts.caller.tick);
   out.command = parts.act(percepts);
   parts.decide_to_send(percepts, out);
@@ -138,7 +138,7 @@ Situation Mind::Parts::situation(const Percepts& percepts) const {
   situation.ball = mine.ball();
   situation.ball_velocity = mine.ball_velocity();
   situation.ball_age = mine.raw.ball.age;
-  situation.ball_trusted = mine.ball_known() && situation.ball_age < ball_trusted_for;
+  situation.ball_trusted = mine.ball_known() && situation.ball_age < ball_trusted_for && !world.ball_refuted();
   situation.sees_ball = world.local().sees_ball();
   return situation;
 }

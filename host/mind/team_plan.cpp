@@ -40,8 +40,7 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
     for (const config::UtilityTerm& term : context.terms) {
       terms.push_back({term.name, term.weight, open(term.use, REGISTA_KIND_UTILITY, catalogue)});
     }
-    contexts_.push_back({open(context.use, REGISTA_KIND_CONTEXT, catalogue),
-                         std::move(positioner),
+    contexts_.push_back({open(context.use, REGISTA_KIND_CONTEXT, catalogue), std::move(positioner),
                          open(context.assigner, REGISTA_KIND_ASSIGNER, catalogue),
                          open(context.sender, REGISTA_KIND_SENDER, catalogue), std::move(terms)});
   }

@@ -44,7 +44,8 @@ Command Behaviour::act(const Situation& situation, const Percepts& percepts) {
     } else if (situation.behaviour == Role::play_ball && can_kick && situation.ball_trusted &&
                !ball_is_theirs(situation)) {
       command = mind::play_ball(situation, kick(situation));
-    } else if (situation.behaviour == Role::search) {
+    } else if (situation.behaviour == Role::search ||
+               (situation.behaviour == Role::play_ball && !situation.ball_trusted)) {
       command = mind::search(situation);
     } else {
       command = support(situation);

@@ -126,7 +126,8 @@ void Coordination::forget_placement() {
 void Coordination::filter_and_offset(const Snapshot& world) {
   const config::TaskRules& rules = context().tasks;
   const auto& waypoints = decision_.placement.points;
-  filter_.keep(decision_.tasks, waypoints, world.active, rules.keep == config::TaskRules::Keep::all, decision_.kept);
+  filter_.keep(decision_.tasks, waypoints, world.active, rules.hysteresis, rules.keep == config::TaskRules::Keep::all,
+               decision_.kept);
   decision_.columns.clear();
   for (const std::size_t index : decision_.kept) {
     regista_task& task = decision_.columns.emplace_back(decision_.tasks[index]);

@@ -33,7 +33,8 @@ int nearest_waypoint(std::span<const regista_waypoint> waypoints, double x, doub
 }
 
 void TaskFilter::keep(std::span<const regista_task> tasks, std::span<const regista_waypoint> waypoints,
-                      std::span<const std::int32_t> active, bool all, std::vector<std::size_t>& kept) {
+                      std::span<const std::int32_t> active, double hysteresis, bool all,
+                      std::vector<std::size_t>& kept) {
   kept.clear();
   chosen_.assign(tasks.size(), 0);
   candidates_.clear();
@@ -48,18 +49,23 @@ void TaskFilter::keep(std::span<const regista_task> tasks, std::span<const regis
       continue;
     }
     const int nearest = nearest_waypoint(waypoints, task.before[0], task.before[1]);
-    double d2 =
-        nearest < 0 ? 0.0 : distance2(waypoints[static_cast<std::size_t>(nearest)], task.before[0], task.before[1]);
-    if ((task.flags & REGISTA_TASK_REQUIRED) != 0) d2 = -1.0;
-    candidates_.push_back({d2, i});
+    double distance = 0.0;
+    if (nearest >= 0) {
+      distance = std::sqrt(distance2(waypoints[static_cast<std::size_t>(nearest)], task.before[0], task.before[1]));
+      if (contains(last_, task.id)) distance = std::max(0.0, distance - hysteresis);
+    }
+    if ((task.flags & REGISTA_TASK_REQUIRED) != 0) distance = -1.0;
+    candidates_.push_back({distance, i});
   }
   std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
-    return a.distance2 != b.distance2 ? a.distance2 < b.distance2 : a.index < b.index;
+    return a.distance != b.distance ? a.distance < b.distance : a.index < b.index;
   });
   for (std::size_t i = 0; i < std::min(room, candidates_.size()); ++i) chosen_[candidates_[i].index] = 1;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     if (chosen_[i] != 0) kept.push_back(i);
   }
+  last_.clear();
+  for (const std::size_t i : kept) last_.push_back(tasks[i].id);
 }
 
 void offset(regista_task& task, int index, std::span<const regista_waypoint> waypoints, double at_most) {

@@ -14,19 +14,21 @@ namespace regista::mind {
 
 // Keeps at most as many tasks as there are active robots (their numbers, ascending), in the given order: those bound to
 // an active robot, those required, then those nearest to a waypoint, or the first ones while there are no waypoints.
-// A task bound to a robot that is not active is never kept. `all`: whoever can be kept is. Writes indices, ascending.
+// A task bound to a robot that is not active is never kept. A task kept at the last call (by its id) counts as
+// `hysteresis` metres nearer. `all`: whoever can be kept is. Writes indices, ascending.
 class TaskFilter {
  public:
   void keep(std::span<const regista_task> tasks, std::span<const regista_waypoint> waypoints,
-            std::span<const std::int32_t> active, bool all, std::vector<std::size_t>& kept);
+            std::span<const std::int32_t> active, double hysteresis, bool all, std::vector<std::size_t>& kept);
 
  private:
   struct Candidate {
-    double distance2;
+    double distance;
     std::size_t index;
   };
   std::vector<Candidate> candidates_;
   std::vector<char> chosen_;
+  std::vector<std::int32_t> last_;  // ids kept at the last call
 };
 
 // The waypoint nearest to (x, y), the first of equals; -1 without waypoints.

@@ -26,6 +26,7 @@ WorldModel::WorldModel(const TeamPlan& plan, int own_number, LocalModel local, T
       team_(std::move(team)),
       mine_(plan.rules().team_size),
       common_(plan.rules().team_size),
+      negative_(plan.rules().team_size),
       fusion_(merge_distance, static_cast<std::size_t>(plan.rules().team_size)) {
   estimates_.reserve(256);
 }
@@ -58,26 +59,37 @@ regista_game WorldModel::game(const Percepts& percepts) const {
   return game;
 }
 
-void WorldModel::fuse(const Percepts& percepts, const OwnRole& own) {
+// Own and others' balls for `mine`, less those that the own eyes refute, unless that leaves nothing: then the old news
+// stay for the team's sake, which would otherwise not even agree on what is lost.
+void WorldModel::gather_balls(const Percepts& percepts, double dt) {
+  estimates_.clear();
+  if (!local_.balls().empty()) estimates_.push_back({local_.balls().front(), 0});
+  team_.balls(own_number_, estimates_);
+  negative_.look(estimates_, Frame2(local_.pose()), percepts, dt);
+  const auto refuted = [this](const Estimate& each) { return negative_.refutes(each.source); };
+  ball_refuted_ = std::ranges::all_of(estimates_, refuted);
+  if (!ball_refuted_) std::erase_if(estimates_, refuted);
+}
+
+void WorldModel::fuse(const Percepts& percepts, double dt, const OwnRole& own) {
   team_.refresh();
   const regista_game now = game(percepts);
 
-  estimates_.clear();
-  if (!local_.balls().empty()) estimates_.push_back({local_.balls().front(), 0});
+  gather_balls(percepts, dt);
   fill(mine_, own_number_, percepts, now);
   fill_self(percepts, own);
   mine_.close();
 
   estimates_.clear();
+  team_.balls(0, estimates_);
   fill(common_, 0, percepts, now);
   common_.robot(own_number_).flags |= REGISTA_ROBOT_SELF;
   common_.close();
 }
 
-// `estimates_` comes in with the own best hypothesis of the ball, for `mine`.
+// `estimates_` comes in with those of the ball.
 void WorldModel::fill(Snapshot& out, int except, const Percepts& percepts, const regista_game& now) {
   out.raw.game = now;
-  team_.balls(except, estimates_);
   std::erase_if(estimates_, [](const Estimate& each) { return each.track.age > ball_forgotten_after; });
   out.raw.ball = fuse_ball(estimates_);
 

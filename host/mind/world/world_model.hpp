@@ -9,6 +9,7 @@
 #include "mind/percepts.hpp"
 #include "mind/world/fusion.hpp"
 #include "mind/world/local_model.hpp"
+#include "mind/world/negative_information.hpp"
 #include "mind/world/snapshot.hpp"
 #include "mind/world/team_model.hpp"
 
@@ -28,14 +29,17 @@ class WorldModel {
   // Order of a decision: sense(), hear() for each report, fuse(). `last` as in LocalModel::update.
   void sense(const Percepts& percepts, double dt, const regista_frame* last);
   void hear(const Report& report, double now) { team_.absorb(report, now); }
-  void fuse(const Percepts& percepts, const OwnRole& own);
+  void fuse(const Percepts& percepts, double dt, const OwnRole& own);
 
   const Snapshot& mine() const { return mine_; }
   const Snapshot& common() const { return common_; }
   const LocalModel& local() const { return local_; }
   const TeamModel& team() const { return team_; }
+  // Every estimate of the ball has been looked for in vain: `mine` still tells the last news, but it is not there.
+  bool ball_refuted() const { return ball_refuted_; }
 
  private:
+  void gather_balls(const Percepts& percepts, double dt);
   void fill(Snapshot& out, int except, const Percepts& percepts, const regista_game& game);
   void fill_self(const Percepts& percepts, const OwnRole& own);
   regista_game game(const Percepts& percepts) const;
@@ -45,6 +49,8 @@ class WorldModel {
   LocalModel local_;
   TeamModel team_;
   Snapshot mine_, common_;
+  bool ball_refuted_ = false;
+  NegativeInformation negative_;
   OpponentFusion fusion_;
   std::vector<Estimate> estimates_;
 };
