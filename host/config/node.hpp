@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A YAML document as a tree that remembers where every value stood, so that whoever finds something wrong with it can
-// say where. Immutable and cheap to copy; what it hands out by reference lives as long as any copy of the node or of one
-// above it. The only users of yaml-cpp are the .cpp files of this room.
+// say where. Immutable and cheap to copy; what it hands out by reference lives as long as any copy of the node or of
+// one above it. The only users of yaml-cpp are the .cpp files of this room.
 #pragma once
 
 #include <filesystem>

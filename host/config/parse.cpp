@@ -228,7 +228,7 @@ class Builder : public YAML::EventHandler {
 
 // yaml-cpp speaks of its scanner; this is what the writer of the file did.
 std::string reworded(const std::string& message) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 17> words{{
+  static const std::array<std::pair<std::string_view, std::string_view>, 17> words{{
       {YAML::ErrorMsg::END_OF_MAP_FLOW, "',' or '}' expected to continue or end the map"},
       {YAML::ErrorMsg::END_OF_SEQ_FLOW, "',' or ']' expected to continue or end the list"},
       {YAML::ErrorMsg::END_OF_MAP, "this does not continue the map above; check the indentation"},

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include "config/file.hpp"
 #include "config/flow.hpp"
 #include "config/scalar.hpp"
 #include "config/text.hpp"
@@ -127,7 +129,7 @@ class Page {
     line(indent, "params:", "parameters of the plugin");
     for (const PluginParameter& parameter : plugin.parameters) {
       const Node given = params[parameter.name];
-      const std::string value = given ? flow(given) : initial(parameter);
+      const std::string value = given ? written(parameter, given) : initial(parameter);
       if (value.empty()) continue;
       line(indent + 2, fmt::format("{}: {}", flow_text(parameter.name, false), value),
            comment(parameter.unit, parameter.doc, given));
@@ -140,6 +142,13 @@ class Page {
       line(indent + 2, fmt::format("{}: {}", flow_text(entry.key, false), flow(entry.value)),
            comment("", "unknown to the plugin", entry.value));
     }
+  }
+
+  // A file is named absolutely: the page may be read from another folder than the one it is relative to.
+  static std::string written(const PluginParameter& parameter, const Node& given) {
+    const bool file = parameter.type == PluginParameter::Type::file && given.kind() == Node::Kind::scalar;
+    if (!file || given.text().empty()) return flow(given);
+    return flow_text(std::filesystem::absolute(named_file(given, parameter.name)).string(), true);
   }
 
   static std::string initial(const PluginParameter& parameter) {

@@ -25,21 +25,27 @@ struct PluginUse {
 
 enum class Knowledge { mine, common };
 
+// On the segment between two places, so far from its second end. m
+struct OnLine {
+  Place from, to;
+  double distance_from_to = 0.0;
+};
+
+// Where the line from `from` to `towards` enters a circle whose radius grows with the distance of `from`. m
+struct OnCircle {
+  Place from, towards, centre;
+  double least_radius = 0.8, largest_radius = 1.3;
+  double least_distance = 1.0, largest_distance = 8.0;  // of `from` from the centre, between which it grows
+};
+
 // Where a role is played, as data. Steps are applied from top to bottom; the result is a point of the field frame.
 struct TargetRule {
+  using OnLine = config::OnLine;
+  using OnCircle = config::OnCircle;
+
   // Exactly one of the three gives the point to start from:
   std::optional<Place> at;
-  struct OnLine {
-    Place from, to;
-    double distance_from_to = 0.0;
-  };  // on the segment, so far from its second end
   std::optional<OnLine> on_line;
-  // Where the line from `from` to `towards` enters a circle whose radius grows with the distance of `from`.
-  struct OnCircle {
-    Place from, towards, centre;
-    double least_radius = 0.8, largest_radius = 1.3;
-    double least_distance = 1.0, largest_distance = 8.0;  // of `from` from the centre, between which it grows
-  };
   std::optional<OnCircle> on_circle;
 
   std::array<double, 2> shift{};                // m

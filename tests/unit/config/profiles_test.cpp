@@ -32,6 +32,19 @@ std::vector<std::pair<std::string, std::string>> leaves_of(const Node& document)
 
 Node shown(const Node& document) { return parse_text(show(document), "shown.yaml"); }
 
+TEST(Documents, EveryShippedOneIsSound) {
+  int files = 0;
+  for (const auto& [folder, kind] :
+       {std::pair{"configs/rules", DocumentKind::rules}, std::pair{"configs/robots", DocumentKind::robot},
+        std::pair{"configs/disturbances", DocumentKind::disturbance}, std::pair{"configs/teams", DocumentKind::team}}) {
+    for (const auto& entry : std::filesystem::directory_iterator(project / folder)) {
+      EXPECT_EQ(error_of([&] { EXPECT_EQ(check(entry.path()), kind); }), "");
+      ++files;
+    }
+  }
+  EXPECT_GE(files, 5);
+}
+
 TEST(Profiles, FilesAndStructsAgree) {
   for (const char* file : profiles) {
     const Node document = parse(project / file);

@@ -63,6 +63,10 @@ for kind, document in documents.items():
         for schema in choices:
             expect(kind == other, schema, document, f"{kind} as {other}")
 
+for folder, kind in [("rules", "rules"), ("robots", "robot"), ("disturbances", "disturbance"), ("teams", "team")]:
+    for path in sorted((project / "configs" / folder).iterdir()):
+        expect(True, schemas[kind][0], load(path.relative_to(project)), path.name)
+
 broken = {
     "rules": [
         (["rules"], None), (["rules"], "a b"), (["team_size"], 0), (["team_size"], 5.5), (["field", "lenght"], 9),
