@@ -14,8 +14,8 @@ inline Covariance examine_covariance(const double (&matrix)[16]) {
   constexpr int n = 4;
   constexpr double rounding = 1e-9;
   double sum = 0.0;
-  for (const double value : matrix) sum += value;
-  if (!std::isfinite(sum)) return Covariance::not_finite;
+  for (const double value : matrix) sum += 0.0 * value;  // 0 unless one of them is infinite or no number
+  if (sum != 0.0) return Covariance::not_finite;
 
   double a[n][n], diagonal[n];
   for (int i = 0; i < n; ++i) {

@@ -101,9 +101,9 @@ void Predictor::check_together(std::span<const regista_track> tracks) const {
   switch (environment.subject) {
     case REGISTA_SUBJECT_SELF:
       if (tracks.size() != 1 || tracks[0].label != environment.own_number) [[unlikely]] {
-        instance_->fail(
-            "tracks", fmt::format("self must be one track with label {}, not {} tracks{}", environment.own_number,
-                                  tracks.size(), tracks.empty() ? "" : fmt::format(" with label {}", tracks[0].label)));
+        const std::string first = tracks.empty() ? "" : fmt::format(", the first with label {}", tracks[0].label);
+        instance_->fail("tracks", fmt::format("self is one track with label {}; there are {}{}", environment.own_number,
+                                              tracks.size(), first));
       }
       return;
     case REGISTA_SUBJECT_BALL:
