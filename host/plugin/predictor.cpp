@@ -59,7 +59,7 @@ void Predictor::check(const regista_track& t) const {
     double value;
   };
   // A sum is finite only if all its terms are; the terms are looked at one by one only when it is not.
-  const double sum = t.x + t.y + t.heading + t.vx + t.vy + t.turn_rate + t.heading_variance + t.weight + t.age;
+  const double sum = ((t.x + t.y) + (t.heading + t.vx)) + ((t.vy + t.turn_rate) + (t.heading_variance + t.age));
   const bool has_target = (t.flags & REGISTA_TRACK_HAS_TARGET) != 0;
   if (!std::isfinite(sum) || (has_target && !std::isfinite(t.target[0] + t.target[1]))) [[unlikely]] {
     for (const Field& field : {Field{"x", t.x},
