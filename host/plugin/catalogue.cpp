@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "config/text.hpp"
 #include "plugin/descriptor.hpp"
 #include "plugin/shared_object.hpp"
 
@@ -35,19 +36,21 @@ std::string described(const Found& plugin) {
   return fmt::format("{} ({}, {})", plugin.file.string(), plugin.descriptor->version, plugin.descriptor->build_tag);
 }
 
-std::string joined(std::vector<std::string> names) {
-  std::ranges::sort(names);
-  const auto repeated = std::ranges::unique(names);
-  names.erase(repeated.begin(), repeated.end());
-  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
-}
-
+// The ids of the plugins of this kind, sorted, each once.
 std::vector<std::string> names_of_kind(std::span<const Found> plugins, int kind) {
   std::vector<std::string> out;
   for (const Found& plugin : plugins) {
     if (implements(*plugin.descriptor, kind)) out.emplace_back(plugin.descriptor->id);
   }
+  std::ranges::sort(out);
+  const auto repeated = std::ranges::unique(out);
+  out.erase(repeated.begin(), repeated.end());
   return out;
+}
+
+// `unknown assigner "gredy"; nearest: "greedy"; known: greedy, hungarian`
+std::string unknown(const std::string& id, int kind, const std::vector<std::string>& known) {
+  return config::unknown(kind_name(kind), id, "", known) + (known.empty() ? "; there is none at all" : "");
 }
 
 std::string kinds_in_words(const regista_descriptor& descriptor) {
@@ -58,6 +61,12 @@ std::string kinds_in_words(const regista_descriptor& descriptor) {
     out += kind_with_article(kind);
   }
   return out;
+}
+
+// `plugin "voronoi" is a positioner, not an assigner`
+std::string another_kind(const Found& plugin, int kind) {
+  return fmt::format("plugin \"{}\" is {}, not {}", plugin.descriptor->id, kinds_in_words(*plugin.descriptor),
+                     kind_with_article(kind));
 }
 
 }  // namespace
@@ -85,10 +94,10 @@ std::vector<fs::path> Catalogue::search_path(std::span<const fs::path> options, 
   for (const fs::path& folder : options) {
     std::error_code error;
     if (!fs::exists(folder, error)) {
-      throw config::Error({"--plugins", 0, 0}, fmt::format("folder {} does not exist", folder.string()));
+      throw config::Error({"--plugins " + folder.string(), 0, 0}, "there is no such folder");
     }
     if (!fs::is_directory(folder, error)) {
-      throw config::Error({"--plugins", 0, 0}, fmt::format("{} is not a folder", folder.string()));
+      throw config::Error({"--plugins " + folder.string(), 0, 0}, "is not a folder");
     }
     out.push_back(folder);
   }
@@ -135,14 +144,9 @@ const Found& Catalogue::find_pinned(const config::PluginUse& use, int kind) cons
     if (implements(*plugin.descriptor, kind)) return plugin;
     other = &plugin;
   }
-  if (other != nullptr) {
-    throw config::Error(use.where, fmt::format("plugin \"{}\" in {} is {}, not {}", use.plugin, use.file,
-                                               kinds_in_words(*other->descriptor), kind_with_article(kind)));
-  }
-  std::vector<std::string> names;
-  for (const Found& plugin : file.plugins) names.emplace_back(plugin.descriptor->id);
-  throw config::Error(use.where, fmt::format("{} contains no plugin \"{}\"; it contains: {}", use.file, use.plugin,
-                                             joined(std::move(names))));
+  const std::string reason =
+      other != nullptr ? another_kind(*other, kind) : unknown(use.plugin, kind, names_of_kind(file.plugins, kind));
+  throw config::Error(use.where, use.file + ": " + reason);
 }
 
 const Found& Catalogue::find_searched(const config::PluginUse& use, int kind) const {
@@ -168,12 +172,12 @@ const Found& Catalogue::find_searched(const config::PluginUse& use, int kind) co
   }
   const std::vector<std::string> names = names_of_kind(plugins_, kind);
   if (other != nullptr) {
-    message = fmt::format("plugin \"{}\" is {}, not {}", use.plugin, kinds_in_words(*other->descriptor),
-                          kind_with_article(kind));
+    message = another_kind(*other, kind);
+    if (!names.empty()) message += "; known: " + config::join(names);
   } else {
-    message = fmt::format("there is no {} \"{}\"", kind_name(kind), use.plugin);
+    message = unknown(use.plugin, kind, names);
   }
-  message += fmt::format("; there are: {}; searched: {}", joined(names), where_searched());
+  message += fmt::format("; searched: {}", where_searched());
   if (!refused_.empty()) {
     message += "; refused:";
     for (const Refused& refused : refused_) message += fmt::format(" {},", to_string(refused));
@@ -182,14 +186,18 @@ const Found& Catalogue::find_searched(const config::PluginUse& use, int kind) co
   throw config::Error(use.where, message);
 }
 
-std::string Catalogue::where_searched() const {
-  if (folders_.empty()) return "no folder";
+std::vector<std::string> Catalogue::searched() const {
   std::vector<std::string> out;
   for (const fs::path& folder : folders_) {
     std::error_code error;
     out.push_back(folder.string() + (fs::exists(folder, error) ? "" : " (does not exist)"));
   }
-  return fmt::format("{}", fmt::join(out, ", "));
+  return out;
+}
+
+std::string Catalogue::where_searched() const {
+  if (folders_.empty()) return "no folder";
+  return fmt::format("{}", fmt::join(searched(), ", "));
 }
 
 }  // namespace regista::plugin

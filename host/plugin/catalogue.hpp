@@ -32,6 +32,9 @@ class Catalogue {
   std::span<const Refused> refused() const { return refused_; }
   std::span<const std::filesystem::path> folders() const { return folders_; }
 
+  // The folders in words: those that do not exist are marked so.
+  std::vector<std::string> searched() const;
+
   // The plugin of this kind (REGISTA_KIND_*) that `use` names; opens its pinned file on demand. A predictor must model
   // `subject` (REGISTA_SUBJECT_*), unless that is 0. The reference lives as long as the catalogue. Throws config::Error
   // at use.where when there is none, several, or the pinned file may not be used.

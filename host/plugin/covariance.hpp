@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a 4 x 4 matrix can be a covariance: symmetric and positive semi-definite, up to rounding. By elimination
-// without pivoting (an L D L^T factorisation): the matrix is positive semi-definite if and only if no pivot is negative
-// and the column below a zero pivot is zero. All tolerances are relative to the diagonal, so units do not matter.
+// Whether a 4 x 4 matrix can be a covariance: symmetric and positive semi-definite, up to rounding. Row-major. All
+// tolerances are relative to the diagonal, so that units do not matter.
 #pragma once
 
 #include <cmath>
@@ -10,12 +9,14 @@ namespace regista::plugin {
 
 enum class Covariance { valid, not_finite, not_symmetric, not_semi_definite };
 
-inline Covariance examine_covariance(const double (&matrix)[16]) {
+// The slow answer, for every matrix. By elimination without pivoting (an L D L^T factorisation): the matrix is positive
+// semi-definite if and only if no pivot is negative and the column below a zero pivot is zero.
+inline Covariance examine_covariance_by_elimination(const double (&matrix)[16]) {
   constexpr int n = 4;
   constexpr double rounding = 1e-9;
   double sum = 0.0;
-  for (const double value : matrix) sum += value;
-  if (!std::isfinite(sum)) return Covariance::not_finite;
+  for (const double value : matrix) sum += 0.0 * value;  // 0 unless a value is infinite or no number
+  if (sum != 0.0) return Covariance::not_finite;
 
   double a[n][n], diagonal[n];
   for (int i = 0; i < n; ++i) {
@@ -44,6 +45,28 @@ inline Covariance examine_covariance(const double (&matrix)[16]) {
     }
   }
   return Covariance::valid;
+}
+
+// Whether the matrix is symmetric to the last bit and clearly positive definite. With the 2 x 2 blocks
+// [P C; C^T Q] that holds if and only if P and its Schur complement Q - C^T P^-1 C are positive definite; multiplied by
+// det P there is no division. False for whatever is not finite, over- or underflows, or is nearly singular.
+inline bool clearly_definite(const double (&m)[16]) {
+  constexpr double margin = 1e-9;
+  const bool symmetric =
+      (m[1] == m[4]) & (m[2] == m[8]) & (m[3] == m[12]) & (m[6] == m[9]) & (m[7] == m[13]) & (m[11] == m[14]);
+  const double determinant = m[0] * m[5] - m[1] * m[1];
+  // U = adj(P) C and S = det(P) Q - C^T U
+  const double u00 = m[5] * m[2] - m[1] * m[6], u01 = m[5] * m[3] - m[1] * m[7];
+  const double u10 = m[0] * m[6] - m[1] * m[2], u11 = m[0] * m[7] - m[1] * m[3];
+  const double s00 = determinant * m[10] - (m[2] * u00 + m[6] * u10);
+  const double s01 = determinant * m[11] - (m[2] * u01 + m[6] * u11);
+  const double s11 = determinant * m[15] - (m[3] * u01 + m[7] * u11);
+  return symmetric & (m[0] > 0.0) & (determinant > margin * m[0] * m[5]) & (s00 > margin * determinant * m[10]) &
+         (s00 * s11 - s01 * s01 > margin * s00 * s11);
+}
+
+inline Covariance examine_covariance(const double (&matrix)[16]) {
+  return clearly_definite(matrix) ? Covariance::valid : examine_covariance_by_elimination(matrix);
 }
 
 }  // namespace regista::plugin

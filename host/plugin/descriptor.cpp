@@ -65,7 +65,7 @@ std::string wrong_with_number(const regista_parameter& p) {
     return fmt::format("{} to {} is no range", p.minimum, p.maximum);
   }
   if (!(p.initial >= p.minimum && p.initial <= p.maximum)) {
-    return fmt::format("default {} is outside its range {} to {}", p.initial, p.minimum, p.maximum);
+    return fmt::format("default {} is outside its range {}", p.initial, range_text(p));
   }
   if (p.type == REGISTA_TYPE_INTEGER && p.initial != std::floor(p.initial)) {
     return fmt::format("default {} is not an integer", p.initial);
@@ -210,6 +210,12 @@ std::optional<int> kind_of_name(std::string_view name) {
 }
 
 std::string_view type_name(std::int32_t type) { return type_names.at(static_cast<std::size_t>(type)); }
+
+std::string range_text(const regista_parameter& p) {
+  const std::string_view unit = p.unit;
+  return fmt::format("{} to {}{}{}", p.minimum, p.maximum, unit.empty() || unit == "1" ? "" : " ",
+                     unit == "1" ? "" : unit);
+}
 
 std::string subject_names(std::uint32_t subjects) {
   constexpr std::array<std::string_view, 4> names{"self", "ball", "opponents", "teammates"};

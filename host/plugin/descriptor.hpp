@@ -40,6 +40,9 @@ std::optional<int> kind_of_name(std::string_view name);
 // "real", "integer", ...
 std::string_view type_name(std::int32_t type);
 
+// "0.5 to 20 m", the closed range of a real or integer parameter
+std::string range_text(const regista_parameter& parameter);
+
 // "self", "ball", ... of one REGISTA_SUBJECT_*; "ball, opponents" of several.
 std::string subject_names(std::uint32_t subjects);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "config/text.hpp"
 #include "plugin/descriptor.hpp"
 
 namespace regista::plugin {
@@ -23,7 +24,7 @@ ParameterInfo info(const regista_parameter& p) {
     case REGISTA_TYPE_REAL:
     case REGISTA_TYPE_INTEGER:
       out.initial = fmt::format("{}", p.initial);
-      out.range = fmt::format("{} to {}", p.minimum, p.maximum);
+      out.range = range_text(p);
       break;
     case REGISTA_TYPE_BOOLEAN:
       out.initial = p.initial != 0.0 ? "true" : "false";
@@ -33,7 +34,7 @@ ParameterInfo info(const regista_parameter& p) {
       out.range = fmt::format("{}", fmt::join(p.choices, p.choices + p.choice_count, ", "));
       break;
     case REGISTA_TYPE_TEXT:
-      out.initial = p.initial_text;
+      out.initial = config::in_quotes(p.initial_text);
       break;
     default:
       break;
@@ -43,8 +44,7 @@ ParameterInfo info(const regista_parameter& p) {
 
 std::string line(const ParameterInfo& p) {
   std::string out = fmt::format("  {}: {}", p.name, p.type);
-  if (!p.range.empty()) out += fmt::format(", {}", p.range);
-  if (!p.unit.empty() && p.unit != "1") out += fmt::format(" {}", p.unit);
+  if (!p.range.empty()) out += (p.type == "choice" ? " of " : ", ") + p.range;
   out += p.initial.empty() ? "; default: none" : fmt::format("; default: {}", p.initial);
   if (p.tunable) out += p.log_scale ? "; tunable on a logarithmic scale" : "; tunable";
   return fmt::format("{}\n      {}\n", out, p.doc);
@@ -104,7 +104,7 @@ std::string list_text(const Catalogue& catalogue) {
   }
   if (out.empty()) out = "no plugins\n";
   for (const Refused& refused : catalogue.refused()) out += fmt::format("refused: {}\n", to_string(refused));
-  for (const auto& folder : catalogue.folders()) out += fmt::format("searched: {}\n", folder.string());
+  for (const std::string& folder : catalogue.searched()) out += fmt::format("searched: {}\n", folder);
   return out;
 }
 

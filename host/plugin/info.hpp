@@ -12,8 +12,8 @@ namespace regista::plugin {
 // What a plugin declares, in words. Numbers are written as short as they can be read back exactly.
 struct ParameterInfo {
   std::string name, type, unit, doc;
-  std::string initial;  // default; empty for a file: none
-  std::string range;    // "0.5 to 20", or the choices "first, best"; empty where there is none
+  std::string initial;  // default, a text in quotes; empty for a file: none
+  std::string range;    // "0.5 to 20 m", or the choices "first, best"; empty where there is none
   bool tunable = false, log_scale = false;
 };
 

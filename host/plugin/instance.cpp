@@ -18,12 +18,9 @@ const regista_host host_without_radio{sizeof(regista_host),
                                       [](void*, std::uint64_t) {},
                                       [](void*) -> std::uint32_t { return 0; }};
 
-// What a plugin wrote, as one printable line: it may lack its end or contain several lines.
-std::string one_line(const regista_error& error) {
-  std::string text(error.text, strnlen(error.text, sizeof error.text));
-  for (char& letter : text) {
-    if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) letter = ' ';
-  }
+// What a plugin wrote; it may lack its end.
+std::string said(const regista_error& error) {
+  const std::string text(error.text, strnlen(error.text, sizeof error.text));
   return text.empty() ? "failed without saying why" : text;
 }
 
@@ -40,7 +37,7 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
   } catch (...) {
     threw("create");
   }
-  if (raw_ == nullptr) fail("create", one_line(error_));
+  if (raw_ == nullptr) fail("create", said(error_));
 }
 
 Instance::~Instance() { plugin_.descriptor->destroy(raw_); }
@@ -53,7 +50,7 @@ void Instance::fail(const char* call, std::string message) const {
 
 void Instance::failed(const char* name, std::int32_t status) const {
   if (status != REGISTA_FAILED) fail(name, fmt::format("returned {}, which means nothing", status));
-  fail(name, one_line(error_));
+  fail(name, said(error_));
 }
 
 void Instance::threw(const char* name) const {

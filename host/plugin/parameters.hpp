@@ -44,8 +44,8 @@ class Parameters {
 };
 
 // Reads use.params. A parameter that is absent or null keeps its default; a file is named relative to the YAML file in
-// which its name stands. Throws config::Error where the value stands: unknown name (with the nearest), given twice, of
-// another type, not finite, out of range, no such choice, file missing or larger than largest_parameter_file.
+// which its name stands. Throws config::Error where the value stands: unknown name (with the nearest), another
+// type, not finite, out of range, no such choice, file missing or larger than largest_parameter_file.
 Parameters resolve(const regista_descriptor& plugin, const config::PluginUse& use);
 
 }  // namespace regista::plugin

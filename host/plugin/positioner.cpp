@@ -67,7 +67,7 @@ void Positioner::check_points(const regista_frame& frame, std::uint32_t count) c
       instance_->fail("place", fmt::format("point {} at ({}, {}) is outside the field", i, p.x, p.y));
     }
     if (!(p.score >= 0.0 && p.score <= std::numeric_limits<double>::max())) [[unlikely]] {
-      instance_->fail("place", fmt::format("score of point {} is {}", i, p.score));
+      instance_->fail("place", fmt::format("score of point {} is {}; scores are finite and at least 0", i, p.score));
     }
     if (p.task < -1 || p.task >= tasks) [[unlikely]]
       instance_->fail("place", fmt::format("point {} belongs to task {} of {}", i, p.task, tasks));

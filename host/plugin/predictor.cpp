@@ -59,7 +59,7 @@ void Predictor::check(const regista_track& t) const {
     double value;
   };
   // A sum is finite only if all its terms are; the terms are looked at one by one only when it is not.
-  const double sum = t.x + t.y + t.heading + t.vx + t.vy + t.turn_rate + t.heading_variance + t.weight + t.age;
+  const double sum = ((t.x + t.y) + (t.heading + t.vx)) + ((t.vy + t.turn_rate) + (t.heading_variance + t.age));
   const bool has_target = (t.flags & REGISTA_TRACK_HAS_TARGET) != 0;
   if (!std::isfinite(sum) || (has_target && !std::isfinite(t.target[0] + t.target[1]))) [[unlikely]] {
     for (const Field& field : {Field{"x", t.x},
@@ -101,9 +101,9 @@ void Predictor::check_together(std::span<const regista_track> tracks) const {
   switch (environment.subject) {
     case REGISTA_SUBJECT_SELF:
       if (tracks.size() != 1 || tracks[0].label != environment.own_number) [[unlikely]] {
-        instance_->fail(
-            "tracks", fmt::format("self must be one track with label {}, not {} tracks{}", environment.own_number,
-                                  tracks.size(), tracks.empty() ? "" : fmt::format(" with label {}", tracks[0].label)));
+        const std::string first = tracks.empty() ? "" : fmt::format(", the first with label {}", tracks[0].label);
+        instance_->fail("tracks", fmt::format("self is one track with label {}; there are {}{}", environment.own_number,
+                                              tracks.size(), first));
       }
       return;
     case REGISTA_SUBJECT_BALL:

@@ -29,10 +29,10 @@ SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_
   const std::span<const std::uint64_t> granted(granted_.data(), out.granted_count);
   for (std::size_t i = 0; i < granted.size(); ++i) {
     if (std::ranges::find(offers, granted[i], &regista_offer::handle) == offers.end()) [[unlikely]]
-      instance_->fail("decide", fmt::format("granted {} is handle {}, which is not on offer", i, granted[i]));
+      instance_->fail("decide", fmt::format("granted handle {}, which is not on offer", granted[i]));
     const auto earlier = granted.first(i);
     if (std::ranges::find(earlier, granted[i]) != earlier.end()) [[unlikely]]
-      instance_->fail("decide", fmt::format("handle {} is granted twice", granted[i]));
+      instance_->fail("decide", fmt::format("granted handle {} twice", granted[i]));
   }
   return {true, out.reason, granted};
 }

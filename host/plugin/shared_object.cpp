@@ -16,6 +16,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "config/text.hpp"
 #include "plugin/descriptor.hpp"
 
 namespace regista::plugin {
@@ -94,7 +95,7 @@ std::string why_no_plugin(const std::filesystem::path& path) {
   struct stat about {};
   if (::fstat(file.number(), &about) != 0) return fmt::format("cannot be read: {}", system_message(errno));
   if (S_ISDIR(about.st_mode)) return "is a folder, not a shared object";
-  if (!S_ISREG(about.st_mode)) return "is not an ordinary file";
+  if (!S_ISREG(about.st_mode)) return "is not a regular file";
   if (about.st_size == 0) return "is empty";
   if (elf_version(EV_CURRENT) == EV_NONE) return "cannot be checked: libelf is too old";
   const ElfFile elf(elf_begin(file.number(), ELF_C_READ, nullptr));
@@ -123,7 +124,7 @@ bool share_a_kind(const regista_descriptor& a, const regista_descriptor& b) {
   return false;
 }
 
-SharedObject refuse(std::string reason) { return {{}, std::move(reason)}; }
+SharedObject refuse(const std::string& reason) { return {{}, config::one_line(reason)}; }
 
 SharedObject shake_hands(decltype(&regista_plugin_entry) entry) {
   SharedObject out;
@@ -133,7 +134,7 @@ SharedObject shake_hands(decltype(&regista_plugin_entry) entry) {
       if (out.descriptors.empty()) return refuse("contains no plugin");
       return out;
     }
-    if (std::string wrong = what_is_wrong(*next, i); !wrong.empty()) return refuse(std::move(wrong));
+    if (const std::string wrong = what_is_wrong(*next, i); !wrong.empty()) return refuse(wrong);
     for (const regista_descriptor* other : out.descriptors) {
       if (std::string_view(other->id) == next->id && share_a_kind(*other, *next)) {
         return refuse(fmt::format("contains two plugins \"{}\" of the same kind", next->id));
@@ -149,7 +150,7 @@ SharedObject shake_hands(decltype(&regista_plugin_entry) entry) {
 SharedObject open_shared_object(const std::filesystem::path& file) {
   // Without a slash the loader would look in its own folders.
   const std::filesystem::path path = std::filesystem::absolute(file);
-  if (std::string why = why_no_plugin(path); !why.empty()) return refuse(std::move(why));
+  if (const std::string why = why_no_plugin(path); !why.empty()) return refuse(why);
   void* const handle = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   if (handle == nullptr) return refuse("cannot be opened: " + loader_message(path));
   void* const entry = ::dlsym(handle, REGISTA_ENTRY_NAME);

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "plugin/descriptor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <limits>
+
+#include "puppet.hpp"
+
+namespace regista::plugin::test {
+namespace {
+
+class DescriptorTest : public PuppetTest {
+ protected:
+  // What is wrong with a sound descriptor after `spoil`.
+  std::string wrong(const std::function<void(regista_descriptor&)>& spoil) {
+    regista_descriptor descriptor = Puppet::descriptor();
+    spoil(descriptor);
+    return what_is_wrong(descriptor, 0);
+  }
+
+  // What is wrong with its one parameter after `spoil`; without "plugin "puppet": ".
+  std::string wrong_parameter(const std::function<void(regista_parameter&)>& spoil) {
+    regista_parameter reach{
+        sizeof(regista_parameter), REGISTA_TYPE_REAL, "reach", "m", "Far", 0.5, 20.0, 12.0, nullptr, nullptr, 0, 0};
+    spoil(reach);
+    const std::string said = wrong([&](regista_descriptor& d) {
+      d.parameter_count = 1;
+      d.parameters = &reach;
+    });
+    const std::string prefix = "plugin \"puppet\": ";
+    if (said.empty()) return said;
+    EXPECT_EQ(said.substr(0, prefix.size()), prefix);
+    return said.substr(prefix.size());
+  }
+};
+
+TEST_F(DescriptorTest, TakesASoundOne) {
+  EXPECT_EQ(wrong([](regista_descriptor&) {}), "");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.size += 16; }), "");  // grown at its end
+  EXPECT_EQ(wrong_parameter([](regista_parameter&) {}), "");
+}
+
+TEST_F(DescriptorTest, NamesBothVersions) {
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.abi_major = 2; }),
+            "built for Regista plugin interface 2.0; this host speaks 1.0");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.abi_major = 0; }),
+            "built for Regista plugin interface 0.0; this host speaks 1.0");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.abi_minor = 1; }),
+            "built for Regista plugin interface 1.1; this host speaks 1.0");
+}
+
+TEST_F(DescriptorTest, RefusesWhatIsMissing) {
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.size = 24; }), "descriptor 0 is 24 bytes; the interface needs 104");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.id = nullptr; }), "descriptor 0: id is null");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.version = nullptr; }), "plugin \"puppet\": version is null");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.summary = nullptr; }), "plugin \"puppet\": summary is null");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.licence = nullptr; }), "plugin \"puppet\": licence is null");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.build_tag = nullptr; }), "plugin \"puppet\": build tag is null");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.summary = "two\nlines"; }),
+            "plugin \"puppet\": summary is not one line");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.id = "Puppet"; }), "plugin \"Puppet\": id is not lower_snake_case");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.id = ""; }), "plugin \"\": id is not lower_snake_case");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.reset = nullptr; }),
+            "plugin \"puppet\": lacks one of table, create, reset, destroy");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.parameter_count = 1; }), "plugin \"puppet\": parameters are null");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.parameter_count = 4000000; }),
+            "plugin \"puppet\": declares 4000000 parameters");
+}
+
+TEST_F(DescriptorTest, RefusesTablesThatAreTooSmallOrHaveHoles) {
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.table = [](std::int32_t) -> const void* { return nullptr; }; }),
+            "plugin \"puppet\": implements no kind of plugin");
+  EXPECT_EQ(wrong([](regista_descriptor& d) {
+              d.table = [](std::int32_t kind) -> const void* {
+                return kind == REGISTA_KIND_MAILBOX ? &Puppet::mailbox : nullptr;
+              };
+            }),
+            "plugin \"puppet\": implements no kind of plugin");
+  Puppet::assigner.size = 8;
+  EXPECT_EQ(wrong([](regista_descriptor&) {}),
+            "plugin \"puppet\": table of the assigner is 8 bytes; the interface needs 16");
+  Puppet::rest();
+  Puppet::predictor.absorb = nullptr;
+  EXPECT_EQ(wrong([](regista_descriptor&) {}), "plugin \"puppet\": table of the predictor lacks a call");
+  Puppet::rest();
+  Puppet::predictor.subjects = 0;
+  EXPECT_EQ(wrong([](regista_descriptor&) {}), "plugin \"puppet\": is a predictor of nothing");
+}
+
+TEST_F(DescriptorTest, RefusesNumbersThatContradictThemselves) {
+  const auto said = [](const std::string& what) { return "parameter \"reach\": " + what; };
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) { p.initial = 25.0; }),
+            said("default 25 is outside its range 0.5 to 20 m"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) { p.initial = std::numeric_limits<double>::quiet_NaN(); }),
+            said("default nan is outside its range 0.5 to 20 m"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) { p.minimum = 30.0; }), said("30 to 20 is no range"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) { p.maximum = std::numeric_limits<double>::infinity(); }),
+            said("0.5 to inf is no range"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) {
+              p.type = REGISTA_TYPE_INTEGER;
+              p.initial = 1.5;
+            }),
+            said("default 1.5 is not an integer"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) {
+              p.minimum = 0.0;
+              p.flags = REGISTA_PARAMETER_TUNABLE | REGISTA_PARAMETER_LOG_SCALE;
+            }),
+            said("has a logarithmic scale, but its range begins at 0"));
+}
+
+TEST_F(DescriptorTest, RefusesOtherTypesThatContradictThemselves) {
+  const auto said = [](const std::string& what) { return "parameter \"reach\": " + what; };
+  static const char* const twice[] = {"first", "best", "first"};
+  static const char* const holed[] = {"first", nullptr};
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) { p.type = 7; }), said("type 7 is unknown"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) { p.type = REGISTA_TYPE_BOOLEAN; }),
+            said("default 12 is neither 0 nor 1"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) { p.type = REGISTA_TYPE_CHOICE; }), said("has no choices"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) {
+              p.type = REGISTA_TYPE_CHOICE;
+              p.choices = twice;
+              p.choice_count = 3;
+            }),
+            said("offers the choice \"first\" twice"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) {
+              p.type = REGISTA_TYPE_CHOICE;
+              p.choices = holed;
+              p.choice_count = 2;
+            }),
+            said("choice 1 is null"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) {
+              p.type = REGISTA_TYPE_CHOICE;
+              p.choices = twice;
+              p.choice_count = 2;
+            }),
+            said("default 12 is not the index of one of its 2 choices"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) { p.type = REGISTA_TYPE_TEXT; }), said("default is null"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) {
+              p.type = REGISTA_TYPE_FILE;
+              p.initial_text = "formation.conf";
+            }),
+            said("a file has no default"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) { p.unit = nullptr; }), said("unit is null"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) { p.doc = nullptr; }), said("doc is null"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) { p.name = "Reach"; }),
+            "parameter \"Reach\" is not lower_snake_case");
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) { p.name = nullptr; }), "parameter 0 has a null name");
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) { p.size = 8; }),
+            "parameter 0 is 8 bytes; the interface needs 80");
+}
+
+// Elements that a later version made larger are stepped over by their stride.
+TEST_F(DescriptorTest, StepsOverParametersByTheirStride) {
+  struct Grown {
+    regista_parameter known;
+    double later;
+  };
+  regista_parameter known{sizeof(Grown), REGISTA_TYPE_REAL, "a", "m", "Far", 0.5, 20.0, 12.0, nullptr, nullptr, 0, 0};
+  std::array<Grown, 3> parameters{{{known, 1.0}, {known, 1.0}, {known, 1.0}}};
+  parameters[1].known.name = "b";
+  parameters[2].known.name = "c";
+  regista_descriptor descriptor = Puppet::descriptor();
+  descriptor.parameter_count = 3;
+  descriptor.parameters = &parameters[0].known;
+  descriptor.parameter_stride = sizeof(Grown);
+  EXPECT_EQ(what_is_wrong(descriptor, 0), "");
+  EXPECT_STREQ(parameter(descriptor, 2).name, "c");
+  parameters[2].known.name = "a";
+  EXPECT_EQ(what_is_wrong(descriptor, 0), "plugin \"puppet\": parameter \"a\" is declared twice");
+  descriptor.parameter_stride = sizeof(regista_parameter) - 8;
+  EXPECT_EQ(what_is_wrong(descriptor, 0), "plugin \"puppet\": parameters are 72 bytes apart; the interface needs 80");
+}
+
+TEST_F(DescriptorTest, NamesKindsAndSubjects) {
+  EXPECT_EQ(kinds(Puppet::descriptor()), (std::vector<int>{1, 2, 3, 4, 5, 6, 7}));
+  for (int kind = 1; kind < REGISTA_KIND_END; ++kind) EXPECT_EQ(kind_of_name(kind_name(kind)), kind);
+  EXPECT_EQ(kind_of_name("striker"), std::nullopt);
+  EXPECT_EQ(kind_of_name(""), std::nullopt);
+  EXPECT_EQ(kind_with_article(REGISTA_KIND_ASSIGNER), "an assigner");
+  EXPECT_EQ(subject_names(REGISTA_SUBJECT_BALL), "ball");
+  EXPECT_EQ(subject_names(REGISTA_SUBJECT_SELF | REGISTA_SUBJECT_TEAMMATES), "self, teammates");
+}
+
+}  // namespace
+}  // namespace regista::plugin::test

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "plugin/shared_object.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "scene.hpp"
+
+namespace regista::plugin::test {
+namespace {
+
+std::string refusal(const std::string& name) { return open_shared_object(shared_object(name)).refusal; }
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class BrokenFile : public ::testing::Test {
+ protected:
+  fs::path write(const std::string& content) {
+    std::ofstream(path_, std::ios::binary) << content;
+    return path_;
+  }
+  std::string refusal_of(const std::string& content) { return open_shared_object(write(content)).refusal; }
+
+  Folder folder_;
+  fs::path path_ = folder_ / "x.so";
+};
+
+TEST(SharedObject, OpensPluginsInTheirOrder) {
+  const SharedObject object = open_shared_object(shared_object("sound"));
+  EXPECT_EQ(object.refusal, "");
+  ASSERT_EQ(object.descriptors.size(), 2u);
+  EXPECT_STREQ(object.descriptors[0]->id, "sound");
+  EXPECT_STREQ(object.descriptors[1]->id, "negotiator");
+}
+
+TEST(SharedObject, RefusesPluginsThatCannotBeServed) {
+  EXPECT_EQ(refusal("wrong_major"), "built for Regista plugin interface 2.0; this host speaks 1.0");
+  EXPECT_EQ(refusal("newer_minor"), "built for Regista plugin interface 1.1; this host speaks 1.0");
+  EXPECT_EQ(refusal("empty_list"), "contains no plugin");
+  EXPECT_EQ(refusal("default_out_of_range"),
+            "plugin \"default_out_of_range\": parameter \"reach\": default 25 is outside its range 0.5 to 20 m");
+  EXPECT_EQ(refusal("duplicate_parameter"), "plugin \"duplicate_parameter\": parameter \"reach\" is declared twice");
+}
+
+// Its constructor would end this process.
+TEST(SharedObject, DoesNotRunWhatIsNoPlugin) {
+  EXPECT_EQ(refusal("no_entry"), "is no Regista plugin: it does not export regista_plugin_entry");
+}
+
+TEST(SharedObject, SaysWhatTheLoaderMisses) {
+  EXPECT_EQ(refusal("missing_library"), "cannot be opened: undefined symbol: defined_nowhere");
+}
+
+TEST_F(BrokenFile, IsRefused) {
+  EXPECT_EQ(open_shared_object(path_).refusal, "does not exist");
+  EXPECT_EQ(refusal_of(""), "is empty");
+  EXPECT_EQ(refusal_of("a text file\n"), "is not a shared object");
+  EXPECT_EQ(refusal_of("\x7f"
+                       "ELF"),
+            "is not a shared object");
+  EXPECT_EQ(open_shared_object(folder_.path()).refusal, "is a folder, not a shared object");
+}
+
+TEST_F(BrokenFile, MayEndAnywhere) {
+  const std::string whole = bytes_of(shared_object("sound"));
+  ASSERT_GT(whole.size(), 1000u);
+  for (std::size_t size = 1; size < whole.size(); size += 1 + whole.size() / 200) {
+    const std::string said = refusal_of(whole.substr(0, size));
+    EXPECT_TRUE(said == "is damaged: it ends too early" || said == "is not a shared object") << size << ": " << said;
+  }
+  EXPECT_EQ(refusal_of(whole.substr(0, whole.size() - 1)), "is damaged: it ends too early");
+  EXPECT_EQ(refusal_of(whole), "");
+}
+
+// A program exports nothing that the host asks for, and an archive is no ELF file.
+TEST_F(BrokenFile, MayBeAnotherKindOfFile) {
+  EXPECT_EQ(refusal_of(bytes_of("/proc/self/exe")), "is no Regista plugin: it does not export regista_plugin_entry");
+  EXPECT_EQ(refusal_of("!<arch>\n"), "is not a shared object");
+}
+
+TEST_F(BrokenFile, MayBeAPipe) {
+  ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
+  EXPECT_EQ(open_shared_object(path_).refusal, "is not a regular file");
+}
+
+TEST_F(BrokenFile, MayBeForbidden) {
+  write(bytes_of(shared_object("sound")));
+  fs::permissions(path_, fs::perms::none);
+  fs::permissions(folder_.path(), fs::perms::others_exec, fs::perm_options::add);
+  constexpr uid_t nobody = 65534;
+  const uid_t before = ::geteuid();
+  if (before == 0) ASSERT_EQ(::seteuid(nobody), 0);  // root may read everything
+  const std::string said = open_shared_object(path_).refusal;
+  if (before == 0) ASSERT_EQ(::seteuid(before), 0);
+  EXPECT_EQ(said, "cannot be read: Permission denied");
+}
+
+}  // namespace
+}  // namespace regista::plugin::test
