@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 
 #include <regista/plugin.hpp>
 
@@ -28,7 +29,7 @@ class Grants {
  public:
   Grants(regista_send& raw, std::size_t capacity) : raw_(&raw), capacity_(capacity) {}
   void grant(const Offer& offer) {
-    assert(raw_->granted_count < capacity_);
+    if (raw_->granted_count == capacity_) throw std::length_error("granted more offers than there are");
     raw_->granted[raw_->granted_count++] = offer.handle;
   }
 

@@ -154,7 +154,11 @@ INSTANTIATE_TEST_SUITE_P(
 // Promises that a plugin may choose to give.
 TEST(Options, OrderOfOpponentsIsLookedAtWhenAskedFor) {
   const Case c = utility("first_opponent_counts", "order", "");
-  EXPECT_TRUE(run(c).empty());
+  const Loaded plugin(c.file, c.id);
+  const Check order = contract(c.kind).back();
+  ASSERT_EQ(order.name, "order");
+  EXPECT_FALSE(order.applies(plugin, {}));
+  EXPECT_TRUE(order.applies(plugin, {.order_of_opponents_is_irrelevant = true}));
   EXPECT_THAT(run(c, {.order_of_opponents_is_irrelevant = true}).lines(),
               testing::Contains(testing::HasSubstr("depends on the order in which the opponents are listed")));
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The simplest sound plugin of each kind: what every contract suite must accept.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <regista/assigner.hpp>
@@ -153,8 +156,80 @@ struct LastNews {
   }
 };
 
+// One parameter of each type; scores tell their values.
+struct Everything {
+  enum class Form { square, round };
+  static constexpr std::array<const char*, 2> forms{"square", "round"};
+  static constexpr auto id = "everything", version = "1.0.0", summary = "Shows its parameters";
+  double reach = 1.5;
+  int depth = 2;
+  bool deep = false;
+  Form form = Form::round;
+  std::string word = "hello", map;
+  static constexpr std::tuple parameters{regista::real("reach", &Everything::reach, {0.0, 3.0}, "m", "How far"),
+                                         regista::integer("depth", &Everything::depth, {0.0, 4.0}, "1", "How deep"),
+                                         regista::boolean("deep", &Everything::deep, "Whether it is deep"),
+                                         regista::choice("form", &Everything::form, forms, "Which form"),
+                                         regista::text("word", &Everything::word, "What it says"),
+                                         regista::file("map", &Everything::map, "What it reads")};
+  void score(const regista::Frame&, regista::Utilities out) {
+    const double shown[] = {reach,
+                            1.0 * depth,
+                            deep ? 1.0 : 0.0,
+                            form == Form::round ? 1.0 : 0.0,
+                            static_cast<double>(word.size()),
+                            static_cast<double>(map.size())};
+    for (std::size_t j = 0; j < std::min<std::size_t>(out.columns(), 6); ++j) out(0, j) = shown[j];
+  }
+};
+
+struct SevenNumbers {
+  static constexpr auto id = "seven_numbers", version = "1.0.0", summary = "Many parameters";
+  double a = 1, b = 1, c = 1, d = 1, e = 1, f = 1, g = 1;
+  static constexpr regista::Range range{0.0, 2.0};
+  static constexpr std::tuple parameters{regista::real("a", &SevenNumbers::a, range, "1", "First"),
+                                         regista::real("b", &SevenNumbers::b, range, "1", "Second"),
+                                         regista::real("c", &SevenNumbers::c, range, "1", "Third"),
+                                         regista::real("d", &SevenNumbers::d, range, "1", "Fourth"),
+                                         regista::real("e", &SevenNumbers::e, range, "1", "Fifth"),
+                                         regista::real("f", &SevenNumbers::f, range, "1", "Sixth"),
+                                         regista::real("g", &SevenNumbers::g, range, "1", "Seventh")};
+  void score(const regista::Frame&, regista::Utilities out) { out(0, 0) = a + b + c + d + e + f + g; }
+};
+
+// Tells its number and how many bytes it heard. The last offer replaces the one before, unless that has left.
+struct Talker {
+  static constexpr auto id = "talker", version = "1.0.0", summary = "First free, and talks";
+  FirstFree assigner;
+  regista::Mailbox mailbox;
+  std::uint8_t own = 0, heard = 0;
+  std::uint64_t pending = 0;
+
+  void setup(const regista::Environment& environment, regista::Mailbox way_out) {
+    if (environment->own_number > static_cast<int>(environment->team_size)) throw std::runtime_error("no such number");
+    own = static_cast<std::uint8_t>(environment->own_number);
+    mailbox = way_out;
+  }
+  void reset(std::uint64_t) {
+    heard = 0;
+    pending = 0;
+  }
+  void assign(const regista::Frame& frame, regista::UtilityMatrix u, regista::Assignment out) {
+    assigner.assign(frame, u, out);
+    const std::array<std::uint8_t, 2> said{own, heard};
+    const std::uint64_t handle = mailbox.offer(said, 0.5, frame.time() + 5.0, pending);
+    if (handle != 0) pending = handle;
+  }
+  void receive(const regista::Message& message) { heard = static_cast<std::uint8_t>(message.bytes().size()); }
+  void transmitted(std::uint64_t handle) {
+    if (handle == pending) pending = 0;
+  }
+};
+
 }  // namespace
 
 REGISTA_PLUGINS(regista::Plugin<FirstFree, regista::assigner>, regista::Plugin<Nearness, regista::utility>,
                 regista::Plugin<BallSeen, regista::context>, regista::Plugin<AtTheBall, regista::positioner>,
-                regista::Plugin<EverySecond, regista::sender>, regista::Plugin<LastNews, regista::predictor>)
+                regista::Plugin<EverySecond, regista::sender>, regista::Plugin<LastNews, regista::predictor>,
+                regista::Plugin<Everything, regista::utility>, regista::Plugin<SevenNumbers, regista::utility>,
+                regista::Plugin<Talker, regista::assigner>)

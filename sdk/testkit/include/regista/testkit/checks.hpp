@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The contract of every kind as a list of named checks, without any test framework:
 //
-//   for (const Check& check : contract(REGISTA_KIND_ASSIGNER)) print(check.name, check.run(plugin, {}).text());
+//   for (const Check& check : contract(REGISTA_KIND_ASSIGNER)) {
+//     if (check.applies(plugin, {})) print(check.name, check.run(plugin, {}).text());
+//   }
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <string>
 #include <vector>
@@ -23,6 +26,8 @@ struct Check {
   std::string name;     // one word
   std::string promise;  // a sentence
   std::function<Findings(const Loaded&, const Options&)> run;
+  // Whether there is anything to check: a plugin that receives no messages need not bear any.
+  std::function<bool(const Loaded&, const Options&)> applies = [](const Loaded&, const Options&) { return true; };
 };
 
 namespace detail {
@@ -46,20 +51,30 @@ inline std::vector<Rehearsal> rehearsals(std::int32_t kind, const Loaded& plugin
 
 // An exception of the suite itself, or a plugin without this kind, is a finding and not a crash.
 inline Check guarded_check(std::int32_t kind, Check check) {
-  return {check.name, check.promise, [kind, run = check.run](const Loaded& plugin, const Options& options) {
-            Findings findings;
-            if (!plugin.implements(kind)) {
-              findings.say("\"", plugin.descriptor().id, "\" does not implement this kind");
-              return findings;
-            }
-            try {
-              return run(plugin, options);
-            } catch (const std::exception& exception) {
-              findings.say(exception.what());
-            }
-            return findings;
+  check.run = [kind, run = check.run](const Loaded& plugin, const Options& options) {
+    Findings findings;
+    if (!plugin.implements(kind)) {
+      findings.say("\"", plugin.descriptor().id, "\" does not implement this kind");
+      return findings;
+    }
+    try {
+      return run(plugin, options);
+    } catch (const std::exception& exception) {
+      findings.say(exception.what());
+    }
+    return findings;
+  };
+  return check;
+}
+
+template <class Rehearse>
+Check rehearsed(std::int32_t kind, const char* name, const char* promise, Rehearse check) {
+  return {name, promise, [kind, check](const Loaded& plugin, const Options& options) {
+            return check(plugin, options, rehearsals(kind, plugin, options));
           }};
 }
+
+inline bool models(const Loaded& plugin, std::uint32_t subject) { return (subjects_of(plugin) & subject) != 0; }
 
 }  // namespace detail
 
@@ -67,35 +82,28 @@ inline Check guarded_check(std::int32_t kind, Check check) {
 inline std::vector<Check> contract(std::int32_t kind) {
   std::vector<Check> out{
       {"descriptor", "describes itself", [](const Loaded& plugin, const Options&) { return check_descriptor(plugin); }},
-      {"promises", "every output is as abi.h promises",
+      detail::rehearsed(kind, "promises", "every output is as abi.h promises", check_promises),
+      detail::rehearsed(kind, "determinism", "the same calls give the same bytes, also after a reset",
+                        check_determinism),
+      detail::rehearsed(kind, "growth", "works with a host of a later minor version", check_growth),
+      {"mailbox", "bears any message",
        [kind](const Loaded& plugin, const Options& options) {
-         return check_promises(plugin, options, detail::rehearsals(kind, plugin, options));
-       }},
-      {"determinism", "the same calls give the same bytes, also after a reset",
-       [kind](const Loaded& plugin, const Options& options) {
-         return check_determinism(plugin, options, detail::rehearsals(kind, plugin, options));
-       }},
-      {"growth", "works with a host of a later minor version",
-       [kind](const Loaded& plugin, const Options& options) {
-         return check_growth(plugin, options, detail::rehearsals(kind, plugin, options));
-       }},
-      {"mailbox", "bears any message", [kind](const Loaded& plugin, const Options& options) {
-         if (!plugin.implements(REGISTA_KIND_MAILBOX)) return Findings{};
          const std::uint32_t all = kind == REGISTA_KIND_PREDICTOR ? detail::subjects_of(plugin) : 0;
          return check_mailbox(plugin, options, all & (~all + 1));
-       }}};
+       },
+       [](const Loaded& plugin, const Options&) { return plugin.implements(REGISTA_KIND_MAILBOX); }}};
   if (kind == REGISTA_KIND_PREDICTOR) {
-    out.push_back({"uncertainty", "the own pose does not become surer without news", check_uncertainty_grows});
-    out.push_back({"labels", "opponents in view keep their labels", check_labels_are_stable});
+    out.push_back({"uncertainty", "the own pose does not become surer without news", check_uncertainty_grows,
+                   [](const Loaded& p, const Options&) { return detail::models(p, REGISTA_SUBJECT_SELF); }});
+    out.push_back({"labels", "opponents in view keep their labels", check_labels_are_stable,
+                   [](const Loaded& p, const Options&) { return detail::models(p, REGISTA_SUBJECT_OPPONENTS); }});
   }
   if (kind == REGISTA_KIND_POSITIONER) {
     out.push_back({"capacity", "writes no further than it may", check_small_capacity});
   }
   if (kind == REGISTA_KIND_UTILITY) {
-    out.push_back({"order", "the order of opponents does not matter", [](const Loaded& plugin, const Options& options) {
-                     return options.order_of_opponents_is_irrelevant ? check_order_of_opponents(plugin, options)
-                                                                     : Findings{};
-                   }});
+    out.push_back({"order", "the order of opponents does not matter", check_order_of_opponents,
+                   [](const Loaded&, const Options& options) { return options.order_of_opponents_is_irrelevant; }});
   }
   for (Check& check : out) check = detail::guarded_check(kind, check);
   return out;

@@ -42,12 +42,22 @@ struct Registration {
 
   bool contract(const char* id, const Options& options = {}) const {
     for (const Check& check : testkit::contract(kind)) {
+      if (!applies(check, id, options)) continue;
       const std::string name = std::string(id) + "_" + check.name;
       ::testing::RegisterTest(
           suite, name.c_str(), nullptr, nullptr, source, line,
           [=, from = file]() -> ::testing::Test* { return new ContractTest(from, id, options, check); });
     }
     return true;
+  }
+
+  // A plugin that cannot be opened gets every test: each says why it fails.
+  bool applies(const Check& check, const char* id, const Options& options) const {
+    try {
+      return check.applies(Loaded(file, id), options);
+    } catch (const std::exception&) {
+      return true;
+    }
   }
 };
 

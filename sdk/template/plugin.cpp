@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Glue between the algorithm and Regista: what it is called, what can be set, which call it answers.
+#include <regista/assigner.hpp>
+
+#include "algorithm.hpp"
+
+namespace {
+
+struct Plugin {
+  static constexpr auto id = "best_pair_first", version = "1.0.0",
+                        summary = "The best pair of a free robot and a free task, again and again";
+
+  double at_least = 0.0;
+  static constexpr std::tuple parameters{
+      regista::real("at_least", &Plugin::at_least, {0.0, 1.0}, "1", "Pairs of a lower utility are not taken")
+          .tunable()};
+
+  BestPairFirst algorithm;
+
+  void assign(const regista::Frame&, regista::UtilityMatrix utilities, regista::Assignment out) {
+    algorithm.solve(utilities.rows(), utilities.columns(), utilities, at_least, out);
+  }
+};
+
+}  // namespace
+
+REGISTA_PLUGIN(Plugin, regista::assigner)

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// check_descriptor() reports everything that can be wrong in a descriptor. A sound one is copied and spoilt in one
+// place.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include <regista/testkit/check_descriptor.hpp>
+
+namespace {
+
+using namespace regista::testkit;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr const char* colours[] = {"red", "green", "red"};
+
+class Descriptor : public testing::Test {
+ protected:
+  Descriptor() {
+    descriptor = Loaded(CONTRACT_GOOD, "nearness").descriptor();
+    parameter = Loaded(descriptor).parameter(0);
+    descriptor.parameters = &parameter;
+    descriptor.parameter_count = 1;
+  }
+  std::vector<std::string> found() const { return check_descriptor(Loaded(descriptor)).lines(); }
+
+  regista_descriptor descriptor{};
+  regista_parameter parameter{};
+};
+
+TEST_F(Descriptor, SoundAsItIs) { EXPECT_THAT(found(), ElementsAre()); }
+
+TEST_F(Descriptor, Texts) {
+  const char* regista_descriptor::*const texts[] = {&regista_descriptor::version, &regista_descriptor::summary,
+                                                    &regista_descriptor::licence, &regista_descriptor::build_tag};
+  for (const char* regista_descriptor::*text : texts) {
+    const char* sound = descriptor.*text;
+    descriptor.*text = nullptr;
+    EXPECT_THAT(found(), Contains(HasSubstr("is null")));
+    descriptor.*text = "";
+    EXPECT_THAT(found(), Contains(HasSubstr("is empty")));
+    descriptor.*text = "1\n2";
+    EXPECT_THAT(found(), Contains(HasSubstr("more than one line")));
+    descriptor.*text = sound;
+  }
+  descriptor.version = "newest";
+  EXPECT_THAT(found(), ElementsAre("descriptor: its version \"newest\" does not begin with a number"));
+}
+
+TEST_F(Descriptor, Ids) {
+  for (const char* id : {"", "Nearness", "near-ness", "near__ness", "_near", "near_", "2near", "near ness"}) {
+    descriptor.id = id;
+    EXPECT_THAT(found(), ElementsAre("descriptor: its id is not in lower_snake_case")) << id;
+  }
+  descriptor.id = "near_2_ness";
+  EXPECT_THAT(found(), ElementsAre());
+}
+
+TEST_F(Descriptor, SizesAndVersions) {
+  descriptor.size -= 1;
+  EXPECT_THAT(found(), ElementsAre(HasSubstr("descriptor: its size field says")));
+  descriptor.size += 100;
+  EXPECT_THAT(found(), ElementsAre());
+  descriptor.abi_minor = REGISTA_ABI_MINOR + 1;
+  EXPECT_THAT(found(), ElementsAre("descriptor: built for plugin interface 1.1"));
+  descriptor.abi_minor = REGISTA_ABI_MINOR;
+  parameter.size = 8;
+  EXPECT_THAT(found(), ElementsAre("parameter scale: its size field says 8 bytes"));
+  parameter.size = sizeof parameter;
+  descriptor.parameter_stride = 8;
+  EXPECT_THAT(found(), ElementsAre(HasSubstr("too small a stride")));
+}
+
+TEST_F(Descriptor, Calls) {
+  descriptor.reset = nullptr;
+  EXPECT_THAT(found(), ElementsAre("descriptor: table, create, reset and destroy must not be null"));
+}
+
+TEST_F(Descriptor, Tables) {
+  static const regista_utility sound{sizeof(regista_utility), 0, nullptr}, small{8, 0, nullptr};
+  static int asked = 0;
+  descriptor.table = [](std::int32_t) -> const void* { return nullptr; };
+  EXPECT_THAT(found(), ElementsAre("descriptor: implements no kind"));
+  descriptor.table = [](std::int32_t kind) -> const void* { return kind == REGISTA_KIND_UTILITY ? &small : nullptr; };
+  EXPECT_THAT(found(), ElementsAre("utility: the size field of its table says 8 bytes"));
+  descriptor.table = [](std::int32_t kind) -> const void* {
+    if (kind != REGISTA_KIND_UTILITY) return nullptr;
+    static const regista_utility other = sound;
+    return ++asked % 2 == 0 ? &sound : &other;
+  };
+  EXPECT_THAT(found(), Contains("descriptor: its table of kind 4 changes from call to call"));
+  descriptor.table = [](std::int32_t kind) -> const void* { return kind >= REGISTA_KIND_UTILITY ? &sound : nullptr; };
+  EXPECT_THAT(found(), Contains("descriptor: has a table for kind 8, which does not exist"));
+}
+
+TEST_F(Descriptor, NamesAndDocsOfParameters) {
+  parameter.name = "Scale";
+  EXPECT_THAT(found(), ElementsAre("parameter Scale: its name is not in lower_snake_case"));
+  parameter.name = nullptr;
+  EXPECT_THAT(found(), ElementsAre("parameter 0: its name is not in lower_snake_case"));
+  parameter.name = "scale";
+  parameter.doc = "";
+  EXPECT_THAT(found(), ElementsAre("parameter scale: its doc is empty"));
+  parameter.doc = "d";
+  parameter.unit = "";
+  EXPECT_THAT(found(), ElementsAre("parameter scale: has no unit (\"1\" for a plain number)"));
+  parameter.unit = nullptr;
+  EXPECT_THAT(found(), ElementsAre("parameter scale: its unit is null"));
+}
+
+TEST_F(Descriptor, NamesThatStandTwice) {
+  const regista_parameter both[] = {parameter, parameter};
+  descriptor.parameters = both;
+  descriptor.parameter_count = 2;
+  EXPECT_THAT(found(), ElementsAre("parameter scale: stands twice"));
+}
+
+TEST_F(Descriptor, Ranges) {
+  parameter.initial = 10.5;
+  EXPECT_THAT(found(), ElementsAre("parameter scale: its default 10.5 is outside [0.1, 10]"));
+  parameter.initial = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(found(), ElementsAre(HasSubstr("is outside [0.1, 10]")));
+  parameter.initial = 1.0;
+  parameter.maximum = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(found(), ElementsAre("parameter scale: its range is not finite"));
+  parameter.minimum = 2.0;
+  parameter.maximum = 1.0;
+  EXPECT_THAT(found(), Contains("parameter scale: its range [2, 1] is empty"));
+  parameter.minimum = 0.0;
+  parameter.maximum = 4.0;
+  parameter.initial = 1.5;
+  parameter.type = REGISTA_TYPE_INTEGER;
+  EXPECT_THAT(found(), ElementsAre("parameter scale: its default is no integer"));
+  parameter.type = REGISTA_TYPE_REAL;
+  parameter.flags = REGISTA_PARAMETER_LOG_SCALE;
+  EXPECT_THAT(found(), ElementsAre("parameter scale: a logarithmic scale needs a positive range"));
+}
+
+TEST_F(Descriptor, OtherTypes) {
+  parameter.type = REGISTA_TYPE_BOOLEAN;
+  parameter.initial = 0.5;
+  EXPECT_THAT(found(), ElementsAre("parameter scale: its default is neither 0 nor 1"));
+  parameter.type = REGISTA_TYPE_CHOICE;
+  EXPECT_THAT(found(), ElementsAre("parameter scale: has no choices"));
+  parameter.choices = colours;
+  parameter.choice_count = 2;
+  parameter.initial = 2.0;
+  EXPECT_THAT(found(), ElementsAre("parameter scale: its default is none of its choices"));
+  parameter.initial = 1.0;
+  parameter.choice_count = 3;
+  EXPECT_THAT(found(), ElementsAre("parameter scale: choice \"red\" stands twice"));
+  parameter.type = REGISTA_TYPE_TEXT;
+  EXPECT_THAT(found(), ElementsAre("parameter scale: its default text is null"));
+  parameter.type = REGISTA_TYPE_FILE;
+  parameter.initial_text = "formation.conf";
+  EXPECT_THAT(found(), ElementsAre("parameter scale: a file has no default"));
+  parameter.type = 99;
+  EXPECT_THAT(found(), ElementsAre("parameter scale: unknown type 99"));
+}
+
+}  // namespace
