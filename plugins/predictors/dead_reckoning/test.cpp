@@ -1,2 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "algorithm.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regista/testkit/contract.hpp>
+
+REGISTA_PREDICTOR_CONTRACT(REGISTA_PLUGIN_FILE, "dead_reckoning");
