@@ -97,7 +97,7 @@ TEST(Match, UpdatesTheNearestAndKeepsItsLabel) {
   EXPECT_NE(first, second);
   for (int i = 1; i <= 50; ++i) {
     mixture.predict(0.1);
-    mixture.correct(std::vector{at(2.0, 2.0), at(2.0 + 0.02 * i, 0.0)}, everywhere);
+    mixture.correct(std::vector{at(2.0, 2.0), at(2.0 + 0.02 * i, 0.0, 0.05)}, everywhere);
   }
   ASSERT_EQ(size(mixture), 2u);
   EXPECT_EQ(mixture.begin()->label, first);
@@ -261,7 +261,7 @@ TEST(Game, IsTrackedMuchBetterThanItIsSeen) {
       }
       robot.position += std::min(0.2 * step, way.norm()) * way.normalized();
     }
-    const double heading = 0.05 * i;
+    const double heading = 0.15 * i;  // 1.5 rad/s
     const Vector2d axis(std::cos(heading), std::sin(heading));
     const View view{{0.0, 0.0}, axis, std::cos(half), range};
     std::vector<Sighting> sightings;
