@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 #include <random>
+#include <regista/testkit/contract.hpp>
 
 namespace odometry_pose {
 namespace {
@@ -262,3 +263,5 @@ TEST(AMinuteInTheDark, TheErrorGrowsAsTheCovarianceSays) {
 
 }  // namespace
 }  // namespace odometry_pose
+
+REGISTA_PREDICTOR_CONTRACT(REGISTA_PLUGIN_FILE, "odometry_pose");
