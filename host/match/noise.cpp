@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "match/noise.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -29,9 +30,14 @@ inline NormalPair normal_pair(std::uint32_t radius_bits, std::uint32_t angle_bit
   const float a = static_cast<float>(static_cast<std::int32_t>(angle_bits << 2)) * to_angle, b = a * a;
   const float sine = a * (1.0f + b * (-1.0f / 6.0f + b * (1.0f / 120.0f + b * (-1.0f / 5040.0f))));
   const float cosine = 1.0f + b * (-1.0f / 2.0f + b * (1.0f / 24.0f + b * (-1.0f / 720.0f + b * (1.0f / 40320.0f))));
-  const bool swap = (angle_bits >> 30 & 1u) != 0, negate = (angle_bits >> 31) != 0;
-  const float signed_radius = negate ? -radius : radius;
-  return {signed_radius * (swap ? sine : cosine), signed_radius * (swap ? -cosine : sine)};
+  // By masks rather than choices, for vector registers have no branches. The quarter's odd bit swaps the two and
+  // negates the second, its even bit negates both.
+  const std::uint32_t sine_bits = std::bit_cast<std::uint32_t>(sine),
+                      cosine_bits = std::bit_cast<std::uint32_t>(cosine);
+  const std::uint32_t swap = 0u - (angle_bits >> 30 & 1u), differ = (sine_bits ^ cosine_bits) & swap;
+  const std::uint32_t negate = angle_bits & 0x80000000u, negate_second = negate ^ (swap & 0x80000000u);
+  return {radius * std::bit_cast<float>(cosine_bits ^ differ ^ negate),
+          radius * std::bit_cast<float>(sine_bits ^ differ ^ negate_second)};
 }
 
 }  // namespace
@@ -42,16 +48,19 @@ NormalPair box_muller(std::uint32_t radius_bits, std::uint32_t angle_bits) {
 
 void draw(std::uint64_t seed, Side side, int observer, std::uint32_t tick, std::span<const Draw> wanted, Draws& out) {
   assert(wanted.size() <= most_draws);
+  // Whole vector registers, so that no remainder is left to a slow loop.
+  const std::size_t padded = (wanted.size() + 3) / 4 * 4;
+  std::array<Draw, most_draws> streams;
+  std::copy(wanted.begin(), wanted.end(), streams.begin());
+  std::fill(streams.begin() + static_cast<std::ptrdiff_t>(wanted.size()),
+            streams.begin() + static_cast<std::ptrdiff_t>(padded), Draw{});
   std::array<std::uint32_t, most_draws> radius_bits, angle_bits;
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    Chance chance(seed, wanted[i].purpose, side, observer, wanted[i].object, tick);
+  for (std::size_t i = 0; i < padded; ++i) {
+    Chance chance(seed, streams[i].purpose, side, observer, streams[i].object, tick);
     out.uniform[i] = static_cast<float>(chance.bits()) * 0x1p-32f;
     radius_bits[i] = chance.bits();
     angle_bits[i] = chance.bits();
   }
-  // Whole vector registers, so that no remainder is left to a slow loop.
-  const std::size_t padded = (wanted.size() + 3) / 4 * 4;
-  for (std::size_t i = wanted.size(); i < padded; ++i) radius_bits[i] = angle_bits[i] = 0;
   for (std::size_t i = 0; i < padded; ++i) {
     const NormalPair pair = normal_pair(radius_bits[i], angle_bits[i]);
     out.first[i] = pair.first;

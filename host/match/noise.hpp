@@ -21,8 +21,8 @@ constexpr std::size_t most_draws = 2 * most_points;
 
 // The stream that one sighting draws from.
 struct Draw {
-  Purpose purpose;
-  int object;
+  Purpose purpose = Purpose::kick;
+  int object = 0;
 };
 
 // Element i belongs to draw i of the call.
