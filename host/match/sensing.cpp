@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 
+#include "match/noise.hpp"
 #include "mind/landmarks.hpp"
 
 namespace regista::match {
@@ -53,7 +54,7 @@ Sensing::Sensing(const config::Robot& profile, const config::Disturbance& distur
       disturbance_(disturbance),
       marks_(marks),
       roster_(roster),
-      id_(id),
+
       seed_(seed),
       side_(roster.side(id)),
       number_(roster.number(id)),
@@ -95,9 +96,8 @@ void Sensing::sense(const Truth& truth, double time, std::uint32_t tick, bool ab
   const Vector axis = turned({own.cosine, own.sine}, head_cosine_, head_sine_);
   sector_ = {own.x, own.y, static_cast<float>(axis.x), static_cast<float>(axis.y), sector_.cosine};
   offsets(truth.robots, sector_, robots_);
-  see_ball(truth, tick, out);
-  see_robots(own, tick, out);
-  see_landmarks(own, tick, out);
+  see(truth, tick, out);
+  imagine_ball(tick, out);
 }
 
 // Motion since the last decision in the frame of then. Standing costs no chance, and no error.
@@ -126,74 +126,90 @@ void Sensing::turn_head(double time) {
   head_time_ = time;
   if (head_ == wanted_head_) return;
   head_ += std::clamp(wanted_head_ - head_, -most, most);
-  head_cosine_ = std::cos(head_);
-  head_sine_ = std::sin(head_);
+  const float head = static_cast<float>(head_);
+  head_cosine_ = std::cos(head);
+  head_sine_ = std::sin(head);
 }
 
-// Noise on a true offset (world frame, with its squared length), given in the robot frame.
-Sensing::Sighting Sensing::measured(const BodyState& own, float x, float y, float squared, Chance& chance) const {
-  const config::Camera& camera = profile_.camera;
-  const double stretch = 1.0 + camera.distance_noise * chance.normal();
-  const double bearing = camera.bearing_noise * chance.normal();
-  const Vector position = stretch * turned_little(turned({x, y}, own.cosine, -own.sine), bearing);
-  const double distance = std::sqrt(static_cast<double>(squared));
-  return {{position.x, position.y}, camera.distance_noise * distance, camera.bearing_noise * distance};
+void Sensing::Candidates::add(Purpose purpose, std::size_t object, float offset_x, float offset_y, double seen) {
+  draws[count] = {purpose, static_cast<int>(object)};
+  x[count] = offset_x;
+  y[count] = offset_y;
+  probability[count] = seen;
+  ++count;
 }
 
-void Sensing::see_ball(const Truth& truth, std::uint32_t tick, mind::Percepts& out) const {
+// What the camera might see: in its sector, in range, and not behind a robot.
+void Sensing::find_candidates(const Truth& truth) {
   const config::Camera& camera = profile_.camera;
+  candidates_.count = 0;
   const float x = static_cast<float>(truth.ball.x) - sector_.x, y = static_cast<float>(truth.ball.y) - sector_.y;
-  const float distance_squared = x * x + y * y, ahead = x * sector_.axis_x + y * sector_.axis_y;
-  if (distance_squared <= squared_ball_range_ &&
-      signed_square(ahead) >= signed_square(sector_.cosine) * distance_squared &&
+  const float squared = x * x + y * y, ahead = x * sector_.axis_x + y * sector_.axis_y;
+  if (squared <= squared_ball_range_ && signed_square(ahead) >= signed_square(sector_.cosine) * squared &&
       !hidden(x, y, robots_, squared_radius_)) {
-    Chance chance(seed_, Purpose::ball, side_, number_, 0, tick);
-    bool seen = chance.bernoulli(camera.ball_probability);
-    if (seen && disturbance_.ball_blindness > 0.0) {
-      Chance blindness(seed_, Purpose::ball_blindness, side_, number_, 0, tick);
-      seen = !blindness.bernoulli(disturbance_.ball_blindness);
-    }
-    if (seen) {
-      const Sighting sighting = measured(truth.own, x, y, distance_squared, chance);
-      out.balls.push_back({sighting.position, sighting.along, sighting.across});
-    }
+    candidates_.add(Purpose::ball, 0, x, y, camera.ball_probability);
   }
-  if (camera.false_balls_per_frame <= 0.0) return;
-  Chance chance(seed_, Purpose::false_ball, side_, number_, 0, tick);
-  if (!chance.bernoulli(camera.false_balls_per_frame)) return;
-  // Anywhere in the sector with equal density.
-  const double distance = camera.ball_range * std::sqrt(chance.uniform());
-  const double bearing = head_ + camera.half_angle * (2.0 * chance.uniform() - 1.0);
-  insert_by_distance(out.balls, mind::BallSighting{{distance * std::cos(bearing), distance * std::sin(bearing)},
-                                                   camera.distance_noise * distance,
-                                                   camera.bearing_noise * distance});
-}
-
-void Sensing::see_robots(const BodyState& own, std::uint32_t tick, mind::Percepts& out) const {
   for (std::uint32_t set = inside(robots_, sector_, squared_robot_range_); set != 0; set &= set - 1) {
     const std::size_t i = static_cast<std::size_t>(std::countr_zero(set));
-    const int id = static_cast<int>(i);
-    Chance chance(seed_, Purpose::robot, side_, number_, id, tick);
-    if (!chance.bernoulli(profile_.camera.robot_probability)) continue;
     if (hidden(robots_.x[i], robots_.y[i], robots_, squared_radius_)) continue;
-    const Sighting sighting = measured(own, robots_.x[i], robots_.y[i], robots_.squared[i], chance);
-    insert_by_distance(
-        out.robots, mind::RobotSighting{sighting.position, sighting.along, sighting.across, roster_.side(id) == side_});
+    candidates_.add(Purpose::robot, i, robots_.x[i], robots_.y[i], camera.robot_probability);
   }
-}
-
-void Sensing::see_landmarks(const BodyState& own, std::uint32_t tick, mind::Percepts& out) const {
   Offsets marks;
   offsets(marks_.points, sector_, marks);
   for (std::uint32_t set = inside(marks, sector_, marks_.squared_range); set != 0; set &= set - 1) {
     const std::size_t i = static_cast<std::size_t>(std::countr_zero(set));
     if (hidden(marks.x[i], marks.y[i], robots_, squared_radius_)) continue;
-    Chance chance(seed_, Purpose::landmark, side_, number_, static_cast<int>(i), tick);
-    if (!chance.bernoulli(marks_.probability[i])) continue;
-    const Sighting sighting = measured(own, marks.x[i], marks.y[i], marks.squared[i], chance);
-    insert_by_distance(out.landmarks,
-                       mind::LandmarkSighting{marks_.kind[i], sighting.position, sighting.along, sighting.across});
+    candidates_.add(Purpose::landmark, i, marks.x[i], marks.y[i], marks_.probability[i]);
   }
+}
+
+void Sensing::see(const Truth& truth, std::uint32_t tick, mind::Percepts& out) {
+  find_candidates(truth);
+  if (candidates_.count == 0) return;
+  const config::Camera& camera = profile_.camera;
+  Draws draws;
+  draw(seed_, side_, number_, tick, std::span(candidates_.draws).first(candidates_.count), draws);
+  for (std::size_t i = 0; i < candidates_.count; ++i) {
+    if (!(draws.uniform[i] < candidates_.probability[i])) continue;
+    const double stretch = 1.0 + camera.distance_noise * draws.first[i];
+    const double bearing = camera.bearing_noise * draws.second[i];
+    const Vector apart{candidates_.x[i], candidates_.y[i]};
+    const double distance = length(apart);
+    const Vector seen_at = stretch * turned_little(turned(apart, truth.own.cosine, -truth.own.sine), bearing);
+    const Eigen::Vector2d position{seen_at.x, seen_at.y};
+    const double along = camera.distance_noise * distance, across = camera.bearing_noise * distance;
+    const int object = candidates_.draws[i].object;
+    switch (candidates_.draws[i].purpose) {
+      case Purpose::ball:
+        if (!blinded(tick)) out.balls.push_back({position, along, across});
+        break;
+      case Purpose::robot:
+        insert_by_distance(out.robots, mind::RobotSighting{position, along, across, roster_.side(object) == side_});
+        break;
+      default:
+        insert_by_distance(out.landmarks, mind::LandmarkSighting{marks_.kind[static_cast<std::size_t>(object)],
+                                                                 position, along, across});
+    }
+  }
+}
+
+bool Sensing::blinded(std::uint32_t tick) const {
+  if (disturbance_.ball_blindness <= 0.0) return false;
+  Chance chance(seed_, Purpose::ball_blindness, side_, number_, 0, tick);
+  return chance.bernoulli(disturbance_.ball_blindness);
+}
+
+// A false ball, anywhere in the sector with equal density.
+void Sensing::imagine_ball(std::uint32_t tick, mind::Percepts& out) const {
+  const config::Camera& camera = profile_.camera;
+  if (camera.false_balls_per_frame <= 0.0) return;
+  Chance chance(seed_, Purpose::false_ball, side_, number_, 0, tick);
+  if (!chance.bernoulli(camera.false_balls_per_frame)) return;
+  const double distance = camera.ball_range * std::sqrt(chance.uniform());
+  const double bearing = head_ + camera.half_angle * (2.0 * chance.uniform() - 1.0);
+  insert_by_distance(out.balls, mind::BallSighting{{distance * std::cos(bearing), distance * std::sin(bearing)},
+                                                   camera.distance_noise * distance,
+                                                   camera.bearing_noise * distance});
 }
 
 }  // namespace regista::match

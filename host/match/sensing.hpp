@@ -16,7 +16,7 @@
 #include "config/robot.hpp"
 #include "config/rules.hpp"
 #include "match/arena.hpp"
-#include "match/chance.hpp"
+#include "match/noise.hpp"
 #include "match/sector.hpp"
 #include "match/side.hpp"
 #include "mind/percepts.hpp"
@@ -53,22 +53,25 @@ class Sensing {
   void sense(const Truth& truth, double time, std::uint32_t tick, bool able, mind::Percepts& out);
 
  private:
-  struct Sighting {
-    Eigen::Vector2d position;
-    double along, across;
+  // Offsets in the world frame. One ball, the other robots and the marks always fit.
+  struct Candidates {
+    std::array<Draw, most_draws> draws;
+    std::array<float, most_draws> x, y;
+    std::array<double, most_draws> probability;
+    std::size_t count = 0;
+    void add(Purpose purpose, std::size_t object, float offset_x, float offset_y, double seen);
   };
   void measure_motion(const BodyState& own, std::uint32_t tick, mind::Percepts& out);
   void turn_head(double time);
-  Sighting measured(const BodyState& own, float x, float y, float squared, Chance& chance) const;
-  void see_ball(const Truth& truth, std::uint32_t tick, mind::Percepts& out) const;
-  void see_robots(const BodyState& own, std::uint32_t tick, mind::Percepts& out) const;
-  void see_landmarks(const BodyState& own, std::uint32_t tick, mind::Percepts& out) const;
+  void find_candidates(const Truth& truth);
+  void see(const Truth& truth, std::uint32_t tick, mind::Percepts& out);
+  bool blinded(std::uint32_t tick) const;
+  void imagine_ball(std::uint32_t tick, mind::Percepts& out) const;
 
   const config::Robot& profile_;
   const config::Disturbance& disturbance_;
   const Marks& marks_;
   Roster roster_;
-  int id_;
   std::uint64_t seed_;
   Side side_;
   int number_;
@@ -86,6 +89,7 @@ class Sensing {
   // Of the present instant:
   Sector sector_;
   Offsets robots_;
+  Candidates candidates_;
 };
 
 }  // namespace regista::match

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Streams of chance against the published vectors of Philox, and against the moments of their laws.
-#include "match/chance.hpp"
+#include "match/noise.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <set>
+#include <span>
 #include <tuple>
 
 namespace regista::match {
@@ -111,6 +113,64 @@ TEST(Chance, UniformAndBernoulli) {
   EXPECT_NEAR(b.mean, 0.3, 0.004);
   EXPECT_FALSE(chance.bernoulli(0.0));
   EXPECT_TRUE(chance.bernoulli(1.0));
+}
+
+// The same transformation in double precision from the standard library.
+TEST(Noise, IsBoxAndMullersTransformation) {
+  Chance chance(1, Purpose::ball, Side::home, 1, 0, 0);
+  for (int i = 0; i < 200000; ++i) {
+    // The ends of the ranges too.
+    const std::uint32_t radius_bits = i == 0 ? 0u : i == 1 ? 0xffffffffu : chance.bits();
+    const std::uint32_t angle_bits = i == 2 ? 0u : i == 3 ? 0xffffffffu : i == 4 ? 0x80000000u : chance.bits();
+    const NormalPair pair = box_muller(radius_bits, angle_bits);
+    const double u = static_cast<double>(static_cast<float>(radius_bits >> 8) + 0.5f) * 0x1p-24;
+    const double radius = std::sqrt(-2.0 * std::log(u));
+    // Two bits of quarter, thirty of angle within it, as documented; the direction is what matters.
+    const double within = static_cast<std::int32_t>(angle_bits << 2) * 0x1p-32 * std::numbers::pi / 2.0;
+    const std::array<double, 2> at{std::cos(within), std::sin(within)};
+    const bool swap = (angle_bits >> 30 & 1u) != 0;
+    const double sign = angle_bits >> 31 != 0 ? -1.0 : 1.0;
+    ASSERT_NEAR(pair.first, sign * radius * (swap ? at[1] : at[0]), 3e-6);
+    ASSERT_NEAR(pair.second, sign * radius * (swap ? -at[0] : at[1]), 3e-6);
+  }
+}
+
+TEST(Noise, DrawsEachObjectFromItsOwnStream) {
+  const std::array<Draw, 5> objects{Draw{Purpose::robot, 3},
+                                    {Purpose::ball, 0},
+                                    {Purpose::robot, 12},
+                                    {Purpose::landmark, 12},
+                                    {Purpose::landmark, 20}};
+  Draws all, one;
+  draw(5, Side::away, 4, 77, objects, all);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    draw(5, Side::away, 4, 77, std::span(objects).subspan(i, 1), one);
+    EXPECT_EQ(all.uniform[i], one.uniform[0]);
+    EXPECT_EQ(all.first[i], one.first[0]);
+    EXPECT_EQ(all.second[i], one.second[0]);
+    Chance chance(5, objects[i].purpose, Side::away, 4, objects[i].object, 77);
+    EXPECT_FLOAT_EQ(all.uniform[i], static_cast<float>(chance.uniform()));
+  }
+}
+
+TEST(Noise, NormalPairsHaveTheirMoments) {
+  std::uint32_t tick = 0;
+  bool second = false;
+  Draws draws;
+  const std::array<Draw, 1> object{Draw{Purpose::ball, 0}};
+  double product = 0.0;
+  const Moments m = moments([&] {
+    second = !second;
+    if (!second) return double(draws.second[0]);
+    draw(5, Side::home, 1, ++tick, object, draws);
+    product += double(draws.first[0]) * draws.second[0];
+    return double(draws.first[0]);
+  });
+  EXPECT_NEAR(m.mean, 0.0, 0.008);
+  EXPECT_NEAR(m.variance, 1.0, 0.012);
+  EXPECT_NEAR(m.kurtosis, 3.0, 0.05);
+  EXPECT_GT(m.largest, 4.0);
+  EXPECT_NEAR(product / tick, 0.0, 0.012);
 }
 
 }  // namespace
