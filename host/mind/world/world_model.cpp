@@ -93,9 +93,9 @@ void WorldModel::fill(Snapshot& out, int except, const Percepts& percepts, const
     const regista_track* track = team_.track(robot.number);
     const bool penalised = (percepts.game.own_penalised >> (robot.number - 1) & 1u) != 0;
     robot.flags = penalised ? REGISTA_ROBOT_PENALISED : 0;
+    robot.age = std::max(0.0, percepts.time - (report != nullptr ? report->time_sent : 0.0));
     if (report == nullptr || track == nullptr) continue;
     robot.flags |= REGISTA_ROBOT_KNOWN | REGISTA_ROBOT_HAS_TARGET;
-    robot.age = std::max(0.0, percepts.time - report->time_sent);
     if (!penalised && robot.age <= plan_->team().forget_teammate_after) robot.flags |= REGISTA_ROBOT_ACTIVE;
     robot.time_until_up = std::max(0.0, report->time_until_up - robot.age);
     if (robot.time_until_up > 0.0) robot.flags |= REGISTA_ROBOT_FALLEN;
