@@ -43,7 +43,8 @@ const Snapshot& Coordination::world_for(config::Knowledge knowledge, const World
 
 const Decision& Coordination::decide(const WorldModel& world, double time, std::uint64_t tick) {
   regista_frame& frame = decision_.frame;
-  previous_ = decision_.role_of;
+  // "Unknown" is an answer of an assigner, no task.
+  std::ranges::transform(decision_.role_of, previous_.begin(), [](std::int32_t id) { return std::max(id, -1); });
   frame = {};
   frame.size = sizeof frame;
   frame.own_number = own_number_;
