@@ -134,6 +134,12 @@ void Coordination::filter_and_offset(const Snapshot& world) {
     const bool movable = plan_->roles()[static_cast<std::size_t>(task.id)].role->offset;
     if (movable && rules.offset_at_most > 0.0) offset(task, static_cast<int>(index), waypoints, rules.offset_at_most);
   }
+  // From here on the frame's tasks are the kept ones, and waypoints name tasks by their place in the frame.
+  for (regista_waypoint& waypoint : decision_.placement.points) {
+    if (waypoint.task < 0) continue;
+    const auto place = std::ranges::find(decision_.kept, static_cast<std::size_t>(waypoint.task));
+    waypoint.task = place == decision_.kept.end() ? -1 : static_cast<std::int32_t>(place - decision_.kept.begin());
+  }
   decision_.frame.tasks = span(decision_.columns);
   decision_.frame.waypoints = span(waypoints);
   decision_.frame.edges = span(decision_.placement.edges);
