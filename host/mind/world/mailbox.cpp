@@ -68,7 +68,7 @@ std::uint64_t Mailboxes::offer(std::size_t place, std::span<const std::uint8_t> 
   Waiting& waiting = waiting_.emplace_back();
   waiting.offer = {++last_handle_, static_cast<std::uint32_t>(bytes.size() + segment_heading), medium, urgency, expiry};
   waiting.place = place;
-  waiting.bytes.assign(bytes.begin(), bytes.end());
+  std::ranges::copy(bytes, waiting.bytes.begin());
   return last_handle_;
 }
 
@@ -116,7 +116,8 @@ void Mailboxes::load(std::span<const std::uint64_t> granted, std::vector<std::ui
   for (const std::uint64_t handle : granted) {
     const auto found = std::ranges::find_if(waiting_, [&](const Waiting& each) { return each.offer.handle == handle; });
     if (found == waiting_.end() || packet.size() + found->offer.bytes > packet_size_) continue;
-    append_segment({static_cast<int>(found->place), found->bytes}, packet);
+    const std::span<const std::uint8_t> bytes(found->bytes.data(), found->offer.bytes - segment_heading);
+    append_segment({static_cast<int>(found->place), bytes}, packet);
     Endpoint& endpoint = *endpoints_[found->place];
     waiting_.erase(found);
     if (endpoint.mailbox) endpoint.mailbox->transmitted(handle);

@@ -4,6 +4,7 @@
 // teammates. Segments: see packet.hpp.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -42,7 +43,7 @@ class Mailboxes {
   struct Waiting {
     regista_offer offer{};
     std::size_t place = 0;
-    std::vector<std::uint8_t> bytes;
+    std::array<std::uint8_t, 255> bytes{};  // `offer.bytes` of them, less the heading
   };
   struct Dropped {
     std::uint64_t handle;
