@@ -31,7 +31,9 @@ WorldModel::WorldModel(const TeamPlan& plan, int own_number, LocalModel local, T
 }
 
 void WorldModel::sense(const Percepts& percepts, double dt, const regista_frame* last) {
-  local_.update(percepts, dt, last);
+  // A teammate's packet may have said that the ball is free: then it no longer lies where the rules put it.
+  const regista_game now = game(percepts);
+  local_.update(percepts, dt, last, now.phase == REGISTA_PHASE_SET && now.set_play == REGISTA_SET_PLAY_KICK_OFF);
   if (dt > 0.0) team_.predict(dt, last);
 }
 
