@@ -9,14 +9,14 @@ Assembly::Assembly(const TeamPlan& plan, int number, std::uint64_t seed, Mailbox
                    const plugin::Caller& caller)
     : plan_(&plan), number_(number), seed_(seed), mailboxes_(&mailboxes), caller_(&caller) {}
 
-std::shared_ptr<plugin::Instance> Assembly::create(const Part& part, unsigned subject) {
+std::shared_ptr<plugin::Instance> Assembly::create(const Part& part, unsigned subject, int stream) {
   const regista_host* host = mailboxes_->open();
   auto instance = std::make_shared<plugin::Instance>(*part.found, part.parameters, plan_->environment(number_, subject),
                                                      host, caller_);
   mailboxes_->connect(instance);
-  // Every instance has a stream of its own.
+  // Every instance of a robot has a stream of its own.
   const r123::Philox2x64 philox;
-  const auto words = philox({{static_cast<std::uint64_t>(number_), created_++}}, {{seed_}});
+  const auto words = philox({{static_cast<std::uint64_t>(stream), created_++}}, {{seed_}});
   instance->reset(words[0]);
   return instance;
 }
@@ -25,23 +25,25 @@ std::shared_ptr<plugin::Instance> Assembly::shared(const Part& part) {
   for (const Shared& each : shared_) {
     if (each.part->found == part.found && same(each.part->use.params, part.use.params)) return each.instance;
   }
-  return shared_.emplace_back(Shared{&part, create(part)}).instance;
+  return shared_.emplace_back(Shared{&part, create(part, 0, number_)}).instance;
 }
 
 LocalModel Assembly::local_model() {
-  plugin::Predictor self(create(plan_->self(), REGISTA_SUBJECT_SELF));
-  plugin::Predictor ball(create(plan_->ball(), REGISTA_SUBJECT_BALL));
-  plugin::Predictor opponents(create(plan_->opponents(), REGISTA_SUBJECT_OPPONENTS));
+  plugin::Predictor self(create(plan_->self(), REGISTA_SUBJECT_SELF, number_));
+  plugin::Predictor ball(create(plan_->ball(), REGISTA_SUBJECT_BALL, number_));
+  plugin::Predictor opponents(create(plan_->opponents(), REGISTA_SUBJECT_OPPONENTS, number_));
   return {*plan_, std::move(self), std::move(ball), std::move(opponents)};
 }
 
 TeamModel Assembly::team_model() {
   const int team_size = plan_->rules().team_size;
-  plugin::Predictor teammates(create(plan_->teammates(), REGISTA_SUBJECT_TEAMMATES));
+  // What is common must not hang on who carries it forward: these have the same luck in every robot.
+  constexpr int everyone = 0;
+  plugin::Predictor teammates(create(plan_->teammates(), REGISTA_SUBJECT_TEAMMATES, everyone));
   std::vector<plugin::Predictor> balls, opponents;
   for (int number = 1; number <= team_size; ++number) {
-    balls.emplace_back(create(plan_->ball(), REGISTA_SUBJECT_BALL));
-    opponents.emplace_back(create(plan_->opponents(), REGISTA_SUBJECT_OPPONENTS));
+    balls.emplace_back(create(plan_->ball(), REGISTA_SUBJECT_BALL, everyone));
+    opponents.emplace_back(create(plan_->opponents(), REGISTA_SUBJECT_OPPONENTS, everyone));
   }
   return {team_size, std::move(teammates), std::move(balls), std::move(opponents)};
 }
@@ -49,7 +51,7 @@ TeamModel Assembly::team_model() {
 std::vector<ContextParts> Assembly::contexts() {
   std::vector<ContextParts> out;
   for (const ContextPlan& context : plan_->contexts()) {
-    plugin::Context condition(create(context.condition));
+    plugin::Context condition(create(context.condition, 0, number_));
     std::optional<plugin::Positioner> positioner;
     if (context.positioner) positioner.emplace(shared(*context.positioner));
     std::vector<plugin::Utility> terms;

@@ -28,7 +28,8 @@ class Assembly {
   std::vector<ContextParts> contexts();
 
  private:
-  std::shared_ptr<plugin::Instance> create(const Part& part, unsigned subject = 0);
+  // `stream`: robot whose luck the instance has, 0 = the same luck for all robots.
+  std::shared_ptr<plugin::Instance> create(const Part& part, unsigned subject, int stream);
   std::shared_ptr<plugin::Instance> shared(const Part& part);
 
   struct Shared {

@@ -23,7 +23,11 @@ inline double wrap(double angle) {
 
 inline Vector2d position(const Pose& pose) { return {pose.x, pose.y}; }
 
-inline double angle_of(const Vector2d& v) { return std::atan2(v.y(), v.x()); }
+// In (-pi, pi]; 0 for no direction at all.
+inline double angle_of(const Vector2d& v) {
+  const double angle = std::atan2(v.y(), v.x());
+  return angle == -pi ? pi : angle;  // atan2 says -pi for a y of -0
+}
 
 // A pose with its direction as a vector, so that changing frames costs no trigonometry.
 class Frame2 {

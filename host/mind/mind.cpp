@@ -15,6 +15,7 @@ namespace {
 constexpr double ball_trusted_for = 5.0;   // s: nobody acts on older news of the ball
 constexpr double ball_told_for = 10.0;     // s: nor tells them
 constexpr double opponent_told_for = 4.0;  // s
+constexpr double time_rounding = 1e-3;     // s, of a packet's time
 
 }  // namespace
 
@@ -100,8 +101,8 @@ void Mind::Parts::hear(std::span<const HeardPacket> heard) {
 
 void Mind::Parts::listen_to(const HeardPacket& packet) {
   const std::optional<Report> report = decode(packet.bytes, limits, segments);
-  // What is no packet of this team, or claims to be one's own, is noise.
-  if (!report || report->sender == number) return;
+  // What is no packet of this team, or claims to be one's own or to come from the future, is noise.
+  if (!report || report->sender == number || report->time_sent > now + time_rounding) return;
   world.hear(*report, now);
   team_sent_at = std::max(team_sent_at, report->time_sent);
   for (const Segment& segment : segments) {

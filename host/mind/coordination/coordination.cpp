@@ -43,7 +43,8 @@ const Snapshot& Coordination::world_for(config::Knowledge knowledge, const World
 
 const Decision& Coordination::decide(const WorldModel& world, double time, std::uint64_t tick) {
   regista_frame& frame = decision_.frame;
-  previous_ = decision_.role_of;
+  // "Unknown" is an answer of an assigner, no task.
+  std::ranges::transform(decision_.role_of, previous_.begin(), [](std::int32_t id) { return std::max(id, -1); });
   frame = {};
   frame.size = sizeof frame;
   frame.own_number = own_number_;
@@ -133,6 +134,12 @@ void Coordination::filter_and_offset(const Snapshot& world) {
     regista_task& task = decision_.columns.emplace_back(decision_.tasks[index]);
     const bool movable = plan_->roles()[static_cast<std::size_t>(task.id)].role->offset;
     if (movable && rules.offset_at_most > 0.0) offset(task, static_cast<int>(index), waypoints, rules.offset_at_most);
+  }
+  // From here on the frame's tasks are the kept ones, and waypoints name tasks by their place in the frame.
+  for (regista_waypoint& waypoint : decision_.placement.points) {
+    if (waypoint.task < 0) continue;
+    const auto place = std::ranges::find(decision_.kept, static_cast<std::size_t>(waypoint.task));
+    waypoint.task = place == decision_.kept.end() ? -1 : static_cast<std::int32_t>(place - decision_.kept.begin());
   }
   decision_.frame.tasks = span(decision_.columns);
   decision_.frame.waypoints = span(waypoints);

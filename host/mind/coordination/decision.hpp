@@ -15,7 +15,7 @@ struct Decision {
   regista_frame frame{};              // as the sender sees it; its spans point into this struct and the world model
   int context = -1;                   // index into Team::contexts, -1 = none holds
   std::vector<regista_task> tasks;    // M: all of the context
-  plugin::Placement placement;        // V
+  plugin::Placement placement;        // V; its points name tasks by their place in `columns`
   std::vector<std::size_t> kept;      // indices of those of `tasks` that were kept, ascending
   std::vector<regista_task> columns;  // N: the kept ones, moved towards their waypoints
   std::vector<double> time_to_task;   // s; rows x columns

@@ -22,13 +22,15 @@ void EventDetector::detect(const Percepts& percepts, const WorldModel& world, co
   const Snapshot& common = world.common();
   const double now = percepts.time;
 
+  if (common.ball_known()) team_ball_seen_at_ = now - common.raw.ball.age;
   if (percepts.whistle) add(REGISTA_EVENT_WHISTLE, 0.0);
   if (world.local().sees_ball()) {
     const regista_track& ball = world.local().balls().front();
     const double unseen = now - ball_seen_at_;
-    if (searching) add(REGISTA_EVENT_BALL_FOUND, unseen);
+    // By now the ball in sight may already have ended the search.
+    if ((searching || searching_) && unseen > ball_missed_at_least) add(REGISTA_EVENT_BALL_FOUND, unseen);
     if (own_number_ == goalkeeper && unseen > ball_missed_at_least) add(REGISTA_EVENT_GOALKEEPER_SAW_BALL, unseen);
-    const double lacked = common.ball_known() ? common.raw.ball.age : now;
+    const double lacked = now - team_ball_seen_at_;
     if (lacked > ball_missed_at_least) add(REGISTA_EVENT_BALL_KNOWN_AGAIN, lacked);
     if (common.ball_known()) {
       const double moved = (Vector2d(ball.x, ball.y) - common.ball()).norm();
@@ -54,6 +56,7 @@ void EventDetector::detect(const Percepts& percepts, const WorldModel& world, co
   phase_ = mine.raw.game.phase;
   fallen_ = percepts.fallen;
   penalised_ = percepts.penalised;
+  searching_ = searching;
   first_ = false;
 }
 

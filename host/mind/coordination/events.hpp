@@ -23,8 +23,8 @@ class EventDetector {
   int own_number_;
   bool first_ = true;
   int role_ = -1, context_ = -1, phase_ = 0;
-  bool fallen_ = false, penalised_ = false;
-  double ball_seen_at_ = 0.0;
+  bool fallen_ = false, penalised_ = false, searching_ = false;
+  double ball_seen_at_ = 0.0, team_ball_seen_at_ = 0.0;
 };
 
 }  // namespace regista::mind

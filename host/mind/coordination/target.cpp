@@ -7,10 +7,6 @@
 namespace regista::mind {
 namespace {
 
-bool names_ball(const config::Place& place) {
-  return place.anchor == config::Anchor::ball || place.anchor == config::Anchor::ball_rest;
-}
-
 // The point on the segment from-to that is `distance` from `to`, or `from` when the segment is shorter.
 Vector2d on_line(const Vector2d& from, const Vector2d& to, double distance) {
   const Vector2d back = from - to;
@@ -74,11 +70,8 @@ Vector2d Anchors::at(const config::Place& place) const {
 }
 
 Vector2d target_of(const config::TargetRule& rule, const Anchors& anchors) {
+  if (!anchors.ball_known() && rule.without_ball) return anchors.at(*rule.without_ball);
   Vector2d point;
-  const bool needs_ball = (rule.at && names_ball(*rule.at)) ||
-                          (rule.on_line && (names_ball(rule.on_line->from) || names_ball(rule.on_line->to))) ||
-                          (rule.on_circle && names_ball(rule.on_circle->from));
-  if (needs_ball && !anchors.ball_known() && rule.without_ball) return anchors.at(*rule.without_ball);
   if (rule.on_line) {
     point = on_line(anchors.at(rule.on_line->from), anchors.at(rule.on_line->to), rule.on_line->distance_from_to);
   } else if (rule.on_circle) {

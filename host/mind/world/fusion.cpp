@@ -50,6 +50,12 @@ double distance2(const regista_track& a, const regista_track& b) {
   return (yy * dx * dx - 2.0 * xy * dx * dy + xx * dy * dy) / (xx * yy - xy * xy);
 }
 
+// Unique over all sources (at most 32) for labels below 2^27.
+std::int32_t label_of(const Estimate& estimate) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(estimate.track.label) << 5 |
+                                   static_cast<std::uint32_t>(estimate.source));
+}
+
 constexpr double gate = 9.21;  // chi-square, two degrees of freedom, 99 %
 
 }  // namespace
@@ -142,7 +148,7 @@ void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regis
     if (trace < nearest->best_trace) {
       nearest->best_trace = trace;
       nearest->velocity = {track.vx, track.vy};
-      nearest->label = track.label + 1000 * estimate.source;
+      nearest->label = label_of(estimate);
     }
   }
   std::sort(clusters_.begin(), clusters_.end(), [](const Cluster& a, const Cluster& b) {

@@ -72,7 +72,7 @@ void LocalModel::add_in_field_frame(int kind, const Frame2& frame, const Vector2
                           spread.yy + self_.covariance[5] + turn * offset.x() * offset.x());
 }
 
-void LocalModel::update(const Percepts& percepts, double dt, const regista_frame* last) {
+void LocalModel::update(const Percepts& percepts, double dt, const regista_frame* last, bool ball_on_centre) {
   const regista_motion motion{percepts.odometry.x, percepts.odometry.y, percepts.odometry.heading};
 
   // Where the robot believed to look is not known before it believes to be somewhere: the first area is of no use to
@@ -96,8 +96,8 @@ void LocalModel::update(const Percepts& percepts, double dt, const regista_frame
   for (const BallSighting& ball : percepts.balls) {
     add_in_field_frame(REGISTA_MEASURED_BALL, frame, ball.position, ball.along, ball.across);
   }
-  // The rules say where the ball lies while both teams wait for a kick-off.
-  if (percepts.game.phase == Phase::set && percepts.game.set_play == SetPlay::kick_off) {
+  sighted_ = !percepts.balls.empty();
+  if (ball_on_centre) {
     regista_measurement& known = measurements_.emplace_back();
     known.kind = REGISTA_MEASURED_BALL;
     set_position_covariance(known, 0.0025, 0.0, 0.0025);

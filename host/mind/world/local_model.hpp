@@ -19,7 +19,8 @@ class LocalModel {
   LocalModel(const TeamPlan& plan, plugin::Predictor self, plugin::Predictor ball, plugin::Predictor opponents);
 
   // Carries everything dt seconds forward and takes the new percepts. `last`: the frame of the last decision, or null.
-  void update(const Percepts& percepts, double dt, const regista_frame* last);
+  // `ball_on_centre`: the rules say so, as both teams wait for a kick-off.
+  void update(const Percepts& percepts, double dt, const regista_frame* last, bool ball_on_centre);
 
   const regista_track& self() const { return self_; }
   Pose pose() const { return {self_.x, self_.y, self_.heading}; }
@@ -27,7 +28,7 @@ class LocalModel {
   std::span<const regista_track> balls() const { return balls_; }
   std::span<const regista_track> opponents() const { return opponents_; }
   // A ball was seen at the last update, near the best hypothesis.
-  bool sees_ball() const { return !balls_.empty() && balls_.front().age < 0.5 * decision_period_; }
+  bool sees_ball() const { return sighted_ && !balls_.empty() && balls_.front().age < 0.5 * decision_period_; }
 
  private:
   void measure_self(const Percepts& percepts);
@@ -36,6 +37,7 @@ class LocalModel {
   double decision_period_;
   plugin::Predictor self_model_, ball_model_, opponent_model_;
   regista_track self_{};
+  bool sighted_ = false;  // a ball, true or false, at the last update
   std::span<const regista_track> balls_, opponents_;
   std::vector<regista_measurement> measurements_;
 };

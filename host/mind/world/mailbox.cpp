@@ -38,7 +38,7 @@ const regista_host* Mailboxes::open() {
     auto& waiting = self->owner->waiting_;
     const auto found = std::ranges::find_if(
         waiting, [&](const Waiting& each) { return each.offer.handle == handle && each.place == self->place; });
-    if (found != waiting.end()) self->owner->drop(static_cast<std::size_t>(found - waiting.begin()));
+    if (found != waiting.end()) self->owner->drop(found);
   };
   endpoint.host.bytes_free = [](void* context) {
     return static_cast<std::uint32_t>(static_cast<Endpoint*>(context)->owner->longest_segment());
@@ -64,34 +64,45 @@ std::uint64_t Mailboxes::offer(std::size_t place, std::span<const std::uint8_t> 
   const auto replaced = std::ranges::find_if(waiting_, [&](const Waiting& each) {
     return replaces != 0 && each.offer.handle == replaces && each.place == place;
   });
-  if (replaced != waiting_.end()) drop(static_cast<std::size_t>(replaced - waiting_.begin()));
+  if (replaced != waiting_.end()) drop(replaced);
   Waiting& waiting = waiting_.emplace_back();
   waiting.offer = {++last_handle_, static_cast<std::uint32_t>(bytes.size() + segment_heading), medium, urgency, expiry};
   waiting.place = place;
-  waiting.bytes.assign(bytes.begin(), bytes.end());
+  std::ranges::copy(bytes, waiting.bytes.begin());
   return last_handle_;
 }
 
-// Takes the offer out before its plugin is told, which may offer again at once.
-void Mailboxes::drop(std::size_t index) {
-  const Waiting dropped = std::move(waiting_[index]);
-  waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(index));
-  Endpoint& endpoint = *endpoints_[dropped.place];
-  if (endpoint.mailbox) endpoint.mailbox->dropped(dropped.offer.handle);
+// A plugin replaces and withdraws from within its own calls, and calls are never re-entrant: it is told later.
+void Mailboxes::drop(std::vector<Waiting>::iterator offer) {
+  dropped_.push_back({offer->offer.handle, offer->place});
+  waiting_.erase(offer);
+}
+
+// What plugins drop while they are told is for the next time.
+void Mailboxes::tell_dropped() {
+  telling_.swap(dropped_);
+  for (const Dropped& each : telling_) {
+    Endpoint& endpoint = *endpoints_[each.place];
+    if (endpoint.mailbox) endpoint.mailbox->dropped(each.handle);
+  }
+  telling_.clear();
 }
 
 void Mailboxes::begin(double now) {
   now_ = now;
-  for (std::size_t i = 0; i < waiting_.size();) {
-    if (waiting_[i].offer.expiry <= now) {
-      drop(i);
-    } else {
-      ++i;
+  for (auto each = waiting_.begin(); each != waiting_.end();) {
+    if (each->offer.expiry > now) {
+      ++each;
+      continue;
     }
+    dropped_.push_back({each->offer.handle, each->place});
+    each = waiting_.erase(each);
   }
+  tell_dropped();
 }
 
 std::span<const regista_offer> Mailboxes::pending() {
+  tell_dropped();
   listed_.clear();
   for (const Waiting& waiting : waiting_) listed_.push_back(waiting.offer);
   return listed_;
@@ -105,7 +116,8 @@ void Mailboxes::load(std::span<const std::uint64_t> granted, std::vector<std::ui
   for (const std::uint64_t handle : granted) {
     const auto found = std::ranges::find_if(waiting_, [&](const Waiting& each) { return each.offer.handle == handle; });
     if (found == waiting_.end() || packet.size() + found->offer.bytes > packet_size_) continue;
-    append_segment({static_cast<int>(found->place), found->bytes}, packet);
+    const std::span<const std::uint8_t> bytes(found->bytes.data(), found->offer.bytes - segment_heading);
+    append_segment({static_cast<int>(found->place), bytes}, packet);
     Endpoint& endpoint = *endpoints_[found->place];
     waiting_.erase(found);
     if (endpoint.mailbox) endpoint.mailbox->transmitted(handle);

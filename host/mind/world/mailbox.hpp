@@ -4,6 +4,7 @@
 // teammates. Segments: see packet.hpp.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -27,7 +28,7 @@ class Mailboxes {
   const regista_host* open();
   void connect(const std::shared_ptr<plugin::Instance>& instance);
 
-  // Sets the time and drops what has expired.
+  // Sets the time and drops what has expired. Plugins hear of what was dropped here and in pending().
   void begin(double now);
   // All that waits, oldest first. Valid until the next call.
   std::span<const regista_offer> pending();
@@ -42,19 +43,25 @@ class Mailboxes {
   struct Waiting {
     regista_offer offer{};
     std::size_t place = 0;
-    std::vector<std::uint8_t> bytes;
+    std::array<std::uint8_t, 255> bytes{};  // `offer.bytes` of them, less the heading
+  };
+  struct Dropped {
+    std::uint64_t handle;
+    std::size_t place;
   };
   std::uint64_t offer(std::size_t place, std::span<const std::uint8_t> bytes, double urgency, double expiry, int medium,
                       std::uint64_t replaces);
-  void drop(std::size_t index);
+  void drop(std::vector<Waiting>::iterator offer);
+  void tell_dropped();
   std::size_t longest_segment() const;
 
   std::size_t packet_size_;
   double now_ = 0.0;
   std::uint64_t last_handle_ = 0;
-  std::vector<std::unique_ptr<Endpoint>> endpoints_;
   std::vector<Waiting> waiting_;
+  std::vector<Dropped> dropped_, telling_;
   std::vector<regista_offer> listed_;
+  std::vector<std::unique_ptr<Endpoint>> endpoints_;  // last: an instance may withdraw while it is destroyed
 };
 
 }  // namespace regista::mind

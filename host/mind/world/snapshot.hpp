@@ -14,7 +14,10 @@ namespace regista::mind {
 class Snapshot {
  public:
   explicit Snapshot(int team_size) : robots(static_cast<std::size_t>(team_size)) {
-    for (int number = 1; number <= team_size; ++number) robot(number).number = number;
+    for (int number = 1; number <= team_size; ++number) {
+      robot(number).number = number;
+      robot(number).role = -1;
+    }
     active.reserve(robots.size());
     raw.size = sizeof raw;
   }

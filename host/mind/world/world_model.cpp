@@ -32,7 +32,9 @@ WorldModel::WorldModel(const TeamPlan& plan, int own_number, LocalModel local, T
 }
 
 void WorldModel::sense(const Percepts& percepts, double dt, const regista_frame* last) {
-  local_.update(percepts, dt, last);
+  // A teammate's packet may have said that the ball is free: then it no longer lies where the rules put it.
+  const regista_game now = game(percepts);
+  local_.update(percepts, dt, last, now.phase == REGISTA_PHASE_SET && now.set_play == REGISTA_SET_PLAY_KICK_OFF);
   if (dt > 0.0) team_.predict(dt, last);
 }
 
@@ -105,9 +107,9 @@ void WorldModel::fill(Snapshot& out, int except, const Percepts& percepts, const
     const regista_track* track = team_.track(robot.number);
     const bool penalised = (percepts.game.own_penalised >> (robot.number - 1) & 1u) != 0;
     robot.flags = penalised ? REGISTA_ROBOT_PENALISED : 0;
+    robot.age = std::max(0.0, percepts.time - (report != nullptr ? report->time_sent : 0.0));
     if (report == nullptr || track == nullptr) continue;
     robot.flags |= REGISTA_ROBOT_KNOWN | REGISTA_ROBOT_HAS_TARGET;
-    robot.age = std::max(0.0, percepts.time - report->time_sent);
     if (!penalised && robot.age <= plan_->team().forget_teammate_after) robot.flags |= REGISTA_ROBOT_ACTIVE;
     robot.time_until_up = std::max(0.0, report->time_until_up - robot.age);
     if (robot.time_until_up > 0.0) robot.flags |= REGISTA_ROBOT_FALLEN;
