@@ -120,6 +120,7 @@ int run(const Invocation& invocation) {
 }  // namespace
 
 int run(int argc, char** argv) {
+  occupy_standard_streams();
   // A reader who goes away is an error of writing, which is told, not a signal.
   std::signal(SIGPIPE, SIG_IGN);
   try {

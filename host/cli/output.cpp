@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/output.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <system_error>
@@ -15,6 +17,13 @@ namespace {
 std::string reason_of(int error) { return std::generic_category().message(error); }
 
 }  // namespace
+
+void occupy_standard_streams() {
+  // Readable, so that writing to it fails as writing to a closed one does.
+  for (int expected = STDIN_FILENO; expected <= STDERR_FILENO; ++expected) {
+    if (fcntl(expected, F_GETFD) == -1) open("/dev/null", O_RDONLY);  // takes the lowest free number: this one
+  }
+}
 
 void print(std::string_view text) {
   errno = 0;
@@ -41,6 +50,6 @@ void OutputFile::close() {
   if (std::fclose(file) != 0) fail();
 }
 
-void OutputFile::fail() const { throw WriteError(fmt::format("cannot write {}: {}", name_, reason_of(errno))); }
+void OutputFile::fail() const { throw WriteError(fmt::format("cannot write to {}: {}", name_, reason_of(errno))); }
 
 }  // namespace regista::cli

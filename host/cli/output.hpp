@@ -15,6 +15,10 @@ class WriteError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// To be called before any file is opened: a file must not take the place of a standard stream that the program was
+// started without.
+void occupy_standard_streams();
+
 // Writes all of `text` to standard output and makes sure that it left the program. Throws WriteError.
 void print(std::string_view text);
 
