@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What a subcommand is: it adds itself, its options and its examples to the command line, and is run if it was chosen.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace regista::cli {
+
+// How the program was started.
+struct Invocation {
+  std::vector<std::string> arguments;  // the first is the name of the program
+  std::filesystem::path executable;    // its own file; empty when the system does not tell
+};
+
+struct Command {
+  CLI::App* app;
+  std::function<int()> run;  // exit code; throws what end_of_program.hpp knows to explain
+};
+
+Command add_match(CLI::App& parent, const Invocation& invocation);
+Command add_plugin_list(CLI::App& parent, const Invocation& invocation);
+Command add_plugin_info(CLI::App& parent, const Invocation& invocation);
+Command add_config_check(CLI::App& parent, const Invocation& invocation);
+Command add_config_show(CLI::App& parent, const Invocation& invocation);
+Command add_config_schema(CLI::App& parent, const Invocation& invocation);
+
+}  // namespace regista::cli

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "cli/command_line.hpp"
+
+#include <fmt/format.h>
+#include <regista/abi.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/end_of_program.hpp"
+#include "cli/output.hpp"
+#include "config/text.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr auto examples = R"(Examples:
+  regista match configs/teams/paper.yaml configs/teams/fixed_rate.yaml --seed 1
+  regista plugin list
+  regista config check configs/teams/paper.yaml
+
+Each command explains itself: regista match --help)";
+
+Invocation invocation_of(int argc, char** argv) {
+  std::error_code error;
+  return {{argv, argv + argc}, std::filesystem::read_symlink("/proc/self/exe", error)};
+}
+
+// The innermost command that was named.
+const CLI::App& chosen(const CLI::App& app) {
+  const std::vector<CLI::App*> named = app.get_subcommands();
+  return named.empty() ? app : chosen(*named.front());
+}
+
+// "regista plugin info"
+std::string full_name(const CLI::App& app) {
+  return app.get_parent() == nullptr ? app.get_name() : full_name(*app.get_parent()) + ' ' + app.get_name();
+}
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* each : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(each->get_name());
+  }
+  return names;
+}
+
+std::vector<std::string> names_of_options(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* each : app.get_options([](const CLI::Option* option) { return option->nonpositional(); })) {
+    names.push_back(each->get_name());
+  }
+  return names;
+}
+
+// The line for a word that nothing takes.
+std::string not_expected(const CLI::App& root) {
+  const CLI::App& app = chosen(root);
+  const std::vector<std::string> left = root.remaining(true);
+  const std::string& word = left.front();
+  if (word.size() > 1 && word.front() == '-') {
+    const std::string option = word.substr(0, word.find('='));
+    return config::unknown("option", option, full_name(app), names_of_options(app));
+  }
+  const std::vector<std::string> commands = names_of_commands(app);
+  if (!commands.empty()) return config::unknown("command", word, full_name(app), commands);
+  return fmt::format("{}: {} is one word too many", full_name(app), config::in_quotes(word));
+}
+
+[[noreturn]] void no_command(const CLI::App& app) {
+  throw BadInput(fmt::format("{}: which command? There are: {}; see: {} --help", full_name(app),
+                             config::join(names_of_commands(app)), full_name(app)));
+}
+
+int run_chosen(CLI::App& root, const std::vector<Command>& commands, const std::vector<std::string>& arguments) {
+  try {
+    // CLI11 wants the words without the program's name, last one first.
+    root.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend() - 1));
+  } catch (const CLI::CallForHelp&) {
+    print(root.help());
+    return exit_done;
+  } catch (const CLI::CallForVersion& version) {
+    print(std::string(version.what()) + '\n');
+    return exit_done;
+  } catch (const CLI::ExtrasError&) {
+    throw BadInput(not_expected(root));
+  } catch (const CLI::ParseError& error) {
+    throw BadInput(fmt::format("{}: {}", full_name(chosen(root)), error.what()));
+  }
+  const CLI::App& app = chosen(root);
+  for (const Command& command : commands) {
+    if (command.app == &app) return command.run();
+  }
+  no_command(app);
+}
+
+int run(const Invocation& invocation) {
+  CLI::App root("Regista: research on team strategy for robot soccer", "regista");
+  root.set_version_flag("--version", fmt::format("regista {} (plugin interface {}.{}, {})", REGISTA_VERSION,
+                                                 REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR, REGISTA_BUILD));
+  root.footer(examples);
+  // At most one command, so that what follows it is never taken for another.
+  root.require_subcommand(0, 1);
+  CLI::App& plugin = *root.add_subcommand("plugin", "the plugins that there are");
+  CLI::App& config = *root.add_subcommand("config", "documents: rules, robots, disturbances, teams");
+  plugin.require_subcommand(0, 1);
+  config.require_subcommand(0, 1);
+  const std::vector<Command> commands{
+      add_match(root, invocation),          add_plugin_list(plugin, invocation), add_plugin_info(plugin, invocation),
+      add_config_check(config, invocation), add_config_show(config, invocation), add_config_schema(config, invocation),
+  };
+  return run_chosen(root, commands, invocation.arguments);
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  occupy_standard_streams();
+  // A reader who goes away is an error of writing, which is told, not a signal.
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return run(invocation_of(argc, argv));
+  } catch (...) {
+    return explain_current_exception();
+  }
+}
+
+}  // namespace regista::cli

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// `regista config check FILE...`: whether documents are sound. For a team that means its plugins too: that they exist,
+// can be opened, are of the right kind, and take the parameters they are given.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "cli/command.hpp"
+#include "cli/end_of_program.hpp"
+#include "cli/output.hpp"
+#include "cli/plugin_folders.hpp"
+#include "config/documents.hpp"
+#include "mind/team_plan.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr auto examples = R"(Examples:
+  regista config check configs/teams/paper.yaml
+  regista config check configs/*/*.yaml
+
+Exit codes: 0 all are sound; 1 one is not; 2 there is nothing to check.)";
+
+struct Options {
+  std::vector<std::string> files, plugins;
+};
+
+// Opens plugins when the first team is met.
+class Checker {
+ public:
+  Checker(const Options& options, const Invocation& invocation) : options_(options), invocation_(invocation) {}
+
+  // Throws config::Error for what is not sound.
+  std::string_view check(const std::string& file) {
+    const config::DocumentKind kind = config::check(file);
+    if (kind == config::DocumentKind::team) {
+      if (!catalogue_) catalogue_.emplace(open_plugins(options_.plugins, invocation_));
+      const mind::TeamPlan plan(config::read_team(file), {}, {}, *catalogue_);
+    }
+    return config::name_of(kind);
+  }
+
+ private:
+  const Options& options_;
+  const Invocation& invocation_;
+  std::optional<plugin::Catalogue> catalogue_;
+};
+
+int check(const Options& options, const Invocation& invocation) {
+  if (options.files.empty()) throw BadInput("config check: at least one file is wanted");
+  Checker checker(options, invocation);
+  bool sound = true;
+  for (const std::string& file : options.files) {
+    try {
+      print(fmt::format("{}: {}, sound\n", file, checker.check(file)));
+    } catch (const config::Error& error) {
+      complain(error.what());
+      sound = false;
+    }
+  }
+  return sound ? exit_done : exit_no;
+}
+
+}  // namespace
+
+Command add_config_check(CLI::App& parent, const Invocation& invocation) {
+  CLI::App& app = *parent.add_subcommand("check", "say what is wrong with rules, robots, disturbances and teams");
+  const auto options = std::make_shared<Options>();
+  app.add_option("files", options->files, "documents of any kind")->type_name("FILE...");
+  add_plugin_folders(app, options->plugins);
+  app.footer(examples);
+  return {&app, [options, &invocation] { return check(*options, invocation); }};
+}
+
+}  // namespace regista::cli

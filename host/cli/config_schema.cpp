@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// `regista config schema KIND`: the JSON Schema of a kind of document, for editors that complete and check while
+// typing.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/end_of_program.hpp"
+#include "cli/output.hpp"
+#include "cli/plugin_folders.hpp"
+#include "config/documents.hpp"
+#include "config/text.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr auto examples = R"(Examples:
+  regista config schema team > team.schema.json)";
+
+constexpr std::array kinds{config::DocumentKind::rules, config::DocumentKind::robot, config::DocumentKind::disturbance,
+                           config::DocumentKind::team};
+
+struct Options {
+  std::vector<std::string> kinds, plugins;
+};
+
+config::DocumentKind kind_named(const std::string& name) {
+  std::vector<std::string> known;
+  for (const config::DocumentKind kind : kinds) {
+    if (config::name_of(kind) == name) return kind;
+    known.emplace_back(config::name_of(kind));
+  }
+  throw BadInput("config schema: " + config::unknown("kind of document", name, "", known));
+}
+
+int schema(const Options& options) {
+  if (options.kinds.size() != 1) {
+    throw BadInput(fmt::format("config schema: one of rules, robot, disturbance and team is wanted, {} given",
+                               options.kinds.size()));
+  }
+  print(config::schema(kind_named(options.kinds.front())));
+  return exit_done;
+}
+
+}  // namespace
+
+Command add_config_schema(CLI::App& parent, const Invocation&) {
+  CLI::App& app = *parent.add_subcommand("schema", "write the JSON Schema of a kind of document");
+  const auto options = std::make_shared<Options>();
+  app.add_option("kind", options->kinds, "rules, robot, disturbance or team")->type_name("KIND");
+  app.footer(examples);
+  return {&app, [options] { return schema(*options); }};
+}
+
+}  // namespace regista::cli

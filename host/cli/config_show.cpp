@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// `regista config show FILE`: a document with every value that is in force, its unit, its meaning and where it is from.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/end_of_program.hpp"
+#include "cli/output.hpp"
+#include "cli/plugin_folders.hpp"
+#include "config/documents.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr auto examples = R"(Examples:
+  regista config show configs/rules/spl2023.yaml
+  regista config show configs/teams/paper.yaml --set sender.params.reserve=60)";
+
+struct Options {
+  std::vector<std::string> files, plugins, overrides;
+};
+
+int show(const Options& options) {
+  if (options.files.size() != 1) {
+    throw BadInput(fmt::format("config show: one file is wanted, {} given", options.files.size()));
+  }
+  print(config::show(options.files.front(), options.overrides));
+  return exit_done;
+}
+
+}  // namespace
+
+Command add_config_show(CLI::App& parent, const Invocation&) {
+  CLI::App& app = *parent.add_subcommand("show", "write a document with every value that is in force");
+  const auto options = std::make_shared<Options>();
+  app.add_option("file", options->files, "a document of any kind")->type_name("FILE");
+  app.add_option("--set", options->overrides, "a value laid over the document; may be repeated")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  app.footer(examples);
+  return {&app, [options] { return show(*options); }};
+}
+
+}  // namespace regista::cli

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// A match as its robots saw it, for people who look at decisions: a file of JSON lines, written while the match is
+// played. Every line has `kind` and `time` (s since the start of the match):
+//   match     the first line: teams, seed
+//   decision  of a robot, when context, kept tasks, assignment or own role changed or a packet was sent: what it
+//             believed, what it chose, what it sent. In the field frame of its own team.
+//   event     of the referee
+//   truth     once a second: all robots ([x, y, heading]), the ball, the score. In the field frame of the home team; a
+//             half turn about the centre leads to that of the away team.
+// Lengths in metres, rounded to the millimetre; utilities to six digits, null where a pair is forbidden.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/output.hpp"
+#include "match/match.hpp"
+#include "mind/mind.hpp"
+#include "mind/team_plan.hpp"
+
+namespace regista::cli {
+
+class DecisionLog {
+ public:
+  // plans: by side; they outlive the log. Throws BadInput when the file cannot be written.
+  DecisionLog(const std::filesystem::path& file, const std::array<const mind::TeamPlan*, 2>& plans, std::uint64_t seed);
+
+  // To be called as match::play calls its observers. All throw WriteError.
+  void decided(match::Side side, const mind::Mind& mind, const mind::Percepts& percepts, const mind::Outcome& outcome);
+  void event(double time, const match::Event& event, const match::GameState& state);
+  void stepped(const match::Snapshot& snapshot);
+  void close();
+
+ private:
+  // What a line was last written for.
+  struct Last {
+    int context = -2, role = -2;
+    std::vector<std::int32_t> kept, assignment;
+  };
+
+  std::array<const mind::TeamPlan*, 2> plans_;
+  std::array<std::vector<Last>, 2> last_;  // by side and number
+  std::array<std::vector<std::string>, 2> role_names_;
+  std::uint64_t steps_ = 0;
+  OutputFile file_;
+};
+
+}  // namespace regista::cli

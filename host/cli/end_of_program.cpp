@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "cli/end_of_program.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "cli/output.hpp"
+#include "config/node.hpp"
+#include "config/text.hpp"
+#include "plugin/failure.hpp"
+
+namespace regista::cli {
+
+void complain(std::string_view message) {
+  // If standard error cannot be written to either, there is nobody left to tell.
+  const std::string line = fmt::format("regista: {}\n", config::one_line(message));
+  std::fwrite(line.data(), 1, line.size(), stderr);
+  std::fflush(stderr);
+}
+
+int explain_current_exception() {
+  try {
+    throw;
+  } catch (const BadInput& error) {
+    complain(error.what());
+    return exit_bad_input;
+  } catch (const config::Error& error) {
+    complain(error.what());
+    return exit_bad_input;
+  } catch (const plugin::Failure& error) {
+    complain(error.what());
+    return exit_bad_input;
+  } catch (const Interrupted& error) {
+    complain(error.what());
+    return exit_no;
+  } catch (const WriteError& error) {
+    complain(error.what());
+    return exit_no;
+  } catch (const std::exception& error) {
+    complain(fmt::format("internal error: {}", error.what()));
+    return exit_internal;
+  } catch (...) {
+    complain("internal error: something that is no exception was thrown");
+    return exit_internal;
+  }
+}
+
+}  // namespace regista::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// How the program ends: its exit codes, and the one line on standard error that explains every end but a good one.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace regista::cli {
+
+enum ExitCode : int {
+  exit_done = 0,
+  exit_no = 1,         // the answer is no: a check fails, interrupted, what was written could not be kept
+  exit_bad_input = 2,  // what the user gave cannot be used: command line, documents, plugins
+  exit_internal = 3,   // a defect of Regista
+};
+
+// The command line asks for what cannot be done.
+class BadInput : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Ctrl-C. what() says how far the work came and how to do it again.
+class Interrupted : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Writes "regista: message" as one line to standard error, whatever the message contains.
+void complain(std::string_view message);
+
+// To be called in a handler: complains about the exception that is being handled, and returns the exit code for it.
+int explain_current_exception();
+
+}  // namespace regista::cli

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "cli/interruption.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <csignal>
+#include <cstddef>
+
+#include "cli/end_of_program.hpp"
+
+namespace regista::cli {
+namespace {
+
+// A handler of signals can reach nothing but variables of the program.
+volatile std::sig_atomic_t requests = 0;
+bool listening = false;
+std::array<char, 4096> words;
+std::size_t words_size = 0;
+
+void ask_to_stop(int) {
+  requests = 1;
+  alarm(1);
+}
+
+void stop(int) {
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, words.data(), words_size);
+  _exit(exit_no);
+}
+
+void handle(int signal_number, void (*handler)(int), int flags) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigemptyset(&action.sa_mask);
+  sigaction(signal_number, &action, nullptr);
+}
+
+}  // namespace
+
+Interruption::Interruption(std::string_view last_words) {
+  assert(!listening);
+  listening = true;
+  requests = 0;
+  words_size = std::min(last_words.size(), words.size());
+  std::copy_n(last_words.data(), words_size, words.data());
+  handle(SIGALRM, stop, 0);
+  // SA_RESETHAND: the second signal acts as usual.
+  handle(SIGINT, ask_to_stop, static_cast<int>(SA_RESETHAND));
+  handle(SIGTERM, ask_to_stop, static_cast<int>(SA_RESETHAND));
+}
+
+Interruption::~Interruption() {
+  alarm(0);
+  handle(SIGINT, SIG_DFL, 0);
+  handle(SIGTERM, SIG_DFL, 0);
+  handle(SIGALRM, SIG_DFL, 0);
+  listening = false;
+}
+
+bool Interruption::requested() const { return requests != 0; }
+
+}  // namespace regista::cli

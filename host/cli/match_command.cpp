@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// `regista match`: plays one match.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "cli/command.hpp"
+#include "cli/decision_log.hpp"
+#include "cli/end_of_program.hpp"
+#include "cli/interruption.hpp"
+#include "cli/live_line.hpp"
+#include "cli/match_report.hpp"
+#include "cli/match_setup.hpp"
+#include "cli/output.hpp"
+#include "cli/plugin_folders.hpp"
+#include "cli/shell.hpp"
+#include "match/teams.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr auto examples = R"(Examples:
+  regista match configs/teams/paper.yaml configs/teams/fixed_rate.yaml
+  regista match a.yaml b.yaml --seed 7 --json
+  regista match a.yaml a.yaml --set home.utility.terms.distance.weight=0.5
+  regista match a.yaml b.yaml --limit 60 --decisions decisions.jsonl
+
+A path of --set begins with home, away, rules, robot or disturbance; without one of these it goes to both teams.
+Exit codes: 0 played; 1 interrupted, or the result could not be written; 2 bad input; 3 a defect of Regista.)";
+
+struct Options : MatchRequest {
+  std::vector<std::string> plugins;
+  std::string decisions;
+  bool json = false, quiet = false, verbose = false;
+};
+
+std::string interrupted_text(const std::string& again, const match::GameState& state, double time) {
+  return fmt::format("interrupted in half {} at {}, {:.0f} s simulated, score {}:{}; the same match again: {}",
+                     state.half, clock_text(state.clock), time, state.goals[0], state.goals[1], again);
+}
+
+int play(const Options& options, const Invocation& invocation) {
+  if (options.teams.size() != 2) {
+    throw BadInput(
+        fmt::format("match: two files of teams are wanted, {} given; see: regista match --help", options.teams.size()));
+  }
+  const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
+  MatchSetup prepared = match_setup(options, catalogue);
+  const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
+  const std::string again = shell_line(invocation.arguments);
+
+  PlayedMatch played;
+  played.seed = prepared.setup.seed;
+  played.budget = prepared.setup.rules.messages.budget;
+  for (const match::Side side : match::both_sides) {
+    played.teams[match::index(side)] = plans[match::index(side)]->team().name;
+    played.role_names[match::index(side)] = role_names(match::roles(*plans[match::index(side)]));
+  }
+
+  std::optional<DecisionLog> log;
+  if (!options.decisions.empty()) log.emplace(options.decisions, plans, played.seed);
+  LiveLine live(played.teams, !options.quiet, options.verbose);
+  const Interruption interruption(
+      fmt::format("regista: interrupted while a plugin did not return; the same match again: {}\n", again));
+
+  match::Observer observer;
+  observer.second = [&](double time, const match::GameState& state) {
+    if (interruption.requested()) throw Interrupted(interrupted_text(again, state, time));
+    live.second(time, state);
+  };
+  observer.event = [&](double time, const match::Event& event, const match::GameState& state) {
+    live.event(event, state);
+    if (log) log->event(time, event, state);
+  };
+  match::AfterDecision after;
+  if (log) {
+    observer.step = [&](const match::Snapshot& snapshot) { log->stepped(snapshot); };
+    after = [&](match::Side side, const mind::Mind& mind, const mind::Percepts& percepts,
+                const mind::Outcome& outcome) { log->decided(side, mind, percepts, outcome); };
+  }
+
+  const auto began = std::chrono::steady_clock::now();
+  try {
+    played.result = match::play(std::move(prepared.setup), plans, &observer, after);
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(error.what());  // profiles and teams that do not go together
+  }
+  played.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  live.clear();
+  if (log) log->close();
+  print(options.json ? summary_json(played) : summary_text(played));
+  return exit_done;
+}
+
+}  // namespace
+
+Command add_match(CLI::App& parent, const Invocation& invocation) {
+  CLI::App& app = *parent.add_subcommand("match", "play one match between two teams");
+  const auto options = std::make_shared<Options>();
+  app.add_option("teams", options->teams, "the teams' files: home, then away")->type_name("A.yaml B.yaml");
+  app.add_option("--seed", options->seed, "all chance of the match comes from it; default 1")->type_name("N");
+  app.add_option("--rules", options->rules, "rules profile; default: spl2023, built in")->type_name("FILE");
+  app.add_option("--robot", options->robot, "robot profile of both teams; default: nao, built in")->type_name("FILE");
+  app.add_option("--disturbance", options->disturbance, "disturbance profile; default: none")->type_name("FILE");
+  app.add_option("--set", options->overrides, "a value laid over a document; may be repeated")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  app.add_option("--limit", options->limit, "end the match after so many simulated seconds")->type_name("SECONDS");
+  add_plugin_folders(app, options->plugins);
+  app.add_flag("--json", options->json, "write the result as JSON");
+  app.add_option("--decisions", options->decisions, "write what the robots believed and chose as JSON lines")
+      ->type_name("FILE");
+  app.add_flag("--quiet", options->quiet, "no live line on the terminal");
+  app.add_flag("--verbose", options->verbose, "a line on standard error for each goal");
+  app.footer(examples);
+  return {&app, [options, &invocation] { return play(*options, invocation); }};
+}
+
+}  // namespace regista::cli

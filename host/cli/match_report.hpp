@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What is said about a match that was played: for people, and for programs.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "match/match.hpp"
+
+namespace regista::cli {
+
+struct PlayedMatch {
+  std::array<std::string, 2> teams;  // names, by side
+  std::uint64_t seed = 1;
+  std::array<std::vector<std::string>, 2> role_names;  // by side, in the order of the table of roles
+  int budget = 0;                                      // packets of a team, without those for added time
+  double wall_seconds = 0.0;
+  match::Result result;
+};
+
+// What each role of a team's table is called where one word is wanted: its name, or "list.name" when several lists have
+// a role of that name.
+std::vector<std::string> role_names(const std::vector<match::Role>& roles);
+
+// Reason of a packet in words with underscores, for REGISTA_EVENT_*: "role_changed".
+std::string_view reason_name(int reason);
+
+// A page that ends with a newline.
+std::string summary_text(const PlayedMatch& match);
+
+// One JSON object with a newline.
+std::string summary_json(const PlayedMatch& match);
+
+}  // namespace regista::cli

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "cli/match_setup.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "cli/end_of_program.hpp"
+#include "cli/overrides.hpp"
+#include "config/documents.hpp"
+#include "config/parse.hpp"
+#include "config/text.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr double longest_limit = 1e6;  // s
+
+double parse_limit(const std::string& text) {
+  double seconds = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, seconds);
+  if (error != std::errc() || rest != end || !(seconds > 0.0) || seconds > longest_limit) {
+    throw BadInput(
+        fmt::format("--limit: {}; seconds above 0, up to {:.0f}, are wanted", config::in_quotes(text), longest_limit));
+  }
+  return seconds;
+}
+
+// The built-in values as a document that paths can address: all of them written out.
+config::Node built_in(config::DocumentKind kind, const std::string& name) {
+  const std::string key(config::name_of(kind));
+  const config::Location where{fmt::format("built-in {} {}", key, name), 0, 0};
+  const config::Node bare = config::Node::map({{key, where, config::Node::scalar(name, false, where)}}, where);
+  return config::parse_text(config::show(bare), where.file);
+}
+
+config::Node profile(config::DocumentKind kind, const std::string& name, const std::string& file,
+                     const config::Overrides& overrides) {
+  return file.empty() ? config::override_with(built_in(kind, name), overrides) : config::load(file, overrides);
+}
+
+}  // namespace
+
+std::uint64_t parse_seed(const std::string& text, const std::string& option) {
+  std::uint64_t seed = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, seed);
+  if (error != std::errc() || rest != end) {
+    throw BadInput(
+        fmt::format("{}: {}; a whole number from 0 to {} is wanted", option, config::in_quotes(text), UINT64_MAX));
+  }
+  return seed;
+}
+
+MatchSetup match_setup(const MatchRequest& request, const plugin::Catalogue& catalogue) {
+  MatchSetup out;
+  out.setup.seed = parse_seed(request.seed, "--seed");
+  if (!request.limit.empty()) out.setup.limit = parse_limit(request.limit);
+
+  using config::DocumentKind;
+  const SortedOverrides overrides(request.overrides);
+  const auto read = [&](DocumentKind kind, const std::string& name, const std::string& file, auto reader) {
+    return overrides.read(config::name_of(kind),
+                          [&](const config::Overrides& of_this) { return reader(profile(kind, name, file, of_this)); });
+  };
+  using config::Node;
+  out.setup.rules = read(DocumentKind::rules, config::Rules{}.name, request.rules,
+                         [](const Node& document) { return config::read_rules(document); });
+  const config::Robot robot = read(DocumentKind::robot, config::Robot{}.name, request.robot,
+                                   [](const Node& document) { return config::read_robot(document); });
+  const config::Disturbance disturbance =
+      read(DocumentKind::disturbance, config::Disturbance{}.name, request.disturbance,
+           [](const Node& document) { return config::read_disturbance(document); });
+  out.setup.robots = {robot, robot};
+  out.setup.disturbances = {disturbance, disturbance};
+
+  for (const match::Side side : match::both_sides) {
+    const std::string& file = request.teams[match::index(side)];
+    out.plans[match::index(side)] = overrides.read(match::name(side), [&](const config::Overrides& of_this) {
+      return std::make_unique<const mind::TeamPlan>(config::read_team(file, of_this), out.setup.rules, robot,
+                                                    catalogue);
+    });
+  }
+  return out;
+}
+
+}  // namespace regista::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// From what the command line says about a match to all that the match is a function of.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "match/match.hpp"
+#include "mind/team_plan.hpp"
+#include "plugin/catalogue.hpp"
+
+namespace regista::cli {
+
+struct MatchRequest {
+  std::vector<std::string> teams;         // files: home, away
+  std::string rules, robot, disturbance;  // files; empty: the built-in values
+  std::vector<std::string> overrides;     // of --set
+  std::string seed = "1", limit;          // as typed; no limit: empty
+};
+
+struct MatchSetup {
+  match::Setup setup;                                          // its roles are left to match::play
+  std::array<std::unique_ptr<const mind::TeamPlan>, 2> plans;  // by side; they need the catalogue
+};
+
+// Throws BadInput and config::Error.
+MatchSetup match_setup(const MatchRequest& request, const plugin::Catalogue& catalogue);
+
+// A whole number from 0 to 2^64 - 1 in decimal digits. `option`: who asks, for the message. Throws BadInput.
+std::uint64_t parse_seed(const std::string& text, const std::string& option);
+
+}  // namespace regista::cli

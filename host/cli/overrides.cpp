@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "cli/overrides.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace regista::cli {
+namespace {
+
+constexpr std::array<std::string_view, 5> names{"home", "away", "rules", "robot", "disturbance"};
+
+// How config names the place of an override.
+std::string place(const std::string& override_text) { return "--set " + override_text; }
+
+}  // namespace
+
+SortedOverrides::SortedOverrides(const std::vector<std::string>& all) {
+  for (const std::string_view name : names) documents_.push_back({name, {}, {}});
+  for (const std::string& text : all) {
+    bool addressed = false;
+    for (Document& document : documents_) {
+      const std::string prefix = std::string(document.name) + '.';
+      if (!text.starts_with(prefix)) continue;
+      document.overrides.push_back(text.substr(prefix.size()));
+      document.typed.push_back(text);
+      addressed = true;
+    }
+    if (addressed) continue;
+    for (Document& document : documents_) {
+      if (document.name != "home" && document.name != "away") continue;
+      document.overrides.push_back(text);
+      document.typed.push_back(text);
+    }
+  }
+}
+
+const SortedOverrides::Document& SortedOverrides::find(std::string_view document) const {
+  const auto found = std::ranges::find(documents_, document, &Document::name);
+  assert(found != documents_.end());
+  return *found;
+}
+
+const config::Overrides& SortedOverrides::of(std::string_view document) const { return find(document).overrides; }
+
+config::Error SortedOverrides::as_typed(std::string_view document, const config::Error& error) const {
+  const Document& asked = find(document);
+  for (std::size_t i = 0; i < asked.overrides.size(); ++i) {
+    if (error.where().file != place(asked.overrides[i])) continue;
+    const std::string message = std::string(error.what()).substr(config::to_string(error.where()).size() + 2);
+    return {{place(asked.typed[i]), 0, 0}, message};
+  }
+  return error;
+}
+
+}  // namespace regista::cli

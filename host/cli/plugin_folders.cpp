@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "cli/plugin_folders.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+
+namespace regista::cli {
+
+void add_plugin_folders(CLI::App& app, std::vector<std::string>& folders) {
+  app.add_option("--plugins", folders, "search this folder for plugins first; may be repeated")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+}
+
+plugin::Catalogue open_plugins(const std::vector<std::string>& folders, const Invocation& invocation) {
+  const std::vector<std::filesystem::path> options(folders.begin(), folders.end());
+  std::filesystem::path built_in;
+  if (!invocation.executable.empty()) {
+    built_in = (invocation.executable.parent_path() / "../lib/regista/plugins").lexically_normal();
+  }
+  return plugin::Catalogue(plugin::Catalogue::search_path(options, std::getenv("REGISTA_PLUGIN_PATH"), built_in));
+}
+
+}  // namespace regista::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Where the commands look for plugins: the folders of `--plugins`, then those of the environment variable
+// REGISTA_PLUGIN_PATH, then the one that belongs to the program: ../lib/regista/plugins, seen from its own folder.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "plugin/catalogue.hpp"
+
+namespace regista::cli {
+
+// Adds the option `--plugins DIR`, which may come several times.
+void add_plugin_folders(CLI::App& app, std::vector<std::string>& folders);
+
+// Throws config::Error for a folder of an option that is none.
+plugin::Catalogue open_plugins(const std::vector<std::string>& folders, const Invocation& invocation);
+
+}  // namespace regista::cli

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// `regista plugin info ID`: all that a plugin says about itself, its parameters first of all.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/end_of_program.hpp"
+#include "cli/output.hpp"
+#include "cli/plugin_folders.hpp"
+#include "cli/plugin_json.hpp"
+#include "config/text.hpp"
+#include "plugin/info.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr auto examples = R"(Examples:
+  regista plugin info greedy
+  regista plugin info voronoi --json)";
+
+struct Options {
+  std::vector<std::string> ids, plugins;
+  bool json = false;
+};
+
+// All of this id: two builds of a plugin may stand in two folders.
+std::vector<const plugin::Found*> find(const plugin::Catalogue& catalogue, const std::string& id) {
+  std::vector<const plugin::Found*> found;
+  std::vector<std::string> known;
+  for (const plugin::Found& plugin : catalogue.plugins()) {
+    if (plugin.descriptor->id == id) found.push_back(&plugin);
+    known.emplace_back(plugin.descriptor->id);
+  }
+  if (!found.empty()) return found;
+  std::vector<std::string> folders;
+  for (const std::filesystem::path& folder : catalogue.folders()) folders.push_back(folder.string());
+  throw BadInput(
+      fmt::format("plugin info: {}; searched: {}", config::unknown("plugin", id, "", known), config::join(folders)));
+}
+
+int show(const Options& options, const Invocation& invocation) {
+  if (options.ids.size() != 1) {
+    throw BadInput(fmt::format("plugin info: one id of a plugin is wanted, {} given; see: regista plugin list",
+                               options.ids.size()));
+  }
+  const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
+  std::string out;
+  auto json = nlohmann::ordered_json::array();
+  for (const plugin::Found* plugin : find(catalogue, options.ids.front())) {
+    if (!out.empty()) out += '\n';
+    out += plugin::info_text(*plugin);
+    json.push_back(plugin_json(plugin::info(*plugin)));
+  }
+  print(options.json ? text_of(json) : out);
+  return exit_done;
+}
+
+}  // namespace
+
+Command add_plugin_info(CLI::App& parent, const Invocation& invocation) {
+  CLI::App& app = *parent.add_subcommand("info", "describe a plugin and its parameters");
+  const auto options = std::make_shared<Options>();
+  app.add_option("id", options->ids, "name of the plugin, as teams use it")->type_name("ID");
+  add_plugin_folders(app, options->plugins);
+  app.add_flag("--json", options->json, "write JSON: a list, with one element for each build of the plugin");
+  app.footer(examples);
+  return {&app, [options, &invocation] { return show(*options, invocation); }};
+}
+
+}  // namespace regista::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What there is to say about a plugin, for programs.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "plugin/info.hpp"
+
+namespace regista::cli {
+
+nlohmann::ordered_json plugin_json(const plugin::Info& info);
+
+// One line of text; file names that are not UTF-8 lose what is not.
+std::string text_of(const nlohmann::ordered_json& json);
+
+}  // namespace regista::cli

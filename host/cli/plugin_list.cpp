@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// `regista plugin list`: which plugins there are, which files were refused, and where was looked.
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/end_of_program.hpp"
+#include "cli/output.hpp"
+#include "cli/plugin_folders.hpp"
+#include "cli/plugin_json.hpp"
+#include "plugin/info.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr auto examples = R"(Examples:
+  regista plugin list
+  regista plugin list --plugins ~/my_plugins --json)";
+
+struct Options {
+  std::vector<std::string> plugins;
+  bool json = false;
+};
+
+std::string list_json(const plugin::Catalogue& catalogue) {
+  using Json = nlohmann::ordered_json;
+  Json plugins = Json::array(), refused = Json::array(), searched = Json::array();
+  for (const plugin::Found& found : catalogue.plugins()) plugins.push_back(plugin_json(plugin::info(found)));
+  for (const plugin::Refused& each : catalogue.refused()) {
+    refused.push_back({{"file", each.file.string()}, {"reason", each.reason}});
+  }
+  for (const std::filesystem::path& folder : catalogue.folders()) searched.push_back(folder.string());
+  return text_of({{"plugins", plugins}, {"refused", refused}, {"searched", searched}});
+}
+
+}  // namespace
+
+Command add_plugin_list(CLI::App& parent, const Invocation& invocation) {
+  CLI::App& app = *parent.add_subcommand("list", "list the plugins that a team can name");
+  const auto options = std::make_shared<Options>();
+  add_plugin_folders(app, options->plugins);
+  app.add_flag("--json", options->json, "write JSON");
+  app.footer(examples);
+  return {&app, [options, &invocation] {
+            const plugin::Catalogue catalogue = open_plugins(options->plugins, invocation);
+            print(options->json ? list_json(catalogue) : plugin::list_text(catalogue));
+            return exit_done;
+          }};
+}
+
+}  // namespace regista::cli

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+"""Plugins that are wrong on purpose: refused when they are opened, or found out while a match is played. Whoever is to
+blame is named: plugin, file, team, robot, tick, call and value."""
+
+import unittest
+
+import program
+
+# What a team says where a bad plugin takes the place of a sound one.
+PLACES = {
+    "assigner": ("assigner: {plugin: first_free}", "assigner: {{plugin: {}}}"),
+    "positioner": ("positioner: {plugin: at_the_ball}", "positioner: {{plugin: {}}}"),
+    "sender": ("sender: {plugin: every_second}", "sender: {{plugin: {}}}"),
+    "context": ("plugin: ball_seen", "plugin: {}"),
+    "utility": ("{plugin: nearness, weight: 1, params: {scale: 2}}", "{{plugin: {}, weight: 1}}"),
+    "predictor": ("ball:      {plugin: last_news}", "ball:      {{plugin: {}}}"),
+}
+
+
+class BadPlugins(program.Case):
+    def folder_of(self, name):
+        folder = program.TEST_PLUGINS / name
+        self.assertTrue((folder / f"{name}.so").exists(), f"{folder} is not built")
+        return folder
+
+    def play_with(self, kind, name, *arguments):
+        sound, bad = PLACES[kind]
+        text = program.TEAM.format(name="broken")
+        self.assertIn(sound, text)
+        self.write("broken.yaml", text.replace(sound, bad.format(name)))
+        return self.refused("match", "small.yaml", "broken.yaml", "--limit", "60", "--plugins", self.folder_of(name),
+                            *arguments)
+
+    def blamed(self, kind, name, *arguments):
+        """What went wrong, after who did it."""
+        line = self.play_with(kind, name, *arguments)
+        who = rf"^plugin {name} \({self.folder_of(name)}/{name}\.so\) of team broken, robot [1-7], tick \d+: "
+        self.assertRegex(line, who)
+        return line.split(": ", 1)[1]
+
+    def test_throws(self):
+        for kind, call in (("assigner", "assign"), ("positioner", "place"), ("sender", "decide"),
+                           ("context", "holds"), ("utility", "score")):
+            self.assertEqual(self.blamed(kind, "throws"), f"{call}: fell in {call}")
+
+    def test_a_predictor_throws(self):
+        self.assertRegex(self.blamed("predictor", "throws"), r"^(predict|correct|tracks): fell in \1$")
+
+    def test_no_number(self):
+        self.assertEqual(self.blamed("utility", "returns_nan"), "score: row 2, column 5 is nan")
+        self.assertEqual(self.blamed("positioner", "returns_nan"), "place: point 0 is (1, nan)")
+        self.assertEqual(self.blamed("predictor", "returns_nan"), "tracks: track 0 has vx nan")
+
+    def test_a_task_given_twice(self):
+        self.assertEqual(self.blamed("assigner", "assigns_twice"), "assign: column 2 given to rows 0 and 6")
+
+    def test_index_out_of_range(self):
+        self.assertEqual(self.blamed("assigner", "index_out_of_range"), "assign: row 1 got column 9 of 7")
+
+    def test_create_refuses(self):
+        self.assertIn("returns_null", self.play_with("assigner", "returns_null"))
+
+    def test_another_interface(self):
+        line = self.play_with("assigner", "wrong_major")
+        self.assertIn(f"{self.folder_of('wrong_major')}/wrong_major.so: built for Regista plugin interface", line)
+
+    def test_the_same_id_twice(self):
+        self.write("broken.yaml", program.TEAM.format(name="broken").replace("first_free", "same_id"))
+        first, second = self.folder_of("same_id_first"), self.folder_of("same_id_second")
+        line = self.refused("match", "small.yaml", "broken.yaml", "--plugins", first, "--plugins", second)
+        self.assertRegex(line, r'^broken\.yaml:\d+:\d+: plugin "same_id" exists 2 times: ')
+        for name in (f"{first}/same_id_first.so (1.0.0, ", f"{second}/same_id_second.so (1.1.0, ", "pin one by its file"):
+            self.assertIn(name, line)
+
+
+if __name__ == "__main__":
+    unittest.main()

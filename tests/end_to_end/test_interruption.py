@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: MIT
+"""Ctrl-C while a match is played."""
+
+import shlex
+import signal
+import subprocess
+import time
+import unittest
+
+import program
+
+# Longer than any of these tests may take.
+LONG = ("--set", "rules.durations.half=36000", "--set", "rules.durations.halves=2")
+
+
+class Interruption(program.Case):
+    def interrupted(self, number):
+        process = self.start("match", "small.yaml", "small.yaml", "--seed", "5", *LONG, stdout=subprocess.PIPE,
+                             stderr=subprocess.PIPE)
+        with process:
+            time.sleep(5.0 if program.SANITIZED else 1.0)
+            self.assertIsNone(process.poll(), "ended before it was interrupted")
+            asked = time.monotonic()
+            process.send_signal(number)
+            out, err = process.communicate(timeout=30)
+            took = time.monotonic() - asked
+        self.assertEqual((process.returncode, out), (1, ""))
+        self.assertLess(took, 3.0 if program.SANITIZED else 1.5)
+        return err
+
+    def test_says_how_far_it_came_and_how_to_play_it_again(self):
+        line = self.interrupted(signal.SIGINT)
+        self.assertRegex(line, r"^regista: interrupted in half \d at \d\d+:\d\d, \d+ s simulated, score \d+:\d+; "
+                               r"the same match again: [^\n]+\n$")
+        again = shlex.split(line.split("again: ")[1])
+        self.assertEqual(again, [str(self.program), "match", "small.yaml", "small.yaml", "--seed", "5", *LONG])
+
+    def test_a_request_to_terminate_is_the_same(self):
+        self.assertIn("interrupted in half", self.interrupted(signal.SIGTERM))
+
+
+if __name__ == "__main__":
+    unittest.main()

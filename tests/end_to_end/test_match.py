@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: MIT
+"""`regista match`: what it plays and what it says about it."""
+
+import json
+import unittest
+
+import program
+
+SHORT = ("match", "small.yaml", "small.yaml", "--limit", "30")
+
+
+class Match(program.Case):
+    def play(self, *arguments):
+        return json.loads(self.succeed(*SHORT, "--json", *arguments))
+
+    def test_same_seed_same_match_other_seed_other_match(self):
+        first, second, other = self.play(), self.play(), self.play("--seed", "2")
+        for result in (first, second, other):
+            del result["wall_seconds"]
+        self.assertEqual(first, second)
+        self.assertEqual((first["seed"], other["seed"]), (1, 2))
+        self.assertRegex(first["state_hash"], "^[0-9a-f]{16}$")
+        self.assertNotEqual(first["state_hash"], other["state_hash"])
+
+    def test_largest_seed(self):
+        self.assertEqual(self.play("--seed", str(2**64 - 1))["seed"], 2**64 - 1)
+
+    def test_json_keys(self):
+        result = self.play()
+        self.assertEqual(list(result)[:10], ["teams", "score", "seed", "ended", "simulated_seconds", "wall_seconds",
+                                             "state_hash", "packets", "roles", "failures"])
+        self.assertEqual(result["teams"], ["small", "small"])
+        self.assertEqual(result["ended"], "limit")
+        self.assertEqual(result["simulated_seconds"], 30.0)
+        self.assertEqual(result["failures"], [])
+        for key in ("score", "packets", "roles", "packets_by_reason", "possession_seconds", "agreement", "falls",
+                    "penalties", "kicks", "touches"):
+            self.assertEqual(len(result[key]), 2, key)
+        for roles in result["roles"]:
+            self.assertEqual(list(roles), ["goalkeeper", "striker", "supporter", "left", "right", "back", "front"])
+            for values in roles.values():
+                self.assertEqual(list(values)[:3], ["overlap_seconds", "uncovered_seconds", "switches"])
+        for packets, reasons in zip(result["packets"], result["packets_by_reason"]):
+            self.assertEqual(packets, sum(reasons.values()))
+            self.assertGreater(reasons["period"], 0)  # every_second sends for no other reason
+
+    def test_a_role_of_two_lists_is_named_with_its_list(self):
+        text = program.TEAM.format(name="two").replace(
+            "utility:", "  waiting:\n    - {name: striker, target: {at: [0, 0]}}\nutility:")
+        self.write("two.yaml", text)
+        result = json.loads(self.succeed("match", "two.yaml", "two.yaml", "--limit", "1", "--json"))
+        self.assertIn("playing.striker", result["roles"][0])
+        self.assertIn("waiting.striker", result["roles"][0])
+        self.assertNotIn("striker", result["roles"][0])
+        self.assertIn("goalkeeper", result["roles"][0])
+
+    def test_page_for_people(self):
+        result = self.play()
+        page = self.succeed(*SHORT)
+        score = result["score"]
+        self.assertTrue(page.startswith(f"small {score[0]} : {score[1]} small\n"), page)
+        self.assertIn("at the time limit, after 30.0 s\n", page)
+        self.assertRegex(page, r"(?m)^seed +1$")
+        self.assertRegex(page, rf"(?m)^state hash +{result['state_hash']}$")
+        self.assertRegex(page, r"(?m)^wall time +\d+\.\d\d s")
+        for side in ("home", "away"):
+            self.assertIn(f"\nsmall ({side})\n", page)
+        self.assertEqual(len([line for line in page.splitlines() if line.split()[:1] == ["striker"]]), 2)
+        self.assertIn(f"packets {result['packets'][0]} of 1200: {result['packets'][0]} period\n", page)
+
+    def test_shipped_profiles_are_the_built_in_values(self):
+        configs = program.SOURCE / "configs"
+        shipped = self.play("--rules", configs / "rules" / "spl2023.yaml", "--robot", configs / "robots" / "nao.yaml",
+                            "--disturbance", configs / "disturbances" / "none.yaml")
+        self.assertEqual(shipped["state_hash"], self.play()["state_hash"])
+
+    def test_overrides_reach_their_document(self):
+        base = self.play()["state_hash"]
+        # The built-in value by name: laying it over changes nothing.
+        self.assertEqual(self.play("--set", "rules.ball.rolling_deceleration=0.32",
+                                   "--set", "robot.walk.turn_deg_per_s=90")["state_hash"], base)
+        hashes = {base}
+        for override in ("home.utility.terms.near.params.scale=7", "away.utility.terms.near.params.scale=7",
+                         "utility.terms.near.params.scale=7", "rules.ball.rolling_deceleration=0.4",
+                         "robot.walk.forward=0.2", "disturbance.ball_blindness=0.5"):
+            hashes.add(self.play("--set", override)["state_hash"])
+        self.assertEqual(len(hashes), 7)
+
+    def test_goals_as_lines_only_when_asked_for(self):
+        # A goal so wide and a game so long that somebody scores.
+        arguments = ("match", "small.yaml", "small.yaml", "--limit", "250", "--set", "rules.goal_width=5.5")
+        done = self.run_program(*arguments[:-2], "--verbose", "--json")
+        lines = done.stderr.splitlines()
+        score = json.loads(done.stdout)["score"]
+        self.assertEqual(len(lines), sum(score))
+        for line in lines:
+            self.assertRegex(line, r"^\d+:\d+  goal for small \((home|away)\), half 1, \d\d:\d\d$")
+
+    def test_version_and_help(self):
+        self.assertRegex(self.succeed("--version"), r"^regista \d+\.\d+\.\d+ \(plugin interface 1\.\d+, .+\)\n$")
+        for command in ((), ("match",), ("plugin", "list"), ("plugin", "info"), ("config", "check"),
+                        ("config", "show"), ("config", "schema")):
+            text = self.succeed(*command, "--help")
+            self.assertIn("Examples:\n  regista ", text)
+            self.assertIn(" ".join(("regista", *command)), text)
+
+
+if __name__ == "__main__":
+    unittest.main()
