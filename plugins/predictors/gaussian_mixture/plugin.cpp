@@ -87,29 +87,31 @@ struct GaussianMixture {
 
   void absorb(regista::Span<regista::Track> tracks, double age) {
     mixture.clear();
-    for (const regista::Track& told : tracks) {
-      const auto& c = told.covariance;
+    for (const regista::Track& heard : tracks) {
+      const auto& c = heard.covariance;
       Component component;
-      component.position << told.x, told.y;
+      component.position << heard.x, heard.y;
       component.position_covariance << c[0], c[1], c[4], c[5];
-      if ((told.flags & REGISTA_TRACK_VELOCITY) != 0) {
-        component.velocity << told.vx, told.vy;
+      if ((heard.flags & REGISTA_TRACK_VELOCITY) != 0) {
+        component.velocity << heard.vx, heard.vy;
         component.cross << c[2], c[3], c[6], c[7];
         component.velocity_covariance << c[10], c[11], c[14], c[15];
       } else {
         component.velocity_covariance.diagonal().setConstant(speed * speed);
       }
-      component.label = told.label;
-      component.weight = told.weight;
-      component.age = told.age;
+      component.label = heard.label;
+      component.weight = heard.weight;
+      component.age = heard.age;
       mixture.add(component);
     }
     if (age > 0.0) mixture.predict(age);
   }
 
+  // All are written before the first is copied: a copy right behind the writes waits for them.
   void tracks(regista::Tracks out) const {
+    std::size_t count = 0;
     for (const Component& each : mixture) {
-      regista::Track track{};
+      regista::Track& track = told[count++];
       track.label = each.label;
       track.flags = mixture.velocity_believed(each) ? REGISTA_TRACK_VELOCITY : 0;
       track.x = each.position.x();
@@ -126,8 +128,8 @@ struct GaussianMixture {
       }
       track.weight = each.weight;
       track.age = each.age;
-      out.add(track);
     }
+    for (std::size_t i = 0; i < count; ++i) out.add(told[i]);
   }
 
   static constexpr double pi = 3.14159265358979323846;
@@ -135,6 +137,7 @@ struct GaussianMixture {
 
   gaussian_mixture::Mixture mixture;
   std::array<Sighting, 32> seen{};  // of one image; more are ignored
+  mutable std::array<regista::Track, gaussian_mixture::Mixture::capacity> told{};
 };
 
 }  // namespace

@@ -2,7 +2,6 @@
 // Glue of the predictor `odometry_pose`; the filter is in algorithm.hpp.
 #include <optional>
 #include <regista/predictor.hpp>
-#include <stdexcept>
 
 #include "algorithm.hpp"
 
