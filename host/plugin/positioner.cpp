@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <limits>
-#include <span>
 
 namespace regista::plugin {
 namespace {
@@ -60,43 +59,27 @@ void Positioner::check_points(const regista_frame& frame, std::uint32_t count) c
   const regista_environment& field = instance_->environment();
   const double x_limit = field.field_length / 2 + field.border_strip + rounding;
   const double y_limit = field.field_width / 2 + field.border_strip + rounding;
-  constexpr double highest_score = std::numeric_limits<double>::max();
   const auto tasks = static_cast<std::int64_t>(frame.tasks.count);
   const auto robots = static_cast<std::int64_t>(field.team_size);
-  const std::span<const regista_waypoint> points(buffers_.points.data(), count);
-
-  // All conditions of all points without a branch; which one is broken is asked only when one is.
-  bool sound = true;
-  for (const regista_waypoint& p : points) {
-    sound &= (std::abs(p.x) <= x_limit) & (std::abs(p.y) <= y_limit) & (p.score >= 0.0) & (p.score <= highest_score) &
-             (p.task >= -1) & (p.task < tasks) & (p.robot >= 0) & (p.robot <= robots);
-  }
-  if (sound) return;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const regista_waypoint& p = points[i];
-    if (!(std::abs(p.x) <= x_limit && std::abs(p.y) <= y_limit)) {
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const regista_waypoint& p = buffers_.points[i];
+    if (!(std::abs(p.x) <= x_limit && std::abs(p.y) <= y_limit)) [[unlikely]] {
       instance_->fail("place", fmt::format("point {} at ({}, {}) is outside the field", i, p.x, p.y));
     }
-    if (!(p.score >= 0.0 && p.score <= highest_score)) {
+    if (!(p.score >= 0.0 && p.score <= std::numeric_limits<double>::max())) [[unlikely]] {
       instance_->fail("place", fmt::format("score of point {} is {}; scores are finite and at least 0", i, p.score));
     }
-    if (p.task < -1 || p.task >= tasks) {
+    if (p.task < -1 || p.task >= tasks) [[unlikely]]
       instance_->fail("place", fmt::format("point {} belongs to task {} of {}", i, p.task, tasks));
-    }
-    if (p.robot < 0 || p.robot > robots) {
+    if (p.robot < 0 || p.robot > robots) [[unlikely]]
       instance_->fail("place", fmt::format("point {} belongs to robot {} of {}", i, p.robot, robots));
-    }
   }
 }
 
 void Positioner::check_edges(std::uint32_t count, std::uint32_t point_count) const {
-  bool sound = true;
-  for (const regista_edge& edge : std::span(buffers_.edges.data(), count)) {
-    sound &= (edge.from < point_count) & (edge.to < point_count);
-  }
-  for (std::uint32_t i = 0; !sound && i < count; ++i) {
+  for (std::uint32_t i = 0; i < count; ++i) {
     const regista_edge& edge = buffers_.edges[i];
-    if (edge.from >= point_count || edge.to >= point_count) {
+    if (edge.from >= point_count || edge.to >= point_count) [[unlikely]] {
       instance_->fail("place", fmt::format("edge {} joins points {} and {} of {}", i, edge.from, edge.to, point_count));
     }
   }
