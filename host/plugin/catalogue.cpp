@@ -43,8 +43,7 @@ std::vector<std::string> names_of_kind(std::span<const Found> plugins, int kind)
     if (implements(*plugin.descriptor, kind)) out.emplace_back(plugin.descriptor->id);
   }
   std::ranges::sort(out);
-  const auto repeated = std::ranges::unique(out);
-  out.erase(repeated.begin(), repeated.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 

@@ -6,6 +6,10 @@
 #include <random>
 #include <vector>
 
+#include <regista/testkit/contract.hpp>
+#include <regista/testkit/frame_builder.hpp>
+#include <regista/testkit/instance.hpp>
+
 #include "algorithm.hpp"
 
 namespace {
@@ -84,5 +88,21 @@ TEST(Greedy, DefinitionHoldsOnRandomMatrices) {
     }
   }
 }
+
+// --- The plugin ------------------------------------------------------------------------------------------------
+
+using namespace regista::testkit;
+
+TEST(GreedyPlugin, PriorityCountsNotTheOrderOfColumns) {
+  Instance assigner(Loaded(REGISTA_PLUGIN_FILE, "greedy"), EnvironmentBuilder{}.own(2));
+  const Scene scene =
+      FrameBuilder{}.own(2).robot(2).robot(3).task("supporter").priority(5).task("striker").priority(1).build();
+  Matrix utilities(2, 2);
+  utilities(0, 0) = utilities(0, 1) = 0.9;
+  utilities(1, 0) = utilities(1, 1) = 0.1;
+  EXPECT_EQ(assigner.assign(scene, utilities), (Rows{1, 0}));
+}
+
+REGISTA_ASSIGNER_CONTRACT(REGISTA_PLUGIN_FILE, "greedy");
 
 }  // namespace

@@ -9,6 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include <regista/testkit/contract.hpp>
+#include <regista/testkit/frame_builder.hpp>
+#include <regista/testkit/instance.hpp>
+
 #include "algorithm.hpp"
 
 namespace {
@@ -171,5 +175,18 @@ TEST(Hungarian, LargeMatrices) {
     EXPECT_EQ(assign(permutation, solver), hidden) << n;
   }
 }
+
+// --- The plugin ------------------------------------------------------------------------------------------------
+
+using namespace regista::testkit;
+
+TEST(HungarianPlugin, AmongEqualsPriorityCountsNotTheOrderOfColumns) {
+  Instance assigner(Loaded(REGISTA_PLUGIN_FILE, "hungarian"), EnvironmentBuilder{}.own(2));
+  const Scene scene =
+      FrameBuilder{}.own(2).robot(2).robot(3).task("supporter").priority(5).task("striker").priority(1).build();
+  EXPECT_EQ(assigner.assign(scene, Matrix(2, 2)), (Rows{1, 0}));
+}
+
+REGISTA_ASSIGNER_CONTRACT(REGISTA_PLUGIN_FILE, "hungarian");
 
 }  // namespace

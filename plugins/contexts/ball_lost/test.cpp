@@ -2,6 +2,10 @@
 // The rule against a clock counted by hand.
 #include <gtest/gtest.h>
 
+#include <regista/testkit/contract.hpp>
+#include <regista/testkit/frame_builder.hpp>
+#include <regista/testkit/instance.hpp>
+
 #include "algorithm.hpp"
 
 namespace {
@@ -62,5 +66,22 @@ TEST(BallLost, ForgetStartsAfresh) {
   memory.forget();
   EXPECT_FALSE(memory.update(rule, 0.1, true, 0.0));
 }
+
+// --- The plugin ------------------------------------------------------------------------------------------------
+
+using namespace regista::testkit;
+
+TEST(BallLostPlugin, LooksAtTheBallOfTheChosenWorld) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "ball_lost");
+  Instance context(plugin, EnvironmentBuilder{}, Values(plugin).set("after", 2.0));
+  const auto stale_in_common = [](WorldBuilder& world) { world.ball_age(9.0); };
+  const FrameBuilder frame =
+      FrameBuilder{}.own(2).time(20.0).robot(2).at(0, 0).ball(1, 1).ball_age(1.0).common(stale_in_common);
+  EXPECT_EQ(context.holds(FrameBuilder(frame).knowledge(REGISTA_MINE).build().before_tasks()), 0);
+  EXPECT_EQ(context.holds(FrameBuilder(frame).knowledge(REGISTA_COMMON).build().before_tasks()), 1);
+  EXPECT_EQ(context.holds(FrameBuilder(frame).no_ball().build().before_tasks()), 1);
+}
+
+REGISTA_CONTEXT_CONTRACT(REGISTA_PLUGIN_FILE, "ball_lost");
 
 }  // namespace

@@ -44,11 +44,17 @@ Point circumcentre(const Point& a, const Point& b, const Point& c) {
   return {a.x + (cy * b2 - by * c2) / twice_area, a.y + (bx * c2 - cx * b2) / twice_area};
 }
 
-double squared_distance(const Point& point, const Point& a, const Point& b) {
+double squared_distance(std::span<const Point> points, const Point& a, const Point& b) {
   const double dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
-  if (length2 == 0.0) return squared(point, a);
-  const double t = std::clamp(((point.x - a.x) * dx + (point.y - a.y) * dy) / length2, 0.0, 1.0);
-  return squared(point, {a.x + t * dx, a.y + t * dy});
+  const double per_length2 = length2 > 0.0 ? 1.0 / length2 : 0.0;
+  double least = infinity;
+  for (const Point& point : points) {  // without branches
+    const double px = point.x - a.x, py = point.y - a.y;
+    const double t = std::min(1.0, std::max(0.0, (px * dx + py * dy) * per_length2));
+    const double qx = px - t * dx, qy = py - t * dy;
+    least = std::min(least, qx * qx + qy * qy);
+  }
+  return least;
 }
 
 Diagram::Diagram(Settings settings) : settings_(std::move(settings)) {}
@@ -140,88 +146,61 @@ void Diagram::merge() {
   for (std::size_t i = 0; i < corners_.size(); ++i) in_order_.push_back({corners_[i], i});
   std::sort(in_order_.begin(), in_order_.end(),
             [](const Corner& a, const Corner& b) { return a.at != b.at ? a.at < b.at : a.index < b.index; });
+  const double reach = std::max(settings_.merge, coincident);
+  middles_.clear();
   clusters_.clear();
+  near_.clear();
   merged_into_.resize(corners_.size());
   for (std::size_t k = 0; k < in_order_.size(); ++k) {
     const Point at = in_order_[k].at;
-    clusters_.push_back({at.x, at.y, 1.0, at, none, infinity, true});
+    middles_.push_back(at);
+    clusters_.push_back({at.x, at.y, 1.0, k, 0});
     merged_into_[in_order_[k].index] = k;
+    for (std::size_t before = k; before-- > 0 && at.x - middles_[before].x < reach;) add_if_near(before, k, reach);
   }
-  for (std::size_t k = 0; k < clusters_.size(); ++k) find_nearest(k);
-
-  const double reach = std::max(settings_.merge, coincident);
-  while (true) {
-    std::size_t first = none;
-    double least = reach * reach;
-    for (std::size_t k = 0; k < clusters_.size(); ++k) {
-      if (clusters_[k].alive && clusters_[k].distance < least) {
-        least = clusters_[k].distance;
-        first = k;
-      }
-    }
-    if (first == none) break;
-    Cluster& winner = clusters_[first];
-    const std::size_t second = winner.nearest;
-    Cluster& loser = clusters_[second];
-    loser.alive = false;
+  while (!near_.empty()) {
+    const Pair pair = *std::min_element(near_.begin(), near_.end());
+    std::erase_if(near_, [&](const Pair& other) { return pair.shares_with(other); });
+    Cluster &winner = clusters_[pair.first], &loser = clusters_[pair.second];
     winner.sum_x += loser.sum_x;
     winner.sum_y += loser.sum_y;
     winner.count += loser.count;
-    winner.middle = {winner.sum_x / winner.count, winner.sum_y / winner.count};
-    for (std::size_t& cluster : merged_into_) cluster = cluster == second ? first : cluster;
-    find_nearest(first);
-    for (std::size_t k = 0; k < second; ++k) {
-      if (!clusters_[k].alive || k == first) continue;
-      if (clusters_[k].nearest == second || clusters_[k].nearest == first) {
-        find_nearest(k);
-      } else if (k < first) {
-        const double distance = squared(clusters_[k].middle, winner.middle);
-        if (distance < clusters_[k].distance) {
-          clusters_[k].distance = distance;
-          clusters_[k].nearest = first;
-        }
-      }
+    loser.into = pair.first;
+    middles_[pair.first] = {winner.sum_x / winner.count, winner.sum_y / winner.count};
+    middles_[pair.second] = {infinity, infinity};  // near to nothing
+    for (std::size_t k = 0; k < middles_.size(); ++k) {
+      if (k != pair.first) add_if_near(std::min(k, pair.first), std::max(k, pair.first), reach);
     }
   }
 }
 
-void Diagram::find_nearest(std::size_t cluster) {
-  Cluster& self = clusters_[cluster];
-  self.distance = infinity;
-  self.nearest = none;
-  for (std::size_t k = cluster + 1; k < clusters_.size(); ++k) {
-    if (!clusters_[k].alive) continue;
-    const double distance = squared(self.middle, clusters_[k].middle);
-    if (distance < self.distance) {
-      self.distance = distance;
-      self.nearest = k;
-    }
-  }
+void Diagram::add_if_near(std::size_t first, std::size_t second, double reach) {
+  const double distance = squared(middles_[first], middles_[second]);
+  if (distance < reach * reach) near_.push_back({distance, first, second});
 }
 
 // Clusters become nodes, links edges.
 void Diagram::join() {
   graph_.nodes.clear();
   graph_.edges.clear();
-  for (Cluster& cluster : clusters_) {
-    if (!cluster.alive) continue;
-    cluster.nearest = graph_.nodes.size();  // from here on: its node
-    graph_.nodes.push_back({cluster.middle.x, cluster.middle.y, 1.0});
+  for (std::size_t k = 0; k < clusters_.size(); ++k) {
+    Cluster& cluster = clusters_[k];
+    if (cluster.into == k) {
+      cluster.node = graph_.nodes.size();
+      graph_.nodes.push_back({middles_[k].x, middles_[k].y, 1.0});
+    } else {
+      cluster.node = clusters_[cluster.into].node;  // went into an earlier one, whose node is known
+    }
   }
   for (const Edge& link : links_) {
-    const std::size_t a = clusters_[merged_into_[link.from]].nearest, b = clusters_[merged_into_[link.to]].nearest;
+    const std::size_t a = clusters_[merged_into_[link.from]].node, b = clusters_[merged_into_[link.to]].node;
     if (a != b) graph_.edges.push_back({std::min(a, b), std::max(a, b)});
   }
   std::sort(graph_.edges.begin(), graph_.edges.end());
   graph_.edges.erase(std::unique(graph_.edges.begin(), graph_.edges.end()), graph_.edges.end());
-  std::erase_if(graph_.edges,
-                [&](const Edge& edge) { return !is_clear(graph_.nodes[edge.from], graph_.nodes[edge.to]); });
-}
-
-bool Diagram::is_clear(const Node& a, const Node& b) const {
-  const double least = settings_.clearance * settings_.clearance;
-  return std::none_of(opponents_.begin(), opponents_.end(), [&](const Point& opponent) {
-    return squared_distance(opponent, {a.x, a.y}, {b.x, b.y}) < least;
+  std::erase_if(graph_.edges, [&](const Edge& edge) {
+    const Node &a = graph_.nodes[edge.from], &b = graph_.nodes[edge.to];
+    return squared_distance(opponents_, {a.x, a.y}, {b.x, b.y}) < settings_.clearance * settings_.clearance;
   });
 }
 

@@ -55,13 +55,20 @@ class Diagram {
   const Graph& of(std::span<const Point> opponents);
 
  private:
-  // A merged node: the members' number, sum and mean.
+  // Corners that have become one: their number and sum.
   struct Cluster {
     double sum_x, sum_y, count;
-    Point middle;
-    std::size_t nearest;  // cluster after it in order that is nearest to it
-    double distance;      // squared, to that one
-    bool alive;
+    std::size_t into;  // the earlier cluster that has swallowed it, or itself
+    std::size_t node;  // of the graph
+  };
+  // Two clusters nearer than the merging distance; first < second.
+  struct Pair {
+    double distance;  // squared
+    std::size_t first, second;
+    bool shares_with(const Pair& other) const {
+      return first == other.first || first == other.second || second == other.first || second == other.second;
+    }
+    friend auto operator<=>(const Pair&, const Pair&) = default;
   };
   struct Corner {
     Point at;
@@ -71,10 +78,9 @@ class Diagram {
   void find_corners();
   void add_boundary();
   void merge();
-  void find_nearest(std::size_t cluster);
+  void add_if_near(std::size_t first, std::size_t second, double reach);
   void join();
   void score();
-  bool is_clear(const Node& a, const Node& b) const;
 
   Settings settings_;
   Delaunay delaunay_;
@@ -86,7 +92,9 @@ class Diagram {
   std::vector<Edge> links_;             // edges between corners
   std::vector<Corner> in_order_;
   std::vector<Cluster> clusters_;
-  std::vector<std::size_t> merged_into_;  // cluster of every corner, then node
+  std::vector<Point> middles_;  // of every cluster
+  std::vector<Pair> near_;
+  std::vector<std::size_t> merged_into_;  // cluster of every corner, before clusters merge
   Graph graph_;
 };
 
@@ -94,7 +102,7 @@ class Diagram {
 // part of the result's last bits.
 Point circumcentre(const Point& a, const Point& b, const Point& c);
 
-// Squared distance of `point` from the segment from `a` to `b`.
-double squared_distance(const Point& point, const Point& a, const Point& b);
+// Of the nearest of the points from the segment from `a` to `b`; infinite without points.
+double squared_distance(std::span<const Point> points, const Point& a, const Point& b);
 
 }  // namespace voronoi

@@ -49,28 +49,37 @@ void Delaunay::build(std::span<const Point> sites) {
       vertex->info() = static_cast<int>(i);
       near = vertex->face();
     }
-    for (auto face = t.all_faces_begin(); face != t.all_faces_end(); ++face) face->info() = outside;
     if (t.dimension() == 2) {
-      for (auto face = t.finite_faces_begin(); face != t.finite_faces_end(); ++face) {
-        face->info() = static_cast<int>(triangles_.size());
-        triangles_.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
-      }
-    }
-    if (t.dimension() >= 1) {
+      read_triangles(t);
+    } else if (t.dimension() == 1) {
       for (auto edge = t.finite_edges_begin(); edge != t.finite_edges_end(); ++edge) {
         const auto& [face, opposite] = *edge;
-        const int a = face->vertex(t.ccw(opposite))->info(), b = face->vertex(t.cw(opposite))->info();
-        if (t.dimension() == 1) {
-          edges_.push_back({a, b, outside, outside});
-        } else {
-          edges_.push_back({a, b, face->info(), face->neighbor(opposite)->info()});
-        }
+        edges_.push_back(
+            {face->vertex(t.ccw(opposite))->info(), face->vertex(t.cw(opposite))->info(), outside, outside});
       }
     }
   } catch (const CGAL::Failure_exception& failure) {
     triangulation_ = std::make_unique<Triangulation>();  // the old one may be half built
     throw std::runtime_error("Delaunay triangulation of " + std::to_string(sites.size()) +
                              " sites: CGAL refuses: " + failure.expression());
+  }
+}
+
+void Delaunay::read_triangles(Triangulation& t) {
+  // CGAL closes the plane with triangles to a vertex at infinity: these are `outside`.
+  for (auto face = t.tds().faces_begin(); face != t.tds().faces_end(); ++face) {
+    face->info() = t.is_infinite(face) ? outside : static_cast<int>(triangles_.size());
+    if (face->info() == outside) continue;
+    triangles_.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+  }
+  for (auto face = t.tds().faces_begin(); face != t.tds().faces_end(); ++face) {
+    const int left = face->info();
+    if (left == outside) continue;
+    for (int i = 0; i < 3; ++i) {  // every edge once: from the triangle with the larger number, or the only one
+      const int right = face->neighbor(i)->info();
+      if (right > left) continue;
+      edges_.push_back({face->vertex(t.ccw(i))->info(), face->vertex(t.cw(i))->info(), left, right});
+    }
   }
 }
 

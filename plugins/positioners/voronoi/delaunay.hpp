@@ -42,6 +42,8 @@ class Delaunay {
 
  private:
   struct Triangulation;
+  void read_triangles(Triangulation& triangulation);
+
   std::unique_ptr<Triangulation> triangulation_;
   std::vector<Triangle> triangles_;
   std::vector<Edge> edges_;

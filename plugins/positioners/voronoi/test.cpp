@@ -8,6 +8,10 @@
 #include <random>
 #include <vector>
 
+#include <regista/testkit/contract.hpp>
+#include <regista/testkit/frame_builder.hpp>
+#include <regista/testkit/instance.hpp>
+
 #include "algorithm.hpp"
 
 namespace {
@@ -282,5 +286,44 @@ TEST(Voronoi, MergingTakesTheMiddle) {
   EXPECT_TRUE(near(together.nodes[0], {x, y}, 1e-12));
   EXPECT_TRUE(together.edges.empty());
 }
+
+// --- The plugin ------------------------------------------------------------------------------------------------
+
+using namespace regista::testkit;
+
+TEST(VoronoiPlugin, SitesAreTheOpponentsTheHalfwayLineAndThePosts) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "voronoi");
+  Instance positioner(plugin, EnvironmentBuilder{}.own(2));
+  const Scene scene = FrameBuilder{}
+                          .own(2)
+                          .robot(2)
+                          .at(0, 0)
+                          .opponent(1.0, 0.5)
+                          .opponent(-2.0, 1.0)
+                          .opponent(-1.5, -2.0)
+                          .opponent(7.0, 0.0)
+                          .build()
+                          .before_tasks();
+  Diagram diagram{Settings{}};  // of the same field, by default
+  const std::vector<Point> opponents{{1.0, 0.5}, {-2.0, 1.0}, {-1.5, -2.0}, {7.0, 0.0}};
+  const Graph& expected = diagram.of(opponents);
+  const Placed placed = positioner.place(scene);
+  ASSERT_GE(expected.nodes.size(), 3u);
+  ASSERT_EQ(placed.points.size(), expected.nodes.size());
+  for (std::size_t i = 0; i < placed.points.size(); ++i) {
+    EXPECT_EQ(placed.points[i].x, expected.nodes[i].x);
+    EXPECT_EQ(placed.points[i].y, expected.nodes[i].y);
+    EXPECT_EQ(placed.points[i].score, expected.nodes[i].score);
+    EXPECT_EQ(placed.points[i].task, -1);
+    EXPECT_EQ(placed.points[i].robot, 0);
+  }
+  ASSERT_EQ(placed.edges.size(), expected.edges.size());
+  for (std::size_t i = 0; i < placed.edges.size(); ++i) {
+    EXPECT_EQ(placed.edges[i].from, expected.edges[i].from);
+    EXPECT_EQ(placed.edges[i].to, expected.edges[i].to);
+  }
+}
+
+REGISTA_POSITIONER_CONTRACT(REGISTA_PLUGIN_FILE, "voronoi");
 
 }  // namespace

@@ -8,6 +8,10 @@
 #include <random>
 #include <vector>
 
+#include <regista/testkit/contract.hpp>
+#include <regista/testkit/frame_builder.hpp>
+#include <regista/testkit/instance.hpp>
+
 #include "algorithm.hpp"
 #include "ball_witness.hpp"
 
@@ -272,5 +276,87 @@ TEST(BallWitness, WhoDoesNotSeeIsNotAlone) {
   // Fresh in the own world only because a teammate told just now.
   EXPECT_FALSE(witness.is_alone(6.0, {true, 0.2}, {true, 0.2}, 0.0));
 }
+
+// --- The plugin ------------------------------------------------------------------------------------------------
+
+using namespace regista::testkit;
+
+regista_budget plenty() {
+  regista_budget budget{};
+  budget.size = sizeof budget;
+  budget.packets_left = 1000;
+  budget.line = 1000.0;
+  budget.since_own = 1.0;
+  budget.bytes_free = 60;
+  return budget;
+}
+
+Scene at_five_seconds() { return FrameBuilder{}.own(3).time(5.0).robot(3).build(); }
+
+TEST(EventBasedPlugin, EventsAreTheReasonsOfThePackets) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "event_based");
+  const auto answer = [&](int kind, double value) {
+    Instance sender(plugin, EnvironmentBuilder{}.own(3), Values(plugin).set("period", 120.0));
+    const std::vector<regista_event> events{{kind, 0, value}};
+    const Sent sent = sender.decide(at_five_seconds(), events, {}, plenty());
+    return sent.send == 1 ? sent.reason : -1;
+  };
+  for (const int kind :
+       {REGISTA_EVENT_WHISTLE, REGISTA_EVENT_BALL_FOUND, REGISTA_EVENT_ROLE_CHANGED, REGISTA_EVENT_RETURNED}) {
+    EXPECT_EQ(answer(kind, 0.0), kind);
+  }
+  EXPECT_EQ(answer(REGISTA_EVENT_ROLE_CHANGED, -1.0), REGISTA_EVENT_ROLE_CHANGED);  // lost its role
+  EXPECT_EQ(answer(REGISTA_EVENT_GOALKEEPER_SAW_BALL, 7.9), -1);
+  EXPECT_EQ(answer(REGISTA_EVENT_GOALKEEPER_SAW_BALL, 8.0), REGISTA_EVENT_GOALKEEPER_SAW_BALL);
+  EXPECT_EQ(answer(REGISTA_EVENT_BALL_KNOWN_AGAIN, 4.9), -1);
+  EXPECT_EQ(answer(REGISTA_EVENT_BALL_KNOWN_AGAIN, 5.0), REGISTA_EVENT_BALL_KNOWN_AGAIN);
+  EXPECT_EQ(answer(REGISTA_EVENT_BALL_MOVED, 0.9), -1);
+  EXPECT_EQ(answer(REGISTA_EVENT_BALL_MOVED, 1.0), REGISTA_EVENT_BALL_MOVED);
+  EXPECT_EQ(answer(REGISTA_EVENT_POSE_MOVED, 1.0), REGISTA_EVENT_POSE_MOVED);
+  EXPECT_EQ(answer(REGISTA_EVENT_CONTEXT_CHANGED, 1.0), -1);
+}
+
+TEST(EventBasedPlugin, UrgentOffersThatFitAreAReason) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "event_based");
+  const auto answer = [&](double urgency, std::uint32_t bytes) {
+    Instance sender(plugin, EnvironmentBuilder{}.own(3), Values(plugin).set("period", 120.0));
+    const std::vector<regista_offer> offers{{7, 20, REGISTA_MEDIUM_RADIO, 0.5, 99.0},
+                                            {8, bytes, REGISTA_MEDIUM_RADIO, urgency, 99.0}};
+    return sender.decide(at_five_seconds(), {}, offers, plenty());
+  };
+  EXPECT_EQ(answer(0.99, 40).send, 0);
+  EXPECT_EQ(answer(1.0, 61).send, 0);
+  EXPECT_EQ(answer(1.0, 40).reason, REGISTA_EVENT_OFFER);
+  EXPECT_EQ(answer(1.0, 40).granted, (std::vector<std::uint64_t>{8, 7}));
+  EXPECT_EQ(answer(1.0, 41).granted, (std::vector<std::uint64_t>{8}));
+}
+
+TEST(EventBasedPlugin, ThePeriodFollowsThePhaseAndWhoSeesTheBall) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "event_based");
+  // Time from the first packet to the second.
+  const auto period = [&](const FrameBuilder& frame, int number) {
+    Instance sender(plugin, EnvironmentBuilder{}.own(number));
+    regista_budget budget = plenty();
+    double first = -1.0, last = 0.0;
+    for (int tick = 0; tick < 600; ++tick) {
+      budget.since_own = 0.1 * tick - last;
+      if (sender.decide(FrameBuilder(frame).own(number).time(0.1 * tick).build(), {}, {}, budget).send == 0) continue;
+      last = 0.1 * tick;
+      if (first >= 0.0) return last - first;
+      first = last;
+    }
+    return -1.0;
+  };
+  const FrameBuilder nobody = FrameBuilder{}.robot(1).robot(3).no_ball();
+  EXPECT_NEAR(period(nobody, 3), 10.0, 0.11);
+  EXPECT_NEAR(period(nobody, 1), 20.0, 0.11);
+  const FrameBuilder mine = FrameBuilder{}.robot(3).ball(1, 1).common([](WorldBuilder& world) { world.no_ball(); });
+  EXPECT_NEAR(period(mine, 3), 4.0, 0.11);
+  const FrameBuilder ours = FrameBuilder{}.robot(3).ball(1, 1).common([](WorldBuilder& world) { world.ball_age(0.3); });
+  EXPECT_NEAR(period(ours, 3), 10.0, 0.11);
+  EXPECT_NEAR(period(FrameBuilder(nobody).phase(REGISTA_PHASE_READY), 1), 8.0, 0.11);
+}
+
+REGISTA_SENDER_CONTRACT(REGISTA_PLUGIN_FILE, "event_based");
 
 }  // namespace

@@ -7,6 +7,10 @@
 #include <deque>
 #include <vector>
 
+#include <regista/testkit/contract.hpp>
+#include <regista/testkit/frame_builder.hpp>
+#include <regista/testkit/instance.hpp>
+
 #include "../grant_offers.hpp"
 #include "algorithm.hpp"
 
@@ -151,5 +155,50 @@ TEST(Offers, UrgencyThenAgeWhileTheyFit) {
   senders::choose_offers(offers, 0, chosen);
   EXPECT_TRUE(chosen.empty());
 }
+
+// --- The plugin ------------------------------------------------------------------------------------------------
+
+using namespace regista::testkit;
+
+// Packets of robot 4 in 80 s while it has this role.
+int packets_as(const char* role, const char* fast_role) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "fixed_rate");
+  Instance sender(plugin, EnvironmentBuilder{}.own(4), Values(plugin).set("fast_role", fast_role));
+  regista_budget budget{};
+  budget.size = sizeof budget;
+  budget.packets_left = 1000;
+  int packets = 0;
+  for (int tick = 0; tick < 800; ++tick) {
+    const Scene scene = FrameBuilder{}.own(4).time(0.1 * tick).robot(4).previous(4, role).build();
+    const Sent sent = sender.decide(scene, {}, {}, budget);
+    packets += sent.send;
+    EXPECT_EQ(sent.reason, REGISTA_EVENT_PERIOD);
+  }
+  return packets;
+}
+
+TEST(FixedRatePlugin, TheFastRoleIsKnownByName) {
+  EXPECT_EQ(packets_as("striker", "striker"), 20);
+  EXPECT_EQ(packets_as("supporter", "striker"), 10);
+  EXPECT_EQ(packets_as("supporter", "supporter"), 20);
+}
+
+TEST(FixedRatePlugin, TakesOffersAlong) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "fixed_rate");
+  Instance sender(plugin, EnvironmentBuilder{}.team_size(1).own(1));
+  regista_budget budget{};
+  budget.size = sizeof budget;
+  budget.packets_left = 1000;
+  budget.bytes_free = 60;
+  const std::vector<regista_offer> offers{{11, 50, REGISTA_MEDIUM_RADIO, 0.2, 99.0},
+                                          {12, 40, REGISTA_MEDIUM_RADIO, 0.9, 99.0},
+                                          {13, 20, REGISTA_MEDIUM_RADIO, 0.1, 99.0}};
+  EXPECT_EQ(sender.decide(FrameBuilder{}.own(1).team_size(1).time(0.0).robot(1).build(), {}, offers, budget).send, 0);
+  const Sent sent = sender.decide(FrameBuilder{}.own(1).team_size(1).time(4.0).robot(1).build(), {}, offers, budget);
+  EXPECT_EQ(sent.send, 1);
+  EXPECT_EQ(sent.granted, (std::vector<std::uint64_t>{12, 13}));
+}
+
+REGISTA_SENDER_CONTRACT(REGISTA_PLUGIN_FILE, "fixed_rate");
 
 }  // namespace

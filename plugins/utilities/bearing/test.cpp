@@ -5,6 +5,10 @@
 #include <random>
 #include <vector>
 
+#include <regista/testkit/contract.hpp>
+#include <regista/testkit/frame_builder.hpp>
+#include <regista/testkit/instance.hpp>
+
 #include "algorithm.hpp"
 
 namespace {
@@ -57,5 +61,31 @@ TEST(Bearing, ARobotOnTheSpotNeedNotTurn) {
   EXPECT_EQ(one({1.0, 1.0, 2.0}, 1.0, 1.0, Form::cosine), 1.0);
   EXPECT_EQ(one({1.0, 1.0, 2.0}, 1.0, 1.0, Form::angle), 1.0);
 }
+
+// --- The plugin ------------------------------------------------------------------------------------------------
+
+using namespace regista::testkit;
+
+TEST(BearingPlugin, FacesTheTaskOrTheGoal) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "bearing");
+  const Scene scene = FrameBuilder{}
+                          .own(2)
+                          .robot(2)
+                          .at(0, 0)
+                          .heading(pi / 2)
+                          .task("striker")
+                          .at(0, 3)
+                          .task("supporter")
+                          .at(0, -3)
+                          .build();
+  Instance task(plugin, EnvironmentBuilder{}, Values(plugin).set("form", "angle"));
+  EXPECT_NEAR(task.score(scene)(0, 0), 1.0, 1e-7);
+  EXPECT_NEAR(task.score(scene)(0, 1), 0.0, 1e-7);
+  Instance goal(plugin, EnvironmentBuilder{}, Values(plugin).set("form", "angle").set("towards", "opponent_goal"));
+  EXPECT_NEAR(goal.score(scene)(0, 0), 0.5, 1e-12);
+  EXPECT_NEAR(goal.score(scene)(0, 1), 0.5, 1e-12);
+}
+
+REGISTA_UTILITY_CONTRACT(REGISTA_PLUGIN_FILE, "bearing", {.order_of_opponents_is_irrelevant = true});
 
 }  // namespace

@@ -6,6 +6,10 @@
 #include <random>
 #include <vector>
 
+#include <regista/testkit/contract.hpp>
+#include <regista/testkit/frame_builder.hpp>
+#include <regista/testkit/instance.hpp>
+
 #include "algorithm.hpp"
 
 namespace {
@@ -51,5 +55,36 @@ TEST(Distance, NearerIsNeverWorseAndAllIsInRange) {
     }
   }
 }
+
+// --- The plugin ------------------------------------------------------------------------------------------------
+
+using namespace regista::testkit;
+
+TEST(DistancePlugin, ActiveRobotsAgainstTasksAfterTheirOffset) {
+  Instance utility(Loaded(REGISTA_PLUGIN_FILE, "distance"), EnvironmentBuilder{}.own(2));
+  const Scene scene = FrameBuilder{}
+                          .own(2)
+                          .robot(2)
+                          .at(0, 0)
+                          .robot(4)
+                          .at(4, 0)
+                          .penalised()
+                          .robot(5)
+                          .at(3, 4)
+                          .task("striker")
+                          .at(9, 9)
+                          .after(3, 4)
+                          .task("supporter")
+                          .at(0, 0)
+                          .build();
+  const Matrix out = utility.score(scene);
+  ASSERT_EQ(out.rows(), 2u);
+  EXPECT_DOUBLE_EQ(out(0, 0), 6.0 / 11.0);
+  EXPECT_DOUBLE_EQ(out(0, 1), 1.0);
+  EXPECT_DOUBLE_EQ(out(1, 0), 1.0);
+  EXPECT_DOUBLE_EQ(out(1, 1), 6.0 / 11.0);
+}
+
+REGISTA_UTILITY_CONTRACT(REGISTA_PLUGIN_FILE, "distance", {.order_of_opponents_is_irrelevant = true});
 
 }  // namespace

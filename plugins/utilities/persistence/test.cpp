@@ -4,6 +4,10 @@
 
 #include <vector>
 
+#include <regista/testkit/contract.hpp>
+#include <regista/testkit/frame_builder.hpp>
+#include <regista/testkit/instance.hpp>
+
 #include "algorithm.hpp"
 
 namespace {
@@ -27,5 +31,44 @@ TEST(Persistence, NothingToScore) {
   persistence_utility::score({}, {}, 10.0, &nothing, 0);
   EXPECT_EQ(nothing, -1.0);
 }
+
+// --- The plugin ------------------------------------------------------------------------------------------------
+
+using namespace regista::testkit;
+
+// Robot 2 is the observer: it has taken the role of striker 4 s ago, but has last told of supporter, 9 s old.
+Scene roles(int knowledge) {
+  return FrameBuilder{}
+      .own(2)
+      .time(20.0)
+      .knowledge(knowledge)
+      .robot(2)
+      .role("striker")
+      .since(16.0)
+      .robot(3)
+      .role("supporter")
+      .since(15.0)
+      .previous(2, "striker")
+      .task("striker")
+      .task("supporter")
+      .common([](WorldBuilder& world) { world.robot(2).role("supporter").since(11.0); })
+      .build();
+}
+
+std::vector<double> entries(const char* rows, int knowledge) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "persistence");
+  Instance utility(plugin, EnvironmentBuilder{}.own(2), Values(plugin).set("rows", rows));
+  const Matrix out = utility.score(roles(knowledge));
+  return {out(0, 0), out(0, 1), out(1, 0), out(1, 1)};
+}
+
+TEST(PersistencePlugin, OwnRowOrAllAndPrivateOrCommon) {
+  EXPECT_EQ(entries("all", REGISTA_MINE), (std::vector<double>{0.4, 0.0, 0.0, 0.5}));
+  EXPECT_EQ(entries("own", REGISTA_MINE), (std::vector<double>{0.4, 0.0, 0.0, 0.0}));
+  EXPECT_EQ(entries("all", REGISTA_COMMON), (std::vector<double>{0.0, 0.9, 0.0, 0.5}));
+  EXPECT_EQ(entries("own", REGISTA_COMMON), (std::vector<double>{0.0, 0.9, 0.0, 0.0}));
+}
+
+REGISTA_UTILITY_CONTRACT(REGISTA_PLUGIN_FILE, "persistence", {.order_of_opponents_is_irrelevant = true});
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include <regista/testkit/contract.hpp>
+
 #include "algorithm.hpp"
 
 namespace {
@@ -50,5 +52,7 @@ TEST(WaypointProximity, WaypointsCountForThoseTheyBelongTo) {
   const std::vector<Waypoint> waypoints{{0, 0, 1.0, 1, 0}, {0, 0, 1.0, -1, 5}};
   EXPECT_EQ(table({2, 5}, {{0, 0}, {0, 0}}, waypoints, {}), (std::vector<double>{0, 1, 1, 1}));
 }
+
+REGISTA_UTILITY_CONTRACT(REGISTA_PLUGIN_FILE, "waypoint_proximity", {.order_of_opponents_is_irrelevant = true});
 
 }  // namespace

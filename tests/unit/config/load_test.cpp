@@ -130,7 +130,7 @@ TEST(Override, WhatIsRefused) {
       {"a=\"x", "--set a=\"x: quote is never closed"},
   };
   for (const auto& [change, expected] : cases) {
-    EXPECT_EQ(error_of([&] { override_with(text(base), {change}); }), expected);
+    EXPECT_EQ(error_of([&, given = change] { override_with(text(base), {given}); }), expected);
   }
 }
 

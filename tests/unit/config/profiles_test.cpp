@@ -38,7 +38,7 @@ TEST(Documents, EveryShippedOneIsSound) {
        {std::pair{"configs/rules", DocumentKind::rules}, std::pair{"configs/robots", DocumentKind::robot},
         std::pair{"configs/disturbances", DocumentKind::disturbance}, std::pair{"configs/teams", DocumentKind::team}}) {
     for (const auto& entry : std::filesystem::directory_iterator(project / folder)) {
-      EXPECT_EQ(error_of([&] { EXPECT_EQ(check(entry.path()), kind); }), "");
+      EXPECT_EQ(error_of([&, wanted = kind] { EXPECT_EQ(check(entry.path()), wanted); }), "");
       ++files;
     }
   }
@@ -188,7 +188,7 @@ TEST(Profiles, WhatIsRefused) {
        "t.yaml:2:15: body.reach (0.1 m from the centre) ends inside the body (radius 0.15 m)"},
   };
   for (const auto& [text, expected] : cases) {
-    EXPECT_EQ(error_of([&] { show(parse_text(text, "t.yaml")); }), expected);
+    EXPECT_EQ(error_of([given = text] { show(parse_text(given, "t.yaml")); }), expected);
   }
 }
 
