@@ -207,8 +207,12 @@ Report Mind::Parts::report(const Percepts& percepts) const {
   const auto balls = world.local().balls();
   if (!balls.empty() && balls.front().age < ball_told_for) {
     const regista_track& ball = balls.front();
-    report.ball = ReportedBall{
-        {ball.x, ball.y}, {ball.vx, ball.vy}, std::sqrt(0.5 * (ball.covariance[0] + ball.covariance[5])), ball.age};
+    // A velocity that is not believed is not told: the others would carry the ball along it.
+    const bool moves = (ball.flags & REGISTA_TRACK_VELOCITY) != 0;
+    report.ball = ReportedBall{{ball.x, ball.y},
+                               moves ? Vector2d(ball.vx, ball.vy) : Vector2d(0.0, 0.0),
+                               std::sqrt(0.5 * (ball.covariance[0] + ball.covariance[5])),
+                               ball.age};
   }
   // The five that were seen last, the likelier of equals.
   std::array<const regista_track*, Report::most_opponents> chosen{};

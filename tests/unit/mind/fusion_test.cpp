@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: MIT
+// Fusion against the textbook: fast covariance intersection (Niehsen 2002) computed source by source with dense
+// matrices, its bounds by numeric minimisation, consistency whatever the correlation; opponents against brute force.
+#include "mind/world/fusion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+
+namespace regista::mind {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+constexpr double least_variance = 1e-6;  // fusion.cpp adds it to every diagonal
+
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+  double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+  double normal() { return std::normal_distribution<double>()(engine_); }
+  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
+  std::mt19937_64& engine() { return engine_; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// Symmetric positive definite with eigenvalues of the order of scale^2.
+Matrix random_covariance(Dice& dice, double scale) {
+  Matrix root(4, 4);
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) root(i, j) = scale * dice.normal();
+  }
+  return root * root.transpose() + 0.05 * scale * scale * Matrix::Identity(4, 4);
+}
+
+Estimate estimate(const Vector& state, const Matrix& covariance, int source, double weight = 1.0, double age = 0.0) {
+  Estimate out;
+  out.source = source;
+  out.track.x = state[0];
+  out.track.y = state[1];
+  out.track.vx = state[2];
+  out.track.vy = state[3];
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) out.track.covariance[4 * i + j] = covariance(i, j);
+  }
+  out.track.weight = weight;
+  out.track.age = age;
+  return out;
+}
+
+struct Fused {
+  Vector mean = Vector::Zero(4);
+  Matrix covariance = Matrix::Zero(4, 4);
+};
+
+// Niehsen: w_i = (1 / tr P_i) / sum (1 / tr P_j), traces of the position here; P^-1 = sum w_i P_i^-1.
+Fused textbook(const std::vector<Estimate>& estimates) {
+  double sum = 0.0;
+  std::vector<double> shares;
+  std::vector<Matrix> covariances;
+  std::vector<Vector> states;
+  for (const Estimate& each : estimates) {
+    Matrix p(4, 4);
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) p(i, j) = each.track.covariance[4 * i + j];
+    }
+    covariances.push_back(p + least_variance * Matrix::Identity(4, 4));
+    states.push_back(Vector{{each.track.x, each.track.y, each.track.vx, each.track.vy}});
+    shares.push_back(each.track.weight / (covariances.back()(0, 0) + covariances.back()(1, 1)));
+    sum += shares.back();
+  }
+  Matrix information = Matrix::Zero(4, 4);
+  Vector weighted = Vector::Zero(4);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const Eigen::FullPivLU<Matrix> lu(covariances[i]);
+    information += shares[i] / sum * lu.inverse();
+    weighted += shares[i] / sum * lu.solve(states[i]);
+  }
+  Fused out;
+  const Eigen::FullPivLU<Matrix> lu(information);
+  out.covariance = lu.inverse();
+  out.mean = lu.solve(weighted);
+  return out;
+}
+
+Fused read(const regista_ball& ball) {
+  Fused out;
+  out.mean << ball.position[0], ball.position[1], ball.velocity[0], ball.velocity[1];
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) out.covariance(i, j) = ball.covariance[4 * i + j];
+  }
+  return out;
+}
+
+// Estimates so near each other that none contradicts the best.
+std::vector<Estimate> agreeing(Dice& dice, int count) {
+  std::vector<Estimate> out;
+  const Vector truth{{dice.in(-4, 4), dice.in(-3, 3), dice.in(-1, 1), dice.in(-1, 1)}};
+  for (int i = 0; i < count; ++i) {
+    const Matrix covariance = random_covariance(dice, dice.in(0.2, 0.6));
+    Vector state = truth;
+    for (int k = 0; k < 4; ++k) state[k] += 0.05 * dice.normal();
+    out.push_back(estimate(state, covariance, i));
+  }
+  return out;
+}
+
+TEST(BallFusion, NothingKnownIsNotKnown) {
+  const regista_ball ball = fuse_ball({});
+  EXPECT_EQ(ball.flags, 0u);
+  Dice dice(1);
+  std::vector<Estimate> one{estimate(Vector::Zero(4), random_covariance(dice, 0.1), 1, 0.0)};
+  EXPECT_EQ(fuse_ball(one).flags, 0u) << "weight 0";
+}
+
+TEST(BallFusion, IsFastCovarianceIntersection) {
+  Dice dice(2);
+  for (int round = 0; round < 500; ++round) {
+    std::vector<Estimate> estimates = agreeing(dice, dice.integer(1, 7));
+    for (Estimate& each : estimates) each.track.weight = dice.in(0.3, 1.0);
+    const Fused expected = textbook(estimates), got = read(fuse_ball(estimates));
+    EXPECT_LT((got.mean - expected.mean).norm(), 1e-9) << round;
+    EXPECT_LT((got.covariance - expected.covariance).norm(), 1e-9 * expected.covariance.norm()) << round;
+    EXPECT_EQ(got.covariance, got.covariance.transpose());
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Matrix>(got.covariance).eigenvalues().minCoeff(), 0.0);
+  }
+}
+
+// Two sources by hand: isotropic variances 1 and 3 (position), at 0 and 4. w = 3/4, 1/4; information 3/4 + 1/12 = 5/6;
+// mean = (4 / 12) / (5 / 6) = 0.4; variance 1.2.
+TEST(BallFusion, TwoSourcesByHand) {
+  const Matrix one = Matrix::Identity(4, 4), three = 3.0 * Matrix::Identity(4, 4);
+  const std::vector<Estimate> estimates{estimate(Vector::Zero(4), one, 1), estimate(Vector{{4, 0, 0, 0}}, three, 2)};
+  const regista_ball ball = fuse_ball(estimates);
+  EXPECT_NEAR(ball.position[0], 0.4, 1e-5);
+  EXPECT_NEAR(ball.covariance[0], 1.2, 1e-5);
+  EXPECT_NEAR(ball.covariance[5], 1.2, 1e-5);
+  EXPECT_NEAR(ball.covariance[1], 0.0, 1e-12);
+}
+
+// The closed-form weights are one choice of omega: never better than the best omega found by search.
+TEST(BallFusion, NeverClaimsMoreThanTheBestIntersection) {
+  Dice dice(3);
+  for (int round = 0; round < 100; ++round) {
+    const std::vector<Estimate> estimates = agreeing(dice, 2);
+    const Matrix p0 = textbook({estimates[0]}).covariance, p1 = textbook({estimates[1]}).covariance;
+    double best = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= 1000; ++k) {
+      const double omega = k * 1e-3;
+      const Matrix information = omega * p0.inverse() + (1.0 - omega) * p1.inverse();
+      best = std::min(best, information.inverse().determinant());
+    }
+    EXPECT_GE(read(fuse_ball(estimates)).covariance.determinant(), best * (1.0 - 1e-4));
+  }
+}
+
+// Fully correlated errors, e_2 = L_2 L_1^-1 Q e_1: the claimed covariance still covers the true one.
+TEST(BallFusion, IsConsistentUnderFullCorrelation) {
+  Dice dice(4);
+  for (int round = 0; round < 300; ++round) {
+    const std::vector<Estimate> estimates = agreeing(dice, 2);
+    const Matrix p1 = textbook({estimates[0]}).covariance, p2 = textbook({estimates[1]}).covariance;
+    const Matrix l1 = p1.llt().matrixL(), l2 = p2.llt().matrixL();
+    Matrix random(4, 4);
+    for (int i = 0; i < 16; ++i) random(i / 4, i % 4) = dice.normal();
+    const Matrix rotation = Eigen::HouseholderQR<Matrix>(random).householderQ();
+    const Matrix cross = l1 * rotation.transpose() * l2.transpose();  // E e_1 e_2^T
+    const double t1 = p1(0, 0) + p1(1, 1), t2 = p2(0, 0) + p2(1, 1);
+    const double w1 = (1 / t1) / (1 / t1 + 1 / t2), w2 = 1.0 - w1;
+    const Matrix claimed = read(fuse_ball(estimates)).covariance;
+    const Matrix k1 = claimed * w1 * p1.inverse(), k2 = claimed * w2 * p2.inverse();
+    const Matrix truth = k1 * p1 * k1.transpose() + k2 * p2 * k2.transpose() + k1 * cross * k2.transpose() +
+                         k2 * cross.transpose() * k1.transpose();
+    const double least = Eigen::SelfAdjointEigenSolver<Matrix>(claimed - truth).eigenvalues().minCoeff();
+    EXPECT_GT(least, -1e-9 * claimed.norm());
+  }
+}
+
+TEST(BallFusion, DoesNotDependOnTheOrder) {
+  Dice dice(5);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Estimate> estimates = agreeing(dice, 5);
+    const Fused before = read(fuse_ball(estimates));
+    std::shuffle(estimates.begin(), estimates.end(), dice.engine());
+    const Fused after = read(fuse_ball(estimates));
+    EXPECT_LT((before.mean - after.mean).norm(), 1e-9);
+    EXPECT_LT((before.covariance - after.covariance).norm(), 1e-9);
+  }
+}
+
+TEST(BallFusion, LeavesOutWhatContradictsTheMostCertain) {
+  const Matrix sharp = 0.01 * Matrix::Identity(4, 4), blurred = 0.04 * Matrix::Identity(4, 4);
+  // Deviation of the difference: sqrt(0.05) = 0.2236; the gate of 99 % is at sqrt(9.21) = 3.035 of it: 0.6786 m.
+  const auto fused_x = [&](double x) {
+    const std::vector<Estimate> both{estimate(Vector{{x, 0, 0, 0}}, blurred, 2, 1.0, 0.0),
+                                     estimate(Vector::Zero(4), sharp, 1, 1.0, 0.0)};
+    return fuse_ball(both).position[0];
+  };
+  EXPECT_GT(fused_x(0.67), 0.0);
+  EXPECT_EQ(fused_x(0.69), 0.0);
+}
+
+TEST(BallFusion, AgeIsThatOfTheYoungestThatWasFused) {
+  const Matrix sharp = 0.01 * Matrix::Identity(4, 4), blurred = 0.02 * Matrix::Identity(4, 4);
+  const Estimate far = estimate(Vector{{3, 0, 0, 0}}, blurred, 3, 1.0, 0.0);
+  const std::vector<Estimate> agreed{estimate(Vector::Zero(4), sharp, 1, 1.0, 0.2),
+                                     estimate(Vector{{0.05, 0, 0, 0}}, blurred, 2, 1.0, 0.1)};
+  EXPECT_DOUBLE_EQ(fuse_ball(agreed).age, 0.1);
+  const std::vector<Estimate> contradicted{far, estimate(Vector::Zero(4), sharp, 1, 1.0, 0.01)};
+  EXPECT_DOUBLE_EQ(fuse_ball(contradicted).age, 0.01) << "the far one is less certain and contradicts";
+}
+
+TEST(BallFusion, UnwatchedEstimatesLoseToFreshOnes) {
+  const Matrix sharp = 0.0001 * Matrix::Identity(4, 4), blurred = 0.04 * Matrix::Identity(4, 4);
+  const std::vector<Estimate> estimates{estimate(Vector::Zero(4), sharp, 1, 1.0, 3.0),
+                                        estimate(Vector{{4, 0, 0, 0}}, blurred, 2, 1.0, 0.0)};
+  EXPECT_DOUBLE_EQ(fuse_ball(estimates).position[0], 4.0);
+}
+
+// --- Opponents -----------------------------------------------------------------------------------------------------
+
+Estimate opponent(double x, double y, double variance, int source, int label, double weight = 0.9, double age = 0.0) {
+  Estimate out;
+  out.source = source;
+  out.track.label = label;
+  out.track.x = x;
+  out.track.y = y;
+  out.track.covariance[0] = out.track.covariance[5] = variance;
+  out.track.weight = weight;
+  out.track.age = age;
+  return out;
+}
+
+std::vector<regista_opponent> fused(const std::vector<Estimate>& estimates, std::size_t most = 7) {
+  OpponentFusion fusion(1.1, most);
+  std::vector<regista_opponent> out;
+  fusion.fuse(estimates, out);
+  return out;
+}
+
+TEST(OpponentFusion, NothingIsNobody) { EXPECT_TRUE(fused({}).empty()); }
+
+// Variances 0.02 and 0.06 at 0 and 1: traces 0.04 and 0.12, weights 3/4 and 1/4, information 37.5 + 4.1666 per m^2,
+// mean (4.1666 / 41.6666) = 0.1, variance 0.024. Missing: 0.5 * 0.2.
+TEST(OpponentFusion, MergesTwoSourcesByHand) {
+  const auto out = fused({opponent(0, 2, 0.02, 1, 1, 0.5, 3.0), opponent(1, 2, 0.06, 2, 1, 0.8, 1.0)});
+  ASSERT_EQ(out.size(), 1u);
+  EXPECT_NEAR(out[0].position[0], 0.1, 1e-12);
+  EXPECT_NEAR(out[0].position[1], 2.0, 1e-12);
+  EXPECT_NEAR(out[0].covariance[0], 0.024, 1e-12);
+  EXPECT_NEAR(out[0].covariance[3], 0.024, 1e-12);
+  EXPECT_NEAR(out[0].weight, 0.9, 1e-12);
+  EXPECT_DOUBLE_EQ(out[0].age, 1.0);
+}
+
+TEST(OpponentFusion, MergesOnlyWithinTheDistance) {
+  EXPECT_EQ(fused({opponent(0, 0, 0.04, 1, 1), opponent(1.09, 0, 0.04, 2, 1)}).size(), 1u);
+  EXPECT_EQ(fused({opponent(0, 0, 0.04, 1, 1), opponent(1.11, 0, 0.04, 2, 1)}).size(), 2u);
+}
+
+TEST(OpponentFusion, NeverMergesTwoTracksOfOneSource) {
+  EXPECT_EQ(fused({opponent(0, 0, 0.04, 1, 1), opponent(0.1, 0, 0.04, 1, 2)}).size(), 2u);
+  // The third joins the nearer of the two.
+  const auto out = fused({opponent(0, 0, 0.04, 1, 1), opponent(0.5, 0, 0.04, 1, 2), opponent(0.4, 0, 0.04, 2, 1)});
+  ASSERT_EQ(out.size(), 2u);
+  std::set<double> xs{out[0].position[0], out[1].position[0]};
+  EXPECT_DOUBLE_EQ(*xs.begin(), 0.0);
+  EXPECT_NEAR(*xs.rbegin(), 0.45, 1e-12);
+}
+
+TEST(OpponentFusion, KeepsTheLikeliest) {
+  std::vector<Estimate> many;
+  for (int i = 0; i < 12; ++i) many.push_back(opponent(2.0 * i, 0, 0.04, 1, i, 0.05 + 0.07 * i));
+  const auto out = fused(many, 5);
+  ASSERT_EQ(out.size(), 5u);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    EXPECT_DOUBLE_EQ(out[i].position[0], 2.0 * (11.0 - static_cast<double>(i)));
+  }
+}
+
+TEST(OpponentFusion, LabelsAreUniqueHoweverFarPredictorsCount) {
+  std::vector<Estimate> many;
+  for (int source = 0; source <= 11; ++source) {
+    for (int k = 0; k < 2; ++k) {
+      const int label = k == 0 ? 1000 * (11 - source) + 1 : 100000 + source;
+      many.push_back(opponent(3.0 * source, 10.0 * k, 0.04, source, label));
+    }
+  }
+  const auto out = fused(many, 100);
+  std::set<int> labels;
+  for (const auto& each : out) labels.insert(each.label);
+  EXPECT_EQ(out.size(), 24u);
+  EXPECT_EQ(labels.size(), out.size());
+}
+
+// Opponents far apart, each seen by a random subset of robots: clusters are known beforehand, means computed directly,
+// and no order of the estimates changes them.
+TEST(OpponentFusion, RandomSetsAgainstBruteForce) {
+  Dice dice(6);
+  for (int round = 0; round < 200; ++round) {
+    struct Expected {
+      double x = 0, y = 0, i1 = 0, i2 = 0, missing = 1, age = 1e9;
+    };
+    std::vector<Estimate> estimates;
+    std::map<std::pair<long, long>, Expected> expected;
+    const int opponents = dice.integer(1, 7);
+    for (int k = 0; k < opponents; ++k) {
+      const double cx = 3.0 * k - 9.0, cy = dice.in(-3, 3);
+      Expected truth;
+      for (int source = 0; source <= 7; ++source) {
+        if (dice.integer(0, 1) == 0) continue;
+        const double x = cx + dice.in(-0.2, 0.2), y = cy + dice.in(-0.2, 0.2), variance = dice.in(0.01, 0.3);
+        const double weight = dice.in(0.05, 0.95), age = dice.in(0, 4), information = 1.0 / (2.0 * variance);
+        estimates.push_back(opponent(x, y, variance, source, k, weight, age));
+        truth.x += information * information * x;
+        truth.y += information * information * y;
+        truth.i1 += information;
+        truth.i2 += information * information;
+        truth.missing *= 1.0 - weight;
+        truth.age = std::min(truth.age, age);
+      }
+      if (truth.i1 > 0.0) expected[{k, 0}] = truth;
+    }
+    std::shuffle(estimates.begin(), estimates.end(), dice.engine());
+    const auto out = fused(estimates);
+    ASSERT_EQ(out.size(), expected.size());
+    for (const regista_opponent& each : out) {
+      const long k = std::lround((each.position[0] + 9.0) / 3.0);
+      const auto found = expected.find({k, 0});
+      ASSERT_NE(found, expected.end());
+      const Expected& truth = found->second;
+      EXPECT_NEAR(each.position[0], truth.x / truth.i2, 1e-9);
+      EXPECT_NEAR(each.position[1], truth.y / truth.i2, 1e-9);
+      EXPECT_NEAR(each.covariance[0], 0.5 * truth.i1 / truth.i2, 1e-9);
+      EXPECT_NEAR(each.weight, std::clamp(1.0 - truth.missing, 1e-3, 1.0), 1e-12);
+      EXPECT_DOUBLE_EQ(each.age, truth.age);
+    }
+    for (std::size_t i = 1; i < out.size(); ++i) EXPECT_GE(out[i - 1].weight, out[i].weight);
+  }
+}
+
+// Fusing any crowd: never more than `most`, no two tracks of a source in one, nothing farther from all its members than
+// the merge distance.
+TEST(OpponentFusion, InvariantsOnCrowds) {
+  Dice dice(7);
+  for (int round = 0; round < 300; ++round) {
+    std::vector<Estimate> estimates;
+    std::map<int, int> per_source;
+    const int count = dice.integer(0, 40);
+    for (int i = 0; i < count; ++i) {
+      const int source = dice.integer(0, 7);
+      estimates.push_back(opponent(dice.in(-2, 2), dice.in(-2, 2), dice.in(0.01, 0.5), source, i, dice.in(0.01, 1.0)));
+      ++per_source[source];
+    }
+    const auto all = fused(estimates, 1000), seven = fused(estimates, 7);
+    int most_of_one = 0;
+    for (const auto& [source, number] : per_source) most_of_one = std::max(most_of_one, number);
+    EXPECT_GE(static_cast<int>(all.size()), most_of_one);
+    EXPECT_LE(static_cast<int>(all.size()), count);
+    EXPECT_EQ(seven.size(), std::min<std::size_t>(7, all.size()));
+    for (const regista_opponent& each : all) {
+      EXPECT_GT(each.weight, 0.0);
+      EXPECT_LE(each.weight, 1.0);
+      EXPECT_GT(each.covariance[0], 0.0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace regista::mind

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// The simplest plugins that keep every promise of abi.h: minds need plugins, and these have nothing of their own that
+// could hide what a mind does. None of them allocates.
+#pragma once
+
+#include <regista/assigner.hpp>
+#include <regista/context.hpp>
+#include <regista/positioner.hpp>
+#include <regista/predictor.hpp>
+#include <regista/sender.hpp>
+#include <regista/utility.hpp>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace stubs {
+
+// Believes what it was told last. Its own pose is counted in steps; balls and teammates go on at their velocities.
+struct Still {
+  static constexpr auto id = "still", version = "1.0.0", summary = "Believes what it was told last";
+  static constexpr unsigned subjects =
+      REGISTA_SUBJECT_SELF | REGISTA_SUBJECT_BALL | REGISTA_SUBJECT_OPPONENTS | REGISTA_SUBJECT_TEAMMATES;
+
+  void setup(const regista::Environment& environment) {
+    subject_ = environment->subject;
+    own_number_ = environment->own_number;
+  }
+
+  void reset(std::uint64_t) {
+    count_ = 0;
+    if (subject_ == REGISTA_SUBJECT_SELF) add(own_number_, 0.0, 0.0);
+  }
+
+  void predict(double dt, const regista::Motion* motion, const regista::Frame*) {
+    if (subject_ == REGISTA_SUBJECT_SELF) {
+      regista::Track& self = tracks_[0];
+      const double c = std::cos(self.heading), s = std::sin(self.heading);
+      self.x += c * motion->x - s * motion->y;
+      self.y += s * motion->x + c * motion->y;
+      self.heading = std::remainder(self.heading + motion->heading, 2.0 * std::numbers::pi);
+      return;
+    }
+    for (std::size_t i = 0; i < count_; ++i) carry(tracks_[i], dt);
+  }
+
+  void correct(regista::Span<regista::Measurement> measurements, const regista::VisibleArea&) {
+    if (subject_ != REGISTA_SUBJECT_SELF && !measurements.empty()) count_ = 0;
+    for (const regista::Measurement& seen : measurements) {
+      if (seen.kind == REGISTA_MEASURED_LANDMARK) continue;
+      if (subject_ == REGISTA_SUBJECT_SELF || (subject_ == REGISTA_SUBJECT_BALL && count_ > 0)) count_ = 0;
+      const int label = subject_ == REGISTA_SUBJECT_SELF ? own_number_ : static_cast<int>(count_) + 1;
+      regista::Track& track = add(label, seen.position[0], seen.position[1]);
+      track.heading = seen.heading;
+      track.heading_variance = seen.covariance[8];
+      track.covariance[0] = seen.covariance[0];
+      track.covariance[1] = track.covariance[4] = seen.covariance[1];
+      track.covariance[5] = seen.covariance[4];
+    }
+  }
+
+  void absorb(regista::Span<regista::Track> told, double age) {
+    if (subject_ != REGISTA_SUBJECT_TEAMMATES) count_ = 0;
+    for (const regista::Track& each : told) {
+      std::size_t at = 0;
+      while (at < count_ && tracks_[at].label < each.label) ++at;
+      if (at == count_ || tracks_[at].label != each.label) {
+        for (std::size_t i = count_++; i > at; --i) tracks_[i] = tracks_[i - 1];
+      }
+      tracks_[at] = each;
+      carry(tracks_[at], age);
+    }
+  }
+
+  void tracks(regista::Tracks out) const {
+    for (std::size_t i = 0; i < count_; ++i) out.add(tracks_[i]);
+  }
+
+ private:
+  regista::Track& add(int label, double x, double y) {
+    regista::Track& track = tracks_[count_++];
+    track = {};
+    track.label = label;
+    track.x = x;
+    track.y = y;
+    track.weight = 1.0;
+    track.covariance[0] = track.covariance[5] = track.covariance[10] = track.covariance[15] = 0.01;
+    return track;
+  }
+  static void carry(regista::Track& track, double dt) {
+    track.x += track.vx * dt;
+    track.y += track.vy * dt;
+    track.age += dt;
+  }
+
+  unsigned subject_ = 0;
+  int own_number_ = 0;
+  std::size_t count_ = 0;
+  std::array<regista::Track, 32> tracks_{};
+};
+
+// Holds in [from, to).
+struct Window {
+  static constexpr auto id = "window", version = "1.0.0", summary = "Holds for a while";
+  double from = 0.0, to = 1e6;
+  static constexpr std::tuple parameters{regista::real("from", &Window::from, {0.0, 1e6}, "s", "First time"),
+                                         regista::real("to", &Window::to, {0.0, 1e6}, "s", "First time after")};
+  bool holds(const regista::Frame& frame) { return frame.time() >= from && frame.time() < to; }
+};
+
+// A triangle of waypoints, joined.
+struct Triangle {
+  static constexpr auto id = "triangle", version = "1.0.0", summary = "Three points";
+  void place(const regista::Frame&, regista::Placement out) {
+    const auto a = out.point(1.0, 0.0), b = out.point(-1.0, 1.0), c = out.point(-1.0, -1.0);
+    out.edge(a, b);
+    out.edge(b, c);
+    out.edge(c, a);
+  }
+};
+
+struct Nearness {
+  static constexpr auto id = "nearness", version = "1.0.0", summary = "Falls with the distance";
+  void score(const regista::Frame& frame, regista::Utilities out) {
+    const auto active = frame.world().active();
+    for (std::size_t i = 0; i < out.rows(); ++i) {
+      const regista::Robot& robot = frame.world().robot(active[i]);
+      for (std::size_t j = 0; j < out.columns(); ++j) {
+        const double x = frame.tasks()[j].after[0] - robot.pose[0], y = frame.tasks()[j].after[1] - robot.pose[1];
+        out(i, j) = 1.0 / (1.0 + std::sqrt(x * x + y * y));
+      }
+    }
+  }
+};
+
+// Tasks in their order, each to its best robot that is still free.
+struct InOrder {
+  static constexpr auto id = "in_order", version = "1.0.0", summary = "Best free robot per task";
+  void assign(const regista::Frame&, regista::UtilityMatrix utilities, regista::Assignment out) {
+    for (std::size_t j = 0; j < utilities.columns(); ++j) {
+      std::size_t best = utilities.rows();
+      for (std::size_t i = 0; i < utilities.rows(); ++i) {
+        if (out[i] != regista::Assignment::no_task || !(utilities(i, j) >= 0.0)) continue;
+        if (best == utilities.rows() || utilities(i, j) > utilities(best, j)) best = i;
+      }
+      if (best < utilities.rows()) out[best] = static_cast<std::int32_t>(j);
+    }
+  }
+};
+
+// Every so often, with all offers.
+struct Steady {
+  static constexpr auto id = "steady", version = "1.0.0", summary = "Sends every so often";
+  double period = 1.0;
+  static constexpr std::tuple parameters{
+      regista::real("period", &Steady::period, {0.0, 1e6}, "s", "Time between two packets")};
+  void reset(std::uint64_t) { last_ = -1e9; }
+  std::optional<int> decide(const regista::Frame& frame, const regista::SendQuery& query, regista::Grants out) {
+    if (frame.time() - last_ < period - 1e-9) return std::nullopt;
+    last_ = frame.time();
+    for (const regista::Offer& offer : query.offers) out.grant(offer);
+    return REGISTA_EVENT_PERIOD;
+  }
+
+ private:
+  double last_ = -1e9;
+};
+
+// Offers its number whenever its last offer is gone; scores everything by the sum of what it received.
+struct Gossip {
+  static constexpr auto id = "gossip", version = "1.0.0", summary = "Tells its number, scores by what it heard";
+  void setup(const regista::Environment& environment, regista::Mailbox mailbox) {
+    own_number_ = environment->own_number;
+    mailbox_ = mailbox;
+  }
+  void reset(std::uint64_t) { sum_ = 0.0, handle_ = 0; }
+  void score(const regista::Frame& frame, regista::Utilities out) {
+    const std::array<std::uint8_t, 1> bytes{static_cast<std::uint8_t>(own_number_)};
+    if (handle_ == 0) handle_ = mailbox_.offer(bytes, 0.5, frame.time() + 0.35);
+    for (std::size_t i = 0; i < out.rows(); ++i) {
+      for (std::size_t j = 0; j < out.columns(); ++j) out(i, j) = sum_;
+    }
+  }
+  void receive(const regista::Message& message) {
+    for (const std::uint8_t byte : message.bytes()) sum_ += byte == message.sender() ? byte : 1000;
+  }
+  void transmitted(std::uint64_t handle) { gone(handle); }
+  void dropped(std::uint64_t handle) { gone(handle); }
+
+ private:
+  void gone(std::uint64_t handle) {
+    if (handle == handle_) handle_ = 0;
+  }
+  regista::Mailbox mailbox_;
+  int own_number_ = 0;
+  std::uint64_t handle_ = 0;
+  double sum_ = 0.0;
+};
+
+}  // namespace stubs
