@@ -23,6 +23,9 @@ SOUND = TEST_PLUGINS / "contract" / "contract_good.so"
 # What bad input may take until it is refused, in seconds. Sanitizers are slow to start.
 AT_ONCE = 5.0 if SANITIZED else 1.0
 
+# Robots walk to their places for 45 s before a game is played: too long for a short match.
+PLAY_SOON = ("--set", "rules.durations.ready=3", "--set", "rules.durations.set=1")
+
 TEAM = """\
 team: {name}
 predictors:
