@@ -5,6 +5,7 @@ The installation has the layout of a real one, bin/regista and lib/regista/plugi
 the plugins there are does not depend on those that are shipped.
 """
 
+import json
 import os
 import pathlib
 import shutil
@@ -104,6 +105,11 @@ class Case(unittest.TestCase):
         done = self.run_program(*arguments, **options)
         self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
         return done.stdout
+
+    def ids(self, kind=None):
+        """Ids of the plugins there are, of one kind or all, in the program's order."""
+        plugins = json.loads(self.succeed("plugin", "list", "--json"))["plugins"]
+        return [plugin["id"] for plugin in plugins if kind is None or kind in plugin["kinds"]]
 
     def refused(self, *arguments, code=2, **options):
         """The line with which a command refuses; nothing goes to standard output."""
