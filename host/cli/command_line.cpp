@@ -69,12 +69,18 @@ std::string not_expected(const CLI::App& root) {
   }
   const std::vector<std::string> commands = names_of_commands(app);
   if (!commands.empty()) return config::unknown("command", word, full_name(app), commands);
-  return fmt::format("{}: {} is one word too many", full_name(app), config::in_quotes(word));
+  return fmt::format("{} is one word too many for {}", config::in_quotes(word), full_name(app));
+}
+
+// Every option of ours takes one value or none.
+std::string wrong_count(const CLI::ArgumentMismatch& error) {
+  const std::string text = error.what(), option = text.substr(0, text.find(':'));
+  return option + (text.ends_with("missing") ? " needs a value" : " is given more than once");
 }
 
 [[noreturn]] void no_command(const CLI::App& app) {
-  throw BadInput(fmt::format("{}: which command? There are: {}; see: {} --help", full_name(app),
-                             config::join(names_of_commands(app)), full_name(app)));
+  throw BadInput(fmt::format("which command? There are: {}; see: {} --help", config::join(names_of_commands(app)),
+                             full_name(app)));
 }
 
 int run_chosen(CLI::App& root, const std::vector<Command>& commands, const std::vector<std::string>& arguments) {
@@ -89,8 +95,10 @@ int run_chosen(CLI::App& root, const std::vector<Command>& commands, const std::
     return exit_done;
   } catch (const CLI::ExtrasError&) {
     throw BadInput(not_expected(root));
+  } catch (const CLI::ArgumentMismatch& error) {
+    throw BadInput(wrong_count(error));
   } catch (const CLI::ParseError& error) {
-    throw BadInput(fmt::format("{}: {}", full_name(chosen(root)), error.what()));
+    throw BadInput(error.what());
   }
   const CLI::App& app = chosen(root);
   for (const Command& command : commands) {
@@ -106,14 +114,16 @@ int run(const Invocation& invocation) {
   root.footer(examples);
   // At most one command, so that what follows it is never taken for another.
   root.require_subcommand(0, 1);
+  std::vector<Command> commands{add_match(root, invocation)};
   CLI::App& plugin = *root.add_subcommand("plugin", "the plugins that there are");
-  CLI::App& config = *root.add_subcommand("config", "documents: rules, robots, disturbances, teams");
   plugin.require_subcommand(0, 1);
+  commands.push_back(add_plugin_list(plugin, invocation));
+  commands.push_back(add_plugin_info(plugin, invocation));
+  CLI::App& config = *root.add_subcommand("config", "documents: rules, robots, disturbances, teams");
   config.require_subcommand(0, 1);
-  const std::vector<Command> commands{
-      add_match(root, invocation),          add_plugin_list(plugin, invocation), add_plugin_info(plugin, invocation),
-      add_config_check(config, invocation), add_config_show(config, invocation), add_config_schema(config, invocation),
-  };
+  commands.push_back(add_config_check(config, invocation));
+  commands.push_back(add_config_show(config, invocation));
+  commands.push_back(add_config_schema(config, invocation));
   return run_chosen(root, commands, invocation.arguments);
 }
 

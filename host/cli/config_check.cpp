@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <optional>
 
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
@@ -27,34 +26,22 @@ struct Options {
   std::vector<std::string> files, plugins;
 };
 
-// Opens plugins when the first team is met.
-class Checker {
- public:
-  Checker(const Options& options, const Invocation& invocation) : options_(options), invocation_(invocation) {}
-
-  // Throws config::Error for what is not sound.
-  std::string_view check(const std::string& file) {
-    const config::DocumentKind kind = config::check(file);
-    if (kind == config::DocumentKind::team) {
-      if (!catalogue_) catalogue_.emplace(open_plugins(options_.plugins, invocation_));
-      const mind::TeamPlan plan(config::read_team(file), {}, {}, *catalogue_);
-    }
-    return config::name_of(kind);
+// Its kind. Throws config::Error for what is not sound.
+std::string_view check(const std::string& file, const plugin::Catalogue& catalogue) {
+  const config::DocumentKind kind = config::check(file);
+  if (kind == config::DocumentKind::team) {
+    const mind::TeamPlan plan(config::read_team(file), {}, {}, catalogue);  // finds what is wrong with plugins
   }
-
- private:
-  const Options& options_;
-  const Invocation& invocation_;
-  std::optional<plugin::Catalogue> catalogue_;
-};
+  return config::name_of(kind);
+}
 
 int check(const Options& options, const Invocation& invocation) {
   if (options.files.empty()) throw BadInput("config check: at least one file is wanted");
-  Checker checker(options, invocation);
+  const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   bool sound = true;
   for (const std::string& file : options.files) {
     try {
-      print(fmt::format("{}: {}, sound\n", file, checker.check(file)));
+      print(fmt::format("{}: {}, sound\n", file, check(file, catalogue)));
     } catch (const config::Error& error) {
       complain(error.what());
       sound = false;

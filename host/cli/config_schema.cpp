@@ -13,6 +13,7 @@
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
 #include "config/text.hpp"
+#include "plugin/declarations.hpp"
 
 namespace regista::cli {
 namespace {
@@ -36,23 +37,26 @@ config::DocumentKind kind_named(const std::string& name) {
   throw BadInput("config schema: " + config::unknown("kind of document", name, "", known));
 }
 
-int schema(const Options& options) {
+int schema(const Options& options, const Invocation& invocation) {
   if (options.kinds.size() != 1) {
     throw BadInput(fmt::format("config schema: one of rules, robot, disturbance and team is wanted, {} given",
                                options.kinds.size()));
   }
-  print(config::schema(kind_named(options.kinds.front())));
+  const config::DocumentKind kind = kind_named(options.kinds.front());
+  const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
+  print(config::schema(kind, plugin::declarations(catalogue.plugins())));
   return exit_done;
 }
 
 }  // namespace
 
-Command add_config_schema(CLI::App& parent, const Invocation&) {
+Command add_config_schema(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("schema", "write the JSON Schema of a kind of document");
   const auto options = std::make_shared<Options>();
   app.add_option("kind", options->kinds, "rules, robot, disturbance or team")->type_name("KIND");
+  add_plugin_folders(app, options->plugins);
   app.footer(examples);
-  return {&app, [options] { return schema(*options); }};
+  return {&app, [options, &invocation] { return schema(*options, invocation); }};
 }
 
 }  // namespace regista::cli

@@ -10,6 +10,7 @@
 #include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
+#include "plugin/declarations.hpp"
 
 namespace regista::cli {
 namespace {
@@ -22,25 +23,34 @@ struct Options {
   std::vector<std::string> files, plugins, overrides;
 };
 
-int show(const Options& options) {
+// Plugins are opened for teams only: nothing else names them.
+std::vector<config::PluginDeclaration> declarations_for(const config::Node& document, const Options& options,
+                                                        const Invocation& invocation) {
+  if (config::kind_of(document) != config::DocumentKind::team) return {};
+  return plugin::declarations(open_plugins(options.plugins, invocation).plugins());
+}
+
+int show(const Options& options, const Invocation& invocation) {
   if (options.files.size() != 1) {
     throw BadInput(fmt::format("config show: one file is wanted, {} given", options.files.size()));
   }
-  print(config::show(options.files.front(), options.overrides));
+  const config::Node document = config::load(options.files.front(), options.overrides);
+  print(config::show(document, declarations_for(document, options, invocation)));
   return exit_done;
 }
 
 }  // namespace
 
-Command add_config_show(CLI::App& parent, const Invocation&) {
+Command add_config_show(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("show", "write a document with every value that is in force");
   const auto options = std::make_shared<Options>();
   app.add_option("file", options->files, "a document of any kind")->type_name("FILE");
   app.add_option("--set", options->overrides, "a value laid over the document; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
+  add_plugin_folders(app, options->plugins);
   app.footer(examples);
-  return {&app, [options] { return show(*options); }};
+  return {&app, [options, &invocation] { return show(*options, invocation); }};
 }
 
 }  // namespace regista::cli

@@ -5,6 +5,7 @@ The installation has the layout of a real one, bin/regista and lib/regista/plugi
 the plugins there are does not depend on those that are shipped.
 """
 
+import json
 import os
 import pathlib
 import shutil
@@ -22,6 +23,9 @@ SOUND = TEST_PLUGINS / "contract" / "contract_good.so"
 
 # What bad input may take until it is refused, in seconds. Sanitizers are slow to start.
 AT_ONCE = 5.0 if SANITIZED else 1.0
+
+# Robots walk to their places for 45 s before a game is played: too long for a short match.
+PLAY_SOON = ("--set", "rules.durations.ready=3", "--set", "rules.durations.set=1")
 
 TEAM = """\
 team: {name}
@@ -101,6 +105,11 @@ class Case(unittest.TestCase):
         done = self.run_program(*arguments, **options)
         self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
         return done.stdout
+
+    def ids(self, kind=None):
+        """Ids of the plugins there are, of one kind or all, in the program's order."""
+        plugins = json.loads(self.succeed("plugin", "list", "--json"))["plugins"]
+        return [plugin["id"] for plugin in plugins if kind is None or kind in plugin["kinds"]]
 
     def refused(self, *arguments, code=2, **options):
         """The line with which a command refuses; nothing goes to standard output."""

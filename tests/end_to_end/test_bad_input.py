@@ -6,6 +6,9 @@ import unittest
 
 import program
 
+OPTIONS = ("--help, --seed, --rules, --robot, --disturbance, --set, --limit, --plugins, --json, --decisions, --quiet, "
+           "--verbose")
+
 
 class BadInput(program.Case):
     def refused_at_once(self, *arguments, **options):
@@ -17,15 +20,158 @@ class BadInput(program.Case):
     def assert_refused(self, arguments, line):
         self.assertEqual(self.refused_at_once(*arguments), line)
 
-    def assert_team_refused(self, change, line, team=None):
-        text = team if team is not None else program.TEAM.format(name="bad")
-        if change is not None:
-            self.assertIn(change[0], text)
-            text = text.replace(*change)
-        self.write("bad.yaml", text)
-        self.assert_refused(("match", "small.yaml", "bad.yaml"), line)
+    def assert_match_refused(self, arguments, line):
+        self.assert_refused(("match", "small.yaml", "small.yaml", *arguments), line)
+
+    def assert_team_refused(self, old, new, line):
+        """A team with one text replaced is refused with `bad.yaml:` and the place of `new`, then `line`."""
+        text = program.TEAM.format(name="bad")
+        self.assertEqual(text.count(old), 1, old)
+        before = text[:text.index(old)]
+        self.write("bad.yaml", text.replace(old, new))
+        place = f"bad.yaml:{before.count(chr(10)) + 1}:{len(before) - (before.rfind(chr(10)) + 1) + 1}: "
+        self.assert_refused(("match", "small.yaml", "bad.yaml"), place + line)
         # The same line from the command that checks, whose answer is no.
-        self.assertEqual(self.refused("config", "check", "bad.yaml", code=1), line)
+        self.assertEqual(self.refused("config", "check", "bad.yaml", code=1), place + line)
+
+
+class CommandLine(BadInput):
+    def test_no_command(self):
+        self.assert_refused((), "which command? There are: match, plugin, config; see: regista --help")
+        self.assert_refused(("plugin",), "which command? There are: list, info; see: regista plugin --help")
+
+    def test_unknown_command(self):
+        self.assert_refused(("mtach", "a.yaml"),
+                            'unknown command "mtach" in regista; nearest: "match"; known: match, plugin, config')
+        self.assert_refused(("plugin", "lits"),
+                            'unknown command "lits" in regista plugin; nearest: "list"; known: list, info')
+        # Planned, not there: no nearest name that misleads.
+        self.assert_refused(("tournament",), 'unknown command "tournament" in regista; known: match, plugin, config')
+
+    def test_unknown_option(self):
+        self.assert_match_refused(("--sede", "3"),
+                                  f'unknown option "--sede" in regista match; nearest: "--seed"; known: {OPTIONS}')
+        self.assert_match_refused(("--record=x",), f'unknown option "--record" in regista match; known: {OPTIONS}')
+
+    def test_too_few_and_too_many_words(self):
+        see = "see: regista match --help"
+        self.assert_refused(("match",), f"match: two files of teams are wanted, 0 given; {see}")
+        self.assert_refused(("match", "small.yaml"), f"match: two files of teams are wanted, 1 given; {see}")
+        self.assert_match_refused(("small.yaml",), f"match: two files of teams are wanted, 3 given; {see}")
+        self.assert_refused(("plugin", "list", "x"), '"x" is one word too many for regista plugin list')
+        self.assert_refused(("plugin", "info"),
+                            "plugin info: one id of a plugin is wanted, 0 given; see: regista plugin list")
+        self.assert_refused(("config", "show", "a", "b"), "config show: one file is wanted, 2 given")
+        self.assert_refused(("config", "check"), "config check: at least one file is wanted")
+
+    def test_options_without_value_or_with_two(self):
+        self.assert_match_refused(("--seed",), "--seed needs a value")
+        self.assert_match_refused(("--seed", "1", "--seed", "2"), "--seed is given more than once")
+
+    def test_seed(self):
+        for text in ("-1", "1.5", "abc", "", "18446744073709551616"):
+            self.assert_match_refused(
+                ("--seed", text), f'--seed: "{text}"; a whole number from 0 to 18446744073709551615 is wanted')
+
+    def test_limit(self):
+        for text in ("0", "-3", "nan", "soon", "1e300"):
+            self.assert_match_refused(("--limit", text),
+                                      f'--limit: "{text}"; seconds above 0, up to 1000000, are wanted')
+
+    def test_plugin_folder(self):
+        self.assert_match_refused(("--plugins", "nowhere"), "--plugins: folder nowhere does not exist")
+        self.assert_match_refused(("--plugins", "small.yaml"), "--plugins: small.yaml is not a folder")
+        self.assert_refused(("config", "check", "small.yaml", "--plugins", "nowhere"),
+                            "--plugins: folder nowhere does not exist")
+
+    def test_decisions_that_cannot_be_written(self):
+        self.assert_match_refused(("--decisions", "nowhere/x"), "cannot write nowhere/x: No such file or directory")
+        self.assert_match_refused(("--decisions", "."), "cannot write .: Is a directory")
+
+    def test_kind_of_schema(self):
+        self.assert_refused(("config", "schema", "robots"),
+                            'config schema: unknown kind of document "robots"; nearest: "robot"; '
+                            "known: rules, robot, disturbance, team")
+
+    def test_control_characters_stay_in_one_line(self):
+        self.assert_refused(("match\n\x1b[31m",), r'unknown command "match\n\x1b[31m" in regista; '
+                                                  "known: match, plugin, config")
+
+
+class Overrides(BadInput):
+    def test_path_that_is_not_there(self):
+        self.assert_match_refused(
+            ("--set", "rules.durations.haf=3"),
+            '--set rules.durations.haf=3: unknown key "haf" in durations; nearest: "half"; known: half, halves, ready, '
+            "set, kick_off_free_after, set_play, state_delay, game_stuck")
+        self.assert_match_refused(
+            ("--set", "utility.terms.near.params.scael=3"),
+            '--set utility.terms.near.params.scael=3: unknown parameter "scael" in plugin nearness; nearest: "scale"; '
+            "known: scale, squared")
+
+    def test_element_that_is_not_there(self):
+        line = self.refused_at_once("match", "small.yaml", "small.yaml", "--set", "away.roles.playing.strike.offset=false")
+        self.assertTrue(line.startswith("--set away.roles.playing.strike.offset=false: "), line)
+        self.assertIn('nearest: "striker"', line)
+
+    def test_value_of_the_wrong_kind(self):
+        self.assert_match_refused(("--set", "robot.walk.forward=fast"),
+                                  '--set robot.walk.forward=fast: walk.forward: "fast"; a number is wanted')
+        self.assert_match_refused(("--set", "rules.team_size=70"),
+                                  "--set rules.team_size=70: team_size: 70 is outside 1 to 15")
+
+    def test_no_value(self):
+        self.assert_match_refused(("--set", "rules.team_size"), "--set rules.team_size: path=value is wanted")
+        self.assert_match_refused(("--set", "=3"), "--set =3: path=value is wanted")
+
+
+class Files(BadInput):
+    def test_missing(self):
+        self.assert_refused(("match", "small.yaml", "missing.yaml"), "missing.yaml: there is no such file")
+        self.assert_match_refused(("--rules", "none.yaml"), "none.yaml: there is no such file")
+
+    def test_of_another_kind(self):
+        self.assert_match_refused(("--rules", "small.yaml"), "small.yaml:1:1: describes a team; a rules is wanted")
+
+    def test_no_yaml(self):
+        self.write("bad.yaml", "\x7fELF\x01\x02")
+        self.assertTrue(self.refused_at_once("match", "bad.yaml", "small.yaml").startswith("bad.yaml:"))
+        self.write("bad.yaml", "team: [unclosed\n")
+        self.assertTrue(self.refused_at_once("match", "bad.yaml", "small.yaml").startswith("bad.yaml:"))
+        self.write("bad.yaml", "")
+        self.assertTrue(self.refused_at_once("match", "bad.yaml", "small.yaml").startswith("bad.yaml: "))
+
+    def test_a_folder(self):
+        self.assertTrue(self.refused_at_once("match", "bin", "small.yaml").startswith("bin: "))
+
+
+class Teams(BadInput):
+    def assigners(self):
+        return ", ".join(sorted(self.ids("assigner")))
+
+    def test_plugin_that_is_not_there(self):
+        self.assert_team_refused(
+            "{plugin: first_free}", "{plugin: frist_free}",
+            f'unknown assigner "frist_free"; nearest: "first_free"; known: {self.assigners()}; '
+            f"searched: {self.plugin_folder}")
+
+    def test_plugin_of_another_kind(self):
+        self.assert_team_refused("{plugin: first_free}", "{plugin: nearness}",
+                                 'plugin "nearness" is a utility, not an assigner; '
+                                 f"known: {self.assigners()}; "
+                                 f"searched: {self.plugin_folder}")
+
+    def test_parameter_that_is_not_there(self):
+        self.assert_team_refused("scale: 2", "scael: 2", 'unknown parameter "scael" in plugin nearness; '
+                                                         'nearest: "scale"; known: scale, squared')
+
+    def test_parameter_out_of_range(self):
+        self.assert_team_refused("2}}}}", "20}}}}", 'scale: 20 is outside 0.1 to 10 m')
+
+    def test_unknown_key(self):
+        self.assert_team_refused("assigner:", "asigner:",
+                                 'unknown key "asigner"; nearest: "assigner"; known: team, predictors, contexts, '
+                                 "positioner, tasks, roles, utility, assigner, sender, teammates_forgotten_after")
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ SECONDS = 120
 class Decisions(program.Case):
     def setUp(self):
         super().setUp()
-        command = ("match", "small.yaml", "small.yaml", "--limit", SECONDS, "--json")
+        command = ("match", "small.yaml", "small.yaml", "--limit", SECONDS, "--json", *program.PLAY_SOON)
         self.without = json.loads(self.succeed(*command))
         self.result = json.loads(self.succeed(*command, "--decisions", "decisions.jsonl"))
         with open(self.folder / "decisions.jsonl", encoding="utf-8") as file:

@@ -14,9 +14,9 @@ LONG = ("--set", "rules.durations.half=36000", "--set", "rules.durations.halves=
 
 
 class Interruption(program.Case):
-    def interrupted(self, number):
-        process = self.start("match", "small.yaml", "small.yaml", "--seed", "5", *LONG, stdout=subprocess.PIPE,
-                             stderr=subprocess.PIPE)
+    def interrupted(self, number, *arguments):
+        process = self.start("match", *(arguments or ("small.yaml", "small.yaml", "--seed", "5", *LONG)),
+                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         with process:
             time.sleep(5.0 if program.SANITIZED else 1.0)
             self.assertIsNone(process.poll(), "ended before it was interrupted")
@@ -37,6 +37,13 @@ class Interruption(program.Case):
 
     def test_a_request_to_terminate_is_the_same(self):
         self.assertIn("interrupted in half", self.interrupted(signal.SIGTERM))
+
+    def test_a_plugin_that_hangs_cannot_hold_it_up(self):
+        folder = program.TEST_PLUGINS / "hangs"
+        self.write("hanging team.yaml", program.TEAM.format(name="hanging").replace("ball_seen", "hangs"))
+        line = self.interrupted(signal.SIGINT, "hanging team.yaml", "small.yaml", "--plugins", folder)
+        self.assertEqual(line, "regista: interrupted while a plugin did not return; the same match again: "
+                               f"{self.program} match 'hanging team.yaml' small.yaml --plugins {folder}\n")
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ import unittest
 
 import program
 
-SHORT = ("match", "small.yaml", "small.yaml", "--limit", "30")
+SHORT = ("match", "small.yaml", "small.yaml", "--limit", "30", *program.PLAY_SOON)
 
 
 class Match(program.Case):
@@ -88,11 +88,13 @@ class Match(program.Case):
 
     def test_goals_as_lines_only_when_asked_for(self):
         # A goal so wide and a game so long that somebody scores.
-        arguments = ("match", "small.yaml", "small.yaml", "--limit", "250", "--set", "rules.goal_width=5.5")
-        done = self.run_program(*arguments[:-2], "--verbose", "--json")
+        arguments = ("match", "small.yaml", "small.yaml", "--limit", "250", "--set", "rules.field.goal_width=5.5", *program.PLAY_SOON)
+        done = self.run_program(*arguments, "--verbose", "--json")
         lines = done.stderr.splitlines()
         score = json.loads(done.stdout)["score"]
+        self.assertGreater(sum(score), 0)
         self.assertEqual(len(lines), sum(score))
+        self.assertEqual(self.run_program(*arguments).stderr, "")
         for line in lines:
             self.assertRegex(line, r"^\d+:\d+  goal for small \((home|away)\), half 1, \d\d:\d\d$")
 

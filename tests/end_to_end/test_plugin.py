@@ -7,6 +7,7 @@ import unittest
 
 import program
 
+# Of the plugins in contract_good.so, those that the team small uses.
 IDS = {"first_free", "nearness", "ball_seen", "at_the_ball", "every_second", "last_news"}
 
 
@@ -22,7 +23,7 @@ class Plugin(program.Case):
 
     def test_list_for_programs(self):
         found = self.listed()
-        self.assertEqual({plugin["id"] for plugin in found["plugins"]}, IDS)
+        self.assertLessEqual(IDS, {plugin["id"] for plugin in found["plugins"]})
         self.assertEqual((found["refused"], found["searched"]), ([], [str(self.plugin_folder)]))
 
     def test_folders_of_options_and_environment_come_first(self):
@@ -59,10 +60,7 @@ class Plugin(program.Case):
     def test_info_names_the_nearest(self):
         self.assertEqual(self.refused("plugin", "info", "first_fre"),
                          'plugin info: unknown plugin "first_fre"; nearest: "first_free"; known: '
-                         + ", ".join(self.order()) + f"; searched: {self.plugin_folder}")
-
-    def order(self):
-        return [plugin["id"] for plugin in self.listed()["plugins"]]
+                         + ", ".join(self.ids()) + f"; searched: {self.plugin_folder}")
 
 
 if __name__ == "__main__":

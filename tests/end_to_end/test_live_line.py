@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""The line that shows the course of a match on a terminal."""
+
+import os
+import pty
+import re
+import subprocess
+import threading
+import unittest
+
+import program
+
+ERASE = "\r\x1b[K"
+
+
+class LiveLine(program.Case):
+    def shown(self, *arguments, terminal="xterm"):
+        """What a terminal got, and the exit code."""
+        ours, theirs = pty.openpty()
+        pieces = []
+
+        def read():
+            try:
+                while piece := os.read(ours, 4096):
+                    pieces.append(piece)
+            except OSError:  # the other end is closed
+                pass
+
+        with self.start("match", "small.yaml", "small.yaml", "--limit", "900", *arguments, stdout=subprocess.DEVNULL,
+                        stderr=theirs, environment={"TERM": terminal}) as process:
+            os.close(theirs)
+            reader = threading.Thread(target=read)
+            reader.start()
+            process.wait(timeout=120)
+            reader.join()
+        os.close(ours)
+        self.assertEqual(process.returncode, 0)
+        return b"".join(pieces).decode()
+
+    def test_one_line_rewritten_in_place_and_cleared(self):
+        text = self.shown()
+        self.assertTrue(text.startswith(ERASE), text)
+        self.assertTrue(text.endswith(ERASE), text)
+        self.assertNotIn("\n", text)
+        drawings = text.split(ERASE)[1:-1]
+        self.assertGreater(len(drawings), 1)
+        for drawing in drawings:
+            self.assertRegex(drawing, r"^half [12]  \d\d:\d\d  \d+:\d+  \d+ s/s  packets left \d+, \d+$")
+        clocks = [re.search(r"\d\d:\d\d", drawing).group() for drawing in drawings if drawing.startswith("half 1")]
+        self.assertEqual(clocks, sorted(clocks))
+
+    def test_nothing_when_quiet_or_when_the_terminal_cannot(self):
+        self.assertEqual(self.shown("--quiet"), "")
+        self.assertEqual(self.shown(terminal="dumb"), "")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "cli/match_setup.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "cli/end_of_program.hpp"
+
+namespace regista::cli {
+namespace {
+
+TEST(ParseSeed, TakesEveryNumberOf64Bits) {
+  EXPECT_EQ(parse_seed("0", "--seed"), 0u);
+  EXPECT_EQ(parse_seed("18446744073709551615", "--seed"), UINT64_MAX);
+}
+
+TEST(ParseSeed, RefusesEverythingElse) {
+  for (const char* text : {"", " 1", "1 ", "-1", "+1", "1.0", "1e3", "0x10", "18446744073709551616", "one"}) {
+    EXPECT_THROW(parse_seed(text, "--seed"), BadInput) << text;
+  }
+}
+
+TEST(MatchSetup, LimitsAreSecondsAboveZero) {
+  const plugin::Catalogue none({});
+  for (const char* text : {"0", "-1", "nan", "inf", "1e400", "10s", " 1", "1000001"}) {
+    MatchRequest request;
+    request.teams = {"a.yaml", "b.yaml"};
+    request.limit = text;
+    EXPECT_THROW(match_setup(request, none), BadInput) << text;
+  }
+}
+
+}  // namespace
+}  // namespace regista::cli
