@@ -126,7 +126,7 @@ Situation Mind::Parts::situation(const Percepts& percepts) const {
                       .time = now,
                       .own_number = number,
                       .pose = pose,
-                      .frame = Frame2(pose),
+                      .frame = world.local().frame(),
                       .target = pose,
                       .robots_seen = percepts.robots};
   if (const RoleRow* row = own_role()) {
@@ -160,8 +160,6 @@ void Mind::Parts::decide_to_send(const Percepts& percepts, Outcome& out) {
 
   const config::Rules& rules = plan.rules();
   const double match = rules.durations.half * rules.durations.halves;
-  const Report told = report(percepts);
-  encode(told, out.packet);
   regista_budget budget{};
   budget.size = sizeof budget;
   budget.packets_left = percepts.game.packets_left;
@@ -169,14 +167,12 @@ void Mind::Parts::decide_to_send(const Percepts& percepts, Outcome& out) {
   budget.match_time_left = percepts.game.match_time_left;
   budget.since_own = now - own_sent_at;
   budget.since_team = now - std::max(own_sent_at, team_sent_at);
-  budget.bytes_free = mailboxes.bytes_free(out.packet.size());
+  budget.bytes_free = mailboxes.bytes_free();
   const plugin::SendDecision send_decision =
       coordination.sender().decide(decision.frame, events, mailboxes.pending(), budget);
-  if (!send_decision.send) {
-    out.packet.clear();
-    return;
-  }
+  if (!send_decision.send) return;
   out.send = true;
+  encode(report(percepts), out.packet);
   out.send_reason = send_decision.reason;
   mailboxes.load(send_decision.granted, out.packet);
   own_sent_at = now;

@@ -39,8 +39,9 @@ Command Behaviour::act(const Situation& situation, const Percepts& percepts) {
       command = ready ? Command{} : search(situation);
     } else if (ready) {
       command.walk = walk_to(situation, legal(situation, situation.target), robots_around(situation).list());
-    } else if (situation.behaviour == Role::keep_goal && can_kick) {
-      command = mind::keep_goal(situation, kick(situation));
+    } else if (situation.behaviour == Role::keep_goal) {
+      const bool plays = can_kick && keeper_plays_ball(situation);
+      command = plays ? mind::play_ball(situation, kick(situation)) : mind::keep_goal(situation);
     } else if (situation.behaviour == Role::play_ball && can_kick && situation.ball_trusted &&
                !ball_is_theirs(situation)) {
       command = mind::play_ball(situation, kick(situation));

@@ -42,10 +42,11 @@ class Choice {
     }
   }
 
-  void try_ahead(double angle, double distance) {
+  // `turned`: direction relative to that of the goal, unit.
+  void try_ahead(const Vector2d& turned, double distance) {
     const Vector2d to_goal = (goal_ - situation_.ball).normalized();
-    const double c = std::cos(angle), s = std::sin(angle);
-    const Vector2d direction(c * to_goal.x() - s * to_goal.y(), s * to_goal.x() + c * to_goal.y());
+    const Vector2d direction(turned.x() * to_goal.x() - turned.y() * to_goal.y(),
+                             turned.y() * to_goal.x() + turned.x() * to_goal.y());
     if (const auto plan = plan_towards(situation_.ball + direction * distance, distance)) {
       consider(*plan, gain(*plan) - risk(plan->direction, plan->distance));
     }
@@ -122,8 +123,14 @@ KickPlan choose_kick(const Situation& situation, const std::optional<KickPlan>& 
                            robot.number != situation.own_number && robot.age < teammate_news_at_most;
     if (reachable) choice.try_pass(robot);
   }
-  for (const double angle : {0.0, -0.4, 0.4, -0.8, 0.8, -1.2, 1.2}) {
-    for (const double distance : {0.8, 3.0}) choice.try_ahead(angle, distance);
+  static const std::array<Vector2d, 7> directions = [] {
+    std::array<Vector2d, 7> out;
+    const std::array<double, 7> angles{0.0, -0.4, 0.4, -0.8, 0.8, -1.2, 1.2};
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = {std::cos(angles[i]), std::sin(angles[i])};
+    return out;
+  }();
+  for (const Vector2d& direction : directions) {
+    for (const double distance : {0.8, 3.0}) choice.try_ahead(direction, distance);
   }
   return choice.best();
 }

@@ -75,22 +75,23 @@ std::optional<Vector2d> interception(const Situation& situation, double reach) {
   return point;
 }
 
-Command keep_goal(const Situation& situation, const KickPlan& kick) {
-  const Vector2d own = situation.frame.origin();
+bool keeper_plays_ball(const Situation& situation) {
+  if (!situation.ball_trusted || ball_is_theirs(situation)) return false;
   const Vector2d goal(-situation.rules.field.length / 2.0, 0.0);
-  if (situation.ball_trusted && !ball_is_theirs(situation)) {
-    const double goal_to_ball = (situation.ball - goal).norm();
-    const bool near =
-        goal_to_ball < situation.rules.field.penalty_area_length + 0.2 || (situation.ball - own).norm() < 1.0;
-    const bool slow = situation.ball_velocity.norm() < 0.5;
-    if (near && slow) return play_ball(situation, kick);
-    if (const auto point = interception(situation, 1.5); point && situation.ball_velocity.x() < 0.0) {
-      Command command;
-      command.walk = walk_to(situation, {point->x(), point->y(), angle_of(situation.ball - own)}, {}, true);
+  const bool near = (situation.ball - goal).norm() < situation.rules.field.penalty_area_length + 0.2 ||
+                    (situation.ball - situation.frame.origin()).norm() < 1.0;
+  return near && situation.ball_velocity.norm() < 0.5;
+}
+
+Command keep_goal(const Situation& situation) {
+  Command command;
+  if (situation.ball_velocity.x() < 0.0 && !ball_is_theirs(situation)) {
+    if (const auto point = interception(situation, 1.5)) {
+      const double heading = angle_of(situation.ball - situation.frame.origin());
+      command.walk = walk_to(situation, {point->x(), point->y(), heading}, {}, true);
       return command;
     }
   }
-  Command command;
   command.walk = walk_to(situation, legal(situation, situation.target), robots_around(situation).list());
   return command;
 }

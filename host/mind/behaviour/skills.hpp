@@ -18,8 +18,11 @@ Command play_ball(const Situation& situation, const KickPlan& kick);
 // too far away. `reach`: how far to go at most, m.
 std::optional<Vector2d> interception(const Situation& situation, double reach);
 
-// Stands between ball and goal at the own target; goes for a shot's line, or for a ball that lies near.
-Command keep_goal(const Situation& situation, const KickPlan& kick);
+// The ball lies so near the goal that its keeper should play it.
+bool keeper_plays_ball(const Situation& situation);
+
+// Stands between ball and goal at the own target; goes for a shot's line.
+Command keep_goal(const Situation& situation);
 
 // Walks to the own target, legally, facing as the role asks; receives a ball that comes along.
 Command support(const Situation& situation);

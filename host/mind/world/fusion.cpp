@@ -111,9 +111,10 @@ regista_ball fuse_ball(std::span<const Estimate> estimates) {
   return ball;
 }
 
-void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regista_opponent>& out) {
+void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regista_opponent>& out, int without) {
   clusters_.clear();
   for (const Estimate& estimate : estimates) {
+    if (estimate.source == without) continue;
     const regista_track& track = estimate.track;
     const Vector2d position(track.x, track.y);
     const std::uint32_t source = 1u << estimate.source;

@@ -86,7 +86,7 @@ void LocalModel::update(const Percepts& percepts, double dt, const regista_frame
   if (!measurements_.empty()) self_model_.correct(measurements_, area);
   self_ = self_model_.tracks().front();
 
-  const Frame2 frame(pose());
+  frame_ = Frame2(pose());
   area.x = self_.x;
   area.y = self_.y;
   area.heading = wrap(self_.heading + percepts.view.heading);
@@ -94,7 +94,7 @@ void LocalModel::update(const Percepts& percepts, double dt, const regista_frame
   if (dt > 0.0) ball_model_.predict(dt, &motion, last);
   measurements_.clear();
   for (const BallSighting& ball : percepts.balls) {
-    add_in_field_frame(REGISTA_MEASURED_BALL, frame, ball.position, ball.along, ball.across);
+    add_in_field_frame(REGISTA_MEASURED_BALL, frame_, ball.position, ball.along, ball.across);
   }
   sighted_ = !percepts.balls.empty();
   if (ball_on_centre) {
@@ -110,7 +110,7 @@ void LocalModel::update(const Percepts& percepts, double dt, const regista_frame
     measurements_.clear();
     for (const RobotSighting& robot : percepts.robots) {
       if (!robot.own_team) {
-        add_in_field_frame(REGISTA_MEASURED_ROBOT, frame, robot.position, robot.along, robot.across);
+        add_in_field_frame(REGISTA_MEASURED_ROBOT, frame_, robot.position, robot.along, robot.across);
       }
     }
     opponent_model_.correct(measurements_, area);

@@ -24,6 +24,7 @@ class LocalModel {
 
   const regista_track& self() const { return self_; }
   Pose pose() const { return {self_.x, self_.y, self_.heading}; }
+  const Frame2& frame() const { return frame_; }  // of the pose
   // Hypotheses, best first; opponents in no order. Valid until the next update.
   std::span<const regista_track> balls() const { return balls_; }
   std::span<const regista_track> opponents() const { return opponents_; }
@@ -37,6 +38,7 @@ class LocalModel {
   double decision_period_;
   plugin::Predictor self_model_, ball_model_, opponent_model_;
   regista_track self_{};
+  Frame2 frame_{Pose{}};
   bool sighted_ = false;  // a ball, true or false, at the last update
   std::span<const regista_track> balls_, opponents_;
   std::vector<regista_measurement> measurements_;

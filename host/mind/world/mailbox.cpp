@@ -108,8 +108,8 @@ std::span<const regista_offer> Mailboxes::pending() {
   return listed_;
 }
 
-std::uint32_t Mailboxes::bytes_free(std::size_t core) const {
-  return static_cast<std::uint32_t>(packet_size_ > core ? packet_size_ - core : 0);
+std::uint32_t Mailboxes::bytes_free() const {
+  return static_cast<std::uint32_t>(packet_size_ > longest_core ? packet_size_ - longest_core : 0);
 }
 
 void Mailboxes::load(std::span<const std::uint64_t> granted, std::vector<std::uint8_t>& packet) {

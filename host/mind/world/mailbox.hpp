@@ -32,8 +32,8 @@ class Mailboxes {
   void begin(double now);
   // All that waits, oldest first. Valid until the next call.
   std::span<const regista_offer> pending();
-  // Bytes for segments in a packet whose core has `core` bytes.
-  std::uint32_t bytes_free(std::size_t core) const;
+  // Bytes for segments in a packet with the largest core.
+  std::uint32_t bytes_free() const;
   // Appends the granted offers that fit to the packet and tells their plugins.
   void load(std::span<const std::uint64_t> granted, std::vector<std::uint8_t>& packet);
   void deliver(const Segment& segment, int sender, double time_sent, double time_heard);

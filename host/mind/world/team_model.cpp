@@ -109,11 +109,9 @@ void TeamModel::balls(int except, std::vector<Estimate>& out) const {
   }
 }
 
-void TeamModel::opponents(int except, std::vector<Estimate>& out) const {
+void TeamModel::opponents(std::vector<Estimate>& out) const {
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    const int number = static_cast<int>(i) + 1;
-    if (number == except) continue;
-    for (const regista_track& track : members_[i].opponent_tracks) out.push_back({track, number});
+    for (const regista_track& track : members_[i].opponent_tracks) out.push_back({track, static_cast<int>(i) + 1});
   }
 }
 

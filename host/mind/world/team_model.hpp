@@ -33,9 +33,9 @@ class TeamModel {
   }
   // Its track, carried forward; null before its first packet.
   const regista_track* track(int number) const { return members_[static_cast<std::size_t>(number - 1)].track; }
-  // Appends the estimates of everyone but `except` (0: of everyone).
+  // Appends the balls of everyone but `except` (0: of everyone), and everyone's opponents.
   void balls(int except, std::vector<Estimate>& out) const;
-  void opponents(int except, std::vector<Estimate>& out) const;
+  void opponents(std::vector<Estimate>& out) const;
 
  private:
   struct Member {

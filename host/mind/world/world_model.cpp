@@ -61,48 +61,49 @@ regista_game WorldModel::game(const Percepts& percepts) const {
   return game;
 }
 
-// Own and others' balls for `mine`, less those that the own eyes refute, unless that leaves nothing: then the old news
-// stay for the team's sake, which would otherwise not even agree on what is lost.
-void WorldModel::gather_balls(const Percepts& percepts, double dt) {
-  estimates_.clear();
-  if (!local_.balls().empty()) estimates_.push_back({local_.balls().front(), 0});
-  team_.balls(own_number_, estimates_);
-  negative_.look(estimates_, Frame2(local_.pose()), percepts, dt);
-  const auto refuted = [this](const Estimate& each) { return negative_.refutes(each.source); };
-  ball_refuted_ = std::ranges::all_of(estimates_, refuted);
-  if (!ball_refuted_) std::erase_if(estimates_, refuted);
-}
-
 void WorldModel::fuse(const Percepts& percepts, double dt, const OwnRole& own) {
   team_.refresh();
-  const regista_game now = game(percepts);
-
-  gather_balls(percepts, dt);
-  fill(mine_, own_number_, percepts, now);
+  mine_.raw.game = common_.raw.game = game(percepts);
+  fuse_balls(percepts, dt);
+  fuse_opponents();
+  fill_robots(percepts);
   fill_self(percepts, own);
   mine_.close();
-
-  estimates_.clear();
-  team_.balls(0, estimates_);
-  fill(common_, 0, percepts, now);
-  common_.robot(own_number_).flags |= REGISTA_ROBOT_SELF;
   common_.close();
 }
 
-// `estimates_` comes in with those of the ball.
-void WorldModel::fill(Snapshot& out, int except, const Percepts& percepts, const regista_game& now) {
-  out.raw.game = now;
-  std::erase_if(estimates_, [](const Estimate& each) { return each.track.age > ball_forgotten_after; });
-  out.raw.ball = fuse_ball(estimates_);
+// Balls that the own eyes refute are left out of `mine`, unless that leaves nothing: then the old news stay for the
+// team's sake, which would otherwise not even agree on what is lost.
+void WorldModel::fuse_balls(const Percepts& percepts, double dt) {
+  const auto forgotten = [](const Estimate& each) { return each.track.age > ball_forgotten_after; };
+  estimates_.clear();
+  if (!local_.balls().empty()) estimates_.push_back({local_.balls().front(), 0});
+  team_.balls(own_number_, estimates_);
+  std::erase_if(estimates_, forgotten);
+  negative_.look(estimates_, local_.frame(), percepts, dt);
+  const auto refuted = [this](const Estimate& each) { return negative_.refutes(each.source); };
+  ball_refuted_ = std::ranges::all_of(estimates_, refuted);
+  if (!ball_refuted_) std::erase_if(estimates_, refuted);
+  mine_.raw.ball = fuse_ball(estimates_);
 
   estimates_.clear();
-  if (except != 0) {
-    for (const regista_track& opponent : local_.opponents()) estimates_.push_back({opponent, 0});
-  }
-  team_.opponents(except, estimates_);
-  fusion_.fuse(estimates_, out.opponents);
+  team_.balls(0, estimates_);
+  std::erase_if(estimates_, forgotten);
+  common_.raw.ball = fuse_ball(estimates_);
+}
 
-  for (regista_robot& robot : out.robots) {
+void WorldModel::fuse_opponents() {
+  constexpr int own_eyes = 0;
+  estimates_.clear();
+  for (const regista_track& opponent : local_.opponents()) estimates_.push_back({opponent, own_eyes});
+  team_.opponents(estimates_);
+  fusion_.fuse(estimates_, mine_.opponents, own_number_);
+  fusion_.fuse(estimates_, common_.opponents, own_eyes);
+}
+
+// The same for both worlds; `mine` gets its own row afterwards.
+void WorldModel::fill_robots(const Percepts& percepts) {
+  for (regista_robot& robot : common_.robots) {
     const Report* report = team_.report(robot.number);
     const regista_track* track = team_.track(robot.number);
     const bool penalised = (percepts.game.own_penalised >> (robot.number - 1) & 1u) != 0;
@@ -128,6 +129,8 @@ void WorldModel::fill(Snapshot& out, int except, const Percepts& percepts, const
     robot.role = report->role;
     robot.role_since = report->role_since;
   }
+  mine_.robots = common_.robots;
+  common_.robot(own_number_).flags |= REGISTA_ROBOT_SELF;
 }
 
 void WorldModel::fill_self(const Percepts& percepts, const OwnRole& own) {

@@ -39,8 +39,9 @@ class WorldModel {
   bool ball_refuted() const { return ball_refuted_; }
 
  private:
-  void gather_balls(const Percepts& percepts, double dt);
-  void fill(Snapshot& out, int except, const Percepts& percepts, const regista_game& game);
+  void fuse_balls(const Percepts& percepts, double dt);
+  void fuse_opponents();
+  void fill_robots(const Percepts& percepts);
   void fill_self(const Percepts& percepts, const OwnRole& own);
   regista_game game(const Percepts& percepts) const;
 

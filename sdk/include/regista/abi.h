@@ -422,7 +422,7 @@ typedef struct regista_budget {
   double match_time_left;            /* s */
   double since_own;                  /* s since this robot sent; since the start of the match if never */
   double since_team;                 /* s since any packet was sent or heard */
-  uint32_t bytes_free;               /* for segments, after the core of the packet */
+  uint32_t bytes_free;               /* for segments, with the largest core a packet can have */
   uint32_t reserved;
 } regista_budget;
 
