@@ -66,7 +66,8 @@ static Map declare(TaskRules& tasks) {
   };
   return {{
       choice("keep", tasks.keep, {"all", "nearest_to_waypoints"}, "which of the tasks are kept for the active robots"),
-      real("hysteresis", tasks.hysteresis, {0, 20}, "m", "a task kept last time counts as so much nearer to a waypoint"),
+      real("hysteresis", tasks.hysteresis, {0, 20}, "m",
+           "a task kept last time counts as so much nearer to a waypoint"),
       Field{"offset", "moving a kept task towards its nearest waypoint", Section{offset, [] { return true; }}},
       choice("knowledge", tasks.knowledge, {"mine", "common"}, "world that tasks are placed in"),
       boolean("along_edges", tasks.walk_along_edges, "walk to a task along the edges between waypoints"),

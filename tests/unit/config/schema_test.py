@@ -100,7 +100,8 @@ for kind, changes in broken.items():
 # What plugins declare: wrong only where they are known.
 for path, value in [
     (["assigner", "plugin"], "gredy"), (["assigner", "plugin"], "voronoi"), (["assigner", "params"], {"x": 1}),
-    (["sender", "params", "reserve"], 1.5), (["sender", "params", "reserve"], -1), (["sender", "params", "period"], "4 s"),
+    (["sender", "params", "reserve"], 1.5), (["sender", "params", "reserve"], -1),
+    (["sender", "params", "period"], "4 s"),
     (["sender", "params", "whistle"], 1), (["utility", "terms", "persistence", "params", "rows"], "none"),
     (["contexts", 1, "params", "after"], 61),
 ]:

@@ -86,6 +86,7 @@ TEST(Team, EveryContextHasItsOwnValues) {
   EXPECT_EQ(playing.positioner.plugin, "voronoi");
   EXPECT_EQ(playing.tasks.keep, TaskRules::Keep::nearest_to_waypoints);
   EXPECT_TRUE(playing.tasks.walk_along_edges);
+  EXPECT_EQ(playing.tasks.hysteresis, 0.2);
   EXPECT_EQ(playing.utility_knowledge, Knowledge::common);
   ASSERT_EQ(playing.terms.size(), 3u);
   EXPECT_EQ(playing.terms[0].name, "distance");
