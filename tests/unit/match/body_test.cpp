@@ -25,7 +25,7 @@ TEST(Walk, StaysOnTheEllipsoidOfLimits) {
   EXPECT_DOUBLE_EQ(ahead.forward, 0.25);
   EXPECT_DOUBLE_EQ(within_limits({-9.0, 0.0, 0.0}, limits).forward, -0.20);
   EXPECT_DOUBLE_EQ(within_limits({0.0, -9.0, 0.0}, limits).sideways, -0.18);
-  EXPECT_DOUBLE_EQ(within_limits({0.0, 0.0, 9.0}, limits).turn, 1.57);
+  EXPECT_DOUBLE_EQ(within_limits({0.0, 0.0, 9.0}, limits).turn, limits.turn);
   const mind::Walk slow = within_limits({0.1, -0.05, 0.3}, limits);
   EXPECT_DOUBLE_EQ(slow.forward, 0.1);
   EXPECT_DOUBLE_EQ(slow.sideways, -0.05);
@@ -34,7 +34,7 @@ TEST(Walk, StaysOnTheEllipsoidOfLimits) {
     for (double b = -1.0; b <= 1.0; b += 0.25) {
       const mind::Walk w = within_limits({a, b, 2.0 * a * b}, limits);
       const double forward = w.forward / (w.forward > 0.0 ? 0.25 : 0.20);
-      EXPECT_LE(std::pow(forward, 2) + std::pow(w.sideways / 0.18, 2) + std::pow(w.turn / 1.57, 2), 1.0 + 1e-12);
+      EXPECT_LE(std::pow(forward, 2) + std::pow(w.sideways / 0.18, 2) + std::pow(w.turn / limits.turn, 2), 1.0 + 1e-12);
       EXPECT_NEAR(w.forward * b, w.sideways * a, 1e-12);  // same direction
     }
   }

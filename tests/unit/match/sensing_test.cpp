@@ -152,15 +152,15 @@ TEST(Sensing, NoiseHasTheProfilesDeviation) {
                                  squares += d * d;
                                  angles += a;
                                  angle_squares += a * a;
-                                 EXPECT_NEAR(ball.along, 0.15, 1e-6);
-                                 EXPECT_NEAR(ball.across, 0.06, 1e-6);
+                                 EXPECT_NEAR(ball.along, 3.0 * scene.profile.camera.distance_noise, 1e-6);
+                                 EXPECT_NEAR(ball.across, 3.0 * scene.profile.camera.bearing_noise, 1e-6);
                                }
                              })
                        .balls;
   EXPECT_NEAR(sum / seen, 0.0, 0.002);
-  EXPECT_NEAR(std::sqrt(squares / seen), 0.05, 0.0015);
+  EXPECT_NEAR(std::sqrt(squares / seen) / scene.profile.camera.distance_noise, 1.0, 0.03);
   EXPECT_NEAR(angles / seen, 0.0, 0.001);
-  EXPECT_NEAR(std::sqrt(angle_squares / seen), 0.02, 0.0006);
+  EXPECT_NEAR(std::sqrt(angle_squares / seen) / scene.profile.camera.bearing_noise, 1.0, 0.03);
 }
 
 TEST(Sensing, SeesRobotsWithColourAndWithoutName) {
@@ -194,7 +194,8 @@ TEST(Sensing, FalseBallsComeAtTheirRateAndInsideTheSector) {
                            [&](const mind::Percepts& percepts) {
                              for (const auto& ball : percepts.balls) {
                                EXPECT_LE(ball.position.norm(), 5.0);
-                               EXPECT_LE(std::fabs(std::atan2(ball.position.y(), ball.position.x()) - 0.5), 0.4771);
+                               EXPECT_LE(std::fabs(std::atan2(ball.position.y(), ball.position.x()) - 0.5),
+                                         scene.profile.camera.half_angle + 1e-9);
                              }
                            },
                            0.5)
@@ -210,9 +211,9 @@ TEST(Sensing, TheHeadTurnsAtItsSpeedAndNoFarther) {
   EXPECT_EQ(scene.percepts.view.heading, 0.0);
   sensing.look(9.0);
   sensing.sense({scene.own, scene.ball, scene.robots}, 1.1, 1, true, scene.percepts);
-  EXPECT_NEAR(scene.percepts.view.heading, 0.2, 1e-12);
+  EXPECT_NEAR(scene.percepts.view.heading, 0.1 * scene.profile.camera.head_speed, 1e-12);
   sensing.sense({scene.own, scene.ball, scene.robots}, 9.0, 2, true, scene.percepts);
-  EXPECT_NEAR(scene.percepts.view.heading, 1.57, 1e-12);
+  EXPECT_NEAR(scene.percepts.view.heading, scene.profile.camera.head_yaw, 1e-12);
 }
 
 TEST(Sensing, ABlindRobotSeesNothing) {
