@@ -25,24 +25,33 @@ class Schedule {
     assert(1 <= number && number <= team_size);
   }
 
-  // Whether to send now. time: s, never runs back. packets_left: of the whole team. Call once per decision. The team is
-  // silent from the moment at which only the reserve is left.
-  bool decide(const Settings& settings, double time, bool fast, int packets_left) {
+  // Whether to send now. time: s since the start of the match, never runs back. since_own: s since this robot last
+  // sent, since the start of the match if never. packets_left: of the whole team, which is silent from the moment at
+  // which only the reserve is left. Call once per decision; in between another schedule may have been in force (another
+  // context of the team), whose packets count like its own.
+  bool decide(const Settings& settings, double time, double since_own, bool fast, int packets_left) {
     const double period = fast ? settings.fast_period : settings.period;
+    const double sent = time - since_own;
     if (!started_) {
       started_ = true;
-      last_due_ = time + (phase_ - 1.0) * period;  // number k of n is due first after (k - 1/2) n-ths of its period
+      // Number k of n is due first after (k - 1/2) n-ths of its period.
+      last_due_ = sent <= rounding ? time + (phase_ - 1.0) * period : sent;
+      last_sent_ = sent;
+    } else if (sent > last_sent_ + same_packet) {
+      last_due_ = last_sent_ = sent;
     }
     if (time < last_due_ + period - rounding) return false;
     if (packets_left <= settings.reserve) return false;
     last_due_ += period;
     if (last_due_ + period < time) last_due_ = time;  // was out of play, or silent: does not make up for it
+    last_sent_ = time;
     return true;
   }
 
  private:
-  static constexpr double rounding = 1e-9;  // s
-  double phase_ = 1.0, last_due_ = 0.0;
+  static constexpr double rounding = 1e-9;     // s
+  static constexpr double same_packet = 0.05;  // s; no two packets of a robot are nearer than that
+  double phase_ = 1.0, last_due_ = 0.0, last_sent_ = 0.0;
   bool started_ = false;
 };
 

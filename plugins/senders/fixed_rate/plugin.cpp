@@ -44,12 +44,13 @@ struct FixedRate {
     const int task = frame.previous_task(frame.own_number());
     const bool fast =
         task >= 0 && static_cast<std::size_t>(task) < is_fast.size() && is_fast[static_cast<std::size_t>(task)];
-    if (!schedule.decide({period, fast_period, reserve}, frame.time(), fast, query.budget.packets_left)) {
+    const regista::Budget& budget = query.budget;
+    if (!schedule.decide({period, fast_period, reserve}, frame.time(), budget.since_own, fast, budget.packets_left)) {
       return std::nullopt;
     }
     offers.clear();
     for (const regista::Offer& offer : query.offers) offers.push_back({offer.bytes, offer.urgency});
-    senders::choose_offers(offers, query.budget.bytes_free, chosen);
+    senders::choose_offers(offers, budget.bytes_free, chosen);
     for (const std::size_t index : chosen) out.grant(query.offers[index]);
     return REGISTA_EVENT_PERIOD;
   }
