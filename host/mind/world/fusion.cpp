@@ -113,6 +113,8 @@ regista_ball fuse_ball(std::span<const Estimate> estimates) {
 
 void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regista_opponent>& out) {
   clusters_.clear();
+  clusters_.reserve(estimates.size());
+  out.reserve(most_);
   for (const Estimate& estimate : estimates) {
     const regista_track& track = estimate.track;
     const Vector2d position(track.x, track.y);
