@@ -34,6 +34,8 @@ struct Mind::Parts {
     limits.role_count = static_cast<int>(plan.roles().size());
     limits.context_count = static_cast<int>(plan.contexts().size());
     limits.size = static_cast<std::size_t>(plan.rules().messages.size);
+    events.reserve(REGISTA_EVENT_COUNT);
+    segments.reserve(limits.size / segment_heading);
   }
 
   void hear(std::span<const HeardPacket> heard);

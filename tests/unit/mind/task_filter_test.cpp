@@ -26,7 +26,7 @@ std::vector<std::size_t> keep(const std::vector<regista_task>& tasks, const std:
                               const std::vector<std::int32_t>& active, bool all = false) {
   TaskFilter filter;
   std::vector<std::size_t> kept{99};
-  filter.keep(tasks, waypoints, active, all, kept);
+  filter.keep(tasks, waypoints, active, 0.0, all, kept);
   return kept;
 }
 
@@ -103,6 +103,28 @@ TEST(TaskFilter, CoincidentWaypointsCountOnce) {
   const auto once = keep(tasks, {point(0, 0)}, {1, 2});
   EXPECT_EQ(once, keep(tasks, {point(0, 0), point(0, 0), point(0, 0)}, {1, 2}));
   EXPECT_EQ(once, (std::vector<std::size_t>{1, 2}));
+}
+
+// Distances 1.0 and 1.2 to the only waypoint: with 0.3 m of hysteresis whichever was kept stays, until the other is
+// more than that much nearer; ids count, not places in the list.
+TEST(TaskFilter, HysteresisKeepsWhatWasKept) {
+  const std::vector<regista_waypoint> waypoints{point(0, 0)};
+  const std::vector<std::int32_t> active{1};
+  regista_task near = task(1.0, 0), far = task(1.2, 0);
+  near.id = 10;
+  far.id = 11;
+  TaskFilter filter;
+  std::vector<std::size_t> kept;
+  filter.keep(std::vector{near, far}, waypoints, active, 0.3, false, kept);
+  EXPECT_EQ(kept, (std::vector<std::size_t>{0}));
+  far.before[0] = 0.75;
+  filter.keep(std::vector{near, far}, waypoints, active, 0.3, false, kept);
+  EXPECT_EQ(kept, (std::vector<std::size_t>{0}));
+  filter.keep(std::vector{far, near}, waypoints, active, 0.3, false, kept);
+  EXPECT_EQ(kept, (std::vector<std::size_t>{1}));
+  far.before[0] = 0.65;
+  filter.keep(std::vector{near, far}, waypoints, active, 0.3, false, kept);
+  EXPECT_EQ(kept, (std::vector<std::size_t>{1}));
 }
 
 TEST(TaskFilter, NearestWaypointIsTheFirstOfEquals) {
