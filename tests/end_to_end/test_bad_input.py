@@ -110,8 +110,9 @@ class Overrides(BadInput):
             "known: scale, squared")
 
     def test_element_that_is_not_there(self):
-        line = self.refused_at_once("match", "small.yaml", "small.yaml", "--set", "away.roles.playing.strike.offset=false")
-        self.assertTrue(line.startswith("--set away.roles.playing.strike.offset=false: "), line)
+        override = "away.roles.playing.strike.offset=false"
+        line = self.refused_at_once("match", "small.yaml", "small.yaml", "--set", override)
+        self.assertTrue(line.startswith(f"--set {override}: "), line)
         self.assertIn('nearest: "striker"', line)
 
     def test_value_of_the_wrong_kind(self):
@@ -131,7 +132,8 @@ class Files(BadInput):
         self.assert_match_refused(("--rules", "none.yaml"), "none.yaml: no such file")
 
     def test_of_another_kind(self):
-        self.assert_match_refused(("--rules", "small.yaml"), "small.yaml:1:1: this is a team document; a rules document is wanted")
+        self.assert_match_refused(("--rules", "small.yaml"),
+                                  "small.yaml:1:1: this is a team document; a rules document is wanted")
 
     def test_no_yaml(self):
         self.write("bad.yaml", "\x7fELF\x01\x02")

@@ -84,7 +84,8 @@ class BadPlugins(program.Case):
             pinned = f"plugin: {name}, file: yesterday/contract_good.so"
             text = (self.folder / "small.yaml").read_text()
             self.write("small.yaml", text.replace(f"plugin: {name}", pinned))
-        self.succeed("match", "small.yaml", "small.yaml", "--plugins", "yesterday", "--plugins", "today", "--limit", "1")
+        folders = ("--plugins", "yesterday", "--plugins", "today")
+        self.succeed("match", "small.yaml", "small.yaml", "--limit", "1", *folders)
 
 
 if __name__ == "__main__":
