@@ -51,7 +51,7 @@ int show(const Options& options, const Invocation& invocation) {
   for (const plugin::Found* plugin : find(catalogue, options.ids.front())) {
     if (!out.empty()) out += '\n';
     out += plugin::info_text(*plugin);
-    json.push_back(plugin_json(plugin::info(*plugin)));
+    json.push_back(plugin_json(*plugin));
   }
   print(options.json ? text_of(json) : out);
   return exit_done;

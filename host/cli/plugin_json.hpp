@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What there is to say about a plugin, for programs.
+// What there is to say about a plugin, for programs: numbers as numbers.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
-#include "plugin/info.hpp"
+#include "plugin/found.hpp"
 
 namespace regista::cli {
 
-nlohmann::ordered_json plugin_json(const plugin::Info& info);
+nlohmann::ordered_json plugin_json(const plugin::Found& plugin);
 
 // One line of text; file names that are not UTF-8 lose what is not.
 std::string text_of(const nlohmann::ordered_json& json);

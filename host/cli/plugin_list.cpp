@@ -25,7 +25,7 @@ struct Options {
 std::string list_json(const plugin::Catalogue& catalogue) {
   using Json = nlohmann::ordered_json;
   Json plugins = Json::array(), refused = Json::array(), searched = Json::array();
-  for (const plugin::Found& found : catalogue.plugins()) plugins.push_back(plugin_json(plugin::info(found)));
+  for (const plugin::Found& found : catalogue.plugins()) plugins.push_back(plugin_json(found));
   for (const plugin::Refused& each : catalogue.refused()) {
     refused.push_back({{"file", each.file.string()}, {"reason", each.reason}});
   }

@@ -79,10 +79,10 @@ class CommandLine(BadInput):
                                       f'--limit: "{text}"; seconds above 0, up to 1000000, are wanted')
 
     def test_plugin_folder(self):
-        self.assert_match_refused(("--plugins", "nowhere"), "--plugins: folder nowhere does not exist")
-        self.assert_match_refused(("--plugins", "small.yaml"), "--plugins: small.yaml is not a folder")
+        self.assert_match_refused(("--plugins", "nowhere"), "--plugins nowhere: there is no such folder")
+        self.assert_match_refused(("--plugins", "small.yaml"), "--plugins small.yaml: is not a folder")
         self.assert_refused(("config", "check", "small.yaml", "--plugins", "nowhere"),
-                            "--plugins: folder nowhere does not exist")
+                            "--plugins nowhere: there is no such folder")
 
     def test_decisions_that_cannot_be_written(self):
         self.assert_match_refused(("--decisions", "nowhere/x"), "cannot write nowhere/x: No such file or directory")
@@ -110,15 +110,16 @@ class Overrides(BadInput):
             "known: scale, squared")
 
     def test_element_that_is_not_there(self):
-        line = self.refused_at_once("match", "small.yaml", "small.yaml", "--set", "away.roles.playing.strike.offset=false")
-        self.assertTrue(line.startswith("--set away.roles.playing.strike.offset=false: "), line)
+        override = "away.roles.playing.strike.offset=false"
+        line = self.refused_at_once("match", "small.yaml", "small.yaml", "--set", override)
+        self.assertTrue(line.startswith(f"--set {override}: "), line)
         self.assertIn('nearest: "striker"', line)
 
     def test_value_of_the_wrong_kind(self):
         self.assert_match_refused(("--set", "robot.walk.forward=fast"),
-                                  '--set robot.walk.forward=fast: walk.forward: "fast"; a number is wanted')
+                                  '--set robot.walk.forward=fast: walk.forward: "fast" is not a number')
         self.assert_match_refused(("--set", "rules.team_size=70"),
-                                  "--set rules.team_size=70: team_size: 70 is outside 1 to 15")
+                                  "--set rules.team_size=70: team_size: 70 is outside 1 to 11 robots")
 
     def test_no_value(self):
         self.assert_match_refused(("--set", "rules.team_size"), "--set rules.team_size: path=value is wanted")
@@ -127,11 +128,12 @@ class Overrides(BadInput):
 
 class Files(BadInput):
     def test_missing(self):
-        self.assert_refused(("match", "small.yaml", "missing.yaml"), "missing.yaml: there is no such file")
-        self.assert_match_refused(("--rules", "none.yaml"), "none.yaml: there is no such file")
+        self.assert_refused(("match", "small.yaml", "missing.yaml"), "missing.yaml: no such file")
+        self.assert_match_refused(("--rules", "none.yaml"), "none.yaml: no such file")
 
     def test_of_another_kind(self):
-        self.assert_match_refused(("--rules", "small.yaml"), "small.yaml:1:1: describes a team; a rules is wanted")
+        self.assert_match_refused(("--rules", "small.yaml"),
+                                  "small.yaml:1:1: this is a team document; a rules document is wanted")
 
     def test_no_yaml(self):
         self.write("bad.yaml", "\x7fELF\x01\x02")
@@ -166,12 +168,12 @@ class Teams(BadInput):
                                                          'nearest: "scale"; known: scale, squared')
 
     def test_parameter_out_of_range(self):
-        self.assert_team_refused("2}}}}", "20}}}}", 'scale: 20 is outside 0.1 to 10 m')
+        self.assert_team_refused("2}}}}", "20}}}}", 'parameter "scale" of plugin nearness: 20 is outside 0.1 to 10 m')
 
     def test_unknown_key(self):
         self.assert_team_refused("assigner:", "asigner:",
                                  'unknown key "asigner"; nearest: "assigner"; known: team, predictors, contexts, '
-                                 "positioner, tasks, roles, utility, assigner, sender, teammates_forgotten_after")
+                                 "positioner, tasks, utility, assigner, sender, roles, teammates_forgotten_after")
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 """Plugins that are wrong on purpose: refused when they are opened, or found out while a match is played. Whoever is to
 blame is named: plugin, file, team, robot, tick, call and value."""
 
+import shutil
 import unittest
 
 import program
@@ -25,7 +26,8 @@ class BadPlugins(program.Case):
 
     def play_with(self, kind, name, *arguments):
         sound, bad = PLACES[kind]
-        text = program.TEAM.format(name="broken")
+        # Without a role that is one robot's own, so that no pair is forbidden.
+        text = program.TEAM.format(name="broken").replace("robot: 1, ", "")
         self.assertIn(sound, text)
         self.write("broken.yaml", text.replace(sound, bad.format(name)))
         return self.refused("match", "small.yaml", "broken.yaml", "--limit", "60", "--plugins", self.folder_of(name),
@@ -48,14 +50,18 @@ class BadPlugins(program.Case):
 
     def test_no_number(self):
         self.assertEqual(self.blamed("utility", "returns_nan"), "score: row 2, column 5 is nan")
-        self.assertEqual(self.blamed("positioner", "returns_nan"), "place: point 0 is (1, nan)")
-        self.assertEqual(self.blamed("predictor", "returns_nan"), "tracks: track 0 has vx nan")
+        self.assertEqual(self.blamed("positioner", "returns_nan"), "place: point 0 at (1, nan) is outside the field")
+        self.assertEqual(self.blamed("predictor", "returns_nan"), "tracks: vx of label 0 is nan")
 
     def test_a_task_given_twice(self):
-        self.assertEqual(self.blamed("assigner", "assigns_twice"), "assign: column 2 given to rows 0 and 6")
+        # Rows are the robots that the blamed one knows to be active: fewer than seven at first.
+        self.assertRegex(self.blamed("assigner", "assigns_twice"), r"^assign: column 2 given to rows 0 and [1-6]$")
 
     def test_index_out_of_range(self):
-        self.assertEqual(self.blamed("assigner", "index_out_of_range"), "assign: row 1 got column 9 of 7")
+        line = self.blamed("assigner", "index_out_of_range")
+        self.assertRegex(line, r"^assign: row 1 got column \d of \d$")
+        column, columns = int(line.split()[5]), int(line.split()[7])
+        self.assertEqual(column, columns + 2)
 
     def test_create_refuses(self):
         self.assertIn("returns_null", self.play_with("assigner", "returns_null"))
@@ -65,12 +71,21 @@ class BadPlugins(program.Case):
         self.assertIn(f"{self.folder_of('wrong_major')}/wrong_major.so: built for Regista plugin interface", line)
 
     def test_the_same_id_twice(self):
-        self.write("broken.yaml", program.TEAM.format(name="broken").replace("first_free", "same_id"))
-        first, second = self.folder_of("same_id_first"), self.folder_of("same_id_second")
-        line = self.refused("match", "small.yaml", "broken.yaml", "--plugins", first, "--plugins", second)
-        self.assertRegex(line, r'^broken\.yaml:\d+:\d+: plugin "same_id" exists 2 times: ')
-        for name in (f"{first}/same_id_first.so (1.0.0, ", f"{second}/same_id_second.so (1.1.0, ", "pin one by its file"):
-            self.assertIn(name, line)
+        for name in ("yesterday", "today"):
+            (self.folder / name).mkdir()
+            shutil.copy2(program.SOUND, self.folder / name)
+        self.plugin_folder.joinpath(program.SOUND.name).unlink()
+        line = self.refused("match", "small.yaml", "small.yaml", "--plugins", "yesterday", "--plugins", "today")
+        build = r"\(1\.0\.0, [^)]+\)"
+        self.assertRegex(line, r'^small\.yaml:3:\d+: plugin "last_news" exists 2 times: '
+                               rf"yesterday/contract_good\.so {build}, today/contract_good\.so {build}; "
+                               r"pin one by its file: \{plugin: last_news, file: yesterday/contract_good\.so\}$")
+        for name in ("first_free", "nearness", "ball_seen", "at_the_ball", "every_second", "last_news"):
+            pinned = f"plugin: {name}, file: yesterday/contract_good.so"
+            text = (self.folder / "small.yaml").read_text()
+            self.write("small.yaml", text.replace(f"plugin: {name}", pinned))
+        folders = ("--plugins", "yesterday", "--plugins", "today")
+        self.succeed("match", "small.yaml", "small.yaml", "--limit", "1", *folders)
 
 
 if __name__ == "__main__":

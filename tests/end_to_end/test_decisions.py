@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""`regista match --decisions`: a match as its robots saw it. What the lines say must fit together, and with the result."""
+"""`regista match --decisions`: a match as its robots saw it. The lines must fit together, and with the result."""
 
 import collections
 import json

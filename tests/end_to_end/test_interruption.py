@@ -10,7 +10,7 @@ import unittest
 import program
 
 # Longer than any of these tests may take.
-LONG = ("--set", "rules.durations.half=36000", "--set", "rules.durations.halves=2")
+LONG = ("--set", "rules.durations.half=7200")
 
 
 class Interruption(program.Case):

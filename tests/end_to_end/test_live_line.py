@@ -26,7 +26,8 @@ class LiveLine(program.Case):
             except OSError:  # the other end is closed
                 pass
 
-        with self.start("match", "small.yaml", "small.yaml", "--limit", "900", *arguments, stdout=subprocess.DEVNULL,
+        limit = "100" if program.SANITIZED else "200"
+        with self.start("match", "small.yaml", "small.yaml", "--limit", limit, *arguments, stdout=subprocess.DEVNULL,
                         stderr=theirs, environment={"TERM": terminal}) as process:
             os.close(theirs)
             reader = threading.Thread(target=read)

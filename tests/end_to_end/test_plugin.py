@@ -53,9 +53,10 @@ class Plugin(program.Case):
         self.assertEqual((about["id"], about["version"], about["kinds"]), ("nearness", "1.0.0", ["utility"]))
         self.assertEqual(about["file"], f"{self.plugin_folder}/contract_good.so")
         scale, squared = about["parameters"]
-        self.assertEqual(scale, {"name": "scale", "type": "real", "range": "0.1 to 10", "unit": "m", "default": "1",
-                                 "tunable": True, "log_scale": False, "doc": "Distance at which half is left"})
-        self.assertEqual((squared["type"], squared["default"], squared["tunable"]), ("boolean", "false", False))
+        self.assertEqual(scale, {"name": "scale", "type": "real", "minimum": 0.1, "maximum": 10.0, "unit": "m",
+                                 "default": 1.0, "tunable": True, "log_scale": False,
+                                 "doc": "Distance at which half is left"})
+        self.assertEqual((squared["type"], squared["default"], squared["tunable"]), ("boolean", False, False))
 
     def test_info_names_the_nearest(self):
         self.assertEqual(self.refused("plugin", "info", "first_fre"),

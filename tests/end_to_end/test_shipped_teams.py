@@ -35,6 +35,19 @@ class ShippedTeams(program.Case):
         # The ball is played: a match in which nobody finds it is none.
         self.assertGreater(sum(first["kicks"]), 0)
 
+    def test_goals_as_lines_only_when_asked_for(self):
+        command = ("match", TEAMS / "paper.yaml", TEAMS / "paper.yaml", "--json", "--limit", "600", "--set",
+                   "rules.field.goal_width=4", "--set", "rules.ball.rolling_deceleration=0.1")
+        done = self.run_program(*command, "--verbose")
+        score = json.loads(done.stdout)["score"]
+        self.assertGreater(sum(score), 0)
+        lines = done.stderr.splitlines()
+        self.assertEqual(len(lines), sum(score))
+        for line in lines:
+            self.assertRegex(line, r"^\d+:\d+  goal for paper \((home|away)\), half 1, \d\d:\d\d$")
+        self.assertTrue(lines[-1].startswith(f"{score[0]}:{score[1]}  "), lines)
+        self.assertEqual(self.run_program(*command).stderr, "")
+
 
 if __name__ == "__main__":
     unittest.main()
