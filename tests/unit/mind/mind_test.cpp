@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// Whole minds that talk to each other: what leaves one arrives in the others, and nothing else does.
+#include "mind/mind.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "mind/world/packet.hpp"
+#include "team.hpp"
+
+namespace regista::mind {
+namespace {
+
+// A team whose packets arrive at the next decision; nobody moves.
+class Squad {
+ public:
+  explicit Squad(const TeamPlan& plan, std::vector<int> numbers) {
+    for (const int number : numbers) minds_.emplace_back(plan, number, 7);
+    outcomes_.resize(minds_.size());
+  }
+  // Percepts of robot `index` are changed by `given`.
+  template <class Change>
+  void decide(double time, Change&& change) {
+    std::vector<std::vector<std::uint8_t>> next;
+    for (std::size_t i = 0; i < minds_.size(); ++i) {
+      Percepts given = percepts(time);
+      change(i, given);
+      std::vector<HeardPacket> heard;
+      for (const auto& [from, bytes] : air_) {
+        if (from != i) heard.push_back({time, bytes});
+      }
+      minds_[i].think(given, heard, outcomes_[i]);
+    }
+    air_.clear();
+    for (std::size_t i = 0; i < minds_.size(); ++i) {
+      if (outcomes_[i].send) air_.emplace_back(i, outcomes_[i].packet);
+    }
+  }
+  Mind& mind(std::size_t index) { return minds_[index]; }
+  const Outcome& outcome(std::size_t index) const { return outcomes_[index]; }
+
+ private:
+  std::vector<Mind> minds_;
+  std::vector<Outcome> outcomes_;
+  std::vector<std::pair<std::size_t, std::vector<std::uint8_t>>> air_;
+};
+
+constexpr PacketLimits limits{.team_size = 7, .role_count = 10, .context_count = 1, .size = 128};
+
+Report sent_by(const Outcome& outcome) {
+  std::vector<Segment> segments;
+  const auto report = decode(outcome.packet, limits, segments);
+  EXPECT_TRUE(report);
+  return report.value_or(Report{});
+}
+
+TEST(MindTest, APacketTellsWhatItsSenderKnows) {
+  const auto plan = plan_of(team());
+  Mind mind(*plan, 3, 1);
+  Outcome out;
+  Percepts given = percepts(0.0);
+  given.placed = placed(-1.0, 0.5, 0.0);
+  given.balls.push_back({{1.0, 0.0}, 0.05, 0.05});
+  for (int i = 0; i < 7; ++i) given.robots.push_back({{1.0 + i, 2.0}, 0.1, 0.1, i == 0});
+  mind.think(given, {}, out);
+  ASSERT_TRUE(out.send);
+  const Report told = sent_by(out);
+  EXPECT_EQ(told.sender, 3);
+  EXPECT_EQ(told.time_sent, 0.0);
+  EXPECT_NEAR(told.pose.x, -1.0, 1e-3);
+  EXPECT_NEAR(told.pose.y, 0.5, 1e-3);
+  EXPECT_TRUE(told.playing);
+  ASSERT_TRUE(told.ball);
+  EXPECT_NEAR(told.ball->position.x(), 0.0, 1e-3);
+  EXPECT_NEAR(told.ball->position.y(), 0.5, 1e-3);
+  EXPECT_EQ(told.opponent_count, 5u) << "six seen, five fit";
+  EXPECT_EQ(told.role, out.role);
+  EXPECT_EQ(told.role, 1) << "the only active robot takes the required role";
+  EXPECT_EQ(told.context, 0);
+  EXPECT_LE(out.packet.size(), 128u);
+  // What the team knows of this robot is what the packet says.
+  mind.think(percepts(0.1), {}, out);
+  EXPECT_NE(mind.world().common().robot(3).flags & REGISTA_ROBOT_KNOWN, 0u);
+  EXPECT_EQ(mind.world().common().robot(3).pose[0], told.pose.x);
+}
+
+TEST(MindTest, TeammatesHearEachOtherAndAgree) {
+  const auto plan = plan_of(team());
+  Squad squad(*plan, {1, 2, 3});
+  const auto put = [](std::size_t i, Percepts& given) {
+    if (given.time == 0.0) given.placed = placed(-2.0 + static_cast<double>(i), 0.0);
+  };
+  for (int k = 0; k < 20; ++k) squad.decide(0.1 * k, put);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(squad.mind(i).world().mine().active, (std::vector<std::int32_t>{1, 2, 3}));
+    EXPECT_EQ(squad.mind(i).world().common().active, (std::vector<std::int32_t>{1, 2, 3}));
+    EXPECT_EQ(squad.outcome(i).assignment, squad.outcome(0).assignment);
+    EXPECT_GE(squad.outcome(i).role, 0);
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(squad.outcome(i).role, squad.outcome(j).role);
+  }
+  EXPECT_EQ(squad.outcome(0).role, 0) << "robot 1 keeps the goal";
+}
+
+// Gossip tells its number once a packet and scores by the sum of what it heard.
+TEST(MindTest, OffersTravelBetweenMinds) {
+  const auto plan = plan_of(team());
+  Squad squad(*plan, {2, 3, 5});
+  const auto nothing = [](std::size_t, Percepts&) {};
+  // Packets leave at 0, 1 and 2 s and arrive one decision later; the offer of each is pending since the decision
+  // before.
+  for (int k = 0; k <= 21; ++k) squad.decide(0.1 * k, nothing);
+  EXPECT_EQ(squad.mind(0).decision().terms[1][0], 3.0 * (3 + 5));
+  EXPECT_EQ(squad.mind(1).decision().terms[1][0], 3.0 * (2 + 5));
+  EXPECT_EQ(squad.mind(2).decision().terms[1][0], 3.0 * (2 + 3));
+}
+
+TEST(MindTest, NoiseChangesNothing) {
+  const auto plan = plan_of(team());
+  Mind mind(*plan, 3, 1), untouched(*plan, 3, 1);
+  const auto encoded = [](const Report& each) {
+    std::vector<std::uint8_t> bytes;
+    encode(each, bytes);
+    return bytes;
+  };
+  Report future = report(4, 50.0), too_high = report(4, 1.0), own = report(3, 0.95, 2.0);
+  too_high.role = 10;
+  std::vector<std::vector<std::uint8_t>> noise{
+      {}, {1, 2, 3}, std::vector<std::uint8_t>(128, 0xff), encoded(future), encoded(too_high), encoded(own)};
+  noise.push_back(encoded(report(4, 1.0)));
+  noise.back().pop_back();
+  std::vector<HeardPacket> heard;
+  for (const auto& bytes : noise) heard.push_back({1.0, bytes});
+  Outcome out, expected;
+  for (int k = 0; k < 30; ++k) {
+    const Percepts given = percepts(1.0 + 0.1 * k);
+    mind.think(given, heard, out);
+    untouched.think(given, {}, expected);
+    EXPECT_EQ(out.packet, expected.packet);
+    EXPECT_EQ(out.assignment, expected.assignment);
+    EXPECT_EQ(mind.world().mine().active, std::vector<std::int32_t>{3});
+  }
+  // And what is none still arrives.
+  const auto good = encoded(report(4, 3.9));
+  const HeardPacket packet{4.0, good};
+  mind.think(percepts(4.0), {&packet, 1}, out);
+  EXPECT_EQ(mind.world().mine().active, (std::vector<std::int32_t>{3, 4}));
+}
+
+TEST(MindTest, SpeaksOnlyInPlayAndWhenNotPenalised) {
+  config::Team page = team();
+  page.contexts[0].sender = use("steady", {{"period", "0"}});
+  const auto plan = plan_of(page);
+  Mind mind(*plan, 2, 1);
+  Outcome out;
+  double time = 0.0;
+  const auto sends = [&](Phase phase, bool penalised) {
+    Percepts given = percepts(time += 0.1, phase);
+    given.penalised = penalised;
+    mind.think(given, {}, out);
+    EXPECT_EQ(out.packet.empty(), !out.send);
+    return out.send;
+  };
+  EXPECT_FALSE(sends(Phase::initial, false));
+  EXPECT_TRUE(sends(Phase::ready, false));
+  EXPECT_TRUE(sends(Phase::set, false));
+  EXPECT_TRUE(sends(Phase::playing, false));
+  EXPECT_FALSE(sends(Phase::playing, true));
+  EXPECT_EQ(out.role, -1);
+  EXPECT_EQ(out.command.walk.forward, 0.0);
+  EXPECT_FALSE(sends(Phase::finished, false));
+}
+
+TEST(MindTest, WithoutAContextThereIsNoRoleAndNoPacket) {
+  config::Team page = team();
+  page.contexts[0].use = use("window", {{"to", "1"}});
+  const auto plan = plan_of(page);
+  Mind mind(*plan, 2, 1);
+  Outcome out;
+  mind.think(percepts(0.0), {}, out);
+  EXPECT_GE(out.role, 0);
+  EXPECT_TRUE(out.send);
+  mind.think(percepts(1.5), {}, out);
+  EXPECT_EQ(out.role, -1);
+  EXPECT_FALSE(out.send);
+  EXPECT_EQ(out.assignment, std::vector<int>(7, -1));
+}
+
+TEST(MindTest, TheSameInputsGiveTheSameBytes) {
+  const auto plan = plan_of(team());
+  Squad one(*plan, {1, 2, 3}), two(*plan, {1, 2, 3});
+  const auto change = [](std::size_t i, Percepts& given) {
+    if (given.time == 0.0) given.placed = placed(-2.0 + static_cast<double>(i), 0.3);
+    given.odometry = {0.02, 0.001 * static_cast<double>(i), 0.01};
+    given.balls.push_back({{1.0 + 0.01 * given.time, 0.2}, 0.05, 0.05});
+  };
+  for (int k = 0; k < 100; ++k) {
+    one.decide(0.1 * k, change);
+    two.decide(0.1 * k, change);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(one.outcome(i).packet, two.outcome(i).packet);
+      EXPECT_EQ(one.outcome(i).command.walk.forward, two.outcome(i).command.walk.forward);
+      EXPECT_EQ(one.outcome(i).command.head_yaw, two.outcome(i).command.head_yaw);
+      EXPECT_EQ(one.outcome(i).assignment, two.outcome(i).assignment);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace regista::mind
