@@ -6,6 +6,7 @@
 
 #include "mind/assembly.hpp"
 #include "mind/behaviour/behaviour.hpp"
+#include "mind/behaviour/robot_memory.hpp"
 #include "mind/coordination/events.hpp"
 #include "mind/world/packet.hpp"
 
@@ -40,7 +41,7 @@ struct Mind::Parts {
 
   void hear(std::span<const HeardPacket> heard);
   void listen_to(const HeardPacket& packet);
-  Situation situation(const Percepts& percepts) const;
+  Situation situation() const;
   Command act(const Percepts& percepts);
   void decide_to_send(const Percepts& percepts, Outcome& out);
   Report report(const Percepts& percepts) const;
@@ -55,6 +56,7 @@ struct Mind::Parts {
   WorldModel world;
   Coordination coordination;
   EventDetector detector;
+  RobotMemory robots_near;
   Behaviour behaviour;
 
   bool first = true;
@@ -117,7 +119,7 @@ const RoleRow* Mind::Parts::own_role() const {
   return role < 0 ? nullptr : &plan.roles()[static_cast<std::size_t>(role)];
 }
 
-Situation Mind::Parts::situation(const Percepts& percepts) const {
+Situation Mind::Parts::situation() const {
   const Decision& decision = coordination.decision();
   const Snapshot& mine = world.mine();
   const Pose pose = world.local().pose();
@@ -130,7 +132,7 @@ Situation Mind::Parts::situation(const Percepts& percepts) const {
                       .pose = pose,
                       .frame = world.local().frame(),
                       .target = pose,
-                      .robots_seen = percepts.robots};
+                      .robots_near = robots_near.positions()};
   if (const RoleRow* row = own_role()) {
     situation.has_role = true;
     situation.behaviour = row->role->behaviour;
@@ -146,7 +148,10 @@ Situation Mind::Parts::situation(const Percepts& percepts) const {
   return situation;
 }
 
-Command Mind::Parts::act(const Percepts& percepts) { return behaviour.act(situation(percepts), percepts); }
+Command Mind::Parts::act(const Percepts& percepts) {
+  robots_near.update(percepts, world.local().frame());
+  return behaviour.act(situation(), percepts);
+}
 
 void Mind::Parts::decide_to_send(const Percepts& percepts, Outcome& out) {
   const Decision& decision = coordination.decision();

@@ -31,7 +31,7 @@ struct Situation {
   bool ball_trusted = false;  // known, and young enough to act on
   Vector2d ball{0, 0}, ball_velocity{0, 0};
   double ball_age = 0.0;
-  std::span<const RobotSighting> robots_seen;  // robot frame
+  std::span<const Vector2d> robots_near;  // of either team, seen now or a moment ago
 };
 
 }  // namespace regista::mind

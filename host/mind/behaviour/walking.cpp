@@ -8,12 +8,29 @@ namespace regista::mind {
 namespace {
 
 constexpr double personal_space = 0.12;   // m between two torsos, beyond which nobody feels pushed
+constexpr double too_close = 0.06;        // m inside of that: step back
+constexpr double step_back = 0.10;        // m/s
 constexpr double look_ahead = 1.2;        // m of the way that is checked for obstacles
 constexpr double walk_turned_from = 0.7;  // m: nearer targets are approached without turning the back to them
 constexpr double turn_gain = 3.0;         // 1/s
 constexpr double distance_gain = 1.5;     // 1/s
 constexpr double arrived = 0.08;          // m
 constexpr double heading_reached = 0.1;   // rad
+
+// Takes out of a velocity (field frame) what would push a robot that stands close, and steps back from one that is
+// closer than that.
+Vector2d yielding(Vector2d velocity, const Vector2d& own, std::span<const Obstacle> obstacles) {
+  for (const Obstacle& obstacle : obstacles) {
+    const Vector2d offset = obstacle.position - own;
+    const double distance = offset.norm();
+    if (distance >= obstacle.radius || distance < 1e-6) continue;
+    const Vector2d towards = offset / distance;
+    const double wanted = velocity.dot(towards);
+    const double allowed = distance < obstacle.radius - too_close ? -step_back : 0.0;
+    if (wanted > allowed) velocity += towards * (allowed - wanted);
+  }
+  return velocity;
+}
 
 // Scales a velocity in the robot frame into the ellipse of what the walk can do.
 Walk limited(const config::Walk& walk, Vector2d velocity, double turn) {
@@ -29,7 +46,7 @@ Walk limited(const config::Walk& walk, Vector2d velocity, double turn) {
 Obstacles robots_around(const Situation& situation) {
   Obstacles out;
   const double radius = 2.0 * situation.robot.body.radius + personal_space;
-  for (const RobotSighting& seen : situation.robots_seen) out.add(situation.frame.to_field(seen.position), radius);
+  for (const Vector2d& robot : situation.robots_near) out.add(robot, radius);
   for (const regista_opponent& opponent : situation.world.opponents) {
     const Vector2d position(opponent.position[0], opponent.position[1]);
     if ((position - situation.frame.origin()).squaredNorm() < 2.25) out.add(position, radius);
@@ -72,7 +89,8 @@ Walk walk_to(const Situation& situation, const Pose& target, std::span<const Obs
   const double distance = (goal - situation.frame.origin()).norm();
   if (distance < arrived && !brisk) {
     const double turn = wrap(target.heading - situation.pose.heading);
-    return limited(walk, situation.frame.direction_to_robot(goal - situation.frame.origin()),
+    const Vector2d velocity = yielding(goal - situation.frame.origin(), situation.frame.origin(), obstacles);
+    return limited(walk, situation.frame.direction_to_robot(velocity),
                    std::abs(turn) < heading_reached ? 0.0 : turn_gain * turn);
   }
   const Vector2d next = way_around(situation.frame.origin(), goal, obstacles);
@@ -82,7 +100,9 @@ Walk walk_to(const Situation& situation, const Pose& target, std::span<const Obs
   // Far targets: turn first, so that the walk is forward, the fastest there is.
   const double facing = distance > walk_turned_from ? std::max(0.0, std::cos(wanted)) : 1.0;
   const double speed = brisk ? walk.forward : std::min(walk.forward, distance_gain * distance);
-  return limited(walk, direction.normalized() * (speed * facing), turn_gain * wanted);
+  const Vector2d velocity = (next - situation.frame.origin()).normalized() * (speed * facing);
+  return limited(walk, situation.frame.direction_to_robot(yielding(velocity, situation.frame.origin(), obstacles)),
+                 turn_gain * wanted);
 }
 
 Walk turn_to(const Situation& situation, double heading) {

@@ -14,13 +14,16 @@ Vector2d on_line(const Vector2d& from, const Vector2d& to, double distance) {
   return length <= distance ? from : Vector2d(to + back * (distance / length));
 }
 
-// Where the way from `from` to `towards` first meets the circle; from inside, or past it, the circle's nearest point in
-// the direction of `from`.
+// Where the way from `from` to `towards` first meets the circle. When it does not, the circle's point nearest to
+// `from`; from inside, the circle's point on the side of both, so that rules which differ in `towards` do not meet.
 Vector2d on_circle(const Vector2d& from, const Vector2d& towards, const Vector2d& centre, double radius) {
   const Vector2d out = from - centre;
   const double distance = out.norm();
   const Vector2d fallback = distance > 0.0 ? Vector2d(centre + out * (radius / distance)) : from;
-  if (distance <= radius) return fallback;
+  if (distance <= radius) {
+    const Vector2d side = out + (towards - centre);
+    return side.norm() > 0.0 ? Vector2d(centre + side.normalized() * radius) : fallback;
+  }
   const Vector2d along = towards - from;
   const double a = along.squaredNorm(), b = out.dot(along), c = out.squaredNorm() - radius * radius;
   const double discriminant = b * b - a * c;

@@ -80,7 +80,7 @@ TEST(WalkTo, StaysWithinWhatTheWalkCanDo) {
                               .pose = pose,
                               .frame = Frame2(pose),
                               .target = pose,
-                              .robots_seen = {}};
+                              .robots_near = {}};
     const double reach = round % 2 == 0 ? 4.0 : 0.1;
     const double tx = x + in(-reach, reach), ty = y + in(-reach, reach), th = in(-pi, pi);
     const Walk walk = walk_to(situation, {tx, ty, th}, {}, round % 3 == 0);
@@ -110,7 +110,7 @@ TEST(WalkTo, Arrives) {
                                 .pose = pose,
                                 .frame = Frame2(pose),
                                 .target = pose,
-                                .robots_seen = {}};
+                                .robots_near = {}};
       const Walk walk = walk_to(situation, {tx, ty, th}, {});
       const Vector2d moved = situation.frame.to_field({0.1 * walk.forward, 0.1 * walk.sideways});
       pose = {moved.x(), moved.y(), wrap(pose.heading + 0.1 * walk.turn)};
