@@ -43,12 +43,12 @@ struct OdometryPose {
                     "Standard deviation of position (m) and heading (rad) after one second of standing; assumption"),
       regista::real(
           "gate", &OdometryPose::gate, {1.0, 50.0}, "1",
-          "Largest squared Mahalanobis distance of a sighting to its landmark; quantiles of chi-square with 2 "
-          "degrees of freedom: 9.21 (0.99), 18.4 (0.9999)")
+          "Largest squared Mahalanobis distance of a sighting to its landmark (chi-square, 2 degrees of freedom: "
+          "9.21 is the 0.99 quantile); chosen by simulated walks, see algorithm.hpp")
           .tunable(),
       regista::real("ambiguity_ratio", &OdometryPose::ambiguity_ratio, {1.0, 10000.0}, "1",
                     "A sighting counts only if its nearest landmark is this many times likelier than the second "
-                    "nearest; assumption")
+                    "nearest; chosen by simulated walks, see algorithm.hpp")
           .tunable()
           .log_scale(),
       regista::integer(

@@ -210,9 +210,10 @@ struct Walk {
 double band(int n) { return 3.29 * std::sqrt(2.0 * 3.0 / n); }
 
 Filter placed(Walk& walk, const Parameters& p, const std::vector<Landmark>& landmarks) {
-  return Filter(
-      p, landmarks,
-      known(walk.x + 0.05 * walk.normal(), walk.y + 0.05 * walk.normal(), walk.heading + 0.05 * walk.normal()));
+  const double x = walk.x + 0.05 * walk.normal();
+  const double y = walk.y + 0.05 * walk.normal();
+  const double heading = walk.heading + 0.05 * walk.normal();
+  return Filter(p, landmarks, known(x, y, heading));
 }
 
 TEST(TenMinutesOnTheField, ErrorIsSmallAndTheCovarianceHonest) {
