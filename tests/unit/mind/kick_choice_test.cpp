@@ -20,7 +20,7 @@ class KickChoice : public testing::Test {
                         .pose = pose,
                         .frame = Frame2(pose),
                         .target = pose,
-                        .robots_seen = {}};
+                        .robots_near = {}};
     situation.ball = ball;
     return choose_kick(situation, last);
   }

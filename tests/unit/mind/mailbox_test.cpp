@@ -270,11 +270,12 @@ TEST_F(MailboxTest, WhatDoesNotFitStaysPending) {
   Robot robot;
   const auto first = robot.offer(Bytes(60)), second = robot.offer(Bytes(60)), third = robot.offer(Bytes(1));
   Bytes packet(55);
-  EXPECT_EQ(robot.mailboxes.bytes_free(), 128u - 55u);
+  EXPECT_EQ(robot.mailboxes.bytes_free(), 73u);
   robot.mailboxes.load(Handles{first, second, third, 99}, packet);
   EXPECT_EQ(packet.size(), 55u + 62u + 3u);
   EXPECT_EQ(robot.pending(), Handles{second});
   EXPECT_EQ(robot.log(), "t1 t3 ");
+  EXPECT_EQ(Robot(55).mailboxes.bytes_free(), 0u);
 }
 
 TEST_F(MailboxTest, AnInstanceMayWithdrawWhileItIsDestroyed) {
