@@ -3,9 +3,9 @@
 #include <limits>
 #include <vector>
 
+#include <regista/choose_offers.hpp>
 #include <regista/sender.hpp>
 
-#include "../grant_offers.hpp"
 #include "algorithm.hpp"
 #include "ball_witness.hpp"
 
@@ -165,7 +165,7 @@ struct EventBased {
   event_based::BallWitness witness;
   int number = 1, team_size = 1;
   std::vector<event_based::Event> events;
-  std::vector<senders::Offer> pending;
+  std::vector<regista::PendingOffer> pending;
   std::vector<std::size_t> chosen;
 
   void setup(const regista::Environment& environment) {
@@ -227,7 +227,7 @@ struct EventBased {
     const std::optional<Cause> cause = sender.decide(settings, now, events);
     if (!cause) return std::nullopt;
     witness.sent();
-    senders::choose_offers(pending, query.budget.bytes_free, chosen);
+    regista::choose_offers(pending, query.budget.bytes_free, chosen);
     for (const std::size_t index : chosen) out.grant(query.offers[index]);
     return reason_of(*cause);
   }

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include <regista/choose_offers.hpp>
 #include <regista/sender.hpp>
 
-#include "../grant_offers.hpp"
 #include "algorithm.hpp"
 
 namespace {
@@ -28,7 +28,7 @@ struct FixedRate {
 
   fixed_rate::Schedule schedule, fresh;
   std::vector<bool> is_fast;  // by id of the role
-  std::vector<senders::Offer> offers;
+  std::vector<regista::PendingOffer> offers;
   std::vector<std::size_t> chosen;
 
   void setup(const regista::Environment& environment) {
@@ -50,7 +50,7 @@ struct FixedRate {
     }
     offers.clear();
     for (const regista::Offer& offer : query.offers) offers.push_back({offer.bytes, offer.urgency});
-    senders::choose_offers(offers, budget.bytes_free, chosen);
+    regista::choose_offers(offers, budget.bytes_free, chosen);
     for (const std::size_t index : chosen) out.grant(query.offers[index]);
     return REGISTA_EVENT_PERIOD;
   }

@@ -7,11 +7,11 @@
 #include <deque>
 #include <vector>
 
+#include <regista/choose_offers.hpp>
 #include <regista/testkit/contract.hpp>
 #include <regista/testkit/frame_builder.hpp>
 #include <regista/testkit/instance.hpp>
 
-#include "../grant_offers.hpp"
 #include "algorithm.hpp"
 
 namespace {
@@ -168,14 +168,14 @@ TEST(FixedRate, AnotherContextsPacketsCount) {
 
 TEST(Offers, UrgencyThenAgeWhileTheyFit) {
   std::vector<std::size_t> chosen;
-  const std::vector<senders::Offer> offers{{20, 0.5}, {30, 0.9}, {10, 0.5}, {70, 1.0}, {5, 0.1}};
-  senders::choose_offers(offers, 1000, chosen);
+  const std::vector<regista::PendingOffer> offers{{20, 0.5}, {30, 0.9}, {10, 0.5}, {70, 1.0}, {5, 0.1}};
+  regista::choose_offers(offers, 1000, chosen);
   EXPECT_EQ(chosen, (std::vector<std::size_t>{3, 1, 0, 2, 4}));
-  senders::choose_offers(offers, 65, chosen);
+  regista::choose_offers(offers, 65, chosen);
   EXPECT_EQ(chosen, (std::vector<std::size_t>{1, 0, 2, 4}));
-  senders::choose_offers(offers, 34, chosen);
+  regista::choose_offers(offers, 34, chosen);
   EXPECT_EQ(chosen, (std::vector<std::size_t>{1}));
-  senders::choose_offers(offers, 0, chosen);
+  regista::choose_offers(offers, 0, chosen);
   EXPECT_TRUE(chosen.empty());
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which pending offers of other plugins go along in a packet: the most urgent first, of equally urgent ones the oldest,
-// as long as they fit. One that does not fit is passed over for smaller ones behind it. Shared by the senders.
+// as long as they fit. One that does not fit is passed over for smaller ones behind it. For senders (regista/sender.hpp).
 #pragma once
 
 #include <algorithm>
@@ -9,16 +9,16 @@
 #include <span>
 #include <vector>
 
-namespace senders {
+namespace regista {
 
-struct Offer {
+struct PendingOffer {
   std::uint32_t bytes;
   double urgency;  // [0, 1]
 };
 
 // offers: the oldest first. Fills `chosen` with indices into it, in the order in which they should be packed; the sum
 // of their bytes is at most bytes_free.
-inline void choose_offers(std::span<const Offer> offers, std::uint32_t bytes_free, std::vector<std::size_t>& chosen) {
+inline void choose_offers(std::span<const PendingOffer> offers, std::uint32_t bytes_free, std::vector<std::size_t>& chosen) {
   chosen.clear();
   for (std::size_t i = 0; i < offers.size(); ++i) chosen.push_back(i);
   std::sort(chosen.begin(), chosen.end(), [&](std::size_t a, std::size_t b) {
@@ -31,4 +31,4 @@ inline void choose_offers(std::span<const Offer> offers, std::uint32_t bytes_fre
   });
 }
 
-}  // namespace senders
+}  // namespace regista
