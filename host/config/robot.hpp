@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The robot profile: body, walk, kicks, camera, odometry, radio of one type of robot. SI units, radians in memory
-// (degrees in YAML, where a person reads them, in keys that end in _deg). Sources: docs/realism.md.
+// (degrees in YAML, where a person reads them, in keys that end in _deg). Sources: configs/robots/nao.yaml.
 #pragma once
 
 #include <numbers>
