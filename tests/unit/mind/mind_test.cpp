@@ -115,6 +115,33 @@ TEST(MindTest, OffersTravelBetweenMinds) {
   EXPECT_EQ(squad.mind(2).decision().terms[1][0], 3.0 * (2 + 3));
 }
 
+// Whatever the predictors' luck: what is common is the same in all robots, what is their own is not.
+TEST(MindTest, LuckIsSharedInWhatIsCommonAlone) {
+  config::Team page = team();
+  page.self = page.ball = page.opponents = page.teammates = use("lucky");
+  const auto plan = plan_of(page);
+  Mind one(*plan, 2, 1), two(*plan, 5, 1), other_match(*plan, 5, 2);
+  Report told = report(3, 0.0, 1.0, 2.0);
+  told.ball = ReportedBall{{0.5, 0.5}, {0, 0}, 0.1, 0.0};
+  told.opponent_count = 1;
+  std::vector<std::uint8_t> bytes;
+  encode(told, bytes);
+  const HeardPacket packet{0.1, bytes};
+  Outcome out;
+  for (Mind* each : {&one, &two, &other_match}) {
+    Percepts given = percepts(0.1);
+    given.placed = placed(0.0, 0.0);
+    each->think(given, {&packet, 1}, out);
+  }
+  const Snapshot &a = one.world().common(), &b = two.world().common(), &c = other_match.world().common();
+  EXPECT_EQ(a.robot(3).pose[0], b.robot(3).pose[0]);
+  EXPECT_EQ(a.raw.ball.position[0], b.raw.ball.position[0]);
+  ASSERT_EQ(a.opponents.size(), 1u);
+  EXPECT_EQ(a.opponents[0].position[0], b.opponents[0].position[0]);
+  EXPECT_NE(a.robot(3).pose[0], c.robot(3).pose[0]);
+  EXPECT_NE(one.world().local().pose().x, two.world().local().pose().x);
+}
+
 TEST(MindTest, NoiseChangesNothing) {
   const auto plan = plan_of(team());
   Mind mind(*plan, 3, 1), untouched(*plan, 3, 1);

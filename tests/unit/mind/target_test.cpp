@@ -126,6 +126,17 @@ TEST_F(Target, DefenderOnTheLineToAPost) {
   EXPECT_NEAR(got.x(), -4.5 * (b - std::sqrt(b * b - a * c)) / a, 1e-12) << "the first of the two";
 }
 
+// From inside the side of both counts: centre (0, 0), from (0.5, 0), towards (0, 2): (0.5, 2) / |(0.5, 2)|.
+TEST_F(Target, FromInsideACircleRulesThatDifferDoNotMeet) {
+  ball(0.5, 0.0);
+  rule.on_circle = config::TargetRule::OnCircle{{Anchor::ball, {}}, point(0.0, 2.0), {Anchor::centre, {}}, 1.0, 1.0};
+  expect(target(), 0.5 / std::sqrt(4.25), 2.0 / std::sqrt(4.25));
+  rule.on_circle->towards = point(0.0, -2.0);
+  expect(target(), 0.5 / std::sqrt(4.25), -2.0 / std::sqrt(4.25));
+  rule.on_circle->towards = point(-0.5, 0.0);  // the sides cancel each other
+  expect(target(), 1.0, 0.0);
+}
+
 TEST_F(Target, AcrossIsTheSideWhereTheBallIsNot) {
   rule.at = Place{Anchor::ball, {}};
   rule.shift = {0.7, 0.5};

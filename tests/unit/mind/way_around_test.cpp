@@ -91,6 +91,40 @@ TEST(WalkTo, StaysWithinWhatTheWalkCanDo) {
   }
 }
 
+// Whoever is near is never pushed: no speed towards one that is within the radius, and away from one that is too close.
+TEST(WalkTo, NeverPushes) {
+  std::mt19937_64 engine(4);
+  const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
+  const config::Rules rules;
+  const config::Robot robot;
+  const Snapshot world(7);
+  const plugin::Placement placement;
+  for (int round = 0; round < 2000; ++round) {
+    const Pose pose{0.0, 0.0, in(-pi, pi)};
+    const Situation situation{.rules = rules,
+                              .robot = robot,
+                              .world = world,
+                              .placement = placement,
+                              .pose = pose,
+                              .frame = Frame2(pose),
+                              .target = pose,
+                              .robots_near = {}};
+    const double distance = in(0.2, 0.6), angle = in(-pi, pi);
+    const Vector2d towards(std::cos(angle), std::sin(angle));
+    const std::vector<Obstacle> obstacles{{towards * distance, 0.42}};
+    const double reach = round % 2 == 0 ? 3.0 : 0.05;
+    const double tx = in(-reach, reach), ty = in(-reach, reach), th = in(-pi, pi);
+    const Walk walk = walk_to(situation, {tx, ty, th}, obstacles, round % 3 == 0);
+    const double speed = situation.frame.direction_to_field({walk.forward, walk.sideways}).dot(towards);
+    if (distance < 0.42) {
+      EXPECT_LE(speed, 1e-9) << round;
+    }
+    if (distance < 0.36) {
+      EXPECT_LT(speed, -0.01) << round;
+    }
+  }
+}
+
 // The body does what it is told; it arrives at place and heading from anywhere.
 TEST(WalkTo, Arrives) {
   std::mt19937_64 engine(3);

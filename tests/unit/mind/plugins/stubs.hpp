@@ -76,6 +76,8 @@ struct Still {
   void tracks(regista::Tracks out) const {
     for (std::size_t i = 0; i < count_; ++i) out.add(tracks_[i]);
   }
+  std::size_t size() const { return count_; }
+  const regista::Track& operator[](std::size_t i) const { return tracks_[i]; }
 
  private:
   regista::Track& add(int label, double x, double y) {
@@ -98,6 +100,25 @@ struct Still {
   int own_number_ = 0;
   std::size_t count_ = 0;
   std::array<regista::Track, 32> tracks_{};
+};
+
+// A Still whose luck shows: every track is off by a length that hangs on the seed alone.
+struct Lucky : Still {
+  static constexpr auto id = "lucky", summary = "Off by its luck";
+  void reset(std::uint64_t seed) {
+    Still::reset(seed);
+    off_ = 1e-6 * static_cast<double>(seed % 1000000);
+  }
+  void tracks(regista::Tracks out) const {
+    for (std::size_t i = 0; i < size(); ++i) {
+      regista::Track track = (*this)[i];
+      track.x += off_;
+      out.add(track);
+    }
+  }
+
+ private:
+  double off_ = 0.0;
 };
 
 // Holds in [from, to).
