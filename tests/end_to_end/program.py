@@ -21,7 +21,7 @@ SANITIZED = os.environ.get("REGISTA_SANITIZE") == "ON"
 # The plugins of the testkit's own tests: one simple, sound plugin of each kind.
 SOUND = TEST_PLUGINS / "contract" / "contract_good.so"
 
-# What bad input may take until it is refused, in seconds. Sanitizers are slow to start.
+# What bad input may take until it is refused, in seconds of the processor. Sanitizers are slow to start.
 AT_ONCE = 5.0 if SANITIZED else 1.0
 
 # Robots walk to their places for 45 s before a game is played: too long for a short match.

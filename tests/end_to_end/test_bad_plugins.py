@@ -24,19 +24,20 @@ class BadPlugins(program.Case):
         self.assertTrue((folder / f"{name}.so").exists(), f"{folder} is not built")
         return folder
 
-    def play_with(self, kind, name, *arguments):
+    def play_with(self, kind, name, file=None):
         sound, bad = PLACES[kind]
         # Without a role that is one robot's own, so that no pair is forbidden.
         text = program.TEAM.format(name="broken").replace("robot: 1, ", "")
         self.assertIn(sound, text)
         self.write("broken.yaml", text.replace(sound, bad.format(name)))
-        return self.refused("match", "small.yaml", "broken.yaml", "--limit", "60", "--plugins", self.folder_of(name),
-                            *arguments)
+        folder = self.folder_of(file or name)
+        return self.refused("match", "small.yaml", "broken.yaml", "--limit", "60", "--plugins", folder)
 
-    def blamed(self, kind, name, *arguments):
-        """What went wrong, after who did it."""
-        line = self.play_with(kind, name, *arguments)
-        who = rf"^plugin {name} \({self.folder_of(name)}/{name}\.so\) of team broken, robot [1-7], tick \d+: "
+    def blamed(self, kind, name, file=None):
+        """What went wrong, after who did it. file: of the plugin, where its name is another."""
+        file = file or name
+        line = self.play_with(kind, name, file)
+        who = rf"^plugin {name} \({self.folder_of(file)}/{file}\.so\) of team broken, robot [1-7], tick \d+: "
         self.assertRegex(line, who)
         return line.split(": ", 1)[1]
 
@@ -49,7 +50,7 @@ class BadPlugins(program.Case):
         self.assertRegex(self.blamed("predictor", "throws"), r"^(predict|correct|tracks): fell in \1$")
 
     def test_no_number(self):
-        self.assertEqual(self.blamed("utility", "returns_nan"), "score: row 2, column 5 is nan")
+        self.assertEqual(self.blamed("utility", "scores_nan", "bad_values"), "score: row 1, column 0 is nan")
         self.assertEqual(self.blamed("positioner", "returns_nan"), "place: point 0 at (1, nan) is outside the field")
         self.assertEqual(self.blamed("predictor", "returns_nan"), "tracks: vx of label 0 is nan")
 
@@ -58,7 +59,7 @@ class BadPlugins(program.Case):
         self.assertRegex(self.blamed("assigner", "assigns_twice"), r"^assign: column 2 given to rows 0 and [1-6]$")
 
     def test_index_out_of_range(self):
-        line = self.blamed("assigner", "index_out_of_range")
+        line = self.blamed("assigner", "assigns_beyond", "bad_values")
         self.assertRegex(line, r"^assign: row 1 got column \d of \d$")
         column, columns = int(line.split()[5]), int(line.split()[7])
         self.assertEqual(column, columns + 2)

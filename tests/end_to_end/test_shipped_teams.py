@@ -24,7 +24,7 @@ class ShippedTeams(program.Case):
         self.assertEqual(self.succeed("config", "check", *files), "".join(f"{file}: team, sound\n" for file in files))
 
     def test_paper_against_fixed_rate(self):
-        command = ("match", TEAMS / "paper.yaml", TEAMS / "fixed_rate.yaml", "--limit", "200", "--json")
+        command = ("match", TEAMS / "paper.yaml", TEAMS / "fixed_rate.yaml", "--limit", "60" if program.SANITIZED else "200", "--json")
         first, again = json.loads(self.succeed(*command)), json.loads(self.succeed(*command))
         other = json.loads(self.succeed(*command, "--seed", "2"))
         self.assertEqual(first["teams"], ["paper", "fixed_rate"])
@@ -33,8 +33,10 @@ class ShippedTeams(program.Case):
         for packets in first["packets"]:
             self.assertGreater(packets, 0)
         # The ball is played: a match in which nobody finds it is none.
-        self.assertGreater(sum(first["kicks"]), 0)
+        if not program.SANITIZED:
+            self.assertGreater(sum(first["kicks"]), 0)
 
+    @unittest.skipIf(program.SANITIZED, "plays two long matches, which sanitizers slow down to minutes")
     def test_goals_as_lines_only_when_asked_for(self):
         command = ("match", TEAMS / "paper.yaml", TEAMS / "paper.yaml", "--json", "--limit", "600", "--set",
                    "rules.field.goal_width=4", "--set", "rules.ball.rolling_deceleration=0.1")
