@@ -24,7 +24,8 @@ class ShippedTeams(program.Case):
         self.assertEqual(self.succeed("config", "check", *files), "".join(f"{file}: team, sound\n" for file in files))
 
     def test_paper_against_fixed_rate(self):
-        command = ("match", TEAMS / "paper.yaml", TEAMS / "fixed_rate.yaml", "--limit", "60" if program.SANITIZED else "200", "--json")
+        limit = "60" if program.SANITIZED else "200"
+        command = ("match", TEAMS / "paper.yaml", TEAMS / "fixed_rate.yaml", "--limit", limit, "--json")
         first, again = json.loads(self.succeed(*command)), json.loads(self.succeed(*command))
         other = json.loads(self.succeed(*command, "--seed", "2"))
         self.assertEqual(first["teams"], ["paper", "fixed_rate"])
