@@ -32,11 +32,12 @@ struct Kick {
 };
 
 struct Body {
-  double radius = 0.15;                    // torso against torso
-  double mass = 5.4;                       // kg
-  double reach = 0.22;                     // centre to ball centre within which it can kick, m
-  double get_up = 5.0;                     // s
-  double falls_per_contact_second = 0.02;  // assumption: no published rate
+  double radius = 0.15;                            // torso against torso
+  double mass = 5.4;                               // kg
+  double reach = 0.22;                             // centre to ball centre within which it can kick, m
+  double reach_angle = 60.0 * radians_per_degree;  // to either side of the heading, within which it can kick, rad
+  double get_up = 5.0;                             // s
+  double falls_per_contact_second = 0.02;          // assumption: no published rate
 };
 
 struct Camera {

@@ -34,8 +34,8 @@ static Map declare(BallSize& ball) {
 
 static Map declare(Durations& durations) {
   return {{
-      real("half", durations.half, {1, 7200}, "s", "one half"),
-      integer("halves", durations.halves, {1, 4}, "1", "halves of a match"),
+      real("half", durations.half, {1, 3000}, "s", "one half"),
+      integer("halves", durations.halves, {1, 2}, "1", "halves of a match"),
       real("ready", durations.ready, {0, 600}, "s", "robots walk to their kick-off positions"),
       real("set", durations.set, {0, 600}, "s", "from Set to the whistle"),
       real("kick_off_free_after", durations.kick_off_free_after, {0, 600}, "s", "ball free although nobody touched it"),
@@ -57,7 +57,6 @@ static Map declare(Penalties& penalties) {
   return {{
       real("removal", penalties.removal, {0, 3600}, "s", "off the field, first offence of the team"),
       real("removal_growth", penalties.removal_growth, {0, 3600}, "s", "more for each earlier offence of the team"),
-      real("get_up_within", penalties.get_up_within, {0, 600}, "s", "a fallen robot must begin to get up"),
   }};
 }
 

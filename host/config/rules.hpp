@@ -46,7 +46,6 @@ struct Messages {
 
 struct Penalties {
   double removal = 45.0, removal_growth = 10.0;
-  double get_up_within = 5.0;
 };
 
 struct Rules {

@@ -105,6 +105,7 @@ Context resolved(const ContextPage& written, const Node& document, const TeamPag
   context.name = written.name;
   context.priority = written.priority;
   context.use = written.plugin;
+  context.use.where = written.where;
   context.where = written.where;
   context.positioner = std::move(coordination.positioner);
   context.tasks = coordination.tasks;

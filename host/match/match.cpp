@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "match/body.hpp"
@@ -91,7 +92,7 @@ class Course {
   void observe();
   Robot& robot(int id) { return robots_[static_cast<std::size_t>(id)]; }
   Side side_of(int id) const { return roster_.side(id); }
-  double ball_distance(int id) const;
+  double ball_distance(int id) const;  // infinite where no foot reaches: beside and behind
   [[noreturn]] void refuse(int id, const std::string& why) const;
 
   const Setup& setup_;
@@ -153,7 +154,11 @@ void Course::refuse(int id, const std::string& why) const {
 
 double Course::ball_distance(int id) const {
   const BodyState& body = arena_.robot(id);
-  return length(arena_.ball_position() - Vector{body.x, body.y});
+  const Vector way = arena_.ball_position() - Vector{body.x, body.y};
+  const double distance = length(way);
+  const double ahead = way.x * body.cosine + way.y * body.sine;
+  const bool in_front = ahead >= distance * std::cos(robots_[static_cast<std::size_t>(id)].profile.body.reach_angle);
+  return in_front ? distance : std::numeric_limits<double>::infinity();
 }
 
 Result Course::run() {
@@ -217,13 +222,14 @@ void Course::decide(int id) {
   if (!percepts.penalised) {
     robot.body.command(outcome.command, time_, outcome.command.kick ? ball_distance(id) : 0.0);
   }
+  // Before the radio reuses the memory of what was heard.
+  if (observer_.decision) observer_.decision({time_, side, number, percepts, heard_, outcome});
   if (outcome.send) {
     const int charged = state.packets[index(side)];
     const bool in_the_air = referee_.packet(side, outcome.packet.size());
     if (state.packets[index(side)] != charged) metrics_.sent(side, outcome.send_reason);
     if (in_the_air) radio_[index(side)].send(number, outcome.packet, time_, tick_);
   }
-  if (observer_.decision) observer_.decision({time_, side, number, percepts, heard_, outcome});
 }
 
 void Course::check_outcome(int id, const Robot& robot) const {
@@ -267,6 +273,7 @@ void Course::digest_outcome(const mind::Outcome& outcome) {
 // Returns the robot that kicked the ball in this step, or -1.
 int Course::move_bodies() {
   int kicker = -1;
+  Vector kicked{};
   for (int id = 0; id < roster_.count(); ++id) {
     if ((out_of_play_ >> id & 1u) != 0) continue;
     Robot& robot = this->robot(id);
@@ -276,11 +283,14 @@ int Course::move_bodies() {
     arena_.drive(id, turned({motion.walk.forward, motion.walk.sideways}, now.cosine, now.sine), motion.walk.turn,
                  limits.acceleration, limits.turn_acceleration);
     if (motion.ball_velocity) {
-      arena_.kick(turned(*motion.ball_velocity, now.cosine, now.sine));
       metrics_.kicked(roster_.side(id));
+      // Of two that strike at once, who is nearer to the ball hits it.
+      if (kicker >= 0 && ball_distance(kicker) <= ball_distance(id)) continue;
+      kicked = turned(*motion.ball_velocity, now.cosine, now.sine);
       kicker = id;
     }
   }
+  if (kicker >= 0) arena_.kick(kicked);
   return kicker;
 }
 

@@ -39,8 +39,7 @@ Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, cons
         continue;
       }
       think[index(side)].push_back([&each, &after, side](const mind::Percepts& percepts,
-                                                         std::span<const mind::HeardPacket> heard,
-                                                         mind::Outcome& out) {
+                                                         std::span<const mind::HeardPacket> heard, mind::Outcome& out) {
         each.think(percepts, heard, out);
         after(side, each, percepts, out);
       });

@@ -14,8 +14,9 @@ Told::Told(const config::Rules& rules) : durations_(rules.durations), roster_{ru
 
 void Told::announce(const GameState& state, double time, double delay, bool follows) {
   ++last_;
-  announcements_[static_cast<std::size_t>(last_ % kept)] = {state.phase, state.set_play,    state.kicking, state.half,
-                                                            state.goals, state.phase_began, time + delay,  follows};
+  announcements_[static_cast<std::size_t>(last_ % kept)] = {
+      state.phase,  state.set_play, state.kicking, state.half, state.goals,     state.phase_began,
+      time + delay, follows,        state.clock,   time,       state.clock_runs};
 }
 
 void Told::know(Robot& robot, std::uint64_t i) const {
@@ -60,8 +61,10 @@ void Told::tell(int id, const GameState& state, double time, mind::GameTold& out
   out.own_score = news.score[index(side)];
   out.opponent_score = news.score[index(opposite(side))];
   out.phase_time = time - (robot.ready_by_whistle ? robot.ready_since : news.began);
-  out.half_time_left = durations_.half - state.clock;
-  out.match_time_left = out.half_time_left + (durations_.halves - state.half) * durations_.half;
+  // The clock as far as the news go: it does not give away a kick-off that the robot has not heard of.
+  const double clock = news.clock + (news.clock_runs ? time - news.said : 0.0);
+  out.half_time_left = durations_.half - clock;
+  out.match_time_left = out.half_time_left + (durations_.halves - news.half) * durations_.half;
   out.packets_left = state.packets_left[index(side)];
   out.own_penalised = state.penalised[index(side)];
   out.opponent_penalised = state.penalised[index(opposite(side))];

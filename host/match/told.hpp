@@ -39,6 +39,8 @@ class Told {
     std::array<int, 2> score{};
     double began = 0.0, arrives = 0.0;
     bool follows = false;
+    double clock = 0.0, said = 0.0;  // s played of the half when this was said, and when that was
+    bool clock_runs = false;
   };
   struct Robot {
     std::uint64_t known = 0;  // the latest announcement it knows

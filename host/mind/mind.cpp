@@ -186,7 +186,7 @@ void Mind::Parts::decide_to_send(const Percepts& percepts, Outcome& out) {
   // What the others will know of this robot is what they decode.
   const std::optional<Report> decoded = decode(out.packet, limits, segments);
   assert(decoded);
-  world.hear(*decoded, now);
+  if (decoded) world.hear(*decoded, now);
 }
 
 Report Mind::Parts::report(const Percepts& percepts) const {

@@ -10,6 +10,12 @@
 #include "plugin/covariance.hpp"
 
 namespace regista::plugin {
+namespace {
+
+// Nothing on a field is farther away, or faster; what is beyond would overflow somewhere else. m, m/s
+constexpr double farthest = 1e4;
+
+}  // namespace
 
 Predictor::Predictor(std::shared_ptr<Instance> instance)
     : instance_(std::move(instance)),
@@ -75,6 +81,10 @@ void Predictor::check(const regista_track& t) const {
                                {"y of the target", has_target ? t.target[1] : 0.0}}) {
       if (!std::isfinite(field.value)) wrong(field.name, field.value);
     }
+  }
+  for (const Field& field : {Field{"x", t.x}, {"y", t.y}, {"vx", t.vx}, {"vy", t.vy}}) {
+    if (std::abs(field.value) > farthest) [[unlikely]]
+      wrong(field.name, field.value);
   }
   if (std::abs(t.heading) > std::numbers::pi) [[unlikely]]
     wrong("heading", t.heading);

@@ -12,10 +12,14 @@
 namespace regista::plugin {
 namespace {
 
-// Whether an entry may be other than finite and >= 0. Looks at bits, so that the compiler can check several entries at
-// once: the sign bit is set, or adding one to the exponent sets it. -0 is suspect too.
+// Utilities are at most this, so that sums of weighted terms stay finite.
+constexpr double largest = 1e12;
+
+// Whether an entry may be other than in [0, largest]. Looks at bits, so that the compiler can check several entries at
+// once: the sign bit is set, or adding so much to the exponent that 2^40, a little more than `largest`, reaches it
+// sets it. -0 is suspect too.
 bool suspect(const regista_matrix& m) {
-  constexpr std::uint64_t sign = std::uint64_t{1} << 63, exponent_step = std::uint64_t{1} << 52;
+  constexpr std::uint64_t sign = std::uint64_t{1} << 63, exponent_step = std::uint64_t{2048 - 1023 - 40} << 52;
   static_assert(std::numeric_limits<double>::is_iec559);
   std::uint64_t seen = 0;
   for (std::uint32_t i = 0; i < m.rows; ++i) {
@@ -32,9 +36,11 @@ void check_each(const Instance& instance, const regista_matrix& m) {
   for (std::uint32_t i = 0; i < m.rows; ++i) {
     for (std::uint32_t j = 0; j < m.columns; ++j) {
       const double value = m.values[std::size_t{i} * m.stride + j];
-      if (value >= 0.0 && std::isfinite(value)) continue;
-      instance.fail("score", fmt::format("row {}, column {} is {}{}", i, j, value,
-                                         std::isfinite(value) ? "; utilities are at least 0" : ""));
+      if (value >= 0.0 && value <= largest) continue;
+      const char* const rule = !std::isfinite(value) ? ""
+                               : value < 0.0         ? "; utilities are at least 0"
+                                                     : "; utilities are at most 1e12";
+      instance.fail("score", fmt::format("row {}, column {} is {}{}", i, j, value, rule));
     }
   }
 }

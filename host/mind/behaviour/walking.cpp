@@ -35,8 +35,11 @@ Vector2d yielding(Vector2d velocity, const Vector2d& own, std::span<const Obstac
 // Scales a velocity in the robot frame into the ellipse of what the walk can do.
 Walk limited(const config::Walk& walk, Vector2d velocity, double turn) {
   const double along = velocity.x() >= 0.0 ? walk.forward : walk.backward;
-  const double share = std::sqrt(velocity.x() * velocity.x() / (along * along) +
-                                 velocity.y() * velocity.y() / (walk.sideways * walk.sideways));
+  // A direction in which the robot cannot walk at all.
+  if (along == 0.0) velocity.x() = 0.0;
+  if (walk.sideways == 0.0) velocity.y() = 0.0;
+  const auto share_of = [](double speed, double limit) { return limit > 0.0 ? speed * speed / (limit * limit) : 0.0; };
+  const double share = std::sqrt(share_of(velocity.x(), along) + share_of(velocity.y(), walk.sideways));
   if (share > 1.0) velocity /= share;
   return {velocity.x(), velocity.y(), std::clamp(turn, -walk.turn, walk.turn)};
 }

@@ -9,6 +9,7 @@ namespace regista::mind {
 namespace {
 constexpr std::size_t longest_core = 24 + 11 + 4 * Report::most_opponents;
 constexpr std::size_t most_places = 256;
+constexpr std::size_t most_pending = 64;  // offers of one instance
 constexpr std::size_t longest_bytes = 255;
 }  // namespace
 
@@ -59,12 +60,14 @@ std::size_t Mailboxes::longest_segment() const {
 std::uint64_t Mailboxes::offer(std::size_t place, std::span<const std::uint8_t> bytes, double urgency, double expiry,
                                int medium, std::uint64_t replaces) {
   const bool sensible = place < most_places && bytes.size() <= longest_segment() && urgency >= 0.0 && urgency <= 1.0 &&
-                        medium == REGISTA_MEDIUM_RADIO && expiry > now_;
+                        medium == REGISTA_MEDIUM_RADIO && expiry > now_ && (bytes.data() != nullptr || bytes.empty());
   if (!sensible) return 0;
   const auto replaced = std::ranges::find_if(waiting_, [&](const Waiting& each) {
     return replaces != 0 && each.offer.handle == replaces && each.place == place;
   });
   if (replaced != waiting_.end()) drop(replaced);
+  const auto pending = std::ranges::count_if(waiting_, [&](const Waiting& each) { return each.place == place; });
+  if (static_cast<std::size_t>(pending) >= most_pending) return 0;
   Waiting& waiting = waiting_.emplace_back();
   waiting.offer = {++last_handle_, static_cast<std::uint32_t>(bytes.size() + segment_heading), medium, urgency, expiry};
   waiting.place = place;

@@ -284,8 +284,8 @@ enum { REGISTA_TRACK_HAS_TARGET = 1, REGISTA_TRACK_VELOCITY = 2 /* the velocity 
 typedef struct regista_track {
   int32_t label;
   uint32_t flags;
-  double x, y, heading;
-  double vx, vy, turn_rate;          /* field frame */
+  double x, y, heading;              /* |x|, |y| <= 1e4 */
+  double vx, vy, turn_rate;          /* field frame; |vx|, |vy| <= 1e4 */
   double covariance[16];             /* of (x, y, vx, vy) */
   double heading_variance;
   double weight;                     /* probability of existence, or of the hypothesis, (0, 1] */
@@ -357,7 +357,7 @@ typedef struct regista_positioner {
 typedef struct regista_utility {
   uint32_t size;
   uint32_t reserved;
-  /* Fills out(i, j) with the utility of active robot i for task j: finite, >= 0, larger is better. All entries are 0
+  /* Fills out(i, j) with the utility of active robot i for task j: in [0, 1e12], larger is better. All entries are 0
    * on entry. Called only with rows > 0 and columns > 0. */
   int32_t (*score)(void* instance, const regista_frame* frame, const regista_matrix* out, regista_error* error);
 } regista_utility;
@@ -470,7 +470,8 @@ typedef struct regista_host {
   uint32_t reserved;
   void* context;                     /* first argument of every call below */
   /* Offers `count` bytes (copied) for a coming packet. `replaces`: an earlier handle, or 0. Returns a handle > 0, or 0
-   * when refused (longer than any packet could take, urgency outside [0, 1], unknown medium, expired). */
+   * when refused (longer than any packet could take, urgency outside [0, 1], unknown medium, expired, or 64 offers of
+   * this instance are pending). */
   uint64_t (*offer)(void* context, const uint8_t* bytes, uint32_t count, double urgency, double expiry,
                     int32_t medium, uint64_t replaces);
   void (*withdraw)(void* context, uint64_t handle); /* unknown handles are ignored */
