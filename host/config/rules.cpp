@@ -34,7 +34,7 @@ static Map declare(BallSize& ball) {
 
 static Map declare(Durations& durations) {
   return {{
-      real("half", durations.half, {1, 3000}, "s", "one half"),
+      real("half", durations.half, {1, 7200}, "s", "one half"),
       integer("halves", durations.halves, {1, 2}, "1", "halves of a match"),
       real("ready", durations.ready, {0, 600}, "s", "robots walk to their kick-off positions"),
       real("set", durations.set, {0, 600}, "s", "from Set to the whistle"),

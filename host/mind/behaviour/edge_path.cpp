@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mind/behaviour/edge_path.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -27,13 +28,11 @@ Vector2d along_edges(const plugin::Placement& graph, const Vector2d& from, const
   const std::size_t count = graph.points.size();
   if ((to - from).norm() <= (at(graph, start) - from).norm() + (at(graph, goal) - to).norm()) return to;
 
-  // From the goal backwards, so that the next node of the start is its predecessor. Small graphs: no heap.
+  // Distances to the goal. Small graphs: no heap.
   std::array<double, most_nodes> distance;
-  std::array<std::size_t, most_nodes> next;
   std::array<bool, most_nodes> done;
   for (std::size_t i = 0; i < count; ++i) {
     distance[i] = infinity;
-    next[i] = i;
     done[i] = false;
   }
   distance[goal] = 0.0;
@@ -42,21 +41,29 @@ Vector2d along_edges(const plugin::Placement& graph, const Vector2d& from, const
     for (std::size_t i = 0; i < count; ++i) {
       if (!done[i] && distance[i] < infinity && (nearest == count || distance[i] < distance[nearest])) nearest = i;
     }
-    if (nearest == count || nearest == start) break;
+    if (nearest == count) break;
     done[nearest] = true;
     for (const regista_edge& edge : graph.edges) {
       if (edge.from != nearest && edge.to != nearest) continue;
       const std::size_t other = edge.from == nearest ? edge.to : edge.from;
       const double through = distance[nearest] + (at(graph, nearest) - at(graph, other)).norm();
-      if (through < distance[other]) {
-        distance[other] = through;
-        next[other] = nearest;
-      }
+      distance[other] = std::min(distance[other], through);
     }
   }
-  if (distance[start] == infinity) return to;
-  const Vector2d entry = at(graph, start);
-  return (entry - from).norm() > node_reached ? entry : at(graph, next[start]);
+  // The graph is entered where the whole way is shortest, so that nobody is sent back to a node that lies behind.
+  std::size_t entry = count;
+  double shortest = infinity;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double whole = distance[i] + (at(graph, i) - from).norm();
+    if (whole < shortest) {
+      shortest = whole;
+      entry = i;
+    }
+  }
+  if (entry == count) return to;
+  const bool reached = (at(graph, goal) - from).norm() <= node_reached;
+  const bool past = (to - from).norm() < (to - at(graph, goal)).norm();
+  return entry == goal && (reached || past) ? to : at(graph, entry);
 }
 
 }  // namespace regista::mind

@@ -29,7 +29,9 @@ class Choice {
     const double distance = (aim - situation_.ball).norm();
     // So fast that it would roll a metre into the net.
     if (const auto plan = plan_towards(aim, distance + 1.0); plan && plan->distance >= distance + 0.2) {
-      consider(*plan, here_ + goal_bonus - risk(plan->direction, distance) - 0.3 * distance);
+      const double blocked = risk(plan->direction, distance);
+      const double open = std::max(0.0, 1.0 - blocked / blocked_cost);
+      consider(*plan, here_ + open * goal_bonus - blocked - 0.3 * distance);
     }
   }
 

@@ -4,7 +4,7 @@
 // segments of plugins (mailbox). decode() accepts any bytes and either yields a report that makes sense or nothing.
 //
 // core:     version:3 sender:5 | flags | time ms:24 | x y mm:16 | heading:16 | deviations | vx vy cm/s:8 | target mm:16
-//           | role:8 | role since ds:16 | context:8 | time until up ds:8
+//           | role:8 | role since ds:16 (at most 109 min) | context:8 | time until up ds:8
 // ball:     x y mm:16 | vx vy mm/s:16 | age cs:16 | deviation cm:8           (if flagged)
 // opponent: x y cm:12 | deviation dm:4 | age s/2:4                            (0 to 5)
 // segment:  place:8 | length:8 | bytes                                        (until the end)

@@ -152,7 +152,7 @@ TEST(Profiles, WhatIsRefused) {
       // Ranges
       {"rules: a\nfield: {length: 900}\n", "t.yaml:2:17: field.length: \"900\" is outside 0.5 to 200 m"},
       {"rules: a\nteam_size: 0\n", "t.yaml:2:12: team_size: 0 is outside 1 to 11 robots"},
-      {"rules: a\ndurations: {half: -600}\n", "t.yaml:2:19: durations.half: \"-600\" is outside 1 to 3000 s"},
+      {"rules: a\ndurations: {half: -600}\n", "t.yaml:2:19: durations.half: \"-600\" is outside 1 to 7200 s"},
       {"rules: a\ndurations: {ready: -1}\n", "t.yaml:2:20: durations.ready: \"-1\" is outside 0 to 600 s"},
       {"rules: a\nmessages: {budget: -1}\n", "t.yaml:2:20: messages.budget: -1 is outside 0 to 1000000 packets"},
       {"rules: a\nmessages: {size: 63}\n", "t.yaml:2:18: messages.size: 63 is outside 64 to 1024 bytes"},

@@ -95,14 +95,22 @@ TEST_F(Scene, AGoalsWhistleInSetIsTakenForTheKickOff) {
   EXPECT_EQ(at(70.0).phase, Phase::ready);
 }
 
-TEST_F(Scene, ClockPenaltiesAndBudgetAreNeverLate) {
+// A clock that starts would tell of a kick-off that the robot has not heard of.
+TEST_F(Scene, TheClockRunsFromWhatWasTold) {
+  announce(Phase::set, SetPlay::kick_off, 45.0, 0.0);
+  at(46.0);
+  state.clock_runs = true;
+  announce(Phase::playing, SetPlay::kick_off, 50.0, 15.0);
+  EXPECT_DOUBLE_EQ(at(60.0).half_time_left, 600.0);
+  EXPECT_DOUBLE_EQ(at(66.0).half_time_left, 584.0);
+  EXPECT_DOUBLE_EQ(at(66.0).match_time_left, 1184.0);
+}
+
+TEST_F(Scene, PenaltiesAndBudgetAreNeverLate) {
   kick_off();
-  state.clock = 100.0;
   state.packets_left = {7, 8};
   state.penalised = {1u, 2u};
   const mind::GameTold away = at(51.0, rules.team_size);
-  EXPECT_DOUBLE_EQ(away.half_time_left, 500.0);
-  EXPECT_DOUBLE_EQ(away.match_time_left, 1100.0);
   EXPECT_EQ(away.packets_left, 8);
   EXPECT_EQ(away.own_penalised, 2u);
   EXPECT_EQ(away.opponent_penalised, 1u);

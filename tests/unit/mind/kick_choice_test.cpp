@@ -84,9 +84,7 @@ TEST_F(KickChoice, AvoidsABlockedLine) {
   EXPECT_GT(plan.direction.x(), 0.0) << "still forward";
 }
 
-// A shot through an opponent a metre away is worth more to choose_kick() than any free way; see kick_choice.cpp, where
-// the whole bonus of a goal counts however closely the line is blocked.
-TEST_F(KickChoice, DISABLED_DoesNotShootThroughAnOpponent) {
+TEST_F(KickChoice, DoesNotShootThroughAnOpponent) {
   const Vector2d ball(0.0, 0.0);
   opponent(1.0, 0.0);
   EXPECT_GT(clearance(ball, choose(ball)), 0.3);
