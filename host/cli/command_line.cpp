@@ -133,6 +133,7 @@ int run(int argc, char** argv) {
   occupy_standard_streams();
   // A reader who goes away is an error of writing, which is told, not a signal.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error of writing like any other
   try {
     return run(invocation_of(argc, argv));
   } catch (...) {

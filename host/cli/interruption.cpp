@@ -50,12 +50,14 @@ Interruption::Interruption(std::string_view last_words) {
   // SA_RESETHAND: the second signal acts as usual.
   handle(SIGINT, ask_to_stop, static_cast<int>(SA_RESETHAND));
   handle(SIGTERM, ask_to_stop, static_cast<int>(SA_RESETHAND));
+  handle(SIGHUP, ask_to_stop, static_cast<int>(SA_RESETHAND));
 }
 
 Interruption::~Interruption() {
   alarm(0);
   handle(SIGINT, SIG_DFL, 0);
   handle(SIGTERM, SIG_DFL, 0);
+  handle(SIGHUP, SIG_DFL, 0);
   handle(SIGALRM, SIG_DFL, 0);
   listening = false;
 }

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -43,6 +44,18 @@ std::string interrupted_text(const std::string& again, const match::GameState& s
                      state.half, clock_text(state.clock), time, state.goals[0], state.goals[1], again);
 }
 
+// A log must not replace what the match is read from.
+void refuse_to_overwrite(const Options& options) {
+  std::vector<std::string> read = options.teams;
+  read.insert(read.end(), {options.rules, options.robot, options.disturbance});
+  for (const std::string& file : read) {
+    std::error_code none;
+    if (std::filesystem::equivalent(options.decisions, file, none)) {
+      throw BadInput(fmt::format("--decisions {}: is a file that this match reads", options.decisions));
+    }
+  }
+}
+
 int play(const Options& options, const Invocation& invocation) {
   if (options.teams.size() != 2) {
     throw BadInput(
@@ -62,6 +75,7 @@ int play(const Options& options, const Invocation& invocation) {
   }
 
   std::optional<DecisionLog> log;
+  if (!options.decisions.empty()) refuse_to_overwrite(options);
   if (!options.decisions.empty()) log.emplace(options.decisions, plans, played.seed);
   LiveLine live(played.teams, !options.quiet, options.verbose);
   const Interruption interruption(

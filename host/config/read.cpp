@@ -170,7 +170,11 @@ void read(const Map& map, const Node& node, const std::string& what) {
     const std::string path = inside(what, field.key);
     if (const Node value = node[field.key]) std::visit(Reader{value, path}, field.kind);
   }
-  if (map.where) *map.where = node.where();
+  if (map.where) {
+    // A plugin that the command line chose stands there, not where the page chose another one.
+    const Node chosen = node["plugin"];
+    *map.where = chosen && chosen.where().line == 0 ? chosen.where() : node.where();
+  }
 }
 
 Node at(const Node& document, std::string_view path) {
