@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Positioner plugin around algorithm.hpp: the opponents of the chosen world, the field of the environment.
+// Positioner plugin around algorithm.hpp: the opponents of the chosen world, the field of the environment;
+// around cells.hpp: the active robots of that world.
+#include <algorithm>
+#include <array>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <regista/positioner.hpp>
 
 #include "algorithm.hpp"
+#include "cells.hpp"
 
 namespace {
 
@@ -13,7 +19,7 @@ struct Voronoi {
   static constexpr auto id = "voronoi", version = "1.0.0", licence = "GPL-3.0-or-later",
                         summary = "Nodes and edges of the Voronoi diagram of the opponents";
   double merge = 0.75, clearance = 0.75, drop_beyond = 1.0, inset = 0.15, full_score = 3.0;
-  bool boundary = false;
+  bool boundary = false, cells = false;
   static constexpr std::tuple parameters{
       regista::real("merge", &Voronoi::merge, {0.0, 5.0}, "m",
                     "Nodes nearer to each other than this become one, in their middle; SPQR 2023: 0.75")
@@ -29,10 +35,13 @@ struct Voronoi {
                     "Distance from the nearest opponent at which a node's score reaches 1; our choice")
           .tunable(),
       regista::boolean("boundary", &Voronoi::boundary,
-                       "Also nodes where an edge of the diagram leaves the field; our option")};
+                       "Also nodes where an edge of the diagram leaves the field; our option"),
+      regista::boolean("cells", &Voronoi::cells,
+                       "Also the Voronoi cell of each active robot among its team, clipped to the lines; our option")};
 
   std::optional<voronoi::Diagram> diagram;
-  std::vector<voronoi::Point> opponents;
+  std::vector<voronoi::Point> opponents, team;
+  voronoi::Extent field{};
 
   void setup(const regista::Environment& environment) {
     const double x = environment->field_length / 2.0, y = environment->field_width / 2.0;
@@ -57,6 +66,12 @@ struct Voronoi {
     }
     diagram.emplace(std::move(settings));
     opponents.reserve(32);
+    field = {x, y};
+    if (cells && environment->team_size > voronoi::most_cell_sites) {
+      throw std::out_of_range("cells: at most " + std::to_string(voronoi::most_cell_sites) + " robots, not " +
+                              std::to_string(environment->team_size));
+    }
+    team.reserve(voronoi::most_cell_sites);
   }
 
   void place(const regista::Frame& frame, regista::Placement out) {
@@ -68,6 +83,25 @@ struct Voronoi {
     for (const voronoi::Node& node : graph.nodes) out.point(node.x, node.y, node.score);
     for (const voronoi::Edge& edge : graph.edges) {
       out.edge(static_cast<std::uint32_t>(edge.from), static_cast<std::uint32_t>(edge.to));
+    }
+    if (cells) place_cells(frame.world(), out);
+  }
+
+  void place_cells(const regista::World& world, regista::Placement& out) {
+    const regista::Span<std::int32_t> active = world.active();
+    team.clear();
+    for (const std::int32_t number : active) {
+      const regista::Robot& robot = world.robot(number);
+      team.push_back({robot.pose[0], robot.pose[1]});
+    }
+    std::array<regista::Vertex, voronoi::most_cell_corners> vertices;
+    for (std::size_t i = 0; i < team.size(); ++i) {
+      const voronoi::Cell cell = voronoi::cell(team, i, field);
+      if (cell.count == 0) continue;
+      std::transform(cell.span().begin(), cell.span().end(), vertices.begin(), [](const voronoi::Point& corner) {
+        return regista::Vertex{corner.x, corner.y};
+      });
+      out.cell(active[i], {vertices.data(), cell.count});
     }
   }
 };

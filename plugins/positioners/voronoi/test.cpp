@@ -324,6 +324,47 @@ TEST(VoronoiPlugin, SitesAreTheOpponentsTheHalfwayLineAndThePosts) {
   }
 }
 
+TEST(VoronoiPlugin, CellsOfTheActiveRobotsWhenAskedFor) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "voronoi");
+  const Scene scene = FrameBuilder{}
+                          .own(2)
+                          .robot(2)
+                          .at(-1, 0)
+                          .robot(3)
+                          .at(0, 0)
+                          .inactive()
+                          .robot(5)
+                          .at(2, 0)
+                          .robot(6)
+                          .at(2, 0)
+                          .opponent(1.0, 0.5)
+                          .build()
+                          .before_tasks();
+  Instance silent(plugin, EnvironmentBuilder{}.own(2));
+  EXPECT_TRUE(silent.place(scene).cells.empty());
+  EXPECT_TRUE(silent.place(scene).vertices.empty());
+
+  Instance positioner(plugin, EnvironmentBuilder{}.own(2), Values(plugin).set("cells", 1.0));
+  const Placed placed = positioner.place(scene);
+  EXPECT_EQ(placed.points.size(), silent.place(scene).points.size());
+  ASSERT_EQ(placed.cells.size(), 2u);  // of 2 and 5: 3 is not active, 6 stands where 5 does
+  EXPECT_EQ(placed.cells[0].robot, 2);
+  EXPECT_EQ(placed.cells[1].robot, 5);
+  const double border = 0.5, areas[] = {(4.5 + border) * 6.0, (4.5 - border) * 6.0};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const regista_cell& cell = placed.cells[i];
+    ASSERT_EQ(cell.count, 4u);
+    ASSERT_LE(cell.first + cell.count, placed.vertices.size());
+    double twice_area = 0.0;
+    for (std::uint32_t k = 0; k < cell.count; ++k) {
+      const regista_vertex& a = placed.vertices[cell.first + k];
+      const regista_vertex& b = placed.vertices[cell.first + (k + 1) % cell.count];
+      twice_area += a.x * b.y - b.x * a.y;
+    }
+    EXPECT_NEAR(twice_area / 2.0, areas[i], 1e-12);  // positive: counter-clockwise
+  }
+}
+
 REGISTA_POSITIONER_CONTRACT(REGISTA_PLUGIN_FILE, "voronoi");
 
 }  // namespace
