@@ -28,6 +28,8 @@ Coordination::Coordination(const TeamPlan& plan, int own_number, std::vector<Con
     : plan_(&plan), own_number_(own_number), parts_(std::move(parts)) {
   previous_.assign(static_cast<std::size_t>(plan.rules().team_size), REGISTA_NO_TASK);
   decision_.role_of = previous_;
+  decision_.placement.points.reserve(plugin::Positioner::point_capacity);
+  decision_.placement.edges.reserve(plugin::Positioner::edge_capacity);
 }
 
 const config::Context& Coordination::context() const {

@@ -266,6 +266,16 @@ TEST_F(MailboxTest, RefusesWhatNoPacketCanTakeAndWhatMakesNoSense) {
   large.within([](Box& box) { EXPECT_EQ(box.mailbox.bytes_free(), 255u); });
 }
 
+TEST_F(MailboxTest, AnInstanceMayHaveSixtyFourOffersPending) {
+  Robot robot;
+  robot.add();
+  for (int k = 0; k < 64; ++k) EXPECT_NE(robot.offer({1}), 0u);
+  EXPECT_EQ(robot.offer({1}), 0u);
+  EXPECT_NE(robot.offer({1}, 100.0, 7), 0u) << "in the place of another";
+  EXPECT_NE(robot.offer({1}, 100.0, 0, 1), 0u) << "the other instance";
+  EXPECT_EQ(robot.pending().size(), 65u);
+}
+
 TEST_F(MailboxTest, WhatDoesNotFitStaysPending) {
   Robot robot;
   const auto first = robot.offer(Bytes(60)), second = robot.offer(Bytes(60)), third = robot.offer(Bytes(1));

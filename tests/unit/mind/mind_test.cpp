@@ -166,6 +166,7 @@ TEST(MindTest, NoiseChangesNothing) {
     EXPECT_EQ(out.packet, expected.packet);
     EXPECT_EQ(out.assignment, expected.assignment);
     EXPECT_EQ(mind.world().mine().active, std::vector<std::int32_t>{3});
+    EXPECT_EQ(mind.world().common().active, untouched.world().common().active) << "what the team knows of oneself";
   }
   // And what is none still arrives.
   const auto good = encoded(report(4, 3.9));
