@@ -50,20 +50,32 @@ Vector2d along_edges(const plugin::Placement& graph, const Vector2d& from, const
       distance[other] = std::min(distance[other], through);
     }
   }
-  // The graph is entered where the whole way is shortest, so that nobody is sent back to a node that lies behind.
-  std::size_t entry = count;
+  if ((at(graph, goal) - from).norm() <= node_reached || (to - from).norm() < (to - at(graph, goal)).norm()) return to;
+
+  // Onto the graph by the shortest way, then along it: to an end of an edge that one walks on, the one with the shorter
+  // whole way. Only edges that lead to the goal.
+  double off = infinity;
+  Vector2d entrance = to;
+  std::size_t next = count;
   double shortest = infinity;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double whole = distance[i] + (at(graph, i) - from).norm();
-    if (whole < shortest) {
-      shortest = whole;
-      entry = i;
+  for (const regista_edge& edge : graph.edges) {
+    if (distance[edge.from] == infinity) continue;
+    const Vector2d nearest = nearest_on_segment(at(graph, edge.from), at(graph, edge.to), from);
+    const double away = (nearest - from).norm();
+    if (away < off) {
+      off = away;
+      entrance = nearest;
+    }
+    if (away > node_reached) continue;
+    for (const std::size_t end : {std::size_t{edge.from}, std::size_t{edge.to}}) {
+      const double whole = distance[end] + (at(graph, end) - from).norm();
+      if (whole < shortest - 1e-9 || (whole < shortest + 1e-9 && next < count && distance[end] < distance[next])) {
+        shortest = std::min(shortest, whole);
+        next = end;
+      }
     }
   }
-  if (entry == count) return to;
-  const bool reached = (at(graph, goal) - from).norm() <= node_reached;
-  const bool past = (to - from).norm() < (to - at(graph, goal)).norm();
-  return entry == goal && (reached || past) ? to : at(graph, entry);
+  return next < count ? at(graph, next) : entrance;
 }
 
 }  // namespace regista::mind
