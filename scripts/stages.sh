@@ -37,6 +37,9 @@ print_summary() {
   fi
 }
 trap print_summary EXIT
+# Without these, a shell that is ended while a command runs would sum up with the status of that command.
+trap 'exit 130' INT
+trap 'exit 143' TERM HUP
 
 # Where there is no home folder to keep ccache's store in, keep it beside the builds.
 if [[ ! -w ${HOME:-/nonexistent} ]]; then export CCACHE_DIR="$PWD/build/ccache"; fi

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a whole match of configs/teams/paper.yaml against fixed_rate.yaml costs: fourteen minds, referee, senses, radio,
-// metrics. `r` is its processor time over that of Box2D alone on the same scene, body by body and step by step, measured
-// in turn in one run, so that the machine's clock moves both. `us_per_match_second` and `us_per_decision` (a decision
-// with its share of everything but physics) are processor time; `peak_mb` is the process's largest memory.
+// metrics. `r` is its processor time over that of Box2D alone on the same scene, body by body and step by step,
+// measured in turn in one run, so that the machine's clock moves both. `us_per_match_second` and `us_per_decision` (a
+// decision with its share of everything but physics) are processor time; `peak_mb` is the process's largest memory.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 

@@ -74,8 +74,24 @@ std::string not_expected(const CLI::App& root) {
 
 // Every option of ours takes one value or none.
 std::string wrong_count(const CLI::ArgumentMismatch& error) {
-  const std::string text = error.what(), option = text.substr(0, text.find(':'));
+  const std::string text = error.what(), option = text.substr(0, text.find_first_of(": "));
+  if (text.find("flag override") != std::string::npos) return "--" + option + " takes no value";
   return option + (text.ends_with("missing") ? " needs a value" : " is given more than once");
+}
+
+// An empty value is most often a variable of a script that was not set; a value that looks like an option is one whose
+// own value was forgotten.
+void refuse_missing_values(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options([](const CLI::Option* each) { return each->count() > 0; })) {
+    if (option->get_expected_max() == 0) continue;  // a flag
+    for (const std::string& value : option->results()) {
+      if (value.empty()) throw BadInput(fmt::format("{} needs a value", option->get_name()));
+      if (value.starts_with("--")) {
+        throw BadInput(
+            fmt::format("{} needs a value, and {} is an option", option->get_name(), config::in_quotes(value)));
+      }
+    }
+  }
 }
 
 [[noreturn]] void no_command(const CLI::App& app) {
@@ -101,6 +117,7 @@ int run_chosen(CLI::App& root, const std::vector<Command>& commands, const std::
     throw BadInput(error.what());
   }
   const CLI::App& app = chosen(root);
+  refuse_missing_values(app);
   for (const Command& command : commands) {
     if (command.app == &app) return command.run();
   }

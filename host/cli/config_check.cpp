@@ -20,7 +20,7 @@ constexpr auto examples = R"(Examples:
   regista config check configs/teams/paper.yaml
   regista config check configs/*/*.yaml
 
-Exit codes: 0 all are sound; 1 one is not; 2 there is nothing to check.)";
+Exit codes: 0 all are sound; 2 one is not, or there is nothing to check.)";
 
 struct Options {
   std::vector<std::string> files, plugins;
@@ -47,7 +47,7 @@ int check(const Options& options, const Invocation& invocation) {
       sound = false;
     }
   }
-  return sound ? exit_done : exit_no;
+  return sound ? exit_done : exit_bad_input;
 }
 
 }  // namespace

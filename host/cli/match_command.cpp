@@ -63,6 +63,7 @@ int play(const Options& options, const Invocation& invocation) {
   }
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   MatchSetup prepared = match_setup(options, catalogue);
+  tell_what_is_not_used(catalogue, options.plugins);
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
   const std::string again = shell_line(invocation.arguments);
 
@@ -125,11 +126,11 @@ Command add_match(CLI::App& parent, const Invocation& invocation) {
       ->allow_extra_args(false);
   app.add_option("--limit", options->limit, "end the match after so many simulated seconds")->type_name("SECONDS");
   add_plugin_folders(app, options->plugins);
-  app.add_flag("--json", options->json, "write the result as JSON");
+  app.add_flag("--json", options->json, "write the result as JSON")->disable_flag_override();
   app.add_option("--decisions", options->decisions, "write what the robots believed and chose as JSON lines")
       ->type_name("FILE");
-  app.add_flag("--quiet", options->quiet, "no live line on the terminal");
-  app.add_flag("--verbose", options->verbose, "a line on standard error for each goal");
+  app.add_flag("--quiet", options->quiet, "no live line on the terminal")->disable_flag_override();
+  app.add_flag("--verbose", options->verbose, "a line on standard error for each goal")->disable_flag_override();
   app.footer(examples);
   return {&app, [options, &invocation] { return play(*options, invocation); }};
 }

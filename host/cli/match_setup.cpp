@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <string_view>
 
 #include "cli/end_of_program.hpp"
@@ -39,7 +40,10 @@ config::Node built_in(config::DocumentKind kind, const std::string& name) {
 
 config::Node profile(config::DocumentKind kind, const std::string& name, const std::string& file,
                      const config::Overrides& overrides) {
-  return file.empty() ? config::override_with(built_in(kind, name), overrides) : config::load(file, overrides);
+  // The name of the built-in profile means it, unless there is a file of that name.
+  const bool by_name = file == name && !std::filesystem::exists(file);
+  return file.empty() || by_name ? config::override_with(built_in(kind, name), overrides)
+                                 : config::load(file, overrides);
 }
 
 }  // namespace

@@ -48,7 +48,9 @@ config::Error SortedOverrides::as_typed(std::string_view document, const config:
   for (std::size_t i = 0; i < asked.overrides.size(); ++i) {
     if (error.where().file != place(asked.overrides[i])) continue;
     const std::string message = std::string(error.what()).substr(config::to_string(error.where()).size() + 2);
-    return {{place(asked.typed[i]), 0, 0}, message};
+    // A path for both teams may be wrong for one of them.
+    const bool for_both = asked.typed[i] == asked.overrides[i];
+    return {{place(asked.typed[i]), 0, 0}, for_both ? std::string(document) + " team: " + message : message};
   }
   return error;
 }

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "cli/plugin_folders.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdlib>
+
+#include "cli/end_of_program.hpp"
 
 namespace regista::cli {
 
@@ -19,6 +24,13 @@ plugin::Catalogue open_plugins(const std::vector<std::string>& folders, const In
     built_in = (invocation.executable.parent_path() / "../lib/regista/plugins").lexically_normal();
   }
   return plugin::Catalogue(plugin::Catalogue::search_path(options, std::getenv("REGISTA_PLUGIN_PATH"), built_in));
+}
+
+void tell_what_is_not_used(const plugin::Catalogue& catalogue, const std::vector<std::string>& folders) {
+  for (const plugin::Refused& refused : catalogue.refused()) {
+    if (std::ranges::find(folders, refused.file.parent_path().string()) == folders.end()) continue;
+    complain(fmt::format("not used: {}", plugin::to_string(refused)));
+  }
 }
 
 }  // namespace regista::cli

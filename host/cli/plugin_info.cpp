@@ -64,7 +64,8 @@ Command add_plugin_info(CLI::App& parent, const Invocation& invocation) {
   const auto options = std::make_shared<Options>();
   app.add_option("id", options->ids, "name of the plugin, as teams use it")->type_name("ID");
   add_plugin_folders(app, options->plugins);
-  app.add_flag("--json", options->json, "write JSON: a list, with one element for each build of the plugin");
+  app.add_flag("--json", options->json, "write JSON: a list, with one element for each build of the plugin")
+      ->disable_flag_override();
   app.footer(examples);
   return {&app, [options, &invocation] { return show(*options, invocation); }};
 }

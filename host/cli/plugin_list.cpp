@@ -39,7 +39,7 @@ Command add_plugin_list(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("list", "list the plugins that a team can name");
   const auto options = std::make_shared<Options>();
   add_plugin_folders(app, options->plugins);
-  app.add_flag("--json", options->json, "write JSON");
+  app.add_flag("--json", options->json, "write JSON")->disable_flag_override();
   app.footer(examples);
   return {&app, [options, &invocation] {
             const plugin::Catalogue catalogue = open_plugins(options->plugins, invocation);

@@ -85,7 +85,7 @@ struct UtilityTerm {
 
 struct TaskRules {
   enum class Keep { all, nearest_to_waypoints } keep = Keep::nearest_to_waypoints;
-  double hysteresis = 0.0;     // m: a task kept at the last decision counts as so much nearer to the waypoints
+  double hysteresis = 0.0;      // m: a task kept at the last decision counts as so much nearer to the waypoints
   double offset_at_most = 0.5;  // m, 0 = off
   Knowledge knowledge = Knowledge::mine;
   bool walk_along_edges = false;

@@ -6,19 +6,13 @@
 namespace regista::mind {
 namespace {
 
-Part open(const config::PluginUse& use, int kind, const plugin::Catalogue& catalogue) {
-  const plugin::Found& found = catalogue.find(use, kind);
+Part open(const config::PluginUse& use, int kind, const plugin::Catalogue& catalogue, unsigned subject = 0) {
+  const plugin::Found& found = catalogue.find(use, kind, subject);
   return {&found, plugin::resolve(*found.descriptor, use), use};
 }
 
-Part open_predictor(const config::PluginUse& use, unsigned subject, const char* what,
-                    const plugin::Catalogue& catalogue) {
-  Part part = open(use, REGISTA_KIND_PREDICTOR, catalogue);
-  const auto* table = static_cast<const regista_predictor*>(part.found->descriptor->table(REGISTA_KIND_PREDICTOR));
-  if ((table->subjects & subject) == 0) {
-    throw config::Error(use.where, "plugin '" + use.plugin + "' is a predictor, but not of " + what);
-  }
-  return part;
+Part open_predictor(const config::PluginUse& use, unsigned subject, const plugin::Catalogue& catalogue) {
+  return open(use, REGISTA_KIND_PREDICTOR, catalogue, subject);
 }
 
 }  // namespace
@@ -27,10 +21,10 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
     : team_(std::move(team)),
       rules_(std::move(rules)),
       robot_(std::move(robot)),
-      self_(open_predictor(team_.self, REGISTA_SUBJECT_SELF, "the own pose", catalogue)),
-      ball_(open_predictor(team_.ball, REGISTA_SUBJECT_BALL, "the ball", catalogue)),
-      opponents_(open_predictor(team_.opponents, REGISTA_SUBJECT_OPPONENTS, "opponents", catalogue)),
-      teammates_(open_predictor(team_.teammates, REGISTA_SUBJECT_TEAMMATES, "teammates", catalogue)) {
+      self_(open_predictor(team_.self, REGISTA_SUBJECT_SELF, catalogue)),
+      ball_(open_predictor(team_.ball, REGISTA_SUBJECT_BALL, catalogue)),
+      opponents_(open_predictor(team_.opponents, REGISTA_SUBJECT_OPPONENTS, catalogue)),
+      teammates_(open_predictor(team_.teammates, REGISTA_SUBJECT_TEAMMATES, catalogue)) {
   for (const config::Context& context : team_.contexts) {
     std::optional<Part> positioner;
     if (!context.positioner.plugin.empty()) {

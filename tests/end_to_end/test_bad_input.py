@@ -37,8 +37,8 @@ class BadInput(program.Case):
         self.write("bad.yaml", text.replace(old, new))
         place = f"bad.yaml:{before.count(chr(10)) + 1}:{len(before) - (before.rfind(chr(10)) + 1) + 1}: "
         self.assert_refused(("match", "small.yaml", "bad.yaml"), place + line)
-        # The same line from the command that checks, whose answer is no.
-        self.assertEqual(self.refused("config", "check", "bad.yaml", code=1), place + line)
+        # The same line from the command that checks.
+        self.assertEqual(self.refused("config", "check", "bad.yaml"), place + line)
 
 
 class CommandLine(BadInput):
@@ -73,9 +73,13 @@ class CommandLine(BadInput):
     def test_options_without_value_or_with_two(self):
         self.assert_match_refused(("--seed",), "--seed needs a value")
         self.assert_match_refused(("--seed", "1", "--seed", "2"), "--seed is given more than once")
+        for option in ("--seed", "--limit", "--rules", "--decisions", "--set", "--plugins"):
+            self.assert_match_refused((option, ""), f"{option} needs a value")
+        self.assert_match_refused(("--decisions", "--json"), '--decisions needs a value, and "--json" is an option')
+        self.assert_match_refused(("--json=maybe",), "--json takes no value")
 
     def test_seed(self):
-        for text in ("-1", "1.5", "abc", "", "18446744073709551616"):
+        for text in ("-1", "1.5", "abc", "18446744073709551616"):
             self.assert_match_refused(
                 ("--seed", text), f'--seed: "{text}"; a whole number from 0 to 18446744073709551615 is wanted')
 
@@ -104,6 +108,13 @@ class CommandLine(BadInput):
                                                   "known: match, plugin, config")
 
 
+class BuiltInProfiles(BadInput):
+    def test_named_like_a_file(self):
+        names = ("--rules", "spl2023", "--robot", "nao", "--disturbance", "none")
+        done = self.run_program("match", "small.yaml", "small.yaml", "--limit", "1", "--json", *names)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+
 class Overrides(BadInput):
     def test_path_that_is_not_there(self):
         self.assert_match_refused(
@@ -112,7 +123,7 @@ class Overrides(BadInput):
             "set, kick_off_free_after, set_play, state_delay, game_stuck")
         self.assert_match_refused(
             ("--set", "utility.terms.near.params.scael=3"),
-            '--set utility.terms.near.params.scael=3: unknown parameter "scael" in plugin nearness; nearest: "scale"; '
+            '--set utility.terms.near.params.scael=3: home team: unknown parameter "scael" in plugin nearness; nearest: "scale"; '
             "known: scale, squared")
 
     def test_element_that_is_not_there(self):
@@ -129,7 +140,9 @@ class Overrides(BadInput):
 
     def test_no_value(self):
         self.assert_match_refused(("--set", "rules.team_size"), "--set rules.team_size: path=value is wanted")
-        self.assert_match_refused(("--set", "=3"), "--set =3: path=value is wanted")
+        self.assert_match_refused(("--set", "=3"), "--set =3: home team: path=value is wanted")
+        self.assert_match_refused(("--set", "rules.team_size="),
+                                  "--set rules.team_size=: a value is wanted; ~ takes an entry away, '' is an empty text")
 
 
 class Files(BadInput):

@@ -67,6 +67,12 @@ class BadPlugins(program.Case):
     def test_create_refuses(self):
         self.assertIn("returns_null", self.play_with("assigner", "returns_null"))
 
+    def test_damaged_file_in_a_folder_that_was_asked_for(self):
+        self.write("more/damaged.so", "not a shared object")
+        done = self.run_program("match", "small.yaml", "small.yaml", "--limit", "5", "--quiet", "--plugins", "more")
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stderr, r"^regista: not used: more/damaged\.so: ")
+
     def test_another_interface(self):
         line = self.play_with("assigner", "wrong_major")
         self.assertIn(f"{self.folder_of('wrong_major')}/wrong_major.so: built for Regista plugin interface", line)

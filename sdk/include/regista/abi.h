@@ -33,6 +33,7 @@
  *   at their ends: a reader uses no field beyond the size it is given. Elements of arrays come in strided spans for
  *   the same reason: step by `stride`, never by sizeof. Constants keep their values for ever.
  */
+/* clang-format off */
 #ifndef REGISTA_ABI_H
 #define REGISTA_ABI_H
 

@@ -40,7 +40,7 @@ class Assignment {
   Assignment(std::int32_t* out, std::size_t rows) : out_(out), rows_(rows) {}
   std::size_t size() const { return rows_; }
   std::int32_t& operator[](std::size_t row) const {
-    assert(row < rows_);
+    if (row >= rows_) detail::outside("assignment", row, 0, rows_, 1);  // in every build, as in Utilities
     return out_[row];
   }
 

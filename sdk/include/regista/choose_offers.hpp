@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which pending offers of other plugins go along in a packet: the most urgent first, of equally urgent ones the oldest,
-// as long as they fit. One that does not fit is passed over for smaller ones behind it. For senders (regista/sender.hpp).
+// as long as they fit. One that does not fit is passed over for smaller ones behind it. For senders
+// (regista/sender.hpp).
 #pragma once
 
 #include <algorithm>
@@ -18,7 +19,8 @@ struct PendingOffer {
 
 // offers: the oldest first. Fills `chosen` with indices into it, in the order in which they should be packed; the sum
 // of their bytes is at most bytes_free.
-inline void choose_offers(std::span<const PendingOffer> offers, std::uint32_t bytes_free, std::vector<std::size_t>& chosen) {
+inline void choose_offers(std::span<const PendingOffer> offers, std::uint32_t bytes_free,
+                          std::vector<std::size_t>& chosen) {
   chosen.clear();
   for (std::size_t i = 0; i < offers.size(); ++i) chosen.push_back(i);
   std::sort(chosen.begin(), chosen.end(), [&](std::size_t a, std::size_t b) {

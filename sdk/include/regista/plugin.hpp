@@ -24,6 +24,8 @@
 #include <cstring>
 #include <exception>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 
 #include <regista/abi.h>
@@ -56,6 +58,13 @@ std::int32_t guarded(regista_error* error, Body&& body) noexcept {
     say(error, "threw something that is no std::exception");
   }
   return REGISTA_FAILED;
+}
+
+// Ends the call that reached outside of its output.
+[[noreturn]] inline void outside(const char* what, std::size_t row, std::size_t column, std::size_t rows,
+                                 std::size_t columns) {
+  throw std::out_of_range(std::string(what) + '(' + std::to_string(row) + ", " + std::to_string(column) +
+                          ") is outside of its " + std::to_string(rows) + " x " + std::to_string(columns));
 }
 
 }  // namespace detail

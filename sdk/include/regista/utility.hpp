@@ -20,7 +20,8 @@ class Utilities {
   std::size_t stride() const { return raw_.stride; }
   double* data() const { return raw_.values; }
   double& operator()(std::size_t row, std::size_t column) const {
-    assert(row < raw_.rows && column < raw_.columns);
+    // Checked in every build: a write beside the matrix would break the host, far from whoever wrote it.
+    if (row >= raw_.rows || column >= raw_.columns) detail::outside("utility", row, column, raw_.rows, raw_.columns);
     return raw_.values[row * raw_.stride + column];
   }
 

@@ -64,7 +64,6 @@ TEST(Override, PathsLeadAnywhere) {
       {"map.new.deep=5", "map: {x: 1, y: {z: 2}, new: {deep: 5}}"},
       {"map={y: {w: 1}}", "map: {x: 1, y: {z: 2, w: 1}}"},
       {"map.x=~", "map: {y: {z: 2}}"},
-      {"map.x=", "map: {y: {z: 2}}"},
       {"list.1=7", "list: [1, 7, 3]"},
       {"list.0=~", "list: [2, 3]"},
       {"people.ann.age=6", "people: [{name: ann, age: 6}, {name: bob}]"},

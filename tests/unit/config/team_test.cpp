@@ -136,8 +136,8 @@ TEST_F(TeamFiles, PinnedPluginsAreFoundBesideTheFileThatNamesThem) {
             "--set sender.file=othr.so: sender.file: othr.so: no such file; nearest: \"other.so\"");
   EXPECT_EQ(error_of([] { read_team("top.yaml", {"sender.file=base"}); }),
             "--set sender.file=base: sender.file: base: is not a regular file");
-  EXPECT_EQ(error_of([] { read_team("top.yaml", {"sender.file="}); }),
-            "--set sender.file=: nothing to remove: unknown key \"file\"; known: plugin, params");
+  EXPECT_EQ(error_of([] { read_team("top.yaml", {"sender.file=~"}); }),
+            "--set sender.file=~: nothing to remove: unknown key \"file\"; known: plugin, params");
 }
 
 // The smallest page; each case replaces one line of it by others.
