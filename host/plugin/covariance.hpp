@@ -47,9 +47,10 @@ inline Covariance examine_covariance_by_elimination(const double (&matrix)[16]) 
   return Covariance::valid;
 }
 
-// Whether the matrix is symmetric to the last bit and clearly positive definite. With the 2 x 2 blocks
-// [P C; C^T Q] that holds if and only if P and its Schur complement Q - C^T P^-1 C are positive definite; multiplied by
-// det P there is no division. False for whatever is not finite, over- or underflows, or is nearly singular.
+// Whether the matrix is symmetric to the last bit and clearly positive definite, or clearly so for the position and
+// zero elsewhere. With the 2 x 2 blocks [P C; C^T Q] that holds if and only if P and its Schur complement Q - C^T P^-1
+// C are positive definite; multiplied by det P there is no division. False for whatever is not finite, over- or
+// underflows, or is nearly singular.
 inline bool clearly_definite(const double (&m)[16]) {
   constexpr double margin = 1e-9;
   const bool symmetric =
@@ -61,8 +62,12 @@ inline bool clearly_definite(const double (&m)[16]) {
   const double s00 = determinant * m[10] - (m[2] * u00 + m[6] * u10);
   const double s01 = determinant * m[11] - (m[2] * u01 + m[6] * u11);
   const double s11 = determinant * m[15] - (m[3] * u01 + m[7] * u11);
-  return symmetric & (m[0] > 0.0) & (determinant > margin * m[0] * m[5]) & (s00 > margin * determinant * m[10]) &
-         (s00 * s11 - s01 * s01 > margin * s00 * s11);
+  const bool position_definite = (m[0] > 0.0) & (determinant > margin * m[0] * m[5]);
+  // What does not move has no uncertain velocity: the other blocks are zero.
+  const bool still =
+      (m[2] == 0.0) & (m[3] == 0.0) & (m[6] == 0.0) & (m[7] == 0.0) & (m[10] == 0.0) & (m[11] == 0.0) & (m[15] == 0.0);
+  return symmetric & position_definite &
+         (still | ((s00 > margin * determinant * m[10]) & (s00 * s11 - s01 * s01 > margin * s00 * s11)));
 }
 
 inline Covariance examine_covariance(const double (&matrix)[16]) {

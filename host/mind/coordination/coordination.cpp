@@ -173,8 +173,7 @@ void Coordination::estimate_utilities(const Snapshot& world) {
   decision_.terms.resize(plugins.size());
   for (std::size_t k = 0; k < plugins.size(); ++k) {
     std::vector<double>& term = decision_.terms[k];
-    term.assign(rows * columns, 0.0);
-    if (rows == 0 || columns == 0) continue;
+    term.resize(rows * columns);  // score() sets all to zero first
     plugins[k].score(decision_.frame, matrix(term, rows, columns));
     for (std::size_t i = 0; i < term.size(); ++i) decision_.utility[i] += terms[k].weight * term[i];
   }

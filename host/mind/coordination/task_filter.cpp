@@ -77,7 +77,7 @@ void offset(regista_task& task, int index, std::span<const regista_waypoint> way
   if (nearest < 0) return;
   const regista_waypoint& point = waypoints[static_cast<std::size_t>(nearest)];
   const double dx = point.x - task.before[0], dy = point.y - task.before[1];
-  const double distance = std::hypot(dx, dy);
+  const double distance = std::sqrt(dx * dx + dy * dy);
   const double share = distance <= at_most ? 1.0 : at_most / distance;
   task.after[0] = task.before[0] + share * dx;
   task.after[1] = task.before[1] + share * dy;

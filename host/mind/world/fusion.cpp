@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "mind/world/fusion.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <limits>
+
+#include "mind/world/symmetric4.hpp"
 
 namespace regista::mind {
 namespace {
 
-using Matrix4 = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 using Vector4 = Eigen::Vector4d;
 
 // A covariance of exact knowledge would weigh infinitely; no estimate of a ball is better than a millimetre.
@@ -22,91 +24,97 @@ double position_trace(const regista_track& track) {
   return std::max(track.covariance[0] + track.covariance[5], 2.0 * least_variance);
 }
 
+// An estimate of the ball, with what its age adds to its uncertainty.
+struct Weighed {
+  const regista_track* track;
+  double unwatched;    // variance of the position, per axis
+  double information;  // weight over the trace of the position's covariance
+};
+
+Weighed weighed(const regista_track& ball) {
+  const double deviation = unwatched_speed * ball.age;
+  const double unwatched = deviation * deviation + least_variance;
+  return {&ball, unwatched, ball.weight / (ball.covariance[0] + ball.covariance[5] + 2.0 * unwatched)};
+}
+
 Vector4 state(const regista_track& track) { return {track.x, track.y, track.vx, track.vy}; }
 
-double unwatched_variance(const regista_track& ball) {
-  const double deviation = unwatched_speed * ball.age;
-  return deviation * deviation + least_variance;
-}
-
-double ball_trace(const regista_track& ball) {
-  return ball.covariance[0] + ball.covariance[5] + 2.0 * unwatched_variance(ball);
-}
-
-Matrix4 ball_covariance(const regista_track& ball) {
-  Matrix4 out = Eigen::Map<const Matrix4>(ball.covariance);
-  out.diagonal() +=
-      Vector4(1.0, 1.0, 0.0, 0.0) * unwatched_variance(ball) + Vector4(0.0, 0.0, 1.0, 1.0) * least_variance;
+Symmetric4 covariance(const Weighed& ball) {
+  Symmetric4 out = Symmetric4::from(ball.track->covariance);
+  out.position.xx += ball.unwatched;
+  out.position.yy += ball.unwatched;
+  out.velocity.xx += least_variance;
+  out.velocity.yy += least_variance;
   return out;
 }
 
-// Squared Mahalanobis distance of the positions, under the sum of both covariances.
-double distance2(const regista_track& a, const regista_track& b) {
-  const double unwatched = unwatched_variance(a) + unwatched_variance(b);
-  const double xx = a.covariance[0] + b.covariance[0] + unwatched;
-  const double xy = a.covariance[1] + b.covariance[1];
-  const double yy = a.covariance[5] + b.covariance[5] + unwatched;
-  const double dx = a.x - b.x, dy = a.y - b.y;
-  return (yy * dx * dx - 2.0 * xy * dx * dy + xx * dy * dy) / (xx * yy - xy * xy);
+// Whether the positions agree: squared Mahalanobis distance under the sum of both covariances.
+bool agree(const Weighed& a, const Weighed& b) {
+  constexpr double gate = 9.21;  // chi-square, two degrees of freedom, 99 %
+  const double unwatched = a.unwatched + b.unwatched;
+  const double xx = a.track->covariance[0] + b.track->covariance[0] + unwatched;
+  const double xy = a.track->covariance[1] + b.track->covariance[1];
+  const double yy = a.track->covariance[5] + b.track->covariance[5] + unwatched;
+  const double dx = a.track->x - b.track->x, dy = a.track->y - b.track->y;
+  return yy * dx * dx - 2.0 * xy * dx * dy + xx * dy * dy <= gate * (xx * yy - xy * xy);
 }
 
-// Unique over all sources (at most 32) for labels below 2^27.
+// Own eyes and packets: bits of a word.
+constexpr std::size_t most_sources = 32;
+
+// Unique over all sources for labels below 2^27.
 std::int32_t label_of(const Estimate& estimate) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(estimate.track.label) << 5 |
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(estimate.track->label) << 5 |
                                    static_cast<std::uint32_t>(estimate.source));
 }
-
-constexpr double gate = 9.21;  // chi-square, two degrees of freedom, 99 %
 
 }  // namespace
 
 regista_ball fuse_ball(std::span<const Estimate> estimates) {
-  regista_ball ball{};
-  const regista_track* best = nullptr;
-  double best_cost = std::numeric_limits<double>::infinity();
+  std::array<Weighed, most_sources> balls;
+  std::size_t count = 0, best = 0;
   for (const Estimate& estimate : estimates) {
-    if (estimate.track.weight <= 0.0) continue;
-    const double cost = ball_trace(estimate.track) / estimate.track.weight;
-    if (cost < best_cost) {
-      best_cost = cost;
-      best = &estimate.track;
-    }
-  }
-  if (best == nullptr) return ball;
-
-  Vector4 mean = state(*best);
-  Matrix4 fused = ball_covariance(*best);
-  double age = best->age;
-  double information = 0.0;
-  int count = 0;
-  for (const Estimate& estimate : estimates) {
-    if (estimate.track.weight <= 0.0 || distance2(*best, estimate.track) > gate) continue;
-    information += estimate.track.weight / ball_trace(estimate.track);
-    age = std::min(age, estimate.track.age);
+    if (estimate.track->weight <= 0.0) continue;
+    assert(count < balls.size());
+    balls[count] = weighed(*estimate.track);
+    if (balls[count].information > balls[best].information) best = count;
     ++count;
   }
-  if (count > 1) {
-    Matrix4 inverse = Matrix4::Zero();
+  regista_ball ball{};
+  if (count == 0) return ball;
+
+  const Weighed chosen = balls[best];
+  double age = chosen.track->age, information = 0.0;
+  std::size_t agreeing = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i != best && !agree(chosen, balls[i])) continue;
+    information += balls[i].information;
+    age = std::min(age, balls[i].track->age);
+    balls[agreeing++] = balls[i];
+  }
+
+  Vector4 mean = state(*chosen.track);
+  Symmetric4 fused = covariance(chosen);
+  if (agreeing > 1) {
+    Symmetric4 inverse;
     Vector4 weighted = Vector4::Zero();
-    for (const Estimate& estimate : estimates) {
-      if (estimate.track.weight <= 0.0 || distance2(*best, estimate.track) > gate) continue;
-      const double share = estimate.track.weight / ball_trace(estimate.track) / information;
+    for (const Weighed& each : std::span(balls.data(), agreeing)) {
+      const double share = each.information / information;
       // What weighs next to nothing changes nothing, but costs an inversion.
       if (share < 1e-3) continue;
-      const Matrix4 information_matrix = ball_covariance(estimate.track).inverse() * share;
-      inverse += information_matrix;
-      weighted += information_matrix * state(estimate.track);
+      const Symmetric4 information_matrix = covariance(each).inverse();
+      inverse.add(share, information_matrix);
+      weighted += share * (information_matrix * state(*each.track));
     }
     fused = inverse.inverse();
     mean = fused * weighted;
-    fused = 0.5 * (fused + fused.transpose().eval());
   }
   ball.flags = REGISTA_BALL_KNOWN;
   ball.position[0] = mean[0];
   ball.position[1] = mean[1];
   ball.velocity[0] = mean[2];
   ball.velocity[1] = mean[3];
-  Eigen::Map<Matrix4>(ball.covariance) = fused;
+  fused.write(ball.covariance);
   ball.age = age;
   return ball;
 }
@@ -117,7 +125,7 @@ void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regis
   out.reserve(most_);
   for (const Estimate& estimate : estimates) {
     if (estimate.source == without) continue;
-    const regista_track& track = estimate.track;
+    const regista_track& track = *estimate.track;
     const Vector2d position(track.x, track.y);
     const std::uint32_t source = 1u << estimate.source;
     Cluster* nearest = nullptr;

@@ -5,6 +5,7 @@
 // stays consistent.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -13,10 +14,10 @@
 
 namespace regista::mind {
 
-// An estimate of one object by one source (0: the own eyes, n: the packets of robot n).
+// An estimate of one object by one source (0: the own eyes, n: the packets of robot n). The track is its predictor's.
 struct Estimate {
-  regista_track track{};
-  int source = 0;
+  const regista_track* track;
+  int source;
 };
 
 // The ball that the estimates agree on: the most certain one, fused with those that do not contradict it. An estimate

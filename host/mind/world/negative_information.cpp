@@ -34,7 +34,7 @@ void NegativeInformation::look(std::span<const Estimate> balls, const Frame2& ow
                                double dt) {
   for (const Estimate& estimate : balls) {
     Source& source = sources_[static_cast<std::size_t>(estimate.source)];
-    const regista_track& ball = estimate.track;
+    const regista_track& ball = *estimate.track;
     const bool news = ball.age < source.age;
     source.age = ball.age;
     if (news) source.in_vain = 0.0;

@@ -105,13 +105,13 @@ void TeamModel::balls(int except, std::vector<Estimate>& out) const {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const int number = static_cast<int>(i) + 1;
     if (number == except || members_[i].ball_tracks.empty()) continue;
-    out.push_back({members_[i].ball_tracks.front(), number});
+    out.push_back({&members_[i].ball_tracks.front(), number});
   }
 }
 
 void TeamModel::opponents(std::vector<Estimate>& out) const {
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    for (const regista_track& track : members_[i].opponent_tracks) out.push_back({track, static_cast<int>(i) + 1});
+    for (const regista_track& track : members_[i].opponent_tracks) out.push_back({&track, static_cast<int>(i) + 1});
   }
 }
 

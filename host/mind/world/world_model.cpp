@@ -75,9 +75,9 @@ void WorldModel::fuse(const Percepts& percepts, double dt, const OwnRole& own) {
 // Balls that the own eyes refute are left out of `mine`, unless that leaves nothing: then the old news stay for the
 // team's sake, which would otherwise not even agree on what is lost.
 void WorldModel::fuse_balls(const Percepts& percepts, double dt) {
-  const auto forgotten = [](const Estimate& each) { return each.track.age > ball_forgotten_after; };
+  const auto forgotten = [](const Estimate& each) { return each.track->age > ball_forgotten_after; };
   estimates_.clear();
-  if (!local_.balls().empty()) estimates_.push_back({local_.balls().front(), 0});
+  if (!local_.balls().empty()) estimates_.push_back({&local_.balls().front(), 0});
   team_.balls(own_number_, estimates_);
   std::erase_if(estimates_, forgotten);
   negative_.look(estimates_, local_.frame(), percepts, dt);
@@ -95,7 +95,7 @@ void WorldModel::fuse_balls(const Percepts& percepts, double dt) {
 void WorldModel::fuse_opponents() {
   constexpr int own_eyes = 0;
   estimates_.clear();
-  for (const regista_track& opponent : local_.opponents()) estimates_.push_back({opponent, own_eyes});
+  for (const regista_track& opponent : local_.opponents()) estimates_.push_back({&opponent, own_eyes});
   team_.opponents(estimates_);
   fusion_.fuse(estimates_, mine_.opponents, own_number_);
   fusion_.fuse(estimates_, common_.opponents, own_eyes);

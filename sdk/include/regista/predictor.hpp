@@ -29,12 +29,20 @@ class Tracks {
   Tracks(Track* out, std::uint32_t capacity, std::uint32_t* count) : out_(out), capacity_(capacity), count_(count) {}
   std::size_t capacity() const { return capacity_; }
   std::size_t size() const { return *count_; }
-  void add(const Track& track) {
-    if (*count_ == capacity_) throw std::length_error("more tracks than the host has room for");
-    out_[(*count_)++] = track;
+  void add(const Track& track) { next() = track; }
+  // A track of zeros, to be filled in place: cheaper than a copy.
+  Track& add() {
+    Track& track = next();
+    track = {};
+    return track;
   }
 
  private:
+  Track& next() {
+    if (*count_ == capacity_) throw std::length_error("more tracks than the host has room for");
+    return out_[(*count_)++];
+  }
+
   Track* out_;
   std::uint32_t capacity_;
   std::uint32_t* count_;

@@ -40,8 +40,20 @@ Matrix random_covariance(Dice& dice, double scale) {
   return root * root.transpose() + 0.05 * scale * scale * Matrix::Identity(4, 4);
 }
 
-Estimate estimate(const Vector& state, const Matrix& covariance, int source, double weight = 1.0, double age = 0.0) {
-  Estimate out;
+// An estimate together with its track.
+struct Told {
+  regista_track track{};
+  int source = 0;
+};
+
+std::vector<Estimate> views(const std::vector<Told>& told) {
+  std::vector<Estimate> out;
+  for (const Told& each : told) out.push_back({&each.track, each.source});
+  return out;
+}
+
+Told estimate(const Vector& state, const Matrix& covariance, int source, double weight = 1.0, double age = 0.0) {
+  Told out;
   out.source = source;
   out.track.x = state[0];
   out.track.y = state[1];
@@ -61,12 +73,12 @@ struct Fused {
 };
 
 // Niehsen: w_i = (1 / tr P_i) / sum (1 / tr P_j), traces of the position here; P^-1 = sum w_i P_i^-1.
-Fused textbook(const std::vector<Estimate>& estimates) {
+Fused textbook(const std::vector<Told>& estimates) {
   double sum = 0.0;
   std::vector<double> shares;
   std::vector<Matrix> covariances;
   std::vector<Vector> states;
-  for (const Estimate& each : estimates) {
+  for (const Told& each : estimates) {
     Matrix p(4, 4);
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j) p(i, j) = each.track.covariance[4 * i + j];
@@ -100,8 +112,8 @@ Fused read(const regista_ball& ball) {
 }
 
 // Estimates so near each other that none contradicts the best.
-std::vector<Estimate> agreeing(Dice& dice, int count) {
-  std::vector<Estimate> out;
+std::vector<Told> agreeing(Dice& dice, int count) {
+  std::vector<Told> out;
   const Vector truth{{dice.in(-4, 4), dice.in(-3, 3), dice.in(-1, 1), dice.in(-1, 1)}};
   for (int i = 0; i < count; ++i) {
     const Matrix covariance = random_covariance(dice, dice.in(0.2, 0.6));
@@ -116,16 +128,16 @@ TEST(BallFusion, NothingKnownIsNotKnown) {
   const regista_ball ball = fuse_ball({});
   EXPECT_EQ(ball.flags, 0u);
   Dice dice(1);
-  std::vector<Estimate> one{estimate(Vector::Zero(4), random_covariance(dice, 0.1), 1, 0.0)};
-  EXPECT_EQ(fuse_ball(one).flags, 0u) << "weight 0";
+  std::vector<Told> one{estimate(Vector::Zero(4), random_covariance(dice, 0.1), 1, 0.0)};
+  EXPECT_EQ(fuse_ball(views(one)).flags, 0u) << "weight 0";
 }
 
 TEST(BallFusion, IsFastCovarianceIntersection) {
   Dice dice(2);
   for (int round = 0; round < 500; ++round) {
-    std::vector<Estimate> estimates = agreeing(dice, dice.integer(1, 7));
-    for (Estimate& each : estimates) each.track.weight = dice.in(0.3, 1.0);
-    const Fused expected = textbook(estimates), got = read(fuse_ball(estimates));
+    std::vector<Told> estimates = agreeing(dice, dice.integer(1, 7));
+    for (Told& each : estimates) each.track.weight = dice.in(0.3, 1.0);
+    const Fused expected = textbook(estimates), got = read(fuse_ball(views(estimates)));
     EXPECT_LT((got.mean - expected.mean).norm(), 1e-9) << round;
     EXPECT_LT((got.covariance - expected.covariance).norm(), 1e-9 * expected.covariance.norm()) << round;
     EXPECT_EQ(got.covariance, got.covariance.transpose());
@@ -137,8 +149,8 @@ TEST(BallFusion, IsFastCovarianceIntersection) {
 // mean = (4 / 12) / (5 / 6) = 0.4; variance 1.2.
 TEST(BallFusion, TwoSourcesByHand) {
   const Matrix one = Matrix::Identity(4, 4), three = 3.0 * Matrix::Identity(4, 4);
-  const std::vector<Estimate> estimates{estimate(Vector::Zero(4), one, 1), estimate(Vector{{4, 0, 0, 0}}, three, 2)};
-  const regista_ball ball = fuse_ball(estimates);
+  const std::vector<Told> estimates{estimate(Vector::Zero(4), one, 1), estimate(Vector{{4, 0, 0, 0}}, three, 2)};
+  const regista_ball ball = fuse_ball(views(estimates));
   EXPECT_NEAR(ball.position[0], 0.4, 1e-5);
   EXPECT_NEAR(ball.covariance[0], 1.2, 1e-5);
   EXPECT_NEAR(ball.covariance[5], 1.2, 1e-5);
@@ -149,7 +161,7 @@ TEST(BallFusion, TwoSourcesByHand) {
 TEST(BallFusion, NeverClaimsMoreThanTheBestIntersection) {
   Dice dice(3);
   for (int round = 0; round < 20; ++round) {
-    const std::vector<Estimate> estimates = agreeing(dice, 2);
+    const std::vector<Told> estimates = agreeing(dice, 2);
     const Matrix p0 = textbook({estimates[0]}).covariance, p1 = textbook({estimates[1]}).covariance;
     double best = std::numeric_limits<double>::infinity();
     for (int k = 0; k <= 200; ++k) {
@@ -157,7 +169,7 @@ TEST(BallFusion, NeverClaimsMoreThanTheBestIntersection) {
       const Matrix information = omega * p0.inverse() + (1.0 - omega) * p1.inverse();
       best = std::min(best, information.inverse().determinant());
     }
-    EXPECT_GE(read(fuse_ball(estimates)).covariance.determinant(), best * (1.0 - 1e-4));
+    EXPECT_GE(read(fuse_ball(views(estimates))).covariance.determinant(), best * (1.0 - 1e-4));
   }
 }
 
@@ -165,7 +177,7 @@ TEST(BallFusion, NeverClaimsMoreThanTheBestIntersection) {
 TEST(BallFusion, IsConsistentUnderFullCorrelation) {
   Dice dice(4);
   for (int round = 0; round < 300; ++round) {
-    const std::vector<Estimate> estimates = agreeing(dice, 2);
+    const std::vector<Told> estimates = agreeing(dice, 2);
     const Matrix p1 = textbook({estimates[0]}).covariance, p2 = textbook({estimates[1]}).covariance;
     const Matrix l1 = p1.llt().matrixL(), l2 = p2.llt().matrixL();
     Matrix random(4, 4);
@@ -174,7 +186,7 @@ TEST(BallFusion, IsConsistentUnderFullCorrelation) {
     const Matrix cross = l1 * rotation.transpose() * l2.transpose();  // E e_1 e_2^T
     const double t1 = p1(0, 0) + p1(1, 1), t2 = p2(0, 0) + p2(1, 1);
     const double w1 = (1 / t1) / (1 / t1 + 1 / t2), w2 = 1.0 - w1;
-    const Matrix claimed = read(fuse_ball(estimates)).covariance;
+    const Matrix claimed = read(fuse_ball(views(estimates))).covariance;
     const Matrix k1 = claimed * w1 * p1.inverse(), k2 = claimed * w2 * p2.inverse();
     const Matrix truth = k1 * p1 * k1.transpose() + k2 * p2 * k2.transpose() + k1 * cross * k2.transpose() +
                          k2 * cross.transpose() * k1.transpose();
@@ -186,10 +198,10 @@ TEST(BallFusion, IsConsistentUnderFullCorrelation) {
 TEST(BallFusion, DoesNotDependOnTheOrder) {
   Dice dice(5);
   for (int round = 0; round < 200; ++round) {
-    std::vector<Estimate> estimates = agreeing(dice, 5);
-    const Fused before = read(fuse_ball(estimates));
+    std::vector<Told> estimates = agreeing(dice, 5);
+    const Fused before = read(fuse_ball(views(estimates)));
     std::shuffle(estimates.begin(), estimates.end(), dice.engine());
-    const Fused after = read(fuse_ball(estimates));
+    const Fused after = read(fuse_ball(views(estimates)));
     EXPECT_LT((before.mean - after.mean).norm(), 1e-9);
     EXPECT_LT((before.covariance - after.covariance).norm(), 1e-9);
   }
@@ -199,9 +211,9 @@ TEST(BallFusion, LeavesOutWhatContradictsTheMostCertain) {
   const Matrix sharp = 0.01 * Matrix::Identity(4, 4), blurred = 0.04 * Matrix::Identity(4, 4);
   // Deviation of the difference: sqrt(0.05) = 0.2236; the gate of 99 % is at sqrt(9.21) = 3.035 of it: 0.6786 m.
   const auto fused_x = [&](double x) {
-    const std::vector<Estimate> both{estimate(Vector{{x, 0, 0, 0}}, blurred, 2, 1.0, 0.0),
-                                     estimate(Vector::Zero(4), sharp, 1, 1.0, 0.0)};
-    return fuse_ball(both).position[0];
+    const std::vector<Told> both{estimate(Vector{{x, 0, 0, 0}}, blurred, 2, 1.0, 0.0),
+                                 estimate(Vector::Zero(4), sharp, 1, 1.0, 0.0)};
+    return fuse_ball(views(both)).position[0];
   };
   EXPECT_GT(fused_x(0.67), 0.0);
   EXPECT_EQ(fused_x(0.69), 0.0);
@@ -209,25 +221,25 @@ TEST(BallFusion, LeavesOutWhatContradictsTheMostCertain) {
 
 TEST(BallFusion, AgeIsThatOfTheYoungestThatWasFused) {
   const Matrix sharp = 0.01 * Matrix::Identity(4, 4), blurred = 0.02 * Matrix::Identity(4, 4);
-  const Estimate far = estimate(Vector{{3, 0, 0, 0}}, blurred, 3, 1.0, 0.0);
-  const std::vector<Estimate> agreed{estimate(Vector::Zero(4), sharp, 1, 1.0, 0.2),
-                                     estimate(Vector{{0.05, 0, 0, 0}}, blurred, 2, 1.0, 0.1)};
-  EXPECT_DOUBLE_EQ(fuse_ball(agreed).age, 0.1);
-  const std::vector<Estimate> contradicted{far, estimate(Vector::Zero(4), sharp, 1, 1.0, 0.01)};
-  EXPECT_DOUBLE_EQ(fuse_ball(contradicted).age, 0.01) << "the far one is less certain and contradicts";
+  const Told far = estimate(Vector{{3, 0, 0, 0}}, blurred, 3, 1.0, 0.0);
+  const std::vector<Told> agreed{estimate(Vector::Zero(4), sharp, 1, 1.0, 0.2),
+                                 estimate(Vector{{0.05, 0, 0, 0}}, blurred, 2, 1.0, 0.1)};
+  EXPECT_DOUBLE_EQ(fuse_ball(views(agreed)).age, 0.1);
+  const std::vector<Told> contradicted{far, estimate(Vector::Zero(4), sharp, 1, 1.0, 0.01)};
+  EXPECT_DOUBLE_EQ(fuse_ball(views(contradicted)).age, 0.01) << "the far one is less certain and contradicts";
 }
 
 TEST(BallFusion, UnwatchedEstimatesLoseToFreshOnes) {
   const Matrix sharp = 0.0001 * Matrix::Identity(4, 4), blurred = 0.04 * Matrix::Identity(4, 4);
-  const std::vector<Estimate> estimates{estimate(Vector::Zero(4), sharp, 1, 1.0, 3.0),
-                                        estimate(Vector{{4, 0, 0, 0}}, blurred, 2, 1.0, 0.0)};
-  EXPECT_DOUBLE_EQ(fuse_ball(estimates).position[0], 4.0);
+  const std::vector<Told> estimates{estimate(Vector::Zero(4), sharp, 1, 1.0, 3.0),
+                                    estimate(Vector{{4, 0, 0, 0}}, blurred, 2, 1.0, 0.0)};
+  EXPECT_DOUBLE_EQ(fuse_ball(views(estimates)).position[0], 4.0);
 }
 
 // --- Opponents -----------------------------------------------------------------------------------------------------
 
-Estimate opponent(double x, double y, double variance, int source, int label, double weight = 0.9, double age = 0.0) {
-  Estimate out;
+Told opponent(double x, double y, double variance, int source, int label, double weight = 0.9, double age = 0.0) {
+  Told out;
   out.source = source;
   out.track.label = label;
   out.track.x = x;
@@ -238,10 +250,10 @@ Estimate opponent(double x, double y, double variance, int source, int label, do
   return out;
 }
 
-std::vector<regista_opponent> fused(const std::vector<Estimate>& estimates, std::size_t most = 7) {
+std::vector<regista_opponent> fused(const std::vector<Told>& estimates, std::size_t most = 7) {
   OpponentFusion fusion(1.1, most);
   std::vector<regista_opponent> out;
-  fusion.fuse(estimates, out);
+  fusion.fuse(views(estimates), out);
   return out;
 }
 
@@ -276,7 +288,7 @@ TEST(OpponentFusion, NeverMergesTwoTracksOfOneSource) {
 }
 
 TEST(OpponentFusion, KeepsTheLikeliest) {
-  std::vector<Estimate> many;
+  std::vector<Told> many;
   for (int i = 0; i < 12; ++i) many.push_back(opponent(2.0 * i, 0, 0.04, 1, i, 0.05 + 0.07 * i));
   const auto out = fused(many, 5);
   ASSERT_EQ(out.size(), 5u);
@@ -286,7 +298,7 @@ TEST(OpponentFusion, KeepsTheLikeliest) {
 }
 
 TEST(OpponentFusion, LabelsAreUniqueHoweverFarPredictorsCount) {
-  std::vector<Estimate> many;
+  std::vector<Told> many;
   for (int source = 0; source <= 11; ++source) {
     for (int k = 0; k < 2; ++k) {
       const int label = k == 0 ? 1000 * (11 - source) + 1 : 100000 + source;
@@ -308,7 +320,7 @@ TEST(OpponentFusion, RandomSetsAgainstBruteForce) {
     struct Expected {
       double x = 0, y = 0, i1 = 0, i2 = 0, missing = 1, age = 1e9;
     };
-    std::vector<Estimate> estimates;
+    std::vector<Told> estimates;
     std::map<std::pair<long, long>, Expected> expected;
     const int opponents = dice.integer(1, 7);
     for (int k = 0; k < opponents; ++k) {
@@ -351,7 +363,7 @@ TEST(OpponentFusion, RandomSetsAgainstBruteForce) {
 TEST(OpponentFusion, InvariantsOnCrowds) {
   Dice dice(7);
   for (int round = 0; round < 300; ++round) {
-    std::vector<Estimate> estimates;
+    std::vector<Told> estimates;
     std::map<int, int> per_source;
     const int count = dice.integer(0, 40);
     for (int i = 0; i < count; ++i) {
