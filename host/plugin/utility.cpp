@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 namespace regista::plugin {
 namespace {
@@ -18,16 +19,13 @@ constexpr double largest = 1e12;
 // Whether an entry may be other than in [0, largest]. Looks at bits, so that the compiler can check several entries at
 // once: the sign bit is set, or adding so much to the exponent that 2^40, a little more than `largest`, reaches it
 // sets it. -0 is suspect too.
-bool suspect(const regista_matrix& m) {
+bool suspect(std::span<const double> values) {
   constexpr std::uint64_t sign = std::uint64_t{1} << 63, exponent_step = std::uint64_t{2048 - 1023 - 40} << 52;
   static_assert(std::numeric_limits<double>::is_iec559);
   std::uint64_t seen = 0;
-  for (std::uint32_t i = 0; i < m.rows; ++i) {
-    const double* const row = m.values + std::size_t{i} * m.stride;
-    for (std::uint32_t j = 0; j < m.columns; ++j) {
-      const auto bits = std::bit_cast<std::uint64_t>(row[j]);
-      seen |= bits | (bits + exponent_step);
-    }
+  for (const double value : values) {
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    seen |= bits | (bits + exponent_step);
   }
   return (seen & sign) != 0;
 }
@@ -51,10 +49,15 @@ Utility::Utility(std::shared_ptr<Instance> instance)
     : instance_(std::move(instance)), calls_(&instance_->table<regista_utility>(REGISTA_KIND_UTILITY)) {}
 
 void Utility::score(const regista_frame& frame, const regista_matrix& out) {
-  for (std::uint32_t i = 0; i < out.rows; ++i) std::fill_n(out.values + std::size_t{i} * out.stride, out.columns, 0.0);
   if (out.rows == 0 || out.columns == 0) return;
+  const std::span<double> all(out.values, std::size_t{out.rows - 1} * out.stride + out.columns);
+  if (out.stride == out.columns) {
+    std::ranges::fill(all, 0.0);
+  } else {
+    for (std::uint32_t i = 0; i < out.rows; ++i) std::ranges::fill(all.subspan(i * out.stride, out.columns), 0.0);
+  }
   instance_->call("score", calls_->score, &frame, &out);
-  if (suspect(out)) [[unlikely]]
+  if (out.stride != out.columns || suspect(all)) [[unlikely]]
     check_each(*instance_, out);
 }
 

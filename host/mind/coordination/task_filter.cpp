@@ -24,10 +24,9 @@ int nearest_waypoint(std::span<const regista_waypoint> waypoints, double x, doub
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
     const double d2 = distance2(waypoints[i], x, y);
-    if (d2 < least) {
-      least = d2;
-      nearest = static_cast<int>(i);
-    }
+    // Selected, not branched on: which one is nearest is anybody's guess.
+    nearest = d2 < least ? static_cast<int>(i) : nearest;
+    least = std::min(least, d2);
   }
   return nearest;
 }

@@ -128,16 +128,15 @@ void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regis
     const regista_track& track = *estimate.track;
     const Vector2d position(track.x, track.y);
     const std::uint32_t source = 1u << estimate.source;
+    // Selected, not branched on: which one is nearest is anybody's guess.
     Cluster* nearest = nullptr;
     double nearest2 = merge_distance_ * merge_distance_;
     for (Cluster& cluster : clusters_) {
-      // One source tells two tracks apart for a reason.
-      if ((cluster.sources & source) != 0) continue;
       const double d2 = (cluster.position - position).squaredNorm();
-      if (d2 < nearest2) {
-        nearest2 = d2;
-        nearest = &cluster;
-      }
+      // One source tells two tracks apart for a reason.
+      const bool nearer = (d2 < nearest2) & ((cluster.sources & source) == 0);
+      nearest = nearer ? &cluster : nearest;
+      nearest2 = nearer ? d2 : nearest2;
     }
     const double trace = position_trace(track);
     if (nearest == nullptr) {

@@ -3,7 +3,6 @@
 #include <regista/predictor.hpp>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "algorithm.hpp"
 
@@ -38,7 +37,6 @@ struct DeadReckoning {
 
   void setup(const regista::Environment& environment) {
     team_size = static_cast<int>(environment->team_size);
-    present.resize(environment->team_size);
     team = dead_reckoning::Team(environment->team_size,
                                 {speed_factor, position_noise, heading_noise, environment->walk_forward});
   }
@@ -70,14 +68,11 @@ struct DeadReckoning {
     }
   }
 
-  // All are written before the first is copied: a copy right behind the writes waits for them.
   void tracks(regista::Tracks out) const {
-    std::size_t count = 0;
     for (const Teammate& mate : team) {
       const Estimate now = mate.now();
       const Packet& packet = mate.packet();
-      regista::Track& track = present[count++];
-      track = {};
+      regista::Track& track = out.add();
       track.label = mate.number();
       track.flags = REGISTA_TRACK_VELOCITY;
       if (packet.has_target) {
@@ -101,12 +96,10 @@ struct DeadReckoning {
       track.weight = packet.weight;
       track.age = now.age;
     }
-    for (std::size_t i = 0; i < count; ++i) out.add(present[i]);
   }
 
   dead_reckoning::Team team;
   int team_size = 0;
-  mutable std::vector<regista::Track> present;  // one per robot
 };
 
 }  // namespace
