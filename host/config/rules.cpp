@@ -63,7 +63,7 @@ static Map declare(Penalties& penalties) {
 Map declare(Rules& rules) {
   return {{
       required(name("rules", rules.name, "name of these rules")),
-      integer("team_size", rules.team_size, {1, 11}, "robots", "of each team"),
+      integer("team_size", rules.team_size, {1, 22}, "robots", "of each team"),
       section("field", rules.field, "lengths between the centres of lines"),
       section("ball", rules.ball, "the ball"),
       section("durations", rules.durations, "of the phases of the game"),

@@ -38,11 +38,11 @@ class Touches : public b2ContactListener {
     int a = id_of(contact->GetFixtureA()), b = id_of(contact->GetFixtureB());
     if (a < 0 || b < 0) return;  // border or goal
     if (a != ball_ && b != ball_) {
-      contacts_.robots_on_robots |= 1u << a | 1u << b;
+      contacts_.robots_on_robots |= only(a) | only(b);
       return;
     }
     const int robot = a == ball_ ? b : a;
-    contacts_.robots_on_ball |= 1u << robot;
+    contacts_.robots_on_ball |= only(robot);
     const float hardness = impulse->normalImpulses[0];
     if (contacts_.hardest_on_ball < 0 || hardness > hardest_) {
       contacts_.hardest_on_ball = robot;

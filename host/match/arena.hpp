@@ -13,6 +13,7 @@
 #include "config/rules.hpp"
 #include "match/geometry.hpp"
 #include "match/recording.hpp"
+#include "match/side.hpp"
 #include "mind/percepts.hpp"
 
 namespace regista::match {
@@ -27,8 +28,8 @@ struct BodyState {
 
 // What touched what during the last step. Sets have bit `id` for a robot.
 struct Contacts {
-  std::uint32_t robots_on_ball = 0;
-  std::uint32_t robots_on_robots = 0;
+  RobotSet robots_on_ball = 0;
+  RobotSet robots_on_robots = 0;
   int hardest_on_ball = -1;  // robot that touched the ball with the largest impulse; -1: none
 };
 

@@ -108,8 +108,8 @@ class Course {
   std::vector<Robot> robots_;
   std::vector<mind::HeardPacket> heard_;
   std::vector<Vector> positions_;
-  Points in_view_;                 // the same, but who is out of play is nowhere
-  std::uint32_t out_of_play_ = 0;  // bit id: penalised
+  Points in_view_;            // the same, but who is out of play is nowhere
+  RobotSet out_of_play_ = 0;  // penalised
   std::uint32_t tick_ = 0;
   double time_ = 0.0;
 };
@@ -275,7 +275,7 @@ int Course::move_bodies() {
   int kicker = -1;
   Vector kicked{};
   for (int id = 0; id < roster_.count(); ++id) {
-    if ((out_of_play_ >> id & 1u) != 0) continue;
+    if (contains(out_of_play_, id)) continue;
     Robot& robot = this->robot(id);
     const BodyState& now = arena_.robot(id);
     const Body::Motion motion = robot.body.move(time_, tick_, robot.body.kicking() ? ball_distance(id) : 0.0);
@@ -296,7 +296,7 @@ int Course::move_bodies() {
 
 void Course::jostle() {
   for (int id = 0; id < roster_.count(); ++id) {
-    if ((arena_.contacts().robots_on_robots >> id & 1u) == 0) continue;
+    if (!contains(arena_.contacts().robots_on_robots, id)) continue;
     Body& body = robot(id).body;
     const int falls = body.falls();
     body.jostled(time_, tick_);
@@ -311,7 +311,7 @@ void Course::judge(int touched_by) {
   if (touched_by >= 0) metrics_.touched(roster_.side(touched_by));
   follow(referee_.update({time_, arena_.ball_position(), touched_by, positions_}));
   for (int id = 0; id < roster_.count(); ++id) {
-    const bool away = (out_of_play_ >> id & 1u) != 0;
+    const bool away = contains(out_of_play_, id);
     in_view_.x[static_cast<std::size_t>(id)] = away ? nowhere : arena_.robot(id).x;
     in_view_.y[static_cast<std::size_t>(id)] = away ? nowhere : arena_.robot(id).y;
   }
@@ -322,7 +322,7 @@ void Course::follow(const Calls& calls) {
   for (const int id : calls.removed) {
     arena_.place(id, waiting_pose(setup_.rules.field, id, largest_radius(setup_)));
     robot(id).body.put_down();
-    out_of_play_ |= 1u << id;
+    out_of_play_ |= only(id);
     metrics_.penalised(roster_.side(id));
   }
   for (const Placement& placement : calls.placements) {
@@ -330,7 +330,7 @@ void Course::follow(const Calls& calls) {
     arena_.place(id, placement.pose);
     robot(id).body.put_down();
     robot(id).sensing.put_down(placement.pose, attack(roster_.side(id), state.half), tick_);
-    out_of_play_ &= ~(1u << id);
+    out_of_play_ &= ~only(id);
   }
   if (calls.ball) arena_.place_ball(*calls.ball);
   if (calls.announced) {
@@ -355,10 +355,10 @@ void Course::follow(const Calls& calls) {
 
 void Course::observe() {
   if (observer_.step) {
-    std::uint32_t fallen = 0, kicking = 0;
+    RobotSet fallen = 0, kicking = 0;
     for (int id = 0; id < roster_.count(); ++id) {
-      if (robot(id).body.fallen(time_)) fallen |= 1u << id;
-      if (robot(id).body.kicking()) kicking |= 1u << id;
+      if (robot(id).body.fallen(time_)) fallen |= only(id);
+      if (robot(id).body.kicking()) kicking |= only(id);
     }
     observer_.step({time_, referee_.state(), arena_.states(), fallen, kicking});
   }

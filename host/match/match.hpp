@@ -48,12 +48,12 @@ struct Result {
 
 const char* name(Ended ended);  // "full_time", "mercy", "limit"
 
-// The truth after a physics step. Memory is the match's, for the time of the call. World frame; masks: bit id.
+// The truth after a physics step. Memory is the match's, for the time of the call. World frame.
 struct Snapshot {
   double time;
   const GameState& state;
   std::span<const BodyState> bodies;  // robots by id (home 1..n, away 1..n), then the ball
-  std::uint32_t fallen, kicking;
+  RobotSet fallen, kicking;
 };
 
 struct Decision {

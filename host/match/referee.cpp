@@ -16,8 +16,6 @@ constexpr double initial_lasts = 1.0;  // s; see the head of referee.hpp
 constexpr double leave_within = 5.0;   // s; see there
 constexpr double clearance = 0.05;     // m between bodies when something is put down
 
-bool contains(std::uint32_t set, int id) { return (set >> id & 1u) != 0; }
-
 bool is_indirect(SetPlay kind) {
   return kind == SetPlay::kick_in || kind == SetPlay::goal_kick || kind == SetPlay::corner_kick;
 }
@@ -268,7 +266,7 @@ void Referee::set_play(SetPlay kind, Side kicking, Vector spot) {
   was_near_ = 0;
   const double near = rules_.set_play_distance;
   for (int id = 0; id < roster_.count(); ++id) {
-    if (squared_length(where_[static_cast<std::size_t>(id)] - spot) < near * near) was_near_ |= 1u << id;
+    if (squared_length(where_[static_cast<std::size_t>(id)] - spot) < near * near) was_near_ |= only(id);
   }
   announce();
   note(kind == SetPlay::kick_in     ? EventKind::kick_in
@@ -294,7 +292,7 @@ void Referee::watch_distances() {
   for (int number = 1; number <= rules_.team_size; ++number) {
     const int id = roster_.id(defender, number);
     if (squared_length(where_[static_cast<std::size_t>(id)] - state_.spot) >= near * near) {
-      was_near_ &= ~(1u << id);
+      was_near_ &= ~only(id);
     } else if (plays(id) && !(time_to_leave && contains(was_near_, id))) {
       penalise(id);
     }

@@ -112,7 +112,7 @@ class Referee {
   int last_touch_ = -1;       // id
   int first_touch_ = -1;      // id of who took an indirect set play, while no second robot touched the ball
   bool indirect_ = false;
-  std::uint32_t was_near_ = 0;  // ids that stood too near when the set play was called
+  RobotSet was_near_ = 0;  // ids that stood too near when the set play was called
   bool began_ = false;
 };
 

@@ -11,7 +11,7 @@
 
 namespace regista::match {
 
-constexpr std::size_t most_points = 32;
+constexpr std::size_t most_points = 64;
 constexpr float nowhere = 1e4f;  // coordinate of what is not there, m
 
 // Unused places are nowhere.
@@ -50,7 +50,7 @@ inline void offsets(const Points& points, const Sector& sector, Offsets& out) {
 }
 
 // Bit i: the point is in the sector and no farther than the root of squared_range[i].
-inline std::uint32_t inside(const Offsets& points, const Sector& sector,
+inline std::uint64_t inside(const Offsets& points, const Sector& sector,
                             const std::array<float, most_points>& squared_range) {
   const float edge = signed_square(sector.cosine);
   std::array<std::uint32_t, most_points> is_inside;
@@ -60,8 +60,8 @@ inline std::uint32_t inside(const Offsets& points, const Sector& sector,
     const bool near = points.squared[i] <= squared_range[i];
     is_inside[i] = static_cast<std::uint32_t>(wide) & static_cast<std::uint32_t>(near);
   }
-  std::uint32_t set = 0;
-  for (std::size_t i = 0; i < points.padded; ++i) set |= is_inside[i] << i;
+  std::uint64_t set = 0;
+  for (std::size_t i = 0; i < points.padded; ++i) set |= std::uint64_t{is_inside[i]} << i;
   return set;
 }
 

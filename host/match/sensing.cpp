@@ -149,14 +149,14 @@ void Sensing::find_candidates(const Truth& truth) {
       !hidden(x, y, robots_, squared_radius_)) {
     candidates_.add(Purpose::ball, 0, x, y, camera.ball_probability);
   }
-  for (std::uint32_t set = inside(robots_, sector_, squared_robot_range_); set != 0; set &= set - 1) {
+  for (std::uint64_t set = inside(robots_, sector_, squared_robot_range_); set != 0; set &= set - 1) {
     const std::size_t i = static_cast<std::size_t>(std::countr_zero(set));
     if (hidden(robots_.x[i], robots_.y[i], robots_, squared_radius_)) continue;
     candidates_.add(Purpose::robot, i, robots_.x[i], robots_.y[i], camera.robot_probability);
   }
   Offsets marks;
   offsets(marks_.points, sector_, marks);
-  for (std::uint32_t set = inside(marks, sector_, marks_.squared_range); set != 0; set &= set - 1) {
+  for (std::uint64_t set = inside(marks, sector_, marks_.squared_range); set != 0; set &= set - 1) {
     const std::size_t i = static_cast<std::size_t>(std::countr_zero(set));
     if (hidden(marks.x[i], marks.y[i], robots_, squared_radius_)) continue;
     candidates_.add(Purpose::landmark, i, marks.x[i], marks.y[i], marks_.probability[i]);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "match/geometry.hpp"
 #include "mind/percepts.hpp"
@@ -39,7 +40,12 @@ struct Roster {
   constexpr int number(int id) const { return id % team_size + 1; }
 };
 
-// Sets of robots are bit masks, so that both teams fit into 32 bits.
-constexpr int largest_team = 15;
+constexpr int largest_team = 22;
+
+// A set of robots of both sides: bit id.
+using RobotSet = std::uint64_t;
+static_assert(2 * largest_team <= 64);
+constexpr RobotSet only(int id) { return RobotSet{1} << id; }
+constexpr bool contains(RobotSet set, int id) { return (set & only(id)) != 0; }
 
 }  // namespace regista::match

@@ -136,7 +136,7 @@ class Overrides(BadInput):
         self.assert_match_refused(("--set", "robot.walk.forward=fast"),
                                   '--set robot.walk.forward=fast: walk.forward: "fast" is not a number')
         self.assert_match_refused(("--set", "rules.team_size=70"),
-                                  "--set rules.team_size=70: team_size: 70 is outside 1 to 11 robots")
+                                  "--set rules.team_size=70: team_size: 70 is outside 1 to 22 robots")
 
     def test_no_value(self):
         self.assert_match_refused(("--set", "rules.team_size"), "--set rules.team_size: path=value is wanted")

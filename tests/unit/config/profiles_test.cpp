@@ -151,7 +151,7 @@ TEST(Profiles, WhatIsRefused) {
        "t.yaml:2:38: kicks: second element named \"a\"; the first is at t.yaml:2:16"},
       // Ranges
       {"rules: a\nfield: {length: 900}\n", "t.yaml:2:17: field.length: \"900\" is outside 0.5 to 200 m"},
-      {"rules: a\nteam_size: 0\n", "t.yaml:2:12: team_size: 0 is outside 1 to 11 robots"},
+      {"rules: a\nteam_size: 0\n", "t.yaml:2:12: team_size: 0 is outside 1 to 22 robots"},
       {"rules: a\ndurations: {half: -600}\n", "t.yaml:2:19: durations.half: \"-600\" is outside 1 to 7200 s"},
       {"rules: a\ndurations: {ready: -1}\n", "t.yaml:2:20: durations.ready: \"-1\" is outside 0 to 600 s"},
       {"rules: a\nmessages: {budget: -1}\n", "t.yaml:2:20: messages.budget: -1 is outside 0 to 1000000 packets"},
@@ -201,7 +201,7 @@ TEST(Profiles, OverridesAreCheckedLikeFiles) {
   const auto file = project / profiles[0];
   EXPECT_EQ(read_rules(file, {"team_size=5", "field={length: 14, width: 9}"}).field.length, 14.0);
   EXPECT_EQ(error_of([&] { read_rules(file, {"team_size=0"}); }),
-            "--set team_size=0: team_size: 0 is outside 1 to 11 robots");
+            "--set team_size=0: team_size: 0 is outside 1 to 22 robots");
   EXPECT_EQ(error_of([&] { read_rules(file, {"messages.bugdet=5"}); }),
             "--set messages.bugdet=5: unknown key \"bugdet\" in messages; nearest: \"budget\"; known: budget, "
             "extra_per_minute, size");

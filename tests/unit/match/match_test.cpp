@@ -317,8 +317,8 @@ TEST(Match, RefusesSetupsThatCannotBePlayed) {
   EXPECT_THROW(play(s, statues(6), statues(7)), std::invalid_argument);
   s.robots[0].decision_period = 0.05;
   EXPECT_THROW(play(s, statues(7), statues(7)), std::invalid_argument);
-  s = setup(1, 16);
-  EXPECT_THROW(play(s, statues(16), statues(16)), std::invalid_argument);
+  s = setup(1, largest_team + 1);
+  EXPECT_THROW(play(s, statues(largest_team + 1), statues(largest_team + 1)), std::invalid_argument);
 }
 
 // The budget is spent by a mind that never stops talking.
