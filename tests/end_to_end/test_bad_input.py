@@ -50,7 +50,7 @@ class CommandLine(BadInput):
         self.assert_refused(("mtach", "a.yaml"),
                             'unknown command "mtach" in regista; nearest: "match"; known: match, plugin, config')
         self.assert_refused(("plugin", "lits"),
-                            'unknown command "lits" in regista plugin; nearest: "list"; known: list, info')
+                            'unknown command "lits" in regista plugin; nearest: "list"; known: list, info, reference')
         # Planned, not there: no nearest name that misleads.
         self.assert_refused(("tournament",), 'unknown command "tournament" in regista; known: match, plugin, config')
 

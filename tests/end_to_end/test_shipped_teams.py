@@ -23,6 +23,11 @@ class ShippedTeams(program.Case):
         self.assertTrue(files)
         self.assertEqual(self.succeed("config", "check", *files), "".join(f"{file}: team, sound\n" for file in files))
 
+    def test_reference_of_plugins_is_up_to_date(self):
+        written = (program.SOURCE / "docs" / "plugin-reference.md").read_text()
+        self.assertEqual(self.succeed("plugin", "reference"), written,
+                         "write it anew: regista plugin reference > docs/plugin-reference.md")
+
     def test_paper_against_fixed_rate(self):
         limit = "60" if program.SANITIZED else "200"
         command = ("match", TEAMS / "paper.yaml", TEAMS / "fixed_rate.yaml", "--limit", limit, "--json")
