@@ -7,13 +7,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace openness {
 
@@ -39,76 +39,78 @@ struct Scene {
 
 inline constexpr double far = std::numeric_limits<double>::infinity();
 
-// Squared distance from each target to the nearest opponent; far without any. squared: as many as targets.
-inline void nearest_to_points(const Targets& targets, std::span<const Point> opponents, std::span<double> squared) {
-  std::ranges::fill(squared, far);
+// Targets are taken a few at a time, so that a handful stays in registers while all opponents pass by.
+inline constexpr std::size_t handful = 4;
+using Handful = std::array<double, handful>;
+
+// Squared distance from each target to the nearest opponent; far without any.
+inline Handful nearest_to_points(const double* x, const double* y, std::span<const Point> opponents) {
+  Handful squared;
+  squared.fill(far);
   for (const Point& opponent : opponents) {
-    for (std::size_t j = 0; j < squared.size(); ++j) {
-      const double dx = targets.x[j] - opponent.x, dy = targets.y[j] - opponent.y;
+    for (std::size_t j = 0; j < handful; ++j) {
+      const double dx = x[j] - opponent.x, dy = y[j] - opponent.y;
       squared[j] = std::min(squared[j], dx * dx + dy * dy);
     }
   }
+  return squared;
 }
 
-// The same from the straight line between `end` and each target. per_length: room for one number per target.
-inline void nearest_to_lines(const Point& end, const Targets& targets, std::span<const Point> opponents,
-                             std::span<double> per_length, std::span<double> squared) {
-  std::ranges::fill(squared, far);
+// The same from the straight line between `end` and each target.
+inline Handful nearest_to_lines(const Point& end, const double* x, const double* y, std::span<const Point> opponents) {
   constexpr double least = 1e-300;  // m^2: a line of no length is a point
-  for (std::size_t j = 0; j < squared.size(); ++j) {
-    const double vx = targets.x[j] - end.x, vy = targets.y[j] - end.y;
-    per_length[j] = 1.0 / (vx * vx + vy * vy + least);
+  Handful squared, vx, vy, per_length;
+  for (std::size_t j = 0; j < handful; ++j) {
+    squared[j] = far;
+    vx[j] = x[j] - end.x;
+    vy[j] = y[j] - end.y;
+    per_length[j] = 1.0 / (vx[j] * vx[j] + vy[j] * vy[j] + least);
   }
   for (const Point& opponent : opponents) {
     const double ox = opponent.x - end.x, oy = opponent.y - end.y;
-    for (std::size_t j = 0; j < squared.size(); ++j) {
-      const double vx = targets.x[j] - end.x, vy = targets.y[j] - end.y;
-      const double along = (ox * vx + oy * vy) * per_length[j];
+    for (std::size_t j = 0; j < handful; ++j) {
+      const double along = (ox * vx[j] + oy * vy[j]) * per_length[j];
       const double share = std::min(std::max(along, 0.0), 1.0);
-      const double dx = ox - share * vx, dy = oy - share * vy;
+      const double dx = ox - share * vx[j], dy = oy - share * vy[j];
       squared[j] = std::min(squared[j], dx * dx + dy * dy);
     }
   }
+  return squared;
 }
 
-// Reused buffers.
-class Judge {
- public:
-  void reserve(std::size_t targets) {
-    for (auto* buffer : {&squared_, &per_length_}) buffer->reserve(targets);
-  }
-  // out[j] in [0, 1] for each target: 1 with no opponent near, or when nothing has a share.
-  void score(const Targets& targets, const Scene& scene, const Settings& settings, std::span<double> out) {
-    assert(targets.x.size() == out.size() && targets.y.size() == out.size());
-    assert(settings.target_clearance > 0.0 && settings.line_clearance > 0.0);
-    squared_.resize(out.size());
-    per_length_.resize(out.size());
-    const double pass_share = scene.ball ? settings.pass_share : 0.0;
-    const double shares = settings.target_share + pass_share + settings.shot_share;
-    std::ranges::fill(out, shares > 0.0 ? 0.0 : 1.0);
+// Adds `share` times the freedom in [0, 1] that a squared distance means.
+inline void add(double share, double clearance, const Handful& squared, Handful& to) {
+  const double per_metre = 1.0 / clearance;
+  for (std::size_t j = 0; j < handful; ++j) to[j] += share * std::min(std::sqrt(squared[j]) * per_metre, 1.0);
+}
+
+// out[j] in [0, 1] for each target: 1 with no opponent near, or when nothing has a share.
+inline void score(const Targets& targets, const Scene& scene, const Settings& settings, std::span<double> out) {
+  assert(targets.x.size() == out.size() && targets.y.size() == out.size());
+  assert(settings.target_clearance > 0.0 && settings.line_clearance > 0.0);
+  const double pass_share = scene.ball ? settings.pass_share : 0.0;
+  const double shares = settings.target_share + pass_share + settings.shot_share;
+  for (std::size_t first = 0; first < out.size(); first += handful) {
+    const std::size_t count = std::min(handful, out.size() - first);
+    Handful x{}, y{}, sum{};
+    std::copy_n(targets.x.begin() + static_cast<std::ptrdiff_t>(first), count, x.begin());
+    std::copy_n(targets.y.begin() + static_cast<std::ptrdiff_t>(first), count, y.begin());
     if (settings.target_share > 0.0) {
-      nearest_to_points(targets, scene.opponents, squared_);
-      add(settings.target_share / shares, settings.target_clearance, out);
+      add(settings.target_share / shares, settings.target_clearance,
+          nearest_to_points(x.data(), y.data(), scene.opponents), sum);
     }
     if (pass_share > 0.0) {
-      nearest_to_lines(*scene.ball, targets, scene.opponents, per_length_, squared_);
-      add(pass_share / shares, settings.line_clearance, out);
+      add(pass_share / shares, settings.line_clearance,
+          nearest_to_lines(*scene.ball, x.data(), y.data(), scene.opponents), sum);
     }
     if (settings.shot_share > 0.0) {
-      nearest_to_lines(scene.goal, targets, scene.blockers, per_length_, squared_);
-      add(settings.shot_share / shares, settings.line_clearance, out);
+      add(settings.shot_share / shares, settings.line_clearance,
+          nearest_to_lines(scene.goal, x.data(), y.data(), scene.blockers), sum);
     }
-    for (double& value : out) value = std::min(value, 1.0);  // rounding of the shares
-  }
-
- private:
-  void add(double share, double clearance, std::span<double> out) const {
-    const double per_metre = 1.0 / clearance;
-    for (std::size_t j = 0; j < out.size(); ++j) {
-      out[j] += share * std::min(std::sqrt(squared_[j]) * per_metre, 1.0);
+    for (std::size_t j = 0; j < count; ++j) {
+      out[first + j] = shares > 0.0 ? std::min(sum[j], 1.0) : 1.0;  // rounding of the shares
     }
   }
-  std::vector<double> squared_, per_length_;
-};
+}
 
 }  // namespace openness

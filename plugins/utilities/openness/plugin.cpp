@@ -40,7 +40,6 @@ struct Openness {
                     "Opponents whose existence is less probable do not count; our choice")
           .tunable()};
 
-  openness::Judge judge;
   std::vector<openness::Point> opponents, blockers;
   std::vector<double> x, y, scores;
   double goal_line = 0.0, area_line = 0.0, area_side = 0.0;
@@ -48,7 +47,6 @@ struct Openness {
   void setup(const regista::Environment& environment) {
     settings = {target_share, pass_share, shot_share, target_clearance, line_clearance};
     const std::size_t tasks = environment.roles().size();
-    judge.reserve(tasks);
     for (auto* buffer : {&x, &y, &scores}) buffer->reserve(tasks);
     constexpr std::size_t most = 64;  // more than a world has; only memory depends on it
     opponents.reserve(most);
@@ -77,7 +75,7 @@ struct Openness {
     openness::Scene scene{opponents, blockers, std::nullopt, {goal_line, 0.0}};
     if (world.ball_known()) scene.ball = openness::Point{world.ball().position[0], world.ball().position[1]};
     scores.resize(x.size());
-    judge.score({x, y}, scene, settings, scores);
+    openness::score({x, y}, scene, settings, scores);
     for (std::size_t i = 0; i < out.rows(); ++i) std::ranges::copy(scores, out.data() + i * out.stride());
   }
 };

@@ -23,9 +23,8 @@ constexpr Settings target_only{1.0, 0.0, 0.0, 1.5, 0.75}, pass_only{0.0, 1.0, 0.
 
 double one(const Point& target, const std::vector<Point>& opponents, const std::optional<Point>& ball,
            const Settings& settings) {
-  openness::Judge judge;
   double out = -1.0;
-  judge.score({{&target.x, 1}, {&target.y, 1}}, {opponents, opponents, ball, goal}, settings, {&out, 1});
+  openness::score({{&target.x, 1}, {&target.y, 1}}, {opponents, opponents, ball, goal}, settings, {&out, 1});
   return out;
 }
 
@@ -99,14 +98,13 @@ TEST(Openness, ARowIsItsEntries) {
   std::mt19937 random(16);
   std::uniform_real_distribution<double> anywhere(-3.0, 3.0);
   const std::vector<Point> opponents{{0.5, 0.2}, {-1, 1}, {2, -1}};
-  openness::Judge judge;
   for (const std::size_t columns : {13u, 1u, 2u, 7u, 12u}) {
     std::vector<double> x(columns), y(columns), out(columns, -1.0);
     for (std::size_t j = 0; j < columns; ++j) {
       x[j] = anywhere(random);
       y[j] = anywhere(random);
     }
-    judge.score({x, y}, {opponents, opponents, Point{0.1, 0.2}, goal}, {}, out);
+    openness::score({x, y}, {opponents, opponents, Point{0.1, 0.2}, goal}, {}, out);
     for (std::size_t j = 0; j < columns; ++j) EXPECT_EQ(out[j], one({x[j], y[j]}, opponents, Point{0.1, 0.2}, {}));
   }
 }
