@@ -23,13 +23,17 @@ enum class Cause {
   ball_found,           // a searcher sees the ball
   goalkeeper_saw_ball,  // value: s unseen before
   ball_known_again,     // value: s the team lacked it
+  fell,                 // lies on the ground
   offer,                // another plugin has something urgent to say
   role_changed,
+  got_up,
+  phase_changed,
+  context_changed,
   ball_moved,  // value: m from where the team believes it
   pose_moved,  // value: m from where the team believes this robot
   period,
 };
-inline constexpr std::size_t causes = 10;
+inline constexpr std::size_t causes = 14;
 
 constexpr bool is_great(Cause cause) { return cause < Cause::role_changed; }
 

@@ -30,6 +30,14 @@ constexpr std::optional<Cause> cause_of(std::int32_t kind) {
       return Cause::ball_moved;
     case REGISTA_EVENT_POSE_MOVED:
       return Cause::pose_moved;
+    case REGISTA_EVENT_FELL:
+      return Cause::fell;
+    case REGISTA_EVENT_GOT_UP:
+      return Cause::got_up;
+    case REGISTA_EVENT_PHASE_CHANGED:
+      return Cause::phase_changed;
+    case REGISTA_EVENT_CONTEXT_CHANGED:
+      return Cause::context_changed;
     case REGISTA_EVENT_RETURNED:
       return Cause::returned;
     default:
@@ -49,10 +57,18 @@ constexpr int reason_of(Cause cause) {
       return REGISTA_EVENT_GOALKEEPER_SAW_BALL;
     case Cause::ball_known_again:
       return REGISTA_EVENT_BALL_KNOWN_AGAIN;
+    case Cause::fell:
+      return REGISTA_EVENT_FELL;
     case Cause::offer:
       return REGISTA_EVENT_OFFER;
     case Cause::role_changed:
       return REGISTA_EVENT_ROLE_CHANGED;
+    case Cause::got_up:
+      return REGISTA_EVENT_GOT_UP;
+    case Cause::phase_changed:
+      return REGISTA_EVENT_PHASE_CHANGED;
+    case Cause::context_changed:
+      return REGISTA_EVENT_CONTEXT_CHANGED;
     case Cause::ball_moved:
       return REGISTA_EVENT_BALL_MOVED;
     case Cause::pose_moved:
@@ -64,7 +80,7 @@ constexpr int reason_of(Cause cause) {
 }
 
 struct EventBased {
-  static constexpr auto id = "event_based", version = "1.0.0",
+  static constexpr auto id = "event_based", version = "1.1.0",
                         summary = "A packet on events, with a slow period beneath";
 
   int reserve = 30;
@@ -76,9 +92,11 @@ struct EventBased {
   double alone_after = 10.0;
   bool whistle = true, returned = true, ball_found = true, goalkeeper_saw_ball = true, ball_known_again = true;
   bool offers = true, role_changed = true, ball_moved = true, pose_moved = true;
+  bool fell = false, got_up = false, phase_changed = false, context_changed = false;
   double whistle_interval = 1.5, returned_interval = 1.0, ball_found_interval = 2.0, goalkeeper_interval = 2.0;
   double ball_known_again_interval = 2.0, offers_interval = 1.0, role_changed_interval = 1.0;
   double ball_moved_interval = 2.0, pose_moved_interval = 4.0;
+  double fell_interval = 5.0, got_up_interval = 5.0, phase_changed_interval = 1.0, context_changed_interval = 2.0;
   double goalkeeper_unseen = 8.0, ball_lacked = 5.0, ball_moved_distance = 1.0, pose_moved_distance = 1.0;
 
   static constexpr double any = -std::numeric_limits<double>::infinity();  // as a threshold
@@ -158,6 +176,25 @@ struct EventBased {
           .tunable(),
       regista::real("pose_moved_interval", &EventBased::pose_moved_interval, seconds, "s",
                     "Least time between two such packets; our choice")
+          .tunable(),
+      regista::boolean("fell", &EventBased::fell,
+                       "Send on falling, so that others take over what this robot was to do; our choice: no"),
+      regista::real("fell_interval", &EventBased::fell_interval, seconds, "s",
+                    "Least time between two such packets; our choice")
+          .tunable(),
+      regista::boolean("got_up", &EventBased::got_up, "Send on standing again; our choice: no"),
+      regista::real("got_up_interval", &EventBased::got_up_interval, seconds, "s",
+                    "Least time between two such packets; our choice")
+          .tunable(),
+      regista::boolean("phase_changed", &EventBased::phase_changed,
+                       "Send when the phase of the game changes, which the others are told too; our choice: no"),
+      regista::real("phase_changed_interval", &EventBased::phase_changed_interval, seconds, "s",
+                    "Least time between two such packets; our choice")
+          .tunable(),
+      regista::boolean("context_changed", &EventBased::context_changed,
+                       "Send when another context comes into force; our choice: no"),
+      regista::real("context_changed_interval", &EventBased::context_changed_interval, seconds, "s",
+                    "Least time between two such packets; our choice")
           .tunable()};
 
   event_based::Settings settings;
@@ -193,6 +230,10 @@ struct EventBased {
     rule(Cause::role_changed, role_changed, role_changed_interval);
     rule(Cause::ball_moved, ball_moved, ball_moved_interval, ball_moved_distance);
     rule(Cause::pose_moved, pose_moved, pose_moved_interval, pose_moved_distance);
+    rule(Cause::fell, fell, fell_interval);
+    rule(Cause::got_up, got_up, got_up_interval);
+    rule(Cause::phase_changed, phase_changed, phase_changed_interval);
+    rule(Cause::context_changed, context_changed, context_changed_interval);
     events.reserve(32);
     pending.reserve(16);
     chosen.reserve(16);

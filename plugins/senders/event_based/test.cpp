@@ -316,6 +316,46 @@ TEST(EventBasedPlugin, EventsAreTheReasonsOfThePackets) {
   EXPECT_EQ(answer(REGISTA_EVENT_CONTEXT_CHANGED, 1.0), -1);
 }
 
+// Off unless asked for; then each is told at once, and again after its interval at the earliest.
+TEST(EventBasedPlugin, FallsAndChangesAreToldWhenAskedFor) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "event_based");
+  const auto packets = [&](const Values& values, int kind) {
+    Instance sender(plugin, EnvironmentBuilder{}.own(3), values);
+    const std::vector<regista_event> events{{kind, 0, 2.0}};
+    regista_budget budget = plenty();
+    std::vector<double> times;
+    double last = 0.0;
+    for (int tick = 50; tick < 150; ++tick) {
+      budget.since_own = 0.1 * tick - last;
+      const Sent sent = sender.decide(FrameBuilder{}.own(3).robot(3).time(0.1 * tick).build(), events, {}, budget);
+      if (sent.send == 0) continue;
+      EXPECT_EQ(sent.reason, kind);
+      times.push_back(last = 0.1 * tick);
+    }
+    return times;
+  };
+  const std::vector<std::pair<std::string, int>> kinds{{"fell", REGISTA_EVENT_FELL},
+                                                       {"got_up", REGISTA_EVENT_GOT_UP},
+                                                       {"phase_changed", REGISTA_EVENT_PHASE_CHANGED},
+                                                       {"context_changed", REGISTA_EVENT_CONTEXT_CHANGED}};
+  for (const auto& [name, kind] : kinds) {
+    const Values quiet = Values(plugin).set("period", 120.0).set(name + "_interval", 3.0);
+    EXPECT_TRUE(packets(quiet, kind).empty()) << name;
+    EXPECT_EQ(packets(Values(quiet).set(name, 1.0), kind).size(), 4u) << name;  // at 5, 8, 11 and 14 s
+    for (const auto& [other, other_kind] : kinds) {
+      if (other == name) continue;
+      EXPECT_TRUE(packets(Values(quiet).set(name, 1.0), other_kind).empty()) << name << ' ' << other;
+    }
+  }
+}
+
+// A robot that fell changes the game for all; the rest waits while the team has spent more than its share.
+TEST(EventBased, OnlyTheFallIsGreat) {
+  using event_based::is_great;
+  EXPECT_TRUE(is_great(Cause::fell));
+  for (const Cause cause : {Cause::got_up, Cause::phase_changed, Cause::context_changed}) EXPECT_FALSE(is_great(cause));
+}
+
 TEST(EventBasedPlugin, UrgentOffersThatFitAreAReason) {
   const Loaded plugin(REGISTA_PLUGIN_FILE, "event_based");
   const auto answer = [&](double urgency, std::uint32_t bytes) {

@@ -28,23 +28,35 @@ struct Targets {
 inline constexpr double here = 1e-6;  // m
 
 // From the cosine of the bearing error to the utility of the form.
-inline double from_cosine(double cosine, Form form) {
-  cosine = std::clamp(cosine, -1.0, 1.0);  // rounding
-  return form == Form::cosine ? 0.5 + 0.5 * cosine : 1.0 - std::acos(cosine) * std::numbers::inv_pi;
+template <Form form>
+double from_cosine(double cosine) {
+  const double least = cosine < -1.0 ? -1.0 : cosine, bounded = least > 1.0 ? 1.0 : least;  // rounding
+  return form == Form::cosine ? 0.5 + 0.5 * bounded : 1.0 - std::acos(bounded) * std::numbers::inv_pi;
+}
+
+// One robot. Without branches, so that the row is computed in vector registers. out: as many as targets.
+template <Form form>
+void score_row(const Pose& robot, const Targets& targets, double* out) {
+  const double ahead_x = std::cos(robot.heading), ahead_y = std::sin(robot.heading);
+  const std::size_t columns = targets.x.size();
+  for (std::size_t j = 0; j < columns; ++j) {
+    const double dx = targets.x[j] - robot.x, dy = targets.y[j] - robot.y;
+    const double distance = std::sqrt(dx * dx + dy * dy);
+    const double cosine = (dx * ahead_x + dy * ahead_y) / (distance < here ? here : distance);
+    const double value = from_cosine<form>(cosine);
+    out[j] = distance < here ? 1.0 : value;
+  }
 }
 
 // out[i * stride + j] in [0, 1] for robot i and target j. stride >= number of targets.
 inline void score(std::span<const Pose> robots, const Targets& targets, Form form, double* out, std::size_t stride) {
   assert(targets.x.size() == targets.y.size());
-  const std::size_t columns = targets.x.size();
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    const double ahead_x = std::cos(robots[i].heading), ahead_y = std::sin(robots[i].heading);
     double* row = out + i * stride;
-    for (std::size_t j = 0; j < columns; ++j) {
-      const double dx = targets.x[j] - robots[i].x, dy = targets.y[j] - robots[i].y;
-      const double distance = std::sqrt(dx * dx + dy * dy);
-      const double cosine = (dx * ahead_x + dy * ahead_y) / std::max(distance, here);
-      row[j] = distance < here ? 1.0 : from_cosine(cosine, form);
+    if (form == Form::cosine) {
+      score_row<Form::cosine>(robots[i], targets, row);
+    } else {
+      score_row<Form::angle>(robots[i], targets, row);
     }
   }
 }

@@ -50,8 +50,8 @@ TEST(Bearing, FormsDifferByAtMostWhatIsDocumented) {
   double largest = 0.0;
   for (int step = 0; step <= 10000; ++step) {
     const double cosine = std::cos(pi * step / 10000.0);
-    largest = std::max(largest, std::abs(bearing_utility::from_cosine(cosine, Form::cosine) -
-                                         bearing_utility::from_cosine(cosine, Form::angle)));
+    largest = std::max(largest, std::abs(bearing_utility::from_cosine<Form::cosine>(cosine) -
+                                         bearing_utility::from_cosine<Form::angle>(cosine)));
   }
   EXPECT_LT(largest, 0.1055);
   EXPECT_GT(largest, 0.1045);
@@ -60,6 +60,30 @@ TEST(Bearing, FormsDifferByAtMostWhatIsDocumented) {
 TEST(Bearing, ARobotOnTheSpotNeedNotTurn) {
   EXPECT_EQ(one({1.0, 1.0, 2.0}, 1.0, 1.0, Form::cosine), 1.0);
   EXPECT_EQ(one({1.0, 1.0, 2.0}, 1.0, 1.0, Form::angle), 1.0);
+}
+
+// Rows are computed two entries at a time where the processor can: to the last bit as one entry at a time, whatever the
+// number of targets and the place in the row.
+TEST(Bearing, ARowIsItsEntries) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> anywhere(-5.0, 5.0), any_heading(-pi, pi);
+  for (std::size_t columns = 1; columns <= 13; ++columns) {
+    std::vector<double> x(columns), y(columns), out(3 * 16, -1.0);
+    for (std::size_t j = 0; j < columns; ++j) {
+      x[j] = anywhere(random);
+      y[j] = anywhere(random);
+    }
+    std::vector<Pose> robots(3);
+    for (Pose& robot : robots) robot = {anywhere(random), anywhere(random), any_heading(random)};
+    robots[1] = {x[0], y[0], 0.3};  // on the spot
+    for (const Form form : {Form::cosine, Form::angle}) {
+      bearing_utility::score(robots, {x, y}, form, out.data(), 16);
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < columns; ++j) EXPECT_EQ(out[i * 16 + j], one(robots[i], x[j], y[j], form));
+        EXPECT_EQ(out[i * 16 + columns], -1.0) << "wrote behind the row";
+      }
+    }
+  }
 }
 
 // --- The plugin ------------------------------------------------------------------------------------------------

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Utility plugin around algorithm.hpp: the chosen world's active robots against the opponent's goal.
+#include <vector>
+
+#include <regista/utility.hpp>
+
+#include "algorithm.hpp"
+
+namespace {
+
+struct GoalBearing {
+  static constexpr auto id = "goal_bearing", version = "1.0.0",
+                        summary = "How little the robot must turn to face the opponent's goal";
+  goal_bearing::Form form = goal_bearing::Form::angle;
+  static constexpr std::array<const char*, 2> forms{"angle", "cosine"};
+  static constexpr std::tuple parameters{
+      regista::choice("form", &GoalBearing::form, forms,
+                      "angle: (pi - |a|) / pi as in SPQR 2022, weight 0.05; cosine: (1 + cos a) / 2, our choice")};
+
+  std::vector<goal_bearing::Pose> robots;
+  goal_bearing::Goal goal{};
+
+  void setup(const regista::Environment& environment) {
+    robots.reserve(environment->team_size);
+    goal = {environment->field_length / 2.0, 0.0};
+  }
+  void score(const regista::Frame& frame, regista::Utilities out) {
+    const regista::World world = frame.world();
+    robots.clear();
+    for (const int number : world.active()) {
+      const regista::Robot& robot = world.robot(number);
+      robots.push_back({robot.pose[0], robot.pose[1], robot.pose[2]});
+    }
+    goal_bearing::score(robots, goal, form, out.data(), out.columns(), out.stride());
+  }
+};
+
+}  // namespace
+
+REGISTA_PLUGIN(GoalBearing, regista::utility)

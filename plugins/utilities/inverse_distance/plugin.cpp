@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Utility plugin around algorithm.hpp: the chosen world's active robots against where the tasks are after their offset.
+#include <vector>
+
+#include <regista/utility.hpp>
+
+#include "algorithm.hpp"
+
+namespace {
+
+struct InverseDistance {
+  static constexpr auto id = "inverse_distance", version = "1.0.0",
+                        summary = "One over the distance to the task, as in SPQR 2023";
+  double eps = 1e-10, bearing_weight = 0.0;
+  static constexpr std::tuple parameters{
+      regista::real("eps", &InverseDistance::eps, {1e-10, 10.0}, "m",
+                    "Added to the distance, and as radians to the bearing error; at the task the utility is its "
+                    "inverse; SPQR 2023: 1e-10")
+          .tunable()
+          .log_scale(),
+      regista::real("bearing_weight", &InverseDistance::bearing_weight, {0.0, 10.0}, "rad",
+                    "w in the term w / (|a| + eps) of the bearing error a that is added; SPQR 2023: 0, 2024: 0.01")
+          .tunable()};
+
+  std::vector<inverse_distance::Pose> robots;
+  std::vector<double> x, y;
+
+  void setup(const regista::Environment& environment) {
+    robots.reserve(environment->team_size);
+    x.reserve(environment.roles().size());
+    y.reserve(environment.roles().size());
+  }
+  void score(const regista::Frame& frame, regista::Utilities out) {
+    const regista::World world = frame.world();
+    robots.clear();
+    x.clear();
+    y.clear();
+    for (const int number : world.active()) {
+      const regista::Robot& robot = world.robot(number);
+      robots.push_back({robot.pose[0], robot.pose[1], robot.pose[2]});
+    }
+    for (const regista::Task& task : frame.tasks()) {
+      x.push_back(task.after[0]);
+      y.push_back(task.after[1]);
+    }
+    inverse_distance::score(robots, {x, y}, {eps, bearing_weight}, out.data(), out.stride());
+  }
+};
+
+}  // namespace
+
+REGISTA_PLUGIN(InverseDistance, regista::utility)
