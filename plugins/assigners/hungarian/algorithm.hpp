@@ -15,10 +15,13 @@
 #include <span>
 #include <vector>
 
-#include "shortest_paths.hpp"
-#include "tie_rule.hpp"
+#include "../shortest_paths.hpp"
+#include "../tie_rule.hpp"
 
 namespace hungarian {
+
+using assignment::Costs, assignment::infinity, assignment::nobody, assignment::Ranked, assignment::ShortestPaths,
+    assignment::TieRule;
 
 inline constexpr double forbidden = -infinity;
 inline constexpr double tie_tolerance = 1e-9;
@@ -33,24 +36,47 @@ struct Matrix {
 // Reuse one object: it keeps its memory, and allocates only for a matrix larger than any before.
 class Solver {
  public:
-  void reserve(std::size_t rows, std::size_t columns) { costs_.reserve(rows * columns); }
+  void reserve(std::size_t rows, std::size_t columns) {
+    costs_.reserve(rows * columns);
+    const std::size_t longer = std::max(rows, columns);
+    all_.reserve(longer, longer);
+    some_.reserve(longer, longer);
+    ties_.reserve(rows, columns);
+  }
 
   // order: every column once, the most important first. out[row] := column, or -1.
   void assign(const Matrix& utilities, std::span<const std::uint32_t> order, std::span<std::int32_t> out) {
     assert(order.size() == utilities.columns && out.size() == utilities.rows);
+    solve(utilities, out, [&](auto& solution, const Costs& costs, bool transposed) {
+      break_ties(solution, costs, transposed, order, out);
+    });
+  }
+
+  // The same without the rule for ties: any of the optimal ones, for use where nobody has to agree.
+  void assign_any(const Matrix& utilities, std::span<std::int32_t> out) {
+    assert(out.size() == utilities.rows);
+    solve(utilities, out, [&](auto& solution, const Costs&, bool transposed) {
+      const std::vector<std::int32_t>& column_of = transposed ? solution.agent_of : solution.object_of;
+      std::copy(column_of.begin(), column_of.end(), out.begin());
+    });
+  }
+
+ private:
+  // finish(solution, costs, transposed) writes to out.
+  template <class Finish>
+  void solve(const Matrix& utilities, std::span<std::int32_t> out, const Finish& finish) {
     std::fill(out.begin(), out.end(), nobody);
     if (utilities.rows == 0 || utilities.columns == 0) return;
     const bool transposed = utilities.rows > utilities.columns;  // agents are the fewer
     const Costs costs = copy(utilities, transposed);
     if (all_.solve(costs)) {
-      break_ties(all_, costs, transposed, order, out);
+      finish(all_, costs, transposed);
     } else {
       some_.solve(costs);
-      break_ties(some_, costs, transposed, order, out);
+      finish(some_, costs, transposed);
     }
   }
 
- private:
   Costs copy(const Matrix& utilities, bool transposed) {
     costs_.resize(utilities.rows * utilities.columns);
     largest_ = 0.0;
