@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "hungarian/algorithm.hpp"
+#include "scram/algorithm.hpp"
 
 namespace {
 
@@ -72,6 +73,55 @@ void sizes(benchmark::internal::Benchmark* each) {
 BENCHMARK(hungarian_without_tie_rule)->Apply(sizes);
 BENCHMARK_CAPTURE(hungarian_with_ties, random, 0)->Apply(sizes);
 BENCHMARK_CAPTURE(hungarian_with_ties, four_levels, 4)->Apply(sizes);
+
+// Robots and tasks anywhere on a field of 9 x 6 m; costs are squared distances.
+std::vector<double> distances(std::size_t robots, std::size_t tasks) {
+  std::mt19937 random(2);
+  const auto anywhere = [&random](double length) { return length * static_cast<double>(random()) / 4294967296.0; };
+  std::vector<double> costs, x(tasks), y(tasks);
+  for (std::size_t k = 0; k < problems; ++k) {
+    for (std::size_t j = 0; j < tasks; ++j) {
+      x[j] = anywhere(9.0);
+      y[j] = anywhere(6.0);
+    }
+    for (std::size_t i = 0; i < robots; ++i) {
+      const double robot_x = anywhere(9.0), robot_y = anywhere(6.0);
+      for (std::size_t j = 0; j < tasks; ++j) {
+        const double dx = x[j] - robot_x, dy = y[j] - robot_y;
+        costs.push_back(dx * dx + dy * dy);
+      }
+    }
+  }
+  return costs;
+}
+
+void scram_on_a_field(benchmark::State& state, scram::Criterion criterion, scram::Method method) {
+  Problems p = of_size(state, 0);
+  p.values = distances(p.rows, p.columns);
+  scram::Solver solver;
+  std::size_t k = 0;
+  for (auto _ : state) {
+    solver.assign({p.problem(k++), p.rows, p.columns, p.columns}, criterion, p.order, p.order, p.out, method);
+    benchmark::DoNotOptimize(p.out.data());
+  }
+}
+
+void small_teams(benchmark::internal::Benchmark* each) {
+  each->Args({3, 3})->Args({5, 5})->Args({7, 7})->Args({7, 12});
+}
+void all_teams(benchmark::internal::Benchmark* each) {
+  small_teams(each);
+  each->Args({11, 11})->Args({22, 22})->Args({100, 100});
+}
+
+BENCHMARK_CAPTURE(scram_on_a_field, mmdr_enumeration, scram::Criterion::mmdr, scram::Method::enumeration)
+    ->Apply(small_teams);
+BENCHMARK_CAPTURE(scram_on_a_field, mmdr_polynomial, scram::Criterion::mmdr, scram::Method::polynomial)
+    ->Apply(all_teams);
+BENCHMARK_CAPTURE(scram_on_a_field, mmd_msd2_enumeration, scram::Criterion::mmd_msd2, scram::Method::enumeration)
+    ->Apply(small_teams);
+BENCHMARK_CAPTURE(scram_on_a_field, mmd_msd2_polynomial, scram::Criterion::mmd_msd2, scram::Method::polynomial)
+    ->Apply(all_teams);
 
 // assignp800: a list of the pairs that are allowed, with their costs.
 std::vector<double> read_assignp800() {

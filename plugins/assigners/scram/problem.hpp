@@ -34,39 +34,42 @@ struct Problem {
   std::vector<std::uint32_t> rank;  // from 1; equal costs have equal ranks; `forbidden` where the pair is
 
   void reserve(std::size_t most_robots, std::size_t most_tasks) {
-    for (auto* values : {&cost, &levels_}) values->reserve(most_robots * most_tasks);
-    rank.reserve(most_robots * most_tasks);
+    const std::size_t pairs = most_robots * most_tasks;
+    cost.reserve(pairs);
+    rank.reserve(pairs);
+    sorted_.reserve(pairs);
+    cost_of_rank_.reserve(pairs + 1);
   }
 
   // Numbers the costs. A chain of equals counts as equal.
   void set_ranks() {
-    levels_.clear();
-    for (const double each : cost) {
-      if (each != infinity) levels_.push_back(each);
+    sorted_.clear();
+    rank.assign(cost.size(), forbidden);
+    for (std::size_t pair = 0; pair < cost.size(); ++pair) {
+      if (cost[pair] != infinity) sorted_.push_back({cost[pair], static_cast<std::uint32_t>(pair)});
     }
-    std::sort(levels_.begin(), levels_.end());
-    // Keep the largest of each group.
-    std::size_t groups = 0;
-    for (const double each : levels_) {
-      const bool same = groups > 0 && each - levels_[groups - 1] <=
-                                          tie_tolerance * std::max(std::abs(each), std::abs(levels_[groups - 1]));
-      if (!same) ++groups;
-      levels_[groups - 1] = each;
-    }
-    rank.resize(cost.size());
-    const auto last = levels_.begin() + static_cast<std::ptrdiff_t>(groups);
-    for (std::size_t k = 0; k < cost.size(); ++k) {
-      rank[k] =
-          cost[k] == infinity
-              ? forbidden
-              : static_cast<std::uint32_t>(std::lower_bound(levels_.begin(), last, cost[k]) - levels_.begin()) + 1;
+    std::sort(sorted_.begin(), sorted_.end(), [](const Sorted& a, const Sorted& b) { return a.cost < b.cost; });
+    cost_of_rank_.assign(1, -infinity);
+    for (const Sorted& each : sorted_) {
+      double& last = cost_of_rank_.back();
+      if (each.cost - last <= tie_tolerance * std::max(std::abs(each.cost), std::abs(last)) && last != -infinity) {
+        last = each.cost;
+      } else {
+        cost_of_rank_.push_back(each.cost);
+      }
+      rank[each.pair] = static_cast<std::uint32_t>(cost_of_rank_.size() - 1);
     }
   }
   // The largest cost of this rank.
-  double cost_of_rank(std::uint32_t each) const { return levels_[each - 1]; }
+  double cost_of_rank(std::uint32_t each) const { return cost_of_rank_[each]; }
 
  private:
-  std::vector<double> levels_;
+  struct Sorted {
+    double cost;
+    std::uint32_t pair;
+  };
+  std::vector<Sorted> sorted_;
+  std::vector<double> cost_of_rank_;
 };
 
 }  // namespace scram
