@@ -15,10 +15,14 @@
 #include <span>
 #include <vector>
 
-#include "shortest_paths.hpp"
-#include "tie_rule.hpp"
+#include "../shortest_paths.hpp"
+#include "../tie_rule.hpp"
+#include "../tight_pairs.hpp"
 
 namespace hungarian {
+
+using assignment::Costs, assignment::infinity, assignment::nobody, assignment::Ranked, assignment::ShortestPaths,
+    assignment::TieRule;
 
 inline constexpr double forbidden = -infinity;
 inline constexpr double tie_tolerance = 1e-9;
@@ -33,24 +37,47 @@ struct Matrix {
 // Reuse one object: it keeps its memory, and allocates only for a matrix larger than any before.
 class Solver {
  public:
-  void reserve(std::size_t rows, std::size_t columns) { costs_.reserve(rows * columns); }
+  void reserve(std::size_t rows, std::size_t columns) {
+    costs_.reserve(rows * columns);
+    const std::size_t longer = std::max(rows, columns);
+    all_.reserve(longer, longer);
+    some_.reserve(longer, longer);
+    ties_.reserve(rows, columns);
+  }
 
   // order: every column once, the most important first. out[row] := column, or -1.
   void assign(const Matrix& utilities, std::span<const std::uint32_t> order, std::span<std::int32_t> out) {
     assert(order.size() == utilities.columns && out.size() == utilities.rows);
+    solve(utilities, out, [&](auto& solution, const Costs& costs, bool transposed) {
+      break_ties(solution, costs, transposed, order, out);
+    });
+  }
+
+  // The same without the rule for ties: any of the optimal ones, for use where nobody has to agree.
+  void assign_any(const Matrix& utilities, std::span<std::int32_t> out) {
+    assert(out.size() == utilities.rows);
+    solve(utilities, out, [&](auto& solution, const Costs&, bool transposed) {
+      const std::vector<std::int32_t>& column_of = transposed ? solution.agent_of : solution.object_of;
+      std::copy(column_of.begin(), column_of.end(), out.begin());
+    });
+  }
+
+ private:
+  // finish(solution, costs, transposed) writes to out.
+  template <class Finish>
+  void solve(const Matrix& utilities, std::span<std::int32_t> out, const Finish& finish) {
     std::fill(out.begin(), out.end(), nobody);
     if (utilities.rows == 0 || utilities.columns == 0) return;
     const bool transposed = utilities.rows > utilities.columns;  // agents are the fewer
     const Costs costs = copy(utilities, transposed);
     if (all_.solve(costs)) {
-      break_ties(all_, costs, transposed, order, out);
+      finish(all_, costs, transposed);
     } else {
       some_.solve(costs);
-      break_ties(some_, costs, transposed, order, out);
+      finish(some_, costs, transposed);
     }
   }
 
- private:
   Costs copy(const Matrix& utilities, bool transposed) {
     costs_.resize(utilities.rows * utilities.columns);
     largest_ = 0.0;
@@ -67,37 +94,10 @@ class Solver {
     return {costs_.data(), agents, objects};
   }
 
-  static bool is_tight(double reduced, double tolerance) { return reduced <= tolerance; }
-  static bool is_tight(Ranked reduced, double tolerance) { return reduced.left_out <= 0 && reduced.sum <= tolerance; }
-  static double reduced_cost(double cost, double agent, double object) { return cost - agent - object; }
-  static Ranked reduced_cost(double cost, Ranked agent, Ranked object) { return Ranked{0, cost} - agent - object; }
-
   template <class Cost>
   void break_ties(ShortestPaths<Cost>& solution, const Costs& costs, bool transposed,
                   std::span<const std::uint32_t> order, std::span<std::int32_t> out) {
-    const double tolerance = tie_tolerance * largest_;
-    const std::size_t rows = transposed ? costs.objects : costs.agents;
-    const std::size_t columns = transposed ? costs.agents : costs.objects;
-    ties_.begin(rows, columns);
-    for (std::size_t agent = 0; agent < costs.agents; ++agent) {
-      const double* row = costs.values + agent * costs.objects;
-      const Cost agent_dual = solution.agent_dual[agent];
-      for (std::size_t object = 0; object < costs.objects; ++object) {
-        if (row[object] == infinity) continue;
-        if (!is_tight(reduced_cost(row[object], agent_dual, solution.object_dual[object]), tolerance)) continue;
-        ties_.tight(transposed ? object : agent, transposed ? agent : object);
-      }
-      if constexpr (ShortestPaths<Cost>::may_leave_out) {
-        if (is_tight(Ranked{1, 0.0} - agent_dual, tolerance)) {
-          transposed ? ties_.column_may_stay_free(agent) : ties_.row_may_stay_free(agent);
-        }
-      }
-    }
-    for (std::size_t object = 0; object < costs.objects; ++object) {
-      if (is_tight(Cost{} - solution.object_dual[object], tolerance)) {
-        transposed ? ties_.row_may_stay_free(object) : ties_.column_may_stay_free(object);
-      }
-    }
+    name_tight_pairs(solution, costs, transposed, tie_tolerance * largest_, ties_);
     std::vector<std::int32_t>& column_of = transposed ? solution.agent_of : solution.object_of;
     std::vector<std::int32_t>& row_of = transposed ? solution.object_of : solution.agent_of;
     ties_.apply(order, column_of, row_of);

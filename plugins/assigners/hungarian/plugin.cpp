@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Assigner plugin around algorithm.hpp.
-#include <algorithm>
-#include <numeric>
 #include <vector>
 
 #include <regista/assigner.hpp>
 
+#include "../task_order.hpp"
 #include "algorithm.hpp"
 
 namespace {
@@ -23,14 +22,8 @@ struct Hungarian {
   }
   void assign(const regista::Frame& frame, regista::UtilityMatrix utilities, regista::Assignment out) {
     if (out.size() == 0 || utilities.columns() == 0) return;
-    const regista::Span<regista::Task> tasks = frame.tasks();
-    order.resize(utilities.columns());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return tasks[a].priority != tasks[b].priority ? tasks[a].priority < tasks[b].priority : a < b;
-    });
-    solver.assign({utilities.data(), utilities.rows(), utilities.columns(), utilities.stride()}, order,
-                  {&out[0], out.size()});
+    solver.assign({utilities.data(), utilities.rows(), utilities.columns(), utilities.stride()},
+                  assignment::by_importance(frame.tasks(), order), {&out[0], out.size()});
   }
 };
 

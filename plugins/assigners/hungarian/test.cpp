@@ -98,14 +98,34 @@ Case random_case(std::mt19937& random, int most, int levels, double forbidden_sh
   return problem;
 }
 
+// Pairs and sum of utilities of an assignment that is allowed.
+std::pair<int, double> worth(const Case& problem, const Rows& column_of) {
+  std::pair<int, double> out{0, 0.0};
+  std::vector<bool> taken(problem.columns, false);
+  for (std::size_t i = 0; i < problem.rows; ++i) {
+    if (column_of[i] == -1) continue;
+    const auto j = static_cast<std::size_t>(column_of[i]);
+    EXPECT_TRUE(j < problem.columns && !taken[j] && problem(i, j) != forbidden);
+    if (j >= problem.columns) break;
+    taken[j] = true;
+    ++out.first;
+    out.second += problem(i, j);
+  }
+  return out;
+}
+
 TEST(Hungarian, EqualsExhaustiveSearchWithManyTies) {
   std::mt19937 random(4);
   hungarian::Solver solver;  // one for all: nothing may be left over from the case before
-  for (int round = 0; round < 20000; ++round) {
+  for (int round = 0; round < 100000; ++round) {
     const int levels = 1 + round % 5;
     const double share = 0.25 * ((round / 5) % 4);
     const Case problem = random_case(random, 7, levels, share);
-    ASSERT_EQ(assign(problem, solver), (Truth{problem, {}}.least())) << "round " << round;
+    const Rows truth = Truth{problem, {}}.least();
+    ASSERT_EQ(assign(problem, solver), truth) << "round " << round;
+    Rows any(problem.rows, -7);
+    solver.assign_any({problem.values.data(), problem.rows, problem.columns, problem.columns}, any);
+    ASSERT_EQ(worth(problem, any), worth(problem, truth)) << "round " << round;
   }
 }
 
@@ -173,6 +193,20 @@ TEST(Hungarian, LargeMatrices) {
     for (std::size_t j = 0; j < n; ++j) permutation.values[(n - 1) * n + j] = forbidden;
     hidden[n - 1] = -1;
     EXPECT_EQ(assign(permutation, solver), hidden) << n;
+  }
+}
+
+// The Ranked costs of forbidden pairs and the plain ones must not mix up magnitudes.
+TEST(Hungarian, MagnitudesDoNotMatter) {
+  std::mt19937 random(15);
+  hungarian::Solver solver;
+  for (int round = 0; round < 5000; ++round) {
+    const Case small = random_case(random, 7, 6, 0.25 * (round % 4));
+    for (const double scale : {1e-9, 1e9}) {
+      Case other = small;
+      for (double& value : other.values) value *= scale;
+      ASSERT_EQ(assign(other, solver), assign(small, solver)) << "round " << round << ", times " << scale;
+    }
   }
 }
 

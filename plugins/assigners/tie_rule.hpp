@@ -18,7 +18,7 @@
 
 #include "shortest_paths.hpp"
 
-namespace hungarian {
+namespace assignment {
 
 // A row of bits.
 class Bits {
@@ -35,6 +35,15 @@ class Bits {
 
 class TieRule {
  public:
+  void reserve(std::size_t rows, std::size_t columns) {
+    const std::size_t row_words = (rows + 63) / 64, column_words = (columns + 63) / 64;
+    tight_of_row_.reserve(rows * column_words);
+    tight_of_column_.reserve(columns * row_words);
+    for (auto* words : {&free_rows_, &open_rows_}) words->reserve(row_words);
+    for (auto* words : {&free_columns_, &open_columns_, &reached_}) words->reserve(column_words);
+    taker_.reserve(columns);
+    queue_.reserve(2 * rows);
+  }
   // Forgets all pairs. Then name those that are tight, and the rows and columns that may stay free.
   void begin(std::size_t rows, std::size_t columns) {
     rows_ = rows;
@@ -192,4 +201,4 @@ class TieRule {
   std::int32_t through_column_ = nobody, through_row_ = nobody;
 };
 
-}  // namespace hungarian
+}  // namespace assignment

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace hungarian {
+namespace assignment {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr std::int32_t nobody = -1;
@@ -47,17 +47,35 @@ class ShortestPaths {
   std::vector<std::int32_t> object_of, agent_of;  // or nobody
   std::vector<Cost> agent_dual, object_dual;
 
+  void reserve(std::size_t agents, std::size_t objects) {
+    object_of.reserve(agents);
+    agent_dual.reserve(agents);
+    tree_.reserve(agents);
+    agent_of.reserve(objects);
+    object_dual.reserve(objects);
+    distance_.reserve(objects);
+    before_.reserve(objects);
+    remaining_.reserve(objects);
+  }
+
   bool solve(const Costs& costs) {
     object_of.assign(costs.agents, nobody);
     agent_of.assign(costs.objects, nobody);
-    agent_dual.assign(costs.agents, Cost{});
-    object_dual.assign(costs.objects, Cost{});
     distance_.resize(costs.objects);
     before_.resize(costs.objects);
     remaining_.resize(costs.objects);
     tree_.resize(costs.agents);
+    return solve_on(costs);
+  }
+
+  // Begins with the pairs as they stand after solve() with as many agents and objects, or after changes to object_of
+  // and agent_of (an inverse pair, always); duals are forgotten. The pairs must be optimal under duals of 0: each costs
+  // 0, and no allowed pair costs less.
+  bool solve_on(const Costs& costs) {
+    agent_dual.assign(costs.agents, Cost{});
+    object_dual.assign(costs.objects, Cost{});
     for (std::size_t agent = 0; agent < costs.agents; ++agent) {
-      if (!add(costs, static_cast<std::int32_t>(agent))) return false;
+      if (object_of[agent] == nobody && !add(costs, static_cast<std::int32_t>(agent))) return false;
     }
     return true;
   }
@@ -168,4 +186,4 @@ class ShortestPaths {
   std::vector<std::int32_t> before_, remaining_, tree_;
 };
 
-}  // namespace hungarian
+}  // namespace assignment
