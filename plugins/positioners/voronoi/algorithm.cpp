@@ -35,6 +35,12 @@ void cut(double origin, double slope, double limit, double& from, double& to) {
   to = std::min(to, leave);
 }
 
+void in_order(int& a, int& b) {
+  const int least = std::min(a, b);
+  b = std::max(a, b);
+  a = least;
+}
+
 }  // namespace
 
 Point circumcentre(const Point& a, const Point& b, const Point& c) {
@@ -44,20 +50,26 @@ Point circumcentre(const Point& a, const Point& b, const Point& c) {
   return {a.x + (cy * b2 - by * c2) / twice_area, a.y + (bx * c2 - cx * b2) / twice_area};
 }
 
-double squared_distance(std::span<const Point> points, const Point& a, const Point& b) {
+bool passes_near(std::span<const Point> points, const Point& a, const Point& b, double distance) {
+  // Nothing beyond this box is near; the margin is far above rounding.
+  const double margin = distance + 1e-9;
+  const double left = std::min(a.x, b.x) - margin, right = std::max(a.x, b.x) + margin;
+  const double low = std::min(a.y, b.y) - margin, high = std::max(a.y, b.y) + margin;
   const double dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
   const double per_length2 = length2 > 0.0 ? 1.0 / length2 : 0.0;
-  double least = infinity;
-  for (const Point& point : points) {  // without branches
+  for (const Point& point : points) {
+    if (point.x < left || point.x > right || point.y < low || point.y > high) continue;
     const double px = point.x - a.x, py = point.y - a.y;
     const double t = std::min(1.0, std::max(0.0, (px * dx + py * dy) * per_length2));
     const double qx = px - t * dx, qy = py - t * dy;
-    least = std::min(least, qx * qx + qy * qy);
+    if (qx * qx + qy * qy < distance * distance) return true;
   }
-  return least;
+  return false;
 }
 
-Diagram::Diagram(Settings settings) : settings_(std::move(settings)) {}
+Diagram::Diagram(Settings settings) : settings_(std::move(settings)) {
+  std::sort(settings_.fixed.begin(), settings_.fixed.end());
+}
 
 const Graph& Diagram::of(std::span<const Point> opponents) {
   opponents_.clear();
@@ -70,9 +82,8 @@ const Graph& Diagram::of(std::span<const Point> opponents) {
   if (known_ && opponents_ == asked_) return graph_;
   known_ = false;
 
-  sites_ = opponents_;
-  sites_.insert(sites_.end(), settings_.fixed.begin(), settings_.fixed.end());
-  std::sort(sites_.begin(), sites_.end());
+  sites_.resize(opponents_.size() + settings_.fixed.size());
+  std::merge(opponents_.begin(), opponents_.end(), settings_.fixed.begin(), settings_.fixed.end(), sites_.begin());
   sites_.erase(std::unique(sites_.begin(), sites_.end()), sites_.end());
   delaunay_.build(sites_);
   find_corners();
@@ -91,7 +102,9 @@ void Diagram::find_corners() {
   corners_.clear();
   links_.clear();
   for (Delaunay::Triangle triangle : delaunay_.triangles()) {
-    std::sort(triangle.begin(), triangle.end());  // where CGAL starts to count must not matter
+    in_order(triangle[0], triangle[1]);  // where CGAL starts to count must not matter
+    in_order(triangle[1], triangle[2]);
+    in_order(triangle[0], triangle[1]);
     const auto site = [&](std::size_t k) { return sites_[static_cast<std::size_t>(triangle[k])]; };
     const Point centre = circumcentre(site(0), site(1), site(2));
     circumcentres_.push_back(centre);
@@ -156,10 +169,13 @@ void Diagram::merge() {
     middles_.push_back(at);
     clusters_.push_back({at.x, at.y, 1.0, k, 0});
     merged_into_[in_order_[k].index] = k;
-    for (std::size_t before = k; before-- > 0 && at.x - middles_[before].x < reach;) add_if_near(before, k, reach);
+    for (std::size_t before = k; before-- > 0 && at.x - middles_[before].x < reach;) {
+      const double distance = squared(middles_[before], at);
+      if (distance < reach * reach) near_.push_back({distance, before, k});
+    }
   }
   while (!near_.empty()) {
-    const Pair pair = *std::min_element(near_.begin(), near_.end());
+    const Pair pair = *std::min_element(near_.begin(), near_.end(), &Pair::nearer);
     std::erase_if(near_, [&](const Pair& other) { return pair.shares_with(other); });
     Cluster &winner = clusters_[pair.first], &loser = clusters_[pair.second];
     winner.sum_x += loser.sum_x;
@@ -168,15 +184,14 @@ void Diagram::merge() {
     loser.into = pair.first;
     middles_[pair.first] = {winner.sum_x / winner.count, winner.sum_y / winner.count};
     middles_[pair.second] = {infinity, infinity};  // near to nothing
+    const Point middle = middles_[pair.first];
     for (std::size_t k = 0; k < middles_.size(); ++k) {
-      if (k != pair.first) add_if_near(std::min(k, pair.first), std::max(k, pair.first), reach);
+      const double distance = squared(middles_[k], middle);
+      if (distance < reach * reach && k != pair.first) {
+        near_.push_back({distance, std::min(k, pair.first), std::max(k, pair.first)});
+      }
     }
   }
-}
-
-void Diagram::add_if_near(std::size_t first, std::size_t second, double reach) {
-  const double distance = squared(middles_[first], middles_[second]);
-  if (distance < reach * reach) near_.push_back({distance, first, second});
 }
 
 // Clusters become nodes, links edges.
@@ -200,7 +215,7 @@ void Diagram::join() {
   graph_.edges.erase(std::unique(graph_.edges.begin(), graph_.edges.end()), graph_.edges.end());
   std::erase_if(graph_.edges, [&](const Edge& edge) {
     const Node &a = graph_.nodes[edge.from], &b = graph_.nodes[edge.to];
-    return squared_distance(opponents_, {a.x, a.y}, {b.x, b.y}) < settings_.clearance * settings_.clearance;
+    return passes_near(opponents_, {a.x, a.y}, {b.x, b.y}, settings_.clearance);
   });
 }
 

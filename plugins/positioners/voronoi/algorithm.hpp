@@ -68,7 +68,10 @@ class Diagram {
     bool shares_with(const Pair& other) const {
       return first == other.first || first == other.second || second == other.first || second == other.second;
     }
-    friend auto operator<=>(const Pair&, const Pair&) = default;
+    static bool nearer(const Pair& a, const Pair& b) {
+      if (a.distance != b.distance) return a.distance < b.distance;
+      return a.first != b.first ? a.first < b.first : a.second < b.second;
+    }
   };
   struct Corner {
     Point at;
@@ -78,7 +81,6 @@ class Diagram {
   void find_corners();
   void add_boundary();
   void merge();
-  void add_if_near(std::size_t first, std::size_t second, double reach);
   void join();
   void score();
 
@@ -102,7 +104,7 @@ class Diagram {
 // part of the result's last bits.
 Point circumcentre(const Point& a, const Point& b, const Point& c);
 
-// Of the nearest of the points from the segment from `a` to `b`; infinite without points.
-double squared_distance(std::span<const Point> points, const Point& a, const Point& b);
+// Whether one of the points is nearer than `distance` to the segment from `a` to `b`.
+bool passes_near(std::span<const Point> points, const Point& a, const Point& b, double distance);
 
 }  // namespace voronoi

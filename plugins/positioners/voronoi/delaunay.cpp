@@ -7,6 +7,7 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -23,13 +24,94 @@ using Base = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_str
 struct Delaunay::Triangulation : Base {
   // As clear(), but keeps the blocks of memory.
   void empty() {
+    erase_all();
+    tds().set_dimension(-2);
+    set_infinite_vertex(tds().insert_first());
+  }
+
+  // The triangle of three sites that are not on one line, alone. CGAL's own way there, point by point, allocates.
+  Vertex_handle begin(const Point& a, const Point& b, const Point& c) {
+    erase_all();
+    tds().set_dimension(2);
+    const Vertex_handle outer = tds().create_vertex();
+    set_infinite_vertex(outer);
+    std::array<Vertex_handle, 3> corner;
+    for (auto& vertex : corner) vertex = tds().create_vertex();
+    corner[0]->set_point(a);
+    const bool left = orientation(a, b, c) == CGAL::LEFT_TURN;
+    corner[1]->set_point(left ? b : c);
+    corner[2]->set_point(left ? c : b);
+    corner[0]->info() = 0;
+    corner[1]->info() = left ? 1 : 2;
+    corner[2]->info() = left ? 2 : 1;
+    const Face_handle inner = tds().create_face(corner[0], corner[1], corner[2]);
+    std::array<Face_handle, 3> beyond;  // the side opposite to corner k
+    for (std::size_t k = 0; k < 3; ++k) {
+      beyond[k] = tds().create_face(corner[(k + 2) % 3], corner[(k + 1) % 3], outer);
+      tds().set_adjacency(inner, static_cast<int>(k), beyond[k], 2);
+      corner[k]->set_face(inner);
+    }
+    for (std::size_t k = 0; k < 3; ++k) tds().set_adjacency(beyond[k], 1, beyond[(k + 1) % 3], 0);
+    const Vertex_handle last = corner[left ? 2 : 1];
+    outer->set_face(beyond[left ? 0 : 2]);  // a side of the last one
+    return last;
+  }
+
+  // Inserts a point that comes after all others in the order of x, then y. It is outside of the hull and sees a side of
+  // `last`, the one before it, so that nothing has to be searched; otherwise this is CGAL's insertion of such a point,
+  // without the lists that it allocates.
+  Vertex_handle append(const Point& point, Vertex_handle last) {
+    const Vertex_handle outer = infinite_vertex();
+    const Face_handle start = seen_side(point, last);
+    if (start == Face_handle()) return insert(point, last->face());
+    clockwise_.clear();
+    counter_clockwise_.clear();
+    for (Face_handle f = start->neighbor(cw(start->index(outer))); sees(point, f);
+         f = f->neighbor(cw(f->index(outer)))) {
+      counter_clockwise_.push_back(f);
+    }
+    for (Face_handle f = start->neighbor(ccw(start->index(outer))); sees(point, f);
+         f = f->neighbor(ccw(f->index(outer)))) {
+      clockwise_.push_back(f);
+    }
+    const Vertex_handle vertex = tds().insert_in_face(start);
+    vertex->set_point(point);
+    for (const Face_handle f : counter_clockwise_) tds().flip(f, ccw(f->index(outer)));
+    for (const Face_handle f : clockwise_) tds().flip(f, cw(f->index(outer)));
+    Face_handle side = vertex->face();
+    while (!side->has_vertex(outer)) side = side->neighbor(ccw(side->index(vertex)));
+    outer->set_face(side);
+    restore_Delaunay(vertex);
+    return vertex;
+  }
+
+ private:
+  void erase_all() {
     auto& faces = tds().faces();
     for (auto face = faces.begin(); face != faces.end();) faces.erase(face++);
     auto& vertices = tds().vertices();
     for (auto vertex = vertices.begin(); vertex != vertices.end();) vertices.erase(vertex++);
-    tds().set_dimension(-2);
-    set_infinite_vertex(tds().insert_first());
   }
+
+  // Whether the point is strictly beyond the side of the hull that this infinite face stands on.
+  bool sees(const Point& point, Face_handle face) const {
+    const int i = face->index(infinite_vertex());
+    return orientation(point, face->vertex(ccw(i))->point(), face->vertex(cw(i))->point()) == CGAL::LEFT_TURN;
+  }
+
+  // One of the two sides of the hull at `last`; the null handle when none of them is seen.
+  Face_handle seen_side(const Point& point, Vertex_handle last) const {
+    const Face_handle first = infinite_vertex()->face();
+    if (!first->has_vertex(last)) return {};
+    if (sees(point, first)) return first;
+    const int i = first->index(infinite_vertex());
+    for (const Face_handle other : {first->neighbor(ccw(i)), first->neighbor(cw(i))}) {
+      if (other->has_vertex(last) && sees(point, other)) return other;
+    }
+    return {};
+  }
+
+  std::vector<Face_handle> clockwise_, counter_clockwise_;  // sides that a new point sees, from the first one on
 };
 
 Delaunay::Delaunay() : triangulation_(std::make_unique<Triangulation>()) {}
@@ -42,12 +124,24 @@ void Delaunay::build(std::span<const Point> sites) {
   edges_.clear();
   try {
     Triangulation& t = *triangulation_;
-    t.empty();
-    Base::Face_handle near;
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-      const Base::Vertex_handle vertex = t.insert(Kernel::Point_2(sites[i].x, sites[i].y), near);
-      vertex->info() = static_cast<int>(i);
-      near = vertex->face();
+    const auto point = [&sites](std::size_t i) { return Kernel::Point_2(sites[i].x, sites[i].y); };
+    std::size_t i = 0;
+    Base::Vertex_handle last;
+    if (sites.size() >= 3 && CGAL::orientation(point(0), point(1), point(2)) != CGAL::COLLINEAR) {
+      last = t.begin(point(0), point(1), point(2));
+      i = 3;
+    } else {
+      t.empty();
+    }
+    bool ascending = i == 0 || (sites[0] < sites[1] && sites[1] < sites[2]);
+    for (; i < sites.size(); ++i) {
+      ascending = ascending && (i == 0 || sites[i - 1] < sites[i]);
+      if (ascending && t.dimension() == 2) {
+        last = t.append(point(i), last);
+      } else {
+        last = t.insert(point(i), last == Base::Vertex_handle() ? Base::Face_handle() : last->face());
+      }
+      last->info() = static_cast<int>(i);
     }
     if (t.dimension() == 2) {
       read_triangles(t);

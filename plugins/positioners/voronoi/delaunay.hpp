@@ -32,8 +32,9 @@ class Delaunay {
   Delaunay& operator=(Delaunay&&) noexcept;
 
   // Sites are finite and distinct. Sites on one circle are triangulated in one way whatever their order. Fewer than
-  // three sites, or all on one line: no triangles. Memory is kept for the next call. Throws std::runtime_error should
-  // CGAL fail.
+  // three sites, or all on one line: no triangles. Memory is kept for the next call: sites in ascending order, of which
+  // the first three are not on one line, allocate nothing once there was room for as many, and are the fastest. Throws
+  // std::runtime_error should CGAL fail.
   void build(std::span<const Point> sites);
 
   // Of the last build; in no particular order.

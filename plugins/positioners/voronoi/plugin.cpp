@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Positioner plugin around algorithm.hpp: the opponents of the chosen world, the field of the environment;
-// around cells.hpp: the active robots of that world.
+// around team_cells.hpp: the active robots of that world.
 #include <algorithm>
-#include <array>
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include <regista/positioner.hpp>
 
 #include "algorithm.hpp"
-#include "cells.hpp"
+#include "team_cells.hpp"
 
 namespace {
 
@@ -40,8 +37,8 @@ struct Voronoi {
                        "Also the Voronoi cell of each active robot among its team, clipped to the lines; our option")};
 
   std::optional<voronoi::Diagram> diagram;
-  std::vector<voronoi::Point> opponents, team;
-  voronoi::Extent field{};
+  std::vector<voronoi::Point> opponents;
+  voronoi::TeamCells team_cells;
 
   void setup(const regista::Environment& environment) {
     const double x = environment->field_length / 2.0, y = environment->field_width / 2.0;
@@ -66,12 +63,7 @@ struct Voronoi {
     }
     diagram.emplace(std::move(settings));
     opponents.reserve(32);
-    field = {x, y};
-    if (cells && environment->team_size > voronoi::most_cell_sites) {
-      throw std::out_of_range("cells: at most " + std::to_string(voronoi::most_cell_sites) + " robots, not " +
-                              std::to_string(environment->team_size));
-    }
-    team.reserve(voronoi::most_cell_sites);
+    if (cells) team_cells.setup(environment);
   }
 
   void place(const regista::Frame& frame, regista::Placement out) {
@@ -84,25 +76,10 @@ struct Voronoi {
     for (const voronoi::Edge& edge : graph.edges) {
       out.edge(static_cast<std::uint32_t>(edge.from), static_cast<std::uint32_t>(edge.to));
     }
-    if (cells) place_cells(frame.world(), out);
-  }
-
-  void place_cells(const regista::World& world, regista::Placement& out) {
-    const regista::Span<std::int32_t> active = world.active();
-    team.clear();
-    for (const std::int32_t number : active) {
-      const regista::Robot& robot = world.robot(number);
-      team.push_back({robot.pose[0], robot.pose[1]});
-    }
-    std::array<regista::Vertex, voronoi::most_cell_corners> vertices;
-    for (std::size_t i = 0; i < team.size(); ++i) {
-      const voronoi::Cell cell = voronoi::cell(team, i, field);
-      if (cell.count == 0) continue;
-      std::transform(cell.span().begin(), cell.span().end(), vertices.begin(), [](const voronoi::Point& corner) {
-        return regista::Vertex{corner.x, corner.y};
-      });
-      out.cell(active[i], {vertices.data(), cell.count});
-    }
+    if (!cells) return;
+    team_cells.each(frame.world(), [&out](std::int32_t number, const voronoi::Cell& cell) {
+      voronoi::TeamCells::write(number, cell, out);
+    });
   }
 };
 
