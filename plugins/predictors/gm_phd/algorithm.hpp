@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// Opponents by the Gaussian mixture PHD filter: a mixture whose weights add up to the expected number of robots, also
+// in every part of the field, without deciding which sighting belongs to which robot.
+//
+// Sources: Vo and Ma, "The Gaussian Mixture Probability Hypothesis Density Filter" (IEEE Trans. Signal Processing 54,
+// 2006): prediction, correction and reduction (tables I and II). Ristic, Clark, Vo and Vo, "Adaptive target birth
+// intensity for PHD and CPHD filters" (IEEE Trans. AES 48, 2012): robots appear where something is seen, and compete
+// there with clutter and with those that are known. Panta, Clark and Vo, "Data association and track management for the
+// Gaussian mixture PHD filter" (IEEE Trans. AES 45, 2009): labels that components hand on to what becomes of them.
+//
+// What is particular here:
+// - The probability of detection is 0 outside the visible area (view.hpp), so what is not looked at is not forgotten.
+//   A sighting, on the other hand, proves that its robot was in view, wherever the borders were thought to be: its term
+//   has the full probability, and what is left of its component is a miss.
+// - Two components with different labels become one only while together they stand for hardly more than one robot;
+//   else two robots that have not been seen for a while would become one as their covariances grow.
+// - Occlusion by other robots is not modelled; a smaller probability of detection stands for it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "component.hpp"
+#include "view.hpp"
+
+namespace gm_phd {
+
+struct Parameters {
+  double speed = 0.2;             // m/s, standard deviation of each component of the velocity
+  double persistence = 0.8;       // s
+  double survival = 0.99;         // per second
+  double detection = 0.98;        // probability that a robot in the visible area is seen
+  double clutter_density = 5e-4;  // false sightings per m^2 of view and image
+  double birth_density = 1e-3;    // robots that appear per m^2 of view and image
+  double gate = 18.42068074;      // squared Mahalanobis distance
+  double prune_weight = 1e-5;
+  double merge_distance = 4.0;    // squared Mahalanobis distance
+};
+
+class Filter {
+ public:
+  static constexpr std::size_t capacity = 100;       // components between two images
+  static constexpr std::size_t work_capacity = 256;  // while an image is taken in
+
+  Filter() : Filter(Parameters{}) {}
+  explicit Filter(const Parameters& parameters) : parameters_(parameters) {}
+
+  void reset() {
+    count_ = 0;
+    next_label_ = 1;
+    step_ = {};
+  }
+
+  void predict(double dt) {
+    if (count_ == 0) return;
+    if (dt != step_.dt) step_ = Step(dt, parameters_.speed, parameters_.persistence, parameters_.survival);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      advance(components_[i], step_);
+      if (components_[i].weight < parameters_.prune_weight) continue;
+      if (kept != i) components_[kept] = components_[i];
+      ++kept;
+    }
+    count_ = kept;
+  }
+
+  // One image. `sightings`: a range of Sighting.
+  template <class Sightings>
+  void correct(const Sightings& sightings, const View& view) {
+    const std::size_t known = count_;
+    for (std::size_t i = 0; i < known; ++i) {
+      prior_[i] = components_[i].weight;
+      explained_[i] = 0.0;
+      components_[i].seen = false;
+    }
+    for (const Sighting& sighting : sightings) explain(sighting, known);
+    for (std::size_t i = 0; i < known; ++i) {
+      // At least so much of it was in view as was seen.
+      const double inside = std::max(view.share(components_[i]), std::min(1.0, explained_[i] / prior_[i]));
+      components_[i].weight = prior_[i] * (1.0 - parameters_.detection * inside);
+    }
+    reduce();
+  }
+
+  // Replacing the whole model by what a packet said: clear, add each, then predict(age).
+  void clear() { count_ = 0; }
+  // label <= 0 or taken: a fresh one. Ignored when there is no room or the weight is below what is kept.
+  void add(const Component& told) {
+    if (count_ == capacity || told.weight < parameters_.prune_weight) return;
+    Component& added = components_[count_];
+    added = told;
+    if (told.label <= 0 || taken(told.label, components_.data(), count_)) {
+      added.label = fresh_label();
+    } else if (told.label >= next_label_ && told.label < std::numeric_limits<int>::max()) {
+      next_label_ = told.label + 1;
+    }
+    ++count_;
+  }
+
+  // After an image the heaviest first.
+  const Component* begin() const { return components_.data(); }
+  const Component* end() const { return components_.data() + count_; }
+  // The sightings have told more than half of what there was to know of the velocity.
+  bool velocity_believed(const Component& each) const {
+    return each.vxx + each.vyy < parameters_.speed * parameters_.speed;
+  }
+
+ private:
+  struct Candidate {
+    std::size_t index;
+    double likelihood;
+    Fit fit;
+  };
+
+  // What a newborn may weigh beside the component that explains the sighting before it is a component of its own.
+  static constexpr double negligible = 0.01;
+  // Components with different labels that stand for more robots than this together are not merged.
+  static constexpr double one_robot = 1.5;
+
+  // The terms of one sighting: each of the `known` components that may have caused it, corrected by it, and a newborn,
+  // all over what could have caused it altogether.
+  void explain(const Sighting& sighting, std::size_t known) {
+    constexpr double two_pi = 6.28318530717958648;
+    const double noise = sighting.xx + sighting.yy;
+    double total = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < known; ++i) {
+      const Component& each = components_[i];
+      const double dx = sighting.x - each.x, dy = sighting.y - each.y;
+      // No eigenvalue of the innovation's covariance exceeds its trace.
+      if (dx * dx + dy * dy > parameters_.gate * (each.pxx + each.pyy + noise)) continue;
+      Candidate& candidate = candidates_[count];
+      candidate.fit = compare(each, sighting);
+      if (!(candidate.fit.distance <= parameters_.gate)) continue;
+      candidate.index = i;
+      candidate.likelihood = prior_[i] * parameters_.detection * std::exp(-0.5 * candidate.fit.distance) /
+                             (two_pi * std::sqrt(candidate.fit.determinant));
+      total += candidate.likelihood;
+      ++count;
+    }
+    total += parameters_.clutter_density + parameters_.birth_density;
+    if (!(total > 0.0)) return;
+    Component* heaviest = nullptr;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double weight = candidates_[k].likelihood / total;
+      explained_[candidates_[k].index] += weight;
+      if (weight < parameters_.prune_weight || count_ == work_capacity) continue;
+      Component& corrected = components_[count_++];
+      corrected = components_[candidates_[k].index];
+      take(corrected, sighting, candidates_[k].fit);
+      corrected.weight = weight;
+      if (heaviest == nullptr || weight > heaviest->weight) heaviest = &corrected;
+    }
+    const double weight = parameters_.birth_density / total;
+    if (heaviest != nullptr && weight < negligible * heaviest->weight) {
+      heaviest->weight += weight;  // it would be merged at once, and change nothing else
+    } else if (weight >= parameters_.prune_weight && count_ < work_capacity) {
+      Component& newborn = components_[count_++];
+      newborn = {};
+      newborn.x = sighting.x;
+      newborn.y = sighting.y;
+      newborn.pxx = sighting.xx;
+      newborn.pxy = sighting.xy;
+      newborn.pyy = sighting.yy;
+      newborn.vxx = newborn.vyy = parameters_.speed * parameters_.speed;
+      newborn.weight = weight;
+      newborn.seen = true;
+    }
+  }
+
+  // Prune, merge around the heaviest, keep at most `capacity`.
+  void reduce() {
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (components_[i].weight >= parameters_.prune_weight) order_[left++] = i;
+    }
+    const auto heavier = [this](std::size_t a, std::size_t b) {
+      return components_[a].weight != components_[b].weight ? components_[a].weight > components_[b].weight : a < b;
+    };
+    std::sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(left), heavier);
+    std::size_t kept = 0;
+    while (left > 0 && kept < capacity) {
+      const Component& centre = components_[order_[0]];
+      Component& merged = reduced_[kept];
+      merged = centre;
+      std::size_t rest = 0;
+      for (std::size_t k = 1; k < left; ++k) {
+        const Component& other = components_[order_[k]];
+        const bool left_over = other.label == centre.label && !(other.seen && centre.seen) && centre.label != 0;
+        if ((left_over || merged.weight + other.weight <= one_robot) &&
+            distance(centre, other, parameters_.merge_distance) <= parameters_.merge_distance) {
+          combine(merged, other);
+          if (merged.label == 0) merged.label = other.label;
+        } else {
+          order_[rest++] = order_[k];
+        }
+      }
+      left = rest;
+      if (merged.label == 0 || taken(merged.label, reduced_.data(), kept)) merged.label = fresh_label();
+      ++kept;
+    }
+    std::copy_n(reduced_.begin(), kept, components_.begin());
+    count_ = kept;
+  }
+
+  static bool taken(int label, const Component* among, std::size_t count) {
+    return std::any_of(among, among + count, [label](const Component& each) { return each.label == label; });
+  }
+
+  int fresh_label() {
+    int label;
+    do {
+      label = next_label_;
+      next_label_ = label == std::numeric_limits<int>::max() ? 1 : label + 1;
+    } while (taken(label, components_.data(), count_));
+    return label;
+  }
+
+  Parameters parameters_;
+  std::array<Component, work_capacity> components_;
+  std::array<Component, capacity> reduced_;
+  std::array<Candidate, capacity> candidates_;
+  std::array<double, capacity> prior_;      // weights before the image
+  std::array<double, capacity> explained_;  // robots of each that were seen in it
+  std::array<std::size_t, work_capacity> order_;
+  std::size_t count_ = 0;
+  int next_label_ = 1;
+  Step step_;
+};
+
+}  // namespace gm_phd
