@@ -37,7 +37,9 @@ struct Parameters {
   double birth_density = 1e-3;    // robots that appear per m^2 of view and image
   double gate = 18.42068074;      // squared Mahalanobis distance
   double prune_weight = 1e-5;
-  double merge_distance = 4.0;    // squared Mahalanobis distance
+  double merge_distance = 4.0;  // squared Mahalanobis distance
+  double confirm_weight = 0.5;  // a component that has weighed so much is told,
+  double told_weight = 1e-3;    // until it weighs less than this
 };
 
 class Filter {
@@ -78,8 +80,9 @@ class Filter {
     }
     for (const Sighting& sighting : sightings) explain(sighting, known);
     for (std::size_t i = 0; i < known; ++i) {
-      // At least so much of it was in view as was seen.
-      const double inside = std::max(view.share(components_[i]), std::min(1.0, explained_[i] / prior_[i]));
+      // At least so much of a robot was in view as was seen.
+      const double inside =
+          std::max(view.share(components_[i]), std::min(1.0, explained_[i] / std::min(1.0, prior_[i])));
       components_[i].weight = prior_[i] * (1.0 - parameters_.detection * inside);
     }
     reduce();
@@ -92,6 +95,7 @@ class Filter {
     if (count_ == capacity || told.weight < parameters_.prune_weight) return;
     Component& added = components_[count_];
     added = told;
+    added.confirmed = told.weight >= parameters_.confirm_weight;
     if (told.label <= 0 || taken(told.label, components_.data(), count_)) {
       added.label = fresh_label();
     } else if (told.label >= next_label_ && told.label < std::numeric_limits<int>::max()) {
@@ -103,6 +107,7 @@ class Filter {
   // After an image the heaviest first.
   const Component* begin() const { return components_.data(); }
   const Component* end() const { return components_.data() + count_; }
+  bool told(const Component& each) const { return each.confirmed && each.weight >= parameters_.told_weight; }
   // The sightings have told more than half of what there was to know of the velocity.
   bool velocity_believed(const Component& each) const {
     return each.vxx + each.vyy < parameters_.speed * parameters_.speed;
@@ -193,13 +198,20 @@ class Filter {
         if ((left_over || merged.weight + other.weight <= one_robot) &&
             distance(centre, other, parameters_.merge_distance) <= parameters_.merge_distance) {
           combine(merged, other);
-          if (merged.label == 0) merged.label = other.label;
+          if (merged.label == 0) {
+            merged.label = other.label;
+            merged.confirmed = other.confirmed;
+          }
         } else {
           order_[rest++] = order_[k];
         }
       }
       left = rest;
-      if (merged.label == 0 || taken(merged.label, reduced_.data(), kept)) merged.label = fresh_label();
+      if (merged.label == 0 || taken(merged.label, reduced_.data(), kept)) {
+        merged.label = fresh_label();
+        merged.confirmed = false;
+      }
+      merged.confirmed = merged.confirmed || merged.weight >= parameters_.confirm_weight;
       ++kept;
     }
     std::copy_n(reduced_.begin(), kept, components_.begin());

@@ -17,18 +17,19 @@ namespace gm_phd {
 // SI units, field frame. cross: E[dx dvx], E[dx dvy], E[dy dvx], E[dy dvy].
 struct Component {
   double x = 0.0, y = 0.0, vx = 0.0, vy = 0.0;
-  double pxx = 0.0, pxy = 0.0, pyy = 0.0;               // covariance of the position
-  double cxx = 0.0, cxy = 0.0, cyx = 0.0, cyy = 0.0;    // cross
-  double vxx = 0.0, vxy = 0.0, vyy = 0.0;               // covariance of the velocity
-  double weight = 0.0;                                  // expected number of robots
-  double age = 0.0;                                     // s since it was last seen
-  int label = 0;                                        // 0: none yet
-  bool seen = false;                                    // in the image just taken in
+  double pxx = 0.0, pxy = 0.0, pyy = 0.0;             // covariance of the position
+  double cxx = 0.0, cxy = 0.0, cyx = 0.0, cyy = 0.0;  // cross
+  double vxx = 0.0, vxy = 0.0, vyy = 0.0;             // covariance of the velocity
+  double weight = 0.0;                                // expected number of robots
+  double age = 0.0;                                   // s since it was last seen
+  int label = 0;                                      // 0: none yet
+  bool seen = false;                                  // in the image just taken in
+  bool confirmed = false;                             // a component with this label has stood for a robot
 };
 
 struct Sighting {
-  double x, y;           // field frame, m
-  double xx, xy, yy;     // covariance, positive definite
+  double x, y;        // field frame, m
+  double xx, xy, yy;  // covariance, positive definite
 };
 
 // The motion over `dt`: p' = p + reach v, v' = keep v, and its noise per axis.
@@ -72,10 +73,10 @@ inline void advance(Component& c, const Step& step) {
 
 // How a sighting fits a component.
 struct Fit {
-  double dx, dy;          // sighting minus expectation
-  double ixx, ixy, iyy;   // inverse of the innovation's covariance
-  double determinant;     // of that covariance
-  double distance;        // squared Mahalanobis
+  double dx, dy;         // sighting minus expectation
+  double ixx, ixy, iyy;  // inverse of the innovation's covariance
+  double determinant;    // of that covariance
+  double distance;       // squared Mahalanobis
 };
 
 inline Fit compare(const Component& c, const Sighting& z) {

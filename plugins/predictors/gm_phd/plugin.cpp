@@ -28,7 +28,9 @@ struct GmPhd {
   double gate = initial.gate;
   double prune_weight = initial.prune_weight;
   double merge_distance = initial.merge_distance;
-  double told_weight = 0.5;
+  double confirm_weight = initial.confirm_weight;
+  double told_weight = initial.told_weight;
+  double told_for = 30.0;
 
   static constexpr std::tuple parameters{
       regista::real("speed", &GmPhd::speed, {0.02, 3.0}, "m/s",
@@ -68,13 +70,21 @@ struct GmPhd {
           .log_scale(),
       regista::real("merge_distance", &GmPhd::merge_distance, {0.0, 20.0}, "1",
                     "Components whose means have a smaller squared Mahalanobis distance become one; 4 by Vo and Ma"),
-      regista::real("told_weight", &GmPhd::told_weight, {0.001, 1.0}, "1",
-                    "Components of a smaller expected number of robots are kept but not told; 0.5 by Vo and Ma")
+      regista::real("confirm_weight", &GmPhd::confirm_weight, {0.01, 1.0}, "1",
+                    "A component is told once it stands for so many robots; 0.5 by Vo and Ma")
+          .tunable(),
+      regista::real("told_weight", &GmPhd::told_weight, {1e-5, 1.0}, "1",
+                    "A component that was told stays so until it stands for fewer robots than this: a few misses are "
+                    "borne; assumption")
+          .tunable()
+          .log_scale(),
+      regista::real("told_for", &GmPhd::told_for, {0.5, 600.0}, "s",
+                    "A component unseen for longer is kept but not told; assumption")
           .tunable()};
 
   void setup(const regista::Environment&) {
     filter = gm_phd::Filter({speed, persistence, survival, detection_probability, clutter_density, birth_density, gate,
-                             prune_weight, merge_distance});
+                             prune_weight, merge_distance, confirm_weight, told_weight});
   }
 
   void reset(std::uint64_t) { filter.reset(); }
@@ -89,10 +99,10 @@ struct GmPhd {
                        each.covariance[4] + smallest_variance};
     }
     const bool all_round = area.half_angle >= pi;
-    filter.correct(std::span(seen.data(), count),
-                   {area.x, area.y, std::cos(area.heading), std::sin(area.heading),
-                    all_round ? -1.0 : std::cos(area.half_angle), all_round ? 0.0 : std::sin(area.half_angle),
-                    area.range_robot, border_deviation * border_deviation});
+    filter.correct(
+        std::span(seen.data(), count),
+        {area.x, area.y, std::cos(area.heading), std::sin(area.heading), all_round ? -1.0 : std::cos(area.half_angle),
+         all_round ? 0.0 : std::sin(area.half_angle), area.range_robot, border_deviation * border_deviation});
   }
 
   void absorb(regista::Span<regista::Track> tracks, double age) {
@@ -131,8 +141,9 @@ struct GmPhd {
   void tracks(regista::Tracks out) const {
     std::size_t count = 0;
     const auto room = static_cast<std::ptrdiff_t>(out.capacity());
-    for (const Component& each : std::span(filter.begin(), filter.begin() + std::min(room, filter.end() - filter.begin()))) {
-      if (each.weight < told_weight) continue;
+    for (const Component& each :
+         std::span(filter.begin(), filter.begin() + std::min(room, filter.end() - filter.begin()))) {
+      if (!filter.told(each) || each.age > told_for) continue;
       regista::Track& track = told[count++];
       track.label = each.label;
       track.flags = filter.velocity_believed(each) ? REGISTA_TRACK_VELOCITY : 0;

@@ -16,11 +16,11 @@
 namespace gm_phd {
 
 struct View {
-  double x, y;                  // apex, field frame
-  double axis_x, axis_y;        // unit vector
-  double cosine, sine;          // of half the opening angle, which is in [0, pi]
-  double range;                 // m
-  double border_variance = 0.0; // m^2: how far the borders may be from where they are believed to be
+  double x, y;                   // apex, field frame
+  double axis_x, axis_y;         // unit vector
+  double cosine, sine;           // of half the opening angle, which is in [0, pi]
+  double range;                  // m
+  double border_variance = 0.0;  // m^2: how far the borders may be from where they are believed to be
 
   // Probability that the robot is inside, 0 to 1.
   double share(const Component& c) const {

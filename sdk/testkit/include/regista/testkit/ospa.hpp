@@ -52,8 +52,8 @@ inline double ospa(const std::vector<PlanePoint>& a, const std::vector<PlanePoin
     }
   }
   const double missing = static_cast<double>(many.size() - few.size());
-  const double mean = (best + (order == 1.0 ? cutoff : std::pow(cutoff, order)) * missing) /
-                      static_cast<double>(many.size());
+  const double mean =
+      (best + (order == 1.0 ? cutoff : std::pow(cutoff, order)) * missing) / static_cast<double>(many.size());
   return order == 1.0 ? mean : std::pow(mean, 1.0 / order);
 }
 
