@@ -74,8 +74,10 @@ class Filter {
   void correct(const Sightings& sightings, const View& view) {
     const std::size_t known = count_;
     for (std::size_t i = 0; i < known; ++i) {
-      prior_[i] = components_[i].weight;
+      const Component& each = components_[i];
+      prior_[i] = each.weight;
       explained_[i] = 0.0;
+      places_[i] = {each.x, each.y, parameters_.gate * (each.pxx + each.pyy)};
       components_[i].seen = false;
     }
     for (const Sighting& sighting : sightings) explain(sighting, known);
@@ -120,7 +122,19 @@ class Filter {
     Fit fit;
   };
 
-  // What a newborn may weigh beside the component that explains the sighting before it is a component of its own.
+  // What the many comparisons that come to nothing need, side by side.
+  struct Place {
+    double x, y;
+    double reach;  // m^2: whatever is farther away by the square is out of the question
+    double squared_distance(double px, double py) const { return (px - x) * (px - x) + (py - y) * (py - y); }
+  };
+  struct Rank {
+    double weight;
+    std::size_t index;
+  };
+
+  // What explains a sighting less than this times as well as the best explanation does is credited to the best: it
+  // would be merged into it at once, and change nothing but the sum.
   static constexpr double negligible = 0.01;
   // Components with different labels that stand for more robots than this together are not merged.
   static constexpr double one_robot = 1.5;
@@ -129,16 +143,14 @@ class Filter {
   // all over what could have caused it altogether.
   void explain(const Sighting& sighting, std::size_t known) {
     constexpr double two_pi = 6.28318530717958648;
-    const double noise = sighting.xx + sighting.yy;
+    const double noise = parameters_.gate * (sighting.xx + sighting.yy);
     double total = 0.0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < known; ++i) {
-      const Component& each = components_[i];
-      const double dx = sighting.x - each.x, dy = sighting.y - each.y;
       // No eigenvalue of the innovation's covariance exceeds its trace.
-      if (dx * dx + dy * dy > parameters_.gate * (each.pxx + each.pyy + noise)) continue;
+      if (places_[i].squared_distance(sighting.x, sighting.y) > places_[i].reach + noise) continue;
       Candidate& candidate = candidates_[count];
-      candidate.fit = compare(each, sighting);
+      candidate.fit = compare(components_[i], sighting);
       if (!(candidate.fit.distance <= parameters_.gate)) continue;
       candidate.index = i;
       candidate.likelihood = prior_[i] * parameters_.detection * std::exp(-0.5 * candidate.fit.distance) /
@@ -148,21 +160,28 @@ class Filter {
     }
     total += parameters_.clutter_density + parameters_.birth_density;
     if (!(total > 0.0)) return;
-    Component* heaviest = nullptr;
+    const Candidate* best = nullptr;
     for (std::size_t k = 0; k < count; ++k) {
-      const double weight = candidates_[k].likelihood / total;
-      explained_[candidates_[k].index] += weight;
-      if (weight < parameters_.prune_weight || count_ == work_capacity) continue;
-      Component& corrected = components_[count_++];
-      corrected = components_[candidates_[k].index];
-      take(corrected, sighting, candidates_[k].fit);
-      corrected.weight = weight;
-      if (heaviest == nullptr || weight > heaviest->weight) heaviest = &corrected;
+      const Candidate& candidate = candidates_[k];
+      explained_[candidate.index] += candidate.likelihood / total;
+      if (best == nullptr || candidate.likelihood > best->likelihood) best = &candidate;
+    }
+    double credited = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Candidate& candidate = candidates_[k];
+      const double weight = candidate.likelihood / total;
+      if (candidate.likelihood < negligible * best->likelihood) {
+        credited += weight;
+      } else if (&candidate != best) {
+        correct(candidate, sighting, weight);
+      }
     }
     const double weight = parameters_.birth_density / total;
-    if (heaviest != nullptr && weight < negligible * heaviest->weight) {
-      heaviest->weight += weight;  // it would be merged at once, and change nothing else
-    } else if (weight >= parameters_.prune_weight && count_ < work_capacity) {
+    const bool swallowed = best != nullptr && parameters_.birth_density < negligible * best->likelihood;
+    if (best != nullptr) {
+      correct(*best, sighting, best->likelihood / total + credited + (swallowed ? weight : 0.0));
+    }
+    if (!swallowed && weight >= parameters_.prune_weight && count_ < work_capacity) {
       Component& newborn = components_[count_++];
       newborn = {};
       newborn.x = sighting.x;
@@ -176,46 +195,61 @@ class Filter {
     }
   }
 
+  // Adds what a known component becomes when the sighting is of its robot.
+  void correct(const Candidate& candidate, const Sighting& sighting, double weight) {
+    if (weight < parameters_.prune_weight || count_ == work_capacity) return;
+    Component& corrected = components_[count_++];
+    corrected = components_[candidate.index];
+    take(corrected, sighting, candidate.fit);
+    corrected.weight = weight;
+  }
+
   // Prune, merge around the heaviest, keep at most `capacity`.
   void reduce() {
-    std::size_t left = 0;
+    std::size_t ranked = 0;
     for (std::size_t i = 0; i < count_; ++i) {
-      if (components_[i].weight >= parameters_.prune_weight) order_[left++] = i;
+      if (components_[i].weight >= parameters_.prune_weight) ranks_[ranked++] = {components_[i].weight, i};
     }
-    const auto heavier = [this](std::size_t a, std::size_t b) {
-      return components_[a].weight != components_[b].weight ? components_[a].weight > components_[b].weight : a < b;
-    };
-    std::sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(left), heavier);
+    std::sort(ranks_.begin(), ranks_.begin() + static_cast<std::ptrdiff_t>(ranked), [](const Rank& a, const Rank& b) {
+      return a.weight != b.weight ? a.weight > b.weight : a.index < b.index;
+    });
+    for (std::size_t k = 0; k < ranked; ++k) {
+      const Component& each = components_[ranks_[k].index];
+      places_[k] = {each.x, each.y, parameters_.merge_distance * (each.pxx + each.pyy)};
+      merged_[k] = false;
+    }
     std::size_t kept = 0;
-    while (left > 0 && kept < capacity) {
-      const Component& centre = components_[order_[0]];
-      Component& merged = reduced_[kept];
-      merged = centre;
-      std::size_t rest = 0;
-      for (std::size_t k = 1; k < left; ++k) {
-        const Component& other = components_[order_[k]];
-        const bool left_over = other.label == centre.label && !(other.seen && centre.seen) && centre.label != 0;
-        if ((left_over || merged.weight + other.weight <= one_robot) &&
-            distance(centre, other, parameters_.merge_distance) <= parameters_.merge_distance) {
-          combine(merged, other);
-          if (merged.label == 0) {
-            merged.label = other.label;
-            merged.confirmed = other.confirmed;
-          }
-        } else {
-          order_[rest++] = order_[k];
+    for (std::size_t k = 0; k < ranked && kept < capacity; ++k) {
+      if (merged_[k]) continue;
+      const Component& centre = components_[ranks_[k].index];
+      Component& blob = reduced_[kept];
+      blob = centre;
+      for (std::size_t m = k + 1; m < ranked; ++m) {
+        if (merged_[m] || places_[m].squared_distance(centre.x, centre.y) > places_[m].reach) continue;
+        const Component& other = components_[ranks_[m].index];
+        if (!mergeable(centre, other, blob.weight)) continue;
+        combine(blob, other);
+        merged_[m] = true;
+        if (blob.label == 0) {
+          blob.label = other.label;
+          blob.confirmed = other.confirmed;
         }
       }
-      left = rest;
-      if (merged.label == 0 || taken(merged.label, reduced_.data(), kept)) {
-        merged.label = fresh_label();
-        merged.confirmed = false;
+      if (blob.label == 0 || taken(blob.label, reduced_.data(), kept)) {
+        blob.label = fresh_label();
+        blob.confirmed = false;
       }
-      merged.confirmed = merged.confirmed || merged.weight >= parameters_.confirm_weight;
+      blob.confirmed = blob.confirmed || blob.weight >= parameters_.confirm_weight;
       ++kept;
     }
     std::copy_n(reduced_.begin(), kept, components_.begin());
     count_ = kept;
+  }
+
+  bool mergeable(const Component& centre, const Component& other, double weight) const {
+    const bool left_over = other.label == centre.label && centre.label != 0 && !(other.seen && centre.seen);
+    return (left_over || weight + other.weight <= one_robot) &&
+           distance(centre, other, parameters_.merge_distance) <= parameters_.merge_distance;
   }
 
   static bool taken(int label, const Component* among, std::size_t count) {
@@ -237,7 +271,9 @@ class Filter {
   std::array<Candidate, capacity> candidates_;
   std::array<double, capacity> prior_;      // weights before the image
   std::array<double, capacity> explained_;  // robots of each that were seen in it
-  std::array<std::size_t, work_capacity> order_;
+  std::array<Place, work_capacity> places_;
+  std::array<Rank, work_capacity> ranks_;
+  std::array<bool, work_capacity> merged_;
   std::size_t count_ = 0;
   int next_label_ = 1;
   Step step_;
