@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// Glue of the predictor `gm_phd`; the filter is in algorithm.hpp.
+#include <array>
+#include <cmath>
+#include <regista/predictor.hpp>
+#include <span>
+
+#include "algorithm.hpp"
+
+namespace {
+
+using gm_phd::Component;
+using gm_phd::Sighting;
+
+struct GmPhd {
+  static constexpr auto id = "gm_phd", version = "1.0.0",
+                        summary = "Opponents: Gaussian mixture PHD filter; what is not looked at is not forgotten";
+  static constexpr unsigned subjects = REGISTA_SUBJECT_OPPONENTS;
+
+  static constexpr gm_phd::Parameters initial{};
+  double speed = initial.speed;
+  double persistence = initial.persistence;
+  double survival = initial.survival;
+  double detection_probability = initial.detection;
+  double clutter_density = initial.clutter_density;
+  double birth_density = initial.birth_density;
+  double border_deviation = 0.2;
+  double gate = initial.gate;
+  double prune_weight = initial.prune_weight;
+  double merge_distance = initial.merge_distance;
+  double confirm_weight = initial.confirm_weight;
+  double told_weight = initial.told_weight;
+  double told_for = 30.0;
+
+  static constexpr std::tuple parameters{
+      regista::real("speed", &GmPhd::speed, {0.02, 3.0}, "m/s",
+                    "Standard deviation of each component of an opponent's velocity; SPL teams have 0.1 to 0.4, "
+                    "Small Size robots drive at 1")
+          .tunable()
+          .log_scale(),
+      regista::real("persistence", &GmPhd::persistence, {0.1, 20.0}, "s",
+                    "Time constant with which an opponent's velocity decays; 0.8 s fits Small Size League robots")
+          .tunable()
+          .log_scale(),
+      regista::real("survival", &GmPhd::survival, {0.5, 1.0}, "1",
+                    "Probability that a robot is still on the field after one second; 0.99 as usual for PHD filters"),
+      regista::real(
+          "detection_probability", &GmPhd::detection_probability, {0.05, 0.999}, "1",
+          "Probability that a robot in the visible area is seen in one image; 0.98 as usual for PHD filters, SPL "
+          "detectors up to 4 m rather 0.6")
+          .tunable(),
+      regista::real("clutter_density", &GmPhd::clutter_density, {1e-6, 1.0}, "1/m^2",
+                    "False sightings per square metre of view and image; assumption: one in 250 images of 8 m^2")
+          .tunable()
+          .log_scale(),
+      regista::real("birth_density", &GmPhd::birth_density, {1e-6, 1.0}, "1/m^2",
+                    "Robots that appear, not known before, per square metre of view and image; with it a first "
+                    "sighting weighs birth_density / (birth_density + clutter_density); assumption")
+          .tunable()
+          .log_scale(),
+      regista::real("border_deviation", &GmPhd::border_deviation, {0.0, 2.0}, "m",
+                    "Standard deviation of the borders of the visible area from where they are believed to be; "
+                    "assumption: the own pose's error")
+          .tunable(),
+      regista::real("gate", &GmPhd::gate, {1.0, 50.0}, "1",
+                    "Largest squared Mahalanobis distance of a sighting to a component; 18.42 is the 0.9999 quantile "
+                    "of chi-square with 2 degrees of freedom"),
+      regista::real("prune_weight", &GmPhd::prune_weight, {1e-9, 0.01}, "1",
+                    "Components of a smaller expected number of robots are dropped; 1e-5 by Vo and Ma")
+          .log_scale(),
+      regista::real("merge_distance", &GmPhd::merge_distance, {0.0, 20.0}, "1",
+                    "Components whose means have a smaller squared Mahalanobis distance become one; 4 by Vo and Ma"),
+      regista::real("confirm_weight", &GmPhd::confirm_weight, {0.01, 1.0}, "1",
+                    "A component is told once it stands for so many robots; 0.5 by Vo and Ma")
+          .tunable(),
+      regista::real("told_weight", &GmPhd::told_weight, {1e-5, 1.0}, "1",
+                    "A component that was told stays so until it stands for fewer robots than this: a few misses are "
+                    "borne; assumption")
+          .tunable()
+          .log_scale(),
+      regista::real("told_for", &GmPhd::told_for, {0.5, 600.0}, "s",
+                    "A component unseen for longer is kept but not told; assumption")
+          .tunable()};
+
+  void setup(const regista::Environment&) {
+    filter = gm_phd::Filter({speed, persistence, survival, detection_probability, clutter_density, birth_density, gate,
+                             prune_weight, merge_distance, confirm_weight, told_weight});
+  }
+
+  void reset(std::uint64_t) { filter.reset(); }
+
+  void predict(double dt, const regista::Motion*, const regista::Frame*) { filter.predict(dt); }
+
+  void correct(regista::Span<regista::Measurement> measurements, const regista::VisibleArea& area) {
+    std::size_t count = 0;
+    for (const regista::Measurement& each : measurements) {
+      if (each.kind != REGISTA_MEASURED_ROBOT || count == seen.size()) continue;
+      seen[count++] = {each.position[0], each.position[1], each.covariance[0] + smallest_variance, each.covariance[1],
+                       each.covariance[4] + smallest_variance};
+    }
+    const bool all_round = area.half_angle >= pi;
+    filter.correct(
+        std::span(seen.data(), count),
+        {area.x, area.y, std::cos(area.heading), std::sin(area.heading), all_round ? -1.0 : std::cos(area.half_angle),
+         all_round ? 0.0 : std::sin(area.half_angle), area.range_robot, border_deviation * border_deviation});
+  }
+
+  void absorb(regista::Span<regista::Track> tracks, double age) {
+    filter.clear();
+    for (const regista::Track& heard : tracks) {
+      const auto& c = heard.covariance;
+      Component component;
+      component.x = heard.x;
+      component.y = heard.y;
+      component.pxx = c[0];
+      component.pxy = c[1];
+      component.pyy = c[5];
+      if ((heard.flags & REGISTA_TRACK_VELOCITY) != 0) {
+        component.vx = heard.vx;
+        component.vy = heard.vy;
+        component.cxx = c[2];
+        component.cxy = c[3];
+        component.cyx = c[6];
+        component.cyy = c[7];
+        component.vxx = c[10];
+        component.vxy = c[11];
+        component.vyy = c[15];
+      } else {
+        component.vxx = component.vyy = speed * speed;
+      }
+      component.label = heard.label;
+      component.weight = heard.weight;
+      component.age = heard.age;
+      filter.add(component);
+    }
+    if (age > 0.0) filter.predict(age);
+  }
+
+  // The heaviest come first, so that those are told for whom the host has room. All are written before the first is
+  // copied: a copy right behind the writes waits for them.
+  void tracks(regista::Tracks out) const {
+    std::size_t count = 0;
+    const auto room = static_cast<std::ptrdiff_t>(out.capacity());
+    for (const Component& each :
+         std::span(filter.begin(), filter.begin() + std::min(room, filter.end() - filter.begin()))) {
+      if (!filter.told(each) || each.age > told_for) continue;
+      regista::Track& track = told[count++];
+      track.label = each.label;
+      track.flags = filter.velocity_believed(each) ? REGISTA_TRACK_VELOCITY : 0;
+      track.x = each.x;
+      track.y = each.y;
+      track.vx = each.vx;
+      track.vy = each.vy;
+      const double covariance[16] = {each.pxx, each.pxy, each.cxx, each.cxy, each.pxy, each.pyy, each.cyx, each.cyy,
+                                     each.cxx, each.cyx, each.vxx, each.vxy, each.cxy, each.cyy, each.vxy, each.vyy};
+      std::copy_n(covariance, 16, track.covariance);
+      track.weight = std::min(each.weight, 1.0);
+      track.age = each.age;
+    }
+    for (std::size_t i = 0; i < count; ++i) out.add(told[i]);
+  }
+
+  static constexpr double pi = 3.14159265358979323846;
+  static constexpr double smallest_variance = 1e-6;  // m^2: nothing is seen better than 1 mm
+
+  gm_phd::Filter filter;
+  std::array<Sighting, 32> seen{};  // of one image; more are ignored
+  mutable std::array<regista::Track, gm_phd::Filter::capacity> told{};
+};
+
+}  // namespace
+
+REGISTA_PLUGIN(GmPhd, regista::predictor)
