@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+// Where the one ball is: mostly a single ball followed by interacting multiple models (modes.hpp), and rivals beside it
+// while it is doubtful which sightings are the ball. A sighting that is likelier false than the ball that is followed
+// moves nothing but starts a rival; the rival that explains what is seen, and what is not seen, wins.
+//
+// Sources: modes.hpp; weights, misses and births by the Bernoulli filter (Ristic, Vo, Vo, Farina, "A Tutorial on
+// Bernoulli Filters", IEEE Trans. Signal Processing 61, 2013) with the best sighting per hypothesis.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "modes.hpp"
+
+namespace imm_ball {
+
+struct Parameters {
+  RollingModel rolling{.acceleration_noise = 0.3};
+  double speed_prior = 1.0;            // m/s: deviation of each component of a new or kicked ball's velocity
+  double kick_rate = 1.0;              // 1/s: kicks while a robot is in reach of the ball
+  double unseen_kick_rate = 0.02;      // 1/s: kicks while nobody is known to be in reach
+  double sliding_deceleration = 3.0;   // m/s^2, of a kicked ball until it rolls
+  double timing_noise = 0.002;         // s: deviation of the time at which an image was taken
+  double least_deviation = 0.01;       // m: by which sightings err besides what is told of them
+  int measurements_for_velocity = 4;   // sightings before a velocity is believed
+  double gate = 13.8155;               // squared Mahalanobis distance
+  double detection_probability = 0.6;  // of a ball well inside the visible area
+  double false_density = 0.01;         // false sightings per m^2 and image
+  double edge_margin = 0.3;            // m: nearer to the edge of the visible area a miss says nothing
+  double surprise = 0.003;             // least probability that the ball is somewhere else altogether
+  double prune_weight = 0.01;          // hypotheses below it are dropped
+  double merge_distance = 0.1;         // m, and m/s
+  double field_area = 54.0;            // m^2: where a ball can appear
+};
+
+// A sector of a disc, seen from `apex`.
+struct View {
+  Eigen::Vector2d apex;
+  Eigen::Vector2d right, left;  // unit vectors along its edges
+  double half_angle, range;
+
+  // True when `point` is inside and at least `margin` away from every edge.
+  bool holds(const Eigen::Vector2d& point, double margin) const {
+    constexpr double half_pi = 1.57079632679489662, pi = 2.0 * half_pi;
+    const Eigen::Vector2d arm = point - apex;
+    const double reach = range - margin;
+    if (reach <= 0.0 || arm.squaredNorm() > reach * reach) return false;
+    if (half_angle >= pi) return true;
+    const bool inside_right = right.x() * arm.y() - right.y() * arm.x() >= margin;
+    const bool inside_left = arm.x() * left.y() - arm.y() * left.x() >= margin;
+    return half_angle < half_pi ? inside_right && inside_left : inside_right || inside_left;
+  }
+};
+
+struct Hypothesis {
+  Modes modes;           // as of the last image or packet
+  double elapsed = 0.0;  // s since
+  double kicks = 0.0;    // expected number since
+  int label = 0;
+  int sightings = 0;    // behind it
+  double weight = 0.0;  // probability
+  double age = 0.0;     // s since the last sighting behind it
+};
+
+// Where it is now, roughly and quickly: the place by the likelier of resting and rolling, and how fast it is.
+struct Whereabouts {
+  Eigen::Vector2d position;
+  double speed;
+  double deviation;  // m, at the time of the last image or packet
+};
+
+class Filter {
+ public:
+  static constexpr int capacity = 4;
+
+  Filter() : Filter(Parameters{}) {}
+  explicit Filter(const Parameters& parameters)
+      : parameters_(parameters),
+        motion_{parameters.rolling, parameters.speed_prior, parameters.sliding_deceleration, parameters.timing_noise} {}
+
+  void reset() {
+    count_ = 0;
+    nowhere_ = 1.0;
+    next_label_ = 1;
+  }
+
+  // in_reach: tells of Whereabouts whether a robot can kick that ball.
+  template <class InReach>
+  void predict(double dt, const InReach& in_reach) {
+    for (int i = 0; i < count_; ++i) {
+      Hypothesis& each = hypotheses_[index(i)];
+      each.elapsed += dt;
+      each.age += dt;
+      each.kicks += dt * (in_reach(whereabouts(each)) ? parameters_.kick_rate : parameters_.unseen_kick_rate);
+    }
+  }
+
+  // `sightings`: a range of Sighting, all of one image; empty when no ball was seen.
+  template <class Sightings>
+  void correct(const Sightings& sightings, const View& view) {
+    const double detection = parameters_.detection_probability;
+    if (std::size(sightings) > 0) nowhere_ = std::max(nowhere_, parameters_.surprise);
+    const double birth = nowhere_ * detection / (parameters_.field_area * parameters_.false_density);
+    const double least = (1.0 - detection) * parameters_.false_density / detection;
+    std::uint64_t explained = 0;  // sightings that may be a ball that is known
+    for (int i = 0; i < count_; ++i) {
+      Hypothesis& hypothesis = hypotheses_[index(i)];
+      hypothesis.modes = carried(hypothesis.modes, hypothesis.elapsed, hypothesis.kicks, motion_);
+      hypothesis.elapsed = hypothesis.kicks = 0.0;
+      const Sighting* best_sighting = nullptr;
+      Fit best;
+      std::uint64_t bit = 1;
+      for (const Sighting& sighting : sightings) {
+        const Fit fit = compare(hypothesis.modes, blurred(sighting), motion_);
+        if (fit.nearest <= parameters_.gate && fit.total > least) {
+          explained |= bit;
+          if (best_sighting == nullptr || fit.total > best.total) {
+            best_sighting = &sighting;
+            best = fit;
+          }
+        }
+        bit <<= 1;
+      }
+      if (best_sighting != nullptr) {
+        hypothesis.weight *= 1.0 - detection + detection * best.total / parameters_.false_density;
+        take(hypothesis.modes, *best_sighting, best);
+        ++hypothesis.sightings;
+        hypothesis.age = 0.0;
+      } else if (view.holds(likeliest(hypothesis.modes).position, parameters_.edge_margin)) {
+        hypothesis.weight *= 1.0 - detection;
+      }
+    }
+    std::uint64_t bit = 1;
+    for (const Sighting& sighting : sightings) {
+      if (bit != 0 && (explained & bit) == 0) start(sighting, birth);
+      bit <<= 1;
+    }
+    weigh();
+  }
+
+  // What a packet said: the only hypothesis from now on. `moves`: its velocity is believed.
+  void replace(const BallState& told, bool moves, double weight, double age_then, double ago) {
+    Hypothesis& only = hypotheses_[0];
+    only = {};
+    only.modes.state.fill(told);
+    stand(only.modes.state[resting]);
+    if (!moves) only.modes.state.fill(only.modes.state[resting]);
+    only.modes.probability = {moves ? 0.0 : 1.0, moves ? 1.0 : 0.0, 0.0};
+    only.elapsed = ago;
+    only.kicks = ago * parameters_.unseen_kick_rate;
+    only.label = fresh_label();
+    only.sightings = parameters_.measurements_for_velocity;
+    only.weight = weight;
+    only.age = age_then + ago;
+    count_ = 1;
+    nowhere_ = 1.0 - weight;
+  }
+  // A packet that knows of no ball.
+  void forget() {
+    count_ = 0;
+    nowhere_ = 1.0;
+  }
+
+  // Best first.
+  const Hypothesis* begin() const { return hypotheses_.data(); }
+  const Hypothesis* end() const { return hypotheses_.data() + count_; }
+
+  // Its modes now, or `dt` seconds from now, in which a robot may be in reach of the ball.
+  Modes now(const Hypothesis& hypothesis) const {
+    return carried(hypothesis.modes, hypothesis.elapsed, hypothesis.kicks, motion_);
+  }
+  Modes ahead(const Hypothesis& hypothesis, double dt) const {
+    return carried(hypothesis.modes, hypothesis.elapsed + dt, hypothesis.kicks + dt * parameters_.kick_rate, motion_);
+  }
+  bool velocity_believed(const Hypothesis& hypothesis) const {
+    return hypothesis.sightings >= parameters_.measurements_for_velocity;
+  }
+
+ private:
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  static const BallState& likeliest(const Modes& modes) {
+    return modes.state[modes.probability[resting] > 0.5 ? resting : rolling];
+  }
+
+  static void stand(BallState& ball) {
+    ball.velocity.setZero();
+    ball.cross.setZero();
+    ball.velocity_covariance.setZero();
+  }
+
+  Sighting blurred(Sighting sighting) const {
+    sighting.covariance.diagonal().array() += parameters_.least_deviation * parameters_.least_deviation;
+    return sighting;
+  }
+
+  Whereabouts whereabouts(const Hypothesis& hypothesis) const {
+    const BallState& ball = likeliest(hypothesis.modes);
+    const double deviation = std::sqrt(std::max(ball.position_covariance(0, 0), ball.position_covariance(1, 1)));
+    const double speed = std::sqrt(ball.velocity.squaredNorm());
+    if (speed <= parameters_.rolling.stop_speed) return {ball.position, speed, deviation};
+    const double rolls = std::min(hypothesis.elapsed, time_to_stop(speed, parameters_.rolling));
+    const double slower = 0.5 * parameters_.rolling.deceleration * rolls;
+    return {ball.position + (rolls * (1.0 - slower / speed)) * ball.velocity, speed, deviation};
+  }
+
+  void start(const Sighting& sighting, double weight) {
+    Hypothesis fresh;
+    BallState ball;
+    ball.position = sighting.position;
+    ball.position_covariance = blurred(sighting).covariance;
+    fresh.modes.state[resting] = ball;
+    ball.velocity_covariance.diagonal().setConstant(parameters_.speed_prior * parameters_.speed_prior);
+    fresh.modes.state[rolling] = fresh.modes.state[kicked] = ball;
+    fresh.modes.probability = {0.5, 0.5, 0.0};
+    fresh.sightings = 1;
+    fresh.weight = weight;
+    add(fresh);
+  }
+
+  // Takes the place of the weakest when there is no room.
+  void add(Hypothesis& fresh) {
+    int place = count_;
+    if (count_ < capacity) {
+      ++count_;
+    } else {
+      place = 0;
+      for (int i = 1; i < count_; ++i) {
+        if (hypotheses_[index(i)].weight <= hypotheses_[index(place)].weight) place = i;
+      }
+      if (hypotheses_[index(place)].weight >= fresh.weight) return;
+    }
+    fresh.label = fresh_label();
+    hypotheses_[index(place)] = fresh;
+  }
+
+  // Normalises with "nowhere", merges like ones into the better, drops the weak; best first.
+  void weigh() {
+    sort();
+    double sum = nowhere_;
+    for (int i = 0; i < count_; ++i) sum += hypotheses_[index(i)].weight;
+    nowhere_ /= sum;
+    int kept = 0;
+    for (int i = 0; i < count_; ++i) {
+      Hypothesis& candidate = hypotheses_[index(i)];
+      candidate.weight /= sum;
+      int same = 0;
+      while (same < kept && !alike(hypotheses_[index(same)].modes, candidate.modes)) ++same;
+      if (same < kept) {
+        Hypothesis& other = hypotheses_[index(same)];
+        other.weight += candidate.weight;
+        other.sightings = std::max(other.sightings, candidate.sightings);
+        other.age = std::min(other.age, candidate.age);
+      } else if (candidate.weight < parameters_.prune_weight) {
+        nowhere_ += candidate.weight;
+      } else {
+        if (kept != i) hypotheses_[index(kept)] = candidate;
+        ++kept;
+      }
+    }
+    count_ = kept;
+    sort();
+  }
+
+  void sort() {
+    for (int i = 1; i < count_; ++i) {
+      for (int j = i; j > 0 && hypotheses_[index(j)].weight > hypotheses_[index(j - 1)].weight; --j) {
+        std::swap(hypotheses_[index(j)], hypotheses_[index(j - 1)]);
+      }
+    }
+  }
+
+  bool alike(const Modes& a, const Modes& b) const {
+    const double limit = parameters_.merge_distance * parameters_.merge_distance;
+    const BallState &one = likeliest(a), &other = likeliest(b);
+    return (one.position - other.position).squaredNorm() < limit &&
+           (one.velocity - other.velocity).squaredNorm() < limit;
+  }
+
+  int fresh_label() {
+    const int label = next_label_;
+    next_label_ = label == std::numeric_limits<int>::max() ? 1 : label + 1;
+    return label;
+  }
+
+  Parameters parameters_;
+  Motion motion_;
+  std::array<Hypothesis, capacity> hypotheses_;
+  int count_ = 0;
+  double nowhere_ = 1.0;  // probability that the ball is none of the hypotheses
+  int next_label_ = 1;
+};
+
+}  // namespace imm_ball
