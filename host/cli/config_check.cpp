@@ -53,7 +53,7 @@ int check(const Options& options, const Invocation& invocation) {
 }  // namespace
 
 Command add_config_check(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("check", "say what is wrong with rules, robots, disturbances and teams");
+  CLI::App& app = *parent.add_subcommand("check", "say what is wrong with rules, robots, disturbances, teams and studies");
   const auto options = std::make_shared<Options>();
   app.add_option("files", options->files, "documents of any kind")->type_name("FILE...");
   add_plugin_folders(app, options->plugins);
