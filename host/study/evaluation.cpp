@@ -64,7 +64,7 @@ std::vector<Start> starts_of(const Stretch& stretch, const std::map<int, Path>& 
   std::vector<Start> out;
   const auto every = static_cast<std::size_t>(study.questions.every);
   for (const auto& [object, path] : paths) {
-    for (std::size_t i = 0; i < path.samples.size(); i += every) {
+    for (std::size_t i = every - 1; i < path.samples.size(); i += every) {
       const Sample& sample = path.samples[i];
       if (!stretch.runs_at(sample.time)) continue;
       const std::span<const Sample> recent = path.recent(sample.time, study.baselines.window);
@@ -120,7 +120,7 @@ class Scores {
     for (std::size_t h = 0; h < horizon_count; ++h) {
       const Sample* truth = truth_of(start, h);
       if (truth == nullptr) continue;
-      const double ahead = study_.questions.horizons[h] + start.truth.time - start.last.time;
+      const double ahead = truth->time - start.last.time;
       const Eigen::Vector2d moved = Eigen::Vector2d(truth->x - start.last.x, truth->y - start.last.y);
       Tally& tally = tallies[h];
       ++tally.truths;
@@ -135,17 +135,22 @@ class Scores {
     forecaster.listen(starts.front().index);
     labels_.clear();
     for (const Start& start : starts) labels_.push_back(forecaster.label_of(start.truth));
-    for (std::size_t h = 0; h < horizon_count; ++h) {
-      forecaster.look(study_.questions.horizons[h]);
-      for (std::size_t i = 0; i < starts.size(); ++i) {
+    questions_.clear();
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      for (std::size_t h = 0; h < horizon_count; ++h) {
         const Sample* truth = truth_of(starts[i], h);
-        if (truth == nullptr || !labels_[i]) continue;
-        const std::optional<Estimate> estimate = forecaster.estimate(*labels_[i]);
-        if (!estimate) continue;
-        const Eigen::Vector2d place(truth->x, truth->y);
-        tallies[h].predictor.push_back((place - estimate->position).norm());
-        tallies[h].nees.push_back(nees(*estimate, place, study_.camera.noise));
+        if (truth != nullptr && labels_[i]) questions_.push_back({truth, h, *labels_[i]});
       }
+    }
+    std::stable_sort(questions_.begin(), questions_.end(),
+                     [](const Question& a, const Question& b) { return a.truth->time < b.truth->time; });
+    for (const Question& each : questions_) {
+      forecaster.look(each.truth->time - starts.front().truth.time);
+      const std::optional<Estimate> estimate = forecaster.estimate(each.label);
+      if (!estimate) continue;
+      const Eigen::Vector2d place(each.truth->x, each.truth->y);
+      tallies[each.horizon].predictor.push_back((place - estimate->position).norm());
+      tallies[each.horizon].nees.push_back(nees(*estimate, place, study_.camera.noise));
     }
   }
 
@@ -156,8 +161,14 @@ class Scores {
     return start.path->nearest(start.truth.time + study_.questions.horizons[h], study_.questions.tolerance);
   }
 
+  struct Question {
+    const Sample* truth;
+    std::size_t horizon;
+    int label;
+  };
   const config::PredictorStudy& study_;
   std::vector<std::optional<int>> labels_;
+  std::vector<Question> questions_;
 };
 
 }  // namespace

@@ -2,9 +2,9 @@
 // How far a predictor is off over a recording, and how honest its covariance is, beside baselines.
 //
 // Protocol: while the game runs, every n-th detection of an object is a start. The truth `h` seconds later is the
-// detection of that object nearest in time to start + h, within a tolerance. All are judged on the same starts: those
-// at which the observations suffice for the baselines' velocity. The ball is foretold by the predictor's best
-// hypothesis, an anonymous robot by the track that is nearest to it at the start.
+// detection of that object nearest in time to start + h, within a tolerance; it is foretold for its own time. All are
+// judged on the same starts: those at which the observations suffice for the baselines' velocity. The ball is foretold
+// by the predictor's best hypothesis, an anonymous robot by the track that is nearest to it at the start.
 #pragma once
 
 #include <array>

@@ -106,6 +106,7 @@ std::optional<int> Forecaster::label_of(const Sample& truth) {
 }
 
 void Forecaster::look(double ahead) {
+  if (ahead == ahead_) return;
   carry(ahead - ahead_);
   ahead_ = ahead;
   tracks_ = predictor_->tracks();

@@ -39,7 +39,7 @@ class Forecaster {
   // robot: the track nearest its true place. None when there is no track.
   std::optional<int> label_of(const Sample& truth);
 
-  // After listen(): carries the model to `ahead` seconds after now; calls must ascend.
+  // After listen(): carries the model to `ahead` seconds after now; calls must not go back.
   void look(double ahead);
 
   // The estimate of a track as of the last call. The ball: of the best hypothesis, whatever its label.
