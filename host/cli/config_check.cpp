@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `regista config check FILE...`: whether documents are sound. For a team that means its plugins too: that they exist,
+// `regista config check FILE...`: whether documents are sound. For teams and studies that means their plugins too: that they exist,
 // can be opened, are of the right kind, and take the parameters they are given.
 #include <fmt/format.h>
 
@@ -12,6 +12,7 @@
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
 #include "mind/team_plan.hpp"
+#include "study/forecast.hpp"
 
 namespace regista::cli {
 namespace {
@@ -31,6 +32,10 @@ std::string_view check(const std::string& file, const plugin::Catalogue& catalog
   const config::DocumentKind kind = config::check(file);
   if (kind == config::DocumentKind::team) {
     const mind::TeamPlan plan(config::read_team(file), {}, {}, catalogue);  // finds what is wrong with plugins
+  }
+  if (kind == config::DocumentKind::predictor_study) {
+    const config::PredictorStudy study = config::read_predictor_study(file);
+    const study::Forecaster forecaster(study, catalogue);  // the same for its predictor
   }
   return config::name_of(kind);
 }
@@ -53,7 +58,7 @@ int check(const Options& options, const Invocation& invocation) {
 }  // namespace
 
 Command add_config_check(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("check", "say what is wrong with rules, robots, disturbances and teams");
+  CLI::App& app = *parent.add_subcommand("check", "say what is wrong with rules, robots, disturbances, teams and studies");
   const auto options = std::make_shared<Options>();
   app.add_option("files", options->files, "documents of any kind")->type_name("FILE...");
   add_plugin_folders(app, options->plugins);

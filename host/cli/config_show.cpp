@@ -23,10 +23,11 @@ struct Options {
   std::vector<std::string> files, plugins, overrides;
 };
 
-// Plugins are opened for teams only: nothing else names them.
+// Plugins are opened for teams and studies only: nothing else names them.
 std::vector<config::PluginDeclaration> declarations_for(const config::Node& document, const Options& options,
                                                         const Invocation& invocation) {
-  if (config::kind_of(document) != config::DocumentKind::team) return {};
+  const config::DocumentKind kind = config::kind_of(document);
+  if (kind != config::DocumentKind::team && kind != config::DocumentKind::predictor_study) return {};
   return plugin::declarations(open_plugins(options.plugins, invocation).plugins());
 }
 

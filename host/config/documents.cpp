@@ -15,7 +15,7 @@
 namespace regista::config {
 namespace {
 
-constexpr std::array<std::string_view, 4> kinds{"rules", "robot", "disturbance", "team"};
+constexpr std::array<std::string_view, 5> kinds{"rules", "robot", "disturbance", "team", "predictor_study"};
 
 // Calls use(value, declaration) for a read document of the kind it says, checked.
 template <class Use>
@@ -32,6 +32,10 @@ auto visit(const Node& document, Use use) {
     case DocumentKind::disturbance: {
       Disturbance disturbance = read_disturbance(document);
       return use(declare(disturbance));
+    }
+    case DocumentKind::predictor_study: {
+      PredictorStudy study = read_predictor_study(document);
+      return use(declare(study));
     }
     case DocumentKind::team:
       break;
@@ -51,7 +55,8 @@ DocumentKind kind_of(const Node& document) {
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (document[kinds[i]]) return static_cast<DocumentKind>(i);
   }
-  throw Error(document.where(), "no key says what this is: rules, robot, disturbance or team, with its name");
+  throw Error(document.where(),
+              "no key says what this is: rules, robot, disturbance, team or predictor_study, with its name");
 }
 
 void require_kind(const Node& document, DocumentKind kind) {
@@ -84,6 +89,14 @@ Disturbance read_disturbance(const Node& document) {
   return disturbance;
 }
 
+PredictorStudy read_predictor_study(const Node& document) {
+  require_kind(document, DocumentKind::predictor_study);
+  PredictorStudy study;
+  read(declare(study), document);
+  check(study, document);
+  return study;
+}
+
 Rules read_rules(const std::filesystem::path& file, const Overrides& overrides) {
   return read_rules(load(file, overrides));
 }
@@ -95,6 +108,9 @@ Disturbance read_disturbance(const std::filesystem::path& file, const Overrides&
 }
 Team read_team(const std::filesystem::path& file, const Overrides& overrides) {
   return read_team(load(file, overrides));
+}
+PredictorStudy read_predictor_study(const std::filesystem::path& file, const Overrides& overrides) {
+  return read_predictor_study(load(file, overrides));
 }
 
 DocumentKind check(const std::filesystem::path& file, const Overrides& overrides) {
@@ -126,6 +142,10 @@ std::string schema(DocumentKind kind, std::span<const PluginDeclaration> plugins
     case DocumentKind::disturbance: {
       Disturbance disturbance;
       return schema(declare(disturbance), title, plugins);
+    }
+    case DocumentKind::predictor_study: {
+      PredictorStudy study;
+      return schema(declare(study), title, plugins);
     }
     case DocumentKind::team:
       break;

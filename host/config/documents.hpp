@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The four kinds of document: read, shown, described. A document says its kind by the key that holds its name
-// (`rules: spl2023`, `robot: nao`, `disturbance: none`, `team: paper`).
+// The five kinds of document: read, shown, described. A document says its kind by the key that holds its name
+// (`rules: spl2023`, `robot: nao`, `disturbance: none`, `team: paper`, `predictor_study: ssl_ball`).
 #pragma once
 
 #include <filesystem>
@@ -12,6 +12,7 @@
 #include "config/load.hpp"
 #include "config/node.hpp"
 #include "config/plugin_declaration.hpp"
+#include "config/predictor_study.hpp"
 #include "config/robot.hpp"
 #include "config/rules.hpp"
 #include "config/team.hpp"
@@ -24,16 +25,18 @@ Rules read_rules(const std::filesystem::path& file, const Overrides& overrides =
 Robot read_robot(const std::filesystem::path& file, const Overrides& overrides = {});
 Disturbance read_disturbance(const std::filesystem::path& file, const Overrides& overrides = {});
 Team read_team(const std::filesystem::path& file, const Overrides& overrides = {});
+PredictorStudy read_predictor_study(const std::filesystem::path& file, const Overrides& overrides = {});
 
 // The same from a loaded document.
 Rules read_rules(const Node& document);
 Robot read_robot(const Node& document);
 Disturbance read_disturbance(const Node& document);
 Team read_team(const Node& document);
+PredictorStudy read_predictor_study(const Node& document);
 
-enum class DocumentKind { rules, robot, disturbance, team };
+enum class DocumentKind { rules, robot, disturbance, team, predictor_study };
 
-// "rules", "robot", "disturbance", "team"
+// "rules", "robot", "disturbance", "team", "predictor_study"
 std::string_view name_of(DocumentKind kind);
 
 // Throws Error at the document when it says no kind.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "config/place.hpp"
+#include "config/plugin_use.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
 
@@ -11,22 +12,6 @@ namespace regista::config {
 namespace {
 
 constexpr Range metres{-farthest_coordinate, farthest_coordinate};
-
-std::vector<Field> plugin_fields(PluginUse& use) {
-  return {
-      required(name("plugin", use.plugin, "id")),
-      file("file", use.file, "a certain shared object, instead of the one that the search finds"),
-      free("params", use.params, "params", "parameters of the plugin"),
-  };
-}
-
-Field plugin(std::string key, PluginUse& use, std::string kind, std::string doc) {
-  return {std::move(key), std::move(doc),
-          Section{[&use, kind = std::move(kind)] {
-                    return Map{.fields = plugin_fields(use), .where = &use.where, .plugin_kind = kind};
-                  },
-                  [&use] { return !use.plugin.empty(); }}};
-}
 
 Field place(std::string key, Member<Place> member, std::string doc) {
   return {std::move(key), std::move(doc),
@@ -53,10 +38,10 @@ Field segment(std::string key, std::optional<TargetRule::OnLine>& line, std::str
 
 static Map declare(Predictors& predictors) {
   return {{
-      required(plugin("self", predictors.self, "predictor", "the own pose")),
-      required(plugin("ball", predictors.ball, "predictor", "the ball")),
-      required(plugin("opponents", predictors.opponents, "predictor", "the other team")),
-      required(plugin("teammates", predictors.teammates, "predictor", "teammates between their packets")),
+      required(plugin_field("self", predictors.self, "predictor", "the own pose")),
+      required(plugin_field("ball", predictors.ball, "predictor", "the ball")),
+      required(plugin_field("opponents", predictors.opponents, "predictor", "the other team")),
+      required(plugin_field("teammates", predictors.teammates, "predictor", "teammates between their packets")),
   }};
 }
 
@@ -91,11 +76,12 @@ Map declare(Coordination& coordination) {
     }};
   };
   return {{
-      plugin("positioner", coordination.positioner, "positioner", "desirable points of the field; without it, none"),
+      plugin_field("positioner", coordination.positioner, "positioner",
+                   "desirable points of the field; without it, none"),
       section("tasks", coordination.tasks, "from roles to tasks"),
       Field{"utility", "how well a robot fits a task", Section{utility, [] { return true; }}},
-      required(plugin("assigner", coordination.assigner, "assigner", "who does what")),
-      required(plugin("sender", coordination.sender, "sender", "when to send a packet")),
+      required(plugin_field("assigner", coordination.assigner, "assigner", "who does what")),
+      required(plugin_field("sender", coordination.sender, "sender", "when to send a packet")),
   }};
 }
 

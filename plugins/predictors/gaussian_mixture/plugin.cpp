@@ -27,7 +27,7 @@ struct GaussianMixture {
   double forget_after = initial.forget_after;
 
   static constexpr std::tuple parameters{
-      regista::real("speed", &GaussianMixture::speed, {0.02, 2.0}, "m/s",
+      regista::real("speed", &GaussianMixture::speed, {0.02, 10.0}, "m/s",
                     "Standard deviation of each component of an opponent's velocity; SPL teams have 0.1 to 0.4")
           .tunable()
           .log_scale(),

@@ -23,7 +23,9 @@ namespace kalman_ball {
 
 struct Parameters {
   RollingModel rolling;
+  double timing_noise = 0.0;           // s: of the time at which a sighting was taken
   double speed_prior = 1.0;            // m/s: deviation of each component of a new ball's velocity
+  double touch_rate = 0.0;             // 1/s: how often somebody touches the ball, so that its velocity jumps
   int measurements_for_velocity = 4;   // sightings before a velocity is believed
   double gate = 13.8155;               // squared Mahalanobis distance
   double detection_probability = 0.6;  // of a ball well inside the visible area
@@ -65,9 +67,10 @@ struct Hypothesis {
   BallState ball;
   Kind kind = Kind::resting;
   int label = 0;
-  int sightings = 0;    // behind it
-  double weight = 0.0;  // probability
-  double age = 0.0;     // s since the last sighting behind it
+  int sightings = 0;     // behind it
+  double weight = 0.0;   // probability
+  double age = 0.0;      // s since the last sighting behind it
+  double unheard = 0.0;  // s since the last sighting or packet behind it
 };
 
 class Filter {
@@ -100,7 +103,7 @@ class Filter {
       Fit best{};
       std::uint64_t bit = 1;
       for (const Sighting& sighting : sightings) {
-        const Fit fit = compare(hypothesis.ball, sighting);
+        const Fit fit = compare(hypothesis.ball, sighting.position, uncertainty(hypothesis, sighting));
         if (fit.distance <= parameters_.gate) {
           explained |= bit;
           if (nearest == nullptr || fit.distance < best.distance) {
@@ -114,7 +117,7 @@ class Filter {
         constexpr double two_pi = 6.28318530717958648;
         const double density = std::exp(-0.5 * best.distance) / (two_pi * std::sqrt(best.determinant));
         hypothesis.weight *= 1.0 - detection + detection * density / parameters_.false_density;
-        take(hypothesis, *nearest, best);
+        take(hypothesis, uncertainty(hypothesis, *nearest), best);
       } else if (view.holds(hypothesis.ball.position, parameters_.edge_margin)) {
         hypothesis.weight *= 1.0 - detection;
       }
@@ -136,6 +139,7 @@ class Filter {
     only.sightings = parameters_.measurements_for_velocity;
     only.weight = weight;
     only.age = age_then;
+    only.unheard = 0.0;
     if (!moves) {
       only.ball.velocity.setZero();
       only.ball.cross.setZero();
@@ -158,6 +162,19 @@ class Filter {
     return hypothesis.kind == Kind::moving && hypothesis.sightings >= parameters_.measurements_for_velocity;
   }
 
+  // The hypothesis as it is to be told. A hypothesis itself takes the ball for untouched, and a sighting that tells of
+  // a touch starts another; whoever is told nothing more must reckon with touches that nobody saw: jumps of the
+  // velocity by that of a new ball, at the times of a Poisson process, which leave the mean where it is.
+  BallState told(const Hypothesis& hypothesis) const {
+    BallState out = hypothesis.ball;
+    const double t = hypothesis.unheard;
+    const double rate = parameters_.touch_rate * parameters_.speed_prior * parameters_.speed_prior;
+    out.position_covariance.diagonal().array() += rate * t * t * t / 3.0;
+    out.cross.diagonal().array() += rate * t * t / 2.0;
+    out.velocity_covariance.diagonal().array() += rate * t;
+    return out;
+  }
+
   // Carries one hypothesis forward; for looking ahead as well.
   void advance(Hypothesis& hypothesis, double dt) const {
     if (hypothesis.kind == Kind::resting) {
@@ -168,6 +185,7 @@ class Filter {
       advance_unknown(hypothesis.ball, dt, parameters_.rolling);
     }
     hypothesis.age += dt;
+    hypothesis.unheard += dt;
   }
 
  private:
@@ -179,10 +197,17 @@ class Filter {
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  static Fit compare(const BallState& ball, const Sighting& sighting) {
+  // Of a sighting: of its place, and along the path of a moving ball that of its time.
+  Eigen::Matrix2d uncertainty(const Hypothesis& hypothesis, const Sighting& sighting) const {
+    if (!velocity_believed(hypothesis)) return sighting.covariance;
+    const Eigen::Vector2d slip = parameters_.timing_noise * hypothesis.ball.velocity;
+    return sighting.covariance + slip * slip.transpose();
+  }
+
+  static Fit compare(const BallState& ball, const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance) {
     Fit fit;
-    fit.innovation = sighting.position - ball.position;
-    const Eigen::Matrix2d spread = ball.position_covariance + sighting.covariance;
+    fit.innovation = position - ball.position;
+    const Eigen::Matrix2d spread = ball.position_covariance + covariance;
     fit.determinant = spread(0, 0) * spread(1, 1) - spread(0, 1) * spread(1, 0);
     fit.xx = spread(1, 1) / fit.determinant;
     fit.yy = spread(0, 0) / fit.determinant;
@@ -193,7 +218,7 @@ class Filter {
   }
 
   // The Kalman update, in Joseph's form, which stays positive semi-definite.
-  static void take(Hypothesis& hypothesis, const Sighting& sighting, const Fit& fit) {
+  static void take(Hypothesis& hypothesis, const Eigen::Matrix2d& covariance, const Fit& fit) {
     BallState& ball = hypothesis.ball;
     Eigen::Matrix2d inverse;
     inverse << fit.xx, fit.xy, fit.xy, fit.yy;
@@ -203,7 +228,7 @@ class Filter {
     if (hypothesis.kind == Kind::moving) {
       const Eigen::Matrix2d velocity_gain = ball.cross.transpose() * inverse;
       ball.velocity += velocity_gain * fit.innovation;
-      const Eigen::Matrix2d noisy = sighting.covariance * velocity_gain.transpose();
+      const Eigen::Matrix2d noisy = covariance * velocity_gain.transpose();
       const Eigen::Matrix2d shared = velocity_gain * ball.cross;
       ball.velocity_covariance +=
           velocity_gain * (ball.position_covariance * velocity_gain.transpose() + noisy) - shared - shared.transpose();
@@ -211,10 +236,11 @@ class Filter {
       ball.velocity_covariance(1, 0) = ball.velocity_covariance(0, 1);
     }
     ball.position_covariance =
-        (kept * ball.position_covariance * kept.transpose() + gain * sighting.covariance * gain.transpose()).eval();
+        (kept * ball.position_covariance * kept.transpose() + gain * covariance * gain.transpose()).eval();
     ball.position_covariance(1, 0) = ball.position_covariance(0, 1);
     ++hypothesis.sightings;
     hypothesis.age = 0.0;
+    hypothesis.unheard = 0.0;
   }
 
   void start(const Sighting& sighting, double weight) {

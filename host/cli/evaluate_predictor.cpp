@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// `regista evaluate-predictor STUDY.yaml --data FILE`: how well a predictor foretells a recording.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/end_of_program.hpp"
+#include "cli/evaluation_report.hpp"
+#include "cli/interruption.hpp"
+#include "cli/output.hpp"
+#include "cli/plugin_folders.hpp"
+#include "cli/shell.hpp"
+#include "config/documents.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr auto examples = R"(Examples:
+  regista evaluate-predictor configs/studies/ssl_ball.yaml --data zjunlict_ball_raw.csv.gz
+  regista evaluate-predictor configs/studies/ssl_ball.yaml --data zjunlict_ball_raw.csv.gz \
+      --set predictor.params.deceleration=0.4 --set 'observations={every: 0.1, drop: 0.3, seed: 1}' \
+      --set baselines.window=0.5 --json
+
+The formats of recordings: regista config schema predictor_study
+Exit codes: 0 done; 1 interrupted, or the result could not be written; 2 bad input; 3 a defect of Regista.)";
+
+struct Options {
+  std::vector<std::string> studies, plugins, overrides;
+  std::string data, referee;
+  bool json = false, quiet = false;
+};
+
+// A line on a terminal's standard error that is rewritten in place, a few times a second.
+class Progress {
+ public:
+  explicit Progress(bool wanted) : live_(wanted && isatty(STDERR_FILENO) == 1) {}
+  ~Progress() { clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(const std::string& text) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!live_ || now - drawn_ < std::chrono::milliseconds(200)) return;
+    drawn_ = now;
+    shown_ = true;
+    fmt::print(stderr, "\r\x1b[K{}", text);
+    std::fflush(stderr);
+  }
+  void clear() {
+    if (shown_) fmt::print(stderr, "\r\x1b[K");
+    std::fflush(stderr);
+    shown_ = false;
+  }
+
+ private:
+  bool live_, shown_ = false;
+  std::chrono::steady_clock::time_point drawn_{};
+};
+
+int evaluate(const Options& options, const Invocation& invocation) {
+  if (options.studies.size() != 1) {
+    throw BadInput(
+        fmt::format("evaluate-predictor: one file of a study is wanted, {} given; see: regista "
+                    "evaluate-predictor --help",
+                    options.studies.size()));
+  }
+  if (options.data.empty()) throw BadInput("evaluate-predictor: which recording? Say --data FILE");
+  const config::PredictorStudy study = config::read_predictor_study(options.studies.front(), options.overrides);
+  const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
+  const std::string again = shell_line(invocation.arguments);
+  const Interruption interruption(
+      fmt::format("regista: interrupted while a plugin did not return; the same study again: {}\n", again));
+  Progress progress(!options.quiet);
+  const auto stop_if_asked = [&](const std::string& stage) {
+    if (!interruption.requested()) return;
+    progress.clear();
+    throw Interrupted(fmt::format("interrupted while {}; the same study again: {}", stage, again));
+  };
+  const study::Recording recording =
+      study::read_recording(study, options.data, options.referee, [&](std::size_t lines) {
+        const std::string stage = fmt::format("reading {}, line {}", options.data, lines);
+        progress.show(stage);
+        stop_if_asked(stage);
+      });
+  const study::Evaluation evaluation =
+      study::evaluate(study, recording, &catalogue, [&](std::size_t done, std::size_t of) {
+        const std::string stage = fmt::format("evaluating stretch {} of {}", done, of);
+        progress.show(stage);
+        stop_if_asked(stage);
+      });
+  progress.clear();
+  print(options.json ? evaluation_json(study, options.data, evaluation)
+                     : evaluation_text(study, options.data, evaluation));
+  return exit_done;
+}
+
+}  // namespace
+
+Command add_evaluate_predictor(CLI::App& parent, const Invocation& invocation) {
+  CLI::App& app =
+      *parent.add_subcommand("evaluate-predictor", "measure a predictor on a recording, beside simple baselines");
+  const auto options = std::make_shared<Options>();
+  app.add_option("study", options->studies, "the study's file")->type_name("STUDY.yaml");
+  app.add_option("--data", options->data, "the recording: CSV, plain or .gz")->type_name("FILE");
+  app.add_option("--referee", options->referee,
+                 "states of the referee (Small Size League); default: NAME_referee.csv.gz beside NAME_ball_raw.csv.gz")
+      ->type_name("FILE");
+  app.add_option("--set", options->overrides, "a value laid over the study; may be repeated")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  add_plugin_folders(app, options->plugins);
+  app.add_flag("--json", options->json, "write the result as JSON");
+  app.add_flag("--quiet", options->quiet, "no progress on the terminal");
+  app.footer(examples);
+  return {&app, [options, &invocation] { return evaluate(*options, invocation); }};
+}
+
+}  // namespace regista::cli
