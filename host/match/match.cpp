@@ -62,7 +62,12 @@ struct Robot {
         body(its_body),
         sensing(std::move(its_sensing)),
         steps_between(steps),
-        next_decision(static_cast<std::uint32_t>(first)) {}
+        next_decision(static_cast<std::uint32_t>(first)) {
+    // All that can be seen in one image; false balls come one at a time.
+    percepts.balls.reserve(4);
+    percepts.robots.reserve(2 * largest_team);
+    percepts.landmarks.reserve(most_points);
+  }
 
   const mind::Think& think;
   const config::Robot& profile;

@@ -121,7 +121,6 @@ regista_ball fuse_ball(std::span<const Estimate> estimates) {
 
 void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regista_opponent>& out, int without) {
   clusters_.clear();
-  clusters_.reserve(estimates.size());
   out.reserve(most_);
   for (const Estimate& estimate : estimates) {
     if (estimate.source == without) continue;

@@ -29,7 +29,9 @@ regista_ball fuse_ball(std::span<const Estimate> estimates);
 // most `most` of them, the likeliest first. `out` is replaced. Estimates of the source `without` are left out.
 class OpponentFusion {
  public:
-  OpponentFusion(double merge_distance, std::size_t most) : merge_distance_(merge_distance), most_(most) {}
+  OpponentFusion(double merge_distance, std::size_t most) : merge_distance_(merge_distance), most_(most) {
+    clusters_.reserve(64 + 5 * most);  // own eyes, and five in a packet of each robot
+  }
   void fuse(std::span<const Estimate> estimates, std::vector<regista_opponent>& out, int without = -1);
 
  private:

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// A match in its steady state allocates nothing: neither the match nor the minds nor the shipped plugins. Every shipped
+// team plays against paper.yaml; all steps are counted once the buffers have had time to grow.
+#include "allocation_counter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+
+#include "config/documents.hpp"
+#include "match/teams.hpp"
+
+namespace regista {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> teams() {
+  std::vector<fs::path> out;
+  for (const fs::directory_entry& each : fs::directory_iterator(REGISTA_CONFIGS "/teams")) out.push_back(each.path());
+  std::ranges::sort(out);
+  return out;
+}
+
+class Allocations : public ::testing::TestWithParam<fs::path> {};
+
+TEST_P(Allocations, NoneInTheSteadyState) {
+  constexpr double steady_after = 200.0, end = 400.0;  // s
+  const plugin::Catalogue catalogue({REGISTA_PLUGINS});
+  match::Setup setup;
+  setup.limit = end;
+  const mind::TeamPlan home(config::read_team(GetParam()), setup.rules, setup.robots[0], catalogue);
+  const mind::TeamPlan away(config::read_team(REGISTA_CONFIGS "/teams/paper.yaml"), setup.rules, setup.robots[1],
+                            catalogue);
+  std::size_t steps = 0, allocating = 0;
+  match::Observer observer;
+  observer.step = [&](const match::Snapshot& snapshot) {
+    if (counter::counting) {
+      ++steps;
+      if (counter::allocations > 0) ++allocating;
+    }
+    counter::allocations = 0;
+    counter::counting = snapshot.time >= steady_after;
+  };
+  match::play(setup, {&home, &away}, &observer);
+  counter::counting = false;
+  EXPECT_GT(steps, 9000u);
+  EXPECT_EQ(allocating, 0u) << "of " << steps << " steps";
+}
+
+std::string name(const ::testing::TestParamInfo<fs::path>& info) { return info.param.stem().string(); }
+INSTANTIATE_TEST_SUITE_P(Teams, Allocations, ::testing::ValuesIn(teams()), name);
+
+}  // namespace
+}  // namespace regista
