@@ -14,8 +14,7 @@
 //
 // Two things differ from the textbook. The resting mode has no velocity: what it takes from the others is their place.
 // And kicks are rare, but wide: an unlikely one, mixed into rolling at every image, would feed it a part of its spread
-// and the velocity would never become sure. So only a kick that has become likelier than all else hands its state over;
-// another one ends without trace.
+// and the velocity would never become sure. So e = 0 until the kick has become likelier than all else.
 #pragma once
 
 #include <Eigen/Core>
@@ -121,8 +120,8 @@ inline Modes carried(const Modes& from, double dt, double kicks, const Motion& m
   const double kick = -std::expm1(-kicks), none = 1.0 - kick;
   const double slows = model.stop_speed > 0.0 ? -std::expm1(-dt * model.deceleration / model.stop_speed) : 0.0;
   const double stops = none * rolled * slows * standing_share(from.state[rolling], model);
-  const double settles = was_kicked * -std::expm1(-dt / motion.kick_duration());
   const bool confirmed = was_kicked > rolled + stood;
+  const double settles = confirmed ? was_kicked * -std::expm1(-dt / motion.kick_duration()) : 0.0;
   const double caught = confirmed ? settles * standing_share(from.state[kicked], model) : 0.0;
   const double rolls = none * rolled - stops, joins = settles - caught;
   const double fresh = kick * (stood + rolled), stays = was_kicked - settles;
