@@ -2,6 +2,7 @@
 #include "algorithm.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -50,21 +51,21 @@ Point circumcentre(const Point& a, const Point& b, const Point& c) {
   return {a.x + (cy * b2 - by * c2) / twice_area, a.y + (bx * c2 - cx * b2) / twice_area};
 }
 
-bool passes_near(std::span<const Point> points, const Point& a, const Point& b, double distance) {
-  // Nothing beyond this box is near; the margin is far above rounding.
-  const double margin = distance + 1e-9;
-  const double left = std::min(a.x, b.x) - margin, right = std::max(a.x, b.x) + margin;
-  const double low = std::min(a.y, b.y) - margin, high = std::max(a.y, b.y) + margin;
+bool passes_near(std::span<const Point> ascending, const Point& a, const Point& b, double distance) {
+  // Nothing beyond these is near; the margin is far above rounding.
+  const double left = std::min(a.x, b.x) - distance - 1e-9, right = std::max(a.x, b.x) + distance + 1e-9;
   const double dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
   const double per_length2 = length2 > 0.0 ? 1.0 / length2 : 0.0;
-  for (const Point& point : points) {
-    if (point.x < left || point.x > right || point.y < low || point.y > high) continue;
-    const double px = point.x - a.x, py = point.y - a.y;
+  std::size_t k = 0;
+  while (k < ascending.size() && ascending[k].x < left) ++k;
+  bool near = false;
+  for (; k < ascending.size() && ascending[k].x <= right; ++k) {  // without further branches: they are unforeseeable
+    const double px = ascending[k].x - a.x, py = ascending[k].y - a.y;
     const double t = std::min(1.0, std::max(0.0, (px * dx + py * dy) * per_length2));
     const double qx = px - t * dx, qy = py - t * dy;
-    if (qx * qx + qy * qy < distance * distance) return true;
+    near |= qx * qx + qy * qy < distance * distance;
   }
-  return false;
+  return near;
 }
 
 Diagram::Diagram(Settings settings) : settings_(std::move(settings)) {
@@ -162,34 +163,45 @@ void Diagram::merge() {
   const double reach = std::max(settings_.merge, coincident);
   middles_.clear();
   clusters_.clear();
+  alive_.clear();
   near_.clear();
   merged_into_.resize(corners_.size());
+  Pair nearest{infinity, 0, 0};
+  const auto add_if_near = [&](double distance, std::size_t first, std::size_t second) {
+    if (!(distance < reach * reach)) return;
+    near_.push_back({distance, first, second});
+    if (near_.back().before(nearest)) nearest = near_.back();
+  };
   for (std::size_t k = 0; k < in_order_.size(); ++k) {
     const Point at = in_order_[k].at;
     middles_.push_back(at);
     clusters_.push_back({at.x, at.y, 1.0, k, 0});
+    alive_.push_back(k);
     merged_into_[in_order_[k].index] = k;
     for (std::size_t before = k; before-- > 0 && at.x - middles_[before].x < reach;) {
-      const double distance = squared(middles_[before], at);
-      if (distance < reach * reach) near_.push_back({distance, before, k});
+      add_if_near(squared(middles_[before], at), before, k);
     }
   }
   while (!near_.empty()) {
-    const Pair pair = *std::min_element(near_.begin(), near_.end(), &Pair::nearer);
-    std::erase_if(near_, [&](const Pair& other) { return pair.shares_with(other); });
+    const Pair pair = nearest;
     Cluster &winner = clusters_[pair.first], &loser = clusters_[pair.second];
     winner.sum_x += loser.sum_x;
     winner.sum_y += loser.sum_y;
     winner.count += loser.count;
     loser.into = pair.first;
-    middles_[pair.first] = {winner.sum_x / winner.count, winner.sum_y / winner.count};
-    middles_[pair.second] = {infinity, infinity};  // near to nothing
-    const Point middle = middles_[pair.first];
-    for (std::size_t k = 0; k < middles_.size(); ++k) {
-      const double distance = squared(middles_[k], middle);
-      if (distance < reach * reach && k != pair.first) {
-        near_.push_back({distance, std::min(k, pair.first), std::max(k, pair.first)});
-      }
+    const Point middle{winner.sum_x / winner.count, winner.sum_y / winner.count};
+    middles_[pair.first] = middle;
+    nearest.distance = infinity;
+    std::size_t kept = 0;
+    for (const Pair& other : near_) {
+      if (pair.shares_with(other)) continue;
+      if (other.before(nearest)) nearest = other;
+      near_[kept++] = other;
+    }
+    near_.resize(kept);
+    alive_.erase(std::lower_bound(alive_.begin(), alive_.end(), pair.second));
+    for (const std::size_t k : alive_) {
+      if (k != pair.first) add_if_near(squared(middles_[k], middle), std::min(k, pair.first), std::max(k, pair.first));
     }
   }
 }
@@ -207,16 +219,21 @@ void Diagram::join() {
       cluster.node = clusters_[cluster.into].node;  // went into an earlier one, whose node is known
     }
   }
+  // A row of bits for each node, of the later ones it is joined with: so edges come out ascending and once.
+  const std::size_t words = (graph_.nodes.size() + 63) / 64;
+  joined_.assign(graph_.nodes.size() * words, 0);
   for (const Edge& link : links_) {
     const std::size_t a = clusters_[merged_into_[link.from]].node, b = clusters_[merged_into_[link.to]].node;
-    if (a != b) graph_.edges.push_back({std::min(a, b), std::max(a, b)});
+    const std::size_t later = std::max(a, b);
+    if (a != b) joined_[std::min(a, b) * words + later / 64] |= std::uint64_t{1} << (later % 64);
   }
-  std::sort(graph_.edges.begin(), graph_.edges.end());
-  graph_.edges.erase(std::unique(graph_.edges.begin(), graph_.edges.end()), graph_.edges.end());
-  std::erase_if(graph_.edges, [&](const Edge& edge) {
-    const Node &a = graph_.nodes[edge.from], &b = graph_.nodes[edge.to];
-    return passes_near(opponents_, {a.x, a.y}, {b.x, b.y}, settings_.clearance);
-  });
+  for (std::size_t i = 0; i < joined_.size(); ++i) {
+    for (std::uint64_t rest = joined_[i]; rest != 0; rest &= rest - 1) {
+      const std::size_t from = i / words, to = i % words * 64 + static_cast<std::size_t>(std::countr_zero(rest));
+      const Node &a = graph_.nodes[from], &b = graph_.nodes[to];
+      if (!passes_near(opponents_, {a.x, a.y}, {b.x, b.y}, settings_.clearance)) graph_.edges.push_back({from, to});
+    }
+  }
 }
 
 void Diagram::score() {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -68,9 +69,9 @@ class Diagram {
     bool shares_with(const Pair& other) const {
       return first == other.first || first == other.second || second == other.first || second == other.second;
     }
-    static bool nearer(const Pair& a, const Pair& b) {
-      if (a.distance != b.distance) return a.distance < b.distance;
-      return a.first != b.first ? a.first < b.first : a.second < b.second;
+    bool before(const Pair& other) const {
+      if (distance != other.distance) return distance < other.distance;
+      return first != other.first ? first < other.first : second < other.second;
     }
   };
   struct Corner {
@@ -94,7 +95,9 @@ class Diagram {
   std::vector<Edge> links_;             // edges between corners
   std::vector<Corner> in_order_;
   std::vector<Cluster> clusters_;
-  std::vector<Point> middles_;  // of every cluster
+  std::vector<Point> middles_;      // of every cluster
+  std::vector<std::size_t> alive_;  // clusters that none has swallowed, ascending
+  std::vector<std::uint64_t> joined_;
   std::vector<Pair> near_;
   std::vector<std::size_t> merged_into_;  // cluster of every corner, before clusters merge
   Graph graph_;
@@ -104,7 +107,7 @@ class Diagram {
 // part of the result's last bits.
 Point circumcentre(const Point& a, const Point& b, const Point& c);
 
-// Whether one of the points is nearer than `distance` to the segment from `a` to `b`.
-bool passes_near(std::span<const Point> points, const Point& a, const Point& b, double distance);
+// Whether one of the points is nearer than `distance` to the segment from `a` to `b`. Points ascend.
+bool passes_near(std::span<const Point> ascending, const Point& a, const Point& b, double distance);
 
 }  // namespace voronoi

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "algorithm.hpp"
+#include "cells.hpp"
 
 namespace {
 
@@ -76,6 +77,11 @@ TEST_F(Published, TrianglesCoverTheHull) {
     }
     const double expected = hull_area(sites);
     EXPECT_NEAR(area, expected, 1e-12 * expected) << name;
+    // Euler: with all sites in the triangulation, triangles and sides follow from the number on the hull.
+    const auto on_hull = std::ranges::count_if(delaunay.edges(), [](const voronoi::Delaunay::Edge& edge) {
+      return edge.left == voronoi::Delaunay::outside || edge.right == voronoi::Delaunay::outside;
+    });
+    EXPECT_EQ(delaunay.triangles().size(), 2 * sites.size() - 2 - static_cast<std::size_t>(on_hull)) << name;
     if (std::string(name) == "ukraine") {
       EXPECT_EQ(delaunay.triangles().size(), 1711u);
     }
@@ -140,6 +146,68 @@ TEST_F(Published, CellAreas) {
     }
   }
   EXPECT_GE(checked, 90);
+}
+
+// The same vectors by half-planes: areas, published corners, numbers of corners, and who borders on whom.
+TEST_F(Published, CellsOfATeam) {
+  const nlohmann::json file = read(folder / "vectors.json");
+  int areas = 0, polygons = 0, counts = 0, neighbours = 0;
+  for (const nlohmann::json& vector : file["vectors"]) {
+    if (vector["bounds"].is_null()) continue;
+    const std::string id = vector["id"];
+    const double left = vector["bounds"][0], bottom = vector["bounds"][1], right = vector["bounds"][2],
+                 top = vector["bounds"][3];
+    const Point centre{(left + right) / 2.0, (bottom + top) / 2.0};
+    const voronoi::Extent box{(right - left) / 2.0, (top - bottom) / 2.0};
+    std::vector<Point> sites = points(vector["points"]);
+    for (Point& site : sites) site = {site.x - centre.x, site.y - centre.y};
+    const auto member = [&](const char* name) { return vector.value(name, nlohmann::json::object()); };
+    const nlohmann::json published = member("cells"), closed_counts = member("cell_vertex_counts_closed"),
+                         bordering = member("voronoi_neighbors_in_box");
+    std::vector<voronoi::Cell> cells;
+    for (std::size_t i = 0; i < sites.size(); ++i) cells.push_back(voronoi::cell(sites, i, box));
+    const auto has = [&](std::size_t i, const Point& corner) {
+      return std::ranges::any_of(cells[i].span(), [&](const Point& other) {
+        return std::hypot(other.x - corner.x, other.y - corner.y) < 2e-9;
+      });
+    };
+    for (std::size_t i = 0; vector.contains("exact_cell_areas") && i < sites.size(); ++i, ++areas) {
+      double area = 0.0;
+      for (std::size_t k = 0; k < cells[i].count; ++k) {
+        const Point &a = cells[i].corners[k], &b = cells[i].corners[(k + 1) % cells[i].count];
+        area += (a.x * b.y - b.x * a.y) / 2.0;
+      }
+      EXPECT_NEAR(area, vector["exact_cell_areas"][i].get<double>(), 1e-12 * 4.0 * box.x * box.y)
+          << id << ", site " << i;
+    }
+    for (const auto& [key, corners] : published.items()) {
+      const auto i = static_cast<std::size_t>(std::stoi(key));
+      EXPECT_EQ(cells[i].count, corners.size()) << id << ", site " << i;
+      for (const Point& corner : points(corners)) {
+        EXPECT_TRUE(has(i, {corner.x - centre.x, corner.y - centre.y})) << id << ", site " << i;
+      }
+      ++polygons;
+    }
+    for (const auto& [key, count] : closed_counts.items()) {
+      EXPECT_EQ(cells[static_cast<std::size_t>(std::stoi(key))].count + 1, count.get<std::size_t>())
+          << id << ", " << key;
+      ++counts;
+    }
+    for (const auto& [key, expected] : bordering.items()) {
+      const auto i = static_cast<std::size_t>(std::stoi(key));
+      nlohmann::json found = nlohmann::json::array();
+      for (std::size_t k = 0; k < cells.size(); ++k) {
+        const auto shared = std::ranges::count_if(cells[k].span(), [&](const Point& corner) { return has(i, corner); });
+        if (k != i && shared >= 2) found.push_back(k);
+      }
+      EXPECT_EQ(found, expected) << id << ", site " << i;
+      ++neighbours;
+    }
+  }
+  EXPECT_GE(areas, 90);
+  EXPECT_EQ(polygons, 14);
+  EXPECT_EQ(counts, 26);
+  EXPECT_EQ(neighbours, 22);
 }
 
 }  // namespace
