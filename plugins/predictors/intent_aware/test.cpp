@@ -234,8 +234,10 @@ struct Errors {
 };
 
 // Robot 5 says where it walks and falls silent for 20 s; 1 to 5 s later the rule gives it another task. It walks there
-// at its own speed, unless it does not follow the rule (`right` false) and goes on to the target it sent.
-Errors silent_robot(bool right) {
+// at its own speed, unless it does not follow the rule and goes on to the target it sent, or stands all the time.
+enum class Truth { follows_rule, keeps_target, stands };
+
+Errors silent_robot(Truth truth) {
   const Loaded intent_plugin(REGISTA_PLUGIN_FILE, "intent_aware"), plain(DEAD_RECKONING_FILE, "dead_reckoning");
   std::mt19937_64 random(17);
   const auto uniform = [&random](double low, double high) {
