@@ -148,8 +148,6 @@ TEST(Rule, LetsTheFallenWalkWhenTheyAreUp) {
 
 // --- The plugin
 
-const char* const places[] = {"goalkeeper", "striker", "supporter", "defender_left", "defender_right"};
-
 regista_track packet_of(int number, double x, double y, double target_x, double target_y, double speed = 0.2) {
   regista_track track{};
   track.label = number;
