@@ -148,8 +148,6 @@ TEST(Rule, LetsTheFallenWalkWhenTheyAreUp) {
 
 // --- The plugin
 
-const char* const places[] = {"goalkeeper", "striker", "supporter", "defender_left", "defender_right"};
-
 regista_track packet_of(int number, double x, double y, double target_x, double target_y, double speed = 0.2) {
   regista_track track{};
   track.label = number;
@@ -234,8 +232,10 @@ struct Errors {
 };
 
 // Robot 5 says where it walks and falls silent for 20 s; 1 to 5 s later the rule gives it another task. It walks there
-// at its own speed, unless it does not follow the rule (`right` false) and goes on to the target it sent.
-Errors silent_robot(bool right) {
+// at its own speed, unless it does not follow the rule and goes on to the target it sent, or stands all the time.
+enum class Truth { follows_rule, keeps_target, stands };
+
+Errors silent_robot(Truth truth) {
   const Loaded intent_plugin(REGISTA_PLUGIN_FILE, "intent_aware"), plain(DEAD_RECKONING_FILE, "dead_reckoning");
   std::mt19937_64 random(17);
   const auto uniform = [&random](double low, double high) {
