@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `regista config check FILE...`: whether documents are sound. For teams and studies that means their plugins too: that they exist,
-// can be opened, are of the right kind, and take the parameters they are given.
+// `regista config check FILE...`: whether documents are sound. For teams and studies that means their plugins too: that
+// they exist, can be opened, are of the right kind, and take the parameters they are given.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -58,7 +58,8 @@ int check(const Options& options, const Invocation& invocation) {
 }  // namespace
 
 Command add_config_check(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("check", "say what is wrong with rules, robots, disturbances, teams and studies");
+  CLI::App& app =
+      *parent.add_subcommand("check", "say what is wrong with rules, robots, disturbances, teams and studies");
   const auto options = std::make_shared<Options>();
   app.add_option("files", options->files, "documents of any kind")->type_name("FILE...");
   add_plugin_folders(app, options->plugins);

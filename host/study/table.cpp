@@ -15,6 +15,19 @@
 #include "config/text.hpp"
 
 namespace regista::study {
+namespace {
+
+// A field of a file that may be anything, for a terminal: bytes that are not plain ASCII as escapes.
+std::string in_ascii_quotes(std::string_view field) {
+  std::string plain;
+  for (const char c : field) {
+    const bool is_plain = c >= 0x20 && c < 0x7f;
+    plain += is_plain ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+  }
+  return config::in_quotes(plain);
+}
+
+}  // namespace
 
 // Bytes of the file, decompressed; zlib hands files that are not compressed through as they are.
 struct Table::Stream {
@@ -56,7 +69,7 @@ std::size_t Table::column(std::string_view name) const {
   constexpr std::size_t most_shown = 8;
   std::vector<std::string> known(columns_.begin(),
                                  columns_.begin() + static_cast<std::ptrdiff_t>(std::min(columns_.size(), most_shown)));
-  for (std::string& each : known) each = config::in_quotes(each);
+  for (std::string& each : known) each = in_ascii_quotes(each);
   if (columns_.size() > most_shown) known.emplace_back("...");
   throw config::Error({name_, 1, 1},
                       fmt::format("no column {}; this file has: {}", config::in_quotes(name), config::join(known)));
@@ -151,7 +164,7 @@ config::Location Table::where(std::size_t column) const {
 
 void Table::refuse(std::size_t column, const std::string& message) const {
   throw config::Error(where(column),
-                      fmt::format("{}: {} {}", columns_[column], config::in_quotes(fields_[column]), message));
+                      fmt::format("{}: {} {}", columns_[column], in_ascii_quotes(fields_[column]), message));
 }
 
 void Table::refuse_line(const std::string& message) const {

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The rolling ball against closed forms and numerical integration; the filter against simulated scenes and against a
-// recording of real balls.
+// The rolling ball against closed forms and numerical integration; the filter against simulated scenes. Recordings of
+// real balls: tests/integration/recordings.
 #include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cstdio>
 
 #include <random>
 #include <regista/testkit/contract.hpp>
 #include <span>
+#include <vector>
 
 #include "algorithm.hpp"
-#include "recording.hpp"
 
 namespace kalman_ball {
 namespace {
@@ -322,57 +325,81 @@ TEST(Random, SightingsLeaveWeightsThatAreProbabilities) {
   }
 }
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-// Every third detection while the game runs is a start, from which the ball is foretold; the truth is the detection
-// nearest to that time. Only the noise of the cameras and the kicks of that league are set, none fitted to this match.
-TEST(Recording, IsForetoldBetterThanByHoldingTheLastPlace) {
-  const std::map<int, Stretch> recording = read_recording(REGISTA_SHARED_DATA "/ssl");
-  if (recording.empty()) GTEST_SKIP() << "no recording in " REGISTA_SHARED_DATA "/ssl";
-  Parameters parameters;
-  parameters.speed_prior = 3.0;      // kicks of up to 6.5 m/s are allowed
-  parameters.field_area = 108.0;     // 12 m x 9 m
-  const double camera_noise = 0.01;  // m
-  const double horizons[] = {0.1, 0.25, 0.5, 1.0};
-  std::vector<double> held[4], foretold[4];
-  int starts = 0, unknown = 0;
-  for (const auto& [name, stretch] : recording) {
-    Filter filter(parameters);
-    double now = 0.0;
-    for (std::size_t i = 0; i < stretch.detections.size(); ++i) {
-      const Detection& detection = stretch.detections[i];
-      if (i > 0 && detection.time > now) filter.predict(detection.time - now);
-      now = detection.time;
-      const Sighting sighting{detection.position, camera_noise * camera_noise * Matrix2d::Identity()};
-      filter.correct(std::span(&sighting, 1), everywhere);
-      if (i % 3 != 0 || !stretch.runs_at(now)) continue;
-      ++starts;
-      if (filter.begin() == filter.end()) {
-        ++unknown;
-        continue;
+// Cameras whose clock trembles by `jitter`: a rolling ball is off along its path by its speed times that.
+TEST(TimingNoise, MakesVelocityBetterAndCovarianceHonestWhereTimesTremble) {
+  const RollingModel model{.deceleration = 0.32, .acceleration_noise = 0.05};
+  const double jitter = 0.004, dt = 1.0 / 70.0, noise = 0.002;
+  double off[2] = {0.0, 0.0}, nees = 0.0;
+  const int runs = 200;
+  for (int modelled = 0; modelled < 2; ++modelled) {
+    Parameters parameters;
+    parameters.rolling = model;
+    parameters.speed_prior = 3.0;
+    parameters.timing_noise = modelled == 1 ? jitter : 0.0;
+    for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+      Filter filter(parameters);
+      std::mt19937_64 random(seed);
+      std::normal_distribution<double> normal;
+      BallState truth;
+      truth.velocity << 3.0, 1.0;
+      for (int i = 0; i < 40; ++i) {
+        advance_rolling(truth, dt, model);
+        const double late = jitter * normal(random);
+        const double x = noise * normal(random);
+        const double y = noise * normal(random);
+        const Sighting sighting{truth.position + late * truth.velocity + Vector2d(x, y),
+                                noise * noise * Matrix2d::Identity()};
+        filter.predict(dt);
+        filter.correct(std::span(&sighting, 1), everywhere);
       }
-      for (std::size_t h = 0; h < 4; ++h) {
-        const Detection* truth = stretch.at(now + horizons[h], 0.012);
-        if (truth == nullptr) continue;
-        Hypothesis best = *filter.begin();
-        filter.advance(best, horizons[h]);
-        foretold[h].push_back((best.ball.position - truth->position).norm());
-        held[h].push_back((detection.position - truth->position).norm());
-      }
+      ASSERT_NE(filter.begin(), filter.end());
+      const BallState& ball = filter.begin()->ball;
+      off[modelled] += (ball.velocity - truth.velocity).norm() / runs;
+      const Vector2d error = ball.position - truth.position;
+      if (modelled == 1) nees += error.dot(ball.position_covariance.inverse() * error) / runs;
     }
   }
-  ASSERT_GT(starts, 5000);
-  EXPECT_LT(unknown, starts / 50);
-  for (std::size_t h = 0; h < 4; ++h) {
-    const double filtered = median(foretold[h]), hold = median(held[h]);
-    std::printf("recording, %.2f s ahead: median error %.1f mm, holding the last place %.1f mm (%zu starts)\n",
-                horizons[h], 1000.0 * filtered, 1000.0 * hold, held[h].size());
-    EXPECT_LT(filtered, hold);
+  std::printf("timing noise: velocity %.3f m/s off, %.3f when it is modelled; NEES %.2f\n", off[0], off[1], nees);
+  EXPECT_LT(off[1], 0.7 * off[0]);
+  EXPECT_GT(nees, 1.0);
+  EXPECT_LT(nees, 3.0);
+}
+
+// Balls that nobody sees and somebody touches at random times: velocities that jump, at the times of a Poisson process.
+TEST(Touches, SpreadWhatIsToldAsSimulated) {
+  Parameters parameters;
+  parameters.touch_rate = 1.5;
+  parameters.speed_prior = 2.0;
+  parameters.rolling.resting_noise = 0.0;
+  Filter filter(parameters);
+  filter.replace(BallState{}, false, 1.0, 0.0, 0.0);
+  const double told_for = 0.8;
+  for (int i = 0; i < 8; ++i) filter.predict(told_for / 8.0);
+  const BallState told = filter.told(*filter.begin());
+
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> jump(0.0, parameters.speed_prior);
+  std::exponential_distribution<double> wait(parameters.touch_rate);
+  double position = 0.0, velocity = 0.0, both = 0.0;
+  const int balls = 100000;
+  for (int i = 0; i < balls; ++i) {
+    double x = 0.0, v = 0.0;
+    for (double t = wait(random); t < told_for; t += wait(random)) {
+      const double dv = jump(random);
+      v += dv;
+      x += dv * (told_for - t);
+    }
+    position += x * x / balls;
+    velocity += v * v / balls;
+    both += x * v / balls;
   }
+  EXPECT_NEAR(told.position_covariance(0, 0) / position, 1.0, 0.03);
+  EXPECT_NEAR(told.velocity_covariance(0, 0) / velocity, 1.0, 0.03);
+  EXPECT_NEAR(told.cross(0, 0) / both, 1.0, 0.03);
+
+  // What was told is the whole uncertainty: it does not grow again from the beginning, but from there.
+  filter.replace(told, false, 1.0, 0.0, 0.0);
+  EXPECT_EQ(filter.told(*filter.begin()).position_covariance, told.position_covariance);
 }
 
 }  // namespace
