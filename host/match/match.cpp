@@ -136,6 +136,7 @@ Course::Course(const Setup& setup, std::span<const mind::Think> home, std::span<
     arena_.record(observer.recording);
   }
   robots_.reserve(static_cast<std::size_t>(roster_.count()));
+  heard_.reserve(64);
   positions_.resize(static_cast<std::size_t>(roster_.count()));
   in_view_.count = positions_.size();
   for (int id = 0; id < roster_.count(); ++id) {

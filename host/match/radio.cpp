@@ -13,6 +13,15 @@ Radio::Radio(const config::Radio& profile, const config::Disturbance& disturbanc
   profile_.delay += disturbance.extra_delay;
   // Lost by either of two independent causes.
   profile_.loss = 1.0 - (1.0 - profile.loss) * (1.0 - disturbance.extra_packet_loss);
+  // More than are ever in the air at once, so that none has to be made while the game goes on.
+  constexpr std::size_t longest = 512, per_robot = 8;
+  packets_.resize(per_robot * static_cast<std::size_t>(team_size));
+  for (std::size_t slot = packets_.size(); slot-- > 0;) {
+    packets_[slot].bytes.reserve(longest);
+    free_.push_back(slot);
+  }
+  in_flight_.reserve(packets_.size());
+  senders_.reserve(packets_.size());
 }
 
 void Radio::send(int sender, std::span<const std::uint8_t> bytes, double time, std::uint32_t tick) {

@@ -46,6 +46,10 @@ Referee::Referee(const config::Rules& rules, double robot_radius)
     : rules_(rules), roster_{rules.team_size}, robot_radius_(robot_radius) {
   where_.resize(static_cast<std::size_t>(roster_.count()));
   back_at_.resize(where_.size());
+  calls_.removed.reserve(where_.size());
+  calls_.placements.reserve(where_.size());
+  calls_.events.reserve(64);
+  pending_.reserve(64);
   state_.packets_left.fill(allowance(rules_.messages, 0.0));
 }
 
