@@ -16,7 +16,7 @@ function(regista_add_plugin name)
   if(REGISTA_PLUGIN_OUTPUT_DIRECTORY)
     set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${REGISTA_PLUGIN_OUTPUT_DIRECTORY})
   endif()
-  target_compile_options(${name} PRIVATE -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+  target_compile_options(${name} PRIVATE -ffp-contract=off -fno-math-errno -fno-trapping-math $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
   target_compile_definitions(${name} PRIVATE
     REGISTA_BUILD_TAG="${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_BUILD_TYPE}")
   # Hidden visibility alone leaks weak standard-library symbols into the process; the version script leaves one.
