@@ -25,7 +25,7 @@ using Row = std::array<double, horizon_count>;
 
 Evaluation evaluate(const std::string& name, const std::string& data, const config::Overrides& overrides = {}) {
   const config::PredictorStudy study = config::read_predictor_study(REGISTA_STUDIES "/" + name + ".yaml", overrides);
-  const plugin::Catalogue catalogue({REGISTA_PLUGINS});
+  const plugin::Catalogue catalogue({REGISTA_PLUGIN_FOLDER});
   const Evaluation result = study::evaluate(study, read_recording(study, data, {}), &catalogue);
   for (const AtHorizon& at : result.horizons) {
     std::printf("%s, %s, %g s ahead: %.1f mm (hold %.1f, constant %.1f, decayed %.1f), NEES %.2f, %.1f %% in 90 %%\n",
