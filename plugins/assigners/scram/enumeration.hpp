@@ -60,7 +60,8 @@ class Enumeration {
     static_assert(most_robots * most_robots < 128 && most_robots < 8);
     constexpr std::uint64_t ones = 0x0101010101010101u, tops = 0x8080808080808080u;
     const std::uint64_t rank = problem.rank[pair];
-    const auto larger = static_cast<unsigned>(std::popcount(((rest | tops) - ones * (rank + 1)) & tops));
+    const std::uint64_t is_larger = (((rest | tops) - ones * (rank + 1)) & tops) >> 7;  // 1 or 0 in each byte
+    const auto larger = static_cast<unsigned>(is_larger * ones >> 56);                  // their sum
     const std::uint64_t below = ~std::uint64_t{0} >> (8 * larger);
     return (rest & ~below) | rank << (56 - 8 * larger) | (rest & below) >> 8;
   }
