@@ -109,9 +109,8 @@ struct GaussianMixture {
 
   // All are written before the first is copied: a copy right behind the writes waits for them.
   void tracks(regista::Tracks out) const {
-    std::size_t count = 0;
     for (const Component& each : mixture) {
-      regista::Track& track = told[count++];
+      regista::Track& track = out.add();
       track.label = each.label;
       track.flags = mixture.velocity_believed(each) ? REGISTA_TRACK_VELOCITY : 0;
       track.x = each.position.x();
@@ -129,7 +128,6 @@ struct GaussianMixture {
       track.weight = each.weight;
       track.age = each.age;
     }
-    for (std::size_t i = 0; i < count; ++i) out.add(told[i]);
   }
 
   static constexpr double pi = 3.14159265358979323846;
@@ -137,7 +135,6 @@ struct GaussianMixture {
 
   gaussian_mixture::Mixture mixture;
   std::array<Sighting, 32> seen{};  // of one image; more are ignored
-  mutable std::array<regista::Track, gaussian_mixture::Mixture::capacity> told{};
 };
 
 }  // namespace

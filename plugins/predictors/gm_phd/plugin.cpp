@@ -139,12 +139,11 @@ struct GmPhd {
   // The heaviest come first, so that those are told for whom the host has room. All are written before the first is
   // copied: a copy right behind the writes waits for them.
   void tracks(regista::Tracks out) const {
-    std::size_t count = 0;
     const auto room = static_cast<std::ptrdiff_t>(out.capacity());
     for (const Component& each :
          std::span(filter.begin(), filter.begin() + std::min(room, filter.end() - filter.begin()))) {
       if (!filter.told(each) || each.age > told_for) continue;
-      regista::Track& track = told[count++];
+      regista::Track& track = out.add();
       track.label = each.label;
       track.flags = filter.velocity_believed(each) ? REGISTA_TRACK_VELOCITY : 0;
       track.x = each.x;
@@ -157,7 +156,6 @@ struct GmPhd {
       track.weight = std::min(each.weight, 1.0);
       track.age = each.age;
     }
-    for (std::size_t i = 0; i < count; ++i) out.add(told[i]);
   }
 
   static constexpr double pi = 3.14159265358979323846;
@@ -165,7 +163,6 @@ struct GmPhd {
 
   gm_phd::Filter filter;
   std::array<Sighting, 32> seen{};  // of one image; more are ignored
-  mutable std::array<regista::Track, gm_phd::Filter::capacity> told{};
 };
 
 }  // namespace

@@ -177,7 +177,7 @@ struct ImmBall {
     for (const Hypothesis& each : filter) {
       const imm_ball::Modes modes = filter.now(each);
       const BallState ball = combined(modes);
-      regista::Track track{};
+      regista::Track& track = out.add();
       track.label = each.label;
       track.x = ball.position.x();
       track.y = ball.position.y();
@@ -197,7 +197,6 @@ struct ImmBall {
       }
       track.weight = std::min(1.0, each.weight);
       track.age = each.age;
-      out.add(track);
     }
   }
 

@@ -72,7 +72,6 @@ struct IntentAware {
     team_size = static_cast<int>(environment->team_size);
     model = {speed_factor * environment->walk_forward, trusted_for, fades_for, moved, position_noise, heading_noise};
     mates.reserve(environment->team_size);
-    present.resize(environment->team_size);
     first_answer.assign(environment->team_size, 0);
   }
 
@@ -124,13 +123,11 @@ struct IntentAware {
 
   // All are written before the first is copied: a copy right behind the writes waits for them.
   void tracks(regista::Tracks out) const {
-    std::size_t count = 0;
     for (const Teammate& mate : mates) {
       const Packet& packet = mate.packet();
       const Eigen::Vector2d velocity = mate.velocity();
       const Eigen::Matrix2d place = mate.position_covariance();
-      regista::Track& track = present[count++];
-      track = {};
+      regista::Track& track = out.add();
       track.label = mate.number();
       track.flags = REGISTA_TRACK_VELOCITY;
       if (packet.has_target || mate.follows_rule()) {
@@ -154,7 +151,6 @@ struct IntentAware {
       track.weight = packet.weight;
       track.age = mate.age();
     }
-    for (std::size_t i = 0; i < count; ++i) out.add(present[i]);
   }
 
   static std::size_t index(int number) { return static_cast<std::size_t>(number - 1); }
@@ -188,7 +184,6 @@ struct IntentAware {
   std::uint64_t decisions = 0;                  // of this robot, as far as its frames told
   std::vector<Teammate> mates;                  // by number
   std::vector<std::uint64_t> first_answer;      // per robot: `decisions` beyond which answers know its packet
-  mutable std::vector<regista::Track> present;  // one per robot
 };
 
 }  // namespace

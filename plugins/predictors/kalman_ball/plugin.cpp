@@ -149,7 +149,7 @@ struct KalmanBall {
   void tracks(regista::Tracks out) const {
     for (const Hypothesis& each : filter) {
       const BallState ball = filter.told(each);
-      regista::Track track{};
+      regista::Track& track = out.add();
       track.label = each.label;
       track.x = ball.position.x();
       track.y = ball.position.y();
@@ -166,7 +166,6 @@ struct KalmanBall {
       }
       track.weight = std::min(1.0, each.weight);
       track.age = each.age;
-      out.add(track);
     }
   }
 

@@ -109,7 +109,7 @@ struct OdometryPose {
   void tracks(regista::Tracks out) const {
     const Estimate& pose = filter->estimate();
     const Eigen::Vector2d velocity = filter->velocity();
-    regista::Track track{};
+    regista::Track& track = out.add();
     track.label = number;
     track.flags = REGISTA_TRACK_VELOCITY;
     track.x = pose.x;
@@ -125,7 +125,6 @@ struct OdometryPose {
     track.heading_variance = pose.covariance(2, 2);
     track.weight = 1.0;
     track.age = filter->age();
-    out.add(track);
   }
 
   std::optional<odometry_pose::Filter> filter;

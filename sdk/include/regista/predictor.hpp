@@ -6,7 +6,7 @@
 //   void predict(double dt, const regista::Motion*, const regista::Frame* last);
 //   void correct(regista::Span<regista::Measurement>, const regista::VisibleArea&);
 //   void absorb(regista::Span<regista::Track>, double age);
-//   void tracks(regista::Tracks out) const;                           out.add(track)
+//   void tracks(regista::Tracks out) const;                           out.add() = a track to fill in
 //
 // regista_environment::subject says in setup() which part this instance models.
 #pragma once
