@@ -11,7 +11,9 @@
 #include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
+#include "mind/mind.hpp"
 #include "mind/team_plan.hpp"
+#include "plugin/failure.hpp"
 #include "study/forecast.hpp"
 
 namespace regista::cli {
@@ -32,6 +34,7 @@ std::string_view check(const std::string& file, const plugin::Catalogue& catalog
   const config::DocumentKind kind = config::check(file);
   if (kind == config::DocumentKind::team) {
     const mind::TeamPlan plan(config::read_team(file), {}, {}, catalogue);  // finds what is wrong with plugins
+    const mind::Mind first(plan, 1, 0);                                     // and what they refuse, files too
   }
   if (kind == config::DocumentKind::predictor_study) {
     const config::PredictorStudy study = config::read_predictor_study(file);
@@ -49,6 +52,9 @@ int check(const Options& options, const Invocation& invocation) {
       print(fmt::format("{}: {}, sound\n", file, check(file, catalogue)));
     } catch (const config::Error& error) {
       complain(error.what());
+      sound = false;
+    } catch (const plugin::Failure& failure) {
+      complain(fmt::format("{}: {}", file, failure.what()));
       sound = false;
     }
   }

@@ -37,7 +37,12 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
   } catch (...) {
     threw("create");
   }
-  if (raw_ == nullptr) fail("create", said(error_));
+  if (raw_ != nullptr) return;
+  // A plugin never learns what its files are called.
+  std::string message = said(error_);
+  for (const FileUsed& file : parameters.files())
+    message += fmt::format("; {}: {}", file.parameter, file.path.string());
+  fail("create", message);
 }
 
 Instance::~Instance() { plugin_.descriptor->destroy(raw_); }

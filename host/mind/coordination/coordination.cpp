@@ -215,8 +215,12 @@ void Coordination::take_own_role() {
   // While the others have not agreed, the robot goes on with what it does, if that still exists.
   if (role == REGISTA_UNKNOWN_TASK) role = decision_.own_role;
   decision_.own_task = nullptr;
-  for (const regista_task& task : decision_.columns) {
-    if (task.id == role) decision_.own_task = &task;
+  for (regista_task& task : decision_.columns) {
+    if (task.id != role) continue;
+    decision_.own_task = &task;
+    const double at_most = context().tasks.offset_at_most;
+    const bool movable = plan_->roles()[static_cast<std::size_t>(task.id)].role->offset;
+    if (movable && at_most > 0.0) offset_to_own(task, own_number_, decision_.placement.points, at_most);
   }
   if (decision_.own_task == nullptr) role = -1;
   if (role != decision_.own_role) {

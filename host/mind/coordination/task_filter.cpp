@@ -17,12 +17,21 @@ bool contains(std::span<const std::int32_t> numbers, std::int32_t number) {
   return std::ranges::find(numbers, number) != numbers.end();
 }
 
+void move_towards(regista_task& task, const regista_waypoint& point, double at_most) {
+  const double dx = point.x - task.before[0], dy = point.y - task.before[1];
+  const double distance = std::sqrt(dx * dx + dy * dy);
+  const double share = distance <= at_most ? 1.0 : at_most / distance;
+  task.after[0] = task.before[0] + share * dx;
+  task.after[1] = task.before[1] + share * dy;
+}
+
 }  // namespace
 
 int nearest_waypoint(std::span<const regista_waypoint> waypoints, double x, double y) {
   int nearest = -1;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    if (waypoints[i].robot != 0) continue;
     const double d2 = distance2(waypoints[i], x, y);
     // Selected, not branched on: which one is nearest is anybody's guess.
     nearest = d2 < least ? static_cast<int>(i) : nearest;
@@ -73,13 +82,12 @@ void offset(regista_task& task, int index, std::span<const regista_waypoint> way
     if (waypoints[i].task == index) nearest = static_cast<int>(i);
   }
   if (nearest < 0) nearest = nearest_waypoint(waypoints, task.before[0], task.before[1]);
-  if (nearest < 0) return;
-  const regista_waypoint& point = waypoints[static_cast<std::size_t>(nearest)];
-  const double dx = point.x - task.before[0], dy = point.y - task.before[1];
-  const double distance = std::sqrt(dx * dx + dy * dy);
-  const double share = distance <= at_most ? 1.0 : at_most / distance;
-  task.after[0] = task.before[0] + share * dx;
-  task.after[1] = task.before[1] + share * dy;
+  if (nearest >= 0) move_towards(task, waypoints[static_cast<std::size_t>(nearest)], at_most);
+}
+
+void offset_to_own(regista_task& task, int number, std::span<const regista_waypoint> waypoints, double at_most) {
+  const auto own = std::ranges::find(waypoints, number, &regista_waypoint::robot);
+  if (own != waypoints.end()) move_towards(task, *own, at_most);
 }
 
 }  // namespace regista::mind

@@ -31,11 +31,14 @@ class TaskFilter {
   std::vector<std::int32_t> last_;  // ids kept at the last call
 };
 
-// The waypoint nearest to (x, y), the first of equals; -1 without waypoints.
+// The waypoint nearest to (x, y), the first of equals; -1 without waypoints. Those that belong to a robot are none.
 int nearest_waypoint(std::span<const regista_waypoint> waypoints, double x, double y);
 
 // Moves `after` towards the nearest waypoint by at most `at_most` metres. A waypoint that belongs to this very task
 // (its `index` among the context's) takes precedence over nearer ones.
 void offset(regista_task& task, int index, std::span<const regista_waypoint> waypoints, double at_most);
+
+// The same towards the waypoint that belongs to robot `number`, which has taken the task; without one, nothing changes.
+void offset_to_own(regista_task& task, int number, std::span<const regista_waypoint> waypoints, double at_most);
 
 }  // namespace regista::mind

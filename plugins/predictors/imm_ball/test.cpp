@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The modes against brute force and the schoolbook; the filter in simulated scenes; the plugin by the robots that it is
-// told of; and a recording of real balls. Whether the covariance is right: test_consistency.cpp.
+// told of. A recording of real balls: tests/integration/recordings. Whether the covariance is right:
+// test_consistency.cpp.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -9,7 +10,6 @@
 #include <span>
 #include <vector>
 
-#include "../kalman_ball/recording.hpp"
 #include "testing.hpp"
 
 namespace imm_ball {
@@ -294,65 +294,6 @@ TEST(Time, OfOneImage) {
   }
   std::printf("predict and correct: %.0f ns\n", 1e9 * best);
   EXPECT_EQ(filter.end() - filter.begin(), 1);
-}
-
-// --- Recording ---
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-// Every third detection while the game runs is a start; the truth is the detection nearest to that time. The league's
-// values: 12 m x 9 m, kicks of any speed up to the limit of 6.5 m/s (6.5 / sqrt(6) per axis), detections good to 2 mm.
-TEST(Recording, IsForetoldBetterThanByHoldingAndCoveredByTheCovariance) {
-  const auto recording = kalman_ball::read_recording(REGISTA_SHARED_DATA "/ssl");
-  if (recording.empty()) GTEST_SKIP() << "no recording in " REGISTA_SHARED_DATA "/ssl";
-  Parameters parameters;
-  parameters.speed_prior = 2.65;
-  parameters.field_area = 108.0;
-  const Matrix2d noise = 0.002 * 0.002 * Matrix2d::Identity();
-  const double camera = noise(0, 0) + parameters.least_deviation * parameters.least_deviation;
-  const double horizons[] = {0.1, 0.25, 0.5, 1.0};
-  std::vector<double> held[4], foretold[4];
-  double nees[4] = {};
-  std::size_t covered[4] = {};
-  for (const auto& [name, stretch] : recording) {
-    Filter filter(parameters);
-    double now = 0.0;
-    for (std::size_t i = 0; i < stretch.detections.size(); ++i) {
-      const kalman_ball::Detection& detection = stretch.detections[i];
-      if (i > 0 && detection.time > now) filter.predict(detection.time - now, in_reach);
-      now = detection.time;
-      const Sighting sighting{detection.position, noise};
-      filter.correct(std::span(&sighting, 1), everywhere);
-      if (i % 3 != 0 || !stretch.runs_at(now) || filter.begin() == filter.end()) continue;
-      if (!filter.velocity_believed(*filter.begin())) continue;
-      for (std::size_t h = 0; h < 4; ++h) {
-        const kalman_ball::Detection* truth = stretch.at(now + horizons[h], 0.012);
-        if (truth == nullptr) continue;
-        const BallState told = combined(filter.ahead(*filter.begin(), horizons[h]));
-        const Vector2d error = truth->position - told.position;
-        const double squared = normalised(error, Matrix2d(told.position_covariance + camera * Matrix2d::Identity()));
-        foretold[h].push_back(error.norm());
-        held[h].push_back((truth->position - detection.position).norm());
-        nees[h] += squared;
-        covered[h] += squared < 4.605;  // 90 % of chi-square with 2 degrees of freedom
-      }
-    }
-  }
-  for (std::size_t h = 0; h < 4; ++h) {
-    ASSERT_GT(held[h].size(), 5000u);
-    const auto count = static_cast<double>(held[h].size());
-    const double filtered = median(foretold[h]), hold = median(held[h]);
-    std::printf(
-        "recording, %.2f s ahead: median error %.1f mm (holding %.1f), NEES %.2f, %.1f %% in the 90 %% region\n",
-        horizons[h], 1000.0 * filtered, 1000.0 * hold, nees[h] / count,
-        100.0 * static_cast<double>(covered[h]) / count);
-    EXPECT_LT(filtered, hold);
-    EXPECT_GT(static_cast<double>(covered[h]), 0.85 * count);
-  }
 }
 
 }  // namespace

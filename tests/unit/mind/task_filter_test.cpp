@@ -166,5 +166,20 @@ TEST(Offset, OwnWaypointBeatsNearerOnes) {
   EXPECT_DOUBLE_EQ(fifth.after[0], 0.1);
 }
 
+// A point that belongs to a robot says nothing of tasks, but moves the task that this robot takes.
+TEST(Offset, WaypointsOfRobots) {
+  const std::vector<regista_waypoint> points{{1.0, 0.0, 1.0, -1, 3}, {5.0, 0.0, 1.0, -1, 4}};
+  EXPECT_EQ(nearest_waypoint(points, 0.0, 0.0), -1);
+  regista_task moved = task(0.0, 0.0);
+  offset(moved, 0, points, 20.0);
+  EXPECT_EQ(moved.after[0], 0.0);
+  offset_to_own(moved, 2, points, 20.0);
+  EXPECT_EQ(moved.after[0], 0.0);
+  offset_to_own(moved, 4, points, 2.0);
+  EXPECT_EQ(moved.after[0], 2.0);
+  offset_to_own(moved, 3, points, 2.0);
+  EXPECT_EQ(moved.after[0], 1.0);
+}
+
 }  // namespace
 }  // namespace regista::mind
