@@ -70,6 +70,18 @@ bool passes_near(std::span<const Point> ascending, const Point& a, const Point& 
 
 Diagram::Diagram(Settings settings) : settings_(std::move(settings)) {
   std::sort(settings_.fixed.begin(), settings_.fixed.end());
+  // For teams of 22: n sites have at most 2n triangles and 3n edges.
+  constexpr std::size_t sites = 32, triangles = 2 * sites, edges = 3 * sites;
+  for (auto* points : {&opponents_, &asked_, &sites_}) points->reserve(sites);
+  for (auto* points : {&circumcentres_, &corners_, &middles_}) points->reserve(edges);
+  for (auto* indices : {&corner_of_, &alive_, &merged_into_}) indices->reserve(edges);
+  links_.reserve(edges + triangles);
+  in_order_.reserve(edges);
+  clusters_.reserve(edges);
+  near_.reserve(8 * edges);
+  joined_.reserve(edges);
+  graph_.nodes.reserve(edges);
+  graph_.edges.reserve(edges + triangles);
 }
 
 const Graph& Diagram::of(std::span<const Point> opponents) {

@@ -10,6 +10,8 @@
 #include <array>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <utility>
 
 namespace voronoi {
 namespace {
@@ -29,8 +31,9 @@ struct Delaunay::Triangulation : Base {
     set_infinite_vertex(tds().insert_first());
   }
 
-  // The triangle of three sites that are not on one line, alone. CGAL's own way there, point by point, allocates.
-  Vertex_handle begin(const Point& a, const Point& b, const Point& c) {
+  // The triangle of three sites that are not on one line, alone; the last two of its vertices. CGAL's own way there,
+  // point by point, allocates.
+  std::pair<Vertex_handle, Vertex_handle> begin(const Point& a, const Point& b, const Point& c) {
     erase_all();
     tds().set_dimension(2);
     const Vertex_handle outer = tds().create_vertex();
@@ -41,9 +44,6 @@ struct Delaunay::Triangulation : Base {
     const bool left = orientation(a, b, c) == CGAL::LEFT_TURN;
     corner[1]->set_point(left ? b : c);
     corner[2]->set_point(left ? c : b);
-    corner[0]->info() = 0;
-    corner[1]->info() = left ? 1 : 2;
-    corner[2]->info() = left ? 2 : 1;
     const Face_handle inner = tds().create_face(corner[0], corner[1], corner[2]);
     std::array<Face_handle, 3> beyond;  // the side opposite to corner k
     for (std::size_t k = 0; k < 3; ++k) {
@@ -52,9 +52,16 @@ struct Delaunay::Triangulation : Base {
       corner[k]->set_face(inner);
     }
     for (std::size_t k = 0; k < 3; ++k) tds().set_adjacency(beyond[k], 1, beyond[(k + 1) % 3], 0);
-    const Vertex_handle last = corner[left ? 2 : 1];
-    outer->set_face(beyond[left ? 0 : 2]);  // a side of the last one
-    return last;
+    corner[0]->info() = 0;
+    outer->set_face(beyond[0]);  // the side from b to c
+    return {corner[left ? 1 : 2], corner[left ? 2 : 1]};
+  }
+
+  // Makes the infinite vertex stand on a side of the hull at `vertex`, which is on the hull.
+  void turn_to(Vertex_handle vertex) {
+    Face_handle side = vertex->face();
+    while (!side->has_vertex(infinite_vertex())) side = side->neighbor(ccw(side->index(vertex)));
+    infinite_vertex()->set_face(side);
   }
 
   // Inserts a point that comes after all others in the order of x, then y. It is outside of the hull and sees a side of
@@ -78,9 +85,7 @@ struct Delaunay::Triangulation : Base {
     vertex->set_point(point);
     for (const Face_handle f : counter_clockwise_) tds().flip(f, ccw(f->index(outer)));
     for (const Face_handle f : clockwise_) tds().flip(f, cw(f->index(outer)));
-    Face_handle side = vertex->face();
-    while (!side->has_vertex(outer)) side = side->neighbor(ccw(side->index(vertex)));
-    outer->set_face(side);
+    turn_to(vertex);
     restore_Delaunay(vertex);
     return vertex;
   }
@@ -112,6 +117,12 @@ struct Delaunay::Triangulation : Base {
   }
 
   std::vector<Face_handle> clockwise_, counter_clockwise_;  // sides that a new point sees, from the first one on
+
+ public:
+  Triangulation() {
+    clockwise_.reserve(64);
+    counter_clockwise_.reserve(64);
+  }
 };
 
 Delaunay::Delaunay() : triangulation_(std::make_unique<Triangulation>()) {}
@@ -127,13 +138,31 @@ void Delaunay::build(std::span<const Point> sites) {
     const auto point = [&sites](std::size_t i) { return Kernel::Point_2(sites[i].x, sites[i].y); };
     std::size_t i = 0;
     Base::Vertex_handle last;
-    if (sites.size() >= 3 && CGAL::orientation(point(0), point(1), point(2)) != CGAL::COLLINEAR) {
-      last = t.begin(point(0), point(1), point(2));
-      i = 3;
+    // As many as the first ones on one line ascend on it, and the first one beside it.
+    std::size_t beside = 2;
+    const auto follows = [&](std::size_t k) { return sites[k - 1] < sites[k]; };
+    if (sites.size() >= 3 && follows(1)) {
+      while (beside < sites.size() && follows(beside) &&
+             CGAL::orientation(point(0), point(1), point(beside)) == CGAL::COLLINEAR) {
+        ++beside;
+      }
+    }
+    if (beside < sites.size() && CGAL::orientation(point(0), point(1), point(beside)) != CGAL::COLLINEAR) {
+      Base::Vertex_handle on_line;
+      std::tie(on_line, last) = t.begin(point(0), point(1), point(beside));
+      on_line->info() = 1;
+      last->info() = static_cast<int>(beside);
+      for (i = 2; i < beside; ++i) {
+        t.turn_to(on_line);
+        on_line = t.append(point(i), on_line);
+        on_line->info() = static_cast<int>(i);
+      }
+      t.turn_to(last);
+      i = beside + 1;
     } else {
       t.empty();
     }
-    bool ascending = i == 0 || (sites[0] < sites[1] && sites[1] < sites[2]);
+    bool ascending = i == 0 || (follows(1) && follows(beside));
     for (; i < sites.size(); ++i) {
       ascending = ascending && (i == 0 || sites[i - 1] < sites[i]);
       if (ascending && t.dimension() == 2) {
