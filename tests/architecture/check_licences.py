@@ -13,7 +13,7 @@ from pathlib import Path
 SUFFIXES = {".h", ".hpp", ".hh", ".c", ".cc", ".cpp", ".inl", ".ipp", ".cmake", ".py", ".sh", ".ts", ".mjs", ".js",
             ".rs"}
 NOT_OURS = {"build", ".git", ".cache", "node_modules", "__pycache__"}
-GPL_PLACE = "plugins/positioners/voronoi"
+GPL_PLACE = "plugins/positioners/voronoi/"
 IDENTIFIER = re.compile(r"SPDX-License-Identifier:\s*([\w.+-]+)")
 
 

@@ -24,12 +24,13 @@ NOT_A_LINK = {"add_test", "set_tests_properties", "gtest_discover_tests", "messa
 
 
 def room_of(path):
-    """The part of the house that a file stands in: a room of host/, "sdk", or plugins/<kind>/<name>; None elsewhere."""
+    """The part of the house that a file stands in: a room of host/, "sdk", plugins/<kind>/<name>, or plugins/<kind> for
+    what the plugins of a kind share; None elsewhere."""
     parts = path.split("/")
     if parts[0] == "host" and len(parts) > 2:
         return parts[1]
-    if parts[0] == "plugins" and len(parts) > 3:
-        return "/".join(parts[:3])
+    if parts[0] == "plugins" and len(parts) > 2:
+        return "/".join(parts[:min(3, len(parts) - 1)])
     return "sdk" if parts[0] == "sdk" else None
 
 
@@ -96,7 +97,8 @@ def stranger(root, path, target, quoted):
     if path.startswith("plugins/"):
         if found is None:
             return "it by quotes, which are for its own files" if quoted else None
-        own = found.startswith(room + "/") or found.startswith("sdk/include/regista/")
+        kind = "/".join(room.split("/")[:2])
+        own = found.startswith("sdk/include/regista/") or room_of(found) in (room, kind)
         return None if own else room_of(found) or posixpath.dirname(found)
     # sdk: author's headers know the standard library and each other; the testkit also GoogleTest and what it likes
     # from outside of the tree.

@@ -34,7 +34,7 @@ class Library:
 
 CONFINED = [
     Library("box2d", "host/match/", ("box2d/", "Box2D/"), ("box2d", "box2d::box2d")),
-    Library("CGAL", "plugins/positioners/voronoi", ("CGAL/",), ("CGAL", "CGAL::CGAL")),
+    Library("CGAL", "plugins/positioners/voronoi/", ("CGAL/",), ("CGAL", "CGAL::CGAL")),
     Library("nlopt", "host/study/", ("nlopt.h", "nlopt.hpp"), ("nlopt", "nlopt_cxx", "NLopt", "NLopt::nlopt",
                                                                 "NLopt::nlopt_cxx")),
     Library("yaml-cpp", "host/config/", ("yaml-cpp/",), ("yaml-cpp", "yaml-cpp::yaml-cpp"), sources_only=True),

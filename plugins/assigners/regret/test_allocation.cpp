@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // After reserve() nothing is allocated, whatever the size within it and whichever pairs are forbidden.
 #include <gtest/gtest.h>
+#include <regista/testkit/count_allocations.hpp>
 
 #include <algorithm>
 #include <numeric>
 #include <random>
 #include <vector>
 
-#include "../count_allocations.hpp"
 #include "algorithm.hpp"
 
 namespace {
@@ -30,9 +30,9 @@ TEST(Regret, NothingIsAllocatedWithinWhatWasReserved) {
     std::shuffle(order.begin(), order.end(), random);
     std::vector<std::int32_t> out(rows);
     const auto work = [&] { solver.assign({values.data(), rows, columns, columns}, order, out); };
-    ASSERT_EQ(count_allocations::during(work), 0u) << rows << " x " << columns;
+    ASSERT_EQ(regista::testkit::allocations_during(work), 0u) << rows << " x " << columns;
   }
-  EXPECT_GT(count_allocations::during([] { kept = std::vector<double>(1000); }), 0u);  // it does count
+  EXPECT_GT(regista::testkit::allocations_during([] { kept = std::vector<double>(1000); }), 0u);  // it does count
 }
 
 }  // namespace

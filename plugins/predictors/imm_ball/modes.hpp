@@ -22,7 +22,7 @@
 #include <array>
 #include <cmath>
 
-#include "../kalman_ball/rolling.hpp"
+#include "../rolling.hpp"
 
 namespace imm_ball {
 

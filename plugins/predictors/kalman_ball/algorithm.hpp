@@ -17,7 +17,7 @@
 #include <limits>
 #include <utility>
 
-#include "rolling.hpp"
+#include "../rolling.hpp"
 
 namespace kalman_ball {
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A match in its steady state allocates nothing: neither the match nor the minds nor the shipped plugins. Every shipped
 // team plays against paper.yaml; all steps are counted once the buffers have had time to grow.
-#include "allocation_counter.hpp"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <map>
 
 #include "config/documents.hpp"
 #include "match/teams.hpp"
+#include "regista/testkit/count_allocations.hpp"
 
 namespace regista {
 namespace {
@@ -36,15 +35,15 @@ TEST_P(Allocations, NoneInTheSteadyState) {
   std::size_t steps = 0, allocating = 0;
   match::Observer observer;
   observer.step = [&](const match::Snapshot& snapshot) {
-    if (counter::counting) {
+    if (testkit::counting) {
       ++steps;
-      if (counter::allocations > 0) ++allocating;
+      if (testkit::allocations > 0) ++allocating;
     }
-    counter::allocations = 0;
-    counter::counting = snapshot.time >= steady_after;
+    testkit::allocations = 0;
+    testkit::counting = snapshot.time >= steady_after;
   };
   match::play(setup, {&home, &away}, &observer);
-  counter::counting = false;
+  testkit::counting = false;
   EXPECT_GT(steps, 9000u);
   EXPECT_EQ(allocating, 0u) << "of " << steps << " steps";
 }

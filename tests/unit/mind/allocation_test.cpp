@@ -3,44 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <new>
+#include <regista/testkit/count_allocations.hpp>
 
 #include "team.hpp"
-
-namespace {
-
-// This file replaces the program's allocation functions, to count what happens between two marks.
-bool counting = false;
-std::size_t allocations = 0;
-
-void* counted(std::size_t size, std::size_t alignment) {
-  if (counting) ++allocations;
-  void* const memory = alignment <= alignof(std::max_align_t)
-                           ? std::malloc(size)
-                           : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return counted(size, 1); }
-void* operator new[](std::size_t size) { return counted(size, 1); }
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  return counted(size, static_cast<std::size_t>(alignment));
-}
-void* operator new[](std::size_t size, std::align_val_t alignment) {
-  return counted(size, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 namespace regista::mind {
 namespace {
@@ -60,7 +25,7 @@ TEST(Allocation, NothingIsAllocatedAfterAHundredDecisions) {
 
   for (int k = 0; k < 400; ++k) {
     const double time = 0.1 * k;
-    if (k == 100) allocations = 0;
+    if (k == 100) testkit::allocations = 0;
     for (std::size_t i = 0; i < 7; ++i) {
       given.time = time;
       given.game.phase = Phase::playing;
@@ -75,24 +40,21 @@ TEST(Allocation, NothingIsAllocatedAfterAHundredDecisions) {
       for (std::size_t j = 0; j < 7; ++j) {
         if (j != i && !air[j].empty()) heard.push_back({time, air[j]});
       }
-      counting = true;
+      testkit::counting = true;
       minds[i].think(given, heard, outcomes[i]);
-      counting = false;
+      testkit::counting = false;
     }
     for (std::size_t i = 0; i < 7; ++i) air[i].assign(outcomes[i].packet.begin(), outcomes[i].packet.end());
-    ASSERT_TRUE(k < 100 || allocations == 0) << allocations << " by decision " << k;
+    ASSERT_TRUE(k < 100 || testkit::allocations == 0) << testkit::allocations << " by decision " << k;
   }
   EXPECT_EQ(minds[0].world().common().active.size(), 7u) << "they did hear each other";
 }
 
 // The counter counts: otherwise the test above could not fail.
 TEST(Allocation, IsCounted) {
-  allocations = 0;
-  counting = true;
-  std::vector<int>* const volatile some = new std::vector<int>(100);
-  counting = false;
+  std::vector<int>* volatile some = nullptr;
+  EXPECT_EQ(testkit::allocations_during([&some] { some = new std::vector<int>(100); }), 2u);
   delete some;
-  EXPECT_EQ(allocations, 2u);
 }
 
 }  // namespace

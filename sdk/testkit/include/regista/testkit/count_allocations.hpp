@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Replaces the program's allocation functions, those of loaded plugins too, by ones that count. To be included by one
-// file of a program.
+// Counts the allocations of a program and of the plugins it has loaded. Include it in one file of a program only, for
+// it replaces the allocation functions. (Sanitizers bring their own: leave such a test out there.)
 #pragma once
 
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 
-namespace regista::counter {
+namespace regista::testkit {
 
-inline bool counting = false;
-inline std::size_t allocations = 0;
+inline bool counting = false;        // while true,
+inline std::size_t allocations = 0;  // this goes up by one for each
+
+// How often `work` allocates.
+inline std::size_t allocations_during(const auto& work) {
+  allocations = 0;
+  counting = true;
+  work();
+  counting = false;
+  return allocations;
+}
 
 inline void* counted(std::size_t size, std::size_t alignment) {
   if (counting) ++allocations;
@@ -21,15 +30,15 @@ inline void* counted(std::size_t size, std::size_t alignment) {
   return memory;
 }
 
-}  // namespace regista::counter
+}  // namespace regista::testkit
 
-void* operator new(std::size_t size) { return regista::counter::counted(size, 1); }
-void* operator new[](std::size_t size) { return regista::counter::counted(size, 1); }
+void* operator new(std::size_t size) { return regista::testkit::counted(size, 1); }
+void* operator new[](std::size_t size) { return regista::testkit::counted(size, 1); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
-  return regista::counter::counted(size, static_cast<std::size_t>(alignment));
+  return regista::testkit::counted(size, static_cast<std::size_t>(alignment));
 }
 void* operator new[](std::size_t size, std::align_val_t alignment) {
-  return regista::counter::counted(size, static_cast<std::size_t>(alignment));
+  return regista::testkit::counted(size, static_cast<std::size_t>(alignment));
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
