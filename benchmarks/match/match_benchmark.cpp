@@ -58,6 +58,27 @@ void whole_match(benchmark::State& state) {
   state.counters["peak_mb"] = static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
+// How the cost grows with the number of robots a side: 300 s of the same match. Everybody sees and hears everybody, so
+// the square of the number is to be expected, and no more.
+void robots_a_side(benchmark::State& state) {
+  const plugin::Catalogue catalogue{{REGISTA_PLUGINS}};
+  match::Setup setup;
+  setup.rules.team_size = static_cast<int>(state.range(0));
+  setup.limit = 300.0;
+  const mind::TeamPlan paper{config::read_team(REGISTA_CONFIGS "/teams/paper.yaml"), setup.rules, setup.robots[0],
+                             catalogue};
+  const mind::TeamPlan fixed_rate{config::read_team(REGISTA_CONFIGS "/teams/fixed_rate.yaml"), setup.rules,
+                                  setup.robots[1], catalogue};
+  double whole = 0.0, simulated = 0.0;
+  for (auto _ : state) {
+    whole += seconds_of([&] { simulated += match::play(setup, {&paper, &fixed_rate}).simulated_seconds; });
+  }
+  const auto n = static_cast<double>(state.range(0));
+  state.counters["us_per_match_second"] = 1e6 * whole / simulated;
+  state.counters["the_same_over_n2"] = 1e6 * whole / simulated / (n * n);
+}
+
+BENCHMARK(robots_a_side)->Arg(7)->Arg(11)->Arg(22)->Unit(benchmark::kMillisecond)->Iterations(3);
 BENCHMARK(whole_match)->Unit(benchmark::kMillisecond)->Iterations(3)->Repetitions(3)->ReportAggregatesOnly();
 
 }  // namespace

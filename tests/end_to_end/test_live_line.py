@@ -26,7 +26,7 @@ class LiveLine(program.Case):
             except OSError:  # the other end is closed
                 pass
 
-        limit = "100" if program.SANITIZED else "200"
+        limit = "100" if program.SANITIZED else "1000"
         with self.start("match", "small.yaml", "small.yaml", "--limit", limit, *arguments, stdout=subprocess.DEVNULL,
                         stderr=theirs, environment={"TERM": terminal}) as process:
             os.close(theirs)
