@@ -2,11 +2,13 @@
 """The teams that are shipped, with the plugins that are shipped, as a user meets them first."""
 
 import json
+import re
 import unittest
 
 import program
 
 TEAMS = program.SOURCE / "configs" / "teams"
+OTHER_TEAMS = program.SOURCE / "tests" / "fixtures" / "teams"
 SHIPPED = program.PROGRAM.parent.parent / "lib" / "regista" / "plugins"
 
 
@@ -27,6 +29,17 @@ class ShippedTeams(program.Case):
         written = (program.SOURCE / "docs" / "plugin-reference.md").read_text()
         self.assertEqual(self.succeed("plugin", "reference"), written,
                          "write it anew: regista plugin reference > docs/plugin-reference.md")
+
+    def test_every_plugin_plays(self):
+        """Between them, the shipped teams and those of the tests use every plugin there is."""
+        listed = json.loads(self.succeed("plugin", "list", "--json"))["plugins"]
+        unused = {plugin["id"] for plugin in listed}
+        limit = "30" if program.SANITIZED else "120"
+        for team in sorted(TEAMS.glob("*.yaml")) + sorted(OTHER_TEAMS.glob("*.yaml")):
+            played = json.loads(self.succeed("match", team, TEAMS / "paper.yaml", "--limit", limit, "--json"))
+            self.assertEqual(played["failures"], [])
+            unused -= set(re.findall(r"plugin: (\w+)", self.succeed("config", "show", team)))
+        self.assertEqual(unused, set())
 
     def test_paper_against_fixed_rate(self):
         limit = "60" if program.SANITIZED else "200"
