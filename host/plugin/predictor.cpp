@@ -20,13 +20,16 @@ constexpr double farthest = 1e4;
 bool clearly_sound(const regista_track& t) {
   constexpr double largest = std::numeric_limits<double>::max();
   const bool has_target = (t.flags & REGISTA_TRACK_HAS_TARGET) != 0;
-  const bool near = (std::abs(t.x) <= farthest) & (std::abs(t.y) <= farthest) & (std::abs(t.vx) <= farthest) &
-                    (std::abs(t.vy) <= farthest) & (std::abs(t.heading) <= std::numbers::pi) &
-                    (std::abs(t.turn_rate) <= largest);
+  const double x = std::abs(t.x), y = std::abs(t.y), vx = std::abs(t.vx), vy = std::abs(t.vy),
+               heading = std::abs(t.heading), turn_rate = std::abs(t.turn_rate), target_x = std::abs(t.target[0]),
+               target_y = std::abs(t.target[1]);
+  const bool near = (x <= farthest) & (y <= farthest) & (vx <= farthest) & (vy <= farthest) &
+                    (heading <= std::numbers::pi) & (turn_rate <= largest);
   const bool certain = (t.heading_variance >= 0.0) & (t.heading_variance <= largest) & (t.weight > 0.0) &
                        (t.weight <= 1.0) & (t.age >= 0.0) & (t.age <= largest);
-  const bool aimed = (!has_target) | ((std::abs(t.target[0]) <= largest) & (std::abs(t.target[1]) <= largest));
-  return near & certain & aimed & clearly_definite(t.covariance);
+  const bool aimed = (!has_target) | ((target_x <= largest) & (target_y <= largest));
+  const bool definite = clearly_definite(t.covariance);
+  return near & certain & aimed & definite;
 }
 
 }  // namespace

@@ -45,6 +45,8 @@ Table::Table(const std::filesystem::path& file, Progress progress)
     : name_(file.string()), progress_(std::move(progress)), stream_(std::make_unique<Stream>()) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) throw config::Error({name_}, "is a folder, not a recording");
+  // A pipe would wait for ever, a device never end.
+  if (std::filesystem::is_other(file, ignored)) throw config::Error({name_}, "is not a regular file");
   errno = 0;
   stream_->file = gzopen(name_.c_str(), "rb");
   if (stream_->file == nullptr) {

@@ -86,7 +86,7 @@ class EvaluatePredictor(unittest.TestCase):
                      data=self.write("e_ball_raw.csv", "event,t,x_mm,y_mm\n1,1,0,0\n1,2,nan,0\n"))
         self.refused("3:3: t: \"0\" runs backwards",
                      data=self.write("e_ball_raw.csv", "event,t,x_mm,y_mm\n1,1,0,0\n1,0,0,0\n"))
-        self.refused("is longer than", data="/dev/zero")
+        self.refused("is not a regular file", data="/dev/zero")
 
     def test_studies_that_cannot_be_used(self):
         self.refused("--set predictor.plugin=kalman_bal", "--set", "predictor.plugin=kalman_bal")

@@ -17,6 +17,13 @@ bool contains(std::span<const std::int32_t> numbers, std::int32_t number) {
   return std::ranges::find(numbers, number) != numbers.end();
 }
 
+// Its own waypoint, or the nearest of those that belong to nothing; -1 when there is neither.
+int waypoint_for(const regista_task& task, std::size_t index, std::span<const regista_waypoint> waypoints) {
+  const auto own = std::ranges::find(waypoints, static_cast<std::int32_t>(index), &regista_waypoint::task);
+  if (own != waypoints.end()) return static_cast<int>(own - waypoints.begin());
+  return nearest_waypoint(waypoints, task.before[0], task.before[1]);
+}
+
 void move_towards(regista_task& task, const regista_waypoint& point, double at_most) {
   const double dx = point.x - task.before[0], dy = point.y - task.before[1];
   const double distance = std::sqrt(dx * dx + dy * dy);
@@ -31,7 +38,7 @@ int nearest_waypoint(std::span<const regista_waypoint> waypoints, double x, doub
   int nearest = -1;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
-    if (waypoints[i].robot != 0) continue;
+    if (waypoints[i].robot != 0 || waypoints[i].task >= 0) continue;
     const double d2 = distance2(waypoints[i], x, y);
     // Selected, not branched on: which one is nearest is anybody's guess.
     nearest = d2 < least ? static_cast<int>(i) : nearest;
@@ -56,7 +63,7 @@ void TaskFilter::keep(std::span<const regista_task> tasks, std::span<const regis
       }
       continue;
     }
-    const int nearest = nearest_waypoint(waypoints, task.before[0], task.before[1]);
+    const int nearest = waypoint_for(task, i, waypoints);
     double distance = 0.0;
     if (nearest >= 0) {
       distance = std::sqrt(distance2(waypoints[static_cast<std::size_t>(nearest)], task.before[0], task.before[1]));
@@ -77,11 +84,7 @@ void TaskFilter::keep(std::span<const regista_task> tasks, std::span<const regis
 }
 
 void offset(regista_task& task, int index, std::span<const regista_waypoint> waypoints, double at_most) {
-  int nearest = -1;
-  for (std::size_t i = 0; i < waypoints.size() && nearest < 0; ++i) {
-    if (waypoints[i].task == index) nearest = static_cast<int>(i);
-  }
-  if (nearest < 0) nearest = nearest_waypoint(waypoints, task.before[0], task.before[1]);
+  const int nearest = waypoint_for(task, static_cast<std::size_t>(index), waypoints);
   if (nearest >= 0) move_towards(task, waypoints[static_cast<std::size_t>(nearest)], at_most);
 }
 

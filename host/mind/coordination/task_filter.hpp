@@ -13,7 +13,8 @@
 namespace regista::mind {
 
 // Keeps at most as many tasks as there are active robots (their numbers, ascending), in the given order: those bound to
-// an active robot, those required, then those nearest to a waypoint, or the first ones while there are no waypoints.
+// an active robot, those required, then those nearest to a waypoint (their own, or one that belongs to nothing), or the
+// first ones while there are no waypoints.
 // A task bound to a robot that is not active is never kept. A task kept at the last call (by its id) counts as
 // `hysteresis` metres nearer. `all`: whoever can be kept is. Writes indices, ascending.
 class TaskFilter {
@@ -31,7 +32,8 @@ class TaskFilter {
   std::vector<std::int32_t> last_;  // ids kept at the last call
 };
 
-// The waypoint nearest to (x, y), the first of equals; -1 without waypoints. Those that belong to a robot are none.
+// The waypoint nearest to (x, y), the first of equals; -1 without waypoints. Those that belong to a robot or to a task are
+// left out.
 int nearest_waypoint(std::span<const regista_waypoint> waypoints, double x, double y);
 
 // Moves `after` towards the nearest waypoint by at most `at_most` metres. A waypoint that belongs to this very task

@@ -186,12 +186,13 @@ TEST(Plugin, FollowsTheAnswerThatChangedAfterThePacket) {
   const Loaded plugin(REGISTA_PLUGIN_FILE, "intent_aware");
   Instance instance(plugin, teammates());
   std::uint64_t tick = 0;
-  const auto live = [&](const char* task, int times) {
+  const auto live = [&](const char* task, int times) {  // the track, if there is one
     for (int i = 0; i < times; ++i) {
       const Scene last = frame(tick++, task);
       instance.predict(0.1, nullptr, &last.raw());
     }
-    return instance.tracks().front();
+    const auto tracks = instance.tracks();
+    return tracks.empty() ? regista_track{} : tracks.front();
   };
   instance.predict(0.1, nullptr, nullptr);
   live("goalkeeper", 3);

@@ -17,7 +17,9 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> teams() {
   std::vector<fs::path> out;
-  for (const fs::directory_entry& each : fs::directory_iterator(REGISTA_CONFIGS "/teams")) out.push_back(each.path());
+  for (const char* folder : {REGISTA_CONFIGS "/teams", REGISTA_FIXTURES "/teams"}) {
+    for (const fs::directory_entry& each : fs::directory_iterator(folder)) out.push_back(each.path());
+  }
   std::ranges::sort(out);
   return out;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The shipped studies on recordings of real matches: the baselines give the published table, the shipped predictors are
-// at least as near as its decayed velocity and tell honest covariances.
+// The shipped studies on recordings of real matches: the baselines give the published table, and on the Small Size
+// League the medians of the shipped predictors are at least as near as its decayed velocity. Their covariances are
+// right on average and at nine of ten; in the middle they are too wide (the 50 % ellipse holds 70 to 85 %), because
+// touches have tails that no Gaussian has. On the 2D simulation decayed velocity is better beyond the first horizons:
+// there a ball loses a share of its speed, not so much a second, and players turn at once.
 //
 // Data: real robots of the Small Size League (RoboCIn's logs, AmandaCLima/data_mining) and matches of the 2D simulation
 // league (open-starlab/STP-challenge-2025); the table stands beside them in INDEX.md.
@@ -97,11 +100,27 @@ TEST(SmallSizeLeague, RobotsAreForetoldBetterThanByTheirDecayedVelocity) {
   expect_consistent(result);
 }
 
-// With the parameters for a Nao's ball: what it is told of the camera is all that it knows of that league.
+// With the parameters that matches use. They expect slower kicks than that league's: too sure of itself, though near.
 TEST(SmallSizeLeague, BallIsForetoldByInteractingModelsToo) {
   const std::string data = ssl + "zjunlict_ball_raw.csv.gz";
   if (!std::filesystem::exists(data)) GTEST_SKIP() << "no recording " << data;
   expect_at_or_below(evaluate("ssl_ball", data, {"predictor.plugin=imm_ball"}), {11, 27, 92, 384});
+}
+
+// With that league's kicks (6.5 m/s at most, 2.65 a component) it is consistent, and not quite as near: not above the
+// row by more than 4 %.
+TEST(SmallSizeLeague, InteractingModelsAreConsistentWhenTheyKnowHowHardIsKicked) {
+  const std::string data = ssl + "zjunlict_ball_raw.csv.gz";
+  if (!std::filesystem::exists(data)) GTEST_SKIP() << "no recording " << data;
+  const Evaluation result =
+      evaluate("ssl_ball", data, {"predictor={plugin: imm_ball, params: {speed_prior: 2.65, deceleration: 0.3}}"});
+  expect_tail_at_or_below(result);
+  const Row row{11, 27, 92, 384};
+  for (std::size_t h = 0; h < horizon_count; ++h) {
+    EXPECT_LE(1e3 * result.horizons[h].predictor.median, 1.04 * row[h]);
+    EXPECT_LT(result.horizons[h].consistency.nees_mean, 3.0);
+    EXPECT_GT(result.horizons[h].consistency.within_90, 0.85);
+  }
 }
 
 TEST(SmallSizeLeague, RobotsAreForetoldByTheMixtureDensityToo) {

@@ -166,6 +166,19 @@ TEST(Offset, OwnWaypointBeatsNearerOnes) {
   EXPECT_DOUBLE_EQ(fifth.after[0], 0.1);
 }
 
+// A task without a waypoint of its own is not moved to another's, and the filter measures each to what it may go to.
+TEST(Offset, WaypointsOfOtherTasksAreNone) {
+  const std::vector<regista_waypoint> points{point(1.0, 0.0, 1), point(0.0, 0.3, 0)};
+  regista_task unnamed = task(0.9, 0.0);
+  offset(unnamed, 2, points, 20.0);
+  EXPECT_EQ(unnamed.after[0], 0.9);
+  EXPECT_EQ(nearest_waypoint(points, 1.0, 0.0), -1);
+  // Task 0 is 3 m from its own point, however near it is to that of task 1; tasks 1 and 2 are nearer to theirs.
+  const std::vector<regista_task> tasks{task(1.0, 0.1), task(1.0, 0.5), task(4.0, 0.0)};
+  const std::vector<regista_waypoint> bound{point(1.0, 3.1, 0), point(1.0, 0.0, 1), point(4.0, 0.2, 2)};
+  EXPECT_EQ(keep(tasks, bound, {1, 2}), (std::vector<std::size_t>{1, 2}));
+}
+
 // A point that belongs to a robot says nothing of tasks, but moves the task that this robot takes.
 TEST(Offset, WaypointsOfRobots) {
   const std::vector<regista_waypoint> points{{1.0, 0.0, 1.0, -1, 3}, {5.0, 0.0, 1.0, -1, 4}};
