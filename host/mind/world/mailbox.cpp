@@ -20,7 +20,13 @@ struct Mailboxes::Endpoint {
   std::optional<plugin::Mailbox> mailbox;  // none when the plugin takes no messages
 };
 
-Mailboxes::Mailboxes(std::size_t packet_size) : packet_size_(packet_size) {}
+Mailboxes::Mailboxes(std::size_t packet_size) : packet_size_(packet_size) {
+  constexpr std::size_t usual = 64;  // offers that wait; more take more memory
+  waiting_.reserve(usual);
+  dropped_.reserve(usual);
+  telling_.reserve(usual);
+  listed_.reserve(usual);
+}
 Mailboxes::~Mailboxes() = default;
 
 const regista_host* Mailboxes::open() {
