@@ -33,6 +33,7 @@ class Library:
 
 
 CONFINED = [
+    Library("Boost", "host/statistics/", ("boost/",), ("Boost::headers", "Boost::boost", "Boost"), sources_only=True),
     Library("box2d", "host/match/", ("box2d/", "Box2D/"), ("box2d", "box2d::box2d")),
     Library("CGAL", "plugins/positioners/voronoi/", ("CGAL/",), ("CGAL", "CGAL::CGAL")),
     Library("nlopt", "host/study/", ("nlopt.h", "nlopt.hpp"), ("nlopt", "nlopt_cxx", "NLopt", "NLopt::nlopt",

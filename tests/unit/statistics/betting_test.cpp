@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "statistics/betting.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace regista::statistics {
+namespace {
+
+double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+TEST(Capital, PublishedBets) {
+  Capital capital;
+  for (const double score : {1.0, 0.5, 0.75, 1.0}) capital.bet(0.5, score, 0.5);
+  EXPECT_NEAR(std::exp(capital.log()), 1.7578125, 1e-12);
+}
+
+TEST(PlugInStake, ByHand) {
+  PlugInStake stake(0.05);
+  EXPECT_NEAR(stake.next(), std::sqrt(2 * std::log(40.0) / (0.25 * std::log(2.0))), 1e-12);
+  stake.learn(1.0);  // mean so far (1/2 + 1) / 2
+  EXPECT_NEAR(stake.next(), std::sqrt(2 * std::log(40.0) / ((0.25 + 0.0625) / 2 * 2 * std::log(3.0))), 1e-12);
+}
+
+// Values of a law with a given mean on {low, 0, high}; the exact expectation of the capital after two values is 1.
+TEST(HedgedCapital, IsAFairGame) {
+  const double mean = 0.3;
+  const std::vector<std::pair<double, double>> law{{0.0, 0.5}, {0.2, 0.25}, {1.0, 0.25}};  // value, probability
+  double above = 0.0, below = 0.0;
+  for (const auto& [first, p1] : law) {
+    for (const auto& [second, p2] : law) {
+      PlugInStake stake(0.05);
+      HedgedCapital capital;
+      capital.bet(stake.next(), first, mean);
+      stake.learn(first);
+      capital.bet(stake.next(), second, mean);
+      above += p1 * p2 * std::exp(capital.log_above());
+      below += p1 * p2 * std::exp(capital.log_below());
+    }
+  }
+  EXPECT_NEAR(above, 1.0, 1e-12);
+  EXPECT_NEAR(below, 1.0, 1e-12);
+}
+
+// Goal differences of pairs: few goals, a mercy rule at ten.
+double goals(std::mt19937_64& random, double advantage) {
+  double difference = 0.0;
+  for (int chance = 0; chance < 12; ++chance) {
+    const double u = uniform(random);
+    difference += u < 0.1 + advantage ? 1.0 : u > 0.9 ? -1.0 : 0.0;
+  }
+  return std::clamp(difference, -10.0, 10.0);
+}
+
+TEST(BettingTest, SeldomErrsHoweverOftenOneLooks) {
+  int rejected = 0, missed = 0;
+  for (unsigned tournament = 0; tournament < 2000; ++tournament) {
+    std::mt19937_64 random(tournament);
+    BettingTest test({-10, 10, 0.05}, 0.0);
+    for (int i = 0; i < 400 && test.finding() == BettingTest::Finding::none; ++i) test.add(goals(random, 0.0));
+    rejected += test.finding() != BettingTest::Finding::none ? 1 : 0;
+  }
+  EXPECT_LE(rejected, 100);  // 5 %
+  for (unsigned tournament = 0; tournament < 200; ++tournament) {
+    std::mt19937_64 random(tournament);
+    BettingTest test({-10, 10, 0.05}, 0.0);
+    for (int i = 0; i < 2000 && test.finding() == BettingTest::Finding::none; ++i) test.add(goals(random, 0.05));
+    missed += test.finding() != BettingTest::Finding::above ? 1 : 0;
+  }
+  EXPECT_LE(missed, 2);
+}
+
+TEST(BettingTest, StaysWithWhatItFound) {
+  BettingTest test({-1, 1, 0.05}, 0.0);
+  for (int i = 0; i < 100; ++i) test.add(1.0);
+  EXPECT_EQ(test.finding(), BettingTest::Finding::above);
+  EXPECT_LT(test.p(), 0.05);
+  const double p = test.p();
+  for (int i = 0; i < 1000; ++i) test.add(-1.0);
+  EXPECT_EQ(test.finding(), BettingTest::Finding::above);
+  EXPECT_LE(test.p(), p);
+}
+
+TEST(BettingTest, EvenPairsAreNoEvidence) {
+  BettingTest test({-10, 10, 0.05}, 0.0);
+  for (int i = 0; i < 10000; ++i) test.add(0.0);
+  EXPECT_EQ(test.finding(), BettingTest::Finding::none);
+  EXPECT_EQ(test.p(), 1.0);
+}
+
+TEST(BettingSequence, ExcludesWhatTheTestRejects) {
+  std::mt19937_64 random(7);
+  const BettingDesign design{-10, 10, 0.05};
+  std::vector<double> values;
+  for (int i = 0; i < 300; ++i) values.push_back(goals(random, 0.03));
+  BettingSequence sequence(design);
+  for (const double value : values) sequence.add(value);
+  const Interval interval = sequence.interval();
+  EXPECT_TRUE(interval.contains(sequence.mean()));
+  for (double mean = -9.9; mean < 9.95; mean += 0.1) {
+    BettingTest test(design, mean);
+    for (const double value : values) test.add(value);
+    EXPECT_EQ(test.log_evidence() < std::log(20.0), interval.contains(mean)) << mean;
+  }
+}
+
+TEST(BettingSequence, ShrinksAndMirrors) {
+  std::mt19937_64 random(8);
+  BettingSequence one({-10, 10, 0.05}), other({-10, 10, 0.05});
+  EXPECT_EQ(one.interval().low, -10.0);
+  EXPECT_EQ(one.interval().high, 10.0);
+  double before = 20.0;
+  for (int i = 1; i <= 4096; ++i) {
+    const double value = goals(random, 0.02);
+    one.add(value);
+    other.add(-value);
+    if ((i & (i - 1)) != 0 || i < 16) continue;
+    const Interval interval = one.interval();
+    EXPECT_LT(interval.high - interval.low, before) << i;
+    before = interval.high - interval.low;
+    EXPECT_NEAR(interval.low, -other.interval().high, 1e-8);
+    EXPECT_NEAR(interval.high, -other.interval().low, 1e-8);
+  }
+  EXPECT_TRUE(one.interval().contains(12 * 0.02));
+  // The values have a standard deviation of about 1.5 in a range of 20: Hoeffding's bound would need four times this.
+  EXPECT_LT(before, 0.5);
+}
+
+TEST(BettingSequence, ValuesAtTheEdgesOfTheRange) {
+  for (const double value : {0.0, 1.0}) {
+    BettingSequence sequence({0, 1, 0.05});
+    for (int i = 0; i < 500; ++i) sequence.add(value);
+    const Interval interval = sequence.interval();
+    EXPECT_TRUE(interval.contains(value));
+    EXPECT_LT(interval.high - interval.low, 0.05);
+  }
+}
+
+TEST(BettingSequence, CoversTheMeanAtAllTimes) {
+  int missed = 0;
+  for (unsigned tournament = 0; tournament < 300; ++tournament) {
+    std::mt19937_64 random(1000 + tournament);
+    BettingSequence sequence({-10, 10, 0.1});
+    bool always = true;
+    for (int i = 1; i <= 200; ++i) {
+      sequence.add(goals(random, 0.04));
+      if (i % 10 == 0) always = always && sequence.interval().contains(12 * 0.04);
+    }
+    missed += always ? 0 : 1;
+  }
+  EXPECT_LE(missed, 30);  // 10 %
+}
+
+}  // namespace
+}  // namespace regista::statistics

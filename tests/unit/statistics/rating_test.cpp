@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Counts and what they say about strength, against numbers that the tests of fastchess and fishtest publish.
+#include "statistics/rating.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "statistics/distributions.hpp"
+
+namespace regista::statistics {
+namespace {
+
+GameCounts games(Count losses, Count draws, Count wins) { return {{losses, draws, wins}}; }
+
+TEST(Counts, PairsAreTheSumOfTheirGames) {
+  using enum GameOutcome;
+  EXPECT_EQ(pair_outcome(loss, loss), PairOutcome::two_losses);
+  EXPECT_EQ(pair_outcome(loss, draw), PairOutcome::loss_and_draw);
+  EXPECT_EQ(pair_outcome(draw, loss), PairOutcome::loss_and_draw);
+  EXPECT_EQ(pair_outcome(loss, win), PairOutcome::even);
+  EXPECT_EQ(pair_outcome(win, loss), PairOutcome::even);
+  EXPECT_EQ(pair_outcome(draw, draw), PairOutcome::even);
+  EXPECT_EQ(pair_outcome(win, draw), PairOutcome::win_and_draw);
+  EXPECT_EQ(pair_outcome(win, win), PairOutcome::two_wins);
+  PairCounts counts;
+  counts.add(PairOutcome::even);
+  counts.add(PairOutcome::two_wins);
+  EXPECT_EQ(counts, (PairCounts{{0, 0, 1, 0, 1}}));
+  EXPECT_EQ(swapped(counts), (PairCounts{{1, 0, 1, 0, 0}}));
+  EXPECT_EQ(total(counts), 2);
+}
+
+TEST(ScoreLaw, MomentsOfCountsWithoutZeros) {
+  const ScoreLaw law = score_law(PairCounts{{1, 2, 3, 2, 2}});
+  EXPECT_DOUBLE_EQ(law.units, 10.0);
+  EXPECT_DOUBLE_EQ(law.mean, (0.5 + 1.5 + 1.5 + 2.0) / 10.0);
+  EXPECT_NEAR(law.variance, (2 * 0.0625 + 3 * 0.25 + 2 * 0.5625 + 2.0) / 10.0 - 0.55 * 0.55, 1e-15);
+  EXPECT_EQ(law.variation, Variation::some);
+}
+
+TEST(ScoreLaw, OutcomesNeverSeenCountAThousandth) {
+  const ScoreLaw law = score_law(games(0, 0, 4));
+  EXPECT_DOUBLE_EQ(law.units, 4.002);
+  EXPECT_DOUBLE_EQ(law.probabilities[0], 0.001 / 4.002);
+  EXPECT_GT(law.variance, 0.0);
+  EXPECT_EQ(law.variation, Variation::one_sided);
+  EXPECT_EQ(score_law(games(0, 7, 0)).variation, Variation::none);
+  EXPECT_EQ(score_law(PairCounts{{0, 0, 7, 0, 0}}).variation, Variation::none);
+  EXPECT_EQ(score_law(PairCounts{{0, 7, 0, 0, 0}}).variation, Variation::one_sided);
+}
+
+TEST(Rating, PublishedGames) {
+  const ScoreLaw law = score_law(games(96, 111, 136));
+  EXPECT_NEAR(elo(law).value, 40.70, 0.005);
+  EXPECT_NEAR(elo(law).margin(), 30.43, 0.005);
+  EXPECT_NEAR(normalized_elo(law).value, 49.77, 0.005);
+  EXPECT_NEAR(normalized_elo(law).margin(), 36.77, 0.005);
+  EXPECT_NEAR(likelihood_of_superiority(law), 0.9960, 0.00005);
+  const ScoreLaw weaker = score_law(games(89, 123, 76));
+  EXPECT_NEAR(normalized_elo(weaker).value, -20.76, 0.005);
+  EXPECT_NEAR(normalized_elo(weaker).margin(), 40.13, 0.005);
+  EXPECT_NEAR(likelihood_of_superiority(weaker), 0.1553, 0.00005);
+}
+
+TEST(Rating, PublishedPairs) {
+  const ScoreLaw law = score_law(PairCounts{{34, 54, 63, 64, 75}});
+  EXPECT_NEAR(elo(law).value, 55.58, 0.005);
+  EXPECT_NEAR(elo(law).margin(), 27.65, 0.005);
+  EXPECT_NEAR(normalized_elo(law).value, 57.94, 0.005);
+  EXPECT_NEAR(normalized_elo(law).margin(), 28.28, 0.005);
+  EXPECT_NEAR(likelihood_of_superiority(law), 1.0, 0.00005);
+  const ScoreLaw weaker = score_law(PairCounts{{332, 433, 498, 333, 334}});
+  EXPECT_NEAR(elo(weaker).value, -8.64, 0.005);
+  EXPECT_NEAR(elo(weaker).margin(), 10.33, 0.005);
+  EXPECT_NEAR(normalized_elo(weaker).value, -9.17, 0.005);
+  EXPECT_NEAR(normalized_elo(weaker).margin(), 10.96, 0.005);
+  EXPECT_NEAR(likelihood_of_superiority(weaker), 0.0505, 0.00005);
+}
+
+TEST(Rating, PublishedPairsInFullPrecision) {
+  const ScoreLaw law = score_law(PairCounts{{10789, 19328, 33806, 19402, 10543}});
+  EXPECT_NEAR(elo(law).value, -0.7735773359165423, 1e-9);
+  EXPECT_NEAR(elo(law).margin(), 1.2775798957280218, 1e-9);
+  EXPECT_NEAR(likelihood_of_superiority(law), 0.1176588580327751, 1e-12);
+  EXPECT_NEAR(normalized_elo(law).value, -0.9516290044726476, 1e-9);
+}
+
+TEST(Rating, EloAndScoreAreInverse) {
+  for (const double rating : {-1500.0, -10.0, 0.0, 3.5, 400.0}) {
+    EXPECT_NEAR(elo_of_score(score_of_elo(rating)), rating, 1e-9);
+  }
+  EXPECT_NEAR(score_of_elo(400.0), 10.0 / 11.0, 1e-15);
+  EXPECT_EQ(elo_of_score(0.0), -HUGE_VAL);
+  EXPECT_EQ(elo_of_score(1.0), HUGE_VAL);
+  EXPECT_DOUBLE_EQ(normalized_elo_scale, 800.0 / std::log(10.0));
+}
+
+TEST(Rating, SwappingTheTeamsNegates) {
+  const PairCounts counts{{34, 54, 63, 64, 75}};
+  const ScoreLaw one = score_law(counts), other = score_law(swapped(counts));
+  EXPECT_NEAR(elo(one).value, -elo(other).value, 1e-10);
+  EXPECT_NEAR(elo(one).interval.low, -elo(other).interval.high, 1e-10);
+  EXPECT_NEAR(normalized_elo(one).value, -normalized_elo(other).value, 1e-10);
+  EXPECT_NEAR(likelihood_of_superiority(one), 1.0 - likelihood_of_superiority(other), 1e-14);
+}
+
+TEST(Rating, WithoutSpreadNothingIsCertain) {
+  const ScoreLaw even = score_law(PairCounts{{0, 0, 500, 0, 0}});
+  EXPECT_NEAR(elo(even).value, 0.0, 1e-12);
+  EXPECT_NEAR(normalized_elo(even).value, 0.0, 1e-9);
+  EXPECT_EQ(likelihood_of_superiority(even), 0.5);
+  EXPECT_FALSE(elo(even).interval.bounded());
+  EXPECT_FALSE(normalized_elo(even).interval.bounded());
+  // One pair won is no proof; twenty are.
+  EXPECT_DOUBLE_EQ(likelihood_of_superiority(score_law(PairCounts{{0, 0, 0, 0, 1}})), 0.75);
+  EXPECT_NEAR(likelihood_of_superiority(score_law(PairCounts{{20, 0, 0, 0, 0}})), std::exp2(-21), 1e-18);
+  EXPECT_EQ(elo(score_law(PairCounts{{20, 0, 0, 0, 0}})).interval.low, -HUGE_VAL);
+}
+
+TEST(Rating, FewGamesReachBeyondTheScale) {
+  const Estimate estimate = elo(score_law(games(0, 1, 3)));
+  EXPECT_EQ(estimate.interval.high, HUGE_VAL);
+  EXPECT_TRUE(std::isfinite(estimate.interval.low));
+}
+
+TEST(Rating, PairRatio) {
+  EXPECT_DOUBLE_EQ(*pair_ratio({{34, 54, 63, 64, 75}}), 139.0 / 88.0);
+  EXPECT_FALSE(pair_ratio({{0, 0, 3, 2, 0}}).has_value());
+}
+
+// Tables of the distributions, as every book of statistics prints them.
+TEST(Distributions, TabledValues) {
+  EXPECT_NEAR(central_normal(0.95), 1.959963984540054, 1e-12);
+  EXPECT_NEAR(normal_quantile(0.9), 1.2815515655446004, 1e-12);
+  EXPECT_NEAR(normal_below(-1.0), 0.15865525393145705, 1e-14);
+  EXPECT_EQ(normal_below(HUGE_VAL), 1.0);
+  EXPECT_EQ(normal_below(-HUGE_VAL), 0.0);
+  EXPECT_NEAR(student_t_quantile(0.975, 10), 2.2281388519649385, 1e-9);
+  EXPECT_NEAR(student_t_outside(-2.2281388519649385, 10), 0.05, 1e-10);
+  // One degree of freedom is Cauchy's law.
+  EXPECT_NEAR(student_t_outside(1.0, 1), 0.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace regista::statistics
