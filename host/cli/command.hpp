@@ -26,6 +26,7 @@ struct Command {
 
 Command add_match(CLI::App& parent, const Invocation& invocation);
 Command add_evaluate_predictor(CLI::App& parent, const Invocation& invocation);
+Command add_sprt(CLI::App& parent, const Invocation& invocation);
 Command add_plugin_list(CLI::App& parent, const Invocation& invocation);
 Command add_plugin_info(CLI::App& parent, const Invocation& invocation);
 Command add_plugin_reference(CLI::App& parent, const Invocation& invocation);

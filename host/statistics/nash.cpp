@@ -14,62 +14,68 @@ using Eigen::ArrayXd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// An equilibrium of an antisymmetric game is a mix against which no team wins: payoff * share <= 0. Entropy is raised
-// over the mixes that lose less than `slack`, with logarithmic barriers (S. Boyd and L. Vandenberghe, "Convex
-// Optimization", chapter 11), while slack and barrier shrink: the first mix of equal shares then always lies inside.
-class Path {
+// An equilibrium of an antisymmetric game is a mix against which no team wins: game * share <= 0. Of all of them, that
+// of the largest entropy, by a primal-dual interior-point method from outside of the feasible set (S. Boyd and L.
+// Vandenberghe, "Convex Optimization", section 11.7): minimise sum share ln(share) with game * share + room = slack,
+// sum share = 1, room >= 0. The slack gives the set of equilibria, often a point, an inside. Entries are within +-1.
+class LargestEntropy {
  public:
-  explicit Path(const MatrixXd& payoff)
-      : payoff_(payoff), share_(VectorXd::Constant(payoff.rows(), 1.0 / static_cast<double>(payoff.rows()))) {}
+  explicit LargestEntropy(const MatrixXd& game)
+      : game_(game),
+        share_(ArrayXd::Constant(game.rows(), 1.0 / static_cast<double>(game.rows()))),
+        room_(ArrayXd::Ones(game.rows())),
+        price_(ArrayXd::Ones(game.rows())) {}
 
-  VectorXd follow() {
-    double slack = 2.0;  // payoffs are within +-1
-    while (true) {
-      centre(slack);
-      if (slack <= least_slack) return share_;
-      // Halfway to the worst loss of the present mix, so that it stays inside.
-      const double worst = (payoff_ * share_).maxCoeff();
-      slack = std::max(least_slack, std::max(worst, 0.0) + (slack - std::max(worst, 0.0)) / 2.0);
-    }
+  VectorXd find() {
+    for (int step = 0; step < most_steps && !settled(); ++step) improve();
+    return share_.matrix();
   }
 
  private:
-  static constexpr double least_slack = 1e-9;
+  static constexpr double slack = 1e-9;
+  static constexpr double negligible = 1e-40;  // a smaller share only strains the arithmetic
+  static constexpr int most_steps = 500;
 
-  double cost(const VectorXd& share, double slack) const {
-    const ArrayXd room = slack - (payoff_ * share).array();
-    if (!(share.minCoeff() > 0.0) || !(room.minCoeff() > 0.0)) return HUGE_VAL;
-    return (share.array() * share.array().log()).sum() - barrier(slack) * room.log().sum();
+  ArrayXd excess() const { return (game_ * share_.matrix()).array() + room_ - slack; }
+  ArrayXd slope() const { return share_.log() + 1.0 + (game_.transpose() * price_.matrix()).array() + level_; }
+  double gap() const { return (room_ * price_).mean(); }
+
+  bool settled() const {
+    return gap() < 1e-12 && excess().abs().maxCoeff() < 1e-12 && (share_ * slope()).abs().maxCoeff() < 1e-10;
   }
 
-  static double barrier(double slack) { return 0.1 * slack; }
+  void improve() {
+    const ArrayXd stiffness = price_ / room_, above = excess();
+    const ArrayXd pull = std::max(0.1 * gap(), 5e-13) / room_ - price_ + stiffness * above;
+    MatrixXd curvature = game_.transpose() * stiffness.matrix().asDiagonal() * game_;
+    curvature.diagonal().array() += share_.inverse();
+    const Eigen::LDLT<MatrixXd> solver(curvature);
+    const VectorXd target = -(slope().matrix() + game_.transpose() * pull.matrix());
+    const VectorXd free = solver.solve(target), even = solver.solve(VectorXd::Ones(share_.size()));
+    const double of_level = (free.sum() + share_.sum() - 1.0) / even.sum();
+    const ArrayXd of_share = (free - of_level * even).array();
+    const ArrayXd of_room = -above - (game_ * of_share.matrix()).array();
+    const ArrayXd of_price = pull + stiffness * (game_ * of_share.matrix()).array();
+    const double length =
+        std::min({1.0, longest(share_, of_share), longest(room_, of_room), longest(price_, of_price)});
+    share_ = (share_ + length * of_share).max(negligible);
+    room_ += length * of_room;
+    price_ += length * of_price;
+    level_ += length * of_level;
+  }
 
-  // Newton's method with the sum of the shares kept at 1.
-  void centre(double slack) {
-    const Eigen::Index teams = share_.size();
-    for (int step = 0; step < 100; ++step) {
-      const ArrayXd room = slack - (payoff_ * share_).array();
-      const ArrayXd force = barrier(slack) / room;
-      const VectorXd gradient = (share_.array().log() + 1.0).matrix() + payoff_.transpose() * force.matrix();
-      MatrixXd curvature = payoff_.transpose() * (force / room).matrix().asDiagonal() * payoff_;
-      curvature.diagonal().array() += share_.array().inverse();
-      const Eigen::LDLT<MatrixXd> solver(curvature);
-      const VectorXd free = solver.solve(gradient), even = solver.solve(VectorXd::Ones(teams));
-      const VectorXd direction = even * (free.sum() / even.sum()) - free;
-      const double decrease = -gradient.dot(direction);
-      if (!(decrease > 1e-18)) return;
-      const double before = cost(share_, slack);
-      double length = 1.0;
-      while (!(cost(share_ + length * direction, slack) <= before - 0.1 * length * decrease)) {
-        length /= 2.0;
-        if (length < 1e-12) return;  // rounding allows no better
-      }
-      share_ += length * direction;
+  // How far to go until one of the values that still matter has lost nine tenths.
+  static double longest(const ArrayXd& values, const ArrayXd& direction) {
+    double length = 1.0;
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      if (direction(i) < 0.0 && values(i) > negligible) length = std::min(length, -0.9 * values(i) / direction(i));
     }
+    return length;
   }
 
-  const MatrixXd& payoff_;
-  VectorXd share_;
+  const MatrixXd& game_;
+  ArrayXd share_, room_, price_;
+  double level_ = 0.0;
 };
 
 }  // namespace
@@ -89,7 +95,7 @@ NashAverage nash_average(const SquareTable& payoff) {
   VectorXd share = VectorXd::Constant(teams, 1.0 / static_cast<double>(teams));
   if (largest > 0.0) {
     game /= largest;
-    share = Path(game).follow();
+    share = LargestEntropy(game).find();
     share /= share.sum();
   }
   const VectorXd value = game * share * (largest > 0.0 ? largest : 1.0);
