@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: MIT
+"""`regista sprt`: published numbers from counts, as text and as JSON, and one line for what cannot be used."""
+import json
+import unittest
+
+import program
+
+
+class Sprt(program.Case):
+    plugins = ()
+
+    def result(self, *arguments):
+        return json.loads(self.succeed("sprt", *arguments, "--json"))
+
+    def test_published_ratios(self):
+        for model, elo, counts, llr in (
+                ("normalized", "0,2", "36027 68692 36433", 0.923293),
+                ("normalized", "-1.75,0.25", "10650 20431 10871", 2.297500),
+                ("normalized", "0,10", "0 0 4250", 120.548268),
+                ("logistic", "0.5,2.5", "21184 40708 21404", -1.571889),
+                ("normalized", "0,2", "365 16618 36229 16974 390", 2.250368),
+                ("normalized", "0,5", "0 0 0 0 5550", 111.797555),
+                ("logistic", "0,2", "871 26175 55983 26678 821", -4.978673)):
+            result = self.result("--model", model, "--elo", elo, *counts.split())
+            self.assertAlmostEqual(result["llr"], llr, delta=1e-6)
+            self.assertEqual(result["llr_method"], "exact")
+
+    def test_published_strengths(self):
+        games = self.result("--elo", "0,10", "96", "111", "136")
+        self.assertEqual(games["unit"], "games")
+        self.assertAlmostEqual(games["elo"], 40.70, delta=0.005)
+        self.assertAlmostEqual(games["nelo"], 49.77, delta=0.005)
+        self.assertAlmostEqual(games["los"], 0.9960, delta=0.00005)
+        self.assertIsNone(games["pair_ratio"])
+        pairs = self.result("--elo", "0,10", "34", "54", "63", "64", "75")
+        self.assertEqual(pairs["unit"], "pairs")
+        self.assertAlmostEqual(pairs["elo"], 55.58, delta=0.005)
+        low, high = pairs["elo_interval"]
+        self.assertAlmostEqual((high - low) / 2, 27.65, delta=0.005)
+        low, high = pairs["nelo_interval"]
+        self.assertAlmostEqual((high - low) / 2, 28.28, delta=0.005)
+        self.assertAlmostEqual(pairs["pair_ratio"], 139 / 88, delta=1e-12)
+
+    def test_text(self):
+        self.assertEqual(self.succeed("sprt", "--elo", "0,10", "34", "54", "63", "64", "75"),
+                         "Pairs (LL, LD, WL+DD, WD, WW): 34, 54, 63, 64, 75\n"
+                         "Elo: 55.58 +- 27.65, nElo: 57.94 +- 28.28\n"
+                         "LOS: 100.00 %, pair ratio: 1.58\n"
+                         "LLR: 2.541 (-2.944, 2.944) [0, 10] normalized\n"
+                         "Verdict: INCONCLUSIVE\n")
+
+    def test_verdicts(self):
+        def verdict(*arguments):
+            return self.result(*arguments)["verdict"]
+        self.assertEqual(verdict("--elo", "0,10", "0", "0", "0", "0", "5550"), "H1")
+        self.assertEqual(verdict("--model", "logistic", "--elo", "0,2", "871", "26175", "55983", "26678", "821"), "H0")
+        self.assertEqual(verdict("--elo", "0,2", "365", "16618", "36229", "16974", "390"), "INCONCLUSIVE")
+        self.assertEqual(verdict("--elo", "0,2", "--alpha", "0.2", "--beta", "0.2", "365", "16618", "36229", "16974",
+                                 "390"), "H1")
+
+    def test_bounds_out_of_reach(self):
+        for counts, llr in (("20 0 0 0 0", -3.42), ("144 3 1 0 0", -228.67)):
+            result = self.result("--elo", "-1500,-500", *counts.split())
+            self.assertAlmostEqual(result["llr"], llr, delta=0.005)
+            self.assertEqual((result["llr_method"], result["verdict"]), ("closed_form", "H0"))
+        self.assertIn("approximation", self.succeed("sprt", "--elo", "-1500,-500", "20", "0", "0", "0", "0"))
+
+    def test_even_pairs_are_no_information(self):
+        for model in ("normalized", "logistic"):
+            result = self.result("--model", model, "--elo", "0,50", "0", "0", "9999", "0", "0")
+            self.assertEqual((result["llr"], result["los"], result["verdict"]), (0, 0.5, "INCONCLUSIVE"))
+            self.assertEqual(result["elo_interval"], [None, None])
+        self.assertIn("Every game ended even: no information.\n", self.succeed("sprt", "--elo", "0,50", "0", "7", "0"))
+
+    def test_help(self):
+        text = self.succeed("sprt", "--help")
+        self.assertIn("regista sprt --elo 0,10 34 54 63 64 75", text)
+        self.assertIn("from 0 to 1 in JSON", text)
+
+    def assert_refused(self, words, line):
+        self.assertEqual(self.refused("sprt", *words.split()), line)
+
+    def test_counts_that_cannot_be_used(self):
+        wanted = "a whole number from 0 to 1000000000 is wanted"
+        for word in ("1.5", "x", "1000000001", "99999999999999999999", "0x1", "nan"):
+            self.assert_refused(f"--elo 0,10 1 {word} 2", f'sprt: count "{word}"; {wanted}')
+        self.assert_refused("--elo 0,10 1 -2 3", f'sprt: count "-2"; {wanted}')
+        self.assert_refused("--elo 0,10 -- 1 -2 3", f'sprt: count "-2"; {wanted}')
+        of = "five of pairs (LL LD DD WD WW) or three of games (L D W) are wanted"
+        self.assert_refused("--elo 0,10", f"sprt: 0 counts; {of}")
+        self.assert_refused("--elo 0,10 1 2 3 4", f"sprt: 4 counts; {of}")
+        self.assert_refused("--elo 0,10 1 2 3 4 5 6", f"sprt: 6 counts; {of}")
+        self.assert_refused("--elo 0,10 0 0 0", "sprt: all counts are zero")
+
+    def test_options_that_cannot_be_used(self):
+        self.assert_refused("1 2 3", "sprt: which hypotheses? Say --elo ELO0,ELO1, for example --elo 0,10")
+        for text in ("0", "0,", ",10", "0,10,20", "a,b", "0,nan", "0,1e9", "0;10"):
+            self.assert_refused(f"--elo {text} 1 2 3",
+                                f'--elo: "{text}"; two numbers from -4000 to 4000 are wanted, as in 0,10')
+        for text in ("10,0", "5,5"):
+            self.assert_refused(f"--elo {text} 1 2 3", f'--elo: "{text}"; the first must be the smaller one')
+        for option in ("--alpha", "--beta"):
+            for text in ("0", "1", "-0.1", "nan", "some", "1e-400"):
+                self.assert_refused(f"--elo 0,10 {option} {text} 1 2 3",
+                                    f'{option}: "{text}"; a number above 0 and below 1 is wanted')
+        self.assert_refused("--elo 0,10 --alpha 0.5 --beta 0.5 1 2 3",
+                            "--alpha 0.5 and --beta 0.5: their sum must be below 1")
+        self.assert_refused("--elo 0,10 --model bayeselo 1 2 3",
+                            'unknown model "bayeselo" in --model; known: normalized, logistic')
+        self.assert_refused("--elo 0,10 --model logistics 1 2 3",
+                            'unknown model "logistics" in --model; nearest: "logistic"; known: normalized, logistic')
+
+
+if __name__ == "__main__":
+    unittest.main()
