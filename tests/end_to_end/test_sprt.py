@@ -46,7 +46,7 @@ class Sprt(program.Case):
                          "Pairs (LL, LD, WL+DD, WD, WW): 34, 54, 63, 64, 75\n"
                          "Elo: 55.58 +- 27.65, nElo: 57.94 +- 28.28\n"
                          "LOS: 100.00 %, pair ratio: 1.58\n"
-                         "LLR: 2.541 (-2.944, 2.944) [0, 10] normalized\n"
+                         "LLR: 2.484 (-2.944, 2.944) [0, 10] normalized\n"
                          "Verdict: INCONCLUSIVE\n")
 
     def test_verdicts(self):
