@@ -32,8 +32,8 @@ class TaskFilter {
   std::vector<std::int32_t> last_;  // ids kept at the last call
 };
 
-// The waypoint nearest to (x, y), the first of equals; -1 without waypoints. Those that belong to a robot or to a task are
-// left out.
+// The waypoint nearest to (x, y), the first of equals; -1 without waypoints. Those that belong to a robot or to a task
+// are left out.
 int nearest_waypoint(std::span<const regista_waypoint> waypoints, double x, double y);
 
 // Moves `after` towards the nearest waypoint by at most `at_most` metres. A waypoint that belongs to this very task

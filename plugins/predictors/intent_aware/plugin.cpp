@@ -181,9 +181,9 @@ struct IntentAware {
   using Count = std::size_t;
   intent_aware::Parameters model;
   int team_size = 0;
-  std::uint64_t decisions = 0;                  // of this robot, as far as its frames told
-  std::vector<Teammate> mates;                  // by number
-  std::vector<std::uint64_t> first_answer;      // per robot: `decisions` beyond which answers know its packet
+  std::uint64_t decisions = 0;              // of this robot, as far as its frames told
+  std::vector<Teammate> mates;              // by number
+  std::vector<std::uint64_t> first_answer;  // per robot: `decisions` beyond which answers know its packet
 };
 
 }  // namespace
