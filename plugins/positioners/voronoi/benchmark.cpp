@@ -34,11 +34,12 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangulation = CGAL::Delaunay_triangulation_2<Kernel>;
 
-// Many teams of opponents, so that nothing can be reused from call to call.
+// So many teams of opponents that nothing can be reused from call to call, and that the processor cannot learn the
+// course of a few hundred triangulations by heart, as it does when they come around: in a match none comes twice.
 std::vector<std::vector<voronoi::Point>> teams(std::size_t opponents) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> x(-4.5, 4.5), y(-3.0, 3.0);
-  std::vector<std::vector<voronoi::Point>> out(256);
+  std::vector<std::vector<voronoi::Point>> out(16384);
   for (auto& team : out) {
     team.resize(opponents);
     for (voronoi::Point& point : team) {
