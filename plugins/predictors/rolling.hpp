@@ -12,7 +12,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kalman_ball {
+#include "ball_state.hpp"
+
+namespace ball {
 
 struct RollingModel {
   double deceleration = 0.32;       // m/s^2, > 0
@@ -22,34 +24,25 @@ struct RollingModel {
   double resting_noise = 0.01;      // m / sqrt(s)
 };
 
-// Position and velocity with the blocks of their covariance; cross = E[dp dv'].
-struct BallState {
-  Eigen::Vector2d position = Eigen::Vector2d::Zero(), velocity = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d position_covariance = Eigen::Matrix2d::Zero(), cross = Eigen::Matrix2d::Zero(),
-                  velocity_covariance = Eigen::Matrix2d::Zero();
-};
-
 // Seconds until a ball of this speed stands.
 inline double time_to_stop(double speed, const RollingModel& model) {
   return std::max(0.0, (speed - model.stop_speed) / model.deceleration);
 }
 
-inline void rest(BallState& ball, double dt, const RollingModel& model) {
+inline void rest(State& ball, double dt, const RollingModel& model) {
   ball.position_covariance.diagonal().array() += model.resting_noise * model.resting_noise * dt;
 }
 
 // The ball stands from now on. What is not known of its velocity becomes uncertainty of the place: a ball that is
 // faster by w at this instant rolls on for stop_speed / deceleration seconds.
-inline void stop(BallState& ball, const RollingModel& model) {
+inline void stop(State& ball, const RollingModel& model) {
   const double extra = model.stop_speed / model.deceleration;
   ball.position_covariance += extra * (ball.cross + ball.cross.transpose()) + extra * extra * ball.velocity_covariance;
-  ball.velocity.setZero();
-  ball.cross.setZero();
-  ball.velocity_covariance.setZero();
+  stand(ball);
 }
 
 // `dt` seconds during which it is known to roll; speed = |velocity| > 0.
-inline void roll(BallState& ball, double dt, double speed, const RollingModel& model) {
+inline void roll(State& ball, double dt, double speed, const RollingModel& model) {
   const double a = model.deceleration, after = speed - a * dt, way = 0.5 * dt * (speed + after);
   const Eigen::Vector2d ahead = ball.velocity / speed;
   Eigen::Matrix2d along;  // projects onto the path
@@ -78,7 +71,7 @@ inline void roll(BallState& ball, double dt, double speed, const RollingModel& m
 }
 
 // Carries a rolling ball `dt` seconds forward. True when it stands at the end.
-inline bool advance_rolling(BallState& ball, double dt, const RollingModel& model) {
+inline bool advance_rolling(State& ball, double dt, const RollingModel& model) {
   const double speed = std::sqrt(ball.velocity.squaredNorm());
   const double rolls = time_to_stop(speed, model);
   if (dt < rolls) {
@@ -92,7 +85,7 @@ inline bool advance_rolling(BallState& ball, double dt, const RollingModel& mode
 }
 
 // A ball whose velocity is hardly known yet: constant velocity with white noise of acceleration.
-inline void advance_unknown(BallState& ball, double dt, const RollingModel& model) {
+inline void advance_unknown(State& ball, double dt, const RollingModel& model) {
   const double q = model.acceleration_noise * model.acceleration_noise;
   ball.position += dt * ball.velocity;
   ball.position_covariance += dt * (ball.cross + ball.cross.transpose()) + dt * dt * ball.velocity_covariance;
@@ -103,4 +96,4 @@ inline void advance_unknown(BallState& ball, double dt, const RollingModel& mode
   rest(ball, dt, model);
 }
 
-}  // namespace kalman_ball
+}  // namespace ball

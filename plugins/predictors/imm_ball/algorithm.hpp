@@ -9,12 +9,11 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <utility>
+#include <iterator>
 
+#include "../ball_hypotheses.hpp"
 #include "modes.hpp"
 
 namespace imm_ball {
@@ -36,25 +35,6 @@ struct Parameters {
   double prune_weight = 0.01;          // hypotheses below it are dropped
   double merge_distance = 0.1;         // m, and m/s
   double field_area = 54.0;            // m^2: where a ball can appear
-};
-
-// A sector of a disc, seen from `apex`.
-struct View {
-  Eigen::Vector2d apex;
-  Eigen::Vector2d right, left;  // unit vectors along its edges
-  double half_angle, range;
-
-  // True when `point` is inside and at least `margin` away from every edge.
-  bool holds(const Eigen::Vector2d& point, double margin) const {
-    constexpr double half_pi = 1.57079632679489662, pi = 2.0 * half_pi;
-    const Eigen::Vector2d arm = point - apex;
-    const double reach = range - margin;
-    if (reach <= 0.0 || arm.squaredNorm() > reach * reach) return false;
-    if (half_angle >= pi) return true;
-    const bool inside_right = right.x() * arm.y() - right.y() * arm.x() >= margin;
-    const bool inside_left = arm.x() * left.y() - arm.y() * left.x() >= margin;
-    return half_angle < half_pi ? inside_right && inside_left : inside_right || inside_left;
-  }
 };
 
 struct Hypothesis {
@@ -83,17 +63,12 @@ class Filter {
       : parameters_(parameters),
         motion_{parameters.rolling, parameters.speed_prior, parameters.sliding_deceleration, parameters.timing_noise} {}
 
-  void reset() {
-    count_ = 0;
-    nowhere_ = 1.0;
-    next_label_ = 1;
-  }
+  void reset() { hypotheses_.reset(); }
 
   // in_reach: tells of Whereabouts whether a robot can kick that ball.
   template <class InReach>
   void predict(double dt, const InReach& in_reach) {
-    for (int i = 0; i < count_; ++i) {
-      Hypothesis& each = hypotheses_[index(i)];
+    for (Hypothesis& each : hypotheses_) {
       each.elapsed += dt;
       each.age += dt;
       each.kicks += dt * (in_reach(whereabouts(each)) ? parameters_.kick_rate : parameters_.unseen_kick_rate);
@@ -104,12 +79,11 @@ class Filter {
   template <class Sightings>
   void correct(const Sightings& sightings, const View& view) {
     const double detection = parameters_.detection_probability;
-    if (std::size(sightings) > 0) nowhere_ = std::max(nowhere_, parameters_.surprise);
-    const double birth = nowhere_ * detection / (parameters_.field_area * parameters_.false_density);
+    if (std::size(sightings) > 0) hypotheses_.expect_surprise(parameters_.surprise);
+    const double birth = hypotheses_.nowhere() * detection / (parameters_.field_area * parameters_.false_density);
     const double least = (1.0 - detection) * parameters_.false_density / detection;
     std::uint64_t explained = 0;  // sightings that may be a ball that is known
-    for (int i = 0; i < count_; ++i) {
-      Hypothesis& hypothesis = hypotheses_[index(i)];
+    for (Hypothesis& hypothesis : hypotheses_) {
       hypothesis.modes = carried(hypothesis.modes, hypothesis.elapsed, hypothesis.kicks, motion_);
       hypothesis.elapsed = hypothesis.kicks = 0.0;
       const Sighting* best_sighting = nullptr;
@@ -140,35 +114,28 @@ class Filter {
       if (bit != 0 && (explained & bit) == 0) start(sighting, birth);
       bit <<= 1;
     }
-    weigh();
+    hypotheses_.weigh(parameters_.prune_weight,
+                      [this](const Hypothesis& a, const Hypothesis& b) { return alike(a.modes, b.modes); });
   }
 
   // What a packet said: the only hypothesis from now on. `moves`: its velocity is believed.
   void replace(const BallState& told, bool moves, double weight, double age_then, double ago) {
-    Hypothesis& only = hypotheses_[0];
-    only = {};
+    Hypothesis& only = hypotheses_.replace(weight);
     only.modes.state.fill(told);
     stand(only.modes.state[resting]);
     if (!moves) only.modes.state.fill(only.modes.state[resting]);
     only.modes.probability = {moves ? 0.0 : 1.0, moves ? 1.0 : 0.0, 0.0};
     only.elapsed = ago;
     only.kicks = ago * parameters_.unseen_kick_rate;
-    only.label = fresh_label();
     only.sightings = parameters_.measurements_for_velocity;
-    only.weight = weight;
     only.age = age_then + ago;
-    count_ = 1;
-    nowhere_ = 1.0 - weight;
   }
   // A packet that knows of no ball.
-  void forget() {
-    count_ = 0;
-    nowhere_ = 1.0;
-  }
+  void forget() { hypotheses_.forget(); }
 
   // Best first.
-  const Hypothesis* begin() const { return hypotheses_.data(); }
-  const Hypothesis* end() const { return hypotheses_.data() + count_; }
+  const Hypothesis* begin() const { return hypotheses_.begin(); }
+  const Hypothesis* end() const { return hypotheses_.end(); }
 
   // Its modes now, or `dt` seconds from now, in which a robot may be in reach of the ball.
   Modes now(const Hypothesis& hypothesis) const {
@@ -182,16 +149,8 @@ class Filter {
   }
 
  private:
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
   static const BallState& likeliest(const Modes& modes) {
     return modes.state[modes.probability[resting] > 0.5 ? resting : rolling];
-  }
-
-  static void stand(BallState& ball) {
-    ball.velocity.setZero();
-    ball.cross.setZero();
-    ball.velocity_covariance.setZero();
   }
 
   Sighting blurred(Sighting sighting) const {
@@ -220,59 +179,7 @@ class Filter {
     fresh.modes.probability = {0.5, 0.5, 0.0};
     fresh.sightings = 1;
     fresh.weight = weight;
-    add(fresh);
-  }
-
-  // Takes the place of the weakest when there is no room.
-  void add(Hypothesis& fresh) {
-    int place = count_;
-    if (count_ < capacity) {
-      ++count_;
-    } else {
-      place = 0;
-      for (int i = 1; i < count_; ++i) {
-        if (hypotheses_[index(i)].weight <= hypotheses_[index(place)].weight) place = i;
-      }
-      if (hypotheses_[index(place)].weight >= fresh.weight) return;
-    }
-    fresh.label = fresh_label();
-    hypotheses_[index(place)] = fresh;
-  }
-
-  // Normalises with "nowhere", merges like ones into the better, drops the weak; best first.
-  void weigh() {
-    sort();
-    double sum = nowhere_;
-    for (int i = 0; i < count_; ++i) sum += hypotheses_[index(i)].weight;
-    nowhere_ /= sum;
-    int kept = 0;
-    for (int i = 0; i < count_; ++i) {
-      Hypothesis& candidate = hypotheses_[index(i)];
-      candidate.weight /= sum;
-      int same = 0;
-      while (same < kept && !alike(hypotheses_[index(same)].modes, candidate.modes)) ++same;
-      if (same < kept) {
-        Hypothesis& other = hypotheses_[index(same)];
-        other.weight += candidate.weight;
-        other.sightings = std::max(other.sightings, candidate.sightings);
-        other.age = std::min(other.age, candidate.age);
-      } else if (candidate.weight < parameters_.prune_weight) {
-        nowhere_ += candidate.weight;
-      } else {
-        if (kept != i) hypotheses_[index(kept)] = candidate;
-        ++kept;
-      }
-    }
-    count_ = kept;
-    sort();
-  }
-
-  void sort() {
-    for (int i = 1; i < count_; ++i) {
-      for (int j = i; j > 0 && hypotheses_[index(j)].weight > hypotheses_[index(j - 1)].weight; --j) {
-        std::swap(hypotheses_[index(j)], hypotheses_[index(j - 1)]);
-      }
-    }
+    hypotheses_.add(fresh);
   }
 
   bool alike(const Modes& a, const Modes& b) const {
@@ -282,18 +189,9 @@ class Filter {
            (one.velocity - other.velocity).squaredNorm() < limit;
   }
 
-  int fresh_label() {
-    const int label = next_label_;
-    next_label_ = label == std::numeric_limits<int>::max() ? 1 : label + 1;
-    return label;
-  }
-
   Parameters parameters_;
   Motion motion_;
-  std::array<Hypothesis, capacity> hypotheses_;
-  int count_ = 0;
-  double nowhere_ = 1.0;  // probability that the ball is none of the hypotheses
-  int next_label_ = 1;
+  ball::Hypotheses<Hypothesis, capacity> hypotheses_;
 };
 
 }  // namespace imm_ball

@@ -22,12 +22,13 @@
 #include <array>
 #include <cmath>
 
+#include "../ball_sighting.hpp"
 #include "../rolling.hpp"
 
 namespace imm_ball {
 
-using kalman_ball::BallState;
-using kalman_ball::RollingModel;
+using ball::RollingModel, ball::Sighting, ball::View;
+using BallState = ball::State;
 
 enum Mode : std::size_t { resting = 0, rolling = 1, kicked = 2 };
 
@@ -47,11 +48,6 @@ struct Motion {
     constexpr double root_2 = 1.41421356237309505;
     return 2.0 / 7.0 * root_2 * kick_speed / sliding_deceleration;
   }
-};
-
-struct Sighting {
-  Eigen::Vector2d position;
-  Eigen::Matrix2d covariance;
 };
 
 // The mixture of `a` and `b`, by its first two moments, into `a`. share: probability of b, in [0, 1].
@@ -196,31 +192,13 @@ inline Fit compare(const Modes& modes, const Sighting& sighting, const Motion& m
   return fit;
 }
 
-// Takes a sighting that fits so: the Kalman update of each mode, in Joseph's form, which stays positive semi-definite,
-// and Bayes' rule for their probabilities. fit.total > 0.
+// Takes a sighting that fits so: the Kalman update of each mode and Bayes' rule for their probabilities. fit.total > 0.
 inline void take(Modes& modes, const Sighting& sighting, const Fit& fit) {
   constexpr double least = 1e-9;  // a mode never dies, and no denormal number slows the machine
   double sum = 0.0;
   for (std::size_t m = 0; m < 3; ++m) {
     BallState& ball = modes.state[m];
-    const Eigen::Matrix2d& noise = fit.noise[m];
-    const Eigen::Vector2d innovation = sighting.position - ball.position;
-    const Eigen::Matrix2d gain = ball.position_covariance * fit.inverse[m];
-    const Eigen::Matrix2d kept = Eigen::Matrix2d::Identity() - gain;
-    ball.position += gain * innovation;
-    if (m != resting) {
-      const Eigen::Matrix2d velocity_gain = ball.cross.transpose() * fit.inverse[m];
-      ball.velocity += velocity_gain * innovation;
-      const Eigen::Matrix2d noisy = noise * velocity_gain.transpose();
-      const Eigen::Matrix2d shared = velocity_gain * ball.cross;
-      ball.velocity_covariance +=
-          velocity_gain * (ball.position_covariance * velocity_gain.transpose() + noisy) - shared - shared.transpose();
-      ball.cross = (kept * (ball.cross - ball.position_covariance * velocity_gain.transpose()) + gain * noisy).eval();
-      ball.velocity_covariance(1, 0) = ball.velocity_covariance(0, 1);
-    }
-    ball.position_covariance =
-        (kept * ball.position_covariance * kept.transpose() + gain * noise * gain.transpose()).eval();
-    ball.position_covariance(1, 0) = ball.position_covariance(0, 1);
+    update(ball, sighting.position - ball.position, fit.noise[m], fit.inverse[m], m != resting);
     modes.probability[m] = std::max(least, modes.probability[m] * fit.density[m] / fit.total);
     sum += modes.probability[m];
   }

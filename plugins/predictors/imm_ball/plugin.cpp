@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Glue of the predictor `imm_ball`; the filter is in algorithm.hpp, the modes of the ball in modes.hpp.
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <regista/predictor.hpp>
-#include <span>
 
+#include "../ball_exchange.hpp"
 #include "algorithm.hpp"
 
 namespace {
 
 using imm_ball::BallState;
 using imm_ball::Hypothesis;
-using imm_ball::Sighting;
 
 struct ImmBall {
   static constexpr auto id = "imm_ball", version = "1.0.0",
@@ -144,33 +141,13 @@ struct ImmBall {
   }
 
   void correct(regista::Span<regista::Measurement> measurements, const regista::VisibleArea& area) {
-    std::size_t count = 0;
-    for (const regista::Measurement& each : measurements) {
-      if (each.kind != REGISTA_MEASURED_BALL || count == seen.size()) continue;
-      Sighting& sighting = seen[count++];
-      sighting.position << each.position[0], each.position[1];
-      sighting.covariance << each.covariance[0], each.covariance[1], each.covariance[1], each.covariance[4];
-    }
-    const double right = area.heading - area.half_angle, left = area.heading + area.half_angle;
-    const imm_ball::View view{{area.x, area.y},
-                              {std::cos(right), std::sin(right)},
-                              {std::cos(left), std::sin(left)},
-                              area.half_angle,
-                              area.range_ball};
-    filter.correct(std::span(seen.data(), count), view);
+    filter.correct(image.read(measurements, 0.0), ball::view_of(area));
   }
 
   void absorb(regista::Span<regista::Track> tracks, double age) {
     if (tracks.empty()) return filter.forget();
     const regista::Track& told = tracks[0];
-    BallState ball;
-    ball.position << told.x, told.y;
-    ball.velocity << told.vx, told.vy;
-    const auto& c = told.covariance;
-    ball.position_covariance << c[0], c[1], c[4], c[5];
-    ball.cross << c[2], c[3], c[6], c[7];
-    ball.velocity_covariance << c[10], c[11], c[14], c[15];
-    filter.replace(ball, (told.flags & REGISTA_TRACK_VELOCITY) != 0, told.weight, told.age, age);
+    filter.replace(ball::state_of(told), (told.flags & REGISTA_TRACK_VELOCITY) != 0, told.weight, told.age, age);
   }
 
   void tracks(regista::Tracks out) const {
@@ -179,19 +156,13 @@ struct ImmBall {
       const BallState ball = combined(modes);
       regista::Track& track = out.add();
       track.label = each.label;
-      track.x = ball.position.x();
-      track.y = ball.position.y();
-      write(ball.position_covariance, track.covariance, 0, 0);
+      write_position(ball, track);
       if (filter.velocity_believed(each)) {
         const double squared = ball.velocity.squaredNorm();
         if (modes.probability[imm_ball::resting] < 0.5 && squared > stop_speed * stop_speed) {
           track.flags = REGISTA_TRACK_VELOCITY;
         }
-        track.vx = ball.velocity.x();
-        track.vy = ball.velocity.y();
-        write(ball.cross, track.covariance, 0, 2);
-        write(ball.cross.transpose(), track.covariance, 2, 0);
-        write(ball.velocity_covariance, track.covariance, 2, 2);
+        write_velocity(ball, track);
       } else {
         track.covariance[10] = track.covariance[15] = speed_prior * speed_prior;  // told as standing until believed
       }
@@ -217,15 +188,9 @@ struct ImmBall {
     return false;
   }
 
-  static void write(const Eigen::Matrix2d& block, double (&covariance)[16], int row, int column) {
-    for (int i = 0; i < 2; ++i) {
-      for (int j = 0; j < 2; ++j) covariance[4 * (row + i) + column + j] = block(i, j);
-    }
-  }
-
   imm_ball::Filter filter;
-  double touching = 0.0;            // m between the centres of ball and robot
-  std::array<Sighting, 32> seen{};  // of one image; more are ignored
+  double touching = 0.0;  // m between the centres of ball and robot
+  ball::Image image;
 };
 
 }  // namespace

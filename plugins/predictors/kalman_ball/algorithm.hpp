@@ -10,16 +10,18 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <utility>
+#include <iterator>
 
+#include "../ball_hypotheses.hpp"
+#include "../ball_sighting.hpp"
 #include "../rolling.hpp"
 
 namespace kalman_ball {
+
+using ball::RollingModel, ball::Sighting, ball::View;
+using BallState = ball::State;
 
 struct Parameters {
   RollingModel rolling;
@@ -35,30 +37,6 @@ struct Parameters {
   double prune_weight = 0.01;          // hypotheses below it are dropped
   double merge_distance = 0.1;         // m, and m/s
   double field_area = 54.0;            // m^2: where a ball can appear
-};
-
-struct Sighting {
-  Eigen::Vector2d position;
-  Eigen::Matrix2d covariance;
-};
-
-// A sector of a disc, seen from `apex`.
-struct View {
-  Eigen::Vector2d apex;
-  Eigen::Vector2d right, left;  // unit vectors along its edges
-  double half_angle, range;
-
-  // True when `point` is inside and at least `margin` away from every edge.
-  bool holds(const Eigen::Vector2d& point, double margin) const {
-    constexpr double half_pi = 1.57079632679489662, pi = 2.0 * half_pi;
-    const Eigen::Vector2d arm = point - apex;
-    const double reach = range - margin;
-    if (reach <= 0.0 || arm.squaredNorm() > reach * reach) return false;
-    if (half_angle >= pi) return true;
-    const bool inside_right = right.x() * arm.y() - right.y() * arm.x() >= margin;
-    const bool inside_left = arm.x() * left.y() - arm.y() * left.x() >= margin;
-    return half_angle < half_pi ? inside_right && inside_left : inside_right || inside_left;
-  }
 };
 
 enum class Kind { resting, moving };
@@ -80,25 +58,20 @@ class Filter {
   Filter() : Filter(Parameters{}) {}
   explicit Filter(const Parameters& parameters) : parameters_(parameters) {}
 
-  void reset() {
-    count_ = 0;
-    nowhere_ = 1.0;
-    next_label_ = 1;
-  }
+  void reset() { hypotheses_.reset(); }
 
   void predict(double dt) {
-    for (int i = 0; i < count_; ++i) advance(hypotheses_[index(i)], dt);
+    for (Hypothesis& each : hypotheses_) advance(each, dt);
   }
 
   // `sightings`: a range of Sighting, all of one image; empty when no ball was seen.
   template <class Sightings>
   void correct(const Sightings& sightings, const View& view) {
     const double detection = parameters_.detection_probability;
-    if (std::size(sightings) > 0) nowhere_ = std::max(nowhere_, parameters_.surprise);
-    const double birth = nowhere_ * detection / (parameters_.field_area * parameters_.false_density);
+    if (std::size(sightings) > 0) hypotheses_.expect_surprise(parameters_.surprise);
+    const double birth = hypotheses_.nowhere() * detection / (parameters_.field_area * parameters_.false_density);
     std::uint64_t explained = 0;  // sightings that fit a hypothesis
-    for (int i = 0; i < count_; ++i) {
-      Hypothesis& hypothesis = hypotheses_[index(i)];
+    for (Hypothesis& hypothesis : hypotheses_) {
       const Sighting* nearest = nullptr;
       Fit best{};
       std::uint64_t bit = 1;
@@ -127,37 +100,26 @@ class Filter {
       if (bit != 0 && (explained & bit) == 0) start(sighting, birth);
       bit <<= 1;
     }
-    weigh();
+    hypotheses_.weigh(parameters_.prune_weight,
+                      [this](const Hypothesis& a, const Hypothesis& b) { return alike(a, b); });
   }
 
   // What a packet said: the only hypothesis from now on. `moves`: its velocity is believed.
   void replace(const BallState& told, bool moves, double weight, double age_then, double ago) {
-    Hypothesis& only = hypotheses_[0];
+    Hypothesis& only = hypotheses_.replace(weight);
     only.ball = told;
     only.kind = moves ? Kind::moving : Kind::resting;
-    only.label = fresh_label();
     only.sightings = parameters_.measurements_for_velocity;
-    only.weight = weight;
     only.age = age_then;
-    only.unheard = 0.0;
-    if (!moves) {
-      only.ball.velocity.setZero();
-      only.ball.cross.setZero();
-      only.ball.velocity_covariance.setZero();
-    }
-    count_ = 1;
-    nowhere_ = 1.0 - weight;
+    if (!moves) stand(only.ball);
     if (ago > 0.0) advance(only, ago);
   }
   // A packet that knows of no ball.
-  void forget() {
-    count_ = 0;
-    nowhere_ = 1.0;
-  }
+  void forget() { hypotheses_.forget(); }
 
   // Best first.
-  const Hypothesis* begin() const { return hypotheses_.data(); }
-  const Hypothesis* end() const { return hypotheses_.data() + count_; }
+  const Hypothesis* begin() const { return hypotheses_.begin(); }
+  const Hypothesis* end() const { return hypotheses_.end(); }
   bool velocity_believed(const Hypothesis& hypothesis) const {
     return hypothesis.kind == Kind::moving && hypothesis.sightings >= parameters_.measurements_for_velocity;
   }
@@ -195,8 +157,6 @@ class Filter {
     double determinant, distance;
   };
 
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
   // Of a sighting: of its place, and along the path of a moving ball that of its time.
   Eigen::Matrix2d uncertainty(const Hypothesis& hypothesis, const Sighting& sighting) const {
     if (!velocity_believed(hypothesis)) return sighting.covariance;
@@ -217,27 +177,10 @@ class Filter {
     return fit;
   }
 
-  // The Kalman update, in Joseph's form, which stays positive semi-definite.
   static void take(Hypothesis& hypothesis, const Eigen::Matrix2d& covariance, const Fit& fit) {
-    BallState& ball = hypothesis.ball;
     Eigen::Matrix2d inverse;
     inverse << fit.xx, fit.xy, fit.xy, fit.yy;
-    const Eigen::Matrix2d gain = ball.position_covariance * inverse;
-    const Eigen::Matrix2d kept = Eigen::Matrix2d::Identity() - gain;
-    ball.position += gain * fit.innovation;
-    if (hypothesis.kind == Kind::moving) {
-      const Eigen::Matrix2d velocity_gain = ball.cross.transpose() * inverse;
-      ball.velocity += velocity_gain * fit.innovation;
-      const Eigen::Matrix2d noisy = covariance * velocity_gain.transpose();
-      const Eigen::Matrix2d shared = velocity_gain * ball.cross;
-      ball.velocity_covariance +=
-          velocity_gain * (ball.position_covariance * velocity_gain.transpose() + noisy) - shared - shared.transpose();
-      ball.cross = (kept * (ball.cross - ball.position_covariance * velocity_gain.transpose()) + gain * noisy).eval();
-      ball.velocity_covariance(1, 0) = ball.velocity_covariance(0, 1);
-    }
-    ball.position_covariance =
-        (kept * ball.position_covariance * kept.transpose() + gain * covariance * gain.transpose()).eval();
-    ball.position_covariance(1, 0) = ball.position_covariance(0, 1);
+    update(hypothesis.ball, fit.innovation, covariance, inverse, hypothesis.kind == Kind::moving);
     ++hypothesis.sightings;
     hypothesis.age = 0.0;
     hypothesis.unheard = 0.0;
@@ -249,62 +192,10 @@ class Filter {
     fresh.ball.position_covariance = sighting.covariance;
     fresh.sightings = 1;
     fresh.weight = 0.5 * weight;
-    add(fresh);
+    hypotheses_.add(fresh);
     fresh.kind = Kind::moving;
     fresh.ball.velocity_covariance.diagonal().setConstant(parameters_.speed_prior * parameters_.speed_prior);
-    add(fresh);
-  }
-
-  // Takes the place of the weakest when there is no room.
-  void add(Hypothesis& fresh) {
-    int place = count_;
-    if (count_ < capacity) {
-      ++count_;
-    } else {
-      place = 0;
-      for (int i = 1; i < count_; ++i) {
-        if (hypotheses_[index(i)].weight <= hypotheses_[index(place)].weight) place = i;
-      }
-      if (hypotheses_[index(place)].weight >= fresh.weight) return;
-    }
-    fresh.label = fresh_label();
-    hypotheses_[index(place)] = fresh;
-  }
-
-  // Normalises with "nowhere", merges like ones into the better, drops the weak; best first.
-  void weigh() {
-    sort();
-    double sum = nowhere_;
-    for (int i = 0; i < count_; ++i) sum += hypotheses_[index(i)].weight;
-    int kept = 0;
-    nowhere_ /= sum;
-    for (int i = 0; i < count_; ++i) {
-      Hypothesis& candidate = hypotheses_[index(i)];
-      candidate.weight /= sum;
-      int same = 0;
-      while (same < kept && !alike(hypotheses_[index(same)], candidate)) ++same;
-      if (same < kept) {
-        Hypothesis& other = hypotheses_[index(same)];
-        other.weight += candidate.weight;
-        other.sightings = std::max(other.sightings, candidate.sightings);
-        other.age = std::min(other.age, candidate.age);
-      } else if (candidate.weight < parameters_.prune_weight) {
-        nowhere_ += candidate.weight;
-      } else {
-        if (kept != i) hypotheses_[index(kept)] = candidate;
-        ++kept;
-      }
-    }
-    count_ = kept;
-    sort();
-  }
-
-  void sort() {
-    for (int i = 1; i < count_; ++i) {
-      for (int j = i; j > 0 && hypotheses_[index(j)].weight > hypotheses_[index(j - 1)].weight; --j) {
-        std::swap(hypotheses_[index(j)], hypotheses_[index(j - 1)]);
-      }
-    }
+    hypotheses_.add(fresh);
   }
 
   bool alike(const Hypothesis& a, const Hypothesis& b) const {
@@ -313,17 +204,8 @@ class Filter {
            (a.ball.velocity - b.ball.velocity).squaredNorm() < limit;
   }
 
-  int fresh_label() {
-    const int label = next_label_;
-    next_label_ = label == std::numeric_limits<int>::max() ? 1 : label + 1;
-    return label;
-  }
-
   Parameters parameters_;
-  std::array<Hypothesis, capacity> hypotheses_;
-  int count_ = 0;
-  double nowhere_ = 1.0;  // probability that the ball is none of the hypotheses
-  int next_label_ = 1;
+  ball::Hypotheses<Hypothesis, capacity> hypotheses_;
 };
 
 }  // namespace kalman_ball

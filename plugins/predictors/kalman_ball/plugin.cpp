@@ -2,15 +2,14 @@
 // Glue of the predictor `kalman_ball`; the filter is in algorithm.hpp, the motion of the ball in rolling.hpp.
 #include <algorithm>
 #include <regista/predictor.hpp>
-#include <span>
 
+#include "../ball_exchange.hpp"
 #include "algorithm.hpp"
 
 namespace {
 
 using kalman_ball::BallState;
 using kalman_ball::Hypothesis;
-using kalman_ball::Sighting;
 
 struct KalmanBall {
   static constexpr auto id = "kalman_ball", version = "1.1.0",
@@ -116,34 +115,13 @@ struct KalmanBall {
   void predict(double dt, const regista::Motion*, const regista::Frame*) { filter.predict(dt); }
 
   void correct(regista::Span<regista::Measurement> measurements, const regista::VisibleArea& area) {
-    std::size_t count = 0;
-    for (const regista::Measurement& each : measurements) {
-      if (each.kind != REGISTA_MEASURED_BALL || count == seen.size()) continue;
-      Sighting& sighting = seen[count++];
-      sighting.position << each.position[0], each.position[1];
-      sighting.covariance << each.covariance[0], each.covariance[1], each.covariance[1], each.covariance[4];
-      sighting.covariance.diagonal().array() += smallest_variance;
-    }
-    const double right = area.heading - area.half_angle, left = area.heading + area.half_angle;
-    const kalman_ball::View view{{area.x, area.y},
-                                 {std::cos(right), std::sin(right)},
-                                 {std::cos(left), std::sin(left)},
-                                 area.half_angle,
-                                 area.range_ball};
-    filter.correct(std::span(seen.data(), count), view);
+    filter.correct(image.read(measurements, smallest_variance), ball::view_of(area));
   }
 
   void absorb(regista::Span<regista::Track> tracks, double age) {
     if (tracks.empty()) return filter.forget();
     const regista::Track& told = tracks[0];
-    BallState ball;
-    ball.position << told.x, told.y;
-    ball.velocity << told.vx, told.vy;
-    const auto& c = told.covariance;
-    ball.position_covariance << c[0], c[1], c[4], c[5];
-    ball.cross << c[2], c[3], c[6], c[7];
-    ball.velocity_covariance << c[10], c[11], c[14], c[15];
-    filter.replace(ball, (told.flags & REGISTA_TRACK_VELOCITY) != 0, told.weight, told.age, age);
+    filter.replace(ball::state_of(told), (told.flags & REGISTA_TRACK_VELOCITY) != 0, told.weight, told.age, age);
   }
 
   void tracks(regista::Tracks out) const {
@@ -151,16 +129,10 @@ struct KalmanBall {
       const BallState ball = filter.told(each);
       regista::Track& track = out.add();
       track.label = each.label;
-      track.x = ball.position.x();
-      track.y = ball.position.y();
-      write(ball.position_covariance, track.covariance, 0, 0);
+      write_position(ball, track);
       if (filter.velocity_believed(each)) {
         track.flags = REGISTA_TRACK_VELOCITY;
-        track.vx = ball.velocity.x();
-        track.vy = ball.velocity.y();
-        write(ball.cross, track.covariance, 0, 2);
-        write(ball.cross.transpose(), track.covariance, 2, 0);
-        write(ball.velocity_covariance, track.covariance, 2, 2);
+        write_velocity(ball, track);
       } else if (each.kind == kalman_ball::Kind::moving) {
         track.covariance[10] = track.covariance[15] = speed_prior * speed_prior;  // told as standing until believed
       }
@@ -171,14 +143,8 @@ struct KalmanBall {
 
   static constexpr double smallest_variance = 1e-6;  // m^2: nothing is seen better than 1 mm
 
-  static void write(const Eigen::Matrix2d& block, double (&covariance)[16], int row, int column) {
-    for (int i = 0; i < 2; ++i) {
-      for (int j = 0; j < 2; ++j) covariance[4 * (row + i) + column + j] = block(i, j);
-    }
-  }
-
   kalman_ball::Filter filter;
-  std::array<Sighting, 32> seen{};  // of one image; more are ignored
+  ball::Image image;
 };
 
 }  // namespace
