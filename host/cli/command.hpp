@@ -26,7 +26,9 @@ struct Command {
 
 Command add_match(CLI::App& parent, const Invocation& invocation);
 Command add_evaluate_predictor(CLI::App& parent, const Invocation& invocation);
+Command add_play_one(CLI::App& parent, const Invocation& invocation);
 Command add_sprt(CLI::App& parent, const Invocation& invocation);
+Command add_tournament(CLI::App& parent, const Invocation& invocation);
 Command add_plugin_list(CLI::App& parent, const Invocation& invocation);
 Command add_plugin_info(CLI::App& parent, const Invocation& invocation);
 Command add_plugin_reference(CLI::App& parent, const Invocation& invocation);

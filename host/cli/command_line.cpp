@@ -21,6 +21,7 @@ namespace {
 
 constexpr auto examples = R"(Examples:
   regista match configs/teams/paper.yaml configs/teams/fixed_rate.yaml --seed 1
+  regista tournament --team configs/teams/paper.yaml --team configs/teams/fixed_rate.yaml --pairs 100
   regista plugin list
   regista config check configs/teams/paper.yaml
 
@@ -44,7 +45,8 @@ std::string full_name(const CLI::App& app) {
 
 std::vector<std::string> names_of_commands(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* each : app.get_subcommands([](const CLI::App*) { return true; })) {
+  // One without a group is hidden.
+  for (const CLI::App* each : app.get_subcommands([](const CLI::App* all) { return !all->get_group().empty(); })) {
     names.push_back(each->get_name());
   }
   return names;
@@ -131,8 +133,9 @@ int run(const Invocation& invocation) {
   root.footer(examples);
   // At most one command, so that what follows it is never taken for another.
   root.require_subcommand(0, 1);
-  std::vector<Command> commands{add_match(root, invocation), add_evaluate_predictor(root, invocation),
-                                add_sprt(root, invocation)};
+  std::vector<Command> commands{add_match(root, invocation),   add_tournament(root, invocation),
+                                add_sprt(root, invocation),    add_evaluate_predictor(root, invocation),
+                                add_play_one(root, invocation)};
   CLI::App& plugin = *root.add_subcommand("plugin", "the plugins that there are");
   plugin.require_subcommand(0, 1);
   commands.push_back(add_plugin_list(plugin, invocation));

@@ -83,9 +83,10 @@ MatchSetup match_setup(const MatchRequest& request, const plugin::Catalogue& cat
 
   for (const match::Side side : match::both_sides) {
     const std::string& file = request.teams[match::index(side)];
+    Node& document = out.documents[match::index(side)];
     out.plans[match::index(side)] = overrides.read(match::name(side), [&](const config::Overrides& of_this) {
-      return std::make_unique<const mind::TeamPlan>(config::read_team(file, of_this), out.setup.rules, robot,
-                                                    catalogue);
+      document = config::load(file, of_this);
+      return std::make_unique<const mind::TeamPlan>(config::read_team(document), out.setup.rules, robot, catalogue);
     });
   }
   return out;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "config/node.hpp"
 #include "match/match.hpp"
 #include "mind/team_plan.hpp"
 #include "plugin/catalogue.hpp"
@@ -25,6 +26,7 @@ struct MatchRequest {
 struct MatchSetup {
   match::Setup setup;                                          // its roles are left to match::play
   std::array<std::unique_ptr<const mind::TeamPlan>, 2> plans;  // by side; they need the catalogue
+  std::array<config::Node, 2> documents;                       // of the teams, by side, with --set laid over
 };
 
 // Throws BadInput and config::Error.

@@ -14,8 +14,9 @@
 namespace regista::match {
 
 // The minds of one side. Their luck belongs to (seed, side), so that it stays when teams swap sides.
-// Throws plugin::Failure when a plugin cannot be created.
-std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed);
+// Throws plugin::Failure when a plugin cannot be created. note: see plugin/call_note.hpp; may be null.
+std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed,
+                              plugin::CallNote* note = nullptr);
 
 // The team's table of roles, for the metrics.
 std::vector<Role> roles(const mind::TeamPlan& plan);
@@ -25,6 +26,6 @@ using AfterDecision = std::function<void(Side, const mind::Mind&, const mind::Pe
 
 // Plays `setup` (its `roles` are taken from the plans). Throws as play() and Mind do.
 Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, const Observer* observer = nullptr,
-            const AfterDecision& after = {});
+            const AfterDecision& after = {}, plugin::CallNote* note = nullptr);
 
 }  // namespace regista::match

@@ -21,10 +21,10 @@ constexpr double time_rounding = 1e-3;     // s, of a packet's time
 }  // namespace
 
 struct Mind::Parts {
-  Parts(const TeamPlan& team_plan, int own_number, std::uint64_t seed)
+  Parts(const TeamPlan& team_plan, int own_number, std::uint64_t seed, plugin::Noting noting)
       : plan(team_plan),
         number(own_number),
-        caller{team_plan.team().name, own_number, 0},
+        caller{team_plan.team().name, own_number, 0, noting},
         mailboxes(static_cast<std::size_t>(team_plan.rules().messages.size)),
         assembly(team_plan, own_number, seed, mailboxes, caller),
         // In braces: the order of evaluation, and so of creating plugins, is that of the text.
@@ -66,8 +66,8 @@ struct Mind::Parts {
   std::vector<Segment> segments;
 };
 
-Mind::Mind(const TeamPlan& plan, int number, std::uint64_t seed)
-    : parts_(std::make_unique<Parts>(plan, number, seed)) {}
+Mind::Mind(const TeamPlan& plan, int number, std::uint64_t seed, plugin::Noting noting)
+    : parts_(std::make_unique<Parts>(plan, number, seed, noting)) {}
 Mind::~Mind() = default;
 Mind::Mind(Mind&&) noexcept = default;
 Mind& Mind::operator=(Mind&&) noexcept = default;

@@ -15,14 +15,16 @@
 #include "mind/percepts.hpp"
 #include "mind/team_plan.hpp"
 #include "mind/world/world_model.hpp"
+#include "plugin/call_note.hpp"
 
 namespace regista::mind {
 
 class Mind {
  public:
   // `plan` outlives the mind. `seed`: of the match and the side; every plugin instance gets its own stream of it.
+  // `noting`: where calls of plugins are noted, if anywhere; outlives the mind.
   // Throws plugin::Failure when a plugin cannot be created.
-  Mind(const TeamPlan& plan, int number, std::uint64_t seed);
+  Mind(const TeamPlan& plan, int number, std::uint64_t seed, plugin::Noting noting = {});
   ~Mind();
   Mind(Mind&&) noexcept;
   Mind& operator=(Mind&&) noexcept;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "plugin/call_note.hpp"
 #include "plugin/found.hpp"
 
 namespace regista::plugin {
@@ -18,6 +19,7 @@ struct Caller {
   std::string team;
   int robot = 0;
   std::uint64_t tick = 0;
+  Noting noting{};  // where its calls are noted
 };
 
 // what() is one line:

@@ -28,15 +28,21 @@ std::string said(const regista_error& error) {
 
 Instance::Instance(const Found& plugin, const Parameters& parameters, const regista_environment& environment,
                    const regista_host* host, const Caller* caller)
-    : plugin_(plugin), environment_(environment), caller_(caller) {
+    : plugin_(plugin),
+      environment_(environment),
+      caller_(caller),
+      note_(caller == nullptr ? nullptr : caller->noting.note),
+      noted_id_(note_of_id(plugin.descriptor->id)) {
   assert(parameters.values().size() == plugin.descriptor->parameter_count);
   environment_.size = sizeof environment_;
+  begin("create");
   try {
     raw_ = plugin.descriptor->create(&environment_, host != nullptr ? host : &host_without_radio,
                                      parameters.values().data(), &error_);
   } catch (...) {
     threw("create");
   }
+  end();
   if (raw_ != nullptr) return;
   // A plugin never learns what its files are called.
   std::string message = said(error_);
@@ -45,7 +51,11 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
   fail("create", message);
 }
 
-Instance::~Instance() { plugin_.descriptor->destroy(raw_); }
+Instance::~Instance() {
+  begin("destroy");
+  plugin_.descriptor->destroy(raw_);
+  end();
+}
 
 void Instance::reset(std::uint64_t seed) { call("reset", plugin_.descriptor->reset, seed); }
 

@@ -4,12 +4,17 @@
 // instance.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include <regista/abi.h>
 
+#include "plugin/call_note.hpp"
 #include "plugin/descriptor.hpp"
 #include "plugin/failure.hpp"
 #include "plugin/found.hpp"
@@ -35,16 +40,18 @@ class Instance {
   // As given at create; its spans belong to whoever gave them.
   const regista_environment& environment() const { return environment_; }
 
-  // Calls `function` of a table of this plugin; `name` is the call's, for the Failure.
-  template <class Function, class... Arguments>
-  void call(const char* name, Function function, Arguments... arguments) {
+  // Calls `function` of a table of this plugin; `name` is the call's, for the note and the Failure.
+  template <std::size_t Size, class Function, class... Arguments>
+  void call(const char (&name)[Size], Function function, Arguments... arguments) {
     error_.text[0] = '\0';
     std::int32_t status = REGISTA_FAILED;
+    begin(name);
     try {
       status = function(raw_, arguments..., &error_);
     } catch (...) {
       threw(name);
     }
+    end();
     if (status != REGISTA_OK) [[unlikely]]
       failed(name, status);
   }
@@ -61,6 +68,24 @@ class Instance {
   [[noreturn]] void fail(const char* call, std::string message) const;
 
  private:
+  // Notes that a call is under way, and that it is over. A few moves of bytes where somebody listens, else a branch.
+  template <std::size_t Size>
+  void begin(const char (&name)[Size]) {
+    static_assert(Size <= std::tuple_size_v<decltype(CallNote::call)>);
+    if (note_ == nullptr) [[likely]]
+      return;
+    std::memcpy(note_->plugin.data(), noted_id_.data(), noted_id_.size());
+    std::memcpy(note_->call.data(), name, Size);
+    note_->tick = caller_->tick;
+    note_->robot = caller_->robot;
+    note_->side = caller_->noting.side;
+    note_->inside = 1;
+  }
+  void end() {
+    if (note_ != nullptr) [[unlikely]]
+      note_->inside = 0;
+  }
+
   [[noreturn]] void failed(const char* name, std::int32_t status) const;
   [[noreturn]] void threw(const char* name) const;
   [[noreturn]] void has_no_table(int kind) const;
@@ -68,6 +93,8 @@ class Instance {
   Found plugin_;
   regista_environment environment_;
   const Caller* caller_;
+  CallNote* note_;
+  std::array<char, 64> noted_id_;
   void* raw_ = nullptr;
   regista_error error_{};
 };

@@ -69,6 +69,37 @@ TEST_F(InstanceTest, NamesTheTickAtWhichItFailed) {
   EXPECT_NE(message_of([&] { context.holds(Scene().frame); }).find("tick 2:"), std::string::npos);
 }
 
+TEST_F(InstanceTest, NotesWhichCallIsUnderWay) {
+  CallNote note;
+  static CallNote* noted;
+  static CallNote during;
+  noted = &note;
+  Caller caller{"paper", 3, 417, {&note, 1}};
+  Puppet::context.holds = [](void*, const regista_frame*, std::int32_t* out, regista_error*) -> std::int32_t {
+    during = *noted;
+    *out = 1;
+    return REGISTA_OK;
+  };
+  static const regista_descriptor puppet = Puppet::descriptor();
+  {
+    const auto instance = std::make_shared<Instance>(Found{"puppet.so", &puppet}, resolve(puppet, use("puppet")),
+                                                     environment(), nullptr, &caller);
+    EXPECT_STREQ(note.plugin.data(), "puppet");
+    EXPECT_STREQ(note.call.data(), "create");
+    EXPECT_EQ(note.inside, 0u);
+    caller.tick = 418;
+    Context context(instance);
+    EXPECT_TRUE(context.holds(Scene().frame));
+    EXPECT_STREQ(during.call.data(), "holds");
+    EXPECT_EQ(during.robot, 3);
+    EXPECT_EQ(during.side, 1);
+    EXPECT_EQ(during.tick, 418u);
+    EXPECT_EQ(during.inside, 1u);
+    EXPECT_EQ(note.inside, 0u);
+  }
+  EXPECT_STREQ(note.call.data(), "destroy");
+}
+
 TEST_F(InstanceTest, ReadsErrorsThatAreNotWhatTheyShouldBe) {
   EXPECT_EQ(called([](void*, const regista_frame*, std::int32_t*, regista_error*) -> std::int32_t { return 7; }),
             Puppet::failure("holds: returned 7, which means nothing"));

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/engine.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace regista::campaign {
+namespace {
+
+// So many matches per worker may be decided before the one that is due.
+constexpr std::uint64_t ahead = 16;
+
+constexpr int patience = 100;      // ms between two looks at everything
+constexpr int short_patience = 1;  // ms, while a worker that has said all it had to say ends
+
+// A match under way: its worker, and what happened to those before.
+struct Run {
+  Scheduled match;
+  std::vector<std::uint64_t> indices;  // places in the schedule that wait for it: equal teams play the same match twice
+  SharedNote note;
+  std::unique_ptr<Worker> worker;
+  std::vector<End> deaths;
+  int attempts = 0;      // workers so far
+  double seconds = 0.0;  // of all of them
+};
+
+class Engine {
+ public:
+  Engine(const Schedule& schedule, Store& store, int workers, const Limits& limits)
+      : schedule_(schedule), store_(store), workers_(static_cast<std::size_t>(workers)), limits_(limits) {}
+
+  Finish run() {
+    while (due_ < schedule_.matches) {
+      if (schedule_.asked_to_stop && schedule_.asked_to_stop()) return Finish::interrupted;
+      fill();
+      if (!hand_on()) return Finish::enough;
+      if (runs_.empty()) continue;
+      wait();
+      for (std::size_t i = 0; i < runs_.size();) {
+        if (runs_[i]->worker->advance() && settle(*runs_[i]))
+          runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(i));
+        else
+          ++i;
+      }
+    }
+    return Finish::complete;
+  }
+
+ private:
+  struct Waiting {
+    Decided decided;
+    bool fresh;
+  };
+
+  // Gives every free worker a match.
+  void fill() {
+    while (runs_.size() < workers_ && next_ < schedule_.matches && next_ < due_ + ahead * workers_) {
+      Scheduled match = schedule_.at(next_);
+      if (auto stored = store_.find(match.fixture, match.job.seed)) {
+        decided_.emplace(next_++, Waiting{*std::move(stored), false});
+        continue;
+      }
+      const auto same = std::ranges::find_if(runs_, [&](const std::unique_ptr<Run>& run) {
+        return run->match.fixture == match.fixture && run->match.job.seed == match.job.seed;
+      });
+      if (same != runs_.end()) {
+        (*same)->indices.push_back(next_++);
+        continue;
+      }
+      auto run = std::make_unique<Run>();
+      run->match = std::move(match);
+      run->indices.push_back(next_++);
+      start(*run);
+      runs_.push_back(std::move(run));
+    }
+  }
+
+  void start(Run& run) {
+    ++run.attempts;
+    run.worker = std::make_unique<Worker>(run.match.job, limits_, run.note);
+  }
+
+  bool hand_on() {
+    for (auto first = decided_.begin(); first != decided_.end() && first->first == due_; first = decided_.begin()) {
+      const bool more = schedule_.take(due_, first->second.decided, first->second.fresh);
+      decided_.erase(first);
+      ++due_;
+      if (!more) return false;
+    }
+    return true;
+  }
+
+  void wait() {
+    std::vector<pollfd> watched;
+    int patient = patience;
+    for (const auto& run : runs_) {
+      watched.push_back({run->worker->descriptor(), POLLIN, 0});  // a negative one is passed over
+      if (run->worker->descriptor() == -1) patient = short_patience;
+    }
+    poll(watched.data(), watched.size(), patient);  // a signal ends it early
+  }
+
+  // The worker has ended. True when the match is decided.
+  bool settle(Run& run) {
+    End end = run.worker->end();
+    run.seconds += end.seconds;
+    if (end.how == End::How::answered) {
+      const std::optional<Decided> decided = answered(run, end);
+      if (decided) {
+        if (!run.deaths.empty() && schedule_.accident) schedule_.accident(run.match.job, run.deaths.back());
+        decide(run, *decided);
+        return true;
+      }
+    }
+    run.deaths.push_back(end);
+    switch (judge(run.deaths)) {
+      case Judgement::play_again:
+        start(run);
+        return false;
+      case Judgement::forfeit:
+        decide(run, forfeit(*suspect(end), run.seconds));
+        return true;
+      case Judgement::give_up:
+        break;
+    }
+    throw CampaignError(
+        CampaignError::Kind::machine,
+        fmt::format("workers died {} times over one match, at last so: {}", run.deaths.size(), end.text));
+  }
+
+  // What the answer decides; nothing when the worker broke down, and `end` then tells how.
+  std::optional<Decided> answered(const Run& run, End& end) {
+    Answer answer;
+    try {
+      answer = answer_from_json(end.text);
+    } catch (const std::invalid_argument&) {
+      end.how = End::How::died;
+      end.text = "wrote an answer that cannot be read";
+      return std::nullopt;
+    }
+    switch (answer.kind) {
+      case Answer::Kind::played:
+        answer.decided.seconds = run.seconds;
+        return answer.decided;
+      case Answer::Kind::failed:
+        return forfeit(*answer.decided.failure, run.seconds);
+      case Answer::Kind::changed:
+      case Answer::Kind::refused:
+        throw CampaignError(CampaignError::Kind::input, answer.message);
+      case Answer::Kind::stopped:
+        end.how = End::How::died;
+        end.text = answer.message;
+        return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  void decide(const Run& run, const Decided& decided) {
+    store_.insert(run.match.fixture, run.match.job.seed, decided, run.attempts);
+    for (const std::uint64_t index : run.indices) decided_.emplace(index, Waiting{decided, true});
+  }
+
+  const Schedule& schedule_;
+  Store& store_;
+  std::size_t workers_;
+  Limits limits_;
+  std::vector<std::unique_ptr<Run>> runs_;
+  std::map<std::uint64_t, Waiting> decided_;  // by index, not yet handed on
+  std::uint64_t next_ = 0, due_ = 0;
+};
+
+}  // namespace
+
+Finish run(const Schedule& schedule, Store& store, int workers, const Limits& limits) {
+  return Engine(schedule, store, workers, limits).run();
+}
+
+}  // namespace regista::campaign

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "config/documents.hpp"
+#include "config/flow.hpp"
+#include "config/parse.hpp"
+#include "config/profiles.hpp"
+#include "config/show.hpp"
+#include "plugin/content_hash.hpp"
+#include "plugin/declarations.hpp"
+
+namespace regista::campaign {
+namespace {
+
+std::string content_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (!in) throw std::runtime_error("cannot read " + file.string());
+  return bytes;
+}
+
+// Values alone: without comments, so that a moved line is no change.
+std::string canonical(const std::string& shown) { return config::flow(config::parse_text(shown, "resolved document")); }
+
+template <class Profile>
+Input profile(const char* kind, Profile values) {
+  const std::string shown = config::show(config::declare(values), config::Node(), {});
+  return {fmt::format("{} {}", kind, values.name), plugin::content_hash(canonical(shown))};
+}
+
+class Collected {
+ public:
+  void add(const mind::Part& part) {
+    const std::filesystem::path& file = part.found->file;
+    const std::string id = part.found->descriptor->id;
+    put(fmt::format("plugin {} ({})", id, file.string()),
+        [&] { return id + ' ' + plugin::content_hash(content_of(file)); });
+    // Read when the parameters were: by now the file may be another.
+    for (const plugin::FileUsed& used : part.parameters.files()) {
+      put(fmt::format("file {} of plugin {}", used.path.string(), id), [&] { return used.hash; });
+    }
+  }
+  std::vector<Input> take() {
+    std::ranges::stable_sort(inputs_, {}, [](const Input& input) { return input.hash; });
+    return std::move(inputs_);
+  }
+
+ private:
+  template <class Hash>
+  void put(const std::string& name, Hash hash) {
+    if (std::ranges::find(inputs_, name, &Input::name) == inputs_.end()) inputs_.push_back({name, hash()});
+  }
+  std::vector<Input> inputs_;
+};
+
+}  // namespace
+
+std::vector<Input> team_inputs(const mind::TeamPlan& plan, const config::Node& document,
+                               const plugin::Catalogue& catalogue) {
+  Collected plugins;
+  for (const mind::Part* part : {&plan.self(), &plan.ball(), &plan.opponents(), &plan.teammates()}) plugins.add(*part);
+  for (const mind::ContextPlan& context : plan.contexts()) {
+    plugins.add(context.condition);
+    if (context.positioner) plugins.add(*context.positioner);
+    for (const mind::TermPart& term : context.terms) plugins.add(term.part);
+    plugins.add(context.assigner);
+    plugins.add(context.sender);
+  }
+  const std::string shown = config::show(document, plugin::declarations(catalogue.plugins()));
+  std::vector<Input> out{{"team " + plan.team().file, plugin::content_hash(canonical(shown))}};
+  std::ranges::move(plugins.take(), std::back_inserter(out));
+  return out;
+}
+
+std::vector<Input> common_inputs(const match::Setup& setup, const std::string& program,
+                                 const std::string& mathematics) {
+  const std::string limit = setup.limit ? fmt::format("{:a}", *setup.limit) : "none";
+  return {profile("rules", setup.rules),
+          profile("robot", setup.robots[0]),
+          profile("disturbance", setup.disturbances[0]),
+          {"limit", plugin::content_hash(limit)},
+          {program_input, program},
+          {mathematics_input, mathematics}};
+}
+
+std::string fixture_key(std::span<const Input> home, std::span<const Input> away, std::span<const Input> common) {
+  std::string all;
+  for (const std::span<const Input> part : {home, away, common}) {
+    for (const Input& input : part) all += input.hash + '\n';
+    all += "--\n";
+  }
+  return plugin::content_hash(all);
+}
+
+std::string program_hash() { return plugin::content_hash(content_of("/proc/self/exe")); }
+
+}  // namespace regista::campaign

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Everything a match is a function of, but its seed, as names and hashes of contents; and from them the key of the
+// fixture. Two matches with the same key and seed are the same match: it need be played once only. Names are for people
+// and no part of the key.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "campaign/input.hpp"
+#include "config/node.hpp"
+#include "match/match.hpp"
+#include "mind/team_plan.hpp"
+
+namespace regista::campaign {
+
+// What one team brings along: its resolved document, the plugins it names, the files their parameters name. In an
+// order that depends on contents and ids alone.
+std::vector<Input> team_inputs(const mind::TeamPlan& plan, const config::Node& document,
+                               const plugin::Catalogue& catalogue);
+
+inline constexpr const char* program_input = "program";
+inline constexpr const char* mathematics_input = "mathematics library";
+
+// What both share: rules, robot, disturbance, limit, and where it is played: program and mathematics library.
+std::vector<Input> common_inputs(const match::Setup& setup, const std::string& program, const std::string& mathematics);
+
+// 32 hexadecimal digits. home, away: team_inputs; the order matters.
+std::string fixture_key(std::span<const Input> home, std::span<const Input> away, std::span<const Input> common);
+
+// Hash of the program that runs now, even if its file has been replaced since. Throws std::runtime_error.
+std::string program_hash();
+
+}  // namespace regista::campaign

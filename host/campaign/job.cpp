@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/job.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string_view>
+
+namespace regista::campaign {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 5> kinds{"played", "failed", "changed", "refused", "stopped"};
+
+// Text of plugins may be anything; JSON must be UTF-8.
+std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+template <class Read>
+auto reading(const std::string& text, Read read) {
+  try {
+    return read(Json::parse(text));
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
+Json json_of(const Failure& failure) {
+  return {{"side", failure.side},   {"plugin", failure.plugin}, {"call", failure.call},
+          {"robot", failure.robot}, {"tick", failure.tick},     {"what", failure.what}};
+}
+
+Json json_of(const std::vector<Input>& inputs) {
+  Json out = Json::array();
+  for (const Input& input : inputs) out.push_back({input.name, input.hash});
+  return out;
+}
+
+std::vector<Input> inputs_of(const Json& json) {
+  std::vector<Input> out;
+  for (const Json& input : json) out.push_back({input.at(0).get<std::string>(), input.at(1).get<std::string>()});
+  return out;
+}
+
+Failure failure_of(const Json& json) {
+  Failure out;
+  out.side = json.at("side").get<int>();
+  if (out.side != 0 && out.side != 1) throw std::invalid_argument("a side is 0 or 1");
+  out.plugin = json.at("plugin").get<std::string>();
+  out.call = json.at("call").get<std::string>();
+  out.robot = json.at("robot").get<int>();
+  out.tick = json.at("tick").get<std::uint64_t>();
+  out.what = json.at("what").get<std::string>();
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> match_arguments(const Job& job) {
+  std::vector<std::string> words{"match", job.teams[0], job.teams[1], "--seed", std::to_string(job.seed)};
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) words.insert(words.end(), {option, value});
+  };
+  add("--limit", job.limit);
+  add("--rules", job.rules);
+  add("--robot", job.robot);
+  add("--disturbance", job.disturbance);
+  for (const std::string& each : job.overrides) add("--set", each);
+  for (const std::string& each : job.plugins) add("--plugins", each);
+  return words;
+}
+
+std::string to_json(const Job& job) {
+  return dump(Json{{"teams", job.teams},
+                   {"rules", job.rules},
+                   {"robot", job.robot},
+                   {"disturbance", job.disturbance},
+                   {"overrides", job.overrides},
+                   {"plugins", job.plugins},
+                   {"limit", job.limit},
+                   {"seed", job.seed},
+                   {"home_inputs", json_of(job.home_inputs)},
+                   {"away_inputs", json_of(job.away_inputs)},
+                   {"common_inputs", json_of(job.common_inputs)}});
+}
+
+Job job_from_json(const std::string& text) {
+  return reading(text, [](const Json& json) {
+    Job job;
+    json.at("teams").get_to(job.teams);
+    json.at("rules").get_to(job.rules);
+    json.at("robot").get_to(job.robot);
+    json.at("disturbance").get_to(job.disturbance);
+    json.at("overrides").get_to(job.overrides);
+    json.at("plugins").get_to(job.plugins);
+    json.at("limit").get_to(job.limit);
+    json.at("seed").get_to(job.seed);
+    job.home_inputs = inputs_of(json.at("home_inputs"));
+    job.away_inputs = inputs_of(json.at("away_inputs"));
+    job.common_inputs = inputs_of(json.at("common_inputs"));
+    return job;
+  });
+}
+
+std::string to_json(const Failure& failure) { return dump(json_of(failure)); }
+
+Failure failure_from_json(const std::string& text) {
+  return reading(text, [](const Json& json) { return failure_of(json); });
+}
+
+std::string to_json(const std::vector<Input>& inputs) { return dump(json_of(inputs)); }
+
+std::vector<Input> inputs_from_json(const std::string& text) {
+  return reading(text, [](const Json& json) { return inputs_of(json); });
+}
+
+std::string to_json(const Answer& answer) {
+  const Decided& decided = answer.decided;
+  Json json{{"kind", kinds[static_cast<std::size_t>(answer.kind)]},
+            {"message", answer.message},
+            {"score", decided.score},
+            {"ended", decided.ended},
+            {"hash", decided.hash},
+            {"metrics", decided.metrics},
+            {"seconds", decided.seconds}};
+  if (decided.failure) json["failure"] = json_of(*decided.failure);
+  return dump(json);
+}
+
+Answer answer_from_json(const std::string& text) {
+  return reading(text, [](const Json& json) {
+    Answer answer;
+    const auto kind = std::ranges::find(kinds, json.at("kind").get<std::string>());
+    if (kind == kinds.end()) throw std::invalid_argument("no such kind of answer");
+    answer.kind = static_cast<Answer::Kind>(kind - kinds.begin());
+    json.at("message").get_to(answer.message);
+    json.at("score").get_to(answer.decided.score);
+    json.at("ended").get_to(answer.decided.ended);
+    json.at("hash").get_to(answer.decided.hash);
+    json.at("metrics").get_to(answer.decided.metrics);
+    json.at("seconds").get_to(answer.decided.seconds);
+    if (json.contains("failure")) answer.decided.failure = failure_of(json.at("failure"));
+    if ((answer.kind == Answer::Kind::failed) != answer.decided.failure.has_value()) {
+      throw std::invalid_argument("a failure belongs to an answer that says so");
+    }
+    return answer;
+  });
+}
+
+Decided forfeit(const Failure& failure, double seconds) {
+  Decided out;
+  out.score[static_cast<std::size_t>(1 - failure.side)] = goals_of_forfeit;
+  out.ended = "forfeit";
+  out.failure = failure;
+  out.seconds = seconds;
+  return out;
+}
+
+}  // namespace regista::campaign

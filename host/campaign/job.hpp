@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// What a worker is told, and what it answers: one match, as JSON in one line each way.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/input.hpp"
+
+namespace regista::campaign {
+
+// A match as the command line of `regista match` says it. Paths are relative to the folder the campaign was started in.
+struct Job {
+  std::array<std::string, 2> teams;       // files: home, away
+  std::string rules, robot, disturbance;  // files; empty: the built-in values
+  std::vector<std::string> overrides;     // of --set, as `regista match` understands them
+  std::vector<std::string> plugins;       // folders of --plugins
+  std::string limit;                      // simulated seconds, as typed; empty: none
+  std::uint64_t seed = 1;
+  // What is to be played, as inputs.hpp counts it up. A worker that finds something else in the files does not play.
+  std::vector<Input> home_inputs, away_inputs, common_inputs;
+  friend bool operator==(const Job&, const Job&) = default;
+};
+
+// The words of `regista match` after the name of the program: plays this very match by itself.
+std::vector<std::string> match_arguments(const Job& job);
+
+// Who is to blame for a match that could not be played to its end.
+struct Failure {
+  int side = 0;              // 0 home, 1 away
+  std::string plugin, call;  // id, "assign"
+  int robot = 0;             // number, from 1
+  std::uint64_t tick = 0;    // of the robot
+  std::string what;          // "Segmentation fault", "point 0 at (1, nan) is outside the field"
+  friend bool operator==(const Failure&, const Failure&) = default;
+};
+
+// A match that was decided: played, or forfeited.
+struct Decided {
+  std::array<int, 2> score{};      // by side; a forfeit is 0:10
+  std::string ended;               // "full_time", "mercy", "limit", "forfeit"
+  std::string hash;                // over the course of the match, 16 digits; empty for a forfeit
+  std::string metrics;             // JSON; empty for a forfeit: missing, not zero
+  std::optional<Failure> failure;  // of a forfeit
+  double seconds = 0.0;            // s of wall time
+  friend bool operator==(const Decided&, const Decided&) = default;
+};
+
+// What a worker says at its end.
+struct Answer {
+  enum class Kind {
+    played,   // `decided` holds the result
+    failed,   // a plugin said so or broke a promise: `decided.failure`
+    changed,  // what stands in the files is not what is to be played: `message`
+    refused,  // bad input: `message`
+    stopped,  // an error of another kind: `message`
+  };
+  Kind kind = Kind::stopped;
+  Decided decided;
+  std::string message;
+};
+
+std::string to_json(const Job& job);
+std::string to_json(const Answer& answer);
+
+// Throw std::invalid_argument for what these functions did not write.
+Job job_from_json(const std::string& text);
+Answer answer_from_json(const std::string& text);
+
+std::string to_json(const Failure& failure);
+Failure failure_from_json(const std::string& text);
+
+std::string to_json(const std::vector<Input>& inputs);
+std::vector<Input> inputs_from_json(const std::string& text);
+
+inline constexpr int goals_of_forfeit = 10;
+
+// The result of a match that the side of this failure loses.
+Decided forfeit(const Failure& failure, double seconds);
+
+}  // namespace regista::campaign

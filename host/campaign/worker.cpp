@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/worker.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace regista::campaign {
+namespace {
+
+// A match is answered in some ten kilobytes; who writes without end is stopped.
+constexpr std::size_t longest_answer = std::size_t{16} << 20;
+
+constexpr rlim_t stack = rlim_t{8} << 20;  // bytes: an endless recursion ends here, whatever the user's own limit is
+
+[[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
+
+// A file descriptor that is closed at the end.
+struct Descriptor {
+  int number = -1;
+  explicit Descriptor(int opened) : number(opened) {}
+  ~Descriptor() { reset(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  void reset() {
+    if (number != -1) close(number);
+    number = -1;
+  }
+};
+
+// The job as a file without a name, from its beginning: unlike a pipe it never fills.
+int file_of(const std::string& text) {
+  Descriptor file(memfd_create("regista-job", MFD_CLOEXEC));
+  if (file.number == -1) fail("cannot hand over a match");
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    const ssize_t written = write(file.number, rest.data(), rest.size());
+    if (written == -1) fail("cannot hand over a match");
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+  lseek(file.number, 0, SEEK_SET);
+  return std::exchange(file.number, -1);
+}
+
+bool sanitized() {
+#if defined(__SANITIZE_ADDRESS__)
+  return true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+  return true;
+#endif
+#endif
+  return false;
+}
+
+bool limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
+  rlimit now{};
+  if (getrlimit(resource, &now) == -1) return false;
+  const rlimit wanted{std::min(soft, now.rlim_max), std::min(hard, now.rlim_max)};
+  return setrlimit(resource, &wanted) == 0;
+}
+
+struct Inherited {
+  int job, answer, note;
+  pid_t coordinator;
+};
+
+// Between fork and exec: only calls that are safe in a signal handler.
+[[noreturn]] void become_worker(const Inherited& given, const Limits& limits) {
+  constexpr int cannot = 127;
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != given.coordinator) _exit(cannot);  // it died before it could be watched
+  // Out of the way of the numbers they are to have, which are not closed at exec.
+  const int job = fcntl(given.job, F_DUPFD, 10), answer = fcntl(given.answer, F_DUPFD, 10),
+            note = fcntl(given.note, F_DUPFD, 10), nothing = open("/dev/null", O_WRONLY);
+  if (job == -1 || answer == -1 || note == -1 || nothing == -1) _exit(cannot);
+  const bool placed = dup2(job, STDIN_FILENO) != -1 && dup2(nothing, STDOUT_FILENO) != -1 &&
+                      dup2(nothing, STDERR_FILENO) != -1 && dup2(answer, answer_descriptor) != -1 &&
+                      dup2(note, note_descriptor) != -1;
+  if (!placed) _exit(cannot);
+  for (const int each : {job, answer, note, nothing}) {
+    if (each > note_descriptor) close(each);
+  }
+  const auto seconds = static_cast<rlim_t>(limits.processor_seconds);
+  bool limited =
+      limit(RLIMIT_CPU, seconds, seconds + 2) && limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_STACK, stack, stack);
+  // The sanitizers reserve more addresses than there is memory.
+  if (limits.memory != 0 && !sanitized()) limited = limited && limit(RLIMIT_AS, limits.memory, limits.memory);
+  if (!limited) _exit(cannot);
+  for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGPIPE, SIGXFSZ, SIGXCPU}) std::signal(each, SIG_DFL);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  // The program that runs now, even when its file has been replaced meanwhile.
+  std::array<char, 8> name{"regista"};
+  std::array<char, 16> command{};
+  std::strncpy(command.data(), worker_command, command.size() - 1);
+  char* const arguments[] = {name.data(), command.data(), nullptr};
+  execv("/proc/self/exe", arguments);
+  _exit(cannot);
+}
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+bool comes_from_outside(int signal_number) {
+  return signal_number == SIGKILL || signal_number == SIGTERM || signal_number == SIGINT || signal_number == SIGHUP ||
+         signal_number == SIGQUIT;
+}
+
+}  // namespace
+
+Worker::Worker(const Job& job, const Limits& limits, SharedNote& note) : limits_(limits), note_(note) {
+  note_.clear();
+  const Descriptor given(file_of(to_json(job)));
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) == -1) fail("cannot make a pipe");
+  Descriptor reading(ends[0]);
+  const Descriptor writing(ends[1]);
+  // The reading end alone: what the worker inherits must block.
+  fcntl(reading.number, F_SETFL, O_NONBLOCK);
+  const Inherited inherited{given.number, writing.number, note.descriptor(), getpid()};
+  process_ = fork();
+  if (process_ == -1) fail("cannot start a worker");
+  if (process_ == 0) become_worker(inherited, limits);
+  setpgid(process_, process_);  // whoever of the two comes first
+  pipe_ = std::exchange(reading.number, -1);
+}
+
+Worker::~Worker() {
+  if (process_ != -1) {
+    kill();
+    while (waitpid(process_, nullptr, 0) == -1 && errno == EINTR) {
+    }
+  }
+  if (pipe_ != -1) close(pipe_);
+}
+
+void Worker::kill() {
+  // The whole group: a plugin may have started processes of its own.
+  if (::kill(-process_, SIGKILL) == -1) ::kill(process_, SIGKILL);
+}
+
+void Worker::read() {
+  std::array<char, 65536> buffer;
+  while (pipe_ != -1) {
+    const ssize_t count = ::read(pipe_, buffer.data(), buffer.size());
+    if (count > 0) {
+      if (answer_.size() < longest_answer) answer_.append(buffer.data(), static_cast<std::size_t>(count));
+      continue;
+    }
+    if (count == -1 && errno == EINTR) continue;
+    if (count == -1 && errno == EAGAIN) return;
+    close(pipe_);
+    pipe_ = -1;
+  }
+}
+
+bool Worker::advance() {
+  if (process_ == -1) return true;
+  read();
+  int status = 0;
+  rusage usage{};
+  const pid_t waited = wait4(process_, &status, WNOHANG, &usage);
+  if (waited == process_) {
+    read();  // what it wrote last
+    ::kill(-process_, SIGKILL);
+    process_ = -1;
+    ended(status, seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime));
+    return true;
+  }
+  const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
+  if (!killed_ && seconds > limits_.wall_seconds) {
+    killed_ = true;
+    kill();
+  }
+  return false;
+}
+
+void Worker::ended(int status, double processor_seconds) {
+  end_.seconds = std::chrono::duration<double>(Clock::now() - began_).count();
+  end_.note = note_.note();
+  end_.note.plugin.back() = end_.note.call.back() = '\0';
+  const bool complete = answer_.ends_with('\n') && answer_.size() < longest_answer;
+  if (WIFEXITED(status)) {
+    if (complete && WEXITSTATUS(status) == 0) {
+      end_.how = End::How::answered;
+      end_.text = std::move(answer_);
+      return;
+    }
+    end_.how = End::How::died;
+    end_.text = fmt::format("ended the process (exit code {})", WEXITSTATUS(status));
+    return;
+  }
+  const int signal_number = WTERMSIG(status);
+  if (killed_) {
+    end_.how = End::How::wall_time;
+    end_.text = fmt::format("did not end within {:.0f} s", limits_.wall_seconds);
+  } else if (signal_number == SIGXCPU ||
+             (signal_number == SIGKILL && processor_seconds >= static_cast<double>(limits_.processor_seconds))) {
+    end_.how = End::How::processor_time;
+    end_.text = fmt::format("used more than {} s of processor time", limits_.processor_seconds);
+  } else {
+    end_.how = comes_from_outside(signal_number) ? End::How::killed_from_outside : End::How::died;
+    end_.text = strsignal(signal_number);
+  }
+}
+
+}  // namespace regista::campaign

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// One match in a process of its own: this program started once more, with limits, a pipe for its answer and a shared
+// note of whose call is under way. Isolation from accidents, not from malice: a plugin can do whatever its user can.
+//
+// The worker dies with its coordinator (PR_SET_PDEATHSIG) and stands in a process group of its own, so that Ctrl-C on
+// the terminal reaches the coordinator alone.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "campaign/job.hpp"
+#include "campaign/shared_note.hpp"
+
+namespace regista::campaign {
+
+struct Limits {
+  int processor_seconds = 120;                    // RLIMIT_CPU
+  std::uint64_t memory = std::uint64_t{2} << 30;  // bytes of address space, RLIMIT_AS; 0 = no limit
+  double wall_seconds = 1300.0;                   // a far back-stop, for a plugin that sleeps
+};
+
+// File descriptors of a worker.
+inline constexpr int answer_descriptor = 3, note_descriptor = 4;
+
+// The hidden command of the program that a worker runs: a Job on standard input, an Answer to answer_descriptor.
+inline constexpr const char* worker_command = "play-one";
+
+// How a worker ended.
+struct End {
+  enum class How {
+    answered,            // `text` is its answer
+    died,                // by itself: a signal, exit() in the middle, an answer cut off
+    processor_time,      // used up its limit
+    wall_time,           // was killed for it
+    killed_from_outside  // by a signal that people and systems send: SIGKILL, SIGTERM, SIGINT, SIGHUP, SIGQUIT
+  };
+  How how = How::died;
+  std::string text;       // the answer, or in words how it ended: "Segmentation fault"
+  plugin::CallNote note;  // the last one; its plugin is empty when no plugin was called
+  double seconds = 0.0;   // s of wall time
+};
+
+// A running worker. Never blocks.
+class Worker {
+ public:
+  // `note` is cleared and outlives the worker. Throws std::system_error when the process cannot be started.
+  Worker(const Job& job, const Limits& limits, SharedNote& note);
+  // Kills it if it still runs.
+  ~Worker();
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  // Becomes readable when there is something to do; -1 once the worker has closed it.
+  int descriptor() const { return pipe_; }
+
+  // Reads what there is; true when the worker has ended. To be called when the descriptor is readable and every now
+  // and then.
+  bool advance();
+
+  // Precondition: advance() has returned true.
+  End end() const { return end_; }
+
+ private:
+  void read();
+  void kill();
+  void ended(int status, double processor_seconds);
+
+  using Clock = std::chrono::steady_clock;
+  Limits limits_;
+  SharedNote& note_;
+  pid_t process_ = -1;
+  int pipe_ = -1;
+  bool killed_ = false;
+  Clock::time_point began_ = Clock::now();
+  std::string answer_;
+  End end_;
+};
+
+}  // namespace regista::campaign

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Where it is noted which call of which plugin is under way. The note may lie in memory that another process reads: so
+// whoever started a match can tell in whose hands it was when its process died.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+namespace regista::plugin {
+
+// Plain bytes without pointers; all zero: no plugin was called yet.
+struct CallNote {
+  std::array<char, 64> plugin{};  // id, cut off; ends with a zero
+  std::array<char, 16> call{};    // "assign"; ends with a zero
+  std::uint64_t tick = 0;         // of the robot
+  std::int32_t robot = 0;         // number, from 1
+  std::int32_t side = 0;          // 0 home, 1 away
+  std::uint32_t inside = 0;       // 1 while the plugin works, 0 when it has returned
+};
+
+// A note and on which side's behalf it is written.
+struct Noting {
+  CallNote* note = nullptr;  // null: nobody listens
+  std::int32_t side = 0;
+};
+
+// An id as a note holds it.
+inline std::array<char, 64> note_of_id(std::string_view id) {
+  std::array<char, 64> out{};
+  std::copy_n(id.data(), std::min(id.size(), out.size() - 1), out.data());
+  return out;
+}
+
+}  // namespace regista::plugin

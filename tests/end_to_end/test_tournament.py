@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: MIT
+"""`regista tournament`: what is played, what is said about it, and what is refused."""
+
+import fcntl
+import json
+import os
+import shlex
+import shutil
+import signal
+import sqlite3
+import subprocess
+import time
+import unittest
+
+import program
+import tournament
+
+
+class Matches(tournament.Tournament):
+    def test_every_row_is_the_match_that_the_program_plays_by_itself(self):
+        self.play("--seed", "7")
+        rows = self.stored("SELECT description, seed, home_goals, away_goals, hash, metrics FROM matches "
+                           "JOIN fixtures ON fixture = id ORDER BY seed, id")
+        self.assertEqual([row[1] for row in rows], [7, 7, 8, 8, 9, 9])
+        for description, seed, home, away, state_hash, metrics in rows:
+            words = shlex.split(description)
+            words[words.index("--seed") + 1] = str(seed)
+            alone = json.loads(self.succeed(*words, "--json"))
+            self.assertEqual((alone["score"], alone["state_hash"]), ([home, away], state_hash))
+            metrics = json.loads(metrics)
+            self.assertEqual(metrics["roles"], alone["roles"])
+            self.assertEqual(metrics["packets"], alone["packets"])
+
+    def test_the_report_counts_the_rows(self):
+        report = self.report(pairs=4)
+        a = [0, 0]
+        outcomes = {"wins": 0, "draws": 0, "losses": 0}
+        pentanomial = [0] * 5
+        scores = {}
+        for description, seed, home, away in self.stored(
+                "SELECT description, seed, home_goals, away_goals FROM matches JOIN fixtures ON fixture = id"):
+            a_at_home = shlex.split(description)[1] == "small.yaml"
+            mine, theirs = (home, away) if a_at_home else (away, home)
+            a[0] += mine
+            a[1] += theirs
+            outcome = "wins" if mine > theirs else "losses" if mine < theirs else "draws"
+            outcomes[outcome] += 1
+            scores.setdefault(seed, []).append({"wins": 2, "draws": 1, "losses": 0}[outcome])
+        for points in scores.values():
+            self.assertEqual(len(points), 2)
+            pentanomial[sum(points)] += 1
+        self.assertEqual({key: report[key] for key in outcomes}, outcomes)
+        self.assertEqual((report["goals"], report["pentanomial"]), (a, pentanomial))
+        self.assertEqual((report["games"], report["pairs"], report["first_seed"]), (8, 4, 1))
+        self.assertEqual((report["teams"], report["forfeits"]), (["small", "other"], []))
+
+    def test_the_report_in_words(self):
+        text = self.play(pairs=2)
+        report = json.loads(self.run_program(*self.arguments("--quiet", "--json", "--resume", pairs=2)).stdout)
+        self.assertTrue(text.startswith("Results of small vs other (2 pairs, seeds 1 to 2):\n"), text)
+        self.assertIn(f"Games: 4, Wins: {report['wins']}, Losses: {report['losses']}, Draws: {report['draws']}, ", text)
+        self.assertIn(f"Ptnml(0-2): {report['pentanomial']}\n", text)
+        self.assertIn(f"Goals: {report['goals'][0]}:{report['goals'][1]}\n", text)
+
+    def test_one_and_two_and_four_workers_say_the_same(self):
+        one = self.play("--workers", "1", "--results", "1.db", pairs=6)
+        for workers in ("2", "4"):
+            self.assertEqual(self.play("--workers", workers, "--results", f"{workers}.db", pairs=6), one)
+            self.assertEqual(self.rows(f"{workers}.db"), self.rows("1.db"))
+
+    def test_equal_teams(self):
+        report = self.report(teams=("small.yaml", "small.yaml"), pairs=3)
+        self.assertTrue(report["equal_teams"])
+        self.assertEqual(report["teams"], ["small (a)", "small (b)"])
+        self.assertEqual(report["pentanomial"], [0, 0, 3, 0, 0])
+        self.assertEqual(self.stored("SELECT count(*) FROM matches"), [(3,)])  # each is played once
+
+    def test_values_for_one_team(self):
+        changed = ("--set", "b.utility.terms.near.params.scale=3")
+        report = self.report(*changed, teams=("small.yaml", "small.yaml"), pairs=2)
+        self.assertFalse(report["equal_teams"])
+        descriptions = [shlex.split(row[0]) for row in self.stored("SELECT description FROM fixtures ORDER BY id")]
+        self.assertIn("away.utility.terms.near.params.scale=3", descriptions[0])
+        self.assertIn("home.utility.terms.near.params.scale=3", descriptions[1])
+
+    def test_a_line_for_each_match_when_nobody_watches(self):
+        done = self.run_program(*self.arguments(pairs=2))
+        lines = done.stderr.splitlines()
+        self.assertEqual(len(lines), 4, done.stderr)
+        for i, line in enumerate(lines):
+            self.assertRegex(line, rf"^match {i + 1} of 4, seed {1 + i // 2}: small \d+:\d+ other( at home)?$")
+
+    def test_a_gone_reader_or_full_disk_loses_no_match(self):
+        with open("/dev/full", "w") as full:
+            done = self.run_program(*self.arguments("--quiet"), stdout=full)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("cannot write to standard output", done.stderr)
+        self.assertEqual(len(self.rows()), 6)
+
+
+class Changes(tournament.Tournament):
+    def change(self, *more):
+        return self.refused(*self.arguments("--quiet", "--resume", *more))
+
+    def test_what_has_changed_is_named(self):
+        self.play()
+        rows = self.rows()
+        self.assertIn("--pairs was 3, now 4", self.refused(*self.arguments("--quiet", "--resume", pairs=4)))
+        self.assertIn("--seed was 1, now 2", self.change("--seed", "2"))
+        self.assertIn("rules spl2023 has changed", self.change("--set", "rules.durations.set=2"))
+        self.assertIn("second team: team other.yaml has changed", self.change("--set", "b.teammates_forgotten_after=20"))
+        plugin = self.plugin_folder / program.SOUND.name
+        sound = plugin.read_bytes()
+        plugin.unlink()
+        plugin.write_bytes(sound + b"\0")
+        self.assertRegex(self.change(), r"first team: plugin \w+ \([^)]*contract_good\.so\) has changed")
+        plugin.unlink()
+        plugin.write_bytes(sound)
+        content = self.program.read_bytes()
+        self.program.unlink()
+        self.program.write_bytes(content + b"\0")
+        self.program.chmod(0o755)
+        self.assertRegex(self.change(), r"was begun with something else: program has changed; ")
+        self.assertEqual(self.rows(), rows)
+
+    def test_comments_are_no_change(self):
+        before = self.play()
+        text = (self.folder / "small.yaml").read_text()
+        self.write("small.yaml", "# A comment.\n\n" + text)
+        self.assertEqual(self.play("--resume"), before)
+
+    def test_a_plugin_that_is_replaced_while_it_plays(self):
+        arguments = self.arguments("--workers", "1", pairs=400)
+        with self.start(*arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            for _ in range(3):
+                process.stderr.readline()
+            plugin = self.plugin_folder / program.SOUND.name
+            shutil.copy2(plugin, self.folder / "copy")
+            with open(self.folder / "copy", "ab") as copy:
+                copy.write(b"\0")
+            os.replace(self.folder / "copy", plugin)
+            out, err = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, out), (2, ""))
+        self.assertRegex(err.splitlines()[-1], r"^regista: while the tournament was played: plugin .* has changed")
+
+
+class BadInput(tournament.Tournament):
+    def test_what_cannot_be_asked_for(self):
+        ask = lambda *more, **options: self.refused(*self.arguments(*more, **options))
+        self.assertIn("two teams are wanted", ask(teams=("small.yaml",)))
+        self.assertIn("two teams are wanted", ask(teams=("small.yaml",) * 3))
+        self.assertIn("nobody.yaml", ask(teams=("small.yaml", "nobody.yaml")))
+        self.assertIn("how many pairs", self.refused("tournament", "--team", "small.yaml", "--team", "other.yaml"))
+        for pairs in ("0", "-1", "1.5", "many"):
+            self.assertIn("--pairs: ", self.refused("tournament", "--team", "small.yaml", "--team", "other.yaml",
+                                                    f"--pairs={pairs}"))
+        self.assertIn("--workers: ", ask("--workers", "0"))
+        self.assertIn("--seed", ask("--seed", "18446744073709551615"))
+        self.assertIn("--processor-seconds: ", ask("--processor-seconds", "0"))
+        self.assertIn("--memory: ", ask("--memory", "1"))
+        self.assertIn("begin the path with a or b", ask("--set", "home.teammates_forgotten_after=20"))
+        self.assertIn("--set a.no_such", ask("--set", "a.no_such=1"))
+        self.assertFalse((self.folder / "tournament.db").exists())
+
+    def test_files_of_results(self):
+        ask = lambda *more: self.refused(*self.arguments("--quiet", *more))
+        self.assertIn("No such file", ask("--resume"))
+        self.assertIn("No such file", ask("--results", "no/such/folder.db"))
+        self.play()
+        self.assertIn("exists already; --resume continues it", ask())
+        self.write("text.db", "not a database" * 100)
+        self.assertIn("text.db: is no database", ask("--results", "text.db", "--resume"))
+        sqlite3.connect(self.folder / "other.db").execute("CREATE TABLE matches(row)").connection.close()
+        self.assertIn("is a database of another program", ask("--results", "other.db", "--resume"))
+        with sqlite3.connect(self.folder / "tournament.db") as database:
+            database.execute("PRAGMA user_version=99")
+        database.close()
+        self.assertIn("was written by a newer Regista", ask("--resume"))
+
+    def test_a_file_that_another_process_has(self):
+        self.play()
+        with open(self.folder / "tournament.db", "rb") as held:
+            fcntl.flock(held, fcntl.LOCK_EX)
+            self.assertIn("in use by another process", self.refused(*self.arguments("--quiet", "--resume")))
+
+    @unittest.skipIf(os.geteuid() == 0, "the superuser may write anywhere")
+    def test_a_folder_that_may_not_be_written(self):
+        (self.folder / "closed").mkdir(mode=0o555)
+        self.assertIn("Permission denied", self.refused(*self.arguments("--results", "closed/r.db")))
+
+    def test_the_worker_is_no_command_for_people(self):
+        self.assertIn("is for the program itself", self.refused("play-one"))
+        self.assertNotIn("play-one", self.succeed("--help"))
+        self.assertNotIn("play-one", self.refused("no-such-command"))
+
+
+class Interruption(tournament.Tournament):
+    def test_ctrl_c_says_how_to_go_on(self):
+        arguments = self.arguments("--workers", "2", pairs=400)
+        with self.start(*arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            process.stderr.readline()
+            asked = time.monotonic()
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=30)
+            self.assertLess(time.monotonic() - asked, 2.0)
+        self.assertEqual((process.returncode, out), (1, ""))
+        last = err.splitlines()[-1]
+        self.assertRegex(last, r"^regista: interrupted after \d+ of 800 matches; to go on: ")
+        again = shlex.split(last.split("to go on: ")[1])
+        self.assertEqual(again, [str(self.program), *map(str, arguments), "--resume"])
+        self.assertGreater(len(self.rows()), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

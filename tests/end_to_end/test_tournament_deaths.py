@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: MIT
+"""Tournaments with plugins that die: each is blamed, none ends the tournament, and the command that is printed
+reproduces it."""
+
+import json
+import shlex
+import subprocess
+import unittest
+
+import program
+import tournament
+
+FOLDER = program.TEST_PLUGINS / "deaths"
+# What a match may take, as little as can be asked for.
+LIMITS = ("--processor-seconds", "1", "--memory", "512")
+
+
+class Deaths(tournament.Tournament):
+    def setUp(self):
+        super().setUp()
+        self.assertTrue((FOLDER / "deaths.so").exists(), "deaths.so is not built")
+
+    def bad_team(self, old, new):
+        text = program.TEAM.format(name="bad").replace("robot: 1, ", "")
+        self.assertIn(old, text)
+        self.write("bad.yaml", text.replace(old, new))
+
+    def forfeits_of(self, *more, folder=FOLDER, call="holds"):
+        report = self.report("--plugins", folder, *LIMITS, *more, teams=("bad.yaml", "small.yaml"), pairs=2)
+        self.assertEqual((report["games"], report["losses"]), (4, 4))
+        self.assertEqual((report["goals"], report["pentanomial"]), ([0, 40], [2, 0, 0, 0, 0]))
+        self.assertEqual(len(report["forfeits"]), 1)
+        forfeit = report["forfeits"][0]
+        self.assertEqual((forfeit["team"], forfeit["call"], forfeit["matches"]), ("bad", call, 4))
+        rows = self.stored("SELECT home_goals, away_goals, ended, hash, metrics, failure FROM matches ORDER BY row")
+        self.assertEqual(len(rows), 4)
+        for home, away, ended, state_hash, metrics, failure in rows:
+            side = json.loads(failure)["side"]
+            self.assertEqual((home, away), (0, 10) if side == 0 else (10, 0))
+            self.assertEqual((ended, state_hash, metrics), ("forfeit", None, None))
+        self.assertEqual(sorted(json.loads(row[5])["side"] for row in rows), [0, 0, 1, 1])
+        return forfeit
+
+    def blamed(self, name):
+        self.bad_team("plugin: ball_seen", f"plugin: {name}")
+        forfeit = self.forfeits_of()
+        self.assertEqual(forfeit["plugin"], name)
+        for failure, in self.stored("SELECT failure FROM matches"):
+            failure = json.loads(failure)
+            self.assertEqual(failure["tick"], 19)
+            self.assertIn(failure["robot"], range(1, 8))
+        self.assertEqual(self.stored("SELECT DISTINCT attempts FROM matches"), [(2,)])
+        return forfeit
+
+    def test_crash(self):
+        forfeit = self.blamed("crashes")
+        self.assertEqual(forfeit["what"], "Segmentation fault")
+        words = shlex.split(forfeit["again"])
+        self.assertEqual(words[0], str(self.program))
+        self.assertEqual(self.run_program(*words[1:]).returncode, -11)
+
+    def test_abort(self):
+        self.assertEqual(self.blamed("aborts")["what"], "Aborted")
+
+    def test_exit(self):
+        self.assertEqual(self.blamed("exits")["what"], "ended the process (exit code 0)")
+
+    def test_hang(self):
+        self.assertEqual(self.blamed("spins")["what"], "used more than 1 s of processor time")
+
+    @unittest.skipIf(program.SANITIZED, "sanitizers need more stack and memory than a match may have")
+    def test_stack(self):
+        self.assertEqual(self.blamed("overflows_stack")["what"], "Segmentation fault")
+
+    def test_its_own_kill(self):
+        self.assertEqual(self.blamed("kills_itself")["what"], "Killed")
+
+    @unittest.skipIf(program.SANITIZED, "sanitizers need more stack and memory than a match may have")
+    def test_memory(self):
+        self.bad_team("plugin: ball_seen", "plugin: takes_memory")
+        forfeit = self.forfeits_of()
+        self.assertEqual((forfeit["plugin"], forfeit["what"]), ("takes_memory", "std::bad_alloc"))
+
+    def test_a_crash_when_all_is_over(self):
+        self.bad_team("plugin: ball_seen", "plugin: dies_at_the_end")
+        forfeit = self.forfeits_of(call="destroy")
+        self.assertEqual((forfeit["plugin"], forfeit["what"]), ("dies_at_the_end", "Aborted"))
+
+    def test_an_answer_that_is_none(self):
+        self.bad_team("plugin: ball_seen", "plugin: corrupts_answer")
+        report = self.report("--plugins", FOLDER, *LIMITS, teams=("bad.yaml", "small.yaml"), pairs=1)
+        self.assertEqual(report["games"], 2)
+        self.assertEqual(sum(forfeit["matches"] for forfeit in report["forfeits"]), 2)
+
+    def failed(self, old, new, folder):
+        """A plugin that says so or breaks a promise: no second try is needed."""
+        self.bad_team(old, new)
+        report = self.report("--plugins", program.TEST_PLUGINS / folder, *LIMITS, teams=("bad.yaml", "small.yaml"),
+                             pairs=1)
+        self.assertEqual(report["goals"], [0, 20])
+        self.assertEqual(self.stored("SELECT DISTINCT attempts FROM matches"), [(1,)])
+        self.assertTrue(all(forfeit["team"] == "bad" for forfeit in report["forfeits"]))
+        return report["forfeits"]
+
+    def test_throws(self):
+        forfeits = self.failed("assigner: {plugin: first_free}", "assigner: {plugin: throws}", "throws")
+        self.assertEqual([(f["plugin"], f["call"], f["what"], f["matches"]) for f in forfeits],
+                         [("throws", "assign", "fell in assign", 2)])
+
+    def test_no_number(self):
+        forfeits = self.failed("{plugin: nearness, weight: 1, params: {scale: 2}}", "{plugin: scores_nan, weight: 1}",
+                               "bad_values")
+        self.assertEqual({(f["plugin"], f["call"]) for f in forfeits}, {("scores_nan", "score")})
+
+    def test_a_task_given_twice(self):
+        forfeits = self.failed("assigner: {plugin: first_free}", "assigner: {plugin: assigns_twice}", "assigns_twice")
+        self.assertEqual({(f["plugin"], f["call"]) for f in forfeits}, {("assigns_twice", "assign")})
+
+    def test_what_does_not_happen_again_is_nobodys_fault(self):
+        self.bad_team("plugin: ball_seen", "plugin: dies_once")
+        done = self.run_program(*self.arguments("--json", "--workers", "1", "--plugins", FOLDER,
+                                                teams=("bad.yaml", "small.yaml"), pairs=1))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["forfeits"], [])
+        self.assertIn("regista: a worker died (Aborted), but not when its match was played again: ", done.stderr)
+        self.assertEqual(self.stored("SELECT attempts FROM matches ORDER BY row"), [(2,), (1,)])
+
+    def test_no_worker_outlives_its_coordinator(self):
+        self.bad_team("plugin: ball_seen", "plugin: spins")
+        words = self.arguments("--processor-seconds", "60", "--workers", "2", "--plugins", FOLDER,
+                               teams=("bad.yaml", "small.yaml"))
+        with self.start(*words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            self.wait_for(lambda: len(self.workers()) == 2)
+            process.kill()
+            process.wait()
+        self.wait_for(lambda: not self.workers())
+
+    def test_ctrl_c_while_plugins_hang(self):
+        self.bad_team("plugin: ball_seen", "plugin: spins")
+        words = self.arguments("--processor-seconds", "60", "--workers", "2", "--plugins", FOLDER,
+                               teams=("bad.yaml", "small.yaml"))
+        with self.start(*words, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            self.wait_for(lambda: len(self.workers()) == 2)
+            process.send_signal(2)
+            _, err = process.communicate(timeout=2.0)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("interrupted after 0 of 6 matches", err)
+        self.wait_for(lambda: not self.workers())
+
+
+if __name__ == "__main__":
+    unittest.main()

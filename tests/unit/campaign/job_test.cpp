@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/job.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace regista::campaign {
+namespace {
+
+Job some_job() {
+  Job job;
+  job.teams = {"a \"team\".yaml", "b\n.yaml"};
+  job.rules = "rules.yaml";
+  job.overrides = {"home.utility.terms.near.weight=0.5", "rules.durations.ready=3"};
+  job.plugins = {"old", "new"};
+  job.limit = "12.5";
+  job.seed = UINT64_MAX;
+  job.home_inputs = {{"team a", "1"}};
+  job.away_inputs = {{"team b", "2"}, {"plugin greedy (x.so)", "greedy 3"}};
+  job.common_inputs = {{"program", "4"}};
+  return job;
+}
+
+TEST(Job, SurvivesTheWayToAWorker) {
+  const std::string line = to_json(some_job());
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+  EXPECT_EQ(job_from_json(line), some_job());
+}
+
+TEST(Job, IsACommandLineOfMatch) {
+  const std::vector<std::string> expected{"match",
+                                          "a \"team\".yaml",
+                                          "b\n.yaml",
+                                          "--seed",
+                                          "18446744073709551615",
+                                          "--limit",
+                                          "12.5",
+                                          "--rules",
+                                          "rules.yaml",
+                                          "--set",
+                                          "home.utility.terms.near.weight=0.5",
+                                          "--set",
+                                          "rules.durations.ready=3",
+                                          "--plugins",
+                                          "old",
+                                          "--plugins",
+                                          "new"};
+  EXPECT_EQ(match_arguments(some_job()), expected);
+}
+
+TEST(Answer, SurvivesTheWayBack) {
+  Answer played;
+  played.kind = Answer::Kind::played;
+  played.decided = {{3, 1}, "full_time", "9f2c", R"({"roles":[{},{}]})", std::nullopt, 1.25};
+  const Answer back = answer_from_json(to_json(played));
+  EXPECT_EQ(back.kind, Answer::Kind::played);
+  EXPECT_EQ(back.decided, played.decided);
+
+  Answer failed;
+  failed.kind = Answer::Kind::failed;
+  failed.decided.failure = Failure{1, "greedy", "assign", 3, UINT64_MAX, "column 2 given to rows 0 and 4"};
+  EXPECT_EQ(answer_from_json(to_json(failed)).decided.failure, failed.decided.failure);
+}
+
+TEST(Answer, TextThatIsNoUtf8IsStillAnAnswer) {
+  Answer stopped;
+  stopped.message = "\xff\xfe";
+  EXPECT_EQ(answer_from_json(to_json(stopped)).message, "\xef\xbf\xbd\xef\xbf\xbd");
+}
+
+TEST(Answer, RefusesWhatItDidNotWrite) {
+  EXPECT_THROW(answer_from_json(""), std::invalid_argument);
+  EXPECT_THROW(answer_from_json("{}"), std::invalid_argument);
+  std::string cut = to_json(Answer{});
+  cut.pop_back();
+  EXPECT_THROW(answer_from_json(cut), std::invalid_argument);
+  std::string other = to_json(Answer{});
+  other.replace(other.find("stopped"), 7, "dreamed");
+  EXPECT_THROW(answer_from_json(other), std::invalid_argument);
+  other = to_json(Answer{});
+  other.replace(other.find("stopped"), 7, "failed");
+  EXPECT_THROW(answer_from_json(other), std::invalid_argument);
+  EXPECT_THROW(job_from_json("[]"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace regista::campaign
