@@ -22,7 +22,8 @@ constexpr int short_patience = 1;  // ms, while a worker that has said all it ha
 
 // A match under way: its worker, and what happened to those before.
 struct Run {
-  Scheduled match;
+  MatchKey key;
+  Job job;
   std::vector<std::uint64_t> indices;  // places in the schedule that wait for it: equal teams play the same match twice
   SharedNote note;
   std::unique_ptr<Worker> worker;
@@ -55,41 +56,48 @@ class Engine {
 
  private:
   struct Waiting {
-    Decided decided;
+    std::optional<Decided> decided;
     bool fresh;
   };
 
   // Gives every free worker a match.
   void fill() {
     while (runs_.size() < workers_ && next_ < schedule_.matches && next_ < due_ + ahead * workers_) {
-      Scheduled match = schedule_.at(next_);
-      if (auto stored = store_.find(match.fixture, match.job.seed)) {
-        decided_.emplace(next_++, Waiting{*std::move(stored), false});
+      const std::uint64_t index = next_++;
+      const std::optional<MatchKey> key = schedule_.at(index);
+      if (!key) {
+        decided_.emplace(index, Waiting{std::nullopt, false});
         continue;
       }
-      const auto same = std::ranges::find_if(runs_, [&](const std::unique_ptr<Run>& run) {
-        return run->match.fixture == match.fixture && run->match.job.seed == match.job.seed;
-      });
+      if (auto stored = store_.find(row(index), *key, schedule_.metrics)) {
+        decided_.emplace(index, Waiting{std::move(stored), false});
+        continue;
+      }
+      const auto same = std::ranges::find_if(runs_, [&](const std::unique_ptr<Run>& run) { return run->key == *key; });
       if (same != runs_.end()) {
-        (*same)->indices.push_back(next_++);
+        (*same)->indices.push_back(index);
         continue;
       }
       auto run = std::make_unique<Run>();
-      run->match = std::move(match);
-      run->indices.push_back(next_++);
+      run->key = *key;
+      run->job = schedule_.job(index);
+      run->indices.push_back(index);
       start(*run);
       runs_.push_back(std::move(run));
     }
   }
 
+  static std::int64_t row(std::uint64_t index) { return static_cast<std::int64_t>(index) + 1; }
+
   void start(Run& run) {
     ++run.attempts;
-    run.worker = std::make_unique<Worker>(run.match.job, limits_, run.note);
+    run.worker = std::make_unique<Worker>(run.job, limits_, run.note);
   }
 
   bool hand_on() {
     for (auto first = decided_.begin(); first != decided_.end() && first->first == due_; first = decided_.begin()) {
-      const bool more = schedule_.take(due_, first->second.decided, first->second.fresh);
+      const std::optional<Decided>& decided = first->second.decided;
+      const bool more = schedule_.take(due_, decided ? &*decided : nullptr, first->second.fresh);
       decided_.erase(first);
       ++due_;
       if (!more) return false;
@@ -114,7 +122,7 @@ class Engine {
     if (end.how == End::How::answered) {
       const std::optional<Decided> decided = answered(run, end);
       if (decided) {
-        if (!run.deaths.empty() && schedule_.accident) schedule_.accident(run.match.job, run.deaths.back());
+        if (!run.deaths.empty() && schedule_.accident) schedule_.accident(run.job, run.deaths.back());
         decide(run, *decided);
         return true;
       }
@@ -163,7 +171,7 @@ class Engine {
   }
 
   void decide(const Run& run, const Decided& decided) {
-    store_.insert(run.match.fixture, run.match.job.seed, decided, run.attempts);
+    store_.insert(row(run.indices.front()), run.key, decided, run.attempts);
     for (const std::uint64_t index : run.indices) decided_.emplace(index, Waiting{decided, true});
   }
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -18,18 +19,16 @@
 
 namespace regista::campaign {
 
-// A match of a schedule. `fixture`: the number that the store gave to the key of the job's inputs.
-struct Scheduled {
-  Job job;
-  std::int64_t fixture = 0;
-};
-
 struct Schedule {
   std::uint64_t matches = 0;
-  std::function<Scheduled(std::uint64_t index)> at;  // a pure function; index from 0
-  // Called in the order of indices. `fresh`: played now, not read from the store. False: enough, nothing more is
-  // needed.
-  std::function<bool(std::uint64_t index, const Decided& decided, bool fresh)> take;
+  // What is to be played at this place, from 0 on; nothing when it is not wanted any more. Else a pure function.
+  std::function<std::optional<MatchKey>(std::uint64_t index)> at;
+  // The match itself; asked for only when it is to be played.
+  std::function<Job(std::uint64_t index)> job;
+  // Called in the order of indices, for those not wanted without a result. `fresh`: played now, not read from the
+  // store. False: enough, nothing more is needed.
+  std::function<bool(std::uint64_t index, const Decided* decided, bool fresh)> take;
+  Metrics metrics = Metrics::left_out;  // of results read from the store
   // A worker died over this match, but the next one did not: an accident of the machine. May be empty.
   std::function<void(const Job& job, const End& death)> accident;
   std::function<bool()> asked_to_stop;  // looked at ten times a second

@@ -61,6 +61,7 @@ std::vector<std::string> match_arguments(const Job& job) {
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {option, value});
   };
+  add("--opening", job.opening);
   add("--limit", job.limit);
   add("--rules", job.rules);
   add("--robot", job.robot);
@@ -77,6 +78,7 @@ std::string to_json(const Job& job) {
                    {"disturbance", job.disturbance},
                    {"overrides", job.overrides},
                    {"plugins", job.plugins},
+                   {"opening", job.opening},
                    {"limit", job.limit},
                    {"seed", job.seed},
                    {"home_inputs", json_of(job.home_inputs)},
@@ -93,6 +95,7 @@ Job job_from_json(const std::string& text) {
     json.at("disturbance").get_to(job.disturbance);
     json.at("overrides").get_to(job.overrides);
     json.at("plugins").get_to(job.plugins);
+    json.at("opening").get_to(job.opening);
     json.at("limit").get_to(job.limit);
     json.at("seed").get_to(job.seed);
     job.home_inputs = inputs_of(json.at("home_inputs"));

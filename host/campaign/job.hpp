@@ -18,7 +18,8 @@ struct Job {
   std::string rules, robot, disturbance;  // files; empty: the built-in values
   std::vector<std::string> overrides;     // of --set, as `regista match` understands them
   std::vector<std::string> plugins;       // folders of --plugins
-  std::string limit;                      // simulated seconds, as typed; empty: none
+  std::string opening;                    // file of the scene it starts from; empty: from kick-off
+  std::string limit;                      // simulated seconds, as typed; empty: none, or the opening's length
   std::uint64_t seed = 1;
   // What is to be played, as inputs.hpp counts it up. A worker that finds something else in the files does not play.
   std::vector<Input> home_inputs, away_inputs, common_inputs;

@@ -19,7 +19,7 @@ constexpr int application = 0x52475354;  // "RGST": tells our files from those o
 constexpr int patience = 5000;           // ms to wait for somebody who is writing
 constexpr auto tables = R"(
   CREATE TABLE meta(name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
-  CREATE TABLE fixtures(id INTEGER PRIMARY KEY, key TEXT NOT NULL UNIQUE, description TEXT NOT NULL);
+  CREATE TABLE fixtures(id INTEGER PRIMARY KEY, key TEXT NOT NULL UNIQUE, job TEXT NOT NULL);
   CREATE TABLE matches(
     row INTEGER PRIMARY KEY,
     fixture INTEGER NOT NULL REFERENCES fixtures(id),
@@ -28,12 +28,13 @@ constexpr auto tables = R"(
     away_goals INTEGER NOT NULL,
     ended TEXT NOT NULL,
     hash TEXT,
-    metrics TEXT,
     failure TEXT,
     seconds REAL NOT NULL,
     attempts INTEGER NOT NULL,
     UNIQUE(fixture, seed)
-  );)";
+  );
+  CREATE TABLE metrics(row INTEGER PRIMARY KEY REFERENCES matches(row), json TEXT NOT NULL);)";
+constexpr auto columns = "fixture, seed, home_goals, away_goals, ended, hash, failure, seconds";
 
 // Held from before the database is opened until after it is closed: closing any descriptor of a file gives up the
 // locks that SQLite itself has on it.
@@ -77,12 +78,15 @@ std::string reason(const SQLite::Exception& error) {
   }
 }
 
+// Also for what stands in the file but was not written by this program.
 template <class Work>
 auto guarded(const std::string& file, Work work) {
   try {
     return work();
   } catch (const SQLite::Exception& error) {
     throw StoreError(fmt::format("results in {}: {}", file, reason(error)));
+  } catch (const std::invalid_argument& error) {
+    throw StoreError(fmt::format("results in {} are damaged: {}", file, error.what()));
   }
 }
 
@@ -98,29 +102,57 @@ std::string text_of(const SQLite::Column& column) { return column.isNull() ? std
 }  // namespace
 
 struct Store::Parts {
-  Parts(const std::filesystem::path& path, bool create, const std::string& version)
-      : file(path.string()), hold(path, create), database(open_database(path)) {
+  Parts(const std::filesystem::path& path, Mode mode, const std::string& version)
+      : file(path.string()), hold(held(path, mode)), database(open_database(path, mode)) {
     try {
-      prepare(create, version);
+      prepare(mode, version);
     } catch (const SQLite::Exception& error) {
       throw StoreRefusal(fmt::format("{}: {}", file, reason(error)));
     }
   }
 
-  static SQLite::Database open_database(const std::filesystem::path& path) {
+  static std::unique_ptr<const Hold> held(const std::filesystem::path& path, Mode mode) {
+    if (mode != Mode::read) return std::make_unique<const Hold>(path, mode == Mode::create);
+    if (const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC); descriptor != -1) {
+      close(descriptor);  // before SQLite has locks on it
+    } else {
+      throw StoreRefusal(fmt::format("cannot read {}: {}", path.string(), std::strerror(errno)));
+    }
+    return nullptr;
+  }
+
+  static SQLite::Database open_database(const std::filesystem::path& path, Mode mode) {
     try {
-      return {path.string(), SQLite::OPEN_READWRITE, patience};
+      if (mode != Mode::read) return {path.string(), SQLite::OPEN_READWRITE, patience};
+      // A log beside it holds what was written last. Where there is none nobody writes, and none need be made.
+      if (std::filesystem::exists(path.string() + "-wal")) return {path.string(), SQLite::OPEN_READONLY, patience};
+      return {"file:" + in_address(std::filesystem::absolute(path).string()) + "?immutable=1",
+              SQLite::OPEN_READONLY | SQLite::OPEN_URI, patience};
     } catch (const SQLite::Exception& error) {
       throw StoreRefusal(fmt::format("cannot open {}: {}", path.string(), reason(error)));
     }
   }
 
+  // What would mean something in an address of a file.
+  static std::string in_address(const std::string& path) {
+    std::string out;
+    for (const char c : path) {
+      if (c == '%' || c == '?' || c == '#')
+        out += fmt::format("%{:02x}", static_cast<int>(c));
+      else
+        out += c;
+    }
+    return out;
+  }
+
   int pragma(const char* name) { return database.execAndGet(fmt::format("PRAGMA {}", name)).getInt(); }
 
-  void prepare(bool create, const std::string& version) {
-    if (create) begin(version);
+  void prepare(Mode mode, const std::string& version) {
+    if (mode == Mode::create) begin(version);
     // Killed between the creation of the file and that of its tables: as good as new.
-    if (!create && pragma("application_id") == 0 && pragma("page_count") == 0) begin(version);
+    const bool blank = pragma("application_id") == 0 && pragma("page_count") == 0;
+    if (mode == Mode::open && blank) begin(version);
+    if (mode == Mode::read && blank) throw StoreRefusal(fmt::format("{} holds no results yet", file));
     if (pragma("application_id") != application) {
       throw StoreRefusal(fmt::format("{} is a database of another program, not results of Regista", file));
     }
@@ -129,14 +161,15 @@ struct Store::Parts {
       throw StoreRefusal(fmt::format("{} was written by a newer Regista: schema {}, this program knows up to {}", file,
                                      schema, store_schema));
     }
+    by_row.emplace(database, fmt::format("SELECT {} FROM matches WHERE row = ?", columns));
+    by_key.emplace(database, fmt::format("SELECT {} FROM matches WHERE fixture = ? AND seed = ?", columns));
+    metrics.emplace(database, "SELECT json FROM metrics JOIN matches USING(row) WHERE fixture = ? AND seed = ?");
+    if (mode == Mode::read) return;
     database.exec("PRAGMA journal_mode=WAL");
     database.exec("PRAGMA synchronous=NORMAL");
-    find.emplace(database,
-                 "SELECT home_goals, away_goals, ended, hash, metrics, failure, seconds FROM matches "
-                 "WHERE fixture = ? AND seed = ?");
     insert.emplace(database,
-                   "INSERT INTO matches(fixture, seed, home_goals, away_goals, ended, hash, metrics, failure, seconds, "
-                   "attempts) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                   fmt::format("INSERT INTO matches(row, {}, attempts) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", columns));
+    insert_metrics.emplace(database, "INSERT INTO metrics(row, json) VALUES(?, ?)");
   }
 
   void begin(const std::string& version) {
@@ -150,14 +183,43 @@ struct Store::Parts {
     transaction.commit();
   }
 
+  // The match under the cursor of by_row or by_key.
+  static MatchKey key_of(SQLite::Statement& row) {
+    return {row.getColumn(0).getInt64(), std::bit_cast<std::uint64_t>(row.getColumn(1).getInt64())};
+  }
+
+  Decided decided_of(SQLite::Statement& row, Metrics wanted) {
+    Decided out;
+    out.score = {row.getColumn(2).getInt(), row.getColumn(3).getInt()};
+    out.ended = row.getColumn(4).getString();
+    out.hash = text_of(row.getColumn(5));
+    const std::string failure = text_of(row.getColumn(6));
+    if (!failure.empty()) out.failure = failure_from_json(failure);
+    out.seconds = row.getColumn(7).getDouble();
+    if (wanted == Metrics::wanted && !out.failure) {
+      const MatchKey key = key_of(row);
+      metrics->tryReset();
+      bind(*metrics, key);
+      if (metrics->executeStep()) out.metrics = metrics->getColumn(0).getString();
+      metrics->reset();
+    }
+    row.reset();
+    return out;
+  }
+
+  static void bind(SQLite::Statement& statement, const MatchKey& key) {
+    statement.bind(1, key.fixture);
+    statement.bind(2, std::bit_cast<std::int64_t>(key.seed));
+  }
+
   std::string file;
-  Hold hold;
+  std::unique_ptr<const Hold> hold;
   SQLite::Database database;
-  std::optional<SQLite::Statement> find, insert;
+  std::optional<SQLite::Statement> by_row, by_key, metrics, insert, insert_metrics;
 };
 
 Store::Store(const std::filesystem::path& file, Mode mode, const std::string& program_version)
-    : parts_(std::make_unique<Parts>(file, mode == Mode::create, program_version)) {}
+    : parts_(std::make_unique<Parts>(file, mode, program_version)) {}
 Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 
@@ -178,56 +240,99 @@ void Store::set_meta(const std::string& name, const std::string& value) {
   });
 }
 
-std::int64_t Store::fixture(const std::string& key, const std::string& description) {
+std::vector<std::int64_t> Store::numbers(std::span<const std::string> keys) const {
   return guarded(parts_->file, [&] {
-    SQLite::Statement add(parts_->database, "INSERT OR IGNORE INTO fixtures(key, description) VALUES(?, ?)");
-    add.bindNoCopy(1, key);
-    add.bindNoCopy(2, description);
-    add.exec();
+    std::vector<std::int64_t> out;
     SQLite::Statement select(parts_->database, "SELECT id FROM fixtures WHERE key = ?");
-    select.bindNoCopy(1, key);
-    select.executeStep();
-    return select.getColumn(0).getInt64();
-  });
-}
-
-std::optional<Decided> Store::find(std::int64_t fixture, std::uint64_t seed) const {
-  return guarded(parts_->file, [&]() -> std::optional<Decided> {
-    SQLite::Statement& select = *parts_->find;
-    select.tryReset();
-    select.bind(1, fixture);
-    select.bind(2, std::bit_cast<std::int64_t>(seed));
-    if (!select.executeStep()) return std::nullopt;
-    Decided out;
-    out.score = {select.getColumn(0).getInt(), select.getColumn(1).getInt()};
-    out.ended = select.getColumn(2).getString();
-    out.hash = text_of(select.getColumn(3));
-    out.metrics = text_of(select.getColumn(4));
-    const std::string failure = text_of(select.getColumn(5));
-    if (!failure.empty()) out.failure = failure_from_json(failure);
-    out.seconds = select.getColumn(6).getDouble();
-    select.reset();
+    for (const std::string& key : keys) {
+      select.bindNoCopy(1, key);
+      out.push_back(select.executeStep() ? select.getColumn(0).getInt64() : 0);
+      select.reset();
+    }
     return out;
   });
 }
 
-void Store::insert(std::int64_t fixture, std::uint64_t seed, const Decided& decided, int attempts) {
+std::vector<std::int64_t> Store::add(std::span<const Fixture> fixtures) {
+  guarded(parts_->file, [&] {
+    SQLite::Transaction transaction(parts_->database);
+    SQLite::Statement add(parts_->database, "INSERT OR IGNORE INTO fixtures(key, job) VALUES(?, ?)");
+    for (const Fixture& fixture : fixtures) {
+      add.bindNoCopy(1, fixture.key);
+      add.bind(2, to_json(fixture.job));
+      add.exec();
+      add.reset();
+    }
+    transaction.commit();
+  });
+  std::vector<std::string> keys;
+  for (const Fixture& fixture : fixtures) keys.push_back(fixture.key);
+  return numbers(keys);
+}
+
+std::optional<Decided> Store::find(std::int64_t row, const MatchKey& key, Metrics metrics) const {
+  return guarded(parts_->file, [&]() -> std::optional<Decided> {
+    SQLite::Statement& first = *parts_->by_row;
+    first.tryReset();
+    first.bind(1, row);
+    if (first.executeStep() && Parts::key_of(first) == key) return parts_->decided_of(first, metrics);
+    SQLite::Statement& second = *parts_->by_key;
+    second.tryReset();
+    Parts::bind(second, key);
+    if (!second.executeStep()) return std::nullopt;
+    return parts_->decided_of(second, metrics);
+  });
+}
+
+void Store::insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts) {
   guarded(parts_->file, [&] {
     const std::string failure = decided.failure ? to_json(*decided.failure) : std::string();
+    SQLite::Transaction transaction(parts_->database);
     SQLite::Statement& insert = *parts_->insert;
     insert.tryReset();  // reset would tell once more of what went wrong last time
-    insert.bind(1, fixture);
-    insert.bind(2, std::bit_cast<std::int64_t>(seed));
-    insert.bind(3, decided.score[0]);
-    insert.bind(4, decided.score[1]);
-    insert.bindNoCopy(5, decided.ended);
-    bind_or_null(insert, 6, decided.hash);
-    bind_or_null(insert, 7, decided.metrics);
+    insert.bind(1, row);
+    insert.bind(2, key.fixture);
+    insert.bind(3, std::bit_cast<std::int64_t>(key.seed));
+    insert.bind(4, decided.score[0]);
+    insert.bind(5, decided.score[1]);
+    insert.bindNoCopy(6, decided.ended);
+    bind_or_null(insert, 7, decided.hash);
     bind_or_null(insert, 8, failure);
     insert.bind(9, decided.seconds);
     insert.bind(10, attempts);
     insert.exec();
     insert.reset();
+    if (!decided.metrics.empty()) {
+      SQLite::Statement& metrics = *parts_->insert_metrics;
+      metrics.tryReset();
+      metrics.bind(1, row);
+      metrics.bindNoCopy(2, decided.metrics);
+      metrics.exec();
+      metrics.reset();
+    }
+    transaction.commit();
+  });
+}
+
+std::optional<Store::Row> Store::row(std::int64_t row) const {
+  return guarded(parts_->file, [&]() -> std::optional<Row> {
+    SQLite::Statement& select = *parts_->by_row;
+    select.tryReset();
+    select.bind(1, row);
+    if (!select.executeStep()) return std::nullopt;
+    const MatchKey key = Parts::key_of(select);
+    Row out;
+    out.decided = parts_->decided_of(select, Metrics::wanted);
+    SQLite::Statement fixture(parts_->database, "SELECT job FROM fixtures WHERE id = ?");
+    fixture.bind(1, key.fixture);
+    if (!fixture.executeStep()) throw StoreError(fmt::format("{}: row {} is of no fixture", parts_->file, row));
+    try {
+      out.job = job_from_json(fixture.getColumn(0).getString());
+    } catch (const std::invalid_argument& error) {
+      throw StoreError(fmt::format("{}: row {} is damaged: {}", parts_->file, row, error.what()));
+    }
+    out.job.seed = key.seed;
+    return out;
   });
 }
 

@@ -2,21 +2,22 @@
 // Results of matches in an SQLite file: a row per match, and what was to be played. Written through a log (WAL) row by
 // row, so that a coordinator killed at any moment loses the matches under way and no other.
 //
-//   fixtures(id, key, description)      all that a match is a function of, but its seed: see inputs.hpp
-//   matches(row, fixture, seed, ...)    one row per fixture and seed, never two
-//   meta(name, value)                   "program": version that made the file; "schedule": JSON, whatever the study
-//   says
+//   fixtures(id, key, job)            all that a match is a function of, but its seed: see inputs.hpp
+//   matches(row, fixture, seed, ...)  one row per fixture and seed, never two; row: its place in the schedule, from 1
+//   metrics(row, json)                of matches played to their end
+//   meta(name, value)                 "program": version that made the file; "schedule": JSON, whatever the study says
 //
 // A seed stands there as the signed number with the same bits. What a forfeit has not is null.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "campaign/job.hpp"
 
@@ -34,30 +35,56 @@ class StoreError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// What a stored match is found by: the number that the store gave to a fixture, and the seed.
+struct MatchKey {
+  std::int64_t fixture = 0;
+  std::uint64_t seed = 0;
+  friend bool operator==(const MatchKey&, const MatchKey&) = default;
+};
+
+enum class Metrics { wanted, left_out };  // they are some kilobytes a match
+
 class Store {
  public:
   enum class Mode {
     create,  // a new file; refuses one that exists
     open,    // an existing one
+    read,    // an existing one that is not written to, even while another process does
   };
-  // Holds the file for itself until its end. Throws StoreRefusal: another program's database, a newer schema, no
-  // permission, in use by another process.
+  // Holds the file for itself until its end, but for Mode::read. Throws StoreRefusal: another program's database, a
+  // newer schema, no permission, in use by another process.
   Store(const std::filesystem::path& file, Mode mode, const std::string& program_version);
   ~Store();
   Store(Store&&) noexcept;
   Store& operator=(Store&&) = delete;
 
+  // All of these throw StoreError.
+
   // A text of the table meta; empty when it is not there.
   std::string meta(const std::string& name) const;
   void set_meta(const std::string& name, const std::string& value);
 
-  // The number of a fixture; it is added when it is new.
-  std::int64_t fixture(const std::string& key, const std::string& description);
+  // The numbers of fixtures, in this order; those that are new are added, all at once.
+  struct Fixture {
+    std::string key;
+    Job job;  // with any seed
+  };
+  std::vector<std::int64_t> add(std::span<const Fixture> fixtures);
+  // The same of those that there are; 0 for others.
+  std::vector<std::int64_t> numbers(std::span<const std::string> keys) const;
 
-  std::optional<Decided> find(std::int64_t fixture, std::uint64_t seed) const;
-  // attempts: workers it took. Throws StoreError, also when there is such a row already.
-  void insert(std::int64_t fixture, std::uint64_t seed, const Decided& decided, int attempts);
+  // The match of a key. `row`: where it is looked for first.
+  std::optional<Decided> find(std::int64_t row, const MatchKey& key, Metrics metrics) const;
+  // Also refuses a key that there is already, and a row that is taken. attempts: workers it took.
+  void insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts);
   std::int64_t rows() const;
+
+  // A stored match and what it was.
+  struct Row {
+    Job job;
+    Decided decided;
+  };
+  std::optional<Row> row(std::int64_t row) const;
 
  private:
   struct Parts;

@@ -27,6 +27,7 @@ struct Command {
 Command add_match(CLI::App& parent, const Invocation& invocation);
 Command add_evaluate_predictor(CLI::App& parent, const Invocation& invocation);
 Command add_play_one(CLI::App& parent, const Invocation& invocation);
+Command add_report(CLI::App& parent, const Invocation& invocation);
 Command add_sprt(CLI::App& parent, const Invocation& invocation);
 Command add_tournament(CLI::App& parent, const Invocation& invocation);
 Command add_plugin_list(CLI::App& parent, const Invocation& invocation);

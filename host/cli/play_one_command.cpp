@@ -21,6 +21,7 @@
 #include "campaign/worker.hpp"
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
+#include "cli/job_setup.hpp"
 #include "cli/match_report.hpp"
 #include "cli/match_setup.hpp"
 #include "cli/plugin_folders.hpp"
@@ -62,41 +63,15 @@ std::string metrics_of(const PlayedMatch& played) {
   return json.dump();
 }
 
-// Nothing when the files hold what is to be played. Program and mathematics are the coordinator's own.
-std::string what_changed(const campaign::Job& job, const MatchSetup& prepared, const plugin::Catalogue& catalogue) {
-  const auto of_coordinator = [&](const std::string& name) {
-    const auto found = std::ranges::find(job.common_inputs, name, &campaign::Input::name);
-    return found == job.common_inputs.end() ? std::string() : found->hash;
-  };
-  const auto home = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue);
-  const auto away = campaign::team_inputs(*prepared.plans[1], prepared.documents[1], catalogue);
-  const auto common = campaign::common_inputs(prepared.setup, of_coordinator(campaign::program_input),
-                                              of_coordinator(campaign::mathematics_input));
-  std::vector<std::string> changed;
-  for (const auto& [before, now] :
-       {std::pair{&job.home_inputs, &home}, {&job.away_inputs, &away}, {&job.common_inputs, &common}}) {
-    for (std::string& each : campaign::differences(*before, *now)) {
-      if (std::ranges::find(changed, each) == changed.end()) changed.push_back(std::move(each));
-    }
-  }
-  return config::join(changed);
-}
-
 Answer play(const campaign::Job& job, const Invocation& invocation, plugin::CallNote& note) {
-  MatchRequest request;
-  request.teams.assign(job.teams.begin(), job.teams.end());
-  request.rules = job.rules;
-  request.robot = job.robot;
-  request.disturbance = job.disturbance;
-  request.overrides = job.overrides;
-  request.seed = std::to_string(job.seed);
-  request.limit = job.limit;
   const plugin::Catalogue catalogue = open_plugins(job.plugins, invocation);
-  MatchSetup prepared = match_setup(request, catalogue);
+  MatchSetup prepared = match_setup(request_of(job), catalogue);
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
   Answer answer;
   answer.kind = Answer::Kind::changed;
-  answer.message = what_changed(job, prepared, catalogue);
+  // Program and mathematics are the coordinator's own.
+  answer.message = what_changed(job, prepared, catalogue, input_of(job, campaign::program_input),
+                                input_of(job, campaign::mathematics_input));
   if (!answer.message.empty()) return answer;
   PlayedMatch played;
   played.seed = job.seed;

@@ -15,6 +15,7 @@
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/output.hpp"
+#include "cli/test_options.hpp"
 #include "config/text.hpp"
 #include "statistics/likelihood_ratio.hpp"
 #include "statistics/rating.hpp"
@@ -39,8 +40,6 @@ Examples:
 
 Exit codes: 0 done, whatever the verdict; 1 the result could not be written; 2 bad input; 3 a defect of Regista.)";
 
-constexpr double most_elo = 4000.0;
-
 struct Options {
   std::string model = "normalized", elo, alpha = "0.05", beta = "0.05";
   std::vector<std::string> counts;
@@ -59,42 +58,6 @@ struct Result {
   double superiority;
   std::optional<double> pair_ratio;
 };
-
-std::optional<double> number(std::string_view text) {
-  double value = 0.0;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || rest != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-statistics::Model parse_model(const std::string& text) {
-  if (text == "normalized") return statistics::Model::normalized;
-  if (text == "logistic") return statistics::Model::logistic;
-  throw BadInput(config::unknown("model", text, "--model", std::vector<std::string>{"normalized", "logistic"}));
-}
-
-statistics::Hypotheses parse_hypotheses(const std::string& text) {
-  if (text.empty()) throw BadInput("sprt: which hypotheses? Say --elo ELO0,ELO1, for example --elo 0,10");
-  const std::size_t comma = text.find(',');
-  const auto elo0 = number(std::string_view(text).substr(0, comma));
-  const auto elo1 = comma == std::string::npos ? std::nullopt : number(std::string_view(text).substr(comma + 1));
-  if (!elo0 || !elo1 || std::abs(*elo0) > most_elo || std::abs(*elo1) > most_elo) {
-    throw BadInput(fmt::format("--elo: {}; two numbers from {} to {} are wanted, as in 0,10", config::in_quotes(text),
-                               -most_elo, most_elo));
-  }
-  if (!(*elo0 < *elo1)) {
-    throw BadInput(fmt::format("--elo: {}; the first must be the smaller one", config::in_quotes(text)));
-  }
-  return {*elo0, *elo1};
-}
-
-double parse_rate(const std::string& option, const std::string& text) {
-  const auto rate = number(text);
-  if (!rate || !(*rate > 0.0 && *rate < 1.0)) {
-    throw BadInput(fmt::format("{}: {}; a number above 0 and below 1 is wanted", option, config::in_quotes(text)));
-  }
-  return *rate;
-}
 
 std::vector<statistics::Count> parse_counts(const std::vector<std::string>& words) {
   std::vector<statistics::Count> counts;
@@ -121,11 +84,9 @@ Result evaluate(const Options& options) {
   Result result{};
   result.model = options.model;
   result.design.model = parse_model(options.model);
-  result.design.hypotheses = parse_hypotheses(options.elo);
-  result.design.rates = {parse_rate("--alpha", options.alpha), parse_rate("--beta", options.beta)};
-  if (!(result.design.rates.alpha + result.design.rates.beta < 1.0)) {
-    throw BadInput(fmt::format("--alpha {} and --beta {}: their sum must be below 1", options.alpha, options.beta));
-  }
+  if (options.elo.empty()) throw BadInput("sprt: which hypotheses? Say --elo ELO0,ELO1, for example --elo 0,10");
+  result.design.hypotheses = parse_hypotheses("--elo", options.elo);
+  result.design.rates = parse_rates(options.alpha, options.beta);
   result.counts = parse_counts(options.counts);
   if (result.counts.size() == 5) {
     statistics::PairCounts pairs;

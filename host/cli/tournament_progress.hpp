@@ -1,39 +1,42 @@
 // SPDX-License-Identifier: MIT
-// How far a tournament has come, on standard error: a line that is rewritten in place where that is a terminal, else a
+// How far a tournament has come, on standard error: a block that is rewritten in place where that is a terminal, else a
 // plain line for each match.
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
-#include "study/tournament.hpp"
+#include "report/tournament.hpp"
 
 namespace regista::cli {
 
 class TournamentProgress {
  public:
-  TournamentProgress(std::array<std::string, 2> labels, std::uint64_t matches, bool wanted);
+  TournamentProgress(const report::TournamentView& view, bool wanted);
   ~TournamentProgress();
   TournamentProgress(const TournamentProgress&) = delete;
   TournamentProgress& operator=(const TournamentProgress&) = delete;
 
-  // The next match of the schedule; fresh: played now. standing: with it.
-  void match(std::uint64_t index, const study::Fixture& fixture, const campaign::Decided& decided, bool fresh,
-             const study::Standing& standing);
+  // The next match of the schedule, which the view knows already; null: one that is not wanted. fresh: played now.
+  void match(std::uint64_t index, const campaign::Decided* decided, bool fresh);
   // Something that is always said.
   void tell(std::string_view line);
+  // Takes the block away.
   void clear();
+  // How long it took, in a line; empty when nothing is wanted or nothing was played.
+  std::string summary() const;
 
  private:
   using Clock = std::chrono::steady_clock;
-  void draw(const study::Standing& standing);
+  void draw();
+  std::string rate_text() const;
 
-  std::array<std::string, 2> labels_;
-  std::uint64_t matches_, stored_ = 0, played_ = 0;
-  bool wanted_, rewrite_, shown_ = false;
+  const report::TournamentView& view_;
+  std::uint64_t stored_ = 0, played_ = 0;
+  bool wanted_, rewrite_;
+  int lines_ = 0;  // of the block that is shown
   Clock::time_point began_ = Clock::now(), drawn_{};
 };
 

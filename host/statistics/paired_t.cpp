@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "statistics/distributions.hpp"
-#include "statistics/moments.hpp"
 
 namespace regista::statistics {
 
@@ -13,7 +12,11 @@ std::optional<PairedT> paired_t(std::span<const double> values, double confidenc
   // Compared, not computed: rounding gives equal values such as 0.1 a tiny variance.
   const auto differs = [&](double value) { return value != values.front(); };
   if (values.size() < 2 || std::none_of(values.begin(), values.end(), differs)) return std::nullopt;
-  const Moments moments(values);
+  return paired_t(Moments(values), confidence);
+}
+
+std::optional<PairedT> paired_t(const Moments& moments, double confidence) {
+  if (moments.count() < 2) return std::nullopt;
   const double error = moments.standard_deviation() / std::sqrt(static_cast<double>(moments.count()));
   if (!(error > 0.0)) return std::nullopt;
   const double degrees = static_cast<double>(moments.count() - 1);

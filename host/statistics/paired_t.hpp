@@ -9,6 +9,7 @@
 #include <span>
 
 #include "statistics/interval.hpp"
+#include "statistics/moments.hpp"
 
 namespace regista::statistics {
 
@@ -23,5 +24,7 @@ struct PairedT {
 // Values are finite; confidence in (0, 1). Nothing where there are fewer than two values or all are equal: without
 // spread there is no information about how certain the mean is.
 std::optional<PairedT> paired_t(std::span<const double> values, double confidence = 0.95);
+// The same of values that were not kept.
+std::optional<PairedT> paired_t(const Moments& moments, double confidence = 0.95);
 
 }  // namespace regista::statistics

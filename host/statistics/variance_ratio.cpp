@@ -3,8 +3,6 @@
 
 #include <cstddef>
 
-#include "statistics/moments.hpp"
-
 namespace regista::statistics {
 namespace {
 
@@ -47,7 +45,11 @@ std::optional<double> variance_ratio(std::span<const ValuePair> pairs) {
     all.add(pair.second);
     differ = differ || pair.first != pairs.front().first || pair.second != pairs.front().first;
   }
-  if (!differ) return std::nullopt;
+  return differ ? variance_ratio(means, all) : std::nullopt;
+}
+
+std::optional<double> variance_ratio(const Moments& means, const Moments& all) {
+  if (means.count() < 2 || !(all.variance() > 0.0)) return std::nullopt;
   return 2.0 * means.variance() / all.variance();
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "statistics/counts.hpp"
+#include "statistics/moments.hpp"
 
 namespace regista::statistics {
 
@@ -23,5 +24,7 @@ struct ValuePair {
 // The same for values: 2 (variance of (first + second) / 2) / (variance of all). Nothing where there are fewer than two
 // pairs, or all values are equal.
 std::optional<double> variance_ratio(std::span<const ValuePair> pairs);
+// The same of values that were not kept: the means of the pairs, and every value.
+std::optional<double> variance_ratio(const Moments& means, const Moments& all);
 
 }  // namespace regista::statistics

@@ -2,40 +2,212 @@
 #include "study/tournament.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <limits>
+
+#include "statistics/mixture_test.hpp"
+#include "study/metric.hpp"
 
 namespace regista::study {
+namespace {
 
-void Tally::add(const campaign::Decided& decided) {
-  const std::uint64_t index = standing_.games();
-  const bool swapped = fixture(index, 0).swapped;
-  const std::size_t side_of_a = swapped ? 1 : 0;
-  const int goals_a = decided.score[side_of_a], goals_b = decided.score[1 - side_of_a];
-  standing_.goals[0] += static_cast<std::uint64_t>(goals_a);
-  standing_.goals[1] += static_cast<std::uint64_t>(goals_b);
-  if (decided.failure) {
-    const int team = static_cast<std::size_t>(decided.failure->side) == side_of_a ? 0 : 1;
-    list(*decided.failure, team);
-  }
-  const int points = goals_a > goals_b ? 2 : goals_a == goals_b ? 1 : 0;
-  ++(points == 2 ? standing_.wins : points == 1 ? standing_.draws : standing_.losses);
-  if (swapped)
-    ++standing_.pairs[static_cast<std::size_t>(first_of_pair_ + points)];
-  else
-    first_of_pair_ = points;
+constexpr std::size_t most_listed = 100;
+constexpr double usual_alpha = 0.05;
+// Of the grid of mean goal differences: 0.005 goals apart where a match ends at a difference of ten.
+constexpr int goal_steps = 4000;
+
+int goals_of(const campaign::Decided& decided, bool first_at_home) {
+  const int difference = decided.score[0] - decided.score[1];
+  return first_at_home ? difference : -difference;
 }
 
-void Tally::list(const campaign::Failure& failure, int team) {
-  const auto known = std::ranges::find_if(standing_.forfeits, [&](const Forfeits& each) {
+statistics::GameOutcome outcome(int goals) {
+  return goals > 0   ? statistics::GameOutcome::win
+         : goals < 0 ? statistics::GameOutcome::loss
+                     : statistics::GameOutcome::draw;
+}
+
+double alpha_of(const Objective& objective) {
+  const auto* const value = std::get_if<ValueTest>(&objective);
+  return value == nullptr ? usual_alpha : value->alpha;
+}
+
+// The path of the metric that the tournament tests; null where it tests none.
+const std::string* tested_metric(const Objective& objective) {
+  const auto* const value = std::get_if<ValueTest>(&objective);
+  return value == nullptr || value->value == goals_value ? nullptr : &value->value;
+}
+
+}  // namespace
+
+MetricDifference::MetricDifference(double alpha) : alpha_(alpha), test_({-1.0, 1.0, alpha}, 0.0) {}
+
+void MetricDifference::add(double first, double second) {
+  first_.add(first);
+  second_.add(second);
+  difference_.add(first - second);
+  const int sign = first > second ? 1 : first < second ? -1 : 0;
+  ++signs_[static_cast<std::size_t>(sign + 1)];
+  test_.add(sign);
+}
+
+statistics::Estimate MetricDifference::estimate() const {
+  const double variance = difference_.variance();
+  // Finds soonest what one would see in some forty pairs: a quarter of a standard deviation.
+  const double half =
+      statistics::mixture_half_width({difference_.count(), difference_.mean(), variance, variance / 16.0}, alpha_);
+  const bool known = difference_.count() > 1 && variance > 0.0;
+  const double width = known ? half : std::numeric_limits<double>::infinity();
+  return {difference_.mean(), {difference_.mean() - width, difference_.mean() + width}};
+}
+
+Meeting::Meeting(const TournamentPlan& plan, const Pairing& who)
+    : pairing(who),
+      goals_sequence(
+          {-static_cast<double>(plan.most_goals), static_cast<double>(plan.most_goals), alpha_of(plan.objective)},
+          goal_steps) {
+  if (const auto* const score = std::get_if<ScoreTest>(&plan.objective)) score_test.emplace(score->design);
+  if (tested_metric(plan.objective) != nullptr) metric.emplace(alpha_of(plan.objective));
+}
+
+Tournament::Tournament(const TournamentPlan& plan)
+    : plan_(plan), calendar_(plan), failures_(plan.teams.size(), 0), rows_(plan.teams.size()) {
+  for (const Pairing& pairing : calendar_.pairings()) meetings_.emplace_back(plan, pairing);
+}
+
+bool Tournament::needs_metrics() const { return tested_metric(plan_.objective) != nullptr; }
+
+std::uint64_t Tournament::matches() const {
+  std::uint64_t sum = 0;
+  for (const Meeting& meeting : meetings_) sum += meeting.matches();
+  return sum;
+}
+
+bool Tournament::is_set_aside(std::size_t team) const {
+  return std::ranges::find(set_aside_, team, &SetAside::team) != set_aside_.end();
+}
+
+bool Tournament::wanted(std::uint64_t index) const {
+  if (set_aside_.empty()) return true;
+  const Fixture fixture = calendar_.at(index);
+  return !is_set_aside(fixture.home) && !is_set_aside(fixture.away);
+}
+
+bool Tournament::take(const campaign::Decided* decided) {
+  const std::uint64_t index = next_++;
+  // It may have been played, or read, before its team was set aside.
+  if (decided == nullptr || !wanted(index)) return !over();
+  const Fixture fixture = calendar_.at(index);
+  add(meetings_[fixture.pairing], fixture, *decided);
+  return !over();
+}
+
+void Tournament::add(Meeting& meeting, const Fixture& fixture, const campaign::Decided& decided) {
+  const bool first_at_home = !fixture.swapped;
+  meeting.goals[0] += static_cast<std::uint64_t>(decided.score[first_at_home ? 0 : 1]);
+  meeting.goals[1] += static_cast<std::uint64_t>(decided.score[first_at_home ? 1 : 0]);
+  const int goals = goals_of(decided, first_at_home);
+  meeting.games.add(outcome(goals));
+  meeting.goals_of_matches.add(goals);
+  if (decided.failure) list(fixture, *decided.failure);
+  count_row(fixture, decided);
+  if (first_at_home) {
+    first_of_pair_ = decided;
+    return;
+  }
+  assert(first_of_pair_);
+  finish_pair(meeting, decided);
+  first_of_pair_.reset();
+  // At the end of pairs only, so that none is left half played.
+  for (const std::size_t team : {fixture.home, fixture.away}) {
+    const Row& row = rows_[team];
+    if (plan_.failures_in_a_row == 0 || row.failures < static_cast<std::uint64_t>(plan_.failures_in_a_row)) continue;
+    if (!is_set_aside(team)) set_aside_.push_back({team, row.plugin, row.failures, fixture.pair});
+  }
+}
+
+void Tournament::finish_pair(Meeting& meeting, const campaign::Decided& second) {
+  const campaign::Decided& first = *first_of_pair_;
+  const int goals_first = goals_of(first, true), goals_second = goals_of(second, false);
+  const statistics::PairOutcome pair = statistics::pair_outcome(outcome(goals_first), outcome(goals_second));
+  meeting.pairs.add(pair);
+  if (meeting.score_test) meeting.score_test->add(pair);
+  const double goals = (goals_first + goals_second) / 2.0;
+  meeting.goals_of_pairs.add(goals);
+  const double most = plan_.most_goals;
+  meeting.goals_sequence.add(std::clamp(goals, -most, most));
+  if (!meeting.metric) return;
+  const std::string& path = *tested_metric(plan_.objective);
+  if (first.failure || second.failure) {
+    ++meeting.pairs_without_metric;
+    return;
+  }
+  const auto a1 = metric(first.metrics, 0, path), b1 = metric(first.metrics, 1, path);
+  const auto b2 = metric(second.metrics, 0, path), a2 = metric(second.metrics, 1, path);
+  if (a1 && b1 && a2 && b2)
+    meeting.metric->add((*a1 + *a2) / 2.0, (*b1 + *b2) / 2.0);
+  else
+    ++meeting.pairs_without_metric;
+}
+
+void Tournament::list(const Fixture& fixture, const campaign::Failure& failure) {
+  const std::size_t team = failure.side == 0 ? fixture.home : fixture.away;
+  ++failures_[team];
+  const auto known = std::ranges::find_if(forfeits_, [&](const Forfeits& each) {
     return each.team == team && each.failure.plugin == failure.plugin && each.failure.call == failure.call &&
            each.failure.what == failure.what;
   });
-  if (known != standing_.forfeits.end()) {
+  if (known != forfeits_.end()) {
     ++known->count;
-  } else if (standing_.forfeits.size() < most_listed) {
-    standing_.forfeits.push_back({team, failure, standing_.games(), 1});
+  } else if (forfeits_.size() < most_listed) {
+    forfeits_.push_back({team, failure, next_ - 1, 1});
   } else {
-    ++standing_.unlisted_forfeits;
+    ++unlisted_;
   }
+}
+
+// A team that forfeits against itself has both its matches counted in the same row.
+void Tournament::count_row(const Fixture& fixture, const campaign::Decided& decided) {
+  for (const int side : {0, 1}) {
+    Row& row = rows_[side == 0 ? fixture.home : fixture.away];
+    if (!decided.failure) {
+      row = {};
+    } else if (decided.failure->side == side) {
+      row.failures = row.plugin == decided.failure->plugin ? row.failures + 1 : 1;
+      row.plugin = decided.failure->plugin;
+    }  // else the others forfeited: this team was not put to the test
+  }
+}
+
+bool Tournament::over() const {
+  if (verdict() == Verdict::accept_h0 || verdict() == Verdict::accept_h1) return true;
+  // Nobody is left to play against.
+  return std::ranges::all_of(calendar_.pairings(), [&](const Pairing& pairing) {
+    return is_set_aside(pairing.first) || is_set_aside(pairing.second);
+  });
+}
+
+Verdict Tournament::verdict() const {
+  if (std::holds_alternative<FixedNumber>(plan_.objective)) return Verdict::none;
+  const Meeting& meeting = meetings_.front();
+  if (meeting.score_test) {
+    switch (meeting.score_test->verdict()) {
+      case statistics::Verdict::accept_h0:
+        return Verdict::accept_h0;
+      case statistics::Verdict::accept_h1:
+        return Verdict::accept_h1;
+      case statistics::Verdict::inconclusive:
+        return Verdict::inconclusive;
+    }
+  }
+  const auto finding = meeting.metric ? meeting.metric->test().finding() : meeting.goals_sequence.finding(0.0);
+  return finding == statistics::BettingTest::Finding::none ? Verdict::inconclusive : Verdict::accept_h1;
+}
+
+bool Tournament::first_has_more() const {
+  const Meeting& meeting = meetings_.front();
+  const auto finding = meeting.metric ? meeting.metric->test().finding() : meeting.goals_sequence.finding(0.0);
+  return finding == statistics::BettingTest::Finding::above;
 }
 
 }  // namespace regista::study

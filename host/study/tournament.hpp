@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A against B in pairs: what is played, and what came of it. A pair is two matches with the same seed and the sides
-// swapped; its score is what is counted, because its two matches are not independent. A forfeit counts 0:10.
+// The course of a tournament: takes the results in the order of the schedule, keeps the counts, feeds the test, and
+// says when it is over. Constant memory for each pairing. What is counted are pairs, because the two matches of one are
+// not independent. A forfeit counts 0:10; its metrics are missing, and with them those of its pair.
 #pragma once
 
 #include <array>
@@ -10,50 +11,120 @@
 #include <vector>
 
 #include "campaign/job.hpp"
+#include "statistics/betting_grid.hpp"
+#include "statistics/counts.hpp"
+#include "statistics/moments.hpp"
+#include "statistics/sequential_test.hpp"
+#include "study/tournament_plan.hpp"
 
 namespace regista::study {
 
-// Match `index` of a schedule: pair k holds the matches 2k (A at home) and 2k + 1 (B at home), seed base + k.
-struct Fixture {
-  std::uint64_t pair;
-  bool swapped;  // B is at home
-  std::uint64_t seed;
-};
-constexpr Fixture fixture(std::uint64_t index, std::uint64_t base_seed) {
-  return {index / 2, index % 2 == 1, base_seed + index / 2};
-}
-
 // Forfeits for the same reason: the first match, and how many.
 struct Forfeits {
-  int team = 0;  // 0 A, 1 B
+  std::size_t team = 0;
   campaign::Failure failure;
   std::uint64_t first_match = 0, count = 0;
 };
 
-// Everything from A's point of view.
-struct Standing {
-  std::uint64_t wins = 0, draws = 0, losses = 0;
-  std::array<std::uint64_t, 5> pairs{};  // [LL, LD, WL+DD, WD, WW]
-  std::array<std::uint64_t, 2> goals{};  // of A, of B; those of forfeits too
-  std::vector<Forfeits> forfeits;        // in the order of their first match; team, plugin, call and reason differ
-  std::uint64_t unlisted_forfeits = 0;   // of kinds beyond the first most_listed
-  std::uint64_t games() const { return wins + draws + losses; }
-  std::uint64_t complete_pairs() const { return games() / 2; }
-};
-
-inline constexpr std::size_t most_listed = 100;
-
-// Takes matches in the order of the schedule.
-class Tally {
+// The difference of a metric between two teams: first less second.
+class MetricDifference {
  public:
-  // Precondition: match 0, then 1, ...
-  void add(const campaign::Decided& decided);
-  const Standing& standing() const { return standing_; }
+  explicit MetricDifference(double alpha);
+
+  // A pair's mean values of both teams.
+  void add(double first, double second);
+
+  const statistics::Moments& first() const { return first_; }
+  const statistics::Moments& second() const { return second_; }
+  const statistics::Moments& difference() const { return difference_; }
+  // Pairs in which the first team's value was smaller, equal, larger.
+  const std::array<std::uint64_t, 3>& signs() const { return signs_; }
+  // Bets on the sign of the difference: exact for any metric, whatever its law.
+  const statistics::BettingTest& test() const { return test_; }
+  // Of the mean difference; valid at any time once there are many pairs, for its variance is estimated.
+  statistics::Estimate estimate() const;
 
  private:
-  void list(const campaign::Failure& failure, int team);
-  Standing standing_;
-  int first_of_pair_ = 0;  // points of A in it, twice: 0, 1, 2
+  double alpha_;
+  statistics::Moments first_, second_, difference_;
+  std::array<std::uint64_t, 3> signs_{};
+  statistics::BettingTest test_;
+};
+
+// What is known of one pairing, from its first team's point of view.
+struct Meeting {
+  Meeting(const TournamentPlan& plan, const Pairing& pairing);
+
+  Pairing pairing;
+  statistics::GameCounts games;
+  statistics::PairCounts pairs;
+  std::array<std::uint64_t, 2> goals{};    // of the first team, of the second; those of forfeits too
+  statistics::Moments goals_of_matches;    // goal difference of each match
+  statistics::Moments goals_of_pairs;      // mean goal difference of the matches of each pair
+  statistics::BettingGrid goals_sequence;  // of the latter
+  std::optional<statistics::SequentialTest<statistics::PairCounts>> score_test;
+  std::optional<MetricDifference> metric;
+  std::uint64_t pairs_without_metric = 0;  // a match of them was forfeited
+
+  std::uint64_t matches() const { return static_cast<std::uint64_t>(total(games)); }
+};
+
+// How a test ended. A test on a value never accepts that there is no difference.
+enum class Verdict { none, inconclusive, accept_h0, accept_h1 };
+
+// A team that does not play on: its plugin failed too often in a row.
+struct SetAside {
+  std::size_t team = 0;
+  std::string plugin;
+  std::uint64_t failures = 0;  // in a row
+  std::uint64_t pair = 0;      // the last in which it played, from 0
+};
+
+class Tournament {
+ public:
+  explicit Tournament(const TournamentPlan& plan);
+
+  const Calendar& calendar() const { return calendar_; }
+  bool needs_metrics() const;
+
+  // False for a match of a team that was set aside.
+  bool wanted(std::uint64_t index) const;
+
+  // Precondition: match 0, then 1, ...; nothing for one that is not wanted. False: it is over.
+  bool take(const campaign::Decided* decided);
+
+  std::uint64_t taken() const { return next_; }  // places of the schedule so far
+  std::uint64_t matches() const;                 // that counted
+  const std::vector<Meeting>& meetings() const { return meetings_; }
+  const std::vector<Forfeits>& forfeits() const { return forfeits_; }  // by first match; all but place and time differ
+  std::uint64_t unlisted_forfeits() const { return unlisted_; }        // of kinds beyond the first hundred
+  const std::vector<std::uint64_t>& failures() const { return failures_; }  // by team
+  const std::vector<SetAside>& set_aside() const { return set_aside_; }
+  Verdict verdict() const;
+  // Of a test on a value: whether the first team's is the larger.
+  bool first_has_more() const;
+
+ private:
+  struct Row {
+    std::string plugin;
+    std::uint64_t failures = 0;
+  };
+  bool is_set_aside(std::size_t team) const;
+  void add(Meeting& meeting, const Fixture& fixture, const campaign::Decided& decided);
+  void finish_pair(Meeting& meeting, const campaign::Decided& second);
+  void list(const Fixture& fixture, const campaign::Failure& failure);
+  void count_row(const Fixture& fixture, const campaign::Decided& decided);
+  bool over() const;
+
+  const TournamentPlan& plan_;
+  Calendar calendar_;
+  std::vector<Meeting> meetings_;
+  std::optional<campaign::Decided> first_of_pair_;
+  std::vector<Forfeits> forfeits_;
+  std::vector<std::uint64_t> failures_;
+  std::vector<Row> rows_;  // by team
+  std::vector<SetAside> set_aside_;
+  std::uint64_t unlisted_ = 0, next_ = 0;
 };
 
 }  // namespace regista::study

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Who may know whom: the arrows of docs/architecture.md as data. A change here is a change of the architecture.
 
-    cli -> report, study -> campaign -> match -> mind -> plugin -> sdk;  config and statistics are leaves
+    cli -> report -> study -> campaign -> match -> mind -> plugin -> sdk;  config and statistics are leaves
 
 An arrow may skip rooms (match may include plugin), never run backwards or sideways.
 """
@@ -15,7 +15,7 @@ KNOWS = {
     "match": {"sdk", "config", "plugin", "mind"},
     "campaign": {"sdk", "config", "plugin", "mind", "match", "statistics"},
     "study": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign"},
-    "report": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign"},
+    "report": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study"},
     "cli": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study", "report"},
 }
 

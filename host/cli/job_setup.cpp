@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "cli/job_setup.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "campaign/inputs.hpp"
+#include "config/text.hpp"
+
+namespace regista::cli {
+
+MatchRequest request_of(const campaign::Job& job) {
+  MatchRequest request;
+  request.teams.assign(job.teams.begin(), job.teams.end());
+  request.rules = job.rules;
+  request.robot = job.robot;
+  request.disturbance = job.disturbance;
+  request.overrides = job.overrides;
+  request.seed = std::to_string(job.seed);
+  request.opening = job.opening;
+  request.limit = job.limit;
+  return request;
+}
+
+std::string input_of(const campaign::Job& job, const std::string& name) {
+  const auto found = std::ranges::find(job.common_inputs, name, &campaign::Input::name);
+  return found == job.common_inputs.end() ? std::string() : found->hash;
+}
+
+std::string what_changed(const campaign::Job& job, const MatchSetup& prepared, const plugin::Catalogue& catalogue,
+                         const std::string& program, const std::string& mathematics) {
+  const auto home = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue);
+  const auto away = campaign::team_inputs(*prepared.plans[1], prepared.documents[1], catalogue);
+  const auto common = campaign::common_inputs(prepared.setup, program, mathematics);
+  std::vector<std::string> changed;
+  for (const auto& [before, now] :
+       {std::pair{&job.home_inputs, &home}, {&job.away_inputs, &away}, {&job.common_inputs, &common}}) {
+    for (std::string& each : campaign::differences(*before, *now)) {
+      if (std::ranges::find(changed, each) == changed.end()) changed.push_back(std::move(each));
+    }
+  }
+  return config::join(changed);
+}
+
+}  // namespace regista::cli

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "cli/tournament_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <system_error>
+#include <thread>
+
+#include "campaign/inputs.hpp"
+#include "campaign/mathematics.hpp"
+#include "cli/end_of_program.hpp"
+#include "cli/job_setup.hpp"
+#include "cli/match_report.hpp"
+#include "cli/match_setup.hpp"
+#include "cli/test_options.hpp"
+#include "config/text.hpp"
+#include "match/teams.hpp"
+#include "study/metric.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr std::uint64_t most_pairs = 10'000'000;
+constexpr std::size_t most_teams = 1000;
+
+study::Format parse_format(const std::string& text) {
+  if (text == "round-robin") return study::Format::round_robin;
+  if (text == "gauntlet") return study::Format::gauntlet;
+  throw BadInput(config::unknown("format", text, "--format", std::vector<std::string>{"round-robin", "gauntlet"}));
+}
+
+study::Objective parse_objective(const TournamentOptions& options) {
+  const auto alone = [](const std::string& option, const std::string& text, const char* wants) {
+    if (!text.empty()) throw BadInput(fmt::format("{} {}: belongs to {}, which is not given", option, text, wants));
+  };
+  if (!options.sprt.empty() && !options.metric.empty()) {
+    throw BadInput("--sprt and --metric: a tournament has one test; which of them is to decide?");
+  }
+  if (!options.sprt.empty()) {
+    study::ScoreTest test;
+    test.design.model = parse_model(options.model.empty() ? "normalized" : options.model);
+    test.design.hypotheses = parse_hypotheses("--sprt", options.sprt);
+    test.design.rates =
+        parse_rates(options.alpha.empty() ? "0.05" : options.alpha, options.beta.empty() ? "0.05" : options.beta);
+    return test;
+  }
+  alone("--model", options.model, "--sprt");
+  alone("--beta", options.beta, "--sprt");
+  if (!options.metric.empty()) {
+    return study::ValueTest{options.metric, parse_rate("--alpha", options.alpha.empty() ? "0.05" : options.alpha)};
+  }
+  alone("--alpha", options.alpha, "--sprt or --metric");
+  return study::FixedNumber{};
+}
+
+// Those that do not begin with a team's letter go to the match as they are.
+void check_overrides(const TournamentOptions& options) {
+  for (const std::string& typed : options.overrides) {
+    const std::string first = typed.substr(0, typed.find('.'));
+    if (first == "home" || first == "away") {
+      throw BadInput(
+          fmt::format("--set {}: in a tournament each team plays on both sides; begin the path with a for the first "
+                      "team, b for the second, and so on",
+                      config::one_line(typed)));
+    }
+    if (first.size() == 1 && first[0] >= 'a' && first[0] <= 'z' &&
+        static_cast<std::size_t>(first[0] - 'a') >= options.teams.size()) {
+      throw BadInput(fmt::format("--set {}: there are {} teams, a to {}", config::one_line(typed), options.teams.size(),
+                                 study::letter(std::min<std::size_t>(options.teams.size(), 26) - 1)));
+    }
+  }
+}
+
+// Files as they are; of a folder all that end in .yaml, by name.
+std::vector<std::string> opening_files(const std::vector<std::string>& typed) {
+  std::vector<std::string> out;
+  for (const std::string& each : typed) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(each, error)) {
+      out.push_back(each);
+      continue;
+    }
+    std::vector<std::string> found;
+    for (const auto& entry : std::filesystem::directory_iterator(each, error)) {
+      if (entry.path().extension() == ".yaml") found.push_back(entry.path().string());
+    }
+    if (error) throw BadInput(fmt::format("--openings {}: {}", each, error.message()));
+    if (found.empty()) throw BadInput(fmt::format("--openings {}: there is no .yaml file in this folder", each));
+    std::ranges::sort(found);
+    out.insert(out.end(), found.begin(), found.end());
+  }
+  return out;
+}
+
+// A match of the plan, set up; errors name teams as they were typed.
+MatchSetup setup_of(const study::TournamentPlan& plan, const study::Fixture& fixture,
+                    const plugin::Catalogue& catalogue) {
+  try {
+    return match_setup(request_of(study::job(plan, fixture)), catalogue);
+  } catch (const config::Error& error) {
+    std::string text = error.what();
+    for (const auto& [side, team] : {std::pair{"--set home.", fixture.home}, {"--set away.", fixture.away}}) {
+      if (text.starts_with(side)) {
+        text.replace(0, std::string_view(side).size(), fmt::format("--set {}.", study::letter(team)));
+      }
+    }
+    throw BadInput(text);
+  }
+}
+
+// What teams are called: their names; where these are the same, with their files; where these are too, with letters.
+void label_teams(std::vector<study::Entrant>& teams) {
+  const auto distinguish = [&](auto&& by) {
+    std::map<std::string, int> seen;
+    for (const study::Entrant& team : teams) ++seen[team.label];
+    for (std::size_t i = 0; i < teams.size(); ++i) {
+      if (seen[teams[i].label] > 1) teams[i].label = fmt::format("{} ({})", teams[i].label, by(i));
+    }
+  };
+  const auto same_files = [&](const study::Entrant& a) {
+    return std::ranges::count(teams, a.file, &study::Entrant::file) > 1;
+  };
+  distinguish([&](std::size_t i) {
+    return same_files(teams[i]) ? (i < 26 ? study::letter(i) : std::to_string(i + 1)) : teams[i].file;
+  });
+}
+
+// Every path of a team's metrics, from a match that was not played.
+std::vector<std::string> metric_paths_of(const mind::TeamPlan& team) {
+  PlayedMatch played;
+  played.role_names[0] = played.role_names[1] = role_names(match::roles(team));
+  for (match::TeamMetrics& metrics : played.result.metrics.teams) metrics.roles.resize(played.role_names[0].size());
+  return study::metric_paths(summary_json(played), 0);
+}
+
+void require_metric(const study::Objective& objective, const mind::TeamPlan& team) {
+  const auto* const test = std::get_if<study::ValueTest>(&objective);
+  if (test == nullptr || test->value == study::goals_value) return;
+  std::vector<std::string> paths = metric_paths_of(team);
+  const std::string prefix = "roles.";
+  const std::string path = test->value.starts_with(prefix) ? test->value.substr(prefix.size()) : test->value;
+  if (std::ranges::find(paths, path) != paths.end()) return;
+  paths.insert(paths.begin(), study::goals_value);
+  throw BadInput(config::unknown("metric", test->value, fmt::format("--metric, of team {}", team.team().name), paths));
+}
+
+}  // namespace
+
+study::TournamentPlan tournament_plan(const TournamentOptions& options, const plugin::Catalogue& catalogue) {
+  if (options.teams.size() < 2) {
+    throw BadInput(
+        fmt::format("tournament: two teams or more are wanted, each by --team FILE; {} given", options.teams.size()));
+  }
+  if (options.teams.size() > most_teams) {
+    throw BadInput(fmt::format("tournament: {} teams; at most {} can play", options.teams.size(), most_teams));
+  }
+  study::TournamentPlan plan;
+  plan.objective = parse_objective(options);
+  const bool tested = !std::holds_alternative<study::FixedNumber>(plan.objective);
+  if (tested && options.teams.size() > 2) {
+    throw BadInput("tournament: a sequential test is between two teams; give --pairs alone to rank more of them");
+  }
+  if (options.pairs.empty() && !std::holds_alternative<study::ScoreTest>(plan.objective)) {
+    throw BadInput(tested ? "tournament: how many pairs of matches at most? Say --pairs N; equal teams would play on "
+                            "for ever"
+                          : "tournament: how many pairs of matches? Say --pairs N, or --sprt ELO0,ELO1 for a "
+                            "sequential test");
+  }
+  plan.pairs = options.pairs.empty() ? most_pairs : parse_whole("--pairs", options.pairs, 1, most_pairs);
+  plan.format = parse_format(options.format);
+  plan.first_seed = parse_seed(options.seed, "--seed");
+  if (plan.first_seed > UINT64_MAX - (plan.pairs - 1)) {
+    throw BadInput(
+        fmt::format("--seed {}: {} pairs from there would need seeds beyond {}", options.seed, plan.pairs, UINT64_MAX));
+  }
+  plan.failures_in_a_row =
+      static_cast<int>(parse_whole("--failures-in-a-row", options.failures_in_a_row, 0, 1'000'000));
+  check_overrides(options);
+  plan.common.rules = options.rules;
+  plan.common.robot = options.robot;
+  plan.common.disturbance = options.disturbance;
+  plan.common.overrides = options.overrides;
+  plan.common.plugins = options.plugins;
+  plan.common.limit = options.limit;
+  for (const std::string& file : options.teams) plan.teams.push_back({file, file, {}});
+
+  const std::string program = campaign::program_hash(), mathematics = campaign::mathematics_fingerprint();
+  for (std::size_t team = 0; team < plan.teams.size(); ++team) {
+    study::Fixture fixture;
+    fixture.home = team;
+    fixture.away = (team + 1) % plan.teams.size();
+    const MatchSetup prepared = setup_of(plan, fixture, catalogue);
+    require_metric(plan.objective, *prepared.plans[0]);
+    plan.teams[team].label = prepared.plans[0]->team().name;
+    plan.teams[team].inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue);
+    plan.common_inputs = campaign::common_inputs(prepared.setup, program, mathematics);
+    plan.most_goals = std::max(prepared.setup.rules.mercy_difference, campaign::goals_of_forfeit);
+  }
+  label_teams(plan.teams);
+  for (const std::string& file : opening_files(options.openings)) {
+    study::TournamentPlan with = plan;
+    with.openings = {{file, {}}};
+    study::Fixture fixture;
+    fixture.away = 1;
+    const MatchSetup prepared = setup_of(with, fixture, catalogue);
+    const auto inputs = campaign::common_inputs(prepared.setup, program, mathematics);
+    const auto opening = std::ranges::find_if(inputs, [&](const campaign::Input& input) {
+      return std::ranges::find(plan.common_inputs, input.name, &campaign::Input::name) == plan.common_inputs.end();
+    });
+    if (opening == inputs.end()) throw BadInput(fmt::format("--openings {}: is no opening", file));
+    plan.openings.push_back({file, *opening});
+  }
+  return plan;
+}
+
+int number_of_workers(const TournamentOptions& options) {
+  if (options.workers.empty()) return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 1024u));
+  return static_cast<int>(parse_whole("--workers", options.workers, 1, 1024));
+}
+
+campaign::Limits limits(const TournamentOptions& options) {
+  campaign::Limits limits;
+  limits.processor_seconds =
+      static_cast<int>(parse_whole("--processor-seconds", options.processor_seconds, 1, 1'000'000));
+  limits.memory = parse_whole("--memory", options.memory, 64, std::uint64_t{1} << 24) << 20;
+  // A machine may have much else to do: only a plugin that sleeps comes here.
+  limits.wall_seconds = 10.0 * limits.processor_seconds + 100.0;
+  return limits;
+}
+
+}  // namespace regista::cli

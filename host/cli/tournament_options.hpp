@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// From what the command line says about a tournament to its plan: everything is read and checked before the first
+// match.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "campaign/worker.hpp"
+#include "plugin/catalogue.hpp"
+#include "study/tournament_plan.hpp"
+
+namespace regista::cli {
+
+struct TournamentOptions {
+  std::vector<std::string> teams, plugins, overrides, openings;
+  std::string rules, robot, disturbance, limit;
+  std::string format = "round-robin", pairs, seed = "1";
+  std::string sprt, metric, model, alpha, beta;  // empty: not given
+  std::string failures_in_a_row = "10";
+  std::string workers, results = "tournament.db", processor_seconds = "120", memory = "2048";
+  bool resume = false, json = false, quiet = false;
+};
+
+// Throws BadInput and config::Error.
+study::TournamentPlan tournament_plan(const TournamentOptions& options, const plugin::Catalogue& catalogue);
+
+int number_of_workers(const TournamentOptions& options);
+campaign::Limits limits(const TournamentOptions& options);
+
+}  // namespace regista::cli

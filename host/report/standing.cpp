@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "report/standing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "statistics/bradley_terry.hpp"
+#include "statistics/multiplicity.hpp"
+#include "statistics/rating.hpp"
+#include "statistics/variance_ratio.hpp"
+
+namespace regista::report {
+
+double points(const statistics::GameCounts& games) {
+  return static_cast<double>(games.seen[2]) + 0.5 * static_cast<double>(games.seen[1]);
+}
+
+std::optional<Strength> strength(const study::Meeting& meeting) {
+  if (total(meeting.pairs) == 0) return std::nullopt;
+  Strength out{};
+  out.law = score_law(meeting.pairs);
+  out.elo = elo(out.law);
+  out.normalized_elo = normalized_elo(out.law);
+  out.superiority = likelihood_of_superiority(out.law);
+  out.pair_ratio = pair_ratio(meeting.pairs);
+  out.draw_ratio = static_cast<double>(meeting.pairs.seen[2]) / static_cast<double>(total(meeting.pairs));
+  out.score_ratio = variance_ratio(meeting.pairs, meeting.games);
+  out.goals_ratio = statistics::variance_ratio(meeting.goals_of_pairs, meeting.goals_of_matches);
+  out.goals_t = statistics::paired_t(meeting.goals_of_pairs);
+  return out;
+}
+
+std::vector<double> adjusted_p(const study::Tournament& course) {
+  std::vector<double> p;
+  for (const study::Meeting& meeting : course.meetings()) {
+    const std::optional<Strength> known = strength(meeting);
+    // The likelihood of superiority is the one-sided probability of the same statistic.
+    p.push_back(known ? 2.0 * std::min(known->superiority, 1.0 - known->superiority) : 1.0);
+  }
+  return statistics::holm(p);
+}
+
+std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tournament& course) {
+  const std::size_t teams = plan.teams.size();
+  std::vector<Ranked> out(teams);
+  statistics::SquareTable won(teams), payoff(teams);
+  for (std::size_t team = 0; team < teams; ++team) {
+    out[team].team = team;
+    out[team].failures = course.failures()[team];
+  }
+  for (const study::Meeting& meeting : course.meetings()) {
+    const auto [a, b] = meeting.pairing;
+    const auto& [losses, draws, wins] = meeting.games.seen;
+    const double games = static_cast<double>(total(meeting.games)), of_a = points(meeting.games);
+    won.at(a, b) = of_a;
+    won.at(b, a) = games - of_a;
+    if (games > 0.0) payoff.at(a, b) = of_a / games - 0.5;
+    payoff.at(b, a) = -payoff.at(a, b);
+    const auto add = [&](Ranked& team, auto w, auto l, double p, std::uint64_t scored, std::uint64_t conceded) {
+      team.wins += static_cast<std::uint64_t>(w);
+      team.losses += static_cast<std::uint64_t>(l);
+      team.draws += static_cast<std::uint64_t>(draws);
+      team.matches += meeting.matches();
+      team.points += p;
+      team.scored += scored;
+      team.conceded += conceded;
+    };
+    add(out[a], wins, losses, of_a, meeting.goals[0], meeting.goals[1]);
+    add(out[b], losses, wins, games - of_a, meeting.goals[1], meeting.goals[0]);
+  }
+  if (const auto elo = statistics::bradley_terry(won)) {
+    for (Ranked& team : out) team.elo = (*elo)[team.team];
+  }
+  const statistics::NashAverage nash = statistics::nash_average(payoff);
+  for (Ranked& team : out) team.nash = nash.share[team.team];
+  const auto share = [](const Ranked& team) {
+    return team.matches == 0 ? 0.5 : team.points / static_cast<double>(team.matches);
+  };
+  std::ranges::stable_sort(out, [&](const Ranked& x, const Ranked& y) {
+    if (x.elo && y.elo && x.elo->value != y.elo->value) return x.elo->value > y.elo->value;
+    return share(x) > share(y);
+  });
+  return out;
+}
+
+}  // namespace regista::report

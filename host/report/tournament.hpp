@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What is said about a tournament: a function of its plan and its results in order, equal to the byte however often it
+// was stopped and by however many workers it was played. The block of two teams has the form that users of the test
+// frames of chess engines know.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "study/tournament.hpp"
+#include "study/tournament_plan.hpp"
+
+namespace regista::report {
+
+struct TournamentView {
+  const study::TournamentPlan& plan;
+  const study::Tournament& course;
+  // The command that plays a match of the schedule by itself.
+  std::function<std::string(std::uint64_t match)> again;
+};
+
+// "paper vs fixed_rate", and how many pairs of what.
+std::string title(const TournamentView& view);
+
+// The numbers of the first pairing, or the ranking of more than two teams: what a live display shows. Lines, each
+// ended.
+std::string standing_text(const TournamentView& view);
+
+// The whole page: title, standing, verdict, failures.
+std::string tournament_text(const TournamentView& view);
+
+// One JSON object with a newline.
+std::string tournament_json(const TournamentView& view);
+
+// Lines of a table with a row for each match, in the order of the schedule (RFC 4180, but lines end with \n).
+std::string csv_head(const std::vector<std::string>& metrics);
+std::string csv_line(const TournamentView& view, std::uint64_t index, const campaign::Decided& decided,
+                     const std::vector<std::string>& metrics);
+
+// "forfeited by small: plugin hangs, holds: used more than 5 s of processor time"
+std::string forfeit_text(const std::string& label, const campaign::Failure& failure);
+
+// "H1", "H0", "INCONCLUSIVE"; empty without a test
+const char* name(study::Verdict verdict);
+
+}  // namespace regista::report

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string_view>
+
+#include "report/tournament.hpp"
+#include "study/metric.hpp"
+
+namespace regista::report {
+namespace {
+
+std::string field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  return out + '"';
+}
+
+}  // namespace
+
+std::string csv_head(const std::vector<std::string>& metrics) {
+  std::string out =
+      "row,pair,seed,opening,home,away,home_goals,away_goals,ended,state_hash,forfeited_by,plugin,call,why";
+  for (const std::string& each : metrics) out += fmt::format(",{},{}", field("home." + each), field("away." + each));
+  return out + '\n';
+}
+
+std::string csv_line(const TournamentView& view, std::uint64_t index, const campaign::Decided& decided,
+                     const std::vector<std::string>& metrics) {
+  const study::Fixture fixture = view.course.calendar().at(index);
+  const auto& teams = view.plan.teams;
+  const std::string opening = view.plan.openings.empty()
+                                  ? std::string()
+                                  : std::filesystem::path(view.plan.openings[fixture.opening].file).stem().string();
+  std::string out = fmt::format("{},{},{},{},{},{},{},{},{},{},", index + 1, fixture.pair + 1, fixture.seed,
+                                field(opening), field(teams[fixture.home].label), field(teams[fixture.away].label),
+                                decided.score[0], decided.score[1], decided.ended, decided.hash);
+  if (decided.failure) {
+    const campaign::Failure& failure = *decided.failure;
+    out += fmt::format("{},{},{},{}", failure.side == 0 ? "home" : "away", field(failure.plugin), field(failure.call),
+                       field(failure.what));
+  } else {
+    out += ",,,";
+  }
+  if (!metrics.empty()) {
+    const auto write = [&](const std::optional<double>& value) {
+      out += ',';
+      if (value) out += fmt::format("{}", *value);
+    };
+    for (const std::string& each : metrics) {
+      for (const int side : {0, 1}) {
+        write(decided.metrics.empty() ? std::nullopt : study::metric(decided.metrics, side, each));
+      }
+    }
+  }
+  return out + '\n';
+}
+
+}  // namespace regista::report

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "report/standing.hpp"
+#include "report/tournament.hpp"
+
+namespace regista::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
+
+// An infinite bound becomes null.
+Json interval(const statistics::Interval& bounds) { return Json::array({bounds.low, bounds.high}); }
+
+Json score_test(const statistics::SequentialTest<statistics::PairCounts>& test) {
+  const auto& design = test.design();
+  return {{"model", design.model == statistics::Model::logistic ? "logistic" : "normalized"},
+          {"elo0", design.hypotheses.elo0},
+          {"elo1", design.hypotheses.elo1},
+          {"alpha", design.rates.alpha},
+          {"beta", design.rates.beta},
+          {"llr", test.ratio().value},
+          {"llr_bounds", {test.bounds().lower, test.bounds().upper}},
+          {"llr_stopping", {test.stopping().lower, test.stopping().upper}}};
+}
+
+Json metric(const study::Meeting& meeting, const study::ValueTest& test) {
+  const study::MetricDifference& metric = *meeting.metric;
+  const statistics::Estimate estimate = metric.estimate();
+  return {{"name", test.value},
+          {"alpha", test.alpha},
+          {"means", {metric.first().mean(), metric.second().mean()}},
+          {"difference", estimate.value},
+          {"interval", interval(estimate.interval)},
+          {"pairs_less_equal_more", metric.signs()},
+          {"p", metric.test().p()},
+          {"pairs_without", meeting.pairs_without_metric}};
+}
+
+Json json_of(const TournamentView& view, const study::Meeting& meeting, double p) {
+  Json out;
+  const auto label = [&](std::size_t team) { return view.plan.teams[team].label; };
+  out["teams"] = {label(meeting.pairing.first), label(meeting.pairing.second)};
+  out["equal_teams"] = study::equal_teams(view.plan, meeting.pairing);
+  out["games"] = meeting.matches();
+  out["wins"] = meeting.games.seen[2];
+  out["losses"] = meeting.games.seen[0];
+  out["draws"] = meeting.games.seen[1];
+  out["points"] = points(meeting.games);
+  out["pentanomial"] = meeting.pairs.seen;
+  out["goals"] = meeting.goals;
+  if (const std::optional<Strength> known = strength(meeting)) {
+    out["elo"] = known->elo.value;
+    out["elo_interval"] = interval(known->elo.interval);
+    out["nelo"] = known->normalized_elo.value;
+    out["nelo_interval"] = interval(known->normalized_elo.interval);
+    out["los"] = known->superiority;
+    out["p"] = p;
+    out["pair_ratio"] = or_null(known->pair_ratio);
+    out["variance_ratio"] = {{"scores", or_null(known->score_ratio)}, {"goals", or_null(known->goals_ratio)}};
+    Json goals{{"mean", meeting.goals_of_pairs.mean()},
+               {"standard_deviation", meeting.goals_of_pairs.standard_deviation()},
+               {"confidence_sequence", interval(meeting.goals_sequence.interval())}};
+    // A t test holds for a number of pairs that nobody chose by looking.
+    if (std::holds_alternative<study::FixedNumber>(view.plan.objective) && known->goals_t) {
+      goals["t"] = known->goals_t->t;
+      goals["t_p"] = known->goals_t->p;
+      goals["t_interval"] = interval(known->goals_t->interval);
+    }
+    out["goals_per_match"] = goals;
+  }
+  if (meeting.score_test) out["sprt"] = score_test(*meeting.score_test);
+  if (meeting.metric) out["metric"] = metric(meeting, std::get<study::ValueTest>(view.plan.objective));
+  return out;
+}
+
+}  // namespace
+
+std::string tournament_json(const TournamentView& view) {
+  const study::Tournament& course = view.course;
+  const auto label = [&](std::size_t team) { return view.plan.teams[team].label; };
+  Json out;
+  Json teams = Json::array();
+  for (std::size_t team = 0; team < view.plan.teams.size(); ++team) {
+    teams.push_back(
+        {{"name", label(team)}, {"file", view.plan.teams[team].file}, {"failures", course.failures()[team]}});
+  }
+  out["teams"] = teams;
+  out["format"] = view.plan.format == study::Format::gauntlet ? "gauntlet" : "round_robin";
+  out["pairs"] = view.plan.pairs;
+  out["first_seed"] = view.plan.first_seed;
+  out["openings"] = view.plan.openings.size();
+  out["matches"] = course.matches();
+  const bool tested = course.verdict() != study::Verdict::none;
+  out["verdict"] = tested ? Json(name(course.verdict())) : Json(nullptr);
+  const std::vector<double> p = adjusted_p(course);
+  Json pairings = Json::array();
+  for (std::size_t i = 0; i < p.size(); ++i) pairings.push_back(json_of(view, course.meetings()[i], p[i]));
+  out["pairings"] = pairings;
+  if (view.plan.teams.size() > 2) {
+    Json ranks = Json::array();
+    for (const Ranked& team : ranking(view.plan, course)) {
+      ranks.push_back({{"team", label(team.team)},
+                       {"elo", team.elo ? Json(team.elo->value) : Json(nullptr)},
+                       {"elo_interval", team.elo ? interval(team.elo->interval) : Json(nullptr)},
+                       {"nash", team.nash},
+                       {"points", team.points},
+                       {"games", team.matches},
+                       {"goals", {team.scored, team.conceded}}});
+    }
+    out["ranking"] = ranks;
+  }
+  Json forfeits = Json::array();
+  for (const study::Forfeits& each : course.forfeits()) {
+    forfeits.push_back({{"team", label(each.team)},
+                        {"plugin", each.failure.plugin},
+                        {"call", each.failure.call},
+                        {"what", each.failure.what},
+                        {"matches", each.count},
+                        {"again", view.again(each.first_match)}});
+  }
+  out["forfeits"] = forfeits;
+  Json set_aside = Json::array();
+  for (const study::SetAside& each : course.set_aside()) {
+    set_aside.push_back({{"team", label(each.team)},
+                         {"plugin", each.plugin},
+                         {"failures", each.failures},
+                         {"after_pair", each.pair + 1}});
+  }
+  out["set_aside"] = set_aside;
+  return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace regista::report

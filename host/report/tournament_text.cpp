@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/text.hpp"
+#include "report/standing.hpp"
+#include "report/tournament.hpp"
+#include "statistics/sequential_bounds.hpp"
+
+namespace regista::report {
+namespace {
+
+using study::Meeting;
+
+const std::string& label(const TournamentView& view, std::size_t team) { return view.plan.teams[team].label; }
+
+std::string with_margin(const statistics::Estimate& estimate) {
+  if (estimate.interval.bounded()) return fmt::format("{:.2f} +/- {:.2f}", estimate.value, estimate.margin());
+  return fmt::format("{:.2f} [{:.2f}, {:.2f}]", estimate.value, estimate.interval.low, estimate.interval.high);
+}
+
+std::string or_none(const std::optional<double>& number) { return number ? fmt::format("{:.2f}", *number) : "-"; }
+
+double percent(double part, double whole) { return whole == 0.0 ? 0.0 : 100.0 * part / whole; }
+
+std::string score_test_text(const statistics::SequentialTest<statistics::PairCounts>& test) {
+  const statistics::SequentialBounds bounds = test.bounds();
+  const double llr = test.ratio().value;
+  const auto& hypotheses = test.design().hypotheses;
+  return fmt::format("LLR: {:.2f} ({:.1f} %) ({:.2f}, {:.2f}) [{:.2f}, {:.2f}] {}{}\n", llr,
+                     percent(llr, llr < 0.0 ? -bounds.lower : bounds.upper), bounds.lower, bounds.upper,
+                     hypotheses.elo0, hypotheses.elo1,
+                     test.design().model == statistics::Model::logistic ? "logistic" : "normalized",
+                     test.ratio().method == statistics::Method::closed_form ? ", approximate" : "");
+}
+
+std::string metric_text(const TournamentView& view, const Meeting& meeting, const study::ValueTest& test) {
+  const study::MetricDifference& metric = *meeting.metric;
+  const statistics::Estimate estimate = metric.estimate();
+  std::string out = fmt::format("{}: {:.4g} and {:.4g} per match, difference {:+.4g} [{:.4g}, {:.4g}]\n", test.value,
+                                metric.first().mean(), metric.second().mean(), estimate.value, estimate.interval.low,
+                                estimate.interval.high);
+  const auto& [less, equal, more] = metric.signs();
+  out += fmt::format("{} has less in {}, as much in {}, more in {} pairs, p at any time {:.2g}\n",
+                     label(view, meeting.pairing.first), less, equal, more, metric.test().p());
+  if (meeting.pairs_without_metric > 0) {
+    out += fmt::format("{} pairs without it: a match was forfeited\n", meeting.pairs_without_metric);
+  }
+  return out;
+}
+
+// Fastchess's block, and goals.
+std::string meeting_text(const TournamentView& view, const Meeting& meeting) {
+  std::string out;
+  const std::optional<Strength> known = strength(meeting);
+  if (known) {
+    out += fmt::format("Elo: {}, nElo: {}\n", with_margin(known->elo), with_margin(known->normalized_elo));
+    out += fmt::format("LOS: {:.2f} %, DrawRatio: {:.2f} %, PairsRatio: {}\n", 100.0 * known->superiority,
+                       100.0 * known->draw_ratio, or_none(known->pair_ratio));
+  }
+  const auto& [losses, draws, wins] = meeting.games.seen;
+  out += fmt::format("Games: {}, Wins: {}, Losses: {}, Draws: {}, Points: {:.1f} ({:.2f} %)\n", meeting.matches(), wins,
+                     losses, draws, points(meeting.games),
+                     percent(points(meeting.games), static_cast<double>(meeting.matches())));
+  out += fmt::format("Ptnml(0-2): [{}]\n", fmt::join(meeting.pairs.seen, ", "));
+  if (meeting.score_test) out += score_test_text(*meeting.score_test);
+  out += fmt::format("Goals: {}:{}", meeting.goals[0], meeting.goals[1]);
+  if (known) {
+    const statistics::Interval interval = meeting.goals_sequence.interval();
+    out += fmt::format(", per match {:+.3f} [{:.3f}, {:.3f}] at any time", meeting.goals_of_pairs.mean(), interval.low,
+                       interval.high);
+    const bool fixed = std::holds_alternative<study::FixedNumber>(view.plan.objective);
+    if (fixed && known->goals_t) {
+      out += fmt::format(", [{:.3f}, {:.3f}] for this number of pairs (t test: p {:.2g})", known->goals_t->interval.low,
+                         known->goals_t->interval.high, known->goals_t->p);
+    }
+    out += fmt::format("\nVariance ratio of pairing: {} of scores, {} of goals\n", or_none(known->score_ratio),
+                       or_none(known->goals_ratio));
+  } else {
+    out += '\n';
+  }
+  if (meeting.metric) out += metric_text(view, meeting, std::get<study::ValueTest>(view.plan.objective));
+  return out;
+}
+
+std::string ranking_text(const TournamentView& view) {
+  std::size_t widest = 4;
+  for (const study::Entrant& team : view.plan.teams) widest = std::max(widest, team.label.size());
+  std::string out = fmt::format("{:>4}  {:{}}  {:>16}  {:>6}  {:>7}  {:>8}  {:>5} {:>5} {:>5}  {:>9}  {:>8}\n", "rank",
+                                "team", widest, "Elo", "Nash", "games", "points", "W", "D", "L", "goals", "failures");
+  int rank = 0;
+  for (const Ranked& team : ranking(view.plan, view.course)) {
+    const std::string elo = !team.elo ? "-"
+                            : team.elo->interval.bounded()
+                                ? fmt::format("{:.1f} +/- {:.1f}", team.elo->value, team.elo->margin())
+                                : fmt::format("{:.1f}", team.elo->value);
+    out += fmt::format("{:>4}  {:{}}  {:>16}  {:>6.2f}  {:>7}  {:>8.1f}  {:>5} {:>5} {:>5}  {:>9}  {:>8}\n", ++rank,
+                       label(view, team.team), widest, elo, team.nash, team.matches, team.points, team.wins, team.draws,
+                       team.losses, fmt::format("{}:{}", team.scored, team.conceded), team.failures);
+  }
+  return out;
+}
+
+std::string pairings_text(const TournamentView& view) {
+  std::string out = "\nPairings (p: two-sided, adjusted by Holm):\n";
+  const std::vector<double> p = adjusted_p(view.course);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Meeting& meeting = view.course.meetings()[i];
+    const auto& [losses, draws, wins] = meeting.games.seen;
+    const std::optional<Strength> known = strength(meeting);
+    out += fmt::format("{} vs {}: {}-{}-{}, goals {}:{}, Elo {}, p {:.2g}\n", label(view, meeting.pairing.first),
+                       label(view, meeting.pairing.second), wins, draws, losses, meeting.goals[0], meeting.goals[1],
+                       known ? with_margin(known->elo) : "-", p[i]);
+  }
+  return out;
+}
+
+std::string verdict_text(const TournamentView& view) {
+  const study::Verdict verdict = view.course.verdict();
+  if (verdict == study::Verdict::none) return "";
+  const Meeting& meeting = view.course.meetings().front();
+  const std::string &a = label(view, meeting.pairing.first), &b = label(view, meeting.pairing.second);
+  std::string out = fmt::format("Verdict after {} pairs: {}", total(meeting.pairs), name(verdict));
+  if (const auto* const score = std::get_if<study::ScoreTest>(&view.plan.objective)) {
+    const auto& hypotheses = score->design.hypotheses;
+    const char* const unit = score->design.model == statistics::Model::logistic ? "Elo" : "nElo";
+    if (verdict == study::Verdict::accept_h1) {
+      out += fmt::format(": {} is {} {} stronger than {}, not {}\n", a, hypotheses.elo1, unit, b, hypotheses.elo0);
+    } else if (verdict == study::Verdict::accept_h0) {
+      out += fmt::format(": {} is {} {} stronger than {}, not {}\n", a, hypotheses.elo0, unit, b, hypotheses.elo1);
+    } else {
+      return out + '\n';
+    }
+    return out + "Elo and nElo are biased towards the verdict, because the test chose when to stop.\n";
+  }
+  if (verdict != study::Verdict::accept_h1) return out + '\n';
+  const std::string& value = std::get<study::ValueTest>(view.plan.objective).value;
+  const char* const how = view.course.first_has_more() ? "more" : value == study::goals_value ? "fewer" : "less";
+  return out + (value == study::goals_value ? fmt::format(": {} scores {} goals than {}\n", a, how, b)
+                                            : fmt::format(": {} has {} {} than {}\n", a, how, value, b));
+}
+
+std::string failures_text(const TournamentView& view) {
+  std::string out;
+  for (const study::SetAside& each : view.course.set_aside()) {
+    out += fmt::format("{} was set aside after pair {}: plugin {} failed {} times in a row\n", label(view, each.team),
+                       each.pair + 1, each.plugin, each.failures);
+  }
+  for (const study::Forfeits& each : view.course.forfeits()) {
+    out += fmt::format("{} {} {}\n  the first again: {}\n", each.count, each.count == 1 ? "match" : "matches",
+                       forfeit_text(label(view, each.team), each.failure), view.again(each.first_match));
+  }
+  if (view.course.unlisted_forfeits() > 0) {
+    out += fmt::format("{} more matches forfeited for other reasons\n", view.course.unlisted_forfeits());
+  }
+  return out.empty() ? "" : '\n' + out;
+}
+
+}  // namespace
+
+const char* name(study::Verdict verdict) {
+  switch (verdict) {
+    case study::Verdict::none:
+      return "";
+    case study::Verdict::inconclusive:
+      return "INCONCLUSIVE";
+    case study::Verdict::accept_h0:
+      return "H0";
+    case study::Verdict::accept_h1:
+      return "H1";
+  }
+  return "";
+}
+
+std::string forfeit_text(const std::string& label, const campaign::Failure& failure) {
+  return config::one_line(
+      fmt::format("forfeited by {}: plugin {}, {}: {}", label, failure.plugin, failure.call, failure.what));
+}
+
+std::string title(const TournamentView& view) {
+  const std::string who = view.plan.teams.size() == 2
+                              ? fmt::format("{} vs {}", label(view, 0), label(view, 1))
+                              : fmt::format("{} teams, {}", view.plan.teams.size(),
+                                            view.plan.format == study::Format::gauntlet ? "gauntlet" : "round robin");
+  const std::uint64_t played = static_cast<std::uint64_t>(total(view.course.meetings().back().pairs));
+  std::string out = fmt::format("{} ({} {}", who, played, played == 1 ? "pair" : "pairs");
+  if (played < view.plan.pairs) out += fmt::format(" of {}", view.plan.pairs);
+  if (view.plan.pairings().size() > 1) out += " each";
+  out += fmt::format(", seeds from {}", view.plan.first_seed);
+  if (!view.plan.openings.empty()) {
+    const std::size_t openings = view.plan.openings.size();
+    out += fmt::format(", {} {}", openings, openings == 1 ? "opening" : "openings");
+  }
+  if (!view.plan.common.limit.empty()) out += fmt::format(", {} s a match", view.plan.common.limit);
+  return out + ')';
+}
+
+std::string standing_text(const TournamentView& view) {
+  return view.plan.teams.size() == 2 ? meeting_text(view, view.course.meetings().front()) : ranking_text(view);
+}
+
+std::string tournament_text(const TournamentView& view) {
+  std::string out = fmt::format("Results of {}:\n", title(view));
+  for (const study::Pairing& pairing : view.course.calendar().pairings()) {
+    if (study::equal_teams(view.plan, pairing)) {
+      out += fmt::format("A/A: {} and {} are equal, so every pair is a draw by construction\n",
+                         label(view, pairing.first), label(view, pairing.second));
+    }
+  }
+  out += standing_text(view);
+  if (view.plan.teams.size() > 2) out += pairings_text(view);
+  return out + verdict_text(view) + failures_text(view);
+}
+
+}  // namespace regista::report

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "study/metric.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string_view>
+
+namespace regista::study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view roles = "roles";
+
+Json parsed(const std::string& metrics) {
+  try {
+    return Json::parse(metrics);
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
+// What the side has under a top member; null when that is not by side.
+const Json& of_side(const Json& member, int side) {
+  static const Json nothing;
+  return member.is_array() && member.size() == 2 ? member[static_cast<std::size_t>(side)] : nothing;
+}
+
+void collect(const Json& value, const std::string& path, std::vector<NamedValue>& out) {
+  if (value.is_number()) out.push_back({path, value.get<double>()});
+  if (!value.is_object()) return;
+  for (const auto& [name, member] : value.items()) collect(member, path.empty() ? name : path + '.' + name, out);
+}
+
+std::vector<NamedValue> values(const Json& metrics, int side) {
+  std::vector<NamedValue> out;
+  if (!metrics.is_object()) return out;
+  for (const auto& [name, member] : metrics.items()) {
+    collect(of_side(member, side), name == roles ? std::string() : name, out);
+  }
+  return out;
+}
+
+// The last part of a role's path: what all of them have.
+std::vector<NamedValue> sums_over_roles(const Json& metrics, int side) {
+  std::vector<NamedValue> out;
+  if (!metrics.is_object() || !metrics.contains(roles)) return out;
+  for (const auto& [role, numbers] : of_side(metrics.at(std::string(roles)), side).items()) {
+    if (!numbers.is_object()) continue;
+    for (const auto& [name, number] : numbers.items()) {
+      if (!number.is_number()) continue;
+      const auto known = std::ranges::find(out, name, &NamedValue::path);
+      if (known == out.end())
+        out.push_back({name, number.get<double>()});
+      else
+        known->value += number.get<double>();
+    }
+  }
+  return out;
+}
+
+std::vector<NamedValue> all(const Json& metrics, int side) {
+  std::vector<NamedValue> out = values(metrics, side);
+  for (NamedValue& sum : sums_over_roles(metrics, side)) {
+    if (std::ranges::find(out, sum.path, &NamedValue::path) == out.end()) out.push_back(std::move(sum));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<double> metric(const std::string& metrics, int side, const std::string& path) {
+  const std::string_view prefix = "roles.";
+  const std::string wanted = path.starts_with(prefix) ? path.substr(prefix.size()) : path;
+  const std::vector<NamedValue> known = all(parsed(metrics), side);
+  const auto found = std::ranges::find(known, wanted, &NamedValue::path);
+  return found == known.end() ? std::nullopt : std::optional(found->value);
+}
+
+std::vector<std::string> metric_paths(const std::string& metrics, int side) {
+  std::vector<std::string> out;
+  for (const NamedValue& each : all(parsed(metrics), side)) out.push_back(each.path);
+  return out;
+}
+
+std::vector<NamedValue> metric_values(const std::string& metrics, int side) { return values(parsed(metrics), side); }
+
+}  // namespace regista::study

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "study/tournament_plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "campaign/inputs.hpp"
+#include "match/side.hpp"
+
+namespace regista::study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int plan_version = 1;
+
+const char* name(Format format) { return format == Format::gauntlet ? "gauntlet" : "round_robin"; }
+const char* name(statistics::Model model) { return model == statistics::Model::logistic ? "logistic" : "normalized"; }
+
+Json json_of(const std::vector<campaign::Input>& inputs) { return Json::parse(campaign::to_json(inputs)); }
+std::vector<campaign::Input> inputs_of(const Json& json) { return campaign::inputs_from_json(json.dump()); }
+
+Json json_of(const Objective& objective) {
+  if (const auto* score = std::get_if<ScoreTest>(&objective)) {
+    const statistics::SequentialDesign& design = score->design;
+    return {{"test", "score"},
+            {"model", name(design.model)},
+            {"elo0", design.hypotheses.elo0},
+            {"elo1", design.hypotheses.elo1},
+            {"alpha", design.rates.alpha},
+            {"beta", design.rates.beta}};
+  }
+  if (const auto* value = std::get_if<ValueTest>(&objective)) {
+    return {{"test", "value"}, {"value", value->value}, {"alpha", value->alpha}};
+  }
+  return {{"test", "none"}};
+}
+
+Objective objective_of(const Json& json) {
+  const auto test = json.at("test").get<std::string>();
+  if (test == "score") {
+    ScoreTest out;
+    out.design.model = json.at("model") == "logistic" ? statistics::Model::logistic : statistics::Model::normalized;
+    out.design.hypotheses = {json.at("elo0").get<double>(), json.at("elo1").get<double>()};
+    out.design.rates = {json.at("alpha").get<double>(), json.at("beta").get<double>()};
+    return out;
+  }
+  if (test == "value") return ValueTest{json.at("value").get<std::string>(), json.at("alpha").get<double>()};
+  return FixedNumber{};
+}
+
+std::string in_words(const Objective& objective) {
+  if (const auto* score = std::get_if<ScoreTest>(&objective)) {
+    const statistics::SequentialDesign& design = score->design;
+    return fmt::format("--sprt {},{} --model {} --alpha {} --beta {}", design.hypotheses.elo0, design.hypotheses.elo1,
+                       name(design.model), design.rates.alpha, design.rates.beta);
+  }
+  if (const auto* value = std::get_if<ValueTest>(&objective)) {
+    return fmt::format("--metric {} --alpha {}", value->value, value->alpha);
+  }
+  return "no test";
+}
+
+// A path of --set, typed for teams by letter, as the match between home and away understands it; nothing when it is
+// about a team that does not play.
+std::vector<std::string> overrides_of(const TournamentPlan& plan, const Fixture& fixture) {
+  std::vector<std::string> out;
+  for (const std::string& typed : plan.common.overrides) {
+    const std::string first = typed.substr(0, typed.find('.'));
+    const auto team = first.size() == 1 && first[0] >= 'a' && first[0] <= 'z' ? static_cast<std::size_t>(first[0] - 'a')
+                                                                              : plan.teams.size();
+    if (team >= plan.teams.size()) {
+      out.push_back(typed);
+      continue;
+    }
+    const std::string rest = typed.substr(first.size());
+    if (fixture.home == team) out.push_back(match::name(match::Side::home) + rest);
+    if (fixture.away == team) out.push_back(match::name(match::Side::away) + rest);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Pairing> TournamentPlan::pairings() const {
+  std::vector<Pairing> out;
+  for (std::size_t first = 0; first < teams.size(); ++first) {
+    for (std::size_t second = first + 1; second < teams.size(); ++second) {
+      if (format == Format::round_robin || first == 0) out.push_back({first, second});
+    }
+  }
+  return out;
+}
+
+Calendar::Calendar(const TournamentPlan& plan)
+    : pairings_(plan.pairings()),
+      openings_(std::max<std::size_t>(plan.openings.size(), 1)),
+      pairs_(plan.pairs),
+      first_seed_(plan.first_seed) {}
+
+Fixture Calendar::at(std::uint64_t index) const {
+  Fixture out;
+  out.swapped = index % 2 == 1;
+  out.pairing = static_cast<std::size_t>(index / 2 % pairings_.size());
+  out.pair = index / 2 / pairings_.size();
+  out.seed = first_seed_ + out.pair;
+  out.opening = static_cast<std::size_t>(out.pair % openings_);
+  const Pairing& pairing = pairings_[out.pairing];
+  out.home = out.swapped ? pairing.second : pairing.first;
+  out.away = out.swapped ? pairing.first : pairing.second;
+  out.number = (2 * out.pairing + (out.swapped ? 1 : 0)) * openings_ + out.opening;
+  return out;
+}
+
+campaign::Job job(const TournamentPlan& plan, const Fixture& fixture) {
+  campaign::Job out = plan.common;
+  out.teams = {plan.teams[fixture.home].file, plan.teams[fixture.away].file};
+  out.overrides = overrides_of(plan, fixture);
+  out.seed = fixture.seed;
+  out.home_inputs = plan.teams[fixture.home].inputs;
+  out.away_inputs = plan.teams[fixture.away].inputs;
+  out.common_inputs = plan.common_inputs;
+  if (!plan.openings.empty()) {
+    const Opening& opening = plan.openings[fixture.opening];
+    out.opening = opening.file;
+    out.common_inputs.push_back(opening.input);
+  }
+  return out;
+}
+
+std::vector<campaign::Store::Fixture> fixtures(const TournamentPlan& plan) {
+  const Calendar calendar(plan);
+  const std::size_t openings = calendar.openings();
+  std::vector<campaign::Store::Fixture> out(2 * calendar.pairings().size() * openings);
+  // The first of each stand in the first pairs: as many as there are openings.
+  for (std::uint64_t index = 0; index < out.size(); ++index) {
+    const Fixture fixture = calendar.at(index);
+    campaign::Store::Fixture& each = out[fixture.number];
+    each.job = job(plan, fixture);
+    each.key = campaign::fixture_key(each.job.home_inputs, each.job.away_inputs, each.job.common_inputs);
+  }
+  return out;
+}
+
+std::string letter(std::size_t team) {
+  return team < 26 ? std::string(1, static_cast<char>('a' + static_cast<char>(team))) : std::string();
+}
+
+bool equal_teams(const TournamentPlan& plan, const Pairing& pairing) {
+  const auto &a = plan.teams[pairing.first].inputs, &b = plan.teams[pairing.second].inputs;
+  return campaign::fixture_key(a, b, {}) == campaign::fixture_key(b, a, {});
+}
+
+std::string to_json(const TournamentPlan& plan) {
+  Json teams = Json::array(), openings = Json::array();
+  for (const Entrant& team : plan.teams) {
+    teams.push_back({{"label", team.label}, {"file", team.file}, {"inputs", json_of(team.inputs)}});
+  }
+  for (const Opening& opening : plan.openings) {
+    openings.push_back({{"file", opening.file}, {"input", json_of(std::vector<campaign::Input>{opening.input})}});
+  }
+  return Json{{"study", "tournament"},
+              {"version", plan_version},
+              {"teams", teams},
+              {"format", name(plan.format)},
+              {"openings", openings},
+              {"pairs", plan.pairs},
+              {"first_seed", plan.first_seed},
+              {"objective", json_of(plan.objective)},
+              {"most_goals", plan.most_goals},
+              {"failures_in_a_row", plan.failures_in_a_row},
+              {"common", Json::parse(campaign::to_json(plan.common))},
+              {"common_inputs", json_of(plan.common_inputs)}}
+      .dump();
+}
+
+TournamentPlan tournament_plan_from_json(const std::string& text) {
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("study") != "tournament") throw std::invalid_argument("these are results of another study");
+    if (json.at("version") != plan_version) throw std::invalid_argument("its plan is of another version");
+    TournamentPlan plan;
+    for (const Json& each : json.at("teams")) {
+      plan.teams.push_back(
+          {each.at("label").get<std::string>(), each.at("file").get<std::string>(), inputs_of(each.at("inputs"))});
+    }
+    if (plan.teams.size() < 2) throw std::invalid_argument("its plan has fewer than two teams");
+    plan.format = json.at("format") == "gauntlet" ? Format::gauntlet : Format::round_robin;
+    for (const Json& each : json.at("openings")) {
+      plan.openings.push_back({each.at("file").get<std::string>(), inputs_of(each.at("input")).at(0)});
+    }
+    json.at("pairs").get_to(plan.pairs);
+    json.at("first_seed").get_to(plan.first_seed);
+    plan.objective = objective_of(json.at("objective"));
+    json.at("most_goals").get_to(plan.most_goals);
+    json.at("failures_in_a_row").get_to(plan.failures_in_a_row);
+    plan.common = campaign::job_from_json(json.at("common").dump());
+    plan.common_inputs = inputs_of(json.at("common_inputs"));
+    return plan;
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument(fmt::format("its plan is damaged: {}", error.what()));
+  } catch (const std::out_of_range&) {
+    throw std::invalid_argument("its plan is damaged");
+  }
+}
+
+std::vector<std::string> differences(const TournamentPlan& before, const TournamentPlan& now) {
+  std::vector<std::string> out;
+  const auto note = [&](const char* what, const auto& then, const auto& today) {
+    if (then != today) out.push_back(fmt::format("{} was {}, now {}", what, then, today));
+  };
+  note("the number of teams", before.teams.size(), now.teams.size());
+  note("--format", std::string(name(before.format)), std::string(name(now.format)));
+  note("--pairs", before.pairs, now.pairs);
+  note("--seed", before.first_seed, now.first_seed);
+  note("the test", in_words(before.objective), in_words(now.objective));
+  note("--failures-in-a-row", before.failures_in_a_row, now.failures_in_a_row);
+  for (std::size_t team = 0; team < std::min(before.teams.size(), now.teams.size()); ++team) {
+    for (const std::string& each : campaign::differences(before.teams[team].inputs, now.teams[team].inputs)) {
+      out.push_back(fmt::format("team {}: {}", before.teams[team].label, each));
+    }
+  }
+  const auto inputs = [](const TournamentPlan& plan) {
+    std::vector<campaign::Input> all = plan.common_inputs;
+    for (const Opening& opening : plan.openings) all.push_back(opening.input);
+    return all;
+  };
+  for (const std::string& each : campaign::differences(inputs(before), inputs(now))) out.push_back(each);
+  if (out.empty() && inputs(before) != inputs(now)) out.push_back("the openings come in another order");
+  return out;
+}
+
+}  // namespace regista::study

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// A tournament as it was fixed before its first match: who plays, in which order, from which scenes, and which test
+// decides. From it and the results in order everything that is said about the tournament follows.
+//
+// Order: pair after pair; in each, every pairing; in each of these, the match with its first team at home, then the
+// same with the sides swapped. The two share seed and opening; so do all pairings of a pair, as common random numbers.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "campaign/input.hpp"
+#include "campaign/job.hpp"
+#include "campaign/store.hpp"
+#include "statistics/sequential_test.hpp"
+
+namespace regista::study {
+
+enum class Format {
+  round_robin,  // everybody against everybody
+  gauntlet,     // the first team against each of the others
+};
+
+// No test: what is said holds for a number of pairs that was fixed beforehand.
+struct FixedNumber {};
+
+// The generalised sequential probability ratio test on the scores of pairs.
+struct ScoreTest {
+  statistics::SequentialDesign design;
+};
+
+// A sequential test on the difference of a value between the two teams, by betting. Two-sided, against no difference.
+struct ValueTest {
+  std::string value;  // "goals", or the path of a metric
+  double alpha = 0.05;
+};
+
+using Objective = std::variant<FixedNumber, ScoreTest, ValueTest>;
+
+inline constexpr const char* goals_value = "goals";
+
+struct Entrant {
+  std::string label, file;
+  std::vector<campaign::Input> inputs;  // campaign::team_inputs
+};
+
+struct Opening {
+  std::string file;
+  campaign::Input input;
+};
+
+struct Pairing {
+  std::size_t first, second;  // of the plan's teams
+};
+
+struct TournamentPlan {
+  std::vector<Entrant> teams;  // two or more
+  Format format = Format::round_robin;
+  std::vector<Opening> openings;  // pair k plays the k-th, again from the front after the last; none: from kick-off
+  std::uint64_t pairs = 0;        // of each pairing, at most
+  std::uint64_t first_seed = 1;   // of the first pair; the next one has the next
+  Objective objective;
+  int most_goals = 10;         // largest goal difference that a match can end with
+  int failures_in_a_row = 10;  // after so many forfeits by the same plugin a team is set aside; 0: never
+  campaign::Job common;        // what every match has: profiles, limit, folders of plugins, paths of --set as typed
+  std::vector<campaign::Input> common_inputs;
+
+  std::vector<Pairing> pairings() const;
+  std::uint64_t matches() const { return 2 * pairs * pairings().size(); }
+};
+
+// A match of the schedule.
+struct Fixture {
+  std::size_t pairing = 0, home = 0, away = 0;  // home, away: teams
+  bool swapped = false;                         // the pairing's second team is at home
+  std::size_t opening = 0;                      // 0 where there are none
+  std::uint64_t pair = 0;                       // from 0
+  std::uint64_t seed = 0;
+  std::size_t number = 0;  // of the fixture: equal for matches that differ in the seed alone; see fixtures()
+};
+
+// The schedule: a pure function of the plan, looked at in constant time.
+class Calendar {
+ public:
+  explicit Calendar(const TournamentPlan& plan);
+  Fixture at(std::uint64_t index) const;
+  std::uint64_t matches() const { return 2 * pairs_ * pairings_.size(); }
+  std::span<const Pairing> pairings() const { return pairings_; }
+  std::size_t openings() const { return openings_; }  // 1 where there are none
+
+ private:
+  std::vector<Pairing> pairings_;
+  std::size_t openings_;
+  std::uint64_t pairs_, first_seed_;
+};
+
+// The match that a fixture means, as `regista match` plays it.
+campaign::Job job(const TournamentPlan& plan, const Fixture& fixture);
+
+// Every fixture of the plan, by number, with its key.
+std::vector<campaign::Store::Fixture> fixtures(const TournamentPlan& plan);
+
+// How the paths of --set name a team: "a" for the first, "b", ... "z"; empty for those beyond.
+std::string letter(std::size_t team);
+
+// Both teams are the same to the last byte, so every pair is a draw by construction.
+bool equal_teams(const TournamentPlan& plan, const Pairing& pairing);
+
+// JSON; reading throws std::invalid_argument for what writing did not make.
+std::string to_json(const TournamentPlan& plan);
+TournamentPlan tournament_plan_from_json(const std::string& text);
+
+// What differs between the plan of a file and the one that is asked for, in words; nothing when they are the same.
+std::vector<std::string> differences(const TournamentPlan& before, const TournamentPlan& now);
+
+}  // namespace regista::study
