@@ -9,16 +9,21 @@
 #include <optional>
 #include <stdexcept>
 
+#include "campaign/inputs.hpp"
+#include "campaign/mathematics.hpp"
 #include "cli/command.hpp"
 #include "cli/decision_log.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/interruption.hpp"
+#include "cli/job_setup.hpp"
 #include "cli/live_line.hpp"
 #include "cli/match_report.hpp"
 #include "cli/match_setup.hpp"
 #include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/shell.hpp"
+#include "cli/test_options.hpp"
+#include "cli/tournament_files.hpp"
 #include "match/teams.hpp"
 
 namespace regista::cli {
@@ -29,13 +34,16 @@ constexpr auto examples = R"(Examples:
   regista match a.yaml b.yaml --seed 7 --json
   regista match a.yaml a.yaml --set home.utility.terms.distance.weight=0.5
   regista match a.yaml b.yaml --limit 60 --decisions decisions.jsonl
+  regista match --from tournament.db --row 12
 
+--from plays a match of a tournament again: the same teams, plugins, profiles and seed, or it says what has changed; and
+compares the hashes. Rows are those of `regista report --csv`. To be called in the folder the tournament was started in.
 A path of --set begins with home, away, rules, robot or disturbance; without one of these it goes to both teams.
-Exit codes: 0 played; 1 interrupted, or the result could not be written; 2 bad input; 3 a defect of Regista.)";
+Exit codes: 0 played; 1 interrupted, or the result could not be written, or is not that of --from; 2 bad input; 3 a defect of Regista.)";
 
 struct Options : MatchRequest {
   std::vector<std::string> plugins;
-  std::string decisions;
+  std::string decisions, from, row;
   bool json = false, quiet = false, verbose = false;
 };
 
@@ -56,14 +64,70 @@ void refuse_to_overwrite(const Options& options) {
   }
 }
 
+// The stored match that is to be played again; nothing when none is.
+std::optional<campaign::Store::Row> stored_match(const Options& options) {
+  if (options.from.empty()) {
+    if (!options.row.empty())
+      throw BadInput(fmt::format("--row {}: belongs to --from, which is not given", options.row));
+    return std::nullopt;
+  }
+  if (options.row.empty()) throw BadInput("--from: which match? Say --row N; `regista report --csv` lists them");
+  const Options unset;
+  const bool more = !options.teams.empty() || !options.rules.empty() || !options.robot.empty() ||
+                    !options.disturbance.empty() || !options.overrides.empty() || !options.opening.empty() ||
+                    !options.limit.empty() || !options.plugins.empty() || options.seed != unset.seed;
+  if (more) throw BadInput("--from: the file says what is played; teams and options that change it cannot be given");
+  const std::uint64_t row = parse_whole("--row", options.row, 1, std::uint64_t{1} << 62);
+  const StoredTournament results = read_results(options.from);
+  try {
+    if (auto found = results.store.row(static_cast<std::int64_t>(row))) return found;
+    throw BadInput(
+        fmt::format("--row {}: {} has no such row; it has {} rows", row, options.from, results.store.rows()));
+  } catch (const campaign::StoreError& error) {
+    throw BadInput(error.what());
+  }
+}
+
+void require_unchanged(const Options& options, const campaign::Job& job, const MatchSetup& prepared,
+                       const plugin::Catalogue& catalogue, const Invocation& invocation) {
+  const std::string changed =
+      what_changed(job, prepared, catalogue, campaign::program_hash(), campaign::mathematics_fingerprint());
+  if (changed.empty()) return;
+  std::vector<std::string> now = campaign::match_arguments(job);
+  now.insert(now.begin(), invocation.arguments.front());
+  throw BadInput(fmt::format("--row {}: was played with something else: {}; as things are now it would be: {}",
+                             options.row, changed, shell_line(now)));
+}
+
+// What came of it this time, on standard error.
+int compare(const Options& options, const campaign::Decided& stored, const match::Result& played) {
+  const std::string hash = match::hash_text(played.hash);
+  if (stored.failure) {
+    complain(fmt::format("row {} was forfeited ({}: {}); this time the match was played to its end", options.row,
+                         stored.failure->plugin, stored.failure->what));
+    return exit_no;
+  }
+  if (hash != stored.hash) {
+    complain(
+        fmt::format("row {} has the hash {}, this match {}: they are not the same", options.row, stored.hash, hash));
+    return exit_no;
+  }
+  if (!options.quiet) fmt::print(stderr, "the same match as row {}: hash {}\n", options.row, hash);
+  return exit_done;
+}
+
 int play(const Options& options, const Invocation& invocation) {
-  if (options.teams.size() != 2) {
+  const std::optional<campaign::Store::Row> stored = stored_match(options);
+  if (!stored && options.teams.size() != 2) {
     throw BadInput(
         fmt::format("match: two files of teams are wanted, {} given; see: regista match --help", options.teams.size()));
   }
-  const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  MatchSetup prepared = match_setup(options, catalogue);
-  tell_what_is_not_used(catalogue, options.plugins);
+  const std::vector<std::string>& folders = stored ? stored->job.plugins : options.plugins;
+  const plugin::Catalogue catalogue = open_plugins(folders, invocation);
+  MatchSetup prepared =
+      match_setup(stored ? request_of(stored->job) : static_cast<const MatchRequest&>(options), catalogue);
+  tell_what_is_not_used(catalogue, folders);
+  if (stored) require_unchanged(options, stored->job, prepared, catalogue, invocation);
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
   const std::string again = shell_line(invocation.arguments);
 
@@ -108,7 +172,7 @@ int play(const Options& options, const Invocation& invocation) {
   live.clear();
   if (log) log->close();
   print(options.json ? summary_json(played) : summary_text(played));
-  return exit_done;
+  return stored ? compare(options, stored->decided, played.result) : exit_done;
 }
 
 }  // namespace
@@ -125,6 +189,8 @@ Command add_match(CLI::App& parent, const Invocation& invocation) {
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
   app.add_option("--limit", options->limit, "end the match after so many simulated seconds")->type_name("SECONDS");
+  app.add_option("--from", options->from, "play a match of these results again")->type_name("RESULTS.db");
+  app.add_option("--row", options->row, "which one, from 1")->type_name("N");
   add_plugin_folders(app, options->plugins);
   app.add_flag("--json", options->json, "write the result as JSON")->disable_flag_override();
   app.add_option("--decisions", options->decisions, "write what the robots believed and chose as JSON lines")
