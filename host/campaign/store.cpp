@@ -11,6 +11,7 @@
 #include <bit>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 namespace regista::campaign {
 namespace {
@@ -212,10 +213,25 @@ struct Store::Parts {
     statement.bind(2, std::bit_cast<std::int64_t>(key.seed));
   }
 
+  // All that is read between two rows written is read in one transaction: without one, SQLite locks and unlocks the file
+  // for every single row.
+  void begin_reading() {
+    if (std::exchange(reading, true)) return;
+    database.exec("BEGIN");
+  }
+  void end_reading() {
+    if (!std::exchange(reading, false)) return;
+    by_row->tryReset();
+    by_key->tryReset();
+    metrics->tryReset();
+    database.exec("COMMIT");
+  }
+
   std::string file;
   std::unique_ptr<const Hold> hold;
   SQLite::Database database;
   std::optional<SQLite::Statement> by_row, by_key, metrics, insert, insert_metrics;
+  bool reading = false;
 };
 
 Store::Store(const std::filesystem::path& file, Mode mode, const std::string& program_version)
@@ -233,6 +249,7 @@ std::string Store::meta(const std::string& name) const {
 
 void Store::set_meta(const std::string& name, const std::string& value) {
   guarded(parts_->file, [&] {
+    parts_->end_reading();
     SQLite::Statement put(parts_->database, "INSERT OR REPLACE INTO meta VALUES(?, ?)");
     put.bindNoCopy(1, name);
     put.bindNoCopy(2, value);
@@ -255,6 +272,7 @@ std::vector<std::int64_t> Store::numbers(std::span<const std::string> keys) cons
 
 std::vector<std::int64_t> Store::add(std::span<const Fixture> fixtures) {
   guarded(parts_->file, [&] {
+    parts_->end_reading();
     SQLite::Transaction transaction(parts_->database);
     SQLite::Statement add(parts_->database, "INSERT OR IGNORE INTO fixtures(key, job) VALUES(?, ?)");
     for (const Fixture& fixture : fixtures) {
@@ -272,6 +290,7 @@ std::vector<std::int64_t> Store::add(std::span<const Fixture> fixtures) {
 
 std::optional<Decided> Store::find(std::int64_t row, const MatchKey& key, Metrics metrics) const {
   return guarded(parts_->file, [&]() -> std::optional<Decided> {
+    parts_->begin_reading();
     SQLite::Statement& first = *parts_->by_row;
     first.tryReset();
     first.bind(1, row);
@@ -287,6 +306,7 @@ std::optional<Decided> Store::find(std::int64_t row, const MatchKey& key, Metric
 void Store::insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts) {
   guarded(parts_->file, [&] {
     const std::string failure = decided.failure ? to_json(*decided.failure) : std::string();
+    parts_->end_reading();
     SQLite::Transaction transaction(parts_->database);
     SQLite::Statement& insert = *parts_->insert;
     insert.tryReset();  // reset would tell once more of what went wrong last time
