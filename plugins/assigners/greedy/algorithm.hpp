@@ -9,22 +9,16 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
+
+#include "../matrix.hpp"
 
 namespace greedy {
 
-inline constexpr double forbidden = -std::numeric_limits<double>::infinity();
+using assignment::forbidden, assignment::Matrix;
 
-// Row-major view of the utilities, entries finite or `forbidden`.
-struct Matrix {
-  const double* values;
-  std::size_t rows, columns, stride;
-  double operator()(std::size_t i, std::size_t j) const { return values[i * stride + j]; }
-};
-
-// order: every column once, the most important first. Writes a column to out[row], or leaves it as it is: out comes in
-// with a negative number for every row.
+// utilities: finite or `forbidden`. order: every column once, the most important first. Writes a column to out[row], or
+// leaves it as it is: out comes in with a negative number for every row.
 inline void assign(const Matrix& utilities, std::span<const std::uint32_t> order, std::span<std::int32_t> out) {
   assert(order.size() == utilities.columns && out.size() == utilities.rows);
   for (const std::uint32_t column : order) {

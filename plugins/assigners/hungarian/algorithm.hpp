@@ -15,24 +15,17 @@
 #include <span>
 #include <vector>
 
+#include "../matrix.hpp"
 #include "../shortest_paths.hpp"
 #include "../tie_rule.hpp"
 #include "../tight_pairs.hpp"
 
 namespace hungarian {
 
-using assignment::Costs, assignment::infinity, assignment::nobody, assignment::Ranked, assignment::ShortestPaths,
-    assignment::TieRule;
+using assignment::Costs, assignment::forbidden, assignment::infinity, assignment::Matrix, assignment::nobody,
+    assignment::Ranked, assignment::ShortestPaths, assignment::TieRule;
 
-inline constexpr double forbidden = -infinity;
 inline constexpr double tie_tolerance = 1e-9;
-
-// Row-major view of the utilities: rows are robots, columns tasks; entries finite or `forbidden`.
-struct Matrix {
-  const double* values;
-  std::size_t rows, columns, stride;
-  double operator()(std::size_t i, std::size_t j) const { return values[i * stride + j]; }
-};
 
 // Reuse one object: it keeps its memory, and allocates only for a matrix larger than any before.
 class Solver {
@@ -45,7 +38,7 @@ class Solver {
     ties_.reserve(rows, columns);
   }
 
-  // order: every column once, the most important first. out[row] := column, or -1.
+  // utilities: finite or `forbidden`. order: every column once, the most important first. out[row] := column, or -1.
   void assign(const Matrix& utilities, std::span<const std::uint32_t> order, std::span<std::int32_t> out) {
     assert(order.size() == utilities.columns && out.size() == utilities.rows);
     solve(utilities, out, [&](auto& solution, const Costs& costs, bool transposed) {

@@ -16,16 +16,11 @@
 #include <span>
 #include <vector>
 
+#include "../matrix.hpp"
+
 namespace regret {
 
-inline constexpr double forbidden = -std::numeric_limits<double>::infinity();
-
-// Row-major view of the utilities: rows are robots, columns tasks; entries finite or `forbidden`.
-struct Matrix {
-  const double* values;
-  std::size_t rows, columns, stride;
-  double operator()(std::size_t i, std::size_t j) const { return values[i * stride + j]; }
-};
+using assignment::forbidden, assignment::Matrix;
 
 // Reuse one object: it keeps its memory, and allocates only for more rows or columns than any before.
 class Solver {
@@ -35,7 +30,7 @@ class Solver {
     free_.reserve(columns);
   }
 
-  // order: every column once, the most important first. out[row] := column, or -1.
+  // utilities: finite or `forbidden`. order: every column once, the most important first. out[row] := column, or -1.
   void assign(const Matrix& utilities, std::span<const std::uint32_t> order, std::span<std::int32_t> out) {
     assert(order.size() == utilities.columns && out.size() == utilities.rows);
     free_.assign(order.begin(), order.end());

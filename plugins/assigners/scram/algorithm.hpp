@@ -14,18 +14,14 @@
 #include <span>
 #include <vector>
 
+#include "../matrix.hpp"
 #include "enumeration.hpp"
 #include "polynomial.hpp"
 #include "problem.hpp"
 
 namespace scram {
 
-// Row-major view: rows are robots, columns tasks; entries finite, or infinity where a pair is forbidden.
-struct Matrix {
-  const double* values;
-  std::size_t rows, columns, stride;
-  double operator()(std::size_t i, std::size_t j) const { return values[i * stride + j]; }
-};
+using assignment::Matrix;
 
 // automatic: enumeration for at most seven robots.
 enum class Method { automatic, enumeration, polynomial };
@@ -42,8 +38,9 @@ class Solver {
     kept_.reserve(columns);
   }
 
-  // order: every column once, the most important first; ties go to the lowest robot for the first column, and so on.
-  // choice: every column once; which tasks are taken when not all can be. out[row] := column, or -1.
+  // costs: finite, or infinity where a pair is forbidden. order: every column once, the most important first; ties go
+  // to the lowest robot for the first column, and so on. choice: every column once; which tasks are taken when not all
+  // can be. out[row] := column, or -1.
   void assign(const Matrix& costs, Criterion criterion, std::span<const std::uint32_t> order,
               std::span<const std::uint32_t> choice, std::span<std::int32_t> out, Method method = Method::automatic) {
     assert(order.size() == costs.columns && choice.size() == costs.columns && out.size() == costs.rows);

@@ -1,42 +1,13 @@
 // SPDX-License-Identifier: MIT
-// After reserve() nothing is allocated, whatever the size within it and whichever pairs are forbidden.
-#include <gtest/gtest.h>
-#include <regista/testkit/count_allocations.hpp>
-
-#include <algorithm>
-#include <numeric>
-#include <random>
-#include <vector>
-
+// The solver allocates nothing, whichever the criterion.
+#include "../test_allocation.hpp"
 #include "algorithm.hpp"
 
-namespace {
-
-std::vector<double> kept;  // outside of functions, so that no compiler leaves an allocation out
-
 TEST(Scram, NothingIsAllocatedWithinWhatWasReserved) {
-  constexpr std::size_t most_robots = 22, most_tasks = 27;
-  constexpr double forbidden = scram::infinity;
-  std::mt19937 random(16);
-  scram::Solver solver;
-  solver.reserve(most_robots, most_tasks);
-  for (int round = 0; round < 2000; ++round) {
-    const std::size_t rows = random() % (most_robots + 1), columns = random() % (most_tasks + 1);
-    std::vector<double> values(rows * columns);
-    for (double& value : values)
-      value = random() % 10 < static_cast<unsigned>(round % 10) ? forbidden : static_cast<double>(random() % 50);
-    std::vector<std::uint32_t> order(columns);
-    std::iota(order.begin(), order.end(), 0u);
-    std::shuffle(order.begin(), order.end(), random);
-    std::vector<std::int32_t> out(rows);
-    const auto work = [&] {
-      for (const scram::Criterion criterion : {scram::Criterion::mmdr, scram::Criterion::mmd_msd2}) {
-        solver.assign({values.data(), rows, columns, columns}, criterion, order, order, out);
-      }
-    };
-    ASSERT_EQ(regista::testkit::allocations_during(work), 0u) << rows << " x " << columns;
-  }
-  EXPECT_GT(regista::testkit::allocations_during([] { kept = std::vector<double>(1000); }), 0u);  // it does count
+  assignment::expect_nothing_allocated<scram::Solver>(
+      scram::infinity, [](scram::Solver& solver, const assignment::Matrix& costs, auto order, auto out) {
+        for (const scram::Criterion criterion : {scram::Criterion::mmdr, scram::Criterion::mmd_msd2}) {
+          solver.assign(costs, criterion, order, order, out);
+        }
+      });
 }
-
-}  // namespace

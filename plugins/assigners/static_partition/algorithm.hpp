@@ -6,23 +6,17 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
+
+#include "../matrix.hpp"
 
 namespace static_partition {
 
-inline constexpr double forbidden = -std::numeric_limits<double>::infinity();
-
-// Row-major view of the utilities, of which only `forbidden` counts.
-struct Matrix {
-  const double* values;
-  std::size_t rows, columns, stride;
-  bool allows(std::size_t i, std::size_t j) const { return values[i * stride + j] != forbidden; }
-};
+using assignment::forbidden, assignment::Matrix;
 
 // Robot n to the task whose place in the list of roles is n - 1, or to none when that task is not among the columns,
-// or forbidden. numbers: shirt number of each row; places: place of each column, the most important is 0.
-// out[row] := column, or -1. Places should differ; of equal ones the first column counts.
+// or forbidden: nothing else counts of the utilities. numbers: shirt number of each row; places: place of each column,
+// the most important is 0. out[row] := column, or -1. Places should differ; of equal ones the first column counts.
 inline void by_number(const Matrix& utilities, std::span<const std::int32_t> numbers,
                       std::span<const std::int32_t> places, std::span<std::int32_t> out) {
   assert(numbers.size() == utilities.rows && places.size() == utilities.columns && out.size() == utilities.rows);
@@ -30,7 +24,7 @@ inline void by_number(const Matrix& utilities, std::span<const std::int32_t> num
     out[row] = -1;
     for (std::size_t column = 0; column < utilities.columns; ++column) {
       if (places[column] != numbers[row] - 1) continue;
-      if (utilities.allows(row, column)) out[row] = static_cast<std::int32_t>(column);
+      if (utilities(row, column) != forbidden) out[row] = static_cast<std::int32_t>(column);
       break;
     }
   }
@@ -43,7 +37,7 @@ inline void moving_up(const Matrix& utilities, std::span<const std::uint32_t> or
   for (std::int32_t& each : out) each = -1;
   for (const std::uint32_t column : order) {
     for (std::size_t row = 0; row < utilities.rows; ++row) {
-      if (out[row] >= 0 || !utilities.allows(row, column)) continue;
+      if (out[row] >= 0 || utilities(row, column) == forbidden) continue;
       out[row] = static_cast<std::int32_t>(column);
       break;
     }

@@ -13,6 +13,8 @@
 #include <regista/testkit/instance.hpp>
 
 #include "algorithm.hpp"
+#include "test_points.hpp"
+#include "test_scene.hpp"
 
 namespace {
 
@@ -20,6 +22,7 @@ using voronoi::Diagram;
 using voronoi::Extent;
 using voronoi::Graph;
 using voronoi::Point;
+using voronoi::random_points;
 using voronoi::Settings;
 
 // Only the diagram: nothing fixed, merged (but for rounding), dropped for clearance, or moved.
@@ -29,16 +32,6 @@ Settings bare(Extent everything) {
   settings.merge = settings.clearance = 0.0;
   settings.fixed.clear();
   return settings;
-}
-
-std::vector<Point> random_sites(std::mt19937& random, std::size_t count, Extent within) {
-  std::uniform_real_distribution<double> x(-within.x, within.x), y(-within.y, within.y);
-  std::vector<Point> sites(count);
-  for (Point& site : sites) {
-    site.x = x(random);
-    site.y = y(random);
-  }
-  return sites;
 }
 
 // Every node of the diagram is the centre of a circle through three sites with none inside, and the reverse.
@@ -77,7 +70,7 @@ TEST(Voronoi, NodesEqualBruteForce) {
   const Extent field{4.5, 3.0};
   for (int round = 0; round < 500; ++round) {
     const std::size_t count = static_cast<std::size_t>(round) % 21;
-    const std::vector<Point> sites = random_sites(random, count, field);
+    const std::vector<Point> sites = random_points(random, count, field);
     const std::vector<Point> expected = brute_force_nodes(sites, field);
     Diagram diagram(bare(field));
     const Graph& graph = diagram.of(sites);
@@ -97,7 +90,7 @@ TEST(Voronoi, EdgesRunBetweenTwoNearestSites) {
   for (int round = 0; round < 200; ++round) {
     Settings settings = bare(field);
     settings.boundary = round % 2 == 1;
-    const std::vector<Point> sites = random_sites(random, 3 + static_cast<std::size_t>(round) % 15, field);
+    const std::vector<Point> sites = random_points(random, 3 + static_cast<std::size_t>(round) % 15, field);
     Diagram diagram(settings);
     const Graph& graph = diagram.of(sites);
     edges += graph.edges.size();
@@ -207,7 +200,7 @@ TEST(Voronoi, OrderOfOpponentsAndHistoryDoNotMatter) {
     Settings settings;
     settings.boundary = round % 2 == 0;
     std::vector<Point> sites = grid_sites(random, static_cast<std::size_t>(round) % 14);
-    if (round % 4 < 2) sites = random_sites(random, sites.size(), {5.0, 3.5});
+    if (round % 4 < 2) sites = random_points(random, sites.size(), {5.0, 3.5});
     Diagram fresh(settings);
     const Graph expected = fresh.of(sites);
     std::shuffle(sites.begin(), sites.end(), random);
@@ -228,7 +221,7 @@ TEST(Voronoi, SettingsHoldOnTheField) {
   std::size_t nodes = 0, edges = 0;
   for (int round = 0; round < 2000; ++round) {
     const std::vector<Point> opponents = round % 2 == 0
-                                             ? random_sites(random, static_cast<std::size_t>(round) % 12, {5.0, 3.5})
+                                             ? random_points(random, static_cast<std::size_t>(round) % 12, {5.0, 3.5})
                                              : grid_sites(random, static_cast<std::size_t>(round) % 12);
     const Graph& graph = diagram.of(opponents);
     nodes += graph.nodes.size();
@@ -326,20 +319,7 @@ TEST(VoronoiPlugin, SitesAreTheOpponentsTheHalfwayLineAndThePosts) {
 
 TEST(VoronoiPlugin, CellsOfTheActiveRobotsWhenAskedFor) {
   const Loaded plugin(REGISTA_PLUGIN_FILE, "voronoi");
-  const Scene scene = FrameBuilder{}
-                          .own(2)
-                          .robot(2)
-                          .at(-1, 0)
-                          .robot(3)
-                          .at(0, 0)
-                          .inactive()
-                          .robot(5)
-                          .at(2, 0)
-                          .robot(6)
-                          .at(2, 0)
-                          .opponent(1.0, 0.5)
-                          .build()
-                          .before_tasks();
+  const Scene scene = voronoi::two_robots_with_cells();
   Instance silent(plugin, EnvironmentBuilder{}.own(2));
   EXPECT_TRUE(silent.place(scene).cells.empty());
   EXPECT_TRUE(silent.place(scene).vertices.empty());
@@ -347,7 +327,7 @@ TEST(VoronoiPlugin, CellsOfTheActiveRobotsWhenAskedFor) {
   Instance positioner(plugin, EnvironmentBuilder{}.own(2), Values(plugin).set("cells", 1.0));
   const Placed placed = positioner.place(scene);
   EXPECT_EQ(placed.points.size(), silent.place(scene).points.size());
-  ASSERT_EQ(placed.cells.size(), 2u);  // of 2 and 5: 3 is not active, 6 stands where 5 does
+  ASSERT_EQ(placed.cells.size(), 2u);
   EXPECT_EQ(placed.cells[0].robot, 2);
   EXPECT_EQ(placed.cells[1].robot, 5);
   const double border = 0.5, areas[] = {(4.5 + border) * 6.0, (4.5 - border) * 6.0};

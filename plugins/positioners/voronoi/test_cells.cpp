@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cells.hpp"
+#include "test_points.hpp"
 
 namespace {
 
@@ -41,15 +42,6 @@ double total_area(const std::vector<Cell>& all) {
 
 double distance(const Point& a, const Point& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-// Positive to the left of every side by more than `margin`.
-bool holds(const Cell& of, const Point& p, double margin) {
-  for (std::size_t k = 0; k < of.count; ++k) {
-    const Point &a = of.corners[k], &b = of.corners[(k + 1) % of.count];
-    if ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) < margin * distance(a, b)) return false;
-  }
-  return of.count > 0;
-}
-
 // What holds for every set of robots.
 void check(const std::vector<Point>& sites, std::mt19937& random) {
   const std::vector<Cell> all = cells(sites);
@@ -62,18 +54,14 @@ void check(const std::vector<Point>& sites, std::mt19937& random) {
       for (const Point& other : sites) EXPECT_LE(distance(corner, sites[i]), distance(corner, other) + 1e-8);
     }
   }
-  std::uniform_real_distribution<double> x(-field.x, field.x), y(-field.y, field.y);
-  for (int probe = 0; probe < 20; ++probe) {
-    Point p{};
-    p.x = x(random);
-    p.y = y(random);
+  for (const Point& p : voronoi::random_points(random, 20, field)) {
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < sites.size(); ++i) {
       if (distance(p, sites[i]) < distance(p, sites[nearest])) nearest = i;
     }
-    EXPECT_TRUE(holds(all[nearest], p, -1e-8));
+    EXPECT_TRUE(voronoi::holds(all[nearest], p, -1e-8));
     for (std::size_t i = 0; i < sites.size(); ++i) {
-      EXPECT_TRUE(i == nearest || !holds(all[i], p, 1e-8));
+      EXPECT_TRUE(i == nearest || !voronoi::holds(all[i], p, 1e-8));
     }
   }
 }
@@ -82,13 +70,8 @@ TEST(VoronoiCells, RandomRobotsOnAndOffTheField) {
   std::mt19937 random(21);
   for (int round = 0; round < 3000; ++round) {
     const double reach = round % 3 == 0 ? 1.0 : round % 3 == 1 ? 1.5 : 4.0;
-    std::uniform_real_distribution<double> x(-reach * field.x, reach * field.x), y(-reach * field.y, reach * field.y);
-    std::vector<Point> sites(1 + static_cast<std::size_t>(round) % 15);
-    for (Point& site : sites) {
-      site.x = x(random);
-      site.y = y(random);
-    }
-    check(sites, random);
+    const std::size_t count = 1 + static_cast<std::size_t>(round) % 15;
+    check(voronoi::random_points(random, count, {reach * field.x, reach * field.y}), random);
     if (HasFailure()) FAIL() << "round " << round;
   }
 }
@@ -96,13 +79,10 @@ TEST(VoronoiCells, RandomRobotsOnAndOffTheField) {
 // A coarse grid: coincident, collinear and cocircular robots abound.
 TEST(VoronoiCells, RandomRobotsOnAGrid) {
   std::mt19937 random(22);
-  std::uniform_int_distribution<int> x(-5, 5), y(-4, 4);
+  const std::uniform_int_distribution<int> x(-5, 5), y(-4, 4);
   for (int round = 0; round < 3000; ++round) {
     std::vector<Point> sites(1 + static_cast<std::size_t>(round) % 15);
-    for (Point& site : sites) {
-      site.x = x(random);
-      site.y = y(random);
-    }
+    voronoi::scatter(sites, random, x, y);
     check(sites, random);
     if (HasFailure()) FAIL() << "round " << round;
   }

@@ -11,6 +11,8 @@
 #include <regista/testkit/instance.hpp>
 
 #include "cell_points.hpp"
+#include "test_points.hpp"
+#include "test_scene.hpp"
 
 namespace {
 
@@ -21,14 +23,6 @@ using voronoi::Extent;
 using voronoi::Point;
 
 constexpr Extent field{4.5, 3.0};
-
-bool holds(const Cell& of, const Point& p, double margin) {
-  for (std::size_t k = 0; k < of.count; ++k) {
-    const Point &a = of.corners[k], &b = of.corners[(k + 1) % of.count];
-    if ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) < -margin) return false;
-  }
-  return true;
-}
 
 TEST(CellPoints, CentroidOfARectangleAndATriangle) {
   const Point middle = voronoi::centroid(voronoi::cell(std::vector<Point>{{0, 0}}, 0, field));
@@ -43,12 +37,7 @@ TEST(CellPoints, CentroidOfARectangleAndATriangle) {
 // Against a fine grid: the mean of what is nearest to a robot.
 TEST(CellPoints, CentroidIsTheMeanOfTheCell) {
   std::mt19937 random(41);
-  std::uniform_real_distribution<double> x(-4.5, 4.5), y(-3.0, 3.0);
-  std::vector<Point> sites(7);
-  for (Point& site : sites) {
-    site.x = x(random);
-    site.y = y(random);
-  }
+  const std::vector<Point> sites = voronoi::random_points(random, 7, field);
   std::vector<double> count(7), sum_x(7), sum_y(7);
   for (int i = 0; i < 900; ++i) {
     for (int j = 0; j < 600; ++j) {
@@ -109,15 +98,11 @@ TEST(CellPoints, WalkingToTheCentroidsCoversTheField) {
 
 TEST(CellPoints, TheBestPointIsInTheCellAndBeatsTheCentroid) {
   std::mt19937 random(42);
-  std::uniform_real_distribution<double> x(-4.5, 4.5), y(-3.0, 3.0), weight(0.0, 1.0);
+  std::uniform_real_distribution<double> weight(0.0, 1.0);
   for (int round = 0; round < 1000; ++round) {
-    std::vector<Point> sites(1 + static_cast<std::size_t>(round) % 11), opponents(static_cast<std::size_t>(round) % 8);
-    for (auto* points : {&sites, &opponents}) {
-      for (Point& point : *points) {
-        point.x = x(random);
-        point.y = y(random);
-      }
-    }
+    const auto number = static_cast<std::size_t>(round);
+    const std::vector<Point> sites = voronoi::random_points(random, 1 + number % 11, field);
+    const std::vector<Point> opponents = voronoi::random_points(random, number % 8, field);
     Attraction attraction;
     attraction.openness = weight(random);
     attraction.ball = weight(random);
@@ -127,7 +112,7 @@ TEST(CellPoints, TheBestPointIsInTheCellAndBeatsTheCentroid) {
     for (std::size_t i = 0; i < sites.size(); ++i) {
       const Cell cell = voronoi::cell(sites, i, field);
       const Candidate best = voronoi::best_point(cell, opponents, ball, goal, attraction);
-      EXPECT_TRUE(holds(cell, best.at, 1e-9));
+      EXPECT_TRUE(voronoi::holds(cell, best.at, -1e-11));
       EXPECT_EQ(best.value, voronoi::value_of(best.at, opponents, ball, goal, attraction));
       EXPECT_GE(best.value, voronoi::value_of(voronoi::centroid(cell), opponents, ball, goal, attraction));
       EXPECT_LE(best.value, 1.0 + 1e-12);
@@ -155,24 +140,11 @@ using namespace regista::testkit;
 
 TEST(VoronoiCellsPlugin, APointAndACellForEachActiveRobot) {
   const Loaded plugin(REGISTA_PLUGIN_FILE, "voronoi_cells");
-  const Scene scene = FrameBuilder{}
-                          .own(2)
-                          .robot(2)
-                          .at(-1, 0)
-                          .robot(3)
-                          .at(0, 0)
-                          .inactive()
-                          .robot(5)
-                          .at(2, 0)
-                          .robot(6)
-                          .at(2, 0)
-                          .opponent(1.0, 0.5)
-                          .build()
-                          .before_tasks();
+  const Scene scene = voronoi::two_robots_with_cells();
   for (const double target : {0.0, 1.0}) {
     Instance positioner(plugin, EnvironmentBuilder{}.own(2), Values(plugin).set("target", target));
     const Placed placed = positioner.place(scene);
-    ASSERT_EQ(placed.cells.size(), 2u);  // of 2 and 5: 3 is not active, 6 stands where 5 does
+    ASSERT_EQ(placed.cells.size(), 2u);
     ASSERT_EQ(placed.points.size(), 2u);
     for (std::size_t i = 0; i < 2; ++i) {
       EXPECT_EQ(placed.cells[i].robot, i == 0 ? 2 : 5);

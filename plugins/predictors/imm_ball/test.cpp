@@ -15,18 +15,7 @@
 namespace imm_ball {
 namespace {
 
-BallState some_ball(double speed) {
-  BallState ball;
-  ball.position << 0.5, -1.0;
-  ball.velocity << speed * 0.8, speed * 0.6;
-  Matrix4d root;
-  root << 0.1, 0.0, 0.0, 0.0, 0.02, 0.2, 0.0, 0.0, 0.05, -0.03, 0.2, 0.0, 0.01, 0.04, 0.05, 0.15;
-  const Matrix4d all = root * root.transpose();
-  ball.position_covariance = all.topLeftCorner<2, 2>();
-  ball.cross = all.topRightCorner<2, 2>();
-  ball.velocity_covariance = all.bottomRightCorner<2, 2>();
-  return ball;
-}
+BallState some_ball(double speed) { return ball::correlated({speed * 0.8, speed * 0.6}); }
 
 Modes some_modes() {
   Modes modes;
@@ -168,29 +157,13 @@ TEST(Packet, GivesTheSameBallWhateverTheDelayAndTheSteps) {
 
 // --- Behaviour ---
 
-struct Camera {
-  std::mt19937_64 random;
-  double noise = 0.05;
-
-  explicit Camera(std::uint64_t seed) : random(seed) {}
+struct Camera : ball::Camera {
+  using ball::Camera::Camera;
   void step(Filter& filter, const std::vector<Vector2d>& balls, const View& view = everywhere, bool reached = false) {
-    std::normal_distribution<double> normal(0.0, noise);
-    std::vector<Sighting> seen;
-    for (const Vector2d& ball : balls) {
-      const double x = ball.x() + normal(random);
-      const double y = ball.y() + normal(random);
-      seen.push_back({{x, y}, noise * noise * Matrix2d::Identity()});
-    }
     filter.predict(0.1, [reached](const Whereabouts&) { return reached; });
-    filter.correct(seen, view);
+    filter.correct(image(balls), view);
   }
 };
-
-// Ahead of the origin, 0.95 rad wide, 5 m deep.
-View ahead() {
-  const double half = 0.477;
-  return {{0.0, 0.0}, {std::cos(-half), std::sin(-half)}, {std::cos(half), std::sin(half)}, half, 5.0};
-}
 
 TEST(RestingBall, IsFoundBetterThanASingleSightingAndStands) {
   double squared = 0.0;
@@ -253,27 +226,9 @@ TEST(Miss, CountsOnlyWellInsideTheVisibleArea) {
 }
 
 TEST(Random, SightingsLeaveWeightsThatAreProbabilities) {
-  std::mt19937_64 random(11);
-  std::uniform_real_distribution<double> place(-4.5, 4.5);
-  std::uniform_int_distribution<int> count(0, 5);
   Filter filter;
   Camera camera(12);
-  for (int i = 0; i < 5000; ++i) {
-    std::vector<Vector2d> balls(static_cast<std::size_t>(count(random)));
-    for (Vector2d& ball : balls) {
-      ball.x() = place(random);
-      ball.y() = place(random);
-    }
-    camera.step(filter, balls, i % 2 == 0 ? everywhere : ahead());
-    double sum = 0.0, last = 1.0;
-    for (const Hypothesis& each : filter) {
-      ASSERT_GT(each.weight, 0.0);
-      ASSERT_LE(each.weight, last) << "best first";
-      last = each.weight;
-      sum += each.weight;
-    }
-    ASSERT_LE(sum, 1.0 + 1e-12);
-  }
+  ball::expect_probabilities(filter, [&](const auto& balls, const View& view) { camera.step(filter, balls, view); });
 }
 
 TEST(Time, OfOneImage) {

@@ -11,40 +11,19 @@
 #include <span>
 #include <vector>
 
+#include "../test_ball.hpp"
 #include "algorithm.hpp"
 
 namespace kalman_ball {
 namespace {
 
+using ball::ahead, ball::covariance, ball::everywhere, ball::mean;
 using Eigen::Matrix2d;
 using Eigen::Matrix4d;
 using Eigen::Vector2d;
 using Eigen::Vector4d;
 
-BallState rolling_ball() {
-  BallState ball;
-  ball.position << 0.5, -1.0;
-  ball.velocity << 0.9, 0.7;
-  Matrix4d root;
-  root << 0.1, 0.0, 0.0, 0.0, 0.02, 0.2, 0.0, 0.0, 0.05, -0.03, 0.2, 0.0, 0.01, 0.04, 0.05, 0.15;
-  const Matrix4d all = root * root.transpose();
-  ball.position_covariance = all.topLeftCorner<2, 2>();
-  ball.cross = all.topRightCorner<2, 2>();
-  ball.velocity_covariance = all.bottomRightCorner<2, 2>();
-  return ball;
-}
-
-Matrix4d covariance(const BallState& ball) {
-  Matrix4d all;
-  all << ball.position_covariance, ball.cross, ball.cross.transpose(), ball.velocity_covariance;
-  return all;
-}
-
-Vector4d mean(const BallState& ball) {
-  Vector4d all;
-  all << ball.position, ball.velocity;
-  return all;
-}
+BallState rolling_ball() { return ball::correlated({0.9, 0.7}); }
 
 // Advances as a filter does: rolling until it stands.
 BallState after(BallState ball, double dt, const RollingModel& model, int steps = 1) {
@@ -126,13 +105,6 @@ TEST(Rolling, NoisesSpreadTheBallsAsSimulated) {
   EXPECT_NEAR(told(1, 3) / simulated(1, 3), 1.0, 0.06);
 }
 
-const View everywhere{{0.0, 0.0}, {-1.0, 0.0}, {-1.0, 0.0}, 4.0, 100.0};
-// Ahead of the origin, 0.95 rad wide, 5 m deep.
-View ahead() {
-  const double half = 0.477;
-  return {{0.0, 0.0}, {std::cos(-half), std::sin(-half)}, {std::cos(half), std::sin(half)}, half, 5.0};
-}
-
 TEST(Visible, IsASectorLessItsMargin) {
   const View view = ahead();
   EXPECT_TRUE(view.holds({3.0, 0.0}, 0.3));
@@ -147,24 +119,12 @@ TEST(Visible, IsASectorLessItsMargin) {
   EXPECT_TRUE(everywhere.holds({-50.0, 30.0}, 0.3));
 }
 
-// A camera at 10 Hz that tells positions with `noise`.
-struct Camera {
-  std::mt19937_64 random;
-  double noise = 0.05;
-  std::vector<Sighting> seen;
-
-  explicit Camera(std::uint64_t seed) : random(seed) {}
-  Sighting sight(const Vector2d& truth) {
-    std::normal_distribution<double> normal(0.0, noise);
-    const double x = truth.x() + normal(random);
-    const double y = truth.y() + normal(random);
-    return {{x, y}, noise * noise * Matrix2d::Identity()};
-  }
+// At 10 Hz.
+struct Camera : ball::Camera {
+  using ball::Camera::Camera;
   void step(Filter& filter, const std::vector<Vector2d>& balls, const View& view = everywhere) {
-    seen.clear();
-    for (const Vector2d& ball : balls) seen.push_back(sight(ball));
     filter.predict(0.1);
-    filter.correct(seen, view);
+    filter.correct(image(balls), view);
   }
 };
 
@@ -302,27 +262,9 @@ TEST(Packet, ReplacesTheModelByTheBallRolledForward) {
 }
 
 TEST(Random, SightingsLeaveWeightsThatAreProbabilities) {
-  std::mt19937_64 random(11);
-  std::uniform_real_distribution<double> place(-4.5, 4.5);
-  std::uniform_int_distribution<int> count(0, 5);
   Filter filter;
   Camera camera(12);
-  for (int i = 0; i < 5000; ++i) {
-    std::vector<Vector2d> balls(static_cast<std::size_t>(count(random)));
-    for (Vector2d& ball : balls) {
-      ball.x() = place(random);
-      ball.y() = place(random);
-    }
-    camera.step(filter, balls, i % 2 == 0 ? everywhere : ahead());
-    double sum = 0.0, last = 1.0;
-    for (const Hypothesis& each : filter) {
-      ASSERT_GT(each.weight, 0.0);
-      ASSERT_LE(each.weight, last) << "best first";
-      last = each.weight;
-      sum += each.weight;
-    }
-    ASSERT_LE(sum, 1.0 + 1e-12);
-  }
+  ball::expect_probabilities(filter, [&](const auto& balls, const View& view) { camera.step(filter, balls, view); });
 }
 
 // Cameras whose clock trembles by `jitter`: a rolling ball is off along its path by its speed times that.

@@ -12,17 +12,13 @@
 #include <numbers>
 #include <span>
 
+#include "../places.hpp"
+
 namespace bearing_utility {
 
+using places::Pose, places::Targets;
+
 enum class Form { cosine, angle };
-
-struct Pose {
-  double x, y, heading;  // m, m, rad; field frame
-};
-
-struct Targets {
-  std::span<const double> x, y;  // m, field frame, of equal length
-};
 
 // A target nearer than this has no bearing worth the name: a robot that is there need not turn, the utility is 1.
 inline constexpr double here = 1e-6;  // m

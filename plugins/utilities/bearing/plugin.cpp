@@ -5,6 +5,7 @@
 
 #include <regista/utility.hpp>
 
+#include "../frame_places.hpp"
 #include "algorithm.hpp"
 
 namespace {
@@ -24,29 +25,22 @@ struct Bearing {
                       "What the robot should face; SPQR 2022 has a term for either, each with weight 0.05")};
 
   std::vector<bearing_utility::Pose> robots;
-  std::vector<double> x, y;
+  places::TargetList targets;
   double goal_x = 0.0;
 
   void setup(const regista::Environment& environment) {
     robots.reserve(environment->team_size);
-    x.reserve(environment.roles().size());
-    y.reserve(environment.roles().size());
+    targets.reserve(environment.roles().size());
     goal_x = environment->field_length / 2.0;
   }
   void score(const regista::Frame& frame, regista::Utilities out) {
-    const regista::World world = frame.world();
-    robots.clear();
-    x.clear();
-    y.clear();
-    for (const int number : world.active()) {
-      const regista::Robot& robot = world.robot(number);
-      robots.push_back({robot.pose[0], robot.pose[1], robot.pose[2]});
+    read_robots(frame.world(), robots);
+    if (towards == Towards::task) {
+      targets.read_tasks(frame);
+    } else {
+      targets.repeat({goal_x, 0.0}, frame.tasks().size());
     }
-    for (const regista::Task& task : frame.tasks()) {
-      x.push_back(towards == Towards::task ? task.after[0] : goal_x);
-      y.push_back(towards == Towards::task ? task.after[1] : 0.0);
-    }
-    bearing_utility::score(robots, {x, y}, form, out.data(), out.stride());
+    bearing_utility::score(robots, targets, form, out.data(), out.stride());
   }
 };
 

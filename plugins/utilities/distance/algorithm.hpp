@@ -10,16 +10,11 @@
 #include <cstddef>
 #include <span>
 
+#include "../places.hpp"
+
 namespace distance_utility {
 
-struct Point {
-  double x, y;  // m, field frame
-};
-
-// Coordinates of the targets, one array each, so that a row is computed in vector registers.
-struct Targets {
-  std::span<const double> x, y;  // m, field frame, of equal length
-};
+using places::Point, places::Targets;
 
 // out[i * stride + j] in [0, 1] for robot i and target j. reach: D > 0, m. stride >= number of targets.
 inline void score(std::span<const Point> robots, const Targets& targets, double reach, double* out,

@@ -4,6 +4,7 @@
 
 #include <regista/utility.hpp>
 
+#include "../frame_places.hpp"
 #include "algorithm.hpp"
 
 namespace {
@@ -17,27 +18,16 @@ struct Distance {
           .tunable()};
 
   std::vector<distance_utility::Point> robots;
-  std::vector<double> x, y;
+  places::TargetList targets;
 
   void setup(const regista::Environment& environment) {
     robots.reserve(environment->team_size);
-    x.reserve(environment.roles().size());
-    y.reserve(environment.roles().size());
+    targets.reserve(environment.roles().size());
   }
   void score(const regista::Frame& frame, regista::Utilities out) {
-    const regista::World world = frame.world();
-    robots.clear();
-    x.clear();
-    y.clear();
-    for (const int number : world.active()) {
-      const regista::Robot& robot = world.robot(number);
-      robots.push_back({robot.pose[0], robot.pose[1]});
-    }
-    for (const regista::Task& task : frame.tasks()) {
-      x.push_back(task.after[0]);
-      y.push_back(task.after[1]);
-    }
-    distance_utility::score(robots, {x, y}, reach, out.data(), out.stride());
+    read_robots(frame.world(), robots);
+    targets.read_tasks(frame);
+    distance_utility::score(robots, targets, reach, out.data(), out.stride());
   }
 };
 

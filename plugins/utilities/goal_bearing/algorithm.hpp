@@ -11,23 +11,19 @@
 #include <numbers>
 #include <span>
 
+#include "../places.hpp"
+
 namespace goal_bearing {
 
+using places::Point, places::Pose;
+
 enum class Form { angle, cosine };
-
-struct Pose {
-  double x, y, heading;  // m, m, rad; field frame
-};
-
-struct Goal {
-  double x, y;  // m, field frame: middle of the goal line
-};
 
 // A goal nearer than this has no bearing worth the name: the utility is 1.
 inline constexpr double here = 1e-6;  // m
 
-// In [0, 1].
-inline double value(const Pose& robot, const Goal& goal, Form form) {
+// In [0, 1]. goal: middle of the goal line.
+inline double value(const Pose& robot, const Point& goal, Form form) {
   constexpr double pi = std::numbers::pi;
   const double dx = goal.x - robot.x, dy = goal.y - robot.y;
   const double squared = dx * dx + dy * dy;
@@ -43,7 +39,7 @@ inline double value(const Pose& robot, const Goal& goal, Form form) {
 }
 
 // out[i * stride + j] for robot i, the same for each of `columns` tasks. stride >= columns.
-inline void score(std::span<const Pose> robots, const Goal& goal, Form form, double* out, std::size_t columns,
+inline void score(std::span<const Pose> robots, const Point& goal, Form form, double* out, std::size_t columns,
                   std::size_t stride) {
   for (std::size_t i = 0; i < robots.size(); ++i) std::fill_n(out + i * stride, columns, value(robots[i], goal, form));
 }

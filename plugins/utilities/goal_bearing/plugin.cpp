@@ -4,6 +4,7 @@
 
 #include <regista/utility.hpp>
 
+#include "../frame_places.hpp"
 #include "algorithm.hpp"
 
 namespace {
@@ -18,19 +19,14 @@ struct GoalBearing {
                       "angle: (pi - |a|) / pi as in SPQR 2022, weight 0.05; cosine: (1 + cos a) / 2, our choice")};
 
   std::vector<goal_bearing::Pose> robots;
-  goal_bearing::Goal goal{};
+  goal_bearing::Point goal{};
 
   void setup(const regista::Environment& environment) {
     robots.reserve(environment->team_size);
     goal = {environment->field_length / 2.0, 0.0};
   }
   void score(const regista::Frame& frame, regista::Utilities out) {
-    const regista::World world = frame.world();
-    robots.clear();
-    for (const int number : world.active()) {
-      const regista::Robot& robot = world.robot(number);
-      robots.push_back({robot.pose[0], robot.pose[1], robot.pose[2]});
-    }
+    read_robots(frame.world(), robots);
     goal_bearing::score(robots, goal, form, out.data(), out.columns(), out.stride());
   }
 };

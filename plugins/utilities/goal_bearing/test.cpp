@@ -14,12 +14,11 @@
 namespace {
 
 using goal_bearing::Form;
-using goal_bearing::Goal;
 using goal_bearing::Pose;
 using goal_bearing::value;
 
 constexpr double pi = std::numbers::pi;
-constexpr Goal goal{4.5, 0.0};
+constexpr goal_bearing::Point goal{4.5, 0.0};
 
 TEST(GoalBearing, AheadAsideAndBehind) {
   for (const Form form : {Form::angle, Form::cosine}) {

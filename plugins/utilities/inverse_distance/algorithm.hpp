@@ -9,17 +9,12 @@
 #include <cstddef>
 #include <span>
 
+#include "../places.hpp"
 #include "angle.hpp"
 
 namespace inverse_distance {
 
-struct Pose {
-  double x, y, heading;  // m, m, rad; field frame
-};
-
-struct Targets {
-  std::span<const double> x, y;  // m, field frame, of equal length
-};
+using places::Pose, places::Targets;
 
 struct Settings {
   double eps = 1e-10;           // added to metres and to radians, > 0

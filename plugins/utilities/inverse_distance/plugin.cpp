@@ -4,6 +4,7 @@
 
 #include <regista/utility.hpp>
 
+#include "../frame_places.hpp"
 #include "algorithm.hpp"
 
 namespace {
@@ -23,27 +24,16 @@ struct InverseDistance {
           .tunable()};
 
   std::vector<inverse_distance::Pose> robots;
-  std::vector<double> x, y;
+  places::TargetList targets;
 
   void setup(const regista::Environment& environment) {
     robots.reserve(environment->team_size);
-    x.reserve(environment.roles().size());
-    y.reserve(environment.roles().size());
+    targets.reserve(environment.roles().size());
   }
   void score(const regista::Frame& frame, regista::Utilities out) {
-    const regista::World world = frame.world();
-    robots.clear();
-    x.clear();
-    y.clear();
-    for (const int number : world.active()) {
-      const regista::Robot& robot = world.robot(number);
-      robots.push_back({robot.pose[0], robot.pose[1], robot.pose[2]});
-    }
-    for (const regista::Task& task : frame.tasks()) {
-      x.push_back(task.after[0]);
-      y.push_back(task.after[1]);
-    }
-    inverse_distance::score(robots, {x, y}, {eps, bearing_weight}, out.data(), out.stride());
+    read_robots(frame.world(), robots);
+    targets.read_tasks(frame);
+    inverse_distance::score(robots, targets, {eps, bearing_weight}, out.data(), out.stride());
   }
 };
 

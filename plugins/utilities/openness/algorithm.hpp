@@ -14,15 +14,11 @@
 #include <optional>
 #include <span>
 
+#include "../places.hpp"
+
 namespace openness {
 
-struct Point {
-  double x, y;  // m, field frame
-};
-
-struct Targets {
-  std::span<const double> x, y;  // m, field frame, of equal length
-};
+using places::Point, places::Targets;
 
 struct Settings {
   double target_share = 1.0, pass_share = 1.0, shot_share = 0.5;  // >= 0; the score is their mean, so weighted

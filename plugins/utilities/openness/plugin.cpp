@@ -7,6 +7,7 @@
 
 #include <regista/utility.hpp>
 
+#include "../frame_places.hpp"
 #include "algorithm.hpp"
 
 namespace {
@@ -41,13 +42,15 @@ struct Openness {
           .tunable()};
 
   std::vector<openness::Point> opponents, blockers;
-  std::vector<double> x, y, scores;
+  places::TargetList targets;
+  std::vector<double> scores;
   double goal_line = 0.0, area_line = 0.0, area_side = 0.0;
 
   void setup(const regista::Environment& environment) {
     settings = {target_share, pass_share, shot_share, target_clearance, line_clearance};
     const std::size_t tasks = environment.roles().size();
-    for (auto* buffer : {&x, &y, &scores}) buffer->reserve(tasks);
+    targets.reserve(tasks);
+    scores.reserve(tasks);
     constexpr std::size_t most = 64;  // more than a world has; only memory depends on it
     opponents.reserve(most);
     blockers.reserve(most);
@@ -66,16 +69,11 @@ struct Openness {
       // The goalkeeper stands near every line to its goal.
       if (point.x < area_line || std::abs(point.y) > area_side) blockers.push_back(point);
     }
-    x.clear();
-    y.clear();
-    for (const regista::Task& task : frame.tasks()) {
-      x.push_back(task.after[0]);
-      y.push_back(task.after[1]);
-    }
+    targets.read_tasks(frame);
     openness::Scene scene{opponents, blockers, std::nullopt, {goal_line, 0.0}};
     if (world.ball_known()) scene.ball = openness::Point{world.ball().position[0], world.ball().position[1]};
-    scores.resize(x.size());
-    openness::score({x, y}, scene, settings, scores);
+    scores.resize(targets.size());
+    openness::score(targets, scene, settings, scores);
     for (std::size_t i = 0; i < out.rows(); ++i) std::ranges::copy(scores, out.data() + i * out.stride());
   }
 };

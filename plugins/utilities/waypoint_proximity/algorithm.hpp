@@ -11,13 +11,13 @@
 #include <limits>
 #include <span>
 
+#include "../places.hpp"
+
 namespace waypoint_utility {
 
-enum class Form { inverse, linear };  // 1 / (1 + d / scale), max(0, 1 - d / scale)
+using places::Point;
 
-struct Point {
-  double x, y;  // m, field frame
-};
+enum class Form { inverse, linear };  // 1 / (1 + d / scale), max(0, 1 - d / scale)
 
 struct Waypoint {
   double x, y;
