@@ -82,12 +82,18 @@ std::vector<Input> team_inputs(const mind::TeamPlan& plan, const config::Node& d
 std::vector<Input> common_inputs(const match::Setup& setup, const std::string& program,
                                  const std::string& mathematics) {
   const std::string limit = setup.limit ? fmt::format("{:a}", *setup.limit) : "none";
-  return {profile("rules", setup.rules),
-          profile("robot", setup.robots[0]),
-          profile("disturbance", setup.disturbances[0]),
-          {"limit", plugin::content_hash(limit)},
-          {program_input, program},
-          {mathematics_input, mathematics}};
+  std::vector<Input> out{profile("rules", setup.rules),
+                         profile("robot", setup.robots[0]),
+                         profile("disturbance", setup.disturbances[0]),
+                         {"limit", plugin::content_hash(limit)}};
+  if (setup.opening) {
+    config::Opening scene = *setup.opening;
+    scene.summary.clear();  // for people, as comments are
+    out.push_back(profile("opening", std::move(scene)));
+  }
+  out.push_back({program_input, program});
+  out.push_back({mathematics_input, mathematics});
+  return out;
 }
 
 std::string fixture_key(std::span<const Input> home, std::span<const Input> away, std::span<const Input> common) {

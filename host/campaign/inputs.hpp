@@ -23,7 +23,8 @@ std::vector<Input> team_inputs(const mind::TeamPlan& plan, const config::Node& d
 inline constexpr const char* program_input = "program";
 inline constexpr const char* mathematics_input = "mathematics library";
 
-// What both share: rules, robot, disturbance, limit, and where it is played: program and mathematics library.
+// What both share: rules, robot, disturbance, limit, the opening where there is one, and where it is played: program
+// and mathematics library.
 std::vector<Input> common_inputs(const match::Setup& setup, const std::string& program, const std::string& mathematics);
 
 // 32 hexadecimal digits. home, away: team_inputs; the order matters.

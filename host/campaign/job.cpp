@@ -65,6 +65,7 @@ std::vector<std::string> match_arguments(const Job& job) {
   add("--rules", job.rules);
   add("--robot", job.robot);
   add("--disturbance", job.disturbance);
+  add("--opening", job.opening);
   for (const std::string& each : job.overrides) add("--set", each);
   for (const std::string& each : job.plugins) add("--plugins", each);
   return words;
@@ -75,6 +76,7 @@ std::string to_json(const Job& job) {
                    {"rules", job.rules},
                    {"robot", job.robot},
                    {"disturbance", job.disturbance},
+                   {"opening", job.opening},
                    {"overrides", job.overrides},
                    {"plugins", job.plugins},
                    {"limit", job.limit},
@@ -91,6 +93,7 @@ Job job_from_json(const std::string& text) {
     json.at("rules").get_to(job.rules);
     json.at("robot").get_to(job.robot);
     json.at("disturbance").get_to(job.disturbance);
+    json.at("opening").get_to(job.opening);
     json.at("overrides").get_to(job.overrides);
     json.at("plugins").get_to(job.plugins);
     json.at("limit").get_to(job.limit);

@@ -16,6 +16,7 @@ namespace regista::campaign {
 struct Job {
   std::array<std::string, 2> teams;       // files: home, away
   std::string rules, robot, disturbance;  // files; empty: the built-in values
+  std::string opening;                    // file; empty: from kick-off
   std::vector<std::string> overrides;     // of --set, as `regista match` understands them
   std::vector<std::string> plugins;       // folders of --plugins
   std::string limit;                      // simulated seconds, as typed; empty: none

@@ -133,15 +133,15 @@ int run(const Invocation& invocation) {
   root.footer(examples);
   // At most one command, so that what follows it is never taken for another.
   root.require_subcommand(0, 1);
-  std::vector<Command> commands{add_match(root, invocation),   add_tournament(root, invocation),
-                                add_sprt(root, invocation),    add_evaluate_predictor(root, invocation),
+  std::vector<Command> commands{add_match(root, invocation), add_tournament(root, invocation),
+                                add_sprt(root, invocation), add_evaluate_predictor(root, invocation),
                                 add_play_one(root, invocation)};
   CLI::App& plugin = *root.add_subcommand("plugin", "the plugins that there are");
   plugin.require_subcommand(0, 1);
   commands.push_back(add_plugin_list(plugin, invocation));
   commands.push_back(add_plugin_info(plugin, invocation));
   commands.push_back(add_plugin_reference(plugin, invocation));
-  CLI::App& config = *root.add_subcommand("config", "documents: rules, robots, disturbances, teams, studies");
+  CLI::App& config = *root.add_subcommand("config", "documents: rules, robots, disturbances, openings, teams, studies");
   config.require_subcommand(0, 1);
   commands.push_back(add_config_check(config, invocation));
   commands.push_back(add_config_show(config, invocation));

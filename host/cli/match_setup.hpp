@@ -19,6 +19,7 @@ namespace regista::cli {
 struct MatchRequest {
   std::vector<std::string> teams;         // files: home, away
   std::string rules, robot, disturbance;  // files; empty: the built-in values
+  std::string opening;                    // file; empty: the match starts from kick-off
   std::vector<std::string> overrides;     // of --set
   std::string seed = "1", limit;          // as typed; no limit: empty
 };

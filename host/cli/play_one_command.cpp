@@ -88,6 +88,7 @@ Answer play(const campaign::Job& job, const Invocation& invocation, plugin::Call
   request.rules = job.rules;
   request.robot = job.robot;
   request.disturbance = job.disturbance;
+  request.opening = job.opening;
   request.overrides = job.overrides;
   request.seed = std::to_string(job.seed);
   request.limit = job.limit;
