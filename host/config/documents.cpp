@@ -63,11 +63,15 @@ DocumentKind kind_of(const Node& document) {
               "no key says what this is: rules, robot, disturbance, opening, team or predictor_study, with its name");
 }
 
+static std::string with_article(DocumentKind kind) {
+  return fmt::format("{} {}", kind == DocumentKind::opening ? "an" : "a", name_of(kind));
+}
+
 void require_kind(const Node& document, DocumentKind kind) {
   const DocumentKind found = kind_of(document);
   if (found == kind) return;
   throw Error(document.where(),
-              fmt::format("this is a {} document; a {} document is wanted", name_of(found), name_of(kind)));
+              fmt::format("this is {} document; {} document is wanted", with_article(found), with_article(kind)));
 }
 
 Rules read_rules(const Node& document) {
