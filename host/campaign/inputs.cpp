@@ -82,12 +82,19 @@ std::vector<Input> team_inputs(const mind::TeamPlan& plan, const config::Node& d
 std::vector<Input> common_inputs(const match::Setup& setup, const std::string& program,
                                  const std::string& mathematics) {
   const std::string limit = setup.limit ? fmt::format("{:a}", *setup.limit) : "none";
-  return {profile("rules", setup.rules),
-          profile("robot", setup.robots[0]),
-          profile("disturbance", setup.disturbances[0]),
-          {"limit", plugin::content_hash(limit)},
-          {program_input, program},
-          {mathematics_input, mathematics}};
+  std::vector<Input> out{profile("rules", setup.rules),
+                         profile("robot", setup.robots[0]),
+                         profile("disturbance", setup.disturbances[0]),
+                         {"limit", plugin::content_hash(limit)},
+                         {program_input, program},
+                         {mathematics_input, mathematics}};
+  if (setup.opening) out.push_back(opening_input(*setup.opening));
+  return out;
+}
+
+Input opening_input(config::Opening opening) {
+  opening.summary.clear();  // for people, as comments are
+  return profile("opening", std::move(opening));
 }
 
 std::string fixture_key(std::span<const Input> home, std::span<const Input> away, std::span<const Input> common) {

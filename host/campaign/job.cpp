@@ -76,9 +76,9 @@ std::string to_json(const Job& job) {
                    {"rules", job.rules},
                    {"robot", job.robot},
                    {"disturbance", job.disturbance},
+                   {"opening", job.opening},
                    {"overrides", job.overrides},
                    {"plugins", job.plugins},
-                   {"opening", job.opening},
                    {"limit", job.limit},
                    {"seed", job.seed},
                    {"home_inputs", json_of(job.home_inputs)},
@@ -93,9 +93,9 @@ Job job_from_json(const std::string& text) {
     json.at("rules").get_to(job.rules);
     json.at("robot").get_to(job.robot);
     json.at("disturbance").get_to(job.disturbance);
+    json.at("opening").get_to(job.opening);
     json.at("overrides").get_to(job.overrides);
     json.at("plugins").get_to(job.plugins);
-    json.at("opening").get_to(job.opening);
     json.at("limit").get_to(job.limit);
     json.at("seed").get_to(job.seed);
     job.home_inputs = inputs_of(json.at("home_inputs"));

@@ -213,8 +213,8 @@ struct Store::Parts {
     statement.bind(2, std::bit_cast<std::int64_t>(key.seed));
   }
 
-  // All that is read between two rows written is read in one transaction: without one, SQLite locks and unlocks the file
-  // for every single row.
+  // All that is read between two rows written is read in one transaction: without one, SQLite locks and unlocks the
+  // file for every single row.
   void begin_reading() {
     if (std::exchange(reading, true)) return;
     database.exec("BEGIN");

@@ -141,7 +141,7 @@ int run(const Invocation& invocation) {
   commands.push_back(add_plugin_list(plugin, invocation));
   commands.push_back(add_plugin_info(plugin, invocation));
   commands.push_back(add_plugin_reference(plugin, invocation));
-  CLI::App& config = *root.add_subcommand("config", "documents: rules, robots, disturbances, teams, studies");
+  CLI::App& config = *root.add_subcommand("config", "documents: rules, robots, disturbances, openings, teams, studies");
   config.require_subcommand(0, 1);
   commands.push_back(add_config_check(config, invocation));
   commands.push_back(add_config_show(config, invocation));

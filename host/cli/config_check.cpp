@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // `regista config check FILE...`: whether documents are sound. For teams and studies that means their plugins too: that
-// they exist, can be opened, are of the right kind, and take the parameters they are given.
+// they exist, can be opened, are of the right kind, and take the parameters they are given. For openings it means that
+// they can be played by rules and a robot.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <memory>
 
 #include "cli/command.hpp"
@@ -11,6 +13,7 @@
 #include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
+#include "config/read.hpp"
 #include "mind/mind.hpp"
 #include "mind/team_plan.hpp"
 #include "plugin/failure.hpp"
@@ -22,15 +25,30 @@ namespace {
 constexpr auto examples = R"(Examples:
   regista config check configs/teams/paper.yaml
   regista config check configs/*/*.yaml
+  regista config check small_field/*.yaml --rules small_field.yaml
 
 Exit codes: 0 all are sound; 2 one is not, or there is nothing to check.)";
 
 struct Options {
   std::vector<std::string> files, plugins;
+  std::string rules, robot;  // files; empty: the built-in values
 };
 
+// What openings are to be played by.
+struct Profiles {
+  config::Rules rules;
+  std::array<config::Robot, 2> robots;  // by side
+};
+
+Profiles profiles(const Options& options) {
+  Profiles out;
+  if (!options.rules.empty()) out.rules = config::read_rules(options.rules);
+  if (!options.robot.empty()) out.robots.fill(config::read_robot(options.robot));
+  return out;
+}
+
 // Its kind. Throws config::Error for what is not sound.
-std::string_view check(const std::string& file, const plugin::Catalogue& catalogue) {
+std::string_view check(const std::string& file, const Profiles& by, const plugin::Catalogue& catalogue) {
   const config::DocumentKind kind = config::check(file);
   if (kind == config::DocumentKind::team) {
     const mind::TeamPlan plan(config::read_team(file), {}, {}, catalogue);  // finds what is wrong with plugins
@@ -40,16 +58,23 @@ std::string_view check(const std::string& file, const plugin::Catalogue& catalog
     const config::PredictorStudy study = config::read_predictor_study(file);
     const study::Forecaster forecaster(study, catalogue);  // the same for its predictor
   }
+  if (kind == config::DocumentKind::opening) {
+    const config::Node document = config::load(file);
+    if (const auto misfit = config::misfit(config::read_opening(document), by.rules, by.robots)) {
+      config::refuse(document, {misfit->path}, misfit->reason);
+    }
+  }
   return config::name_of(kind);
 }
 
 int check(const Options& options, const Invocation& invocation) {
   if (options.files.empty()) throw BadInput("config check: at least one file is wanted");
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
+  const Profiles by = profiles(options);
   bool sound = true;
   for (const std::string& file : options.files) {
     try {
-      print(fmt::format("{}: {}, sound\n", file, check(file, catalogue)));
+      print(fmt::format("{}: {}, sound\n", file, check(file, by, catalogue)));
     } catch (const config::Error& error) {
       complain(error.what());
       sound = false;
@@ -64,10 +89,14 @@ int check(const Options& options, const Invocation& invocation) {
 }  // namespace
 
 Command add_config_check(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app =
-      *parent.add_subcommand("check", "say what is wrong with rules, robots, disturbances, teams and studies");
+  CLI::App& app = *parent.add_subcommand(
+      "check", "say what is wrong with rules, robots, disturbances, openings, teams and studies");
   const auto options = std::make_shared<Options>();
   app.add_option("files", options->files, "documents of any kind")->type_name("FILE...");
+  app.add_option("--rules", options->rules, "rules that openings must go with; default: spl2023, built in")
+      ->type_name("FILE");
+  app.add_option("--robot", options->robot, "robot that openings must go with; default: nao, built in")
+      ->type_name("FILE");
   add_plugin_folders(app, options->plugins);
   app.footer(examples);
   return {&app, [options, &invocation] { return check(*options, invocation); }};

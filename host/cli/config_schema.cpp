@@ -21,8 +21,9 @@ namespace {
 constexpr auto examples = R"(Examples:
   regista config schema team > team.schema.json)";
 
-constexpr std::array kinds{config::DocumentKind::rules, config::DocumentKind::robot, config::DocumentKind::disturbance,
-                           config::DocumentKind::team, config::DocumentKind::predictor_study};
+constexpr std::array kinds{config::DocumentKind::rules,       config::DocumentKind::robot,
+                           config::DocumentKind::disturbance, config::DocumentKind::opening,
+                           config::DocumentKind::team,        config::DocumentKind::predictor_study};
 
 struct Options {
   std::vector<std::string> kinds, plugins;
@@ -39,9 +40,9 @@ config::DocumentKind kind_named(const std::string& name) {
 
 int schema(const Options& options, const Invocation& invocation) {
   if (options.kinds.size() != 1) {
-    throw BadInput(
-        fmt::format("config schema: one of rules, robot, disturbance, team and predictor_study is wanted, {} given",
-                    options.kinds.size()));
+    throw BadInput(fmt::format(
+        "config schema: one of rules, robot, disturbance, opening, team and predictor_study is wanted, {} given",
+        options.kinds.size()));
   }
   const config::DocumentKind kind = kind_named(options.kinds.front());
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
@@ -54,7 +55,8 @@ int schema(const Options& options, const Invocation& invocation) {
 Command add_config_schema(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("schema", "write the JSON Schema of a kind of document");
   const auto options = std::make_shared<Options>();
-  app.add_option("kind", options->kinds, "rules, robot, disturbance, team or predictor_study")->type_name("KIND");
+  app.add_option("kind", options->kinds, "rules, robot, disturbance, opening, team or predictor_study")
+      ->type_name("KIND");
   add_plugin_folders(app, options->plugins);
   app.footer(examples);
   return {&app, [options, &invocation] { return schema(*options, invocation); }};

@@ -34,12 +34,15 @@ constexpr auto examples = R"(Examples:
   regista match a.yaml b.yaml --seed 7 --json
   regista match a.yaml a.yaml --set home.utility.terms.distance.weight=0.5
   regista match a.yaml b.yaml --limit 60 --decisions decisions.jsonl
+  regista match a.yaml b.yaml --opening configs/openings/counter_three_on_two.yaml
   regista match --from tournament.db --row 12
 
 --from plays a match of a tournament again: the same teams, plugins, profiles and seed, or it says what has changed; and
 compares the hashes. Rows are those of `regista report --csv`. To be called in the folder the tournament was started in.
-A path of --set begins with home, away, rules, robot or disturbance; without one of these it goes to both teams.
-Exit codes: 0 played; 1 interrupted, or the result could not be written, or is not that of --from; 2 bad input; 3 a defect of Regista.)";
+A path of --set begins with home, away, rules, robot, disturbance or opening; without one of these it goes to both
+teams.
+Exit codes: 0 played; 1 interrupted, or the result could not be written, or is not that of --from; 2 bad input; 3 a
+defect of Regista.)";
 
 struct Options : MatchRequest {
   std::vector<std::string> plugins;
@@ -55,7 +58,7 @@ std::string interrupted_text(const std::string& again, const match::GameState& s
 // A log must not replace what the match is read from.
 void refuse_to_overwrite(const Options& options) {
   std::vector<std::string> read = options.teams;
-  read.insert(read.end(), {options.rules, options.robot, options.disturbance});
+  read.insert(read.end(), {options.rules, options.robot, options.disturbance, options.opening});
   for (const std::string& file : read) {
     std::error_code none;
     if (std::filesystem::equivalent(options.decisions, file, none)) {
@@ -133,6 +136,7 @@ int play(const Options& options, const Invocation& invocation) {
 
   PlayedMatch played;
   played.seed = prepared.setup.seed;
+  if (prepared.setup.opening) played.opening = prepared.setup.opening->name;
   played.budget = prepared.setup.rules.messages.budget;
   for (const match::Side side : match::both_sides) {
     played.teams[match::index(side)] = plans[match::index(side)]->team().name;
@@ -185,6 +189,8 @@ Command add_match(CLI::App& parent, const Invocation& invocation) {
   app.add_option("--rules", options->rules, "rules profile; default: spl2023, built in")->type_name("FILE");
   app.add_option("--robot", options->robot, "robot profile of both teams; default: nao, built in")->type_name("FILE");
   app.add_option("--disturbance", options->disturbance, "disturbance profile; default: none")->type_name("FILE");
+  app.add_option("--opening", options->opening, "scene that the game starts from; default: kick-off")
+      ->type_name("FILE");
   app.add_option("--set", options->overrides, "a value laid over a document; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);

@@ -54,6 +54,7 @@ std::string summary_json(const PlayedMatch& match) {
   out["penalties"] = both([](const match::TeamMetrics& team) { return team.penalties; });
   out["kicks"] = both([](const match::TeamMetrics& team) { return team.kicks; });
   out["touches"] = both([](const match::TeamMetrics& team) { return team.touches; });
+  if (!match.opening.empty()) out["opening"] = match.opening;
   return out.dump() + '\n';
 }
 

@@ -15,6 +15,7 @@ namespace regista::cli {
 struct PlayedMatch {
   std::array<std::string, 2> teams;  // names, by side
   std::uint64_t seed = 1;
+  std::string opening;                                 // name; empty: from kick-off
   std::array<std::vector<std::string>, 2> role_names;  // by side, in the order of the table of roles
   int budget = 0;                                      // packets of a team, without those for added time
   double wall_seconds = 0.0;

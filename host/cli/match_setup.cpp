@@ -12,6 +12,7 @@
 #include "cli/overrides.hpp"
 #include "config/documents.hpp"
 #include "config/parse.hpp"
+#include "config/read.hpp"
 #include "config/text.hpp"
 
 namespace regista::cli {
@@ -44,6 +45,25 @@ config::Node profile(config::DocumentKind kind, const std::string& name, const s
   const bool by_name = file == name && !std::filesystem::exists(file);
   return file.empty() || by_name ? config::override_with(built_in(kind, name), overrides)
                                  : config::load(file, overrides);
+}
+
+// None where none is asked for. Throws config::Error where it cannot be played by rules and robots of the setup.
+std::optional<config::Opening> opening_of(const MatchRequest& request, const SortedOverrides& overrides,
+                                          const match::Setup& setup) {
+  const std::string name(config::name_of(config::DocumentKind::opening));
+  if (request.opening.empty()) {
+    if (overrides.of(name).empty()) return std::nullopt;
+    throw BadInput(
+        fmt::format("--set {}.{}: there is no opening; --opening FILE names one", name, overrides.of(name).front()));
+  }
+  return overrides.read(name, [&](const config::Overrides& of_this) {
+    const config::Node document = config::load(request.opening, of_this);
+    config::Opening opening = config::read_opening(document);
+    if (const auto misfit = config::misfit(opening, setup.rules, setup.robots)) {
+      config::refuse(document, {misfit->path}, misfit->reason);
+    }
+    return opening;
+  });
 }
 
 }  // namespace
@@ -80,6 +100,7 @@ MatchSetup match_setup(const MatchRequest& request, const plugin::Catalogue& cat
            [](const Node& document) { return config::read_disturbance(document); });
   out.setup.robots = {robot, robot};
   out.setup.disturbances = {disturbance, disturbance};
+  out.setup.opening = opening_of(request, overrides, out.setup);
 
   for (const match::Side side : match::both_sides) {
     const std::string& file = request.teams[match::index(side)];

@@ -19,8 +19,8 @@ namespace regista::cli {
 struct MatchRequest {
   std::vector<std::string> teams;         // files: home, away
   std::string rules, robot, disturbance;  // files; empty: the built-in values
+  std::string opening;                    // file; empty: the match starts from kick-off
   std::vector<std::string> overrides;     // of --set
-  std::string opening;                    // file; empty: from kick-off
   std::string seed = "1", limit;          // as typed; no limit: empty
 };
 

@@ -77,6 +77,7 @@ std::string summary_text(const PlayedMatch& match) {
   std::string out = fmt::format("{} {} : {} {}\n\n", match.teams[0], result.score[0], result.score[1], match.teams[1]);
   out += fmt::format("ended       {}, after {:.1f} s\n", in_words(result.ended), result.simulated_seconds);
   out += fmt::format("seed        {}\n", match.seed);
+  if (!match.opening.empty()) out += fmt::format("opening     {}\n", match.opening);
   out += fmt::format("state hash  {}\n", match::hash_text(result.hash));
   out += fmt::format("wall time   {:.2f} s, {:.0f} times faster than the game\n", match.wall_seconds,
                      share(result.simulated_seconds, match.wall_seconds));

@@ -8,7 +8,7 @@
 namespace regista::cli {
 namespace {
 
-constexpr std::array<std::string_view, 5> names{"home", "away", "rules", "robot", "disturbance"};
+constexpr std::array<std::string_view, 6> names{"home", "away", "rules", "robot", "disturbance", "opening"};
 
 // How config names the place of an override.
 std::string place(const std::string& override_text) { return "--set " + override_text; }

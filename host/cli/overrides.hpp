@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The values of `--set` for a command that reads several documents. The first part of a path says which one it is for:
-// home, away, rules, robot or disturbance; a path without it goes to both teams.
+// home, away, rules, robot, disturbance or opening; a path without it goes to both teams.
 #pragma once
 
 #include <string>

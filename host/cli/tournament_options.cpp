@@ -112,6 +112,12 @@ MatchSetup setup_of(const study::TournamentPlan& plan, const study::Fixture& fix
   }
 }
 
+// What both teams share whatever the scene is.
+match::Setup without_opening(match::Setup setup) {
+  setup.opening.reset();
+  return setup;
+}
+
 // What teams are called: their names; where these are the same, with their files; where these are too, with letters.
 void label_teams(std::vector<study::Entrant>& teams) {
   const auto distinguish = [&](auto&& by) {
@@ -189,6 +195,8 @@ study::TournamentPlan tournament_plan(const TournamentOptions& options, const pl
   for (const std::string& file : options.teams) plan.teams.push_back({file, file, {}});
 
   const std::string program = campaign::program_hash(), mathematics = campaign::mathematics_fingerprint();
+  const std::vector<std::string> openings = opening_files(options.openings);
+  if (!openings.empty()) plan.openings = {{openings.front(), {}}};
   for (std::size_t team = 0; team < plan.teams.size(); ++team) {
     study::Fixture fixture;
     fixture.home = team;
@@ -197,23 +205,26 @@ study::TournamentPlan tournament_plan(const TournamentOptions& options, const pl
     require_metric(plan.objective, *prepared.plans[0]);
     plan.teams[team].label = prepared.plans[0]->team().name;
     plan.teams[team].inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue);
-    plan.common_inputs = campaign::common_inputs(prepared.setup, program, mathematics);
+    plan.common_inputs = campaign::common_inputs(without_opening(prepared.setup), program, mathematics);
     plan.most_goals = std::max(prepared.setup.rules.mercy_difference, campaign::goals_of_forfeit);
   }
   label_teams(plan.teams);
-  for (const std::string& file : opening_files(options.openings)) {
+  std::vector<study::Opening> scenes;
+  for (const std::string& file : openings) {
     study::TournamentPlan with = plan;
     with.openings = {{file, {}}};
     study::Fixture fixture;
     fixture.away = 1;
     const MatchSetup prepared = setup_of(with, fixture, catalogue);
-    const auto inputs = campaign::common_inputs(prepared.setup, program, mathematics);
-    const auto opening = std::ranges::find_if(inputs, [&](const campaign::Input& input) {
-      return std::ranges::find(plan.common_inputs, input.name, &campaign::Input::name) == plan.common_inputs.end();
-    });
-    if (opening == inputs.end()) throw BadInput(fmt::format("--openings {}: is no opening", file));
-    plan.openings.push_back({file, *opening});
+    scenes.push_back({file, campaign::opening_input(*prepared.setup.opening)});
+    const auto same = std::ranges::find(scenes, scenes.back().input.name,
+                                        [](const study::Opening& scene) { return scene.input.name; });
+    if (same->file != file || &*same != &scenes.back()) {
+      throw BadInput(
+          fmt::format("--openings: {} and {} have the same name, {}", same->file, file, prepared.setup.opening->name));
+    }
   }
+  plan.openings = std::move(scenes);
   return plan;
 }
 

@@ -15,7 +15,7 @@
 namespace regista::config {
 namespace {
 
-constexpr std::array<std::string_view, 5> kinds{"rules", "robot", "disturbance", "team", "predictor_study"};
+constexpr std::array<std::string_view, 6> kinds{"rules", "robot", "disturbance", "opening", "team", "predictor_study"};
 
 // Calls use(value, declaration) for a read document of the kind it says, checked.
 template <class Use>
@@ -32,6 +32,10 @@ auto visit(const Node& document, Use use) {
     case DocumentKind::disturbance: {
       Disturbance disturbance = read_disturbance(document);
       return use(declare(disturbance));
+    }
+    case DocumentKind::opening: {
+      Opening opening = read_opening(document);
+      return use(declare(opening));
     }
     case DocumentKind::predictor_study: {
       PredictorStudy study = read_predictor_study(document);
@@ -56,14 +60,18 @@ DocumentKind kind_of(const Node& document) {
     if (document[kinds[i]]) return static_cast<DocumentKind>(i);
   }
   throw Error(document.where(),
-              "no key says what this is: rules, robot, disturbance, team or predictor_study, with its name");
+              "no key says what this is: rules, robot, disturbance, opening, team or predictor_study, with its name");
+}
+
+static std::string with_article(DocumentKind kind) {
+  return fmt::format("{} {}", kind == DocumentKind::opening ? "an" : "a", name_of(kind));
 }
 
 void require_kind(const Node& document, DocumentKind kind) {
   const DocumentKind found = kind_of(document);
   if (found == kind) return;
   throw Error(document.where(),
-              fmt::format("this is a {} document; a {} document is wanted", name_of(found), name_of(kind)));
+              fmt::format("this is {} document; {} document is wanted", with_article(found), with_article(kind)));
 }
 
 Rules read_rules(const Node& document) {
@@ -89,6 +97,13 @@ Disturbance read_disturbance(const Node& document) {
   return disturbance;
 }
 
+Opening read_opening(const Node& document) {
+  require_kind(document, DocumentKind::opening);
+  Opening opening;
+  read(declare(opening), document);
+  return opening;
+}
+
 PredictorStudy read_predictor_study(const Node& document) {
   require_kind(document, DocumentKind::predictor_study);
   PredictorStudy study;
@@ -105,6 +120,9 @@ Robot read_robot(const std::filesystem::path& file, const Overrides& overrides) 
 }
 Disturbance read_disturbance(const std::filesystem::path& file, const Overrides& overrides) {
   return read_disturbance(load(file, overrides));
+}
+Opening read_opening(const std::filesystem::path& file, const Overrides& overrides) {
+  return read_opening(load(file, overrides));
 }
 Team read_team(const std::filesystem::path& file, const Overrides& overrides) {
   return read_team(load(file, overrides));
@@ -142,6 +160,10 @@ std::string schema(DocumentKind kind, std::span<const PluginDeclaration> plugins
     case DocumentKind::disturbance: {
       Disturbance disturbance;
       return schema(declare(disturbance), title, plugins);
+    }
+    case DocumentKind::opening: {
+      Opening opening;
+      return schema(declare(opening), title, plugins);
     }
     case DocumentKind::predictor_study: {
       PredictorStudy study;

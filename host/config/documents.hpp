@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The five kinds of document: read, shown, described. A document says its kind by the key that holds its name
-// (`rules: spl2023`, `robot: nao`, `disturbance: none`, `team: paper`, `predictor_study: ssl_ball`).
+// The six kinds of document: read, shown, described. A document says its kind by the key that holds its name
+// (`rules: spl2023`, `robot: nao`, `disturbance: none`, `opening: overload`, `team: paper`, `predictor_study:
+// ssl_ball`).
 #pragma once
 
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include "config/disturbance.hpp"
 #include "config/load.hpp"
 #include "config/node.hpp"
+#include "config/opening.hpp"
 #include "config/plugin_declaration.hpp"
 #include "config/predictor_study.hpp"
 #include "config/robot.hpp"
@@ -24,6 +26,7 @@ namespace regista::config {
 Rules read_rules(const std::filesystem::path& file, const Overrides& overrides = {});
 Robot read_robot(const std::filesystem::path& file, const Overrides& overrides = {});
 Disturbance read_disturbance(const std::filesystem::path& file, const Overrides& overrides = {});
+Opening read_opening(const std::filesystem::path& file, const Overrides& overrides = {});
 Team read_team(const std::filesystem::path& file, const Overrides& overrides = {});
 PredictorStudy read_predictor_study(const std::filesystem::path& file, const Overrides& overrides = {});
 
@@ -31,12 +34,13 @@ PredictorStudy read_predictor_study(const std::filesystem::path& file, const Ove
 Rules read_rules(const Node& document);
 Robot read_robot(const Node& document);
 Disturbance read_disturbance(const Node& document);
+Opening read_opening(const Node& document);
 Team read_team(const Node& document);
 PredictorStudy read_predictor_study(const Node& document);
 
-enum class DocumentKind { rules, robot, disturbance, team, predictor_study };
+enum class DocumentKind { rules, robot, disturbance, opening, team, predictor_study };
 
-// "rules", "robot", "disturbance", "team", "predictor_study"
+// "rules", "robot", "disturbance", "opening", "team", "predictor_study"
 std::string_view name_of(DocumentKind kind);
 
 // Throws Error at the document when it says no kind.

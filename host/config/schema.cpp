@@ -169,6 +169,7 @@ Json definitions() {
     if (key != "roles") keys += (keys.empty() ? "" : "|") + key;
   }
   return {{"place", {{"anyOf", {anchor, point}}}},
+          {"line", {{"type", "string"}, {"pattern", "^[^\n]*$"}}},
           {"segment", {{"type", "array"}, {"items", {{"$ref", "#/$defs/place"}}}, {"minItems", 2}, {"maxItems", 2}}},
           {"params", {{"type", "object"}}},
           {"use",

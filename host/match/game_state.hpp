@@ -52,6 +52,7 @@ enum class EventKind : std::uint8_t {
   packet_too_long,
   half_ends,
   finished,
+  opening,  // a game from an opening begins; last, for the hash of a match counts the kinds
 };
 
 // `side`: whom it concerns: who kicks, scored, was penalised. number: of the robot, 0 where there is none.

@@ -41,6 +41,10 @@ void check(const Setup& setup, std::size_t home, std::size_t away) {
     throw std::invalid_argument("rules want " + std::to_string(size) + " robots a team, minds are given for " +
                                 std::to_string(home) + " and " + std::to_string(away));
   }
+  if (!setup.opening) return;
+  if (const auto misfit = config::misfit(*setup.opening, setup.rules, setup.robots)) {
+    throw std::invalid_argument(misfit->reason);
+  }
 }
 
 std::vector<config::Body> bodies_of(const Setup& setup) {
@@ -49,6 +53,11 @@ std::vector<config::Body> bodies_of(const Setup& setup) {
     bodies.insert(bodies.end(), static_cast<std::size_t>(setup.rules.team_size), setup.robots[index(side)].body);
   }
   return bodies;
+}
+
+std::optional<double> limit_of(const Setup& setup) {
+  if (setup.limit || !setup.opening) return setup.limit;
+  return setup.opening->length;
 }
 
 double largest_radius(const Setup& setup) { return std::max(setup.robots[0].body.radius, setup.robots[1].body.radius); }
@@ -126,7 +135,7 @@ Course::Course(const Setup& setup, std::span<const mind::Think> home, std::span<
       roster_{setup.rules.team_size},
       marks_{Marks(setup.rules.field, setup.robots[0].camera), Marks(setup.rules.field, setup.robots[1].camera)},
       arena_(setup.rules.field, setup.rules.ball, bodies_of(setup)),
-      referee_(setup.rules, largest_radius(setup)),
+      referee_(setup.rules, largest_radius(setup), setup.opening ? &*setup.opening : nullptr),
       told_(setup.rules),
       radio_{Radio(setup.robots[0].radio, setup.disturbances[0], roster_.team_size, setup.seed, Side::home),
              Radio(setup.robots[1].radio, setup.disturbances[1], roster_.team_size, setup.seed, Side::away)},
@@ -168,9 +177,10 @@ double Course::ball_distance(int id) const {
 }
 
 Result Course::run() {
+  const std::optional<double> limit = limit_of(setup_);
   judge(-1);
   while (referee_.state().ended == Ended::no) {
-    if (setup_.limit && time_ >= *setup_.limit - physics_step / 2.0) break;
+    if (limit && time_ >= *limit - physics_step / 2.0) break;
     for (int id = 0; id < roster_.count(); ++id) {
       if (robot(id).next_decision == tick_) decide(id);
     }
@@ -339,6 +349,7 @@ void Course::follow(const Calls& calls) {
     out_of_play_ &= ~only(id);
   }
   if (calls.ball) arena_.place_ball(*calls.ball);
+  if (calls.ball_velocity) arena_.kick(*calls.ball_velocity);
   if (calls.announced) {
     told_.announce(state, time_, calls.told_late ? setup_.rules.durations.state_delay : 0.0, calls.ball_came_free);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One match from the first half's placement to the end: a pure function of its setup and of the minds that play. Minds
-// are known as mind::Think only, one for each robot; all that reaches them are percepts and packets.
+// One match from the first half's placement, or from an opening, to the end: a pure function of its setup and of the
+// minds that play. Minds are known as mind::Think only, one for each robot; all that reaches them are percepts and
+// packets.
 //
 // In each physics step (50 Hz): the robots whose turn it is decide, bodies move, the arena steps, the referee judges.
 // A robot decides once in a decision period; side and number spread the robots over the steps of a period.
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "config/disturbance.hpp"
+#include "config/opening.hpp"
 #include "config/robot.hpp"
 #include "config/rules.hpp"
 #include "match/arena.hpp"
@@ -35,6 +37,8 @@ struct Setup {
   std::array<std::vector<Role>, 2> roles;  // the teams' tables of roles; Outcome::role is a row of it
   std::uint64_t seed = 1;
   std::optional<double> limit;  // s of simulated time after which the match ends
+  // The scene that it starts from, in play, instead of a kick-off; without a limit its length is one.
+  std::optional<config::Opening> opening;
 };
 
 struct Result {

@@ -26,7 +26,7 @@ const char* name(EventKind kind) {
   constexpr std::array names{"half begins",      "ready",     "set",       "kick-off",    "goal",
                              "goal not counted", "kick-in",   "goal kick", "corner kick", "ball free",
                              "game stuck",       "penalty",   "returned",  "put back",    "too many packets",
-                             "packet too long",  "half ends", "finished"};
+                             "packet too long",  "half ends", "finished",  "opening"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -34,6 +34,7 @@ void Calls::clear() {
   removed.clear();
   placements.clear();
   ball.reset();
+  ball_velocity.reset();
   whistle = announced = told_late = ball_came_free = false;
   events.clear();
 }
@@ -42,8 +43,8 @@ int Referee::allowance(const config::Messages& messages, double added) {
   return messages.budget + messages.extra_per_minute * static_cast<int>(added / 60.0);
 }
 
-Referee::Referee(const config::Rules& rules, double robot_radius)
-    : rules_(rules), roster_{rules.team_size}, robot_radius_(robot_radius) {
+Referee::Referee(const config::Rules& rules, double robot_radius, const config::Opening* opening)
+    : rules_(rules), opening_(opening), roster_{rules.team_size}, robot_radius_(robot_radius) {
   where_.resize(static_cast<std::size_t>(roster_.count()));
   back_at_.resize(where_.size());
   calls_.removed.reserve(where_.size());
@@ -71,7 +72,11 @@ const Calls& Referee::update(const Scene& scene) {
   std::copy(scene.robots.begin(), scene.robots.end(), where_.begin());
   if (!began_) {
     began_ = true;
-    begin_half();
+    if (opening_ != nullptr) {
+      begin_in_play(*opening_);
+    } else {
+      begin_half();
+    }
     return calls_;
   }
   calls_.events.insert(calls_.events.end(), pending_.begin(), pending_.end());
@@ -127,6 +132,25 @@ void Referee::begin_half() {
   }
   announce();
   note(EventKind::half_begins, state_.kicking);
+}
+
+void Referee::begin_in_play(const config::Opening& opening) {
+  state_.phase = Phase::playing;
+  state_.phase_began = time_;
+  state_.clock_runs = true;
+  clock_began_ = time_;
+  last_action_ = time_;
+  state_.spot = {opening.ball.at[0], opening.ball.at[1]};
+  calls_.ball = state_.spot;
+  calls_.ball_velocity = Vector{opening.ball.velocity[0], opening.ball.velocity[1]};
+  for (int id = 0; id < roster_.count(); ++id) {
+    const auto& players = roster_.side(id) == Side::home ? opening.home : opening.away;
+    const config::Opening::Player& player = players[static_cast<std::size_t>(roster_.number(id) - 1)];
+    where_[static_cast<std::size_t>(id)] = {player.at[0], player.at[1]};
+    calls_.placements.push_back({id, {player.at[0], player.at[1], config::heading(opening, player)}});
+  }
+  announce();
+  note(EventKind::opening, state_.kicking);
 }
 
 void Referee::begin_ready(Side kicking, bool told_late) {

@@ -5,6 +5,7 @@
 //   Initial -> Ready -> Set -> (whistle) Playing -> goal: Ready, ball out: set play, half over: Initial or Finished
 //
 // Decided here where the rule book leaves room, or a person would judge:
+// - A game from an opening begins in play, in the first half, as if home had taken its kick-off long ago.
 // - Before each half robots stand in Initial for one second, so that every robot decides there at least once.
 // - Robots that stand illegally at the beginning or end of Set (beyond the own half, in the circle when the others kick
 //   off, on the ball) are put back by hand, and so is a robot on the very spot where the ball of a set play is put.
@@ -23,6 +24,7 @@
 #include <span>
 #include <vector>
 
+#include "config/opening.hpp"
 #include "config/rules.hpp"
 #include "match/game_state.hpp"
 
@@ -43,9 +45,10 @@ struct Placement {
 
 // What is to be done now, in this order. The memory is the referee's, until the next call.
 struct Calls {
-  std::vector<int> removed;           // ids of robots that leave the field
-  std::vector<Placement> placements;  // robots to be put down by hand
-  std::optional<Vector> ball;         // the ball is put here, at rest
+  std::vector<int> removed;             // ids of robots that leave the field
+  std::vector<Placement> placements;    // robots to be put down by hand
+  std::optional<Vector> ball;           // the ball is put here, at rest
+  std::optional<Vector> ball_velocity;  // but rolls: the scene of an opening, m/s
   bool whistle = false;
   bool announced = false;       // phase, set play or score changed: the game controller tells
   bool told_late = false;       // but over the network only after Durations::state_delay
@@ -58,7 +61,8 @@ struct Calls {
 class Referee {
  public:
   // robot_radius: of the largest robot, m; nobody is put nearer to anything than bodies allow.
-  Referee(const config::Rules& rules, double robot_radius);
+  // opening: the scene that the game starts from, for the time of the referee; null: from the first kick-off.
+  Referee(const config::Rules& rules, double robot_radius, const config::Opening* opening = nullptr);
 
   const GameState& state() const { return state_; }
   const Calls& update(const Scene& scene);
@@ -72,6 +76,7 @@ class Referee {
 
  private:
   void begin_half();
+  void begin_in_play(const config::Opening& opening);
   void begin_ready(Side kicking, bool told_late);
   void begin_set();
   void kick_off();
@@ -98,6 +103,7 @@ class Referee {
   double direction(Side side) const { return attack(side, state_.half); }
 
   config::Rules rules_;
+  const config::Opening* opening_;
   Roster roster_;
   double robot_radius_;
   GameState state_;

@@ -6,8 +6,8 @@ import unittest
 
 import program
 
-OPTIONS = ("--help, --seed, --rules, --robot, --disturbance, --set, --limit, --plugins, --json, --decisions, --quiet, "
-           "--verbose")
+OPTIONS = ("--help, --seed, --rules, --robot, --disturbance, --opening, --set, --limit, --plugins, --json, --decisions, "
+           "--quiet, --verbose")
 
 
 def processor_seconds():
@@ -73,7 +73,7 @@ class CommandLine(BadInput):
     def test_options_without_value_or_with_two(self):
         self.assert_match_refused(("--seed",), "--seed needs a value")
         self.assert_match_refused(("--seed", "1", "--seed", "2"), "--seed is given more than once")
-        for option in ("--seed", "--limit", "--rules", "--decisions", "--set", "--plugins"):
+        for option in ("--seed", "--limit", "--rules", "--opening", "--decisions", "--set", "--plugins"):
             self.assert_match_refused((option, ""), f"{option} needs a value")
         self.assert_match_refused(("--decisions", "--json"), '--decisions needs a value, and "--json" is an option')
         self.assert_match_refused(("--json=maybe",), "--json takes no value")
@@ -101,7 +101,7 @@ class CommandLine(BadInput):
     def test_kind_of_schema(self):
         self.assert_refused(("config", "schema", "robots"),
                             'config schema: unknown kind of document "robots"; nearest: "robot"; '
-                            "known: rules, robot, disturbance, team, predictor_study")
+                            "known: rules, robot, disturbance, opening, team, predictor_study")
 
     def test_control_characters_stay_in_one_line(self):
         self.assert_refused(("match\n\x1b[31m",), r'unknown command "match\n\x1b[31m" in regista; '

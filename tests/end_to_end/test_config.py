@@ -51,7 +51,7 @@ class Config(program.Case):
         self.assertRegex(page, r"(?m)^\s+squared: false\s")
 
     def test_schema(self):
-        for kind in ("rules", "robot", "disturbance", "team"):
+        for kind in ("rules", "robot", "disturbance", "opening", "team"):
             schema = json.loads(self.succeed("config", "schema", kind))
             self.assertEqual(schema["$schema"], "https://json-schema.org/draft/2020-12/schema")
 

@@ -50,6 +50,24 @@ TEST(CommonInputs, KnowEveryValueOfTheProfiles) {
   EXPECT_THAT(changed([](match::Setup& s) { s.seed = 2; }), IsEmpty());
 }
 
+TEST(CommonInputs, KnowTheOpening) {
+  match::Setup from_kick_off, from_scene;
+  from_scene.opening.emplace();
+  from_scene.opening->name = "scene";
+  from_scene.opening->home.resize(7);
+  EXPECT_THAT(differences(common(from_kick_off), common(from_scene)), ElementsAre("opening scene is new"));
+  const auto changed = [&](auto change) {
+    match::Setup other = from_scene;
+    change(*other.opening);
+    return differences(common(from_scene), common(other));
+  };
+  EXPECT_THAT(changed([](config::Opening& o) { o.home[6].at[1] = 0.1; }), ElementsAre("opening scene has changed"));
+  EXPECT_THAT(changed([](config::Opening& o) { o.home[6].heading = 0.0; }), ElementsAre("opening scene has changed"));
+  EXPECT_THAT(changed([](config::Opening& o) { o.ball.velocity[0] = 1.0; }), ElementsAre("opening scene has changed"));
+  EXPECT_THAT(changed([](config::Opening& o) { o.length = 20.0; }), ElementsAre("opening scene has changed"));
+  EXPECT_THAT(changed([](config::Opening& o) { o.summary = "for people"; }), IsEmpty());
+}
+
 TEST(Differences, NameWhatHasChanged) {
   const std::vector<Input> before{{"x", "1"}, {"y", "2"}}, now{{"x", "3"}, {"z", "2"}};
   EXPECT_THAT(differences(before, now), ElementsAre("x has changed", "y is no longer used", "z is new"));

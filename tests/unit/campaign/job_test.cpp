@@ -12,6 +12,7 @@ Job some_job() {
   Job job;
   job.teams = {"a \"team\".yaml", "b\n.yaml"};
   job.rules = "rules.yaml";
+  job.opening = "scene.yaml";
   job.overrides = {"home.utility.terms.near.weight=0.5", "rules.durations.ready=3"};
   job.plugins = {"old", "new"};
   job.limit = "12.5";
@@ -38,6 +39,8 @@ TEST(Job, IsACommandLineOfMatch) {
                                           "12.5",
                                           "--rules",
                                           "rules.yaml",
+                                          "--opening",
+                                          "scene.yaml",
                                           "--set",
                                           "home.utility.terms.near.weight=0.5",
                                           "--set",

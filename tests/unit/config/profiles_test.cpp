@@ -36,7 +36,8 @@ TEST(Documents, EveryShippedOneIsSound) {
   int files = 0;
   for (const auto& [folder, kind] :
        {std::pair{"configs/rules", DocumentKind::rules}, std::pair{"configs/robots", DocumentKind::robot},
-        std::pair{"configs/disturbances", DocumentKind::disturbance}, std::pair{"configs/teams", DocumentKind::team}}) {
+        std::pair{"configs/disturbances", DocumentKind::disturbance}, std::pair{"configs/teams", DocumentKind::team},
+        std::pair{"configs/openings", DocumentKind::opening}}) {
     for (const auto& entry : std::filesystem::directory_iterator(project / folder)) {
       EXPECT_EQ(error_of([&, wanted = kind] { EXPECT_EQ(check(entry.path()), wanted); }), "");
       ++files;
@@ -123,7 +124,8 @@ TEST(Profiles, WhatIsRefused) {
   const std::pair<std::string_view, std::string_view> cases[] = {
       // Keys and types
       {"x: 1\n",
-       "t.yaml:1:1: no key says what this is: rules, robot, disturbance, team or predictor_study, with its name"},
+       "t.yaml:1:1: no key says what this is: rules, robot, disturbance, opening, team or predictor_study, with its "
+       "name"},
       {"rules: a\nfield:\n  lenght: 9\n",
        "t.yaml:3:3: unknown key \"lenght\" in field; nearest: \"length\"; known: length, width, border_strip, "
        "line_width, "

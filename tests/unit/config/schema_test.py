@@ -49,21 +49,25 @@ def changed(document, path, value):
 
 
 rules, robot, disturbance = validator("rules"), validator("robot"), validator("disturbance")
+opening = validator("opening")
 team, team_with_plugins = validator("team"), validator("team", "plugins")
 documents = {
     "rules": load("configs/rules/spl2023.yaml"),
     "robot": load("configs/robots/nao.yaml"),
     "disturbance": load("configs/disturbances/none.yaml"),
+    "opening": load("configs/openings/cross_from_the_right.yaml"),
     "team": load("tests/fixtures/config/team.yaml"),
 }
-schemas = {"rules": [rules], "robot": [robot], "disturbance": [disturbance], "team": [team, team_with_plugins]}
+schemas = {"rules": [rules], "robot": [robot], "disturbance": [disturbance], "opening": [opening],
+           "team": [team, team_with_plugins]}
 
 for kind, document in documents.items():
     for other, choices in schemas.items():
         for schema in choices:
             expect(kind == other, schema, document, f"{kind} as {other}")
 
-for folder, kind in [("rules", "rules"), ("robots", "robot"), ("disturbances", "disturbance"), ("teams", "team")]:
+for folder, kind in [("rules", "rules"), ("robots", "robot"), ("disturbances", "disturbance"), ("openings", "opening"),
+                     ("teams", "team")]:
     for path in sorted((project / "configs" / folder).iterdir()):
         expect(True, schemas[kind][0], load(path.relative_to(project)), path.name)
 
@@ -78,6 +82,13 @@ broken = {
         (["walk", "turn"], 1.5), (["camera", "ball_probability"], 1.5), (["decision_period"], 0.01),
     ],
     "disturbance": [(["extra_packet_loss"], 1.1), (["extra_loss"], 0.1), (["disturbance"], None)],
+    "opening": [
+        (["opening"], None), (["length"], None), (["length"], 0), (["summary"], "two\nlines"), (["summary"], 7),
+        (["ball"], None), (["ball", "at"], None), (["ball", "at"], [0]), (["ball", "velocity"], [0, 30]),
+        (["ball", "position"], [0, 0]), (["home"], None), (["away"], []), (["away", 0], [1, 2, 3]),
+        (["home", 0, "at"], None), (["home", 0, "at"], [200, 0]), (["home", 0, "heading_deg"], 400),
+        (["home", 0, "heading"], 1),
+    ],
     "team": [
         (["assigner"], None), (["assigner", "plugin"], None), (["assigner", "weight"], 1),
         (["predictors", "self"], None), (["contexts"], []), (["contexts", 0, "name"], None),

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "config/opening.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/place.hpp"
+#include "config/scalar.hpp"
+
+namespace regista::config {
+namespace {
+
+constexpr Range coordinate{-farthest_coordinate, farthest_coordinate};
+
+using Point = std::array<double, 2>;
+
+double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+
+std::string text(const Point& point) { return fmt::format("({}, {})", real_text(point[0]), real_text(point[1])); }
+
+// A computed length as a person reads it.
+std::string metres(double value) { return fmt::format("{:.4g}", value); }
+
+// Distance from `point` to the nearest part of either goal: the posts, and the net as lines between them and behind.
+double to_goal_frame(const Point& point, const FieldSize& field) {
+  const double line = field.length / 2.0, back = line + field.goal_depth;
+  const double post = (field.goal_width + field.post_diameter) / 2.0;
+  // The field is symmetric: one corner of it stands for all.
+  const Point at{std::fabs(point[0]), std::fabs(point[1])};
+  const Point on_side{std::clamp(at[0], line, back), post}, on_back{back, std::clamp(at[1], 0.0, post)};
+  const double to_post = std::max(distance(at, {line, post}) - field.post_diameter / 2.0, 0.0);
+  return std::min({to_post, distance(at, on_side), distance(at, on_back)});
+}
+
+// A robot that takes part.
+struct Standing {
+  std::string path, name;  // "home.0.at", "home 1"
+  Point at;
+  double radius;
+};
+
+std::vector<Standing> standing(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots) {
+  std::vector<Standing> all;
+  for (const std::size_t side : {0u, 1u}) {
+    const char* const name = side == 0 ? "home" : "away";
+    const std::vector<Opening::Player>& players = side == 0 ? opening.home : opening.away;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rules.team_size); ++i) {
+      all.push_back({fmt::format("{}.{}.at", name, i), fmt::format("{} {}", name, i + 1), players[i].at,
+                     robots[side].body.radius});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+static Map declare(Opening::Ball& ball) {
+  return {{
+      required(numbers("at", ball.at, coordinate, "m", "where it is: x, y")),
+      numbers("velocity", ball.velocity, {-20, 20}, "m/s", "how it moves: along x, along y"),
+  }};
+}
+
+static Map declare(Opening::Player& player) {
+  return {{
+      required(numbers("at", player.at, coordinate, "m", "where it stands: x, y")),
+      degrees("heading_deg", player.heading, {-360, 360}, "deg",
+              "0 looks along x, 90 along y; without it the robot looks at the ball"),
+  }};
+}
+
+static Field summary_of(std::string& summary) {
+  return {"summary", "what is going on, in one line",
+          Own{"line",
+              [&summary](const Node& node, const std::string& what) {
+                summary = to_text(node, what);
+                if (summary.find('\n') != std::string::npos) throw Error(node.where(), what + ": one line is wanted");
+              },
+              [&summary] { return summary.empty() ? Node() : Node::scalar(summary, true, {}); }}};
+}
+
+Map declare(Opening& opening) {
+  return {{
+      required(name("opening", opening.name, "name of this opening")),
+      summary_of(opening.summary),
+      required(real("length", opening.length, {0.1, 3600}, "s", "of play, then the game ends")),
+      required(section("ball", opening.ball, "the ball; world frame, in which home attacks along x")),
+      required(
+          list("home", opening.home, 1, 22, "robots number 1, 2, ... of home; a smaller team uses the first ones")),
+      required(list("away", opening.away, 1, 22, "the same of away, in the same frame")),
+  }};
+}
+
+double heading(const Opening& opening, const Opening::Player& player) {
+  if (player.heading) return *player.heading;
+  return std::atan2(opening.ball.at[1] - player.at[1], opening.ball.at[0] - player.at[0]);
+}
+
+std::optional<Misfit> misfit(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots) {
+  const auto found = [&](std::string path, const std::string& reason) {
+    return Misfit{std::move(path), fmt::format("opening {}: {}", opening.name, reason)};
+  };
+  for (const auto& [side, players] : {std::pair{"home", &opening.home}, {"away", &opening.away}}) {
+    if (players->size() < static_cast<std::size_t>(rules.team_size)) {
+      return found(side, fmt::format("{} has {} place{}, a team has {} robots", side, players->size(),
+                                     players->size() == 1 ? "" : "s", rules.team_size));
+    }
+  }
+  const FieldSize& field = rules.field;
+  const Point& ball = opening.ball.at;
+  const double ball_radius = rules.ball.diameter / 2.0;
+  const double x = field.length / 2.0, y = field.width / 2.0;
+  if (std::fabs(ball[0]) > x || std::fabs(ball[1]) > y) {
+    return found("ball.at", fmt::format("the ball at {} is off the field, which ends at x = {} and y = {} m",
+                                        text(ball), metres(x), metres(y)));
+  }
+  if (to_goal_frame(ball, field) < ball_radius) {
+    return found("ball.at", fmt::format("the ball at {} is on a goal post", text(ball)));
+  }
+  const std::vector<Standing> all = standing(opening, rules, robots);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Standing& robot = all[i];
+    const std::string who = fmt::format("{} at {}", robot.name, text(robot.at));
+    const double end_x = x + field.border_strip - robot.radius, end_y = y + field.border_strip - robot.radius;
+    if (std::fabs(robot.at[0]) > end_x || std::fabs(robot.at[1]) > end_y) {
+      return found(robot.path, fmt::format("{} is off the carpet, which has room up to x = {} and y = {} m", who,
+                                           metres(end_x), metres(end_y)));
+    }
+    if (to_goal_frame(robot.at, field) < robot.radius) return found(robot.path, who + " stands in a goal's frame");
+    const double to_ball = distance(robot.at, ball), on_ball = robot.radius + ball_radius;
+    if (to_ball < on_ball) {
+      return found(robot.path, fmt::format("{} stands on the ball at {}: {} m apart, they need {} m", who, text(ball),
+                                           metres(to_ball), metres(on_ball)));
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      const double apart = distance(robot.at, all[j].at), bodies = robot.radius + all[j].radius;
+      if (apart >= bodies) continue;
+      return found(robot.path, fmt::format("{} and {} at {} overlap: {} m apart, they need {} m", who, all[j].name,
+                                           text(all[j].at), metres(apart), metres(bodies)));
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace regista::config
