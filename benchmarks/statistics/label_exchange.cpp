@@ -63,7 +63,7 @@ struct Errors {
 void judge(const std::vector<Pair>& pairs, std::size_t begin, std::size_t end, std::mt19937_64& coin, Errors& errors) {
   Moments goals;
   PairCounts counts;
-  BettingGrid betting({-most_goals, most_goals, alpha}, 4000);
+  BettingGrid betting({-most_goals, most_goals, alpha, 1.0}, 4000);
   SequentialTest<PairCounts> sequential({Model::normalized, {0.0, 50.0}, {alpha, alpha}, true});
   for (std::size_t i = begin; i < end; ++i) {
     const int sign = (coin() >> 63) == 0 ? 1 : -1;

@@ -18,6 +18,7 @@
 #include "cli/match_setup.hpp"
 #include "cli/test_options.hpp"
 #include "config/text.hpp"
+#include "match/match.hpp"
 #include "match/teams.hpp"
 #include "study/metric.hpp"
 
@@ -206,7 +207,7 @@ study::TournamentPlan tournament_plan(const TournamentOptions& options, const pl
     plan.teams[team].label = prepared.plans[0]->team().name;
     plan.teams[team].inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue);
     plan.common_inputs = campaign::common_inputs(without_opening(prepared.setup), program, mathematics);
-    plan.most_goals = std::max(prepared.setup.rules.mercy_difference, campaign::goals_of_forfeit);
+    if (openings.empty()) plan.most_goals = match::most_goal_difference(prepared.setup);
   }
   label_teams(plan.teams);
   std::vector<study::Opening> scenes;
@@ -216,6 +217,7 @@ study::TournamentPlan tournament_plan(const TournamentOptions& options, const pl
     study::Fixture fixture;
     fixture.away = 1;
     const MatchSetup prepared = setup_of(with, fixture, catalogue);
+    plan.most_goals = std::max(plan.most_goals, match::most_goal_difference(prepared.setup));
     scenes.push_back({file, campaign::opening_input(*prepared.setup.opening)});
     const auto same = std::ranges::find(scenes, scenes.back().input.name,
                                         [](const study::Opening& scene) { return scene.input.name; });

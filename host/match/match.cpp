@@ -396,4 +396,13 @@ Result play(const Setup& setup, std::span<const mind::Think> home, std::span<con
   return Course(setup, home, away, observer != nullptr ? *observer : nobody).run();
 }
 
+int most_goal_difference(const Setup& setup) {
+  const config::Durations& durations = setup.rules.durations;
+  const std::optional<double> limit = limit_of(setup);
+  const double between = durations.ready + durations.set;
+  const int mercy = setup.rules.mercy_difference;
+  if (!limit || !(between > 0.0) || *limit / between >= mercy) return mercy;
+  return std::min(mercy, 1 + static_cast<int>(*limit / between));
+}
+
 }  // namespace regista::match

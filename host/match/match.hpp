@@ -50,6 +50,10 @@ struct Result {
   std::uint64_t hash = 0;  // over the course of the match
 };
 
+// No match of this setup ends with a larger one: the mercy rule ends it, and after each goal the robots go back to
+// their places before play goes on.
+int most_goal_difference(const Setup& setup);
+
 const char* name(Ended ended);  // "full_time", "mercy", "limit"
 
 // The truth after a physics step. Memory is the match's, for the time of the call. World frame.

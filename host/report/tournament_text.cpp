@@ -17,9 +17,13 @@ using study::Meeting;
 
 const std::string& label(const TournamentView& view, std::size_t team) { return view.plan.teams[team].label; }
 
+// What would be written as -0.00 is 0.00.
+double without_sign_of_zero(double value) { return std::abs(value) < 0.005 ? 0.0 : value; }
+
 std::string with_margin(const statistics::Estimate& estimate) {
-  if (estimate.interval.bounded()) return fmt::format("{:.2f} +/- {:.2f}", estimate.value, estimate.margin());
-  return fmt::format("{:.2f} [{:.2f}, {:.2f}]", estimate.value, estimate.interval.low, estimate.interval.high);
+  const double value = without_sign_of_zero(estimate.value);
+  if (estimate.interval.bounded()) return fmt::format("{:.2f} +/- {:.2f}", value, estimate.margin());
+  return fmt::format("{:.2f} [{:.2f}, {:.2f}]", value, estimate.interval.low, estimate.interval.high);
 }
 
 std::string or_none(const std::optional<double>& number) { return number ? fmt::format("{:.2f}", *number) : "-"; }
@@ -30,7 +34,7 @@ std::string score_test_text(const statistics::SequentialTest<statistics::PairCou
   const statistics::SequentialBounds bounds = test.bounds();
   const double llr = test.ratio().value;
   const auto& hypotheses = test.design().hypotheses;
-  return fmt::format("LLR: {:.2f} ({:.1f} %) ({:.2f}, {:.2f}) [{:.2f}, {:.2f}] {}{}\n", llr,
+  return fmt::format("LLR: {:.2f} ({:.1f} %) ({:.2f}, {:.2f}) [{:.2f}, {:.2f}] {}{}\n", without_sign_of_zero(llr),
                      percent(llr, llr < 0.0 ? -bounds.lower : bounds.upper), bounds.lower, bounds.upper,
                      hypotheses.elo0, hypotheses.elo1,
                      test.design().model == statistics::Model::logistic ? "logistic" : "normalized",
@@ -70,8 +74,8 @@ std::string meeting_text(const TournamentView& view, const Meeting& meeting) {
   out += fmt::format("Goals: {}:{}", meeting.goals[0], meeting.goals[1]);
   if (known) {
     const statistics::Interval interval = meeting.goals_sequence.interval();
-    out += fmt::format(", per match {:+.3f} [{:.3f}, {:.3f}] at any time", meeting.goals_of_pairs.mean(), interval.low,
-                       interval.high);
+    out += fmt::format(", per match {:+.3f} [{:.3f}, {:.3f}] at any time",
+                       without_sign_of_zero(meeting.goals_of_pairs.mean()), interval.low, interval.high);
     const bool fixed = std::holds_alternative<study::FixedNumber>(view.plan.objective);
     if (fixed && known->goals_t) {
       out += fmt::format(", [{:.3f}, {:.3f}] for this number of pairs (t test: p {:.2g})", known->goals_t->interval.low,

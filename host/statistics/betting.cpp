@@ -11,7 +11,7 @@
 namespace regista::statistics {
 namespace {
 
-constexpr double largest_loss = 0.5;  // share of a capital that one value may take
+constexpr double largest_loss = 0.75;  // share of a capital that one value may take
 
 using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
@@ -33,12 +33,15 @@ void HedgedCapital::bet(double stake, double value, double mean) {
   below_.bet(-std::min(stake, largest_loss / (1.0 - mean)), value, mean);
 }
 
-PlugInStake::PlugInStake(double alpha) : log_level_(2.0 * std::log(2.0 / alpha)) { assert(alpha > 0.0 && alpha < 1.0); }
+PlugInStake::PlugInStake(double alpha, double variance)
+    : log_level_(2.0 * std::log(2.0 / alpha)), expected_variance_(variance) {
+  assert(alpha > 0.0 && alpha < 1.0 && variance > 0.0);
+}
 
 double PlugInStake::next() const {
-  // One value at 1/2, with a variance of 1/4, was seen before all others.
+  // One value at 1/2, with the variance that is expected, was seen before all others.
   const double t = static_cast<double>(count_ + 1);
-  const double variance = (0.25 + squares_) / t;
+  const double variance = (expected_variance_ + squares_) / t;
   return std::sqrt(log_level_ / (variance * t * std::log1p(t)));
 }
 
@@ -50,7 +53,9 @@ void PlugInStake::learn(double value) {
 }
 
 BettingTest::BettingTest(const BettingDesign& design, double mean)
-    : design_(design), mean_((mean - design.low) / (design.high - design.low)), stake_(design.alpha) {
+    : design_(design),
+      mean_((mean - design.low) / (design.high - design.low)),
+      stake_(design.alpha, design.expected_variance()) {
   assert(design.low < mean && mean < design.high);
 }
 
@@ -67,7 +72,8 @@ void BettingTest::add(double value) {
 double BettingTest::log_evidence() const { return log_hedged(capital_); }
 double BettingTest::p() const { return std::exp(-most_); }
 
-BettingSequence::BettingSequence(const BettingDesign& design) : design_(design), stake_(design.alpha) {
+BettingSequence::BettingSequence(const BettingDesign& design)
+    : design_(design), stake_(design.alpha, design.expected_variance()) {
   assert(design.low < design.high);
 }
 

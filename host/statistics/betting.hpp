@@ -34,7 +34,7 @@ class Capital {
 class HedgedCapital {
  public:
   // Takes a value and the stake that was chosen before it was known, 0 or more. It is cut so that no value can take
-  // more than half of a capital.
+  // more than three quarters of a capital.
   void bet(double stake, double value, double mean);
   double log_above() const { return above_.log(); }  // of the one who thinks that the true mean is larger
   double log_below() const { return below_.log(); }
@@ -47,12 +47,13 @@ class HedgedCapital {
 // number.
 class PlugInStake {
  public:
-  explicit PlugInStake(double alpha);
+  // variance: what is expected of the values, before any is known; see BettingDesign.
+  explicit PlugInStake(double alpha, double variance = 0.25);
   double next() const;
   void learn(double value);  // in [0, 1]
 
  private:
-  double log_level_;
+  double log_level_, expected_variance_;
   std::int64_t count_ = 0;
   double sum_ = 0.0, squares_ = 0.0;
 };
@@ -61,6 +62,15 @@ class PlugInStake {
 struct BettingDesign {
   double low, high;
   double alpha = 0.05;
+  // What their standard deviation is expected to be; it counts as one value. All promises hold whatever is expected; a
+  // good guess makes the first stakes worth while. 0: half the range, the largest there is.
+  double expected_deviation = 0.0;
+
+  // In units of the range.
+  double expected_variance() const {
+    const double share = expected_deviation > 0.0 ? expected_deviation / (high - low) : 0.5;
+    return share * share;
+  }
 };
 
 // The test of one mean, in constant time and memory per value.

@@ -19,7 +19,7 @@ BettingGrid::BettingGrid(const BettingDesign& design, int steps)
       steps_(steps),
       last_(steps),
       capitals_(static_cast<std::size_t>(steps) + 1),
-      stake_(design.alpha) {
+      stake_(design.alpha, design.expected_variance()) {
   assert(design.low < design.high && steps >= 2);
 }
 

@@ -13,8 +13,10 @@ namespace {
 
 constexpr std::size_t most_listed = 100;
 constexpr double usual_alpha = 0.05;
-// Of the grid of mean goal differences: 0.005 goals apart where a match ends at a difference of ten.
+// Of the grid of mean goal differences: 0.005 goals apart where a match can end with a difference of ten.
 constexpr int goal_steps = 4000;
+// Standard deviation of the mean goal difference of a pair of matches that is expected before the first.
+constexpr double usual_goals = 1.0;
 
 int goals_of(const campaign::Decided& decided, bool first_at_home) {
   const int difference = decided.score[0] - decided.score[1];
@@ -132,10 +134,10 @@ void Tournament::finish_pair(Meeting& meeting, const campaign::Decided& second) 
   const statistics::PairOutcome pair = statistics::pair_outcome(outcome(goals_first), outcome(goals_second));
   meeting.pairs.add(pair);
   if (meeting.score_test) meeting.score_test->add(pair);
-  const double goals = (goals_first + goals_second) / 2.0;
-  meeting.goals_of_pairs.add(goals);
-  const double most = plan_.most_goals;
-  meeting.goals_sequence.add(std::clamp(goals, -most, most));
+  meeting.goals_of_pairs.add((goals_first + goals_second) / 2.0);
+  // A forfeit may count more goals than a match of this length can have.
+  const int most = plan_.most_goals;
+  meeting.goals_sequence.add((std::clamp(goals_first, -most, most) + std::clamp(goals_second, -most, most)) / 2.0);
   if (!meeting.metric) return;
   const std::string& path = *tested_metric(plan_.objective);
   if (first.failure || second.failure) {

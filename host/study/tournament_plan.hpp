@@ -64,7 +64,7 @@ struct TournamentPlan {
   std::uint64_t pairs = 0;        // of each pairing, at most
   std::uint64_t first_seed = 1;   // of the first pair; the next one has the next
   Objective objective;
-  int most_goals = 10;         // largest goal difference that a match can end with
+  int most_goals = 0;          // largest goal difference that a match can end with; a forfeit counts as that much
   int failures_in_a_row = 10;  // after so many forfeits by the same plugin a team is set aside; 0: never
   campaign::Job common;        // what every match has: profiles, limit, folders of plugins, paths of --set as typed
   std::vector<campaign::Input> common_inputs;
