@@ -225,5 +225,19 @@ TEST_F(StoreTest, PathsMayHoldAnySign) {
   }
 }
 
+TEST_F(StoreTest, NoNameInTheCurrentFolderMeansSomethingElse) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder);
+  for (const char* name : {":memory:", "file::memory:", "results.db"}) {
+    {
+      Store store(name, Mode::create, "1.0");
+      store.insert(1, {number(store, "key"), 1}, played, 1);
+    }
+    { EXPECT_EQ(Store(name, Mode::open, "1.0").rows(), 1) << name; }
+    { EXPECT_EQ(Store(name, Mode::read, "1.0").rows(), 1) << name; }
+  }
+  std::filesystem::current_path(before);
+}
+
 }  // namespace
 }  // namespace regista::campaign
