@@ -12,7 +12,6 @@ Job some_job() {
   Job job;
   job.teams = {"a \"team\".yaml", "b\n.yaml"};
   job.rules = "rules.yaml";
-  job.opening = "scene.yaml";
   job.overrides = {"home.utility.terms.near.weight=0.5", "rules.durations.ready=3"};
   job.plugins = {"old", "new"};
   job.opening = "corner kick.yaml";
@@ -42,8 +41,6 @@ TEST(Job, IsACommandLineOfMatch) {
                                           "12.5",
                                           "--rules",
                                           "rules.yaml",
-                                          "--opening",
-                                          "scene.yaml",
                                           "--set",
                                           "home.utility.terms.near.weight=0.5",
                                           "--set",

@@ -31,6 +31,7 @@ struct Course {
     }
     plan.pairs = pairs;
     plan.objective = std::move(objective);
+    plan.most_goals = 10;
     tournament.emplace(plan);
   }
   Course(const Course&) = delete;

@@ -18,6 +18,7 @@ inline TournamentPlan plan_of(std::size_t teams, std::uint64_t pairs, Objective 
   }
   plan.pairs = pairs;
   plan.objective = std::move(objective);
+  plan.most_goals = 10;
   plan.common_inputs = {{"program", "1"}, {"rules spl2023", "2"}};
   return plan;
 }

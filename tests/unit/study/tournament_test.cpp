@@ -181,7 +181,7 @@ TEST(Tournament, TheTestOnGoalsStopsWhenNoDifferenceIsExcluded) {
       const TournamentPlan plan = plan_of(2, 100'000, ValueTest{goals_value, 0.02});
       Tournament course(plan);
       EXPECT_FALSE(course.needs_metrics());
-      statistics::BettingSequence alone({-10, 10, 0.02});
+      statistics::BettingSequence alone({-10, 10, 0.02, 1.0});
       std::mt19937_64 random(seed);
       bool more = true;
       double nearest = 0.0;  // bound of the running intersection that is the nearest to 0
