@@ -124,11 +124,12 @@ struct Store::Parts {
 
   static SQLite::Database open_database(const std::filesystem::path& path, Mode mode) {
     try {
-      if (mode != Mode::read) return {path.string(), SQLite::OPEN_READWRITE, patience};
+      // A file in the current folder may be called ":memory:", which SQLite takes for no file at all.
+      const std::string name = std::filesystem::absolute(path).string();
+      if (mode != Mode::read) return {name, SQLite::OPEN_READWRITE, patience};
       // A log beside it holds what was written last. Where there is none nobody writes, and none need be made.
-      if (std::filesystem::exists(path.string() + "-wal")) return {path.string(), SQLite::OPEN_READONLY, patience};
-      return {"file:" + in_address(std::filesystem::absolute(path).string()) + "?immutable=1",
-              SQLite::OPEN_READONLY | SQLite::OPEN_URI, patience};
+      if (std::filesystem::exists(name + "-wal")) return {name, SQLite::OPEN_READONLY, patience};
+      return {"file:" + in_address(name) + "?immutable=1", SQLite::OPEN_READONLY | SQLite::OPEN_URI, patience};
     } catch (const SQLite::Exception& error) {
       throw StoreRefusal(fmt::format("cannot open {}: {}", path.string(), reason(error)));
     }

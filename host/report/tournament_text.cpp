@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "config/text.hpp"
+#include "report/number.hpp"
 #include "report/standing.hpp"
 #include "report/tournament.hpp"
 #include "statistics/sequential_bounds.hpp"
@@ -17,13 +18,14 @@ using study::Meeting;
 
 const std::string& label(const TournamentView& view, std::size_t team) { return view.plan.teams[team].label; }
 
-// What would be written as -0.00 is 0.00.
-double without_sign_of_zero(double value) { return std::abs(value) < 0.005 ? 0.0 : value; }
+std::string interval_text(const statistics::Interval& interval, int digits) {
+  return fmt::format("[{}, {}]", fixed(interval.low, digits), fixed(interval.high, digits));
+}
 
 std::string with_margin(const statistics::Estimate& estimate) {
-  const double value = without_sign_of_zero(estimate.value);
-  if (estimate.interval.bounded()) return fmt::format("{:.2f} +/- {:.2f}", value, estimate.margin());
-  return fmt::format("{:.2f} [{:.2f}, {:.2f}]", value, estimate.interval.low, estimate.interval.high);
+  const std::string value = fixed(estimate.value, 2);
+  return estimate.interval.bounded() ? fmt::format("{} +/- {:.2f}", value, estimate.margin())
+                                     : fmt::format("{} {}", value, interval_text(estimate.interval, 2));
 }
 
 std::string or_none(const std::optional<double>& number) { return number ? fmt::format("{:.2f}", *number) : "-"; }
@@ -34,9 +36,9 @@ std::string score_test_text(const statistics::SequentialTest<statistics::PairCou
   const statistics::SequentialBounds bounds = test.bounds();
   const double llr = test.ratio().value;
   const auto& hypotheses = test.design().hypotheses;
-  return fmt::format("LLR: {:.2f} ({:.1f} %) ({:.2f}, {:.2f}) [{:.2f}, {:.2f}] {}{}\n", without_sign_of_zero(llr),
-                     percent(llr, llr < 0.0 ? -bounds.lower : bounds.upper), bounds.lower, bounds.upper,
-                     hypotheses.elo0, hypotheses.elo1,
+  return fmt::format("LLR: {} ({} %) ({:.2f}, {:.2f}) [{}, {}] {}{}\n", fixed(llr, 2),
+                     fixed(percent(llr, llr < 0.0 ? -bounds.lower : bounds.upper), 1), bounds.lower, bounds.upper,
+                     fixed(hypotheses.elo0, 2), fixed(hypotheses.elo1, 2),
                      test.design().model == statistics::Model::logistic ? "logistic" : "normalized",
                      test.ratio().method == statistics::Method::closed_form ? ", approximate" : "");
 }
@@ -51,7 +53,8 @@ std::string metric_text(const TournamentView& view, const Meeting& meeting, cons
   out += fmt::format("{} has less in {}, as much in {}, more in {} pairs, p at any time {:.2g}\n",
                      label(view, meeting.pairing.first), less, equal, more, metric.test().p());
   if (meeting.pairs_without_metric > 0) {
-    out += fmt::format("{} pairs without it: a match was forfeited\n", meeting.pairs_without_metric);
+    out += fmt::format("{} {} without it: a match was forfeited\n", meeting.pairs_without_metric,
+                       meeting.pairs_without_metric == 1 ? "pair" : "pairs");
   }
   return out;
 }
@@ -74,12 +77,12 @@ std::string meeting_text(const TournamentView& view, const Meeting& meeting) {
   out += fmt::format("Goals: {}:{}", meeting.goals[0], meeting.goals[1]);
   if (known) {
     const statistics::Interval interval = meeting.goals_sequence.interval();
-    out += fmt::format(", per match {:+.3f} [{:.3f}, {:.3f}] at any time",
-                       without_sign_of_zero(meeting.goals_of_pairs.mean()), interval.low, interval.high);
+    out += fmt::format(", per match {} {} at any time", with_sign(meeting.goals_of_pairs.mean(), 3),
+                       interval_text(interval, 3));
     const bool fixed = std::holds_alternative<study::FixedNumber>(view.plan.objective);
     if (fixed && known->goals_t) {
-      out += fmt::format(", [{:.3f}, {:.3f}] for this number of pairs (t test: p {:.2g})", known->goals_t->interval.low,
-                         known->goals_t->interval.high, known->goals_t->p);
+      out += fmt::format(", {} for this number of pairs (t test: p {:.2g})", interval_text(known->goals_t->interval, 3),
+                         known->goals_t->p);
     }
     out += fmt::format("\nVariance ratio of pairing: {} of scores, {} of goals\n", or_none(known->score_ratio),
                        or_none(known->goals_ratio));
@@ -99,8 +102,8 @@ std::string ranking_text(const TournamentView& view) {
   for (const Ranked& team : ranking(view.plan, view.course)) {
     const std::string elo = !team.elo ? "-"
                             : team.elo->interval.bounded()
-                                ? fmt::format("{:.1f} +/- {:.1f}", team.elo->value, team.elo->margin())
-                                : fmt::format("{:.1f}", team.elo->value);
+                                ? fmt::format("{} +/- {:.1f}", fixed(team.elo->value, 1), team.elo->margin())
+                                : fixed(team.elo->value, 1);
     out += fmt::format("{:>4}  {:{}}  {:>16}  {:>6.2f}  {:>7}  {:>8.1f}  {:>5} {:>5} {:>5}  {:>9}  {:>8}\n", ++rank,
                        label(view, team.team), widest, elo, team.nash, team.matches, team.points, team.wins, team.draws,
                        team.losses, fmt::format("{}:{}", team.scored, team.conceded), team.failures);
@@ -189,10 +192,11 @@ std::string title(const TournamentView& view) {
                               ? fmt::format("{} vs {}", label(view, 0), label(view, 1))
                               : fmt::format("{} teams, {}", view.plan.teams.size(),
                                             view.plan.format == study::Format::gauntlet ? "gauntlet" : "round robin");
-  const std::uint64_t played = static_cast<std::uint64_t>(total(view.course.meetings().back().pairs));
+  const std::size_t pairings = view.course.calendar().pairings().size();
+  const std::uint64_t played = view.course.taken() / 2 / pairings;  // whoever was set aside on the way
   std::string out = fmt::format("{} ({} {}", who, played, played == 1 ? "pair" : "pairs");
   if (played < view.plan.pairs) out += fmt::format(" of {}", view.plan.pairs);
-  if (view.plan.pairings().size() > 1) out += " each";
+  if (pairings > 1) out += " each";
   out += fmt::format(", seeds from {}", view.plan.first_seed);
   if (!view.plan.openings.empty()) {
     const std::size_t openings = view.plan.openings.size();

@@ -65,9 +65,9 @@ statistics::Estimate MetricDifference::estimate() const {
 
 Meeting::Meeting(const TournamentPlan& plan, const Pairing& who)
     : pairing(who),
-      goals_sequence(
-          {-static_cast<double>(plan.most_goals), static_cast<double>(plan.most_goals), alpha_of(plan.objective)},
-          goal_steps) {
+      goals_sequence({-static_cast<double>(plan.most_goals), static_cast<double>(plan.most_goals),
+                      alpha_of(plan.objective), usual_goals},
+                     goal_steps) {
   if (const auto* const score = std::get_if<ScoreTest>(&plan.objective)) score_test.emplace(score->design);
   if (tested_metric(plan.objective) != nullptr) metric.emplace(alpha_of(plan.objective));
 }

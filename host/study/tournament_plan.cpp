@@ -21,6 +21,17 @@ constexpr int plan_version = 1;
 const char* name(Format format) { return format == Format::gauntlet ? "gauntlet" : "round_robin"; }
 const char* name(statistics::Model model) { return model == statistics::Model::logistic ? "logistic" : "normalized"; }
 
+// Of a text of the plan, the value that is called so.
+template <class Value>
+Value named(const Json& json, Value first, Value second) {
+  const auto text = json.get<std::string>();
+  if (text == name(first)) return first;
+  if (text == name(second)) return second;
+  throw std::out_of_range(text);
+}
+
+bool is_rate(double rate) { return rate > 0.0 && rate < 1.0; }
+
 Json json_of(const std::vector<campaign::Input>& inputs) { return Json::parse(campaign::to_json(inputs)); }
 std::vector<campaign::Input> inputs_of(const Json& json) { return campaign::inputs_from_json(json.dump()); }
 
@@ -44,13 +55,31 @@ Objective objective_of(const Json& json) {
   const auto test = json.at("test").get<std::string>();
   if (test == "score") {
     ScoreTest out;
-    out.design.model = json.at("model") == "logistic" ? statistics::Model::logistic : statistics::Model::normalized;
+    out.design.model = named(json.at("model"), statistics::Model::normalized, statistics::Model::logistic);
     out.design.hypotheses = {json.at("elo0").get<double>(), json.at("elo1").get<double>()};
     out.design.rates = {json.at("alpha").get<double>(), json.at("beta").get<double>()};
     return out;
   }
   if (test == "value") return ValueTest{json.at("value").get<std::string>(), json.at("alpha").get<double>()};
-  return FixedNumber{};
+  if (test == "none") return FixedNumber{};
+  throw std::out_of_range(test);
+}
+
+bool sound(const Objective& objective) {
+  if (const auto* score = std::get_if<ScoreTest>(&objective)) {
+    const auto& [elo0, elo1] = score->design.hypotheses;
+    const auto& [alpha, beta] = score->design.rates;
+    return elo0 < elo1 && is_rate(alpha) && is_rate(beta) && alpha + beta < 1.0;
+  }
+  const auto* const value = std::get_if<ValueTest>(&objective);
+  return value == nullptr || is_rate(value->alpha);
+}
+
+// What the course of a tournament relies on.
+bool sound(const TournamentPlan& plan) {
+  const std::uint64_t most = UINT64_MAX / 2 / plan.pairings().size();
+  return plan.pairs >= 1 && plan.pairs <= most && plan.first_seed <= UINT64_MAX - (plan.pairs - 1) &&
+         plan.most_goals >= 1 && plan.failures_in_a_row >= 0 && sound(plan.objective);
 }
 
 std::string in_words(const Objective& objective) {
@@ -175,7 +204,7 @@ std::string to_json(const TournamentPlan& plan) {
               {"failures_in_a_row", plan.failures_in_a_row},
               {"common", Json::parse(campaign::to_json(plan.common))},
               {"common_inputs", json_of(plan.common_inputs)}}
-      .dump();
+      .dump(-1, ' ', false, Json::error_handler_t::replace);  // names of files may be anything, JSON must be UTF-8
 }
 
 TournamentPlan tournament_plan_from_json(const std::string& text) {
@@ -189,7 +218,7 @@ TournamentPlan tournament_plan_from_json(const std::string& text) {
           {each.at("label").get<std::string>(), each.at("file").get<std::string>(), inputs_of(each.at("inputs"))});
     }
     if (plan.teams.size() < 2) throw std::invalid_argument("its plan has fewer than two teams");
-    plan.format = json.at("format") == "gauntlet" ? Format::gauntlet : Format::round_robin;
+    plan.format = named(json.at("format"), Format::round_robin, Format::gauntlet);
     for (const Json& each : json.at("openings")) {
       plan.openings.push_back({each.at("file").get<std::string>(), inputs_of(each.at("input")).at(0)});
     }
@@ -200,6 +229,7 @@ TournamentPlan tournament_plan_from_json(const std::string& text) {
     json.at("failures_in_a_row").get_to(plan.failures_in_a_row);
     plan.common = campaign::job_from_json(json.at("common").dump());
     plan.common_inputs = inputs_of(json.at("common_inputs"));
+    if (!sound(plan)) throw std::out_of_range("a number that no tournament has");
     return plan;
   } catch (const Json::exception& error) {
     throw std::invalid_argument(fmt::format("its plan is damaged: {}", error.what()));

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <set>
 #include <vector>
 
 namespace regista::campaign {
@@ -18,45 +19,123 @@ class EngineTest : public testing::Test {
   ~EngineTest() override {
     for (const char* end : {"", "-wal", "-shm"}) std::filesystem::remove(file.string() + end);
   }
+
+  // Seeds 0 to count - 1 of one fixture at their places, the last of them first; the home team scores the seed.
+  void fill(Store& store, std::uint64_t count) {
+    fixture = store.add(std::vector<Store::Fixture>{{"key", {}}}).front();
+    for (std::uint64_t seed = count; seed-- > 0;) {
+      const Decided decided{{static_cast<int>(seed), 0}, "full_time", "h", R"({"packets":[1,2]})", std::nullopt, 1.0};
+      store.insert(static_cast<std::int64_t>(seed) + 1, {fixture, seed}, decided, 1);
+    }
+  }
+
+  // Fails when a match is to be played, and writes down what is handed on.
+  Schedule schedule_of(std::uint64_t matches) {
+    Schedule schedule;
+    schedule.matches = matches;
+    schedule.at = [this](std::uint64_t index) { return std::optional(MatchKey{fixture, index}); };
+    schedule.job = [](std::uint64_t index) {
+      ADD_FAILURE() << "match " << index << " would be played again";
+      return Job{};
+    };
+    schedule.take = [this](std::uint64_t index, const Decided* decided, bool fresh) {
+      EXPECT_FALSE(fresh);
+      order.push_back(index);
+      if (decided != nullptr) {
+        EXPECT_EQ(decided->score[0], static_cast<int>(index));
+        metrics.insert(decided->metrics);
+      } else {
+        missing.insert(index);
+      }
+      return true;
+    };
+    return schedule;
+  }
+
   std::filesystem::path file =
       std::filesystem::path(testing::TempDir()) / ("engine-" + std::to_string(getpid()) + ".db");
+  std::int64_t fixture = 0;
+  std::vector<std::uint64_t> order;
+  std::set<std::uint64_t> missing;
+  std::set<std::string> metrics;
 };
 
-TEST_F(EngineTest, HandsOnInTheOrderOfTheSchedule) {
+TEST_F(EngineTest, HandsOnInTheOrderOfTheScheduleUntilItIsEnough) {
   Store store(file, Store::Mode::create, "1.0");
-  const auto fixture = store.fixture("key", "");
-  constexpr std::uint64_t count = 500;
-  for (std::uint64_t seed = count; seed-- > 0;) {
-    store.insert(fixture, seed, {{static_cast<int>(seed), 0}, "full_time", "h", "{}", std::nullopt, 1.0}, 1);
-  }
-  std::vector<std::uint64_t> order;
-  Schedule schedule;
-  schedule.matches = count;
-  schedule.at = [&](std::uint64_t index) {
-    Scheduled out;
-    out.job.seed = index;
-    out.fixture = fixture;
-    return out;
-  };
-  schedule.take = [&](std::uint64_t index, const Decided& decided, bool fresh) {
-    EXPECT_FALSE(fresh);
-    EXPECT_EQ(decided.score[0], static_cast<int>(index));
-    order.push_back(index);
-    return index + 1 != 400;
+  fill(store, 500);
+  Schedule schedule = schedule_of(500);
+  const auto take = schedule.take;
+  schedule.take = [&](std::uint64_t index, const Decided* decided, bool fresh) {
+    return take(index, decided, fresh) && index + 1 != 400;
   };
   EXPECT_EQ(run(schedule, store, 3, {}), Finish::enough);
   ASSERT_EQ(order.size(), 400u);
   for (std::uint64_t i = 0; i < order.size(); ++i) EXPECT_EQ(order[i], i);
-  EXPECT_EQ(store.rows(), static_cast<std::int64_t>(count));
+  EXPECT_TRUE(missing.empty());
+  EXPECT_EQ(store.rows(), 500);
+}
+
+TEST_F(EngineTest, HandsOnAllOfThem) {
+  Store store(file, Store::Mode::create, "1.0");
+  fill(store, 100);
+  EXPECT_EQ(run(schedule_of(100), store, 2, {}), Finish::complete);
+  EXPECT_EQ(order.size(), 100u);
+}
+
+TEST_F(EngineTest, WhatIsNotWantedIsHandedOnWithoutAResultAndKeepsItsPlace) {
+  Store store(file, Store::Mode::create, "1.0");
+  fill(store, 60);
+  Schedule schedule = schedule_of(60);
+  schedule.at = [this](std::uint64_t index) {
+    return index % 7 == 3 ? std::nullopt : std::optional(MatchKey{fixture, index});
+  };
+  EXPECT_EQ(run(schedule, store, 2, {}), Finish::complete);
+  ASSERT_EQ(order.size(), 60u);
+  for (std::uint64_t i = 0; i < order.size(); ++i) {
+    EXPECT_EQ(order[i], i);
+    EXPECT_EQ(missing.contains(i), i % 7 == 3) << i;
+  }
+}
+
+TEST_F(EngineTest, MetricsAreReadWhenTheyAreWanted) {
+  Store store(file, Store::Mode::create, "1.0");
+  fill(store, 3);
+  Schedule schedule = schedule_of(3);
+  run(schedule, store, 1, {});
+  EXPECT_EQ(metrics, std::set<std::string>{""});
+  metrics.clear();
+  schedule.metrics = Metrics::wanted;
+  run(schedule, store, 1, {});
+  EXPECT_EQ(metrics, std::set<std::string>{R"({"packets":[1,2]})"});
+}
+
+// Two places of the schedule mean the same match where equal teams play each other: it is stored at the first.
+TEST_F(EngineTest, AMatchThatStandsTwiceInTheScheduleIsReadTwice) {
+  Store store(file, Store::Mode::create, "1.0");
+  const auto number = store.add(std::vector<Store::Fixture>{{"key", {}}}).front();
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Decided decided{{static_cast<int>(seed), 0}, "full_time", "h", "{}", std::nullopt, 1.0};
+    store.insert(static_cast<std::int64_t>(2 * seed) + 1, {number, seed}, decided, 1);
+  }
+  std::vector<int> scores;
+  Schedule schedule = schedule_of(40);
+  schedule.at = [&](std::uint64_t index) { return std::optional(MatchKey{number, index / 2}); };
+  schedule.take = [&](std::uint64_t, const Decided* decided, bool) {
+    scores.push_back(decided == nullptr ? -1 : decided->score[0]);
+    return true;
+  };
+  EXPECT_EQ(run(schedule, store, 2, {}), Finish::complete);
+  ASSERT_EQ(scores.size(), 40u);
+  for (std::size_t i = 0; i < scores.size(); ++i) EXPECT_EQ(scores[i], static_cast<int>(i / 2));
 }
 
 TEST_F(EngineTest, StopsWhenItIsAsked) {
   Store store(file, Store::Mode::create, "1.0");
-  Schedule schedule;
-  schedule.matches = 10;
+  fill(store, 10);
+  Schedule schedule = schedule_of(10);
   schedule.asked_to_stop = [] { return true; };
   EXPECT_EQ(run(schedule, store, 1, {}), Finish::interrupted);
-  EXPECT_EQ(store.rows(), 0);
+  EXPECT_TRUE(order.empty());
 }
 
 TEST_F(EngineTest, AnEmptyScheduleIsComplete) {

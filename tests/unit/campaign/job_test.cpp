@@ -12,9 +12,9 @@ Job some_job() {
   Job job;
   job.teams = {"a \"team\".yaml", "b\n.yaml"};
   job.rules = "rules.yaml";
-  job.opening = "scene.yaml";
   job.overrides = {"home.utility.terms.near.weight=0.5", "rules.durations.ready=3"};
   job.plugins = {"old", "new"};
+  job.opening = "corner kick.yaml";
   job.limit = "12.5";
   job.seed = UINT64_MAX;
   job.home_inputs = {{"team a", "1"}};
@@ -35,12 +35,12 @@ TEST(Job, IsACommandLineOfMatch) {
                                           "b\n.yaml",
                                           "--seed",
                                           "18446744073709551615",
+                                          "--opening",
+                                          "corner kick.yaml",
                                           "--limit",
                                           "12.5",
                                           "--rules",
                                           "rules.yaml",
-                                          "--opening",
-                                          "scene.yaml",
                                           "--set",
                                           "home.utility.terms.near.weight=0.5",
                                           "--set",
@@ -50,6 +50,41 @@ TEST(Job, IsACommandLineOfMatch) {
                                           "--plugins",
                                           "new"};
   EXPECT_EQ(match_arguments(some_job()), expected);
+}
+
+TEST(Job, WithoutOptionsIsAShortCommandLine) {
+  Job job;
+  job.teams = {"a.yaml", "b.yaml"};
+  EXPECT_EQ(match_arguments(job), (std::vector<std::string>{"match", "a.yaml", "b.yaml", "--seed", "1"}));
+}
+
+TEST(Failure, SurvivesTheWayToAFile) {
+  const Failure failure{1, "greedy", "assign", 3, UINT64_MAX, "column 2\ngiven to \"rows\" 0 and 4"};
+  EXPECT_EQ(failure_from_json(to_json(failure)), failure);
+  EXPECT_THROW(failure_from_json(""), std::invalid_argument);
+  EXPECT_THROW(failure_from_json("{}"), std::invalid_argument);
+  std::string third = to_json(failure);
+  third.replace(third.find("\"side\":1"), 8, "\"side\":2");
+  EXPECT_THROW(failure_from_json(third), std::invalid_argument);
+}
+
+TEST(Inputs, SurviveTheWayToAFile) {
+  const std::vector<Input> inputs{{"team a", "1"}, {"plugin \"b\" (x.so)", ""}};
+  EXPECT_EQ(inputs_from_json(to_json(inputs)), inputs);
+  EXPECT_EQ(inputs_from_json("[]"), std::vector<Input>{});
+  for (const char* damaged : {"", "[[\"name\"]]", "[[1,2]]", "[{}]"}) {
+    EXPECT_THROW(inputs_from_json(damaged), std::invalid_argument) << damaged;
+  }
+}
+
+TEST(Forfeit, IsLostByTheSideThatFailed) {
+  const Decided home = forfeit({0, "greedy", "assign", 3, 4, "fell"}, 1.5);
+  const Decided away = forfeit({1, "greedy", "assign", 3, 4, "fell"}, 1.5);
+  EXPECT_EQ(home.score, (std::array{0, 10}));
+  EXPECT_EQ(away.score, (std::array{10, 0}));
+  EXPECT_EQ(home.ended, "forfeit");
+  EXPECT_EQ(home.metrics + home.hash, "");
+  EXPECT_EQ(home.seconds, 1.5);
 }
 
 TEST(Answer, SurvivesTheWayBack) {

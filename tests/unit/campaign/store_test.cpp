@@ -1,81 +1,136 @@
 // SPDX-License-Identifier: MIT
+// What a file of results gives back: to the process that writes it, to the next one, and to those who only read.
 #include "campaign/store.hpp"
 
-#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <csignal>
-#include <filesystem>
 #include <fstream>
+#include <iterator>
+
+#include "store_fixture.hpp"
 
 namespace regista::campaign {
 namespace {
 
-using testing::HasSubstr;
-using Mode = Store::Mode;
-
-class StoreTest : public testing::Test {
- protected:
-  StoreTest() { std::filesystem::create_directory(folder); }
-  ~StoreTest() override { std::filesystem::remove_all(folder); }
-
-  std::string refusal(Mode mode) const {
-    try {
-      Store store(file, mode, "1.0");
-    } catch (const StoreRefusal& error) {
-      EXPECT_THAT(error.what(), HasSubstr(file.string()));
-      return error.what();
-    }
-    return "";
-  }
-
-  std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("store-" + std::to_string(getpid()));
-  std::filesystem::path file = folder / "results.db";
-  Decided played{{3, 1}, "full_time", "9f2c", R"({"packets":[1,2]})", std::nullopt, 1.5};
-  Decided forfeited = forfeit({1, "greedy", "assign", 3, 417, "Segmentation fault"}, 0.5);
-};
+using testing::ElementsAre;
 
 TEST_F(StoreTest, GivesBackWhatWasInserted) {
   {
     Store store(file, Mode::create, "1.0");
-    const auto fixture = store.fixture("key", "a vs b");
-    store.insert(fixture, 1, played, 1);
-    store.insert(fixture, UINT64_MAX, forfeited, 2);
-    EXPECT_EQ(store.find(fixture, 1), played);
+    const auto fixture = number(store, "key");
+    store.insert(1, {fixture, 1}, played, 1);
+    store.insert(2, {fixture, UINT64_MAX}, forfeited, 2);
+    EXPECT_EQ(store.find(1, {fixture, 1}, Metrics::wanted), played);
   }
   Store store(file, Mode::open, "1.1");
-  const auto fixture = store.fixture("key", "a vs b");
-  EXPECT_EQ(store.find(fixture, 1), played);
-  EXPECT_EQ(store.find(fixture, UINT64_MAX), forfeited);
-  EXPECT_EQ(store.find(fixture, 2), std::nullopt);
-  EXPECT_EQ(store.find(fixture + 1, 1), std::nullopt);
+  const auto fixture = number(store, "key");
+  EXPECT_EQ(store.find(1, {fixture, 1}, Metrics::wanted), played);
+  EXPECT_EQ(store.find(2, {fixture, UINT64_MAX}, Metrics::wanted), forfeited);
+  EXPECT_EQ(store.find(1, {fixture, 2}, Metrics::wanted), std::nullopt);
+  EXPECT_EQ(store.find(1, {fixture + 1, 1}, Metrics::wanted), std::nullopt);
   EXPECT_EQ(store.rows(), 2);
   EXPECT_EQ(store.meta("program"), "1.0");
+}
+
+TEST_F(StoreTest, FindsAMatchWhereverItStands) {
+  Store store(file, Mode::create, "1.0");
+  const auto fixture = number(store, "key"), other = number(store, "other");
+  Decided second = played;
+  second.score = {0, 7};
+  store.insert(1, {fixture, 5}, played, 1);
+  store.insert(9, {other, 5}, second, 1);
+  // At its place, at one that is empty, and at one that another match has.
+  for (const std::int64_t row : {1, 4, 9}) {
+    EXPECT_EQ(store.find(row, {fixture, 5}, Metrics::wanted), played) << row;
+    EXPECT_EQ(store.find(row, {other, 5}, Metrics::wanted), second) << row;
+    EXPECT_EQ(store.find(row, {fixture, 6}, Metrics::wanted), std::nullopt) << row;
+  }
+  // Whoever has looked at the place of another match does not stand in the way of those who write.
+  store.insert(10, {fixture, 6}, played, 1);
+  EXPECT_EQ(store.rows(), 3);
+}
+
+TEST_F(StoreTest, LeavesMetricsOutWhereTheyAreNotWanted) {
+  Store store(file, Mode::create, "1.0");
+  const auto fixture = number(store, "key");
+  store.insert(1, {fixture, 1}, played, 1);
+  Decided without = played;
+  without.metrics.clear();
+  EXPECT_EQ(store.find(1, {fixture, 1}, Metrics::left_out), without);
+  EXPECT_EQ(store.find(7, {fixture, 1}, Metrics::left_out), without);
+  EXPECT_EQ(store.find(1, {fixture, 1}, Metrics::wanted), played);
 }
 
 TEST_F(StoreTest, WhatAForfeitHasNotIsNullAndNotZero) {
   {
     Store store(file, Mode::create, "1.0");
-    store.insert(store.fixture("key", ""), 1, forfeited, 2);
+    const auto fixture = number(store, "key");
+    store.insert(1, {fixture, 1}, forfeited, 2);
+    store.insert(2, {fixture, 2}, played, 1);
   }
   SQLite::Database database(file.string());
-  SQLite::Statement row(database, "SELECT hash IS NULL AND metrics IS NULL, attempts FROM matches");
-  ASSERT_TRUE(row.executeStep());
-  EXPECT_EQ(row.getColumn(0).getInt(), 1);
-  EXPECT_EQ(row.getColumn(1).getInt(), 2);
+  SQLite::Statement row(database,
+                        "SELECT hash IS NULL, failure IS NULL, attempts, (SELECT count(*) FROM metrics "
+                        "WHERE metrics.row = matches.row) FROM matches ORDER BY row");
+  for (const bool is_forfeit : {true, false}) {
+    ASSERT_TRUE(row.executeStep());
+    EXPECT_EQ(row.getColumn(0).getInt(), is_forfeit ? 1 : 0);
+    EXPECT_EQ(row.getColumn(1).getInt(), is_forfeit ? 0 : 1);
+    EXPECT_EQ(row.getColumn(2).getInt(), is_forfeit ? 2 : 1);
+    EXPECT_EQ(row.getColumn(3).getInt(), is_forfeit ? 0 : 1);
+  }
 }
 
-TEST_F(StoreTest, NeverHoldsAMatchTwice) {
+TEST_F(StoreTest, NeverHoldsAMatchOrAPlaceTwice) {
   Store store(file, Mode::create, "1.0");
-  const auto fixture = store.fixture("key", "");
-  EXPECT_EQ(store.fixture("key", "again"), fixture);
-  store.insert(fixture, 1, played, 1);
-  EXPECT_THROW(store.insert(fixture, 1, played, 1), StoreError);
-  store.insert(store.fixture("other", ""), 1, played, 1);
+  const auto fixture = number(store, "key"), other = number(store, "other");
+  EXPECT_NE(fixture, other);
+  store.insert(1, {fixture, 1}, played, 1);
+  EXPECT_THROW(store.insert(2, {fixture, 1}, played, 1), StoreError);  // the match
+  EXPECT_THROW(store.insert(1, {fixture, 2}, played, 1), StoreError);  // the place
+  EXPECT_EQ(store.rows(), 1);
+  // What was refused left nothing behind, and the store is as good as before.
+  store.insert(2, {other, 1}, played, 1);
+  EXPECT_EQ(store.find(2, {other, 1}, Metrics::wanted), played);
   EXPECT_EQ(store.rows(), 2);
+}
+
+TEST_F(StoreTest, FixturesHaveOneNumberEach) {
+  Store store(file, Mode::create, "1.0");
+  const std::vector<Store::Fixture> first{{"x", job_of("x.yaml", "b.yaml")}, {"y", job_of("y.yaml", "b.yaml")}};
+  const auto numbers = store.add(first);
+  ASSERT_EQ(numbers.size(), 2u);
+  EXPECT_NE(numbers[0], numbers[1]);
+  const std::vector<Store::Fixture> second{{"y", job_of("other.yaml", "b.yaml")}, {"z", {}}, {"x", {}}, {"y", {}}};
+  const auto more = store.add(second);
+  EXPECT_THAT(more,
+              ElementsAre(numbers[1], testing::Not(testing::AnyOf(0, numbers[0], numbers[1])), numbers[0], numbers[1]));
+  EXPECT_THAT(store.numbers(std::vector<std::string>{"z", "nobody", "x"}), ElementsAre(more[1], 0, numbers[0]));
+  // A fixture stays what it was when it was added.
+  store.insert(1, {numbers[1], 4}, played, 1);
+  EXPECT_EQ(store.row(1)->job.teams[0], "y.yaml");
+}
+
+TEST_F(StoreTest, ARowTellsWhatWasPlayed) {
+  {
+    Store store(file, Mode::create, "1.0");
+    const auto fixture = number(store, "key");
+    store.insert(3, {fixture, UINT64_MAX}, played, 1);
+    store.insert(5, {fixture, 2}, forfeited, 1);
+  }
+  const Store store(file, Mode::read, "1.0");
+  Job job = job_of("a.yaml", "b.yaml");
+  job.seed = UINT64_MAX;
+  const auto third = store.row(3), fifth = store.row(5);
+  ASSERT_TRUE(third && fifth);
+  EXPECT_EQ(third->job, job);
+  EXPECT_EQ(third->decided, played);
+  job.seed = 2;
+  EXPECT_EQ(fifth->job, job);
+  EXPECT_EQ(fifth->decided, forfeited);
+  for (const std::int64_t row : {-1, 0, 1, 4, 6}) EXPECT_FALSE(store.row(row)) << row;
 }
 
 TEST_F(StoreTest, KeepsWhatItIsTold) {
@@ -90,14 +145,21 @@ TEST_F(StoreTest, SurvivesTheDeathOfItsProcess) {
   const pid_t child = fork();
   if (child == 0) {
     Store store(file, Mode::create, "1.0");
-    const auto fixture = store.fixture("key", "");
-    for (std::uint64_t seed = 1; seed <= 50; ++seed) store.insert(fixture, seed, played, 1);
+    const auto fixture = number(store, "key");
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+      store.insert(static_cast<std::int64_t>(seed), {fixture, seed}, played, 1);
+    }
     raise(SIGKILL);
   }
   ASSERT_EQ(waitpid(child, nullptr, 0), child);
+  {  // the log is still there, and is read as well
+    const Store reader(file, Mode::read, "1.0");
+    EXPECT_EQ(reader.rows(), 50);
+    EXPECT_EQ(reader.row(50)->decided, played);
+  }
   Store store(file, Mode::open, "1.0");
   EXPECT_EQ(store.rows(), 50);
-  EXPECT_EQ(store.find(store.fixture("key", ""), 50), played);
+  EXPECT_EQ(store.find(50, {number(store, "key"), 50}, Metrics::wanted), played);
 }
 
 TEST_F(StoreTest, AFileWithoutTablesIsAsGoodAsNew) {
@@ -107,40 +169,74 @@ TEST_F(StoreTest, AFileWithoutTablesIsAsGoodAsNew) {
   EXPECT_EQ(store.rows(), 0);
 }
 
-TEST_F(StoreTest, RefusesAFileThatExists) {
+TEST_F(StoreTest, IsReadBesideTheProcessThatWritesIt) {
+  Store writer(file, Mode::create, "1.0");
+  const auto fixture = number(writer, "key");
+  writer.insert(1, {fixture, 1}, played, 1);
+  const Store reader(file, Mode::read, "1.0"), another(file, Mode::read, "1.0");
+  EXPECT_EQ(reader.rows(), 1);
+  writer.insert(2, {fixture, 2}, forfeited, 1);
+  EXPECT_EQ(reader.rows(), 2);
+  EXPECT_EQ(reader.find(2, {fixture, 2}, Metrics::wanted), forfeited);
+  EXPECT_EQ(another.row(1)->decided, played);
+  EXPECT_EQ(writer.find(1, {fixture, 1}, Metrics::wanted), played);
+}
+
+TEST_F(StoreTest, ReadingChangesNothing) {
+  {
+    Store store(file, Mode::create, "1.0");
+    store.insert(1, {number(store, "key"), 1}, played, 1);
+  }
+  const auto content = [&] {
+    std::ifstream stream(file, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  const std::string before = content();
+  {
+    const Store reader(file, Mode::read, "1.1");
+    EXPECT_EQ(reader.rows(), 1);
+    EXPECT_THAT(names_in_folder(), ElementsAre("results.db"));
+  }
+  EXPECT_THAT(names_in_folder(), ElementsAre("results.db"));
+  EXPECT_EQ(content(), before);
+}
+
+TEST_F(StoreTest, AReaderCannotWrite) {
   { Store store(file, Mode::create, "1.0"); }
-  EXPECT_THAT(refusal(Mode::create), HasSubstr("exists already; --resume continues it"));
+  Store reader(file, Mode::read, "1.0");
+  EXPECT_THROW(reader.set_meta("program", "2.0"), StoreError);
+  EXPECT_THROW(number(reader, "key"), StoreError);
+  EXPECT_EQ(reader.meta("program"), "1.0");
 }
 
-TEST_F(StoreTest, RefusesAFileThatDoesNotExist) {
-  EXPECT_THAT(refusal(Mode::open), HasSubstr("No such file or directory"));
-  file = folder / "no" / "folder.db";
-  EXPECT_THAT(refusal(Mode::create), HasSubstr("No such file or directory"));
+// Signs that mean something in an address, as which SQLite may take a path.
+TEST_F(StoreTest, PathsMayHoldAnySign) {
+  for (const char* name : {"a b.db", "a?mode=memory.db", "a#b.db", "a%20b.db", "100%.db", "ü&=;+\".db", "file:x.db"}) {
+    file = folder / name;
+    {
+      Store store(file, Mode::create, "1.0");
+      store.insert(1, {number(store, "key"), 1}, played, 1);
+    }
+    EXPECT_TRUE(std::filesystem::exists(file)) << name;
+    { EXPECT_EQ(Store(file, Mode::read, "1.0").rows(), 1) << name; }
+    { EXPECT_EQ(Store(file, Mode::open, "1.0").rows(), 1) << name; }
+    std::filesystem::remove(file);
+    EXPECT_TRUE(std::filesystem::is_empty(folder)) << name;
+  }
 }
 
-TEST_F(StoreTest, RefusesWhatIsNotItsOwn) {
-  { SQLite::Database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec("CREATE TABLE matches(row)"); }
-  EXPECT_THAT(refusal(Mode::open), HasSubstr("is a database of another program"));
-  std::ofstream(file) << std::string(5000, 'x');
-  EXPECT_THAT(refusal(Mode::open), HasSubstr("is no database"));
-}
-
-TEST_F(StoreTest, RefusesANewerSchema) {
-  { Store store(file, Mode::create, "1.0"); }
-  { SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version=7"); }
-  EXPECT_THAT(refusal(Mode::open), HasSubstr("was written by a newer Regista: schema 7, this program knows up to 1"));
-}
-
-TEST_F(StoreTest, IsHeldByOneProcess) {
-  Store store(file, Mode::create, "1.0");
-  EXPECT_THAT(refusal(Mode::open), HasSubstr("is in use by another process"));
-}
-
-TEST_F(StoreTest, CanBeReadWhileItIsHeld) {
-  Store store(file, Mode::create, "1.0");
-  store.insert(store.fixture("key", ""), 1, played, 1);
-  SQLite::Database reader(file.string(), SQLite::OPEN_READONLY);
-  EXPECT_EQ(reader.execAndGet("SELECT count(*) FROM matches").getInt(), 1);
+TEST_F(StoreTest, NoNameInTheCurrentFolderMeansSomethingElse) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder);
+  for (const char* name : {":memory:", "file::memory:", "results.db"}) {
+    {
+      Store store(name, Mode::create, "1.0");
+      store.insert(1, {number(store, "key"), 1}, played, 1);
+    }
+    { EXPECT_EQ(Store(name, Mode::open, "1.0").rows(), 1) << name; }
+    { EXPECT_EQ(Store(name, Mode::read, "1.0").rows(), 1) << name; }
+  }
+  std::filesystem::current_path(before);
 }
 
 }  // namespace

@@ -42,6 +42,16 @@ TEST(PairedT, PublishedSample) {
   EXPECT_NEAR(paired_t(negated)->p, test.p, 1e-12);
 }
 
+TEST(PairedT, FromMomentsIsThatOfTheValues) {
+  const std::vector<double> values{0.3, 1.1, -0.4, 2.0, 0.7};
+  const PairedT direct = *paired_t(values), summed = *paired_t(Moments(values));
+  EXPECT_EQ(summed.pairs, 5);
+  EXPECT_NEAR(summed.t, direct.t, 1e-12);
+  EXPECT_NEAR(summed.p, direct.p, 1e-12);
+  EXPECT_FALSE(paired_t(Moments(std::vector{2.0, 2.0, 2.0})).has_value());
+  EXPECT_FALSE(paired_t(Moments(std::vector{2.0})).has_value());
+}
+
 // The p-value and the interval are two sides of one test.
 TEST(PairedT, IntervalEndsWhereTheTestDoes) {
   const std::vector<double> values{0.3, 1.1, -0.4, 2.0, 0.7};
@@ -120,7 +130,8 @@ TEST(VarianceRatio, OfIndependentGamesIsOne) {
   EXPECT_DOUBLE_EQ(*variance_ratio({{1, 4, 6, 4, 1}}, {{1, 2, 1}}), 1.0);
   EXPECT_DOUBLE_EQ(*variance_ratio({{0, 0, 9, 0, 0}}, {{9, 0, 9}}), 0.0);
   EXPECT_FALSE(variance_ratio({{0, 0, 9, 0, 0}}, {{0, 18, 0}}).has_value());
-  EXPECT_FALSE(variance_ratio({}, {}).has_value());
+  EXPECT_FALSE(variance_ratio(PairCounts{}, GameCounts{}).has_value());
+  EXPECT_FALSE(variance_ratio(Moments(), Moments()).has_value());
 }
 
 TEST(VarianceRatio, OfValues) {
@@ -133,6 +144,18 @@ TEST(VarianceRatio, OfValues) {
     for (int b = 1; b <= 6; ++b) all.push_back({double(a), double(b)});
   }
   EXPECT_NEAR(*variance_ratio(all), (36.0 / 35.0) / (72.0 / 71.0), 1e-12);
+}
+
+TEST(VarianceRatio, FromMomentsIsThatOfTheValues) {
+  const std::vector<ValuePair> pairs{{3, 1}, {-1, 0}, {2, -2}, {0.5, 4}};
+  Moments means, all;
+  for (const auto& [first, second] : pairs) {
+    means.add((first + second) / 2.0);
+    all.add(first);
+    all.add(second);
+  }
+  EXPECT_NEAR(*variance_ratio(means, all), *variance_ratio(pairs), 1e-12);
+  EXPECT_FALSE(variance_ratio(Moments(std::vector{1.0, 1.0}), Moments(std::vector{1.0, 1.0, 1.0, 1.0})).has_value());
 }
 
 }  // namespace

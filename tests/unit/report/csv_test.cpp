@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include "course.hpp"
+#include "report/tournament.hpp"
+
+namespace regista::report {
+namespace {
+
+TEST(TournamentCsv, Head) {
+  EXPECT_EQ(csv_head({}),
+            "row,pair,seed,opening,home,away,home_goals,away_goals,ended,state_hash,forfeited_by,plugin,call,why\n");
+  EXPECT_THAT(csv_head({"packets", "a,b"}),
+              testing::EndsWith(",why,home.packets,away.packets,\"home.a,b\",\"away.a,b\"\n"));
+}
+
+TEST(TournamentCsv, ALineForAMatch) {
+  Course course({"new", "old"}, 10);
+  course.plan.first_seed = 7;
+  course.tournament.emplace(course.plan);
+  EXPECT_EQ(csv_line(course.view(), 3, match(2, 1), {}), "4,2,8,,old,new,2,1,full_time,9f2c,,,,\n");
+  EXPECT_EQ(csv_line(course.view(), 2, failed(1), {}),
+            "3,2,8,,new,old,10,0,forfeit,,away,greedy,assign,Segmentation "
+            "fault\n");
+}
+
+TEST(TournamentCsv, OpeningsAreCalledByTheNamesOfTheirFiles) {
+  Course course({"new", "old"}, 10);
+  course.plan.openings = {{"openings/corner kick.yaml", {}}, {"a,b.yaml", {}}};
+  course.tournament.emplace(course.plan);
+  EXPECT_EQ(csv_line(course.view(), 0, match(0, 0), {}), "1,1,1,corner kick,new,old,0,0,full_time,9f2c,,,,\n");
+  EXPECT_EQ(csv_line(course.view(), 2, match(0, 0), {}), "3,2,2,\"a,b\",new,old,0,0,full_time,9f2c,,,,\n");
+}
+
+TEST(TournamentCsv, FieldsThatHoldSignsOfATable) {
+  Course course({"a, \"b\"", "c\nd"}, 10);
+  EXPECT_EQ(csv_line(course.view(), 0, failed(0, "x\r\ny,\"z\""), {}),
+            "1,1,1,,\"a, \"\"b\"\"\",\"c\nd\",0,10,forfeit,,home,greedy,assign,\"x\r\ny,\"\"z\"\"\"\n");
+}
+
+TEST(TournamentCsv, MetricsOfBothSidesAndNothingWhereThereAreNone) {
+  Course course({"a", "b"}, 10);
+  const campaign::Decided decided = match(0, 0, R"({"packets":[3,0.1],"agreement":[null,1e300]})");
+  EXPECT_EQ(csv_line(course.view(), 0, decided, {"packets", "agreement"}),
+            "1,1,1,,a,b,0,0,full_time,9f2c,,,,,3,0.1,,1e+300\n");
+  EXPECT_EQ(csv_line(course.view(), 0, failed(0), {"packets", "agreement"}),
+            "1,1,1,,a,b,0,10,forfeit,,home,greedy,assign,Segmentation fault,,,,\n");
+}
+
+}  // namespace
+}  // namespace regista::report

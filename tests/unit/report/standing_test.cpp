@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "report/standing.hpp"
+
+#include <gmock/gmock.h>
+
+#include "course.hpp"
+#include "statistics/bradley_terry.hpp"
+#include "statistics/multiplicity.hpp"
+#include "statistics/rating.hpp"
+#include "statistics/variance_ratio.hpp"
+
+namespace regista::report {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(Strength, OfThePublishedPairs) {
+  Course course({"a", "b"});
+  course.take_pairs({{34, 54, 63, 64, 75}});
+  const Strength known = *strength(course.tournament->meetings().front());
+  EXPECT_NEAR(known.elo.value, 55.58, 0.005);
+  EXPECT_NEAR(known.elo.margin(), 27.65, 0.005);
+  EXPECT_NEAR(known.normalized_elo.value, 57.94, 0.005);
+  EXPECT_NEAR(known.normalized_elo.margin(), 28.28, 0.005);
+  EXPECT_NEAR(known.superiority, 1.0, 0.00005);
+  EXPECT_NEAR(*known.pair_ratio, 139.0 / 88.0, 1e-12);
+  EXPECT_NEAR(known.draw_ratio, 63.0 / 290.0, 1e-12);
+}
+
+TEST(Strength, TheOtherPublishedPairs) {
+  Course course({"a", "b"});
+  course.take_pairs({{332, 433, 498, 333, 334}});
+  const Strength known = *strength(course.tournament->meetings().front());
+  EXPECT_NEAR(known.elo.value, -8.64, 0.005);
+  EXPECT_NEAR(known.elo.margin(), 10.33, 0.005);
+  EXPECT_NEAR(known.normalized_elo.value, -9.17, 0.005);
+  EXPECT_NEAR(known.normalized_elo.margin(), 10.96, 0.005);
+  EXPECT_NEAR(known.superiority, 0.0505, 0.00005);
+}
+
+TEST(Strength, OfNoPairIsUnknown) {
+  Course course({"a", "b"});
+  EXPECT_FALSE(strength(course.tournament->meetings().front()).has_value());
+  course.take(match(1, 0));
+  EXPECT_FALSE(strength(course.tournament->meetings().front()).has_value());
+}
+
+TEST(Strength, TheTTestIsOnTheGoalsOfThePublishedSample) {
+  Course course({"a", "b"});
+  // The same difference in both matches of a pair, so that their mean is the published value.
+  for (const int goals : {1, 0, 2, -1, 0, 1, 3, -2, 1, 0, 0, 2, 1, -1, 0, 1, 0, 2, -1, 1}) {
+    course.take(match(std::max(goals, 0), std::max(-goals, 0)));
+    course.take(match(std::max(-goals, 0), std::max(goals, 0)));
+  }
+  const Strength known = *strength(course.tournament->meetings().front());
+  EXPECT_NEAR(known.goals_t->t, 1.809934, 1e-6);
+  EXPECT_NEAR(known.goals_t->p, 0.086153, 1e-6);
+  EXPECT_NEAR(known.goals_t->interval.low, -0.078204, 1e-6);
+  EXPECT_NEAR(known.goals_t->interval.high, 1.078204, 1e-6);
+  // Both matches of a pair say the same, so pairs vary twice as much as two matches would: but for divisors 39 and 19.
+  EXPECT_NEAR(*known.goals_ratio, 39.0 / 19.0, 1e-12);
+}
+
+// 7-3, 9-1, 6-4: pairs of wins and losses. The order of pairings: 0-1, 0-2, 1-2.
+TEST(Ranking, ThePublishedTriangle) {
+  Course course({"a", "b", "c"});
+  course.take_pairs({{1, 0, 1, 0, 3}, {0, 0, 1, 0, 4}, {2, 0, 0, 0, 3}});
+  const auto ranks = ranking(course.plan, *course.tournament);
+  ASSERT_EQ(ranks.size(), 3u);
+  const std::array<double, 3> elo{163.921, -27.823, -136.098};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(ranks[i].team, i);
+    EXPECT_NEAR(ranks[i].elo->value, elo[i], 0.0005);
+    EXPECT_TRUE(ranks[i].elo->interval.contains(elo[i]));
+    EXPECT_EQ(ranks[i].matches, 20u);
+  }
+  EXPECT_EQ(ranks[0].points, 16.0);
+  EXPECT_EQ(ranks[1].points, 9.0);
+  EXPECT_EQ(ranks[2].points, 5.0);
+  EXPECT_EQ(ranks[1].wins, 9u);
+  EXPECT_EQ(ranks[1].losses, 11u);
+  EXPECT_EQ(ranks[1].scored, 9u);
+  EXPECT_EQ(ranks[1].conceded, 11u);
+  // The first beats all others: it alone is the equilibrium.
+  EXPECT_NEAR(ranks[0].nash, 1.0, 1e-6);
+}
+
+TEST(Ranking, TheBestStandsFirstWhereverThePlanHasIt) {
+  Course course({"a", "b", "c"});
+  course.take_pairs({{3, 0, 1, 0, 1}, {3, 0, 0, 0, 2}, {1, 0, 1, 0, 3}});
+  std::vector<std::size_t> order;
+  for (const Ranked& each : ranking(course.plan, *course.tournament)) order.push_back(each.team);
+  EXPECT_THAT(order, ElementsAre(1, 2, 0));
+}
+
+TEST(Ranking, RockPaperScissors) {
+  Course course({"rock", "paper", "scissors"});
+  course.take_pairs({{4, 0, 0, 0, 0}, {0, 0, 0, 0, 4}, {4, 0, 0, 0, 0}});
+  const auto ranks = ranking(course.plan, *course.tournament);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(ranks[i].nash, 1.0 / 3.0, 1e-6);
+    EXPECT_NEAR(ranks[i].elo->value, 0.0, 1e-6);
+    EXPECT_EQ(ranks[i].points, 8.0);
+  }
+}
+
+// Who always wins has no Elo: then the share of points decides, and who never played stands in the middle.
+TEST(Ranking, WhereNoEloIsKnownPointsDecide) {
+  Course course({"a", "b", "c"});
+  course.take_pairs({{2, 0, 0, 0, 0}, {2, 0, 0, 0, 0}, {0, 0, 0, 0, 2}});
+  const auto ranks = ranking(course.plan, *course.tournament);
+  std::vector<std::size_t> order;
+  for (const Ranked& each : ranks) {
+    order.push_back(each.team);
+    EXPECT_FALSE(each.elo.has_value());
+  }
+  EXPECT_THAT(order, ElementsAre(1, 2, 0));
+}
+
+TEST(Ranking, BeforeTheFirstMatchInTheOrderOfThePlan) {
+  const Course course({"a", "b", "c"});
+  std::vector<std::size_t> order;
+  for (const Ranked& each : ranking(course.plan, *course.tournament)) {
+    order.push_back(each.team);
+    EXPECT_EQ(each.matches, 0u);
+    EXPECT_EQ(each.points, 0.0);
+  }
+  EXPECT_THAT(order, ElementsAre(0, 1, 2));
+}
+
+TEST(AdjustedP, AreTwiceTheDoubtAboutTheBetterTeamByHolm) {
+  Course course({"a", "b", "c"});
+  course.take_pairs({{2, 3, 5, 6, 4}, {8, 6, 4, 1, 1}, {4, 4, 4, 4, 4}});
+  std::vector<double> p;
+  for (const study::Meeting& meeting : course.tournament->meetings()) {
+    const double superiority = statistics::likelihood_of_superiority(statistics::score_law(meeting.pairs));
+    p.push_back(2.0 * std::min(superiority, 1.0 - superiority));
+  }
+  EXPECT_LT(p[1], p[0]);
+  EXPECT_EQ(p[2], 1.0);
+  EXPECT_THAT(adjusted_p(*course.tournament),
+              ElementsAre(testing::DoubleEq(2.0 * p[0]), testing::DoubleEq(3.0 * p[1]), 1.0));
+  EXPECT_THAT(adjusted_p(*Course({"a", "b", "c"}).tournament), ElementsAre(1.0, 1.0, 1.0));
+}
+
+TEST(Points, CountADrawHalf) {
+  EXPECT_EQ(points({{3, 5, 7}}), 9.5);
+  EXPECT_EQ(points({}), 0.0);
+}
+
+}  // namespace
+}  // namespace regista::report

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "course.hpp"
+#include "report/standing.hpp"
+#include "report/tournament.hpp"
+#include "statistics/likelihood_ratio.hpp"
+
+namespace regista::report {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+TEST(TournamentText, ThePublishedPairsInTheFormThatPeopleKnow) {
+  Course course({"new", "old"}, 290);
+  course.plan.first_seed = 7;
+  course.plan.common.limit = "12.5";
+  course.take_pairs({{34, 54, 63, 64, 75}});
+  const std::string text = tournament_text(course.view());
+  // Won: 2 * 75 + 64 + 63, for the pairs that ended even are a win and a loss each.
+  EXPECT_THAT(text, StartsWith("Results of new vs old (290 pairs, seeds from 7, 12.5 s a match):\n"
+                               "Elo: 55.58 +/- 27.65, nElo: 57.94 +/- 28.28\n"
+                               "LOS: 100.00 %, DrawRatio: 21.72 %, PairsRatio: 1.58\n"
+                               "Games: 580, Wins: 277, Losses: 185, Draws: 118, Points: 336.0 (57.93 %)\n"
+                               "Ptnml(0-2): [34, 54, 63, 64, 75]\n"
+                               "Goals: 277:185, per match +0.159 ["));
+  EXPECT_THAT(text, HasSubstr("for this number of pairs (t test: p "));
+  EXPECT_THAT(text, Not(HasSubstr("Verdict")));
+}
+
+TEST(TournamentText, TheRatioOfTheTestWithItsBounds) {
+  Course course({"a", "b"}, 1000, sprt(0, 100));
+  course.take_pairs({{3, 4, 6, 5, 4}});
+  const auto ratio = statistics::log_likelihood_ratio(score_law(course.tournament->meetings().front().pairs),
+                                                      statistics::Model::normalized, {0, 100});
+  const std::string text = tournament_text(course.view());
+  ASSERT_LT(ratio.value, 0.0);
+  EXPECT_THAT(text, HasSubstr(fmt::format("LLR: {:.2f} ({:.1f} %) (-2.94, 2.94) [0.00, 100.00] normalized", ratio.value,
+                                          ratio.value / 2.944439 * 100.0)));
+  EXPECT_THAT(text, HasSubstr("Verdict after 22 pairs: INCONCLUSIVE\n"));
+  EXPECT_THAT(text, AllOf(Not(HasSubstr("biased")), Not(HasSubstr("t test"))));
+}
+
+TEST(TournamentText, VerdictsInWords) {
+  Course better({"a", "b"}, 1000, sprt(0, 100, statistics::Model::logistic));
+  better.take_pairs({{0, 0, 1, 2, 97}});
+  std::string text = tournament_text(better.view());
+  EXPECT_THAT(text, HasSubstr(": H1: a is 100 Elo stronger than b, not 0\n"));
+  EXPECT_THAT(text, HasSubstr("Elo and nElo are biased towards the verdict"));
+  EXPECT_THAT(text, HasSubstr("] logistic"));
+
+  Course worse({"a", "b"}, 1000, sprt(0, 100));
+  worse.take_pairs({{97, 2, 1, 0, 0}});
+  text = tournament_text(worse.view());
+  EXPECT_THAT(text, HasSubstr(": H0: a is 0 nElo stronger than b, not 100\n"));
+}
+
+TEST(TournamentText, VerdictsOnValues) {
+  for (const bool more : {true, false}) {
+    Course goals({"a", "b"}, 1000, study::ValueTest{study::goals_value, 0.05});
+    goals.take_pairs({more ? std::array{0, 0, 0, 0, 400} : std::array{400, 0, 0, 0, 0}});
+    std::string text = tournament_text(goals.view());
+    EXPECT_THAT(text, HasSubstr(more ? ": H1: a scores more goals than b\n" : ": H1: a scores fewer goals than b\n"));
+
+    Course metric({"a", "b"}, 1000, study::ValueTest{"packets", 0.05});
+    const std::string less = R"({"packets":[3,5]})", greater = R"({"packets":[5,3]})";
+    for (int i = 0; i < 40; ++i) {
+      metric.take(match(0, 0, more ? greater : less));
+      metric.take(match(0, 0, more ? less : greater));
+    }
+    text = tournament_text(metric.view());
+    EXPECT_THAT(text, HasSubstr(more ? ": H1: a has more packets than b\n" : ": H1: a has less packets than b\n"));
+    EXPECT_THAT(text, HasSubstr(more ? "packets: 5 and 3 per match, difference +2 ["
+                                     : "packets: 3 and 5 per match, "
+                                       "difference -2 ["));
+    EXPECT_THAT(text, HasSubstr(more ? "a has less in 0, as much in 0, more in 40 pairs" : "a has less in 40, "));
+    EXPECT_THAT(text, Not(HasSubstr("pairs without it")));
+  }
+}
+
+TEST(TournamentText, PairsWithoutAMetricAreCounted) {
+  Course course({"a", "b"}, 1000, study::ValueTest{"packets", 0.05});
+  course.take(match(0, 0, R"({"packets":[3,5]})"));
+  course.take(failed(0));
+  EXPECT_THAT(tournament_text(course.view()), HasSubstr("1 pair without it: a match was forfeited\n"));
+}
+
+TEST(TournamentText, WhatNothingIsKnownOf) {
+  Course course({"a", "b"}, 10);
+  std::string text = tournament_text(course.view());
+  EXPECT_EQ(text,
+            "Results of a vs b (0 pairs of 10, seeds from 1):\n"
+            "Games: 0, Wins: 0, Losses: 0, Draws: 0, Points: 0.0 (0.00 %)\n"
+            "Ptnml(0-2): [0, 0, 0, 0, 0]\nGoals: 0:0\n");
+  course.take_pairs({{0, 0, 0, 0, 1}});
+  text = tournament_text(course.view());
+  EXPECT_THAT(text, HasSubstr("(1 pair of 10, seeds from 1)"));
+  EXPECT_THAT(text, HasSubstr(" [-inf, inf], nElo: "));
+  EXPECT_THAT(text, HasSubstr("PairsRatio: -\n"));
+  EXPECT_THAT(text, HasSubstr("Variance ratio of pairing: - of scores, - of goals\n"));
+  EXPECT_THAT(text, Not(HasSubstr("nan")));
+}
+
+// A minus before nothing but zeros is a rounding that looks like a finding.
+TEST(TournamentText, NoMinusBeforeNothing) {
+  const auto nothing = testing::ContainsRegex("[^0-9]-0(\\.0+)?[^0-9.]");
+  for (const std::array<int, 5>& counts :
+       {std::array{0, 0, 50, 0, 0}, std::array{7, 9, 20, 9, 7}, std::array{3, 0, 90000, 1, 2},
+        std::array{1, 0, 0, 0, 1}, std::array{20001, 0, 0, 0, 20000}, std::array{20000, 0, 0, 0, 20000}}) {
+    for (const study::Objective& objective : {study::Objective(study::FixedNumber{}), study::Objective(sprt(-20, 20)),
+                                              study::Objective(study::ValueTest{study::goals_value, 1e-9})}) {
+      Course course({"a", "b"}, 100'000, objective);
+      course.take_pairs({counts});
+      EXPECT_THAT(tournament_text(course.view()), Not(nothing));
+    }
+  }
+  Course three({"a", "b", "c"});
+  three.take_pairs({{0, 0, 3, 0, 0}, {0, 0, 3, 0, 0}, {0, 0, 3, 0, 0}});
+  EXPECT_THAT(tournament_text(three.view()), Not(nothing));
+  Course metric({"a", "b"}, 100, study::ValueTest{"packets", 0.05});
+  for (int i = 0; i < 10; ++i) metric.take(match(0, 0, R"({"packets":[5,5]})"));
+  EXPECT_THAT(tournament_text(metric.view()), Not(nothing));
+}
+
+TEST(TournamentText, EqualTeamsAreCalledSo) {
+  Course course({"a", "b"}, 10);
+  course.plan.teams[1].inputs = course.plan.teams[0].inputs;
+  EXPECT_THAT(tournament_text(course.view()),
+              HasSubstr("\nA/A: a and b are equal, so every pair is a draw by construction\n"));
+}
+
+TEST(TournamentText, FailuresTellWhoAndHowToSeeItAgain) {
+  Course course({"good", "bad"}, 20);
+  course.plan.failures_in_a_row = 3;
+  for (int i = 0; i < 2; ++i) {
+    course.take(failed(1, "Segmentation\nfault"));
+    course.take(failed(0, "Segmentation\nfault"));
+  }
+  const std::string text = tournament_text(course.view());
+  EXPECT_THAT(text, HasSubstr("\n\nbad was set aside after pair 2: plugin greedy failed 4 times in a row\n"
+                              "4 matches forfeited by bad: plugin greedy, assign: Segmentation"));
+  EXPECT_THAT(text, HasSubstr("\n  the first again: again 0\n"));
+  EXPECT_THAT(text, Not(HasSubstr("Segmentation\nfault")));
+  EXPECT_THAT(text, HasSubstr("good vs bad (2 pairs of 20, "));
+  Course once({"good", "bad"}, 20);
+  once.take(failed(1));
+  EXPECT_THAT(tournament_text(once.view()), HasSubstr("\n1 match forfeited by bad: plugin greedy, assign: "));
+}
+
+TEST(TournamentText, ThreeTeamsAreRanked) {
+  Course course({"the longest name of all", "b", "c"}, 5);
+  course.take_pairs({{1, 0, 1, 0, 3}, {0, 0, 1, 0, 4}, {2, 0, 0, 0, 3}});
+  const std::string text = tournament_text(course.view());
+  EXPECT_THAT(text, StartsWith("Results of 3 teams, round robin (5 pairs each, seeds from 1):\n"
+                               "rank  team                     "));
+  const std::size_t first = text.find("\n   1  the longest name of all "), second = text.find("\n   2  b "),
+                    third = text.find("\n   3  c ");
+  ASSERT_NE(third, std::string::npos);
+  EXPECT_LT(first, second);
+  EXPECT_LT(second, third);
+  EXPECT_THAT(text, testing::ContainsRegex("  163.9 \\+/- [0-9.]+ +1.00 +20 +16.0 +16 +0 +4 +16:4 +0\n"));
+  EXPECT_THAT(text, HasSubstr("\nPairings (p: two-sided, adjusted by Holm):\n"
+                              "the longest name of all vs b: 7-0-3, goals 7:3, Elo "));
+  EXPECT_THAT(text, HasSubstr("\nb vs c: 6-0-4, goals 6:4, Elo "));
+  std::size_t columns = 0;
+  for (std::size_t begin = text.find("rank"), line = 0; line < 4; ++line) {
+    const std::size_t end = text.find('\n', begin);
+    if (line > 0) {
+      EXPECT_EQ(end - begin, columns) << "line " << line;
+    }
+    columns = end - begin;
+    begin = end + 1;
+  }
+  course.plan.format = study::Format::gauntlet;
+  EXPECT_THAT(title(course.view()), StartsWith("3 teams, gauntlet ("));
+}
+
+// The pairs of the title are those that the schedule has come through, whoever still plays.
+TEST(TournamentText, TheTitleOfATournamentWhoseLastTeamWasSetAside) {
+  Course course({"a", "b", "c"}, 6);
+  course.plan.failures_in_a_row = 2;
+  for (std::uint64_t i = 0; i < course.plan.matches(); ++i) {
+    const study::Fixture fixture = course.tournament->calendar().at(i);
+    course.take(fixture.home == 2 ? failed(0) : fixture.away == 2 ? failed(1) : match(1, 0));
+  }
+  EXPECT_EQ(title(course.view()), "3 teams, round robin (6 pairs each, seeds from 1)");
+}
+
+TEST(TournamentText, AnOpeningOrMore) {
+  Course course({"a", "b"}, 6);
+  course.plan.openings = {{"corner.yaml", {}}};
+  EXPECT_EQ(title(course.view()), "a vs b (0 pairs of 6, seeds from 1, 1 opening)");
+  course.plan.openings.push_back({"free.yaml", {}});
+  EXPECT_EQ(title(course.view()), "a vs b (0 pairs of 6, seeds from 1, 2 openings)");
+}
+
+}  // namespace
+}  // namespace regista::report

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Plans of tournaments and results of matches, made by hand.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/tournament_plan.hpp"
+
+namespace regista::study {
+
+// Teams "team 0", "team 1", ... of which no two are equal.
+inline TournamentPlan plan_of(std::size_t teams, std::uint64_t pairs, Objective objective = FixedNumber{}) {
+  TournamentPlan plan;
+  for (std::size_t team = 0; team < teams; ++team) {
+    const std::string number = std::to_string(team);
+    plan.teams.push_back({"team " + number, number + ".yaml", {{"team " + number + ".yaml", "hash " + number}}});
+  }
+  plan.pairs = pairs;
+  plan.objective = std::move(objective);
+  plan.most_goals = 10;
+  plan.common_inputs = {{"program", "1"}, {"rules spl2023", "2"}};
+  return plan;
+}
+
+inline campaign::Decided match(int home, int away, const std::string& metrics = "{}") {
+  return {{home, away}, "full_time", "h", metrics, std::nullopt, 1.0};
+}
+
+// side: 0 home, 1 away
+inline campaign::Decided failed(int side, const std::string& plugin = "greedy",
+                                const std::string& what = "Segmentation fault") {
+  return campaign::forfeit({side, plugin, "assign", 3, 417, what}, 1.0);
+}
+
+}  // namespace regista::study

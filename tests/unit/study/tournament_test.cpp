@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+// What a tournament counts, and where its test stops it.
+#include "study/tournament.hpp"
+
+#include <gmock/gmock.h>
+#include <malloc.h>
+
+#include <random>
+
+#include "statistics/mixture_test.hpp"
+#include "tournament_fixture.hpp"
+
+namespace regista::study {
+namespace {
+
+using testing::ElementsAre;
+using PairCounts = std::array<statistics::Count, 5>;
+using GameCounts = std::array<statistics::Count, 3>;
+
+// Two scores of the first team's goals less the second's, as matches at home and away.
+std::array<campaign::Decided, 2> pair_of(int at_home, int away) {
+  return {match(std::max(at_home, 0), std::max(-at_home, 0)), match(std::max(-away, 0), std::max(away, 0))};
+}
+
+// The matches of a pair of each kind: goal differences of the first team.
+constexpr std::array<std::array<int, 2>, 5> kinds{{{-1, -3}, {-1, 0}, {2, -2}, {0, 1}, {1, 4}}};
+
+bool take(Tournament& course, const std::array<campaign::Decided, 2>& pair) {
+  EXPECT_TRUE(course.take(&pair[0]));
+  return course.take(&pair[1]);
+}
+
+TEST(Tournament, CountsPairsAndNotOnlyGames) {
+  const TournamentPlan plan = plan_of(2, 6);
+  Tournament course(plan);
+  // Each pair: A at home, then A away.
+  const campaign::Decided matches[] = {match(0, 1), match(1, 0),   // LL
+                                       match(0, 1), match(2, 2),   // LD
+                                       match(3, 1), match(3, 1),   // WL
+                                       match(0, 0), match(1, 1),   // DD
+                                       match(0, 0), match(0, 4),   // WD
+                                       match(2, 0), match(0, 2)};  // WW
+  for (const campaign::Decided& each : matches) EXPECT_TRUE(course.take(&each));
+  const Meeting& meeting = course.meetings().front();
+  EXPECT_EQ(meeting.pairs.seen, (PairCounts{1, 1, 2, 1, 1}));
+  EXPECT_EQ(meeting.games.seen, (GameCounts{4, 4, 4}));
+  EXPECT_EQ(meeting.goals, (std::array<std::uint64_t, 2>{15, 10}));
+  EXPECT_EQ(meeting.goals_of_matches.count(), 12);
+  EXPECT_EQ(meeting.goals_of_pairs.count(), 6);
+  // -1, -1/2, 0, 0, 2, 2
+  EXPECT_NEAR(meeting.goals_of_pairs.mean(), 2.5 / 6.0, 1e-15);
+  EXPECT_NEAR(meeting.goals_of_pairs.variance(), (9.25 - 6.25 / 6.0) / 5.0, 1e-14);
+  EXPECT_EQ(meeting.goals_sequence.values(), 6);
+  EXPECT_EQ(course.matches(), 12u);
+  EXPECT_EQ(course.taken(), 12u);
+  EXPECT_EQ(course.verdict(), Verdict::none);
+}
+
+TEST(Tournament, HalfAPairIsNoPair) {
+  const TournamentPlan plan = plan_of(2, 2);
+  Tournament course(plan);
+  const campaign::Decided won = match(1, 0);
+  course.take(&won);
+  const Meeting& meeting = course.meetings().front();
+  EXPECT_EQ(meeting.matches(), 1u);
+  EXPECT_EQ(total(meeting.pairs), 0);
+  EXPECT_EQ(meeting.goals_of_pairs.count(), 0);
+  EXPECT_EQ(meeting.goals_of_matches.count(), 1);
+  course.take(&won);
+  EXPECT_EQ(meeting.pairs.seen, (PairCounts{0, 0, 1, 0, 0}));
+}
+
+TEST(Tournament, CountsEachPairingByItself) {
+  const TournamentPlan plan = plan_of(3, 2);
+  Tournament course(plan);
+  // In order: 0-1, 1-0, 0-2, 2-0, 1-2, 2-1; twice. The team of the smaller number wins, by its distance.
+  for (std::uint64_t i = 0; i < plan.matches(); ++i) {
+    const Fixture fixture = course.calendar().at(i);
+    const int margin = static_cast<int>(fixture.away) - static_cast<int>(fixture.home);
+    const campaign::Decided decided = match(std::max(margin, 0), std::max(-margin, 0));
+    EXPECT_TRUE(course.take(&decided));
+  }
+  ASSERT_EQ(course.meetings().size(), 3u);
+  for (const Meeting& meeting : course.meetings()) {
+    EXPECT_EQ(meeting.pairs.seen, (PairCounts{0, 0, 0, 0, 2}));
+    const std::uint64_t margin = meeting.pairing.second - meeting.pairing.first;
+    EXPECT_EQ(meeting.goals, (std::array<std::uint64_t, 2>{4 * margin, 0}));
+  }
+  EXPECT_EQ(course.matches(), 12u);
+}
+
+TEST(Tournament, ForfeitsFollowTheTeamAndNotTheSide) {
+  const TournamentPlan plan = plan_of(2, 2);
+  Tournament course(plan);
+  campaign::Decided a_at_home = failed(0), a_away = failed(1), b_away = failed(1);
+  a_away.failure->tick = 5;
+  a_away.failure->robot = 1;
+  for (const campaign::Decided* each : {&a_at_home, &a_away, &b_away}) course.take(each);
+  ASSERT_EQ(course.forfeits().size(), 2u);
+  EXPECT_EQ(course.forfeits()[0].team, 0u);
+  EXPECT_EQ(course.forfeits()[0].count, 2u);
+  EXPECT_EQ(course.forfeits()[0].first_match, 0u);
+  EXPECT_EQ(course.forfeits()[0].failure.tick, 417u);
+  EXPECT_EQ(course.forfeits()[1].team, 1u);
+  EXPECT_EQ(course.forfeits()[1].count, 1u);
+  EXPECT_EQ(course.forfeits()[1].first_match, 2u);
+  EXPECT_THAT(course.failures(), ElementsAre(2, 1));
+  const Meeting& meeting = course.meetings().front();
+  EXPECT_EQ(meeting.goals, (std::array<std::uint64_t, 2>{10, 20}));
+  EXPECT_EQ(meeting.pairs.seen, (PairCounts{1, 0, 0, 0, 0}));
+}
+
+TEST(Tournament, ForfeitsForOtherReasonsAreListedApart) {
+  TournamentPlan plan = plan_of(2, 10);
+  plan.failures_in_a_row = 0;
+  Tournament course(plan);
+  std::vector<campaign::Decided> matches(4, failed(0));
+  matches[1] = failed(1, "other");
+  matches[2].failure->call = "score";
+  matches[3] = failed(1, "greedy", "Aborted");
+  for (const campaign::Decided& each : matches) course.take(&each);
+  ASSERT_EQ(course.forfeits().size(), 4u);
+  for (std::uint64_t i = 0; i < 4; ++i) EXPECT_EQ(course.forfeits()[i].first_match, i);
+}
+
+TEST(Tournament, DoesNotGrowWithoutEnd) {
+  TournamentPlan plan = plan_of(2, 1'000'000, ValueTest{"packets", 0.05});
+  plan.failures_in_a_row = 0;
+  Tournament course(plan);
+  for (int i = 0; i < 150; ++i) {
+    const campaign::Decided decided = failed(i % 2, "greedy", "reason " + std::to_string(i));
+    course.take(&decided);
+  }
+  EXPECT_EQ(course.forfeits().size(), 100u);
+  EXPECT_EQ(course.unlisted_forfeits(), 50u);
+  EXPECT_THAT(course.failures(), ElementsAre(150, 0));
+  const auto play = [&](int pairs) {
+    for (int i = 0; i < pairs; ++i) {
+      const std::string metrics = R"({"packets":[)" + std::to_string(i % 7) + "," + std::to_string(i % 5) + "]}";
+      const campaign::Decided one = match(i % 3, 1, metrics), other = failed(0, "greedy", std::to_string(i));
+      course.take(&one);
+      course.take(i % 50 == 0 ? &other : &one);
+    }
+  };
+  play(100);
+  const auto before = mallinfo2().uordblks;
+  play(5000);
+  const auto after = mallinfo2().uordblks;
+  EXPECT_LT(after, before + 4096);
+}
+
+TEST(Tournament, TheScoreTestStopsAtTheVeryPairAtWhichItsTestStops) {
+  ScoreTest score;
+  score.design = {statistics::Model::normalized, {0, 60}, {0.05, 0.05}, true};
+  std::array<int, 2> verdicts{};
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const TournamentPlan plan = plan_of(2, 100'000, score);
+    Tournament course(plan);
+    statistics::SequentialTest<statistics::PairCounts> alone(score.design);
+    std::mt19937_64 random(seed);
+    EXPECT_EQ(course.verdict(), Verdict::inconclusive);
+    bool more = true;
+    while (more) {
+      const std::size_t kind = std::min<std::size_t>(random() % (seed % 2 == 0 ? 5 : 7), 4);
+      alone.add(static_cast<statistics::PairOutcome>(kind));
+      more = take(course, pair_of(kinds[kind][0], kinds[kind][1]));
+      ASSERT_EQ(more, alone.verdict() == statistics::Verdict::inconclusive) << course.taken();
+    }
+    const bool h1 = alone.verdict() == statistics::Verdict::accept_h1;
+    EXPECT_EQ(course.verdict(), h1 ? Verdict::accept_h1 : Verdict::accept_h0);
+    EXPECT_EQ(course.meetings().front().pairs, alone.counts());
+    ++verdicts[h1 ? 1 : 0];
+  }
+  EXPECT_GT(verdicts[0], 4);
+  EXPECT_GT(verdicts[1], 4);
+}
+
+TEST(Tournament, TheTestOnGoalsStopsWhenNoDifferenceIsExcluded) {
+  for (const int better : {-1, 1}) {
+    for (unsigned seed = 0; seed < 10; ++seed) {
+      const TournamentPlan plan = plan_of(2, 100'000, ValueTest{goals_value, 0.02});
+      Tournament course(plan);
+      EXPECT_FALSE(course.needs_metrics());
+      statistics::BettingSequence alone({-10, 10, 0.02, 1.0});
+      std::mt19937_64 random(seed);
+      bool more = true;
+      double nearest = 0.0;  // bound of the running intersection that is the nearest to 0
+      while (more) {
+        const int first = better * (static_cast<int>(random() % 6) - 2), second = static_cast<int>(random() % 5) - 2;
+        alone.add((first + second) / 2.0);
+        more = take(course, pair_of(first, second));
+        ASSERT_LT(course.taken(), 10'000u);
+        if (more) {
+          EXPECT_EQ(course.verdict(), Verdict::inconclusive);
+          const statistics::Interval exact = alone.interval();
+          nearest = better > 0 ? std::max(nearest, exact.low) : std::min(nearest, exact.high);
+        }
+      }
+      EXPECT_EQ(course.verdict(), Verdict::accept_h1);
+      EXPECT_EQ(course.first_has_more(), better > 0);
+      // The sequence that remembers everything excludes 0 now, and did at no pair before by a step of the grid.
+      EXPECT_FALSE(alone.interval().contains(0.0));
+      EXPECT_LE(std::abs(nearest), 20.0 / 4000);
+    }
+  }
+}
+
+TEST(Tournament, ThreeGoalsMoreThanTheMercyRuleAreBetOnAsFarAsItGoes) {
+  TournamentPlan plan = plan_of(2, 10);
+  plan.most_goals = 3;
+  Tournament course(plan);
+  take(course, pair_of(10, 10));  // a forfeit of rules of another house
+  EXPECT_EQ(course.meetings().front().goals_of_pairs.mean(), 10.0);
+  EXPECT_EQ(course.meetings().front().goals_sequence.mean(), 3.0);
+}
+
+TEST(Tournament, DrawsAloneGiveNoVerdict) {
+  ScoreTest score;
+  score.design.hypotheses = {0, 10};
+  for (const Objective& objective :
+       {Objective(score), Objective(ValueTest{goals_value, 0.05}), Objective(ValueTest{"packets", 0.05})}) {
+    const TournamentPlan plan = plan_of(2, 1000, objective);
+    Tournament course(plan);
+    const campaign::Decided draw = match(1, 1, R"({"packets":[5,5]})");
+    for (int i = 0; i < 2000; ++i) ASSERT_TRUE(course.take(&draw));
+    EXPECT_EQ(course.verdict(), Verdict::inconclusive);
+    EXPECT_FALSE(course.first_has_more());
+  }
+}
+
+std::string packets(double home, double away) {
+  return R"({"packets":[)" + std::to_string(home) + "," + std::to_string(away) + "]}";
+}
+
+TEST(Tournament, AMetricIsTakenFromTheSideThatTheTeamHad) {
+  const TournamentPlan plan = plan_of(2, 100, ValueTest{"packets", 0.05});
+  Tournament course(plan);
+  EXPECT_TRUE(course.needs_metrics());
+  // First team: 10 and 20, second: 4 and 6. Then 1 and 1 against 8 and 2. Then both 3.
+  take(course, {match(0, 0, packets(10, 4)), match(0, 0, packets(6, 20))});
+  take(course, {match(0, 0, packets(1, 8)), match(0, 0, packets(2, 1))});
+  take(course, {match(0, 0, packets(3, 3)), match(0, 0, packets(3, 3))});
+  const MetricDifference& metric = *course.meetings().front().metric;
+  EXPECT_THAT(metric.signs(), ElementsAre(1, 1, 1));
+  EXPECT_NEAR(metric.first().mean(), (15.0 + 1.0 + 3.0) / 3.0, 1e-12);
+  EXPECT_NEAR(metric.second().mean(), (5.0 + 5.0 + 3.0) / 3.0, 1e-12);
+  EXPECT_NEAR(metric.difference().mean(), (10.0 - 4.0 + 0.0) / 3.0, 1e-12);
+  EXPECT_NEAR(metric.difference().variance(), 52.0, 1e-12);  // (64 + 36 + 4) / 2
+  const statistics::Estimate estimate = metric.estimate();
+  EXPECT_NEAR(estimate.value, 2.0, 1e-12);
+  EXPECT_NEAR(estimate.margin(), statistics::mixture_half_width({3, 2.0, 52.0, 52.0 / 16.0}, 0.05), 1e-9);
+}
+
+TEST(Tournament, AMetricIsMissingWhereAMatchWasForfeitedOrHasNone) {
+  const TournamentPlan plan = plan_of(2, 100, ValueTest{"packets", 0.05});
+  Tournament course(plan);
+  take(course, {match(0, 0, packets(10, 4)), failed(0)});
+  take(course, {failed(1), match(0, 0, packets(10, 4))});
+  take(course, {match(0, 0, "{}"), match(0, 0, packets(10, 4))});
+  take(course, {match(0, 0, packets(10, 4)), match(0, 0, R"({"packets":[1,null]})")});
+  const Meeting& meeting = course.meetings().front();
+  EXPECT_EQ(meeting.pairs_without_metric, 4u);
+  EXPECT_THAT(meeting.metric->signs(), ElementsAre(0, 0, 0));
+  EXPECT_FALSE(meeting.metric->estimate().interval.bounded());
+  EXPECT_EQ(total(meeting.pairs), 4);
+}
+
+TEST(Tournament, TheTestOnAMetricStopsAtThePairAtWhichTheBetIsWon) {
+  for (const double sign : {-1.0, 1.0}) {
+    const TournamentPlan plan = plan_of(2, 10'000, ValueTest{"packets", 0.05});
+    Tournament course(plan);
+    statistics::BettingTest alone({-1, 1, 0.05}, 0.0);
+    std::mt19937_64 random(3);
+    bool more = true;
+    while (more) {
+      // Larger by much now and then, smaller by little most of the time: what counts is how often.
+      const double difference = sign * (random() % 10 == 0 ? -1000.0 : 0.5);
+      alone.add(difference > 0.0 ? 1.0 : -1.0);
+      more = take(course, {match(0, 0, packets(2000 + difference, 2000)), match(0, 0, packets(2000, 2000))});
+      ASSERT_EQ(more, alone.finding() == statistics::BettingTest::Finding::none) << course.taken();
+    }
+    EXPECT_EQ(course.verdict(), Verdict::accept_h1);
+    EXPECT_EQ(course.first_has_more(), sign > 0.0);
+  }
+}
+
+TEST(MetricDifference, KnowsNoBoundsBeforeItHasSeenASpread) {
+  MetricDifference difference(0.05);
+  EXPECT_FALSE(difference.estimate().interval.bounded());
+  difference.add(3, 1);
+  EXPECT_FALSE(difference.estimate().interval.bounded());
+  difference.add(3, 1);
+  EXPECT_FALSE(difference.estimate().interval.bounded());
+  EXPECT_EQ(difference.estimate().value, 2.0);
+  difference.add(2, 1);
+  EXPECT_TRUE(difference.estimate().interval.bounded());
+}
+
+}  // namespace
+}  // namespace regista::study
