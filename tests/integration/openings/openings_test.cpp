@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Every shipped opening is played for its length by two shipped teams.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/documents.hpp"
+#include "match/teams.hpp"
+
+namespace regista {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> openings() {
+  std::vector<fs::path> out;
+  for (const fs::directory_entry& each : fs::directory_iterator(REGISTA_CONFIGS "/openings")) {
+    out.push_back(each.path());
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+class Openings : public ::testing::TestWithParam<fs::path> {
+ protected:
+  static void SetUpTestSuite() {
+    catalogue_.emplace(std::vector<fs::path>{REGISTA_PLUGINS});
+    for (const char* name : {"paper", "fixed_rate"}) {
+      const config::Team team = config::read_team(fs::path(REGISTA_CONFIGS) / "teams" / (std::string(name) + ".yaml"));
+      plans_.push_back(std::make_unique<const mind::TeamPlan>(team, config::Rules{}, config::Robot{}, *catalogue_));
+    }
+  }
+  static void TearDownTestSuite() {
+    plans_.clear();
+    catalogue_.reset();
+  }
+
+  static match::Result play(std::uint64_t seed, const match::Observer* observer = nullptr) {
+    match::Setup setup;
+    setup.opening = config::read_opening(GetParam());
+    setup.seed = seed;
+    return match::play(setup, {plans_[0].get(), plans_[1].get()}, observer);
+  }
+
+  static inline std::optional<plugin::Catalogue> catalogue_;
+  static inline std::vector<std::unique_ptr<const mind::TeamPlan>> plans_;
+};
+
+TEST_P(Openings, IsPlayedForItsLength) {
+  const config::Opening opening = config::read_opening(GetParam());
+  match::Observer observer;
+  std::optional<double> began;
+  observer.event = [&](double time, const match::Event& event, const match::GameState& state) {
+    if (event.kind != match::EventKind::opening) return;
+    began = time;
+    EXPECT_TRUE(state.in_play());
+  };
+  double jump = 0.0;  // of a robot in the first physics step: bodies that overlap are pushed apart
+  observer.step = [&](const match::Snapshot& now) {
+    if (now.time > 0.03) return;
+    for (std::size_t i = 0; i < 14; ++i) {
+      const auto& wanted = i < 7 ? opening.home[i] : opening.away[i - 7];
+      jump = std::max(jump, std::hypot(now.bodies[i].x - wanted.at[0], now.bodies[i].y - wanted.at[1]));
+    }
+  };
+  const match::Result result = play(1, &observer);
+  EXPECT_EQ(began, 0.0);
+  EXPECT_LT(jump, 0.001);
+  EXPECT_EQ(result.ended, match::Ended::limit);
+  EXPECT_NEAR(result.simulated_seconds, opening.length, 1e-9);
+  EXPECT_GT(result.metrics.in_play_seconds, 1.0);
+  // Somebody finds the ball and goes for it.
+  EXPECT_GT(result.metrics.teams[0].touches + result.metrics.teams[1].touches, 0);
+  EXPECT_NE(play(2).hash, result.hash);
+}
+
+std::string name(const ::testing::TestParamInfo<fs::path>& info) { return info.param.stem().string(); }
+INSTANTIATE_TEST_SUITE_P(Shipped, Openings, ::testing::ValuesIn(openings()), name);
+
+}  // namespace
+}  // namespace regista
