@@ -6,7 +6,7 @@ import unittest
 
 import program
 
-OPTIONS = ("--help, --seed, --rules, --robot, --disturbance, --opening, --set, --limit, --plugins, --json, --decisions, "
+OPTIONS = ("--help, --seed, --rules, --robot, --disturbance, --opening, --set, --limit, --from, --row, --plugins, --json, --decisions, "
            "--quiet, --verbose")
 
 
@@ -43,16 +43,16 @@ class BadInput(program.Case):
 
 class CommandLine(BadInput):
     def test_no_command(self):
-        self.assert_refused((), "which command? There are: match, evaluate-predictor, sprt, plugin, config; see: regista --help")
+        self.assert_refused((), "which command? There are: match, tournament, report, sprt, evaluate-predictor, plugin, config; see: regista --help")
         self.assert_refused(("plugin",), "which command? There are: list, info, reference; see: regista plugin --help")
 
     def test_unknown_command(self):
         self.assert_refused(("mtach", "a.yaml"),
-                            'unknown command "mtach" in regista; nearest: "match"; known: match, evaluate-predictor, sprt, plugin, config')
+                            'unknown command "mtach" in regista; nearest: "match"; known: match, tournament, report, sprt, evaluate-predictor, plugin, config')
         self.assert_refused(("plugin", "lits"),
                             'unknown command "lits" in regista plugin; nearest: "list"; known: list, info, reference')
         # Planned, not there: no nearest name that misleads.
-        self.assert_refused(("tournament",), 'unknown command "tournament" in regista; known: match, evaluate-predictor, sprt, plugin, config')
+        self.assert_refused(("experiment",), 'unknown command "experiment" in regista; known: match, tournament, report, sprt, evaluate-predictor, plugin, config')
 
     def test_unknown_option(self):
         self.assert_match_refused(("--sede", "3"),
@@ -73,7 +73,7 @@ class CommandLine(BadInput):
     def test_options_without_value_or_with_two(self):
         self.assert_match_refused(("--seed",), "--seed needs a value")
         self.assert_match_refused(("--seed", "1", "--seed", "2"), "--seed is given more than once")
-        for option in ("--seed", "--limit", "--rules", "--opening", "--decisions", "--set", "--plugins"):
+        for option in ("--seed", "--limit", "--rules", "--opening", "--decisions", "--set", "--from", "--plugins"):
             self.assert_match_refused((option, ""), f"{option} needs a value")
         self.assert_match_refused(("--decisions", "--json"), '--decisions needs a value, and "--json" is an option')
         self.assert_match_refused(("--json=maybe",), "--json takes no value")
@@ -105,7 +105,7 @@ class CommandLine(BadInput):
 
     def test_control_characters_stay_in_one_line(self):
         self.assert_refused(("match\n\x1b[31m",), r'unknown command "match\n\x1b[31m" in regista; '
-                                                  "known: match, evaluate-predictor, sprt, plugin, config")
+                                                  "known: match, tournament, report, sprt, evaluate-predictor, plugin, config")
 
 
 class BuiltInProfiles(BadInput):
