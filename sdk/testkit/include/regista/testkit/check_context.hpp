@@ -4,31 +4,23 @@
 
 #include <vector>
 
-#include <regista/testkit/rehearsal.hpp>
-#include <regista/testkit/scenes.hpp>
+#include <regista/testkit/rehearse_scenes.hpp>
 
 namespace regista::testkit {
 
 inline std::vector<Rehearsal> context_rehearsals(const Options&) {
   std::vector<Rehearsal> out;
   for (const int size : team_sizes) {
-    std::vector<Scene> course, later;
+    std::vector<Scene> course;
     for (const Scene& scene : scenes(size)) {
       course.push_back(scene.before_tasks());
-      later.push_back(course.back().grown({24}));
     }
-    Rehearsal r;
-    r.environment = EnvironmentBuilder{}.team_size(static_cast<unsigned>(size)).own(2);
-    r.steps = course.size();
-    r.name = [course](std::size_t i) { return course[i].name(); };
-    r.play = [course, later](Instance& instance, std::size_t i, Growth growth, Findings& findings, Trail& trail) {
-      const Scene& scene = (growth.bytes == 0 ? course : later)[i];
+    const auto play = [](Instance& instance, const Scene& scene, std::size_t, Findings& findings, Trail& trail) {
       const std::int32_t answer = instance.holds(scene);
       trail.add(answer);
       if (answer != 0 && answer != 1) findings.say("holds: answered ", answer, ", neither 0 nor 1");
-      if (!scene.unchanged()) findings.say("holds: wrote to its input");
     };
-    out.push_back(std::move(r));
+    out.push_back(rehearse_scenes(size, "holds", course, play));
   }
   return out;
 }

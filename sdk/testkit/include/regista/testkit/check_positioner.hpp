@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <regista/testkit/rehearsal.hpp>
-#include <regista/testkit/scenes.hpp>
+#include <regista/testkit/rehearse_scenes.hpp>
 
 namespace regista::testkit {
 
@@ -73,19 +72,14 @@ inline void check_cells(const Placed& placed, const Lawn& lawn, const Scene& sce
 inline std::vector<Rehearsal> positioner_rehearsals(const Options&) {
   std::vector<Rehearsal> out;
   for (const int size : team_sizes) {
-    std::vector<Scene> course, later;
+    std::vector<Scene> course;
     for (const Scene& scene : scenes(size)) {
       course.push_back(scene.before_placing());
-      later.push_back(course.back().grown({24}));
     }
-    Rehearsal r;
-    r.environment = EnvironmentBuilder{}.team_size(static_cast<unsigned>(size)).own(2);
-    const regista_environment& e = r.environment.raw();
+    EnvironmentBuilder environment;
+    const regista_environment& e = environment.team_size(static_cast<unsigned>(size)).own(2).raw();
     const detail::Lawn lawn{e.field_length / 2 + e.border_strip, e.field_width / 2 + e.border_strip};
-    r.steps = course.size();
-    r.name = [course](std::size_t i) { return course[i].name(); };
-    r.play = [course, later, lawn](Instance& instance, std::size_t i, Growth growth, Findings& findings, Trail& trail) {
-      const Scene& scene = (growth.bytes == 0 ? course : later)[i];
+    const auto play = [lawn](Instance& instance, const Scene& scene, std::size_t, Findings& findings, Trail& trail) {
       const Placed placed = instance.place(scene);
       trail.add_all(placed.points);
       trail.add_all(placed.edges);
@@ -94,9 +88,8 @@ inline std::vector<Rehearsal> positioner_rehearsals(const Options&) {
       detail::check_points(placed, lawn, scene, findings);
       detail::check_edges(placed, findings);
       detail::check_cells(placed, lawn, scene, findings);
-      if (!scene.unchanged()) findings.say("place: wrote to its input");
     };
-    out.push_back(std::move(r));
+    out.push_back(rehearse_scenes(size, "place", course, play));
   }
   return out;
 }

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <regista/testkit/rehearsal.hpp>
-#include <regista/testkit/scenes.hpp>
+#include <regista/testkit/rehearse_scenes.hpp>
 
 namespace regista::testkit {
 
@@ -63,7 +62,7 @@ inline std::vector<Rehearsal> sender_rehearsals(const Options&) {
   constexpr std::size_t rounds = 4;
   std::vector<Rehearsal> out;
   for (const int size : team_sizes) {
-    std::vector<Scene> course, later;
+    std::vector<Scene> course;
     for (const Scene& scene : scenes(size)) {
       const std::int32_t phase = scene.data().mine.game.phase;
       if (phase == REGISTA_PHASE_INITIAL || phase == REGISTA_PHASE_FINISHED) continue;  // never called then
@@ -72,24 +71,17 @@ inline std::vector<Rehearsal> sender_rehearsals(const Options&) {
         data.tick = course.size();
         data.time = 0.1 * static_cast<double>(data.tick);
         course.emplace_back(std::move(data));
-        later.push_back(course.back().grown({24}));
       }
     }
-    Rehearsal r;
-    r.environment = EnvironmentBuilder{}.team_size(static_cast<unsigned>(size)).own(2);
-    r.steps = course.size();
-    r.name = [course](std::size_t i) { return course[i].name(); };
-    r.play = [course, later](Instance& instance, std::size_t i, Growth growth, Findings& findings, Trail& trail) {
-      const Scene& scene = (growth.bytes == 0 ? course : later)[i];
+    const auto play = [](Instance& instance, const Scene& scene, std::size_t i, Findings& findings, Trail& trail) {
       const detail::Query q = detail::query_for(scene, i % rounds);
       const Sent sent = instance.decide(scene, q.events, q.offers, q.budget);
       trail.add(sent.send);
       trail.add(sent.reason);
       trail.add_all(sent.granted);
       detail::check_sent(sent, q, findings);
-      if (!scene.unchanged()) findings.say("decide: wrote to its input");
     };
-    out.push_back(std::move(r));
+    out.push_back(rehearse_scenes(size, "decide", course, play));
   }
   return out;
 }

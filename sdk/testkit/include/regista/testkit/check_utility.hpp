@@ -6,8 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include <regista/testkit/rehearsal.hpp>
-#include <regista/testkit/scenes.hpp>
+#include <regista/testkit/rehearse_scenes.hpp>
 
 namespace regista::testkit {
 
@@ -35,22 +34,15 @@ inline Scene opponents_reversed(const Scene& scene) {
 inline std::vector<Rehearsal> utility_rehearsals(const Options&) {
   std::vector<Rehearsal> out;
   for (const int size : team_sizes) {
-    std::vector<Scene> course, later;
+    std::vector<Scene> course;
     for (const Scene& scene : scenes(size)) {
       if (scene.rows() == 0 || scene.columns() == 0) continue;  // never called then
       course.push_back(scene);
-      later.push_back(scene.grown({24}));
     }
-    Rehearsal r;
-    r.environment = EnvironmentBuilder{}.team_size(static_cast<unsigned>(size)).own(2);
-    r.steps = course.size();
-    r.name = [course](std::size_t i) { return course[i].name(); };
-    r.play = [course, later](Instance& instance, std::size_t i, Growth growth, Findings& findings, Trail& trail) {
-      const Scene& scene = (growth.bytes == 0 ? course : later)[i];
+    const auto play = [](Instance& instance, const Scene& scene, std::size_t, Findings& findings, Trail& trail) {
       detail::check_scores(instance.score(scene), findings, trail);
-      if (!scene.unchanged()) findings.say("score: wrote to its input");
     };
-    out.push_back(std::move(r));
+    out.push_back(rehearse_scenes(size, "score", course, play));
   }
   return out;
 }
