@@ -12,9 +12,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ball_state.hpp"
+#include "planar_state.hpp"
 
 namespace ball {
+
+using planar::State;
 
 struct RollingModel {
   double deceleration = 0.32;       // m/s^2, > 0

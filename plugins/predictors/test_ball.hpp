@@ -11,10 +11,12 @@
 #include <random>
 #include <vector>
 
-#include "ball_sighting.hpp"
-#include "ball_state.hpp"
+#include "ball_view.hpp"
+#include "planar_state.hpp"
 
 namespace ball {
+
+using planar::Sighting, planar::State;
 
 inline Eigen::Vector4d mean(const State& ball) {
   Eigen::Vector4d all;

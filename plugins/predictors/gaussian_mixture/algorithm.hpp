@@ -16,6 +16,8 @@
 #include <cmath>
 #include <limits>
 
+#include "../planar_state.hpp"
+
 namespace gaussian_mixture {
 
 struct Parameters {
@@ -31,10 +33,7 @@ struct Parameters {
   double touching_distance = 0.3;      // m between the centres of two robots that touch
 };
 
-struct Sighting {
-  Eigen::Vector2d position;
-  Eigen::Matrix2d covariance;
-};
+using planar::Sighting;
 
 // A sector of a disc, seen from `apex` along the unit vector `axis`.
 struct View {
@@ -50,9 +49,7 @@ struct View {
 };
 
 struct Component {
-  Eigen::Vector2d position = Eigen::Vector2d::Zero(), velocity = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d position_covariance = Eigen::Matrix2d::Zero(), cross = Eigen::Matrix2d::Zero(),
-                  velocity_covariance = Eigen::Matrix2d::Zero();  // cross = E[dp dv']
+  planar::State state;
   int label = 0;
   bool seen = false;    // in the image just taken in
   double weight = 0.0;  // probability that it exists
@@ -87,7 +84,7 @@ class Mixture {
     const double detected = parameters_.detection_probability, missed = 1.0 - detected;
     for (int i = 0; i < count_; ++i) {
       Component& each = components_[index(i)];
-      if (!each.seen && view.holds(each.position)) each.weight *= missed / (1.0 - each.weight * detected);
+      if (!each.seen && view.holds(each.state.position)) each.weight *= missed / (1.0 - each.weight * detected);
     }
     merge();
     drop([this](const Component& each) { return each.weight < parameters_.prune_weight; });
@@ -111,7 +108,7 @@ class Mixture {
   const Component* end() const { return components_.data() + count_; }
   // The sightings have told more than half of what there was to know of the velocity.
   bool velocity_believed(const Component& each) const {
-    return each.velocity_covariance.trace() < parameters_.speed * parameters_.speed;
+    return each.state.velocity_covariance.trace() < parameters_.speed * parameters_.speed;
   }
 
  private:
@@ -137,15 +134,16 @@ class Mixture {
 
   void advance(Component& each) const {
     const Step& step = step_;
-    each.position += step.reach * each.velocity;
-    each.velocity *= step.keep;
-    each.position_covariance +=
-        step.reach * (each.cross + each.cross.transpose()) + (step.reach * step.reach) * each.velocity_covariance;
-    each.cross = step.keep * (each.cross + step.reach * each.velocity_covariance);
-    each.velocity_covariance *= step.keep * step.keep;
-    each.position_covariance.diagonal().array() += step.position_noise;
-    each.cross.diagonal().array() += step.cross_noise;
-    each.velocity_covariance.diagonal().array() += step.velocity_noise;
+    planar::State& state = each.state;
+    state.position += step.reach * state.velocity;
+    state.velocity *= step.keep;
+    state.position_covariance +=
+        step.reach * (state.cross + state.cross.transpose()) + (step.reach * step.reach) * state.velocity_covariance;
+    state.cross = step.keep * (state.cross + step.reach * state.velocity_covariance);
+    state.velocity_covariance *= step.keep * step.keep;
+    state.position_covariance.diagonal().array() += step.position_noise;
+    state.cross.diagonal().array() += step.cross_noise;
+    state.velocity_covariance.diagonal().array() += step.velocity_noise;
     each.age += step.dt;
   }
 
@@ -156,8 +154,8 @@ class Mixture {
     for (int i = 0; i < count_; ++i) {
       Component& each = components_[index(i)];
       if (each.seen) continue;  // a camera sees a robot once
-      const Eigen::Matrix2d spread = each.position_covariance + sighting.covariance;
-      const Eigen::Vector2d gap = sighting.position - each.position;
+      const Eigen::Matrix2d spread = each.state.position_covariance + sighting.covariance;
+      const Eigen::Vector2d gap = sighting.position - each.state.position;
       const double determinant = spread(0, 0) * spread(1, 1) - spread(0, 1) * spread(1, 0);
       const double distance = (spread(1, 1) * gap.x() * gap.x() - 2.0 * spread(0, 1) * gap.x() * gap.y() +
                                spread(0, 0) * gap.y() * gap.y()) /
@@ -170,31 +168,12 @@ class Mixture {
       }
     }
     if (nearest == nullptr) return start(sighting);
-    update(*nearest, sighting, inverse);
+    update(nearest->state, sighting.position - nearest->state.position, sighting.covariance, inverse, true);
+    nearest->seen = true;
+    nearest->age = 0.0;
     const double w = nearest->weight, detected = parameters_.detection_probability;
     nearest->weight =
         std::min(greatest_weight, w * detected / (w * detected + (1.0 - w) * parameters_.false_probability));
-  }
-
-  // The Kalman update, in Joseph's form, which stays positive semi-definite.
-  static void update(Component& each, const Sighting& sighting, const Eigen::Matrix2d& inverse) {
-    const Eigen::Vector2d gap = sighting.position - each.position;
-    const Eigen::Matrix2d gain = each.position_covariance * inverse;
-    const Eigen::Matrix2d velocity_gain = each.cross.transpose() * inverse;
-    const Eigen::Matrix2d kept = Eigen::Matrix2d::Identity() - gain;
-    const Eigen::Matrix2d noisy = sighting.covariance * velocity_gain.transpose();
-    const Eigen::Matrix2d shared = velocity_gain * each.cross;
-    each.position += gain * gap;
-    each.velocity += velocity_gain * gap;
-    each.velocity_covariance +=
-        velocity_gain * (each.position_covariance * velocity_gain.transpose() + noisy) - shared - shared.transpose();
-    each.cross = (kept * (each.cross - each.position_covariance * velocity_gain.transpose()) + gain * noisy).eval();
-    each.position_covariance =
-        (kept * each.position_covariance * kept.transpose() + gain * sighting.covariance * gain.transpose()).eval();
-    each.position_covariance(1, 0) = each.position_covariance(0, 1);
-    each.velocity_covariance(1, 0) = each.velocity_covariance(0, 1);
-    each.seen = true;
-    each.age = 0.0;
   }
 
   void start(const Sighting& sighting) {
@@ -213,9 +192,9 @@ class Mixture {
     Component& fresh = components_[index(place)];
     fresh = {};
     fresh.label = label;
-    fresh.position = sighting.position;
-    fresh.position_covariance = sighting.covariance;
-    fresh.velocity_covariance.diagonal().setConstant(parameters_.speed * parameters_.speed);
+    fresh.state.position = sighting.position;
+    fresh.state.position_covariance = sighting.covariance;
+    fresh.state.velocity_covariance.diagonal().setConstant(parameters_.speed * parameters_.speed);
     fresh.weight = std::min(parameters_.birth_weight, greatest_weight);
     fresh.seen = true;
   }
@@ -227,7 +206,7 @@ class Mixture {
         Component &a = components_[index(i)], &b = components_[index(j)];
         const double limit = a.seen && b.seen ? std::min(parameters_.touching_distance, parameters_.merge_distance)
                                               : parameters_.merge_distance;
-        if ((a.position - b.position).squaredNorm() < limit * limit) {
+        if ((a.state.position - b.state.position).squaredNorm() < limit * limit) {
           combine(a, b);
           remove(j);
           j = i + 1;  // the merged one has moved
@@ -238,15 +217,9 @@ class Mixture {
     }
   }
 
-  // Mean and covariance of the two as a mixture.
-  static void combine(Component& a, const Component& b) {
-    const double share = b.weight / (a.weight + b.weight), rest = 1.0 - share, both = share * rest;
-    const Eigen::Vector2d dp = b.position - a.position, dv = b.velocity - a.velocity;
-    a.position += share * dp;
-    a.velocity += share * dv;
-    a.position_covariance = rest * a.position_covariance + share * b.position_covariance + both * dp * dp.transpose();
-    a.cross = rest * a.cross + share * b.cross + both * dp * dv.transpose();
-    a.velocity_covariance = rest * a.velocity_covariance + share * b.velocity_covariance + both * dv * dv.transpose();
+  // Mean and covariance of the two as a mixture. It is rare, and kept out of the loop over pairs, which it would slow.
+  [[gnu::cold]] static void combine(Component& a, const Component& b) {
+    mix(a.state, b.state, b.weight / (a.weight + b.weight));
     a.label = std::min(a.label, b.label);
     a.seen = a.seen || b.seen;
     a.weight = std::min(greatest_weight, a.weight + b.weight - a.weight * b.weight);

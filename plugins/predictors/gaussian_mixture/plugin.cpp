@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Glue of the predictor `gaussian_mixture`; the model is in algorithm.hpp.
 #include <regista/predictor.hpp>
-#include <span>
 
+#include "../planar_exchange.hpp"
 #include "algorithm.hpp"
 
 namespace {
 
 using gaussian_mixture::Component;
-using gaussian_mixture::Sighting;
 
 struct GaussianMixture {
   static constexpr auto id = "gaussian_mixture", version = "1.0.0",
@@ -71,33 +70,21 @@ struct GaussianMixture {
   void predict(double dt, const regista::Motion*, const regista::Frame*) { mixture.predict(dt); }
 
   void correct(regista::Span<regista::Measurement> measurements, const regista::VisibleArea& area) {
-    std::size_t count = 0;
-    for (const regista::Measurement& each : measurements) {
-      if (each.kind != REGISTA_MEASURED_ROBOT || count == seen.size()) continue;
-      Sighting& sighting = seen[count++];
-      sighting.position << each.position[0], each.position[1];
-      sighting.covariance << each.covariance[0], each.covariance[1], each.covariance[1], each.covariance[4];
-      sighting.covariance.diagonal().array() += smallest_variance;
-    }
-    mixture.correct(std::span(seen.data(), count), {{area.x, area.y},
-                                                    {std::cos(area.heading), std::sin(area.heading)},
-                                                    std::cos(std::min(area.half_angle, pi)),
-                                                    area.range_robot});
+    mixture.correct(image.read(measurements, REGISTA_MEASURED_ROBOT, smallest_variance),
+                    {{area.x, area.y},
+                     {std::cos(area.heading), std::sin(area.heading)},
+                     std::cos(std::min(area.half_angle, pi)),
+                     area.range_robot});
   }
 
   void absorb(regista::Span<regista::Track> tracks, double age) {
     mixture.clear();
     for (const regista::Track& heard : tracks) {
-      const auto& c = heard.covariance;
       Component component;
-      component.position << heard.x, heard.y;
-      component.position_covariance << c[0], c[1], c[4], c[5];
-      if ((heard.flags & REGISTA_TRACK_VELOCITY) != 0) {
-        component.velocity << heard.vx, heard.vy;
-        component.cross << c[2], c[3], c[6], c[7];
-        component.velocity_covariance << c[10], c[11], c[14], c[15];
-      } else {
-        component.velocity_covariance.diagonal().setConstant(speed * speed);
+      component.state = planar::state_of(heard);
+      if ((heard.flags & REGISTA_TRACK_VELOCITY) == 0) {
+        stand(component.state);
+        component.state.velocity_covariance.diagonal().setConstant(speed * speed);
       }
       component.label = heard.label;
       component.weight = heard.weight;
@@ -113,18 +100,8 @@ struct GaussianMixture {
       regista::Track& track = out.add();
       track.label = each.label;
       track.flags = mixture.velocity_believed(each) ? REGISTA_TRACK_VELOCITY : 0;
-      track.x = each.position.x();
-      track.y = each.position.y();
-      track.vx = each.velocity.x();
-      track.vy = each.velocity.y();
-      for (int i = 0; i < 2; ++i) {
-        for (int j = 0; j < 2; ++j) {
-          track.covariance[4 * i + j] = each.position_covariance(i, j);
-          track.covariance[4 * i + j + 2] = each.cross(i, j);
-          track.covariance[4 * (i + 2) + j] = each.cross(j, i);
-          track.covariance[4 * (i + 2) + j + 2] = each.velocity_covariance(i, j);
-        }
-      }
+      write_position(each.state, track);
+      write_velocity(each.state, track);
       track.weight = each.weight;
       track.age = each.age;
     }
@@ -134,7 +111,7 @@ struct GaussianMixture {
   static constexpr double smallest_variance = 1e-6;  // m^2: nothing is seen better than 1 mm
 
   gaussian_mixture::Mixture mixture;
-  std::array<Sighting, 32> seen{};  // of one image; more are ignored
+  planar::Image image;
 };
 
 }  // namespace

@@ -31,25 +31,25 @@ std::size_t size(const Mixture& mixture) { return static_cast<std::size_t>(mixtu
 
 Matrix4d covariance(const Component& c) {
   Matrix4d all;
-  all << c.position_covariance, c.cross, c.cross.transpose(), c.velocity_covariance;
+  all << c.state.position_covariance, c.state.cross, c.state.cross.transpose(), c.state.velocity_covariance;
   return all;
 }
 
 TEST(Motion, OneStepEqualsManySmallOnes) {
   Mixture once, often;
   Component told;
-  told.position << 1.0, 2.0;
-  told.velocity << 0.3, -0.2;
-  told.position_covariance << 0.1, 0.02, 0.02, 0.2;
-  told.cross << 0.01, 0.0, 0.005, 0.02;
-  told.velocity_covariance << 0.04, 0.01, 0.01, 0.03;
+  told.state.position << 1.0, 2.0;
+  told.state.velocity << 0.3, -0.2;
+  told.state.position_covariance << 0.1, 0.02, 0.02, 0.2;
+  told.state.cross << 0.01, 0.0, 0.005, 0.02;
+  told.state.velocity_covariance << 0.04, 0.01, 0.01, 0.03;
   told.weight = 0.9;
   once.add(told);
   often.add(told);
   once.predict(5.0);
   for (int i = 0; i < 500; ++i) often.predict(0.01);
-  EXPECT_LT((once.begin()->position - often.begin()->position).norm(), 1e-9);
-  EXPECT_LT((once.begin()->velocity - often.begin()->velocity).norm(), 1e-9);
+  EXPECT_LT((once.begin()->state.position - often.begin()->state.position).norm(), 1e-9);
+  EXPECT_LT((once.begin()->state.velocity - often.begin()->state.velocity).norm(), 1e-9);
   EXPECT_LT((covariance(*once.begin()) - covariance(*often.begin())).norm(), 1e-9);
 }
 
@@ -58,7 +58,7 @@ TEST(Motion, SpreadsAsSimulatedRobotsDo) {
   const Parameters p;
   Mixture mixture(p);
   Component told;
-  told.velocity_covariance.diagonal().setConstant(p.speed * p.speed);
+  told.state.velocity_covariance.diagonal().setConstant(p.speed * p.speed);
   told.weight = 0.9;
   mixture.add(told);
   const double time = 4.0, dt = 0.01;
@@ -77,9 +77,9 @@ TEST(Motion, SpreadsAsSimulatedRobotsDo) {
     pv += x * v / robots;
     vv += v * v / robots;
   }
-  EXPECT_NEAR(mixture.begin()->position_covariance(0, 0) / pp, 1.0, 0.05);
-  EXPECT_NEAR(mixture.begin()->cross(0, 0) / pv, 1.0, 0.08);
-  EXPECT_NEAR(mixture.begin()->velocity_covariance(0, 0) / vv, 1.0, 0.05);
+  EXPECT_NEAR(mixture.begin()->state.position_covariance(0, 0) / pp, 1.0, 0.05);
+  EXPECT_NEAR(mixture.begin()->state.cross(0, 0) / pv, 1.0, 0.08);
+  EXPECT_NEAR(mixture.begin()->state.velocity_covariance(0, 0) / vv, 1.0, 0.05);
 }
 
 TEST(Match, UpdatesTheNearestAndKeepsItsLabel) {
@@ -95,8 +95,8 @@ TEST(Match, UpdatesTheNearestAndKeepsItsLabel) {
   ASSERT_EQ(size(mixture), 2u);
   EXPECT_EQ(mixture.begin()->label, first);
   EXPECT_EQ(mixture.begin()[1].label, second);
-  EXPECT_NEAR(mixture.begin()->position.x(), 3.0, 0.1);
-  EXPECT_NEAR(mixture.begin()->velocity.x(), 0.2, 0.07);
+  EXPECT_NEAR(mixture.begin()->state.position.x(), 3.0, 0.1);
+  EXPECT_NEAR(mixture.begin()->state.velocity.x(), 0.2, 0.07);
   EXPECT_TRUE(mixture.velocity_believed(*mixture.begin()));
   EXPECT_GT(mixture.begin()->weight, 0.9);
   EXPECT_EQ(mixture.begin()->age, 0.0);
@@ -105,9 +105,9 @@ TEST(Match, UpdatesTheNearestAndKeepsItsLabel) {
 TEST(Match, IsTheKalmanUpdate) {
   Mixture mixture;
   Component told;
-  told.position_covariance << 0.1, 0.02, 0.02, 0.2;
-  told.cross << 0.01, 0.0, 0.005, 0.02;
-  told.velocity_covariance << 0.04, 0.01, 0.01, 0.03;
+  told.state.position_covariance << 0.1, 0.02, 0.02, 0.2;
+  told.state.cross << 0.01, 0.0, 0.005, 0.02;
+  told.state.velocity_covariance << 0.04, 0.01, 0.01, 0.03;
   told.weight = 0.9;
   mixture.add(told);
   const Sighting sighting = at(0.2, -0.1, 0.2);
@@ -119,8 +119,8 @@ TEST(Match, IsTheKalmanUpdate) {
   const Eigen::Matrix<double, 4, 2> gain = before * h.transpose() * spread.inverse();
   const Eigen::Vector4d expected = gain * sighting.position;
   EXPECT_LT((covariance(*mixture.begin()) - (before - gain * spread * gain.transpose())).norm(), 1e-12);
-  EXPECT_LT((mixture.begin()->position - expected.head<2>()).norm(), 1e-12);
-  EXPECT_LT((mixture.begin()->velocity - expected.tail<2>()).norm(), 1e-12);
+  EXPECT_LT((mixture.begin()->state.position - expected.head<2>()).norm(), 1e-12);
+  EXPECT_LT((mixture.begin()->state.velocity - expected.tail<2>()).norm(), 1e-12);
 }
 
 TEST(Miss, LowersTheWeightInViewAndOnlyThere) {
@@ -134,7 +134,7 @@ TEST(Miss, LowersTheWeightInViewAndOnlyThere) {
   EXPECT_EQ(mixture.begin()[1].weight, before);
   for (int i = 0; i < 15; ++i) mixture.correct(std::vector<Sighting>{}, ahead());
   ASSERT_EQ(size(mixture), 1u);
-  EXPECT_EQ(mixture.begin()->position, Vector2d(-3.0, 0.0));
+  EXPECT_EQ(mixture.begin()->state.position, Vector2d(-3.0, 0.0));
   EXPECT_EQ(mixture.begin()->weight, before);
   mixture.predict(7.9);
   EXPECT_EQ(size(mixture), 1u);
@@ -145,10 +145,10 @@ TEST(Miss, LowersTheWeightInViewAndOnlyThere) {
 TEST(Merge, KeepsMeanAndCovarianceOfTheMixtureAndTheOlderLabel) {
   Mixture mixture;
   Component a, b;
-  a.position << 0.0, 0.0;
-  b.position << 1.0, 0.0;
-  a.position_covariance = 0.1 * Matrix2d::Identity();
-  b.position_covariance = 0.3 * Matrix2d::Identity();
+  a.state.position << 0.0, 0.0;
+  b.state.position << 1.0, 0.0;
+  a.state.position_covariance = 0.1 * Matrix2d::Identity();
+  b.state.position_covariance = 0.3 * Matrix2d::Identity();
   a.weight = 0.6;
   b.weight = 0.2;
   a.label = 9;
@@ -159,9 +159,9 @@ TEST(Merge, KeepsMeanAndCovarianceOfTheMixtureAndTheOlderLabel) {
   mixture.correct(std::vector<Sighting>{}, {{50.0, 50.0}, {1.0, 0.0}, 0.0, 1.0});
   ASSERT_EQ(size(mixture), 1u);
   const Component& one = *mixture.begin();
-  EXPECT_NEAR(one.position.x(), 0.25, 1e-12);
-  EXPECT_NEAR(one.position_covariance(0, 0), 0.75 * 0.1 + 0.25 * 0.3 + 0.75 * 0.25, 1e-12);
-  EXPECT_NEAR(one.position_covariance(1, 1), 0.75 * 0.1 + 0.25 * 0.3, 1e-12);
+  EXPECT_NEAR(one.state.position.x(), 0.25, 1e-12);
+  EXPECT_NEAR(one.state.position_covariance(0, 0), 0.75 * 0.1 + 0.25 * 0.3 + 0.75 * 0.25, 1e-12);
+  EXPECT_NEAR(one.state.position_covariance(1, 1), 0.75 * 0.1 + 0.25 * 0.3, 1e-12);
   EXPECT_NEAR(one.weight, 1.0 - 0.4 * 0.8, 1e-12);
   EXPECT_EQ(one.label, 4);
   EXPECT_EQ(one.age, 0.0);
@@ -185,7 +185,7 @@ TEST(Absorb, KeepsGoodLabelsAndReplacesBadOnes) {
   told.weight = 0.9;
   for (const int label : {7, 7, 0, 3}) {
     told.label = label;
-    told.position.x() += 2.0;
+    told.state.position.x() += 2.0;
     mixture.add(told);
   }
   told.weight = 1e-5;
@@ -216,7 +216,8 @@ TEST(Weights, NeverBecomeDenormal) {
     mixture.correct(i % 500 == 0 ? std::vector{at(2.0, 0.0)} : std::vector<Sighting>{}, ahead());
     for (const Component& each : mixture) {
       ASSERT_GE(each.weight, p.prune_weight);
-      for (const double value : {each.velocity.x(), each.velocity.y(), each.cross(0, 1), each.cross(0, 0)}) {
+      for (const double value :
+           {each.state.velocity.x(), each.state.velocity.y(), each.state.cross(0, 1), each.state.cross(0, 0)}) {
         ASSERT_TRUE(value == 0.0 || std::abs(value) >= DBL_MIN);
       }
     }
@@ -277,7 +278,7 @@ TEST(Game, IsTrackedMuchBetterThanItIsSeen) {
     mixture.predict(step);
     mixture.correct(sightings, view);
     for (const Component& each : mixture) {
-      if (each.weight > 0.5) told.push_back({each.position.x(), each.position.y()});
+      if (each.weight > 0.5) told.push_back({each.state.position.x(), each.state.position.y()});
       components = std::max(components, size(mixture));
     }
     if (i < 200) continue;

@@ -22,13 +22,15 @@
 #include <array>
 #include <cmath>
 
-#include "../ball_sighting.hpp"
+#include "../ball_view.hpp"
+#include "../planar_state.hpp"
 #include "../rolling.hpp"
 
 namespace imm_ball {
 
-using ball::RollingModel, ball::Sighting, ball::View;
-using BallState = ball::State;
+using ball::RollingModel, ball::View;
+using planar::Sighting;
+using BallState = planar::State;
 
 enum Mode : std::size_t { resting = 0, rolling = 1, kicked = 2 };
 
@@ -49,17 +51,6 @@ struct Motion {
     return 2.0 / 7.0 * root_2 * kick_speed / sliding_deceleration;
   }
 };
-
-// The mixture of `a` and `b`, by its first two moments, into `a`. share: probability of b, in [0, 1].
-inline void mix(BallState& a, const BallState& b, double share) {
-  const double other = 1.0 - share, both = share * other;
-  const Eigen::Vector2d dp = b.position - a.position, dv = b.velocity - a.velocity;
-  a.position += share * dp;
-  a.velocity += share * dv;
-  a.position_covariance = other * a.position_covariance + share * b.position_covariance + both * dp * dp.transpose();
-  a.cross = other * a.cross + share * b.cross + both * dp * dv.transpose();
-  a.velocity_covariance = other * a.velocity_covariance + share * b.velocity_covariance + both * dv * dv.transpose();
-}
 
 // Probability that a ball moves so slowly that it counts as standing: the mean of exp(-|v|^2 / 2 s^2) over the
 // distribution of its velocity, s = stop_speed.

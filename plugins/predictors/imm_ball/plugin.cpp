@@ -4,6 +4,7 @@
 #include <regista/predictor.hpp>
 
 #include "../ball_exchange.hpp"
+#include "../planar_exchange.hpp"
 #include "algorithm.hpp"
 
 namespace {
@@ -141,13 +142,13 @@ struct ImmBall {
   }
 
   void correct(regista::Span<regista::Measurement> measurements, const regista::VisibleArea& area) {
-    filter.correct(image.read(measurements, 0.0), ball::view_of(area));
+    filter.correct(image.read(measurements, REGISTA_MEASURED_BALL, 0.0), ball::view_of(area));
   }
 
   void absorb(regista::Span<regista::Track> tracks, double age) {
     if (tracks.empty()) return filter.forget();
     const regista::Track& told = tracks[0];
-    filter.replace(ball::state_of(told), (told.flags & REGISTA_TRACK_VELOCITY) != 0, told.weight, told.age, age);
+    filter.replace(planar::state_of(told), (told.flags & REGISTA_TRACK_VELOCITY) != 0, told.weight, told.age, age);
   }
 
   void tracks(regista::Tracks out) const {
@@ -190,7 +191,7 @@ struct ImmBall {
 
   imm_ball::Filter filter;
   double touching = 0.0;  // m between the centres of ball and robot
-  ball::Image image;
+  planar::Image image;
 };
 
 }  // namespace

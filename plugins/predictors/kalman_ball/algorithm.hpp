@@ -15,13 +15,15 @@
 #include <iterator>
 
 #include "../ball_hypotheses.hpp"
-#include "../ball_sighting.hpp"
+#include "../ball_view.hpp"
+#include "../planar_state.hpp"
 #include "../rolling.hpp"
 
 namespace kalman_ball {
 
-using ball::RollingModel, ball::Sighting, ball::View;
-using BallState = ball::State;
+using ball::RollingModel, ball::View;
+using planar::Sighting;
+using BallState = planar::State;
 
 struct Parameters {
   RollingModel rolling;

@@ -4,6 +4,7 @@
 #include <regista/predictor.hpp>
 
 #include "../ball_exchange.hpp"
+#include "../planar_exchange.hpp"
 #include "algorithm.hpp"
 
 namespace {
@@ -115,13 +116,13 @@ struct KalmanBall {
   void predict(double dt, const regista::Motion*, const regista::Frame*) { filter.predict(dt); }
 
   void correct(regista::Span<regista::Measurement> measurements, const regista::VisibleArea& area) {
-    filter.correct(image.read(measurements, smallest_variance), ball::view_of(area));
+    filter.correct(image.read(measurements, REGISTA_MEASURED_BALL, smallest_variance), ball::view_of(area));
   }
 
   void absorb(regista::Span<regista::Track> tracks, double age) {
     if (tracks.empty()) return filter.forget();
     const regista::Track& told = tracks[0];
-    filter.replace(ball::state_of(told), (told.flags & REGISTA_TRACK_VELOCITY) != 0, told.weight, told.age, age);
+    filter.replace(planar::state_of(told), (told.flags & REGISTA_TRACK_VELOCITY) != 0, told.weight, told.age, age);
   }
 
   void tracks(regista::Tracks out) const {
@@ -144,7 +145,7 @@ struct KalmanBall {
   static constexpr double smallest_variance = 1e-6;  // m^2: nothing is seen better than 1 mm
 
   kalman_ball::Filter filter;
-  ball::Image image;
+  planar::Image image;
 };
 
 }  // namespace

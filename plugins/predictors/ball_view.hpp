@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What a camera tells of a ball: where it was seen, and where it would have been seen. Shared by the predictors of the
-// ball.
+// Where a camera would have seen a ball. Shared by the predictors of the ball.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace ball {
-
-struct Sighting {
-  Eigen::Vector2d position;
-  Eigen::Matrix2d covariance;
-};
 
 // A sector of a disc, seen from `apex`.
 struct View {
