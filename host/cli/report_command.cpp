@@ -51,9 +51,11 @@ int run(const Options& options, const Invocation& invocation) {
   if (options.file.empty()) throw BadInput("report: which results? Name a file that `regista tournament` wrote");
   if (options.csv && options.json) throw BadInput("report: --csv and --json: one of them");
   if (options.metrics && !options.csv) throw BadInput("report: --metrics adds columns to --csv, which is not given");
-  const auto [store, plan] = read_results(options.file);
+  const StoredTournament results = read_results(options.file);
+  const campaign::Store& store = results.store;
+  const study::TournamentPlan& plan = results.plan;
   study::Tournament course(plan);
-  const report::TournamentView view{plan, course, [&plan = plan, &course, &invocation](std::uint64_t index) {
+  const report::TournamentView view{plan, course, [&plan, &course, &invocation](std::uint64_t index) {
                                       auto words =
                                           campaign::match_arguments(study::job(plan, course.calendar().at(index)));
                                       words.insert(words.begin(), invocation.arguments.front());

@@ -49,14 +49,15 @@ std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tour
     out[team].failures = course.failures()[team];
   }
   for (const study::Meeting& meeting : course.meetings()) {
-    const auto [a, b] = meeting.pairing;
-    const auto& [losses, draws, wins] = meeting.games.seen;
+    const std::size_t a = meeting.pairing.first, b = meeting.pairing.second;
+    const statistics::Count losses = meeting.games.seen[0], draws = meeting.games.seen[1], wins = meeting.games.seen[2];
     const double games = static_cast<double>(total(meeting.games)), of_a = points(meeting.games);
     won.at(a, b) = of_a;
     won.at(b, a) = games - of_a;
     if (games > 0.0) payoff.at(a, b) = of_a / games - 0.5;
     payoff.at(b, a) = -payoff.at(a, b);
-    const auto add = [&](Ranked& team, auto w, auto l, double p, std::uint64_t scored, std::uint64_t conceded) {
+    const auto add = [draws, &meeting](Ranked& team, statistics::Count w, statistics::Count l, double p,
+                                       std::uint64_t scored, std::uint64_t conceded) {
       team.wins += static_cast<std::uint64_t>(w);
       team.losses += static_cast<std::uint64_t>(l);
       team.draws += static_cast<std::uint64_t>(draws);
