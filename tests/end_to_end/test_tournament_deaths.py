@@ -25,25 +25,27 @@ class Deaths(tournament.Tournament):
         self.assertIn(old, text)
         self.write("bad.yaml", text.replace(old, new))
 
-    def forfeits_of(self, *more, folder=FOLDER, call="holds"):
-        report = self.only("--plugins", folder, *LIMITS, *more, teams=("bad.yaml", "small.yaml"), pairs=2)
-        self.assertEqual((report["games"], report["losses"]), (4, 4))
-        self.assertEqual((report["goals"], report["pentanomial"]), ([0, 40], [2, 0, 0, 0, 0]))
+    def forfeits_of(self, call="holds", pairs=2):
+        report = self.only("--plugins", FOLDER, *LIMITS, teams=("bad.yaml", "small.yaml"), pairs=pairs)
+        matches = 2 * pairs
+        self.assertEqual((report["games"], report["losses"]), (matches, matches))
+        self.assertEqual((report["goals"], report["pentanomial"]), ([0, 10 * matches], [pairs, 0, 0, 0, 0]))
         self.assertEqual(len(report["forfeits"]), 1)
         forfeit = report["forfeits"][0]
-        self.assertEqual((forfeit["team"], forfeit["call"], forfeit["matches"]), ("bad", call, 4))
-        self.assertEqual([team["failures"] for team in report["teams"]], [4, 0])
+        self.assertEqual((forfeit["team"], forfeit["call"], forfeit["matches"]), ("bad", call, matches))
+        self.assertEqual([team["failures"] for team in report["teams"]], [matches, 0])
         self.assertEqual(report["set_aside"], [])
         rows = self.stored("SELECT home_goals, away_goals, ended, hash, failure FROM matches ORDER BY row")
-        self.assertEqual([json.loads(row[4])["side"] for row in rows], [0, 1, 0, 1])
-        for side, row in zip((0, 1, 0, 1), rows):
+        sides = [0, 1] * pairs
+        self.assertEqual([json.loads(row[4])["side"] for row in rows], sides)
+        for side, row in zip(sides, rows):
             self.assertEqual(row[:4], (0, 10, "forfeit", None) if side == 0 else (10, 0, "forfeit", None))
         self.assertEqual(self.stored("SELECT count(*) FROM metrics"), [(0,)])
         return forfeit
 
-    def blamed(self, name):
+    def blamed(self, name, **options):
         self.bad_team("plugin: ball_seen", f"plugin: {name}")
-        forfeit = self.forfeits_of()
+        forfeit = self.forfeits_of(**options)
         self.assertEqual(forfeit["plugin"], name)
         for failure, in self.stored("SELECT failure FROM matches"):
             failure = json.loads(failure)
@@ -66,7 +68,7 @@ class Deaths(tournament.Tournament):
         self.assertEqual(self.blamed("exits")["what"], "ended the process (exit code 0)")
 
     def test_hang(self):
-        self.assertEqual(self.blamed("spins")["what"], "used more than 1 s of processor time")
+        self.assertEqual(self.blamed("spins", pairs=1)["what"], "used more than 1 s of processor time")
 
     @unittest.skipIf(program.SANITIZED, "sanitizers need more stack and memory than a match may have")
     def test_stack(self):

@@ -63,7 +63,7 @@ class Live(tournament.Tournament):
         return blocks, screen
 
     def test_a_block_rewritten_in_place_and_gone_at_the_end(self):
-        pairs = 12 if program.SANITIZED else 40
+        pairs = 12 if program.SANITIZED else 24
         text, out = self.shown(pairs=pairs)
         blocks, screen = self.played_back(text, 80)
         self.assertGreater(len(blocks), 2)

@@ -10,7 +10,7 @@ import unittest
 import tournament
 
 NOBODY = 65534
-PAIRS = 40
+PAIRS = 20
 
 
 class NoRoom(tournament.Tournament):
@@ -26,7 +26,7 @@ class NoRoom(tournament.Tournament):
     def test_a_limit_on_the_size_of_files(self):
         """What a quota does: at some point nothing more can be written. Python ignores SIGXFSZ, and so does what it
         starts, if it may: then writing fails."""
-        size = 150_000
+        size = 80_000
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
         began = self.run_program(*self.arguments("--quiet", "--workers", "2", pairs=PAIRS), preexec_fn=limit,
                                  restore_signals=False)
@@ -49,7 +49,7 @@ class NoRoom(tournament.Tournament):
         name_space = ["unshare", "--user", "--map-root-user", "--mount"]
         disk = self.folder / "disk"
         disk.mkdir()
-        mount = f"mount -t tmpfs -o size=200k tmpfs '{disk}'"
+        mount = f"mount -t tmpfs -o size=140k tmpfs '{disk}'"
         if shutil.which("unshare") is None or subprocess.run([*name_space, "sh", "-c", mount],
                                                              capture_output=True).returncode != 0:
             self.skipTest("nobody may mount a file system here")
