@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
@@ -106,6 +107,8 @@ int run(const Options& options, const Invocation& invocation) {
       print(options.json ? report::tournament_json(view) : report::tournament_text(view));
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(damaged_metrics(options.file, error));
   }
   return exit_done;
 }

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <stdexcept>
 #include <system_error>
 
 #include "campaign/engine.hpp"
@@ -76,6 +77,9 @@ class Played {
     } catch (const campaign::StoreError& error) {
       progress.clear();
       throw WriteError(fmt::format("{}; to go on: {}", error.what(), resume_line()));
+    } catch (const std::invalid_argument& error) {
+      progress.clear();
+      throw BadInput(damaged_metrics(options_.results, error));
     } catch (const std::system_error& error) {
       progress.clear();
       throw WriteError(fmt::format("{}; to go on: {}", error.what(), resume_line()));

@@ -52,6 +52,10 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
   });
 }
 
+std::string damaged_metrics(const std::string& file, const std::invalid_argument& error) {
+  return fmt::format("results in {} are damaged: metrics: {}", file, error.what());
+}
+
 StoredTournament read_results(const std::string& file) {
   return opening([&] {
     campaign::Store store(file, campaign::Store::Mode::read, REGISTA_VERSION);

@@ -3,6 +3,7 @@
 // by the same plan. Everything that differs is named; nothing is mixed.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 #include "campaign/store.hpp"
@@ -20,5 +21,8 @@ struct StoredTournament {
   study::TournamentPlan plan;
 };
 StoredTournament read_results(const std::string& file);
+
+// What is to be said when study::metric cannot read what is stored.
+std::string damaged_metrics(const std::string& file, const std::invalid_argument& error);
 
 }  // namespace regista::cli

@@ -25,25 +25,27 @@ class Deaths(tournament.Tournament):
         self.assertIn(old, text)
         self.write("bad.yaml", text.replace(old, new))
 
-    def forfeits_of(self, *more, folder=FOLDER, call="holds"):
-        report = self.report("--plugins", folder, *LIMITS, *more, teams=("bad.yaml", "small.yaml"), pairs=2)
-        self.assertEqual((report["games"], report["losses"]), (4, 4))
-        self.assertEqual((report["goals"], report["pentanomial"]), ([0, 40], [2, 0, 0, 0, 0]))
+    def forfeits_of(self, call="holds", pairs=2):
+        report = self.only("--plugins", FOLDER, *LIMITS, teams=("bad.yaml", "small.yaml"), pairs=pairs)
+        matches = 2 * pairs
+        self.assertEqual((report["games"], report["losses"]), (matches, matches))
+        self.assertEqual((report["goals"], report["pentanomial"]), ([0, 10 * matches], [pairs, 0, 0, 0, 0]))
         self.assertEqual(len(report["forfeits"]), 1)
         forfeit = report["forfeits"][0]
-        self.assertEqual((forfeit["team"], forfeit["call"], forfeit["matches"]), ("bad", call, 4))
-        rows = self.stored("SELECT home_goals, away_goals, ended, hash, metrics, failure FROM matches ORDER BY row")
-        self.assertEqual(len(rows), 4)
-        for home, away, ended, state_hash, metrics, failure in rows:
-            side = json.loads(failure)["side"]
-            self.assertEqual((home, away), (0, 10) if side == 0 else (10, 0))
-            self.assertEqual((ended, state_hash, metrics), ("forfeit", None, None))
-        self.assertEqual(sorted(json.loads(row[5])["side"] for row in rows), [0, 0, 1, 1])
+        self.assertEqual((forfeit["team"], forfeit["call"], forfeit["matches"]), ("bad", call, matches))
+        self.assertEqual([team["failures"] for team in report["teams"]], [matches, 0])
+        self.assertEqual(report["set_aside"], [])
+        rows = self.stored("SELECT home_goals, away_goals, ended, hash, failure FROM matches ORDER BY row")
+        sides = [0, 1] * pairs
+        self.assertEqual([json.loads(row[4])["side"] for row in rows], sides)
+        for side, row in zip(sides, rows):
+            self.assertEqual(row[:4], (0, 10, "forfeit", None) if side == 0 else (10, 0, "forfeit", None))
+        self.assertEqual(self.stored("SELECT count(*) FROM metrics"), [(0,)])
         return forfeit
 
-    def blamed(self, name):
+    def blamed(self, name, **options):
         self.bad_team("plugin: ball_seen", f"plugin: {name}")
-        forfeit = self.forfeits_of()
+        forfeit = self.forfeits_of(**options)
         self.assertEqual(forfeit["plugin"], name)
         for failure, in self.stored("SELECT failure FROM matches"):
             failure = json.loads(failure)
@@ -66,7 +68,7 @@ class Deaths(tournament.Tournament):
         self.assertEqual(self.blamed("exits")["what"], "ended the process (exit code 0)")
 
     def test_hang(self):
-        self.assertEqual(self.blamed("spins")["what"], "used more than 1 s of processor time")
+        self.assertEqual(self.blamed("spins", pairs=1)["what"], "used more than 1 s of processor time")
 
     @unittest.skipIf(program.SANITIZED, "sanitizers need more stack and memory than a match may have")
     def test_stack(self):
@@ -88,16 +90,18 @@ class Deaths(tournament.Tournament):
 
     def test_an_answer_that_is_none(self):
         self.bad_team("plugin: ball_seen", "plugin: corrupts_answer")
-        report = self.report("--plugins", FOLDER, *LIMITS, teams=("bad.yaml", "small.yaml"), pairs=1)
-        self.assertEqual(report["games"], 2)
+        report = self.only("--plugins", FOLDER, *LIMITS, teams=("bad.yaml", "small.yaml"), pairs=1)
+        # Who wrote it cannot be told: plugins of both teams were called since.
+        self.assertEqual((report["games"], sum(report["goals"])), (2, 20))
         self.assertEqual(sum(forfeit["matches"] for forfeit in report["forfeits"]), 2)
 
     def failed(self, old, new, folder):
         """A plugin that says so or breaks a promise: no second try is needed."""
         self.bad_team(old, new)
-        report = self.report("--plugins", program.TEST_PLUGINS / folder, *LIMITS, teams=("bad.yaml", "small.yaml"),
-                             pairs=1)
-        self.assertEqual(report["goals"], [0, 20])
+        report = self.only("--plugins", program.TEST_PLUGINS / folder, *LIMITS, teams=("bad.yaml", "small.yaml"),
+                           pairs=1)
+        self.assertEqual((report["goals"], report["pentanomial"]), ([0, 20], [1, 0, 0, 0, 0]))
+        self.assertEqual([team["failures"] for team in report["teams"]], [2, 0])
         self.assertEqual(self.stored("SELECT DISTINCT attempts FROM matches"), [(1,)])
         self.assertTrue(all(forfeit["team"] == "bad" for forfeit in report["forfeits"]))
         return report["forfeits"]
@@ -115,6 +119,60 @@ class Deaths(tournament.Tournament):
     def test_a_task_given_twice(self):
         forfeits = self.failed("assigner: {plugin: first_free}", "assigner: {plugin: assigns_twice}", "assigns_twice")
         self.assertEqual({(f["plugin"], f["call"]) for f in forfeits}, {("assigns_twice", "assign")})
+
+    def refused_at_once(self, name):
+        """A plugin that is found out before the first match: nothing is written."""
+        folder = program.TEST_PLUGINS / name
+        self.assertTrue((folder / f"{name}.so").exists(), f"{name}.so is not built")
+        self.bad_team("assigner: {plugin: first_free}", f"assigner: {{plugin: {name}}}")
+        line = self.refused(*self.arguments("--plugins", folder, teams=("bad.yaml", "small.yaml")))
+        self.assertEqual(list(self.folder.glob("tournament.db*")), [])
+        return line
+
+    def test_another_interface(self):
+        self.assertRegex(self.refused_at_once("wrong_major"), r"wrong_major\.so: built for Regista plugin interface")
+
+    def test_a_missing_symbol(self):
+        self.assertRegex(self.refused_at_once("missing_library"), r"missing_library\.so: .*defined_nowhere")
+
+    def test_no_plugin_at_all(self):
+        self.assertRegex(self.refused_at_once("no_entry"), r"no_entry\.so: ")
+
+    def test_set_aside(self):
+        self.bad_team("plugin: ball_seen", "plugin: aborts")
+        words = ("--plugins", FOLDER, *LIMITS, "--failures-in-a-row", "3")
+        teams = ("bad.yaml", "small.yaml")
+        text = self.play(*words, teams=teams, pairs=50)
+        self.assertTrue(text.startswith("Results of bad vs small (2 pairs of 50, seeds from 1, 2 openings):\n"), text)
+        self.assertIn("\nGames: 4, Wins: 0, Losses: 4, Draws: 0, ", text)
+        self.assertIn("\nbad was set aside after pair 2: plugin aborts failed 4 times in a row\n"
+                      "4 matches forfeited by bad: plugin aborts, holds: Aborted\n", text)
+        self.assertEqual(self.succeed("report", "tournament.db"), text)
+        self.assertEqual(self.play(*words, "--resume", teams=teams, pairs=50), text)
+        report = self.only(*words, "--resume", teams=teams, pairs=50)
+        self.assertEqual((report["matches"], [team["failures"] for team in report["teams"]]), (4, [4, 0]))
+        self.assertEqual(report["set_aside"], [{"team": "bad", "plugin": "aborts", "failures": 4, "after_pair": 2}])
+        self.assertEqual(len(self.table()), 4)
+        self.assertIn("--failures-in-a-row was 3, now 0", self.refused(
+            *self.arguments(*words[:-1], "0", "--resume", teams=teams, pairs=50)))
+
+    def test_without_the_team_that_was_set_aside_the_others_play_on(self):
+        self.bad_team("plugin: ball_seen", "plugin: aborts")
+        teams = ("small.yaml", "bad.yaml", "other.yaml")
+        words = ("--plugins", FOLDER, *LIMITS, "--failures-in-a-row", "2")
+        said = set()
+        for workers in ("1", "4"):
+            report = self.report(*words, "--workers", workers, "--results", f"{workers}.db", teams=teams, pairs=3)
+            said.add(json.dumps(report).replace(f"{workers}.db", ""))
+        self.assertEqual(len(said), 1)
+        self.assertEqual([pairing["games"] for pairing in report["pairings"]], [2, 6, 0])
+        self.assertEqual(report["pairings"][0]["pentanomial"], [0, 0, 0, 0, 1])
+        self.assertEqual((report["matches"], [team["failures"] for team in report["teams"]]), (8, [0, 2, 0]))
+        self.assertEqual([each["team"] for each in report["set_aside"]], ["bad"])
+        # What others had in hand when it was set aside is stored, and does not count.
+        for file in ("1.db", "4.db"):
+            self.assertEqual(json.loads(self.succeed("report", file, "--json")), report)
+            self.assertEqual(len(self.table(file=file)), 8)
 
     def test_what_does_not_happen_again_is_nobodys_fault(self):
         self.bad_team("plugin: ball_seen", "plugin: dies_once")

@@ -18,8 +18,10 @@ KILLS = 24
 class Resume(tournament.Tournament):
     def test_a_tournament_that_is_complete_is_not_played_again(self):
         report = self.play()
+        rows = self.rows()
         self.assertEqual(self.play("--resume"), report)
-        self.assertEqual(len(self.rows()), 6)
+        self.assertEqual(len(rows), 6)
+        self.assertEqual(self.rows(), rows)
 
     def test_killed_at_random_moments(self):
         began = time.monotonic()

@@ -1,24 +1,45 @@
 # SPDX-License-Identifier: MIT
-"""Tournaments of short matches: two teams of the tests' plugins that do not play the same."""
+"""Tournaments of short matches: teams of the tests' plugins that do not play the same, from scenes in which goals
+fall."""
 
 import contextlib
+import csv
+import io
 import json
 import os
 import pathlib
 import sqlite3
+import subprocess
 import time
 
 import program
 
-# Matches of a few simulated seconds, with the ball in play and goals possible.
-SHORT = ("--limit", "12", *program.PLAY_SOON)
+# The home team before an empty goal, the away team's robots too far away to help.
+SCENE = """\
+opening: {name}
+length: 10
+ball: {{at: [3, {y}]}}
+home: [{{at: [-4.2, 0.2]}}, {{at: [2.7, {y}]}}, {{at: [-1, 1.5]}}, {{at: [-1, -1.5]}}, {{at: [-3, 1]}},
+       {{at: [-3, -1]}}, {{at: [-2, 2]}}]
+away: [{{at: [1.2, -2.2]}}, {{at: [0.5, -1]}}, {{at: [1, 2.5]}}, {{at: [1, -2.9]}}, {{at: [2, 1.8]}},
+       {{at: [2, -1.8]}}, {{at: [2, 2.5]}}]
+"""
+SHORT = ("--openings", "scenes")
 
 
 class Tournament(program.Case):
+    """small.yaml scores in most matches in which it is at home, other.yaml in as many but not in the same, worse.yaml
+    never."""
+
     def setUp(self):
         super().setUp()
-        other = program.TEAM.format(name="other").replace("shift: [-1, 0]", "shift: [-2, 1]")
-        self.write("other.yaml", other)
+        striker = "target: {at: ball}"
+        for name, instead in (("other", "target: {at: ball, shift: [-0.15, 0]}"), ("worse", "target: {at: own_goal}")):
+            text = program.TEAM.format(name=name)
+            self.assertIn(striker, text)
+            self.write(f"{name}.yaml", text.replace(striker, instead))
+        for name, y in (("left", 0.2), ("right", -0.2)):
+            self.write(f"scenes/{name}.yaml", SCENE.format(name=name, y=y))
 
     def arguments(self, *more, teams=("small.yaml", "other.yaml"), pairs=3):
         words = ["tournament"]
@@ -33,15 +54,45 @@ class Tournament(program.Case):
     def report(self, *more, **options):
         return json.loads(self.play("--json", *more, **options))
 
+    def only(self, *more, **options):
+        """The report, with what it says of its only pairing beside the rest."""
+        report = self.report(*more, **options)
+        self.assertEqual(len(report["pairings"]), 1)
+        return {**report["pairings"][0], **report}
+
     def rows(self, file="tournament.db"):
-        """Every match that is stored, in an order of its own, without what changes from run to run."""
-        with contextlib.closing(sqlite3.connect(self.folder / file)) as database:
-            return database.execute("SELECT key, seed, home_goals, away_goals, ended, hash, matches.metrics, failure "
-                                    "FROM matches JOIN fixtures ON fixture = id ORDER BY key, seed").fetchall()
+        """Every match that is stored, without what changes from run to run."""
+        return self.stored("SELECT row, key, seed, home_goals, away_goals, ended, hash, failure, metrics.json "
+                           "FROM matches JOIN fixtures ON fixture = id LEFT JOIN metrics USING(row) ORDER BY row", file)
 
     def stored(self, query, file="tournament.db"):
         with contextlib.closing(sqlite3.connect(self.folder / file)) as database:
             return database.execute(query).fetchall()
+
+    def change(self, statement, file="tournament.db"):
+        with contextlib.closing(sqlite3.connect(self.folder / file)) as database, database:
+            database.execute(statement)
+
+    def table(self, *more, file="tournament.db"):
+        """Rows of `regista report --csv`, by the names of the columns."""
+        return list(csv.DictReader(io.StringIO(self.succeed("report", file, "--csv", *more), newline="")))
+
+    def kill_when(self, condition, *arguments):
+        """A tournament that is killed when the condition holds."""
+        with self.start(*arguments, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            self.wait_for(condition)
+            process.kill()
+        self.assertEqual(process.returncode, -9, "ended before it was killed")
+        self.wait_for(lambda: not self.workers())
+
+    def count(self, file="tournament.db"):
+        """Rows that there are now, whoever writes at the moment."""
+        if not (self.folder / file).exists():
+            return 0
+        try:
+            return self.stored("SELECT count(*) FROM matches", file)[0][0]
+        except sqlite3.OperationalError:
+            return 0  # no tables yet
 
     def workers(self):
         """Processes that play a match for this installation of the program."""
