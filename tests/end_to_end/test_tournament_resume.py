@@ -11,7 +11,7 @@ import unittest
 
 import tournament
 
-PAIRS = 12
+PAIRS = 20
 KILLS = 24
 
 
@@ -37,13 +37,13 @@ class Resume(tournament.Tournament):
                 with self.start(*words, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
                     # Short enough that the tournament lasts for all the kills.
                     time.sleep(chance.uniform(0.0, 1.5 * took / KILLS))
-                    victims = self.workers()
-                    if victims and chance.random() < 0.4:
+                    if chance.random() < 0.4:
+                        self.wait_for(lambda: self.workers() or process.poll() is not None)
                         try:
-                            os.kill(chance.choice(victims), signal.SIGKILL)
+                            os.kill(chance.choice(self.workers()), signal.SIGKILL)
                             kills["worker"] += 1
-                        except ProcessLookupError:
-                            pass
+                        except (ProcessLookupError, IndexError):
+                            pass  # it was done before
                         time.sleep(chance.uniform(0.0, took / KILLS))
                     if process.poll() is None:
                         process.kill()
