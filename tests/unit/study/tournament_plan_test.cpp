@@ -214,7 +214,7 @@ TEST(Calendar, TheLastSeedOfAll) {
 }
 
 TEST(Fixtures, EveryNumberIsUniqueAndMeansItsMatch) {
-  for (const std::size_t openings : {0, 1, 5}) {
+  for (const std::size_t openings : {0u, 1u, 5u}) {
     for (const Format format : {Format::round_robin, Format::gauntlet}) {
       TournamentPlan plan = plan_of(4, 7);  // and fewer pairs than it takes for every opening to come up
       if (openings == 5) plan.pairs = 2;
