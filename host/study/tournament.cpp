@@ -54,13 +54,13 @@ void MetricDifference::add(double first, double second) {
 }
 
 statistics::Estimate MetricDifference::estimate() const {
-  const double variance = difference_.variance();
+  const double mean = difference_.mean(), variance = difference_.variance();
+  double half = std::numeric_limits<double>::infinity();
   // Finds soonest what one would see in some forty pairs: a quarter of a standard deviation.
-  const double half =
-      statistics::mixture_half_width({difference_.count(), difference_.mean(), variance, variance / 16.0}, alpha_);
-  const bool known = difference_.count() > 1 && variance > 0.0;
-  const double width = known ? half : std::numeric_limits<double>::infinity();
-  return {difference_.mean(), {difference_.mean() - width, difference_.mean() + width}};
+  if (variance > 0.0) {
+    half = statistics::mixture_half_width({difference_.count(), mean, variance, variance / 16.0}, alpha_);
+  }
+  return {mean, {mean - half, mean + half}};
 }
 
 Meeting::Meeting(const TournamentPlan& plan, const Pairing& who)
