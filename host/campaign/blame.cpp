@@ -26,6 +26,7 @@ bool repeats(const End& first, const End& second) {
 Judgement judge(std::span<const End> deaths) {
   assert(!deaths.empty());
   const End& last = deaths.back();
+  if (last.how == End::How::match_time) return Judgement::give_up;
   const auto earlier = deaths.first(deaths.size() - 1);
   const bool again = std::ranges::any_of(earlier, [&](const End& each) { return repeats(each, last); });
   if (again) return noted(last) ? Judgement::forfeit : Judgement::give_up;

@@ -14,7 +14,7 @@ namespace regista::campaign {
 enum class Judgement {
   play_again,
   forfeit,  // two deaths in the hands of the same side: the last one's suspect loses
-  give_up,  // two deaths before any plugin was called, or worker after worker killed from outside
+  give_up,  // two deaths before any plugin was called, worker after worker killed from outside, or a match too long
 };
 
 inline constexpr std::size_t most_deaths = 6;  // over one match, until it is given up

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,38 @@ struct Run {
   int attempts = 0;      // workers so far
   double seconds = 0.0;  // of all of them
 };
+
+// What the answer decides; nothing when the worker broke down, and `end` then tells how. seconds: of all its workers.
+std::optional<Decided> answered(End& end, double seconds) {
+  Answer answer;
+  try {
+    answer = answer_from_json(end.text);
+  } catch (const std::invalid_argument&) {
+    end.how = End::How::died;
+    end.text = "wrote an answer that cannot be read";
+    return std::nullopt;
+  }
+  switch (answer.kind) {
+    case Answer::Kind::played:
+      answer.decided.seconds = seconds;
+      return answer.decided;
+    case Answer::Kind::failed:
+      return forfeit(*answer.decided.failure, seconds);
+    case Answer::Kind::changed:
+    case Answer::Kind::refused:
+      throw CampaignError(CampaignError::Kind::input, answer.message);
+    case Answer::Kind::stopped:
+      end.how = End::How::died;
+      end.text = answer.message;
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+[[noreturn]] void give_up(std::span<const End> deaths) {
+  throw CampaignError(CampaignError::Kind::machine, fmt::format("workers died {} times over one match, at last so: {}",
+                                                                deaths.size(), deaths.back().text));
+}
 
 class Engine {
  public:
@@ -120,7 +153,7 @@ class Engine {
     End end = run.worker->end();
     run.seconds += end.seconds;
     if (end.how == End::How::answered) {
-      const std::optional<Decided> decided = answered(run, end);
+      const std::optional<Decided> decided = answered(end, run.seconds);
       if (decided) {
         if (!run.deaths.empty() && schedule_.accident) schedule_.accident(run.job, run.deaths.back());
         decide(run, *decided);
@@ -138,36 +171,7 @@ class Engine {
       case Judgement::give_up:
         break;
     }
-    throw CampaignError(
-        CampaignError::Kind::machine,
-        fmt::format("workers died {} times over one match, at last so: {}", run.deaths.size(), end.text));
-  }
-
-  // What the answer decides; nothing when the worker broke down, and `end` then tells how.
-  std::optional<Decided> answered(const Run& run, End& end) {
-    Answer answer;
-    try {
-      answer = answer_from_json(end.text);
-    } catch (const std::invalid_argument&) {
-      end.how = End::How::died;
-      end.text = "wrote an answer that cannot be read";
-      return std::nullopt;
-    }
-    switch (answer.kind) {
-      case Answer::Kind::played:
-        answer.decided.seconds = run.seconds;
-        return answer.decided;
-      case Answer::Kind::failed:
-        return forfeit(*answer.decided.failure, run.seconds);
-      case Answer::Kind::changed:
-      case Answer::Kind::refused:
-        throw CampaignError(CampaignError::Kind::input, answer.message);
-      case Answer::Kind::stopped:
-        end.how = End::How::died;
-        end.text = answer.message;
-        return std::nullopt;
-    }
-    return std::nullopt;
+    give_up(run.deaths);
   }
 
   void decide(const Run& run, const Decided& decided) {
@@ -188,6 +192,28 @@ class Engine {
 
 Finish run(const Schedule& schedule, Store& store, int workers, const Limits& limits) {
   return Engine(schedule, store, workers, limits).run();
+}
+
+Decided play_alone(const Job& job, const Limits& limits) {
+  SharedNote note;
+  std::vector<End> deaths;
+  double seconds = 0.0;
+  for (;;) {
+    Worker worker(job, limits, note);
+    while (!worker.advance()) {
+      pollfd watched{worker.descriptor(), POLLIN, 0};
+      poll(&watched, 1, watched.fd == -1 ? short_patience : patience);
+    }
+    End end = worker.end();
+    seconds += end.seconds;
+    if (end.how == End::How::answered) {
+      if (const std::optional<Decided> decided = answered(end, seconds)) return *decided;
+    }
+    deaths.push_back(end);
+    const Judgement judgement = judge(deaths);
+    if (judgement == Judgement::forfeit) return forfeit(*suspect(end), seconds);
+    if (judgement == Judgement::give_up) give_up(deaths);
+  }
 }
 
 }  // namespace regista::campaign

@@ -53,4 +53,7 @@ enum class Finish { complete, enough, interrupted };
 // Throws CampaignError, StoreError, std::system_error. What was stored until then stays.
 Finish run(const Schedule& schedule, Store& store, int workers, const Limits& limits);
 
+// One match by itself, in workers with limits, and who forfeits it. Throws as run().
+Decided play_alone(const Job& job, const Limits& limits);
+
 }  // namespace regista::campaign

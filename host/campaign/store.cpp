@@ -8,6 +8,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <bit>
 #include <cerrno>
 #include <cstring>
@@ -17,6 +18,7 @@ namespace regista::campaign {
 namespace {
 
 constexpr int application = 0x52475354;  // "RGST": tells our files from those of other programs
+constexpr int most_goals = 100'000;      // of a row that can be believed
 constexpr int patience = 5000;           // ms to wait for somebody who is writing
 constexpr auto tables = R"(
   CREATE TABLE meta(name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
@@ -193,6 +195,9 @@ struct Store::Parts {
   Decided decided_of(SQLite::Statement& row, Metrics wanted) {
     Decided out;
     out.score = {row.getColumn(2).getInt(), row.getColumn(3).getInt()};
+    if (std::ranges::any_of(out.score, [](int goals) { return goals < 0 || goals > most_goals; })) {
+      throw std::invalid_argument("a score that no match has");
+    }
     out.ended = row.getColumn(4).getString();
     out.hash = text_of(row.getColumn(5));
     const std::string failure = text_of(row.getColumn(6));

@@ -14,6 +14,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -95,7 +96,7 @@ struct Inherited {
   for (const int each : {job, answer, note, nothing}) {
     if (each > note_descriptor) close(each);
   }
-  const auto seconds = static_cast<rlim_t>(limits.processor_seconds);
+  const auto seconds = static_cast<rlim_t>(limits.match_seconds());
   bool limited =
       limit(RLIMIT_CPU, seconds, seconds + 2) && limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_STACK, stack, stack);
   // The sanitizers reserve more addresses than there is memory.
@@ -116,6 +117,14 @@ struct Inherited {
 
 double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+// Of a process that runs, so far; 0 where it cannot be told.
+double processor_seconds_of(pid_t process) {
+  clockid_t clock{};
+  timespec time{};
+  if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0.0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 bool comes_from_outside(int signal_number) {
@@ -184,12 +193,25 @@ bool Worker::advance() {
     ended(status, seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime));
     return true;
   }
-  const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
-  if (!killed_ && seconds > limits_.wall_seconds) {
-    killed_ = true;
-    kill();
-  }
+  if (!killed_for_) watch_call();
   return false;
+}
+
+void Worker::watch_call() {
+  const plugin::CallNote now = note_.note();
+  const double processor = processor_seconds_of(process_);
+  if (now != call_) {
+    call_ = now;
+    call_began_ = Clock::now();
+    processor_at_call_ = processor;
+    return;
+  }
+  const bool working = processor - processor_at_call_ > static_cast<double>(limits_.processor_seconds);
+  if (now.inside == 1 && working) killed_for_ = End::How::processor_time;
+  if (std::chrono::duration<double>(Clock::now() - call_began_).count() > limits_.wall_seconds) {
+    killed_for_ = End::How::wall_time;
+  }
+  if (killed_for_) kill();
 }
 
 void Worker::ended(int status, double processor_seconds) {
@@ -197,6 +219,10 @@ void Worker::ended(int status, double processor_seconds) {
   end_.note = note_.note();
   end_.note.plugin.back() = end_.note.call.back() = '\0';
   const bool complete = answer_.ends_with('\n') && answer_.size() < longest_answer;
+  // What stands before the mark is not the worker's: a plugin wrote to a descriptor that it took for its own.
+  if (const std::size_t mark = answer_.rfind(answer_mark); mark != std::string::npos) {
+    answer_.erase(0, mark + answer_mark.size());
+  }
   if (WIFEXITED(status)) {
     if (complete && WEXITSTATUS(status) == 0) {
       end_.how = End::How::answered;
@@ -208,13 +234,17 @@ void Worker::ended(int status, double processor_seconds) {
     return;
   }
   const int signal_number = WTERMSIG(status);
-  if (killed_) {
+  if (killed_for_ == End::How::wall_time) {
     end_.how = End::How::wall_time;
-    end_.text = fmt::format("did not end within {:.0f} s", limits_.wall_seconds);
-  } else if (signal_number == SIGXCPU ||
-             (signal_number == SIGKILL && processor_seconds >= static_cast<double>(limits_.processor_seconds))) {
+    end_.text = fmt::format("did not return within {:.0f} s", limits_.wall_seconds);
+  } else if (killed_for_) {
     end_.how = End::How::processor_time;
     end_.text = fmt::format("used more than {} s of processor time", limits_.processor_seconds);
+  } else if (signal_number == SIGXCPU ||
+             (signal_number == SIGKILL && processor_seconds >= static_cast<double>(limits_.match_seconds()))) {
+    end_.how = End::How::match_time;
+    end_.text = fmt::format("a match used more than {} s of processor time, though no single call more than {} s",
+                            limits_.match_seconds(), limits_.processor_seconds);
   } else {
     end_.how = comes_from_outside(signal_number) ? End::How::killed_from_outside : End::How::died;
     end_.text = strsignal(signal_number);

@@ -10,21 +10,30 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "campaign/job.hpp"
 #include "campaign/shared_note.hpp"
 
 namespace regista::campaign {
 
+// Times are those of one call of a plugin, not of a match: who is in a call when the time of a whole match is used up
+// need not have used it.
 struct Limits {
-  int processor_seconds = 120;                    // RLIMIT_CPU
-  std::uint64_t memory = std::uint64_t{2} << 30;  // bytes of address space, RLIMIT_AS; 0 = no limit
-  double wall_seconds = 1300.0;                   // a far back-stop, for a plugin that sleeps
+  int processor_seconds = 10;                     // of one call
+  std::uint64_t memory = std::uint64_t{2} << 30;  // bytes of address space of the match, RLIMIT_AS; 0 = no limit
+  double wall_seconds = 200.0;                    // of one call: a far back-stop, for a plugin that sleeps
+  // Processor time of the whole match, RLIMIT_CPU: beyond it something is wrong that nobody can be blamed for.
+  int match_seconds() const { return 100 * processor_seconds; }
 };
 
 // File descriptors of a worker.
 inline constexpr int answer_descriptor = 3, note_descriptor = 4;
+
+// Stands before the answer: what a plugin may have written there by accident is not taken for it.
+inline constexpr std::string_view answer_mark = "\nregista-answer:";
 
 // The hidden command of the program that a worker runs: a Job on standard input, an Answer to answer_descriptor.
 inline constexpr const char* worker_command = "play-one";
@@ -34,8 +43,9 @@ struct End {
   enum class How {
     answered,            // `text` is its answer
     died,                // by itself: a signal, exit() in the middle, an answer cut off
-    processor_time,      // used up its limit
-    wall_time,           // was killed for it
+    processor_time,      // a call used up its limit
+    wall_time,           // a call did not return
+    match_time,          // the match used up its limit, though no call did
     killed_from_outside  // by a signal that people and systems send: SIGKILL, SIGTERM, SIGINT, SIGHUP, SIGQUIT
   };
   How how = How::died;
@@ -67,6 +77,7 @@ class Worker {
  private:
   void read();
   void kill();
+  void watch_call();
   void ended(int status, double processor_seconds);
 
   using Clock = std::chrono::steady_clock;
@@ -74,8 +85,12 @@ class Worker {
   SharedNote& note_;
   pid_t process_ = -1;
   int pipe_ = -1;
-  bool killed_ = false;
+  std::optional<End::How> killed_for_;
   Clock::time_point began_ = Clock::now();
+  // The call that was under way when it was looked at last, and since when.
+  plugin::CallNote call_;
+  Clock::time_point call_began_ = began_;
+  double processor_at_call_ = 0.0;
   std::string answer_;
   End end_;
 };

@@ -30,7 +30,14 @@ void stop(int) {
   _exit(exit_no);
 }
 
+// A signal that the program was told to ignore, as nohup does, stays ignored.
+bool ignored(int signal_number) {
+  struct sigaction now {};
+  return sigaction(signal_number, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
 void handle(int signal_number, void (*handler)(int), int flags) {
+  if (ignored(signal_number)) return;
   struct sigaction action {};
   action.sa_handler = handler;
   action.sa_flags = flags;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "campaign/engine.hpp"
 #include "campaign/inputs.hpp"
 #include "campaign/mathematics.hpp"
 #include "cli/command.hpp"
@@ -24,6 +25,7 @@
 #include "cli/shell.hpp"
 #include "cli/test_options.hpp"
 #include "cli/tournament_files.hpp"
+#include "config/text.hpp"
 #include "match/teams.hpp"
 
 namespace regista::cli {
@@ -38,7 +40,8 @@ constexpr auto examples = R"(Examples:
   regista match --from tournament.db --row 12
 
 --from plays a match of a tournament again: the same teams, plugins, profiles and seed, or it says what has changed; and
-compares the hashes. Rows are those of `regista report --csv`. To be called in the folder the tournament was started in.
+compares the hashes; one that was forfeited is played under the limits of the tournament. Rows are those of
+`regista report --csv`.
 A path of --set begins with home, away, rules, robot, disturbance or opening; without one of these it goes to both
 teams.
 Exit codes: 0 played; 1 interrupted, or the result could not be written, or is not that of --from; 2 bad input; 3 a
@@ -67,8 +70,15 @@ void refuse_to_overwrite(const Options& options) {
   }
 }
 
-// The stored match that is to be played again; nothing when none is.
-std::optional<campaign::Store::Row> stored_match(const Options& options) {
+// The stored match that is to be played again.
+struct Stored {
+  campaign::Job job;
+  campaign::Decided decided;
+  campaign::Limits limits;
+};
+
+// Nothing when none is. The files of the match are named as they were where the tournament was begun: goes there.
+std::optional<Stored> stored_match(const Options& options) {
   if (options.from.empty()) {
     if (!options.row.empty())
       throw BadInput(fmt::format("--row {}: belongs to --from, which is not given", options.row));
@@ -80,15 +90,30 @@ std::optional<campaign::Store::Row> stored_match(const Options& options) {
                     !options.disturbance.empty() || !options.overrides.empty() || !options.opening.empty() ||
                     !options.limit.empty() || !options.plugins.empty() || options.seed != unset.seed;
   if (more) throw BadInput("--from: the file says what is played; teams and options that change it cannot be given");
-  const std::uint64_t row = parse_whole("--row", options.row, 1, std::uint64_t{1} << 62);
   const StoredTournament results = read_results(options.from);
+  const study::Calendar calendar(results.plan);
+  const std::uint64_t row = parse_whole("--row", options.row, 1, calendar.matches());
+  const study::Fixture fixture = calendar.at(row - 1);
+  Stored out;
+  out.job = study::job(results.plan, fixture);
+  out.limits = results.plan.limits;
   try {
-    if (auto found = results.store.row(static_cast<std::int64_t>(row))) return found;
-    throw BadInput(
-        fmt::format("--row {}: {} has no such row; it has {} rows", row, options.from, results.store.rows()));
+    const std::string key = campaign::fixture_key(out.job.home_inputs, out.job.away_inputs, out.job.common_inputs);
+    const std::int64_t number = results.store.numbers(std::span(&key, 1)).front();
+    const auto decided =
+        results.store.find(static_cast<std::int64_t>(row), {number, fixture.seed}, campaign::Metrics::left_out);
+    if (!decided) throw BadInput(fmt::format("--row {}: this match of {} has not been played", row, options.from));
+    out.decided = *decided;
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
   }
+  std::error_code error;
+  std::filesystem::current_path(results.plan.folder, error);
+  if (error) {
+    throw BadInput(fmt::format("--from {}: the folder it was begun in, {}, cannot be entered: {}", options.from,
+                               results.plan.folder, error.message()));
+  }
+  return out;
 }
 
 void require_unchanged(const Options& options, const campaign::Job& job, const MatchSetup& prepared,
@@ -102,25 +127,44 @@ void require_unchanged(const Options& options, const campaign::Job& job, const M
                              options.row, changed, shell_line(now)));
 }
 
+// A match that was forfeited: in a worker, as then, for its plugin may hang or take all memory.
+int play_forfeit(const Options& options, const Stored& stored) {
+  const auto in_words = [](const campaign::Failure& failure) {
+    return fmt::format("{}, plugin {}, {}: {}", failure.side == 0 ? "home" : "away", failure.plugin, failure.call,
+                       failure.what);
+  };
+  campaign::Decided now;
+  try {
+    now = campaign::play_alone(stored.job, stored.limits);
+  } catch (const campaign::CampaignError& error) {
+    if (error.kind() == campaign::CampaignError::Kind::input) throw BadInput(error.what());
+    throw WriteError(error.what());
+  }
+  if (!now.failure) {
+    complain(fmt::format("row {} was forfeited ({}); this time the match was played to its end", options.row,
+                         in_words(*stored.decided.failure)));
+    return exit_no;
+  }
+  print(config::one_line(fmt::format("row {} is forfeited again: {}", options.row, in_words(*now.failure))) + '\n');
+  return now.failure->side == stored.decided.failure->side ? exit_done : exit_no;
+}
+
 // What came of it this time, on standard error.
 int compare(const Options& options, const campaign::Decided& stored, const match::Result& played) {
   const std::string hash = match::hash_text(played.hash);
-  if (stored.failure) {
-    complain(fmt::format("row {} was forfeited ({}: {}); this time the match was played to its end", options.row,
-                         stored.failure->plugin, stored.failure->what));
-    return exit_no;
-  }
   if (hash != stored.hash) {
     complain(
         fmt::format("row {} has the hash {}, this match {}: they are not the same", options.row, stored.hash, hash));
     return exit_no;
   }
-  if (!options.quiet) fmt::print(stderr, "the same match as row {}: hash {}\n", options.row, hash);
+  if (!options.quiet) complain(fmt::format("the same match as row {}: hash {}", options.row, hash));
   return exit_done;
 }
 
-int play(const Options& options, const Invocation& invocation) {
-  const std::optional<campaign::Store::Row> stored = stored_match(options);
+int play(Options options, const Invocation& invocation) {
+  // Before stored_match() goes elsewhere.
+  if (!options.from.empty() && !options.decisions.empty()) options.decisions = std::filesystem::absolute(options.decisions).string();
+  const std::optional<Stored> stored = stored_match(options);
   if (!stored && options.teams.size() != 2) {
     throw BadInput(
         fmt::format("match: two files of teams are wanted, {} given; see: regista match --help", options.teams.size()));
@@ -131,6 +175,7 @@ int play(const Options& options, const Invocation& invocation) {
       match_setup(stored ? request_of(stored->job) : static_cast<const MatchRequest&>(options), catalogue);
   tell_what_is_not_used(catalogue, folders);
   if (stored) require_unchanged(options, stored->job, prepared, catalogue, invocation);
+  if (stored && stored->decided.failure) return play_forfeit(options, *stored);
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
   const std::string again = shell_line(invocation.arguments);
 

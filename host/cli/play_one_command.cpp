@@ -143,7 +143,8 @@ int serve(const Invocation& invocation) {
     throw BadInput(fmt::format("{}: is for the program itself, which starts it for each match of a tournament",
                                campaign::worker_command));
   }
-  const bool written = write_all(campaign::answer_descriptor, to_json(work(invocation, note->note())) + '\n');
+  const bool written = write_all(campaign::answer_descriptor,
+                                 std::string(campaign::answer_mark) + to_json(work(invocation, note->note())) + '\n');
   // At once: what a plugin has left to be done at the end of the program is not to be waited for.
   _exit(written ? exit_done : exit_no);
 }

@@ -37,15 +37,13 @@ struct Options {
 // In pieces, so that a million rows need no memory.
 constexpr std::size_t piece = std::size_t{1} << 20;
 
-// What the first match that was played to its end has: every match has the same, but for names of roles.
-std::vector<std::string> columns_of(const campaign::Decided& decided) {
-  std::vector<std::string> out;
+// Adds what a match has and is not there yet: teams differ in the names of their roles.
+void add_columns(std::vector<std::string>& columns, const campaign::Decided& decided) {
   for (const int side : {0, 1}) {
     for (const study::NamedValue& each : study::metric_values(decided.metrics, side)) {
-      if (std::ranges::find(out, each.path) == out.end()) out.push_back(each.path);
+      if (std::ranges::find(columns, each.path) == columns.end()) columns.push_back(each.path);
     }
   }
-  return out;
 }
 
 int run(const Options& options, const Invocation& invocation) {
@@ -75,10 +73,16 @@ int run(const Options& options, const Invocation& invocation) {
     std::vector<std::string> columns;
     const std::uint64_t matches = course.calendar().matches();
     if (options.metrics) {
-      for (std::uint64_t index = 0; index < matches && columns.empty(); ++index) {
+      // Until every team was seen in a match that was played to its end.
+      std::vector<bool> seen(plan.teams.size(), false);
+      for (std::uint64_t index = 0; index < matches && std::ranges::count(seen, false) > 0; ++index) {
+        const study::Fixture fixture = course.calendar().at(index);
+        if (seen[fixture.home] && seen[fixture.away]) continue;
         const auto decided = stored(index);
         if (!decided) break;
-        if (!decided->metrics.empty()) columns = columns_of(*decided);
+        if (decided->metrics.empty()) continue;
+        add_columns(columns, *decided);
+        seen[fixture.home] = seen[fixture.away] = true;
       }
     }
     std::string csv = options.csv ? report::csv_head(columns) : std::string();

@@ -48,7 +48,6 @@ class Played {
       : options_(options),
         invocation_(invocation),
         workers_(number_of_workers(options)),
-        limits_(limits(options)),
         plan_(std::move(plan)),
         course_(plan_),
         view_{plan_, course_, [this](std::uint64_t index) { return again(job(index)); }} {}
@@ -59,12 +58,14 @@ class Played {
     campaign::Store store = open_results(options_.results, options_.resume, plan_);
     const Interruption interruption(fmt::format("regista: interrupted; to go on: {}\n", resume_line()));
     TournamentProgress progress(view_, !options_.quiet);
+    progress.begin();
     try {
       numbers_ = store.add(study::fixtures(plan_));
       const campaign::Schedule schedule = schedule_with(progress, interruption);
-      const campaign::Finish finish = campaign::run(schedule, store, workers_, limits_);
+      const campaign::Finish finish = campaign::run(schedule, store, workers_, plan_.limits);
       progress.clear();
       if (finish == campaign::Finish::interrupted) {
+        progress.stopped();
         throw Interrupted(fmt::format("interrupted after {} of {} matches; to go on: {}", course_.matches(),
                                       schedule.matches, resume_line()));
       }
@@ -84,7 +85,7 @@ class Played {
       progress.clear();
       throw WriteError(fmt::format("{}; to go on: {}", error.what(), resume_line()));
     }
-    fmt::print(stderr, "{}", progress.summary());
+    progress.finish();
     print(options_.json ? report::tournament_json(view_) : report::tournament_text(view_));
     return exit_done;
   }
@@ -130,7 +131,6 @@ class Played {
   const TournamentOptions& options_;
   const Invocation& invocation_;
   int workers_;
-  campaign::Limits limits_;
   study::TournamentPlan plan_;
   study::Tournament course_;
   report::TournamentView view_;
@@ -189,7 +189,8 @@ Command add_tournament(CLI::App& parent, const Invocation& invocation) {
   app.add_option("--failures-in-a-row", options->failures_in_a_row,
                  "set a team aside after so many forfeits by the same plugin; default 10; 0: never")
       ->type_name("N");
-  app.add_option("--processor-seconds", options->processor_seconds, "processor time of a match; default 120")
+  app.add_option("--processor-seconds", options->processor_seconds,
+                 "processor time of one call of a plugin; default 10")
       ->type_name("SECONDS");
   app.add_option("--memory", options->memory, "address space of a match; default 2048")->type_name("MIB");
   app.add_flag("--json", options->json, "write the report as JSON")->disable_flag_override();

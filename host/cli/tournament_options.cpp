@@ -62,6 +62,9 @@ study::Objective parse_objective(const TournamentOptions& options) {
 void check_overrides(const TournamentOptions& options) {
   for (const std::string& typed : options.overrides) {
     const std::string first = typed.substr(0, typed.find('.'));
+    if (first.size() == 1 && first[0] >= 'A' && first[0] <= 'Z') {
+      throw BadInput(fmt::format("--set {}: teams are called by small letters", config::one_line(typed)));
+    }
     if (first == "home" || first == "away") {
       throw BadInput(
           fmt::format("--set {}: in a tournament each team plays on both sides; begin the path with a for the first "
@@ -155,6 +158,24 @@ void require_metric(const study::Objective& objective, const mind::TeamPlan& tea
   throw BadInput(config::unknown("metric", test->value, fmt::format("--metric, of team {}", team.team().name), paths));
 }
 
+void refuse_what_never_ends(const TournamentOptions& options, const study::TournamentPlan& plan) {
+  if (!options.pairs.empty() || !study::equal_teams(plan, {0, 1})) return;
+  throw BadInput(
+      "tournament: the teams are equal to the last byte, so every pair is even and --sprt would never stop; "
+      "--pairs N says how many are enough");
+}
+
+// Each fixture is known with all its inputs before the first match.
+void refuse_too_many(const study::TournamentPlan& plan) {
+  constexpr std::size_t most_fixtures = 50'000;
+  const std::size_t fixtures = study::Calendar(plan).fixtures();
+  if (fixtures <= most_fixtures) return;
+  throw BadInput(
+      fmt::format("tournament: {} teams from {} openings make {} fixtures; at most {} can be kept; fewer "
+                  "openings or --format gauntlet make fewer",
+                  plan.teams.size(), plan.openings.size(), fixtures, most_fixtures));
+}
+
 }  // namespace
 
 study::TournamentPlan tournament_plan(const TournamentOptions& options, const plugin::Catalogue& catalogue) {
@@ -186,6 +207,8 @@ study::TournamentPlan tournament_plan(const TournamentOptions& options, const pl
   }
   plan.failures_in_a_row =
       static_cast<int>(parse_whole("--failures-in-a-row", options.failures_in_a_row, 0, 1'000'000));
+  plan.limits = limits(options);
+  plan.folder = std::filesystem::current_path().string();
   check_overrides(options);
   plan.common.rules = options.rules;
   plan.common.robot = options.robot;
@@ -222,11 +245,15 @@ study::TournamentPlan tournament_plan(const TournamentOptions& options, const pl
     const auto same = std::ranges::find(scenes, scenes.back().input.name,
                                         [](const study::Opening& scene) { return scene.input.name; });
     if (same->file != file || &*same != &scenes.back()) {
-      throw BadInput(
-          fmt::format("--openings: {} and {} have the same name, {}", same->file, file, prepared.setup.opening->name));
+      const bool twice = same->file == file;
+      throw BadInput(twice ? fmt::format("--openings: {} is given twice", file)
+                           : fmt::format("--openings: {} and {} have the same name, {}", same->file, file,
+                                         prepared.setup.opening->name));
     }
   }
   plan.openings = std::move(scenes);
+  refuse_what_never_ends(options, plan);
+  refuse_too_many(plan);
   return plan;
 }
 

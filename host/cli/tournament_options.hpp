@@ -18,7 +18,7 @@ struct TournamentOptions {
   std::string format = "round-robin", pairs, seed = "1";
   std::string sprt, metric, model, alpha, beta;  // empty: not given
   std::string failures_in_a_row = "10";
-  std::string workers, results = "tournament.db", processor_seconds = "120", memory = "2048";
+  std::string workers, results = "tournament.db", processor_seconds = "10", memory = "2048";
   bool resume = false, json = false, quiet = false;
 };
 

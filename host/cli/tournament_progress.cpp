@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 
 #include "cli/end_of_program.hpp"
 
@@ -15,6 +16,7 @@ namespace regista::cli {
 namespace {
 
 constexpr std::chrono::milliseconds between_drawings{200};
+constexpr std::uint64_t between_standings = 200;  // matches, where each has a line
 
 bool can_rewrite() {
   const char* const type = std::getenv("TERM");
@@ -27,14 +29,18 @@ void say(const std::string& text) {
   std::fflush(stderr);
 }
 
-std::size_t columns() {
+winsize terminal() {
   winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : std::size_t{80};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0;
+  return known ? size : winsize{24, 80, 0, 0};
 }
 
 // Lines no longer than the terminal is wide, so that as many can be taken away as were drawn. A byte counts as a
-// column: what is cut is cut too soon rather than too late, and never within a character.
-std::string cut(const std::string& text, std::size_t width) {
+// column: what is cut is cut too soon rather than too late, and never within a character. And no more lines than
+// `height`: the last ones.
+std::string cut(std::string text, std::size_t width, std::size_t height) {
+  auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n'));
+  for (; lines > height; --lines) text.erase(0, text.find('\n') + 1);
   std::string out;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -72,14 +78,18 @@ void TournamentProgress::match(std::uint64_t index, const campaign::Decided* dec
   if (!fresh) return;
   const study::Fixture fixture = view_.course.calendar().at(index);
   const auto& teams = view_.plan.teams;
+  const auto& openings = view_.plan.openings;
+  const std::string scene =
+      openings.empty() ? "" : ", " + std::filesystem::path(openings[fixture.opening].file).stem().string();
   std::string line =
-      fmt::format("match {} of {}, seed {}: {} {}:{} {}", index + 1, view_.course.calendar().matches(), fixture.seed,
-                  teams[fixture.home].label, decided->score[0], decided->score[1], teams[fixture.away].label);
+      fmt::format("match {} of {}, seed {}{}: {} {}:{} {}", index + 1, view_.course.calendar().matches(), fixture.seed,
+                  scene, teams[fixture.home].label, decided->score[0], decided->score[1], teams[fixture.away].label);
   if (decided->failure) {
     const std::size_t loser = decided->failure->side == 0 ? fixture.home : fixture.away;
     line += ", " + report::forfeit_text(teams[loser].label, *decided->failure);
   }
   say(line + '\n');
+  if ((index + 1) % between_standings == 0) say(block());
 }
 
 std::string TournamentProgress::rate_text() const {
@@ -87,20 +97,34 @@ std::string TournamentProgress::rate_text() const {
   return fmt::format("{:.2f} matches/s", static_cast<double>(played_) / std::max(seconds, 1e-3));
 }
 
-void TournamentProgress::draw() {
-  drawn_ = Clock::now();
+std::string TournamentProgress::block() const {
   const std::uint64_t matches = view_.course.calendar().matches(), done = view_.course.taken();
   std::string text = fmt::format("{}\n{}", report::title(view_), report::standing_text(view_));
   text += fmt::format("{} of {} matches, {}", done, matches, rate_text());
   if (played_ > 0) {
-    const double seconds = std::chrono::duration<double>(drawn_ - began_).count();
+    const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
     text += fmt::format(", at most {} left",
                         duration(static_cast<double>(matches - done) * seconds / static_cast<double>(played_)));
   }
-  const std::string block = cut(text + '\n', columns() - 1);
+  return text + '\n';
+}
+
+void TournamentProgress::draw() {
+  drawn_ = Clock::now();
+  const winsize size = terminal();
+  const std::string text = cut(block(), size.ws_col - std::size_t{1}, std::max<std::size_t>(size.ws_row, 2) - 1);
   clear();
-  lines_ = static_cast<int>(std::ranges::count(block, '\n'));
-  say(block);
+  lines_ = static_cast<int>(std::ranges::count(text, '\n'));
+  say(text);
+}
+
+void TournamentProgress::begin() {
+  if (!wanted_) return;
+  for (const study::Pairing& pairing : view_.course.calendar().pairings()) {
+    if (!study::equal_teams(view_.plan, pairing)) continue;
+    say(fmt::format("A/A: {} and {} are equal, so every pair is a draw by construction\n",
+                    view_.plan.teams[pairing.first].label, view_.plan.teams[pairing.second].label));
+  }
 }
 
 void TournamentProgress::tell(std::string_view line) {
@@ -114,13 +138,17 @@ void TournamentProgress::clear() {
   lines_ = 0;
 }
 
-std::string TournamentProgress::summary() const {
-  if (!wanted_) return "";
+void TournamentProgress::finish() {
+  if (!wanted_) return;
   const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
   std::string out = fmt::format("{} matches played in {}", played_, duration(seconds));
   if (played_ > 0) out += fmt::format(", {}", rate_text());
   if (stored_ > 0) out += fmt::format("; {} were played before", stored_);
-  return out + '\n';
+  say(out + '\n');
+}
+
+void TournamentProgress::stopped() {
+  if (wanted_ && view_.course.matches() > 0) say(report::tournament_text(view_));
 }
 
 }  // namespace regista::cli

@@ -25,12 +25,17 @@ class TournamentProgress {
   void tell(std::string_view line);
   // Takes the block away.
   void clear();
-  // How long it took, in a line; empty when nothing is wanted or nothing was played.
-  std::string summary() const;
+  // A note on equal teams before the first match.
+  void begin();
+  // How long it took, in a line.
+  void finish();
+  // How things stand when it does not go on.
+  void stopped();
 
  private:
   using Clock = std::chrono::steady_clock;
   void draw();
+  std::string block() const;
   std::string rate_text() const;
 
   const report::TournamentView& view_;

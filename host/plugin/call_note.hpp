@@ -20,6 +20,7 @@ struct CallNote {
   std::int32_t robot = 0;         // number, from 1
   std::int32_t side = 0;          // 0 home, 1 away
   std::uint32_t inside = 0;       // 1 while the plugin works, 0 when it has returned
+  friend bool operator==(const CallNote&, const CallNote&) = default;
 };
 
 // A note and on which side's behalf it is written.

@@ -7,6 +7,7 @@
 #include "statistics/bradley_terry.hpp"
 #include "statistics/multiplicity.hpp"
 #include "statistics/rating.hpp"
+#include "statistics/sign_flip.hpp"
 #include "statistics/variance_ratio.hpp"
 
 namespace regista::report {
@@ -30,14 +31,11 @@ std::optional<Strength> strength(const study::Meeting& meeting) {
   return out;
 }
 
-std::vector<double> adjusted_p(const study::Tournament& course) {
-  std::vector<double> p;
-  for (const study::Meeting& meeting : course.meetings()) {
-    const std::optional<Strength> known = strength(meeting);
-    // The likelihood of superiority is the one-sided probability of the same statistic.
-    p.push_back(known ? 2.0 * std::min(known->superiority, 1.0 - known->superiority) : 1.0);
-  }
-  return statistics::holm(p);
+PValues p_values(const study::Tournament& course) {
+  PValues out;
+  for (const study::Meeting& meeting : course.meetings()) out.single.push_back(statistics::sign_flip_p(meeting.pairs));
+  out.adjusted = statistics::holm(out.single);
+  return out;
 }
 
 std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tournament& course) {

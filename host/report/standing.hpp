@@ -38,9 +38,12 @@ struct Ranked {
 // All teams, the best first: by Elo, else by their share of points, then in the order of the plan.
 std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tournament& course);
 
-// Two-sided p of "equal strength" of every pairing, from the mean and spread of its pairs' scores, adjusted by Holm. 1
-// where nothing is known.
-std::vector<double> adjusted_p(const study::Tournament& course);
+// Two-sided p of "equal strength" of every pairing, from the signs of its pairs (statistics/sign_flip.hpp), and the
+// same adjusted by Holm for their number. Only for a number of pairs that was fixed beforehand.
+struct PValues {
+  std::vector<double> single, adjusted;
+};
+PValues p_values(const study::Tournament& course);
 
 double points(const statistics::GameCounts& games);  // of the first team
 

@@ -39,7 +39,10 @@ Json metric(const study::Meeting& meeting, const study::ValueTest& test) {
           {"pairs_without", meeting.pairs_without_metric}};
 }
 
-Json json_of(const TournamentView& view, const study::Meeting& meeting, double p) {
+// Nothing where the number of pairs was not fixed beforehand, or not all of them are played.
+using Chance = std::pair<std::optional<double>, std::optional<double>>;
+
+Json json_of(const TournamentView& view, const study::Meeting& meeting, const Chance& p) {
   Json out;
   const auto label = [&](std::size_t team) { return view.plan.teams[team].label; };
   out["teams"] = {label(meeting.pairing.first), label(meeting.pairing.second)};
@@ -57,14 +60,15 @@ Json json_of(const TournamentView& view, const study::Meeting& meeting, double p
     out["nelo"] = known->normalized_elo.value;
     out["nelo_interval"] = interval(known->normalized_elo.interval);
     out["los"] = known->superiority;
-    out["p"] = p;
+    out["p"] = p.first ? Json(*p.first) : Json(nullptr);
+    out["p_holm"] = p.second ? Json(*p.second) : Json(nullptr);
     out["pair_ratio"] = or_null(known->pair_ratio);
     out["variance_ratio"] = {{"scores", or_null(known->score_ratio)}, {"goals", or_null(known->goals_ratio)}};
     Json goals{{"mean", meeting.goals_of_pairs.mean()},
                {"standard_deviation", meeting.goals_of_pairs.standard_deviation()},
                {"confidence_sequence", interval(meeting.goals_sequence.interval())}};
     // A t test holds for a number of pairs that nobody chose by looking.
-    if (std::holds_alternative<study::FixedNumber>(view.plan.objective) && known->goals_t) {
+    if (p.first && known->goals_t) {
       goals["t"] = known->goals_t->t;
       goals["t_p"] = known->goals_t->p;
       goals["t_interval"] = interval(known->goals_t->interval);
@@ -95,9 +99,17 @@ std::string tournament_json(const TournamentView& view) {
   out["matches"] = course.matches();
   const bool tested = course.verdict() != study::Verdict::none;
   out["verdict"] = tested ? Json(name(course.verdict())) : Json(nullptr);
-  const std::vector<double> p = adjusted_p(course);
+  out["complete"] = course.complete();
+  // A test that chose when to stop has pulled the estimates towards its verdict.
+  out["estimates_biased_by_stopping"] =
+      course.verdict() == study::Verdict::accept_h0 || course.verdict() == study::Verdict::accept_h1;
+  const bool fixed = !tested && course.complete();
+  const PValues p = p_values(course);
   Json pairings = Json::array();
-  for (std::size_t i = 0; i < p.size(); ++i) pairings.push_back(json_of(view, course.meetings()[i], p[i]));
+  for (std::size_t i = 0; i < p.single.size(); ++i) {
+    const Chance chance = fixed ? Chance(p.single[i], p.adjusted[i]) : Chance();
+    pairings.push_back(json_of(view, course.meetings()[i], chance));
+  }
   out["pairings"] = pairings;
   if (view.plan.teams.size() > 2) {
     Json ranks = Json::array();

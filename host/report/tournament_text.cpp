@@ -36,27 +36,33 @@ std::string score_test_text(const statistics::SequentialTest<statistics::PairCou
   const statistics::SequentialBounds bounds = test.bounds();
   const double llr = test.ratio().value;
   const auto& hypotheses = test.design().hypotheses;
-  return fmt::format("LLR: {} ({} %) ({:.2f}, {:.2f}) [{}, {}] {}{}\n", fixed(llr, 2),
+  return fmt::format("LLR: {} ({} %) ({:.2f}, {:.2f}) [{}, {}] {}{}, stops at {} or {}\n", fixed(llr, 2),
                      fixed(percent(llr, llr < 0.0 ? -bounds.lower : bounds.upper), 1), bounds.lower, bounds.upper,
                      fixed(hypotheses.elo0, 2), fixed(hypotheses.elo1, 2),
                      test.design().model == statistics::Model::logistic ? "logistic" : "normalized",
-                     test.ratio().method == statistics::Method::closed_form ? ", approximate" : "");
+                     test.ratio().method == statistics::Method::closed_form ? ", approximate" : "",
+                     fixed(test.stopping().lower, 2), fixed(test.stopping().upper, 2));
 }
 
 std::string metric_text(const TournamentView& view, const Meeting& meeting, const study::ValueTest& test) {
   const study::MetricDifference& metric = *meeting.metric;
   const statistics::Estimate estimate = metric.estimate();
-  std::string out = fmt::format("{}: {:.4g} and {:.4g} per match, difference {:+.4g} [{:.4g}, {:.4g}]\n", test.value,
-                                metric.first().mean(), metric.second().mean(), estimate.value, estimate.interval.low,
-                                estimate.interval.high);
+  std::string out = fmt::format("{}: {:.4g} and {:.4g} per match, difference {:+.4g} [{:.4g}, {:.4g}], approximately\n",
+                                test.value, metric.first().mean(), metric.second().mean(), estimate.value,
+                                estimate.interval.low, estimate.interval.high);
   const auto& [less, equal, more] = metric.signs();
   out += fmt::format("{} has less in {}, as much in {}, more in {} pairs, p at any time {:.2g}\n",
                      label(view, meeting.pairing.first), less, equal, more, metric.test().p());
   if (meeting.pairs_without_metric > 0) {
-    out += fmt::format("{} {} without it: a match was forfeited\n", meeting.pairs_without_metric,
+    out += fmt::format("{} {} without it: a match was forfeited, or has no such number\n", meeting.pairs_without_metric,
                        meeting.pairs_without_metric == 1 ? "pair" : "pairs");
   }
   return out;
+}
+
+// What holds only for a number of pairs that nobody chose by looking may be said.
+bool fixed_number_is_played(const TournamentView& view) {
+  return std::holds_alternative<study::FixedNumber>(view.plan.objective) && view.course.complete();
 }
 
 // Fastchess's block, and goals.
@@ -79,8 +85,7 @@ std::string meeting_text(const TournamentView& view, const Meeting& meeting) {
     const statistics::Interval interval = meeting.goals_sequence.interval();
     out += fmt::format(", per match {} {} at any time", with_sign(meeting.goals_of_pairs.mean(), 3),
                        interval_text(interval, 3));
-    const bool fixed = std::holds_alternative<study::FixedNumber>(view.plan.objective);
-    if (fixed && known->goals_t) {
+    if (fixed_number_is_played(view) && known->goals_t) {
       out += fmt::format(", {} for this number of pairs (t test: p {:.2g})", interval_text(known->goals_t->interval, 3),
                          known->goals_t->p);
     }
@@ -112,15 +117,40 @@ std::string ranking_text(const TournamentView& view) {
 }
 
 std::string pairings_text(const TournamentView& view) {
-  std::string out = "\nPairings (p: two-sided, adjusted by Holm):\n";
-  const std::vector<double> p = adjusted_p(view.course);
+  const bool with_p = fixed_number_is_played(view);
+  std::string out = with_p ? "\nPairings (p: two-sided, by the signs of pairs, adjusted by Holm):\n" : "\nPairings:\n";
+  const std::vector<double> p = p_values(view.course).adjusted;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Meeting& meeting = view.course.meetings()[i];
     const auto& [losses, draws, wins] = meeting.games.seen;
     const std::optional<Strength> known = strength(meeting);
-    out += fmt::format("{} vs {}: {}-{}-{}, goals {}:{}, Elo {}, p {:.2g}\n", label(view, meeting.pairing.first),
+    out += fmt::format("{} vs {}: {}-{}-{}, goals {}:{}, Elo {}", label(view, meeting.pairing.first),
                        label(view, meeting.pairing.second), wins, draws, losses, meeting.goals[0], meeting.goals[1],
-                       known ? with_margin(known->elo) : "-", p[i]);
+                       known ? with_margin(known->elo) : "-");
+    out += with_p ? fmt::format(", p {:.2g}\n", p[i]) : "\n";
+  }
+  return out;
+}
+
+constexpr auto bias = "The estimates above are biased towards the verdict, because the test chose when to stop.\n";
+
+std::string score_verdict(const study::ScoreTest& test, study::Verdict verdict) {
+  const auto& [elo0, elo1] = test.design.hypotheses;
+  const bool h1 = verdict == study::Verdict::accept_h1;
+  return fmt::format(": the scores speak for a strength of {} rather than {} {}\n", h1 ? elo1 : elo0, h1 ? elo0 : elo1,
+                     test.design.model == statistics::Model::logistic ? "Elo" : "nElo");
+}
+
+std::string value_verdict(const TournamentView& view, const std::string& value) {
+  const Meeting& meeting = view.course.meetings().front();
+  const std::string &a = label(view, meeting.pairing.first), &b = label(view, meeting.pairing.second);
+  const bool more = view.course.first_has_more();
+  if (value == study::goals_value) return fmt::format(": {} scores {} goals than {}\n", a, more ? "more" : "fewer", b);
+  std::string out = fmt::format(": in a pair {} mostly has {} {} than {}\n", a, more ? "more" : "less", value, b);
+  // The test is one of signs; a few large differences can carry the mean to the other side.
+  if ((meeting.metric->difference().mean() > 0.0) != more) {
+    out += fmt::format("But its mean is the {} one: a few pairs differ much the other way.\n",
+                       more ? "smaller" : "larger");
   }
   return out;
 }
@@ -128,26 +158,13 @@ std::string pairings_text(const TournamentView& view) {
 std::string verdict_text(const TournamentView& view) {
   const study::Verdict verdict = view.course.verdict();
   if (verdict == study::Verdict::none) return "";
-  const Meeting& meeting = view.course.meetings().front();
-  const std::string &a = label(view, meeting.pairing.first), &b = label(view, meeting.pairing.second);
-  std::string out = fmt::format("Verdict after {} pairs: {}", total(meeting.pairs), name(verdict));
-  if (const auto* const score = std::get_if<study::ScoreTest>(&view.plan.objective)) {
-    const auto& hypotheses = score->design.hypotheses;
-    const char* const unit = score->design.model == statistics::Model::logistic ? "Elo" : "nElo";
-    if (verdict == study::Verdict::accept_h1) {
-      out += fmt::format(": {} is {} {} stronger than {}, not {}\n", a, hypotheses.elo1, unit, b, hypotheses.elo0);
-    } else if (verdict == study::Verdict::accept_h0) {
-      out += fmt::format(": {} is {} {} stronger than {}, not {}\n", a, hypotheses.elo0, unit, b, hypotheses.elo1);
-    } else {
-      return out + '\n';
-    }
-    return out + "Elo and nElo are biased towards the verdict, because the test chose when to stop.\n";
-  }
-  if (verdict != study::Verdict::accept_h1) return out + '\n';
-  const std::string& value = std::get<study::ValueTest>(view.plan.objective).value;
-  const char* const how = view.course.first_has_more() ? "more" : value == study::goals_value ? "fewer" : "less";
-  return out + (value == study::goals_value ? fmt::format(": {} scores {} goals than {}\n", a, how, b)
-                                            : fmt::format(": {} has {} {} than {}\n", a, how, value, b));
+  const statistics::Count pairs = total(view.course.meetings().front().pairs);
+  std::string out = fmt::format("Verdict after {} {}: {}", pairs, pairs == 1 ? "pair" : "pairs", name(verdict));
+  if (verdict == study::Verdict::inconclusive) return out + '\n';
+  const auto* const score = std::get_if<study::ScoreTest>(&view.plan.objective);
+  out += score != nullptr ? score_verdict(*score, verdict)
+                          : value_verdict(view, std::get<study::ValueTest>(view.plan.objective).value);
+  return out + bias;
 }
 
 std::string failures_text(const TournamentView& view) {

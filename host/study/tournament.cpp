@@ -110,7 +110,7 @@ void Tournament::add(Meeting& meeting, const Fixture& fixture, const campaign::D
   meeting.goals[1] += static_cast<std::uint64_t>(decided.score[first_at_home ? 1 : 0]);
   const int goals = goals_of(decided, first_at_home);
   meeting.games.add(outcome(goals));
-  meeting.goals_of_matches.add(goals);
+  meeting.goals_of_matches.add(std::clamp(goals, -plan_.most_goals, plan_.most_goals));
   if (decided.failure) list(fixture, *decided.failure);
   count_row(fixture, decided);
   if (first_at_home) {
@@ -134,10 +134,10 @@ void Tournament::finish_pair(Meeting& meeting, const campaign::Decided& second) 
   const statistics::PairOutcome pair = statistics::pair_outcome(outcome(goals_first), outcome(goals_second));
   meeting.pairs.add(pair);
   if (meeting.score_test) meeting.score_test->add(pair);
-  meeting.goals_of_pairs.add((goals_first + goals_second) / 2.0);
-  // A forfeit may count more goals than a match of this length can have.
   const int most = plan_.most_goals;
-  meeting.goals_sequence.add((std::clamp(goals_first, -most, most) + std::clamp(goals_second, -most, most)) / 2.0);
+  const double goals = (std::clamp(goals_first, -most, most) + std::clamp(goals_second, -most, most)) / 2.0;
+  meeting.goals_of_pairs.add(goals);
+  meeting.goals_sequence.add(goals);
   if (!meeting.metric) return;
   const std::string& path = *tested_metric(plan_.objective);
   if (first.failure || second.failure) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The course of a tournament: takes the results in the order of the schedule, keeps the counts, feeds the test, and
 // says when it is over. Constant memory for each pairing. What is counted are pairs, because the two matches of one are
-// not independent. A forfeit counts 0:10; its metrics are missing, and with them those of its pair.
+// not independent. A forfeit counts 0:10, but as a difference of goals no more than a match of its length can end with,
+// lest one of them outweigh all that was played; its metrics are missing, and with them those of its pair.
 #pragma once
 
 #include <array>
@@ -64,7 +65,7 @@ struct Meeting {
   statistics::BettingGrid goals_sequence;  // of the latter
   std::optional<statistics::SequentialTest<statistics::PairCounts>> score_test;
   std::optional<MetricDifference> metric;
-  std::uint64_t pairs_without_metric = 0;  // a match of them was forfeited
+  std::uint64_t pairs_without_metric = 0;  // a match of them was forfeited, or has no such number
 
   std::uint64_t matches() const { return static_cast<std::uint64_t>(total(games)); }
 };
@@ -94,7 +95,9 @@ class Tournament {
   bool take(const campaign::Decided* decided);
 
   std::uint64_t taken() const { return next_; }  // places of the schedule so far
-  std::uint64_t matches() const;                 // that counted
+  // All was played, or nothing more is needed.
+  bool complete() const { return next_ == calendar_.matches() || over(); }
+  std::uint64_t matches() const;  // that counted
   const std::vector<Meeting>& meetings() const { return meetings_; }
   const std::vector<Forfeits>& forfeits() const { return forfeits_; }  // by first match; all but place and time differ
   std::uint64_t unlisted_forfeits() const { return unlisted_; }        // of kinds beyond the first hundred

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "study/tournament_plan.hpp"
 
+#include <Random123/philox.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -113,6 +114,15 @@ std::vector<std::string> overrides_of(const TournamentPlan& plan, const Fixture&
   return out;
 }
 
+// Which of so many openings a seed plays: Philox, J. K. Salmon et al., "Parallel Random Numbers: As Easy as 1, 2, 3",
+// 2011.
+std::size_t drawn(std::uint64_t seed, std::size_t openings) {
+  constexpr std::uint32_t purpose = 0x6f70656e;  // no other use of the seed draws these numbers
+  const r123::Philox4x32::ctr_type counter{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}};
+  const auto random = r123::Philox4x32()(counter, {{purpose, 0}});
+  return static_cast<std::size_t>((std::uint64_t{random[0]} << 32 | random[1]) % openings);
+}
+
 }  // namespace
 
 std::vector<Pairing> TournamentPlan::pairings() const {
@@ -128,20 +138,29 @@ std::vector<Pairing> TournamentPlan::pairings() const {
 Calendar::Calendar(const TournamentPlan& plan)
     : pairings_(plan.pairings()),
       openings_(std::max<std::size_t>(plan.openings.size(), 1)),
+      drawn_(!std::holds_alternative<FixedNumber>(plan.objective)),
       pairs_(plan.pairs),
       first_seed_(plan.first_seed) {}
 
-Fixture Calendar::at(std::uint64_t index) const {
+Fixture Calendar::of_number(std::size_t number) const {
   Fixture out;
-  out.swapped = index % 2 == 1;
-  out.pairing = static_cast<std::size_t>(index / 2 % pairings_.size());
-  out.pair = index / 2 / pairings_.size();
-  out.seed = first_seed_ + out.pair;
-  out.opening = static_cast<std::size_t>(out.pair % openings_);
+  out.number = number;
+  out.opening = number % openings_;
+  out.swapped = number / openings_ % 2 == 1;
+  out.pairing = number / openings_ / 2;
   const Pairing& pairing = pairings_[out.pairing];
   out.home = out.swapped ? pairing.second : pairing.first;
   out.away = out.swapped ? pairing.first : pairing.second;
-  out.number = (2 * out.pairing + (out.swapped ? 1 : 0)) * openings_ + out.opening;
+  return out;
+}
+
+Fixture Calendar::at(std::uint64_t index) const {
+  const std::uint64_t pair = index / 2 / pairings_.size(), seed = first_seed_ + pair;
+  const auto pairing = static_cast<std::size_t>(index / 2 % pairings_.size());
+  const std::size_t opening = drawn_ ? drawn(seed, openings_) : static_cast<std::size_t>(pair % openings_);
+  Fixture out = of_number((2 * pairing + index % 2) * openings_ + opening);
+  out.pair = pair;
+  out.seed = seed;
   return out;
 }
 
@@ -163,13 +182,10 @@ campaign::Job job(const TournamentPlan& plan, const Fixture& fixture) {
 
 std::vector<campaign::Store::Fixture> fixtures(const TournamentPlan& plan) {
   const Calendar calendar(plan);
-  const std::size_t openings = calendar.openings();
-  std::vector<campaign::Store::Fixture> out(2 * calendar.pairings().size() * openings);
-  // The first of each stand in the first pairs: as many as there are openings.
-  for (std::uint64_t index = 0; index < out.size(); ++index) {
-    const Fixture fixture = calendar.at(index);
-    campaign::Store::Fixture& each = out[fixture.number];
-    each.job = job(plan, fixture);
+  std::vector<campaign::Store::Fixture> out(calendar.fixtures());
+  for (std::size_t number = 0; number < out.size(); ++number) {
+    campaign::Store::Fixture& each = out[number];
+    each.job = job(plan, calendar.of_number(number));
     each.key = campaign::fixture_key(each.job.home_inputs, each.job.away_inputs, each.job.common_inputs);
   }
   return out;
@@ -202,6 +218,10 @@ std::string to_json(const TournamentPlan& plan) {
               {"objective", json_of(plan.objective)},
               {"most_goals", plan.most_goals},
               {"failures_in_a_row", plan.failures_in_a_row},
+              {"processor_seconds", plan.limits.processor_seconds},
+              {"memory", plan.limits.memory},
+              {"wall_seconds", plan.limits.wall_seconds},
+              {"folder", plan.folder},
               {"common", Json::parse(campaign::to_json(plan.common))},
               {"common_inputs", json_of(plan.common_inputs)}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);  // names of files may be anything, JSON must be UTF-8
@@ -227,6 +247,10 @@ TournamentPlan tournament_plan_from_json(const std::string& text) {
     plan.objective = objective_of(json.at("objective"));
     json.at("most_goals").get_to(plan.most_goals);
     json.at("failures_in_a_row").get_to(plan.failures_in_a_row);
+    json.at("processor_seconds").get_to(plan.limits.processor_seconds);
+    json.at("memory").get_to(plan.limits.memory);
+    json.at("wall_seconds").get_to(plan.limits.wall_seconds);
+    json.at("folder").get_to(plan.folder);
     plan.common = campaign::job_from_json(json.at("common").dump());
     plan.common_inputs = inputs_of(json.at("common_inputs"));
     if (!sound(plan)) throw std::out_of_range("a number that no tournament has");
@@ -249,6 +273,8 @@ std::vector<std::string> differences(const TournamentPlan& before, const Tournam
   note("--seed", before.first_seed, now.first_seed);
   note("the test", in_words(before.objective), in_words(now.objective));
   note("--failures-in-a-row", before.failures_in_a_row, now.failures_in_a_row);
+  note("--processor-seconds", before.limits.processor_seconds, now.limits.processor_seconds);
+  note("--memory", before.limits.memory >> 20, now.limits.memory >> 20);
   for (std::size_t team = 0; team < std::min(before.teams.size(), now.teams.size()); ++team) {
     for (const std::string& each : campaign::differences(before.teams[team].inputs, now.teams[team].inputs)) {
       out.push_back(fmt::format("team {}: {}", before.teams[team].label, each));

@@ -4,6 +4,8 @@
 //
 // Order: pair after pair; in each, every pairing; in each of these, the match with its first team at home, then the
 // same with the sides swapped. The two share seed and opening; so do all pairings of a pair, as common random numbers.
+// Without a test, pair k plays the k-th opening, again from the front after the last. With one, its opening is drawn by
+// its seed: a test that may stop at any pair must not have seen the scenes in an order that somebody chose.
 #pragma once
 
 #include <cstddef>
@@ -16,6 +18,7 @@
 #include "campaign/input.hpp"
 #include "campaign/job.hpp"
 #include "campaign/store.hpp"
+#include "campaign/worker.hpp"
 #include "statistics/sequential_test.hpp"
 
 namespace regista::study {
@@ -60,12 +63,14 @@ struct Pairing {
 struct TournamentPlan {
   std::vector<Entrant> teams;  // two or more
   Format format = Format::round_robin;
-  std::vector<Opening> openings;  // pair k plays the k-th, again from the front after the last; none: from kick-off
+  std::vector<Opening> openings;  // none: from kick-off
   std::uint64_t pairs = 0;        // of each pairing, at most
   std::uint64_t first_seed = 1;   // of the first pair; the next one has the next
   Objective objective;
   int most_goals = 0;          // largest goal difference that a match can end with; a forfeit counts as that much
   int failures_in_a_row = 10;  // after so many forfeits by the same plugin a team is set aside; 0: never
+  campaign::Limits limits;     // of each match: they decide who forfeits
+  std::string folder;          // in which it was begun, absolute: paths are relative to it
   campaign::Job common;        // what every match has: profiles, limit, folders of plugins, paths of --set as typed
   std::vector<campaign::Input> common_inputs;
 
@@ -90,11 +95,14 @@ class Calendar {
   Fixture at(std::uint64_t index) const;
   std::uint64_t matches() const { return 2 * pairs_ * pairings_.size(); }
   std::span<const Pairing> pairings() const { return pairings_; }
-  std::size_t openings() const { return openings_; }  // 1 where there are none
+  // Any match of a fixture's number; its seed and pair are 0.
+  Fixture of_number(std::size_t number) const;
+  std::size_t fixtures() const { return 2 * pairings_.size() * openings_; }
 
  private:
   std::vector<Pairing> pairings_;
   std::size_t openings_;
+  bool drawn_;  // openings are
   std::uint64_t pairs_, first_seed_;
 };
 

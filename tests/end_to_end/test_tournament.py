@@ -105,7 +105,7 @@ class Matches(tournament.Tournament):
         self.assertEqual(len(lines), 5, done.stderr)
         for i, line in enumerate(lines[:4]):
             home, away = ("small", "other") if i % 2 == 0 else ("other", "small")
-            self.assertRegex(line, rf"^match {i + 1} of 4, seed {1 + i // 2}: {home} \d+:\d+ {away}$")
+            self.assertRegex(line, rf"^match {i + 1} of 4, seed {1 + i // 2}, \w+: {home} \d+:\d+ {away}$")
         self.assertRegex(lines[4], r"^4 matches played in \d+ s, \d+\.\d\d matches/s$")
         again = self.run_program(*self.arguments("--resume", pairs=2))
         self.assertEqual(again.stderr.count("\n"), 1)
@@ -128,6 +128,7 @@ class Changes(tournament.Tournament):
         rows = self.rows()
         self.assertIn("--pairs was 3, now 4", self.refused(*self.arguments("--quiet", "--resume", pairs=4)))
         self.assertIn("--seed was 1, now 2", self.change("--seed", "2"))
+        self.assertIn("--processor-seconds was 10, now 7", self.change("--processor-seconds", "7"))
         self.assertIn("rules spl2023 has changed", self.change("--set", "rules.durations.set=2"))
         self.assertIn("team other: team other.yaml has changed", self.change("--set", "b.teammates_forgotten_after=20"))
         plugin = self.plugin_folder / program.SOUND.name
@@ -180,6 +181,9 @@ class BadInput(tournament.Tournament):
         self.assertIn("--memory: ", ask("--memory", "1"))
         self.assertIn("begin the path with a for the first team", ask("--set", "home.teammates_forgotten_after=20"))
         self.assertIn("--set a.no_such", ask("--set", "a.no_such=1"))
+        self.assertIn("small letters", ask("--set", "A.no_such=1"))
+        self.assertIn("would never stop", self.refused("tournament", "--team", "small.yaml", "--team", "small.yaml",
+                                                       "--sprt", "0,10"))
         self.assertIn("--set c.x=1: there are 2 teams, a to b", ask("--set", "c.x=1"))
         self.assertIn('--format; nearest: "gauntlet"', ask("--format", "gauntled"))
         self.assertIn("--failures-in-a-row: ", ask("--failures-in-a-row", "-1"))
@@ -213,6 +217,24 @@ class BadInput(tournament.Tournament):
 
 
 class Interruption(tournament.Tournament):
+    def test_a_signal_that_was_to_be_ignored_is_ignored(self):
+        """As nohup does, and shells for what runs in the background."""
+        ignore = lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN)
+        with self.start(*self.arguments("--workers", "1"), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                        preexec_fn=ignore) as process:
+            process.stderr.readline()
+            process.send_signal(signal.SIGHUP)
+            out, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 0, err)
+        self.assertIn("Results of small vs other", out)
+
+    def test_a_report_is_not_lost_with_standard_error(self):
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([str(self.program), *map(str, self.arguments())], cwd=self.folder, text=True,
+                                  stdout=subprocess.PIPE, stderr=full)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("Results of small vs other", done.stdout)
+
     def test_ctrl_c_says_how_to_go_on(self):
         arguments = self.arguments("--workers", "2", pairs=400)
         with self.start(*arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:

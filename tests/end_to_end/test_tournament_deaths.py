@@ -3,6 +3,7 @@
 reproduces it."""
 
 import json
+import re
 import shlex
 import subprocess
 import unittest
@@ -62,6 +63,8 @@ class Deaths(tournament.Tournament):
         words = shlex.split(forfeit["again"])
         self.assertEqual(words[0], str(self.program))
         self.assertEqual(self.run_program(*words[1:]).returncode, code)
+        again = self.succeed("match", "--from", "tournament.db", "--row", "1")
+        self.assertRegex(again, rf"^row 1 is forfeited again: home, plugin crashes, holds: {re.escape(what)}\n$")
 
     def test_abort(self):
         self.assertEqual(self.blamed("aborts")["what"], "Aborted")
@@ -93,9 +96,9 @@ class Deaths(tournament.Tournament):
     def test_an_answer_that_is_none(self):
         self.bad_team("plugin: ball_seen", "plugin: corrupts_answer")
         report = self.only("--plugins", FOLDER, *LIMITS, teams=("bad.yaml", "small.yaml"), pairs=1)
-        # Who wrote it cannot be told: plugins of both teams were called since.
-        self.assertEqual((report["games"], sum(report["goals"])), (2, 20))
-        self.assertEqual(sum(forfeit["matches"] for forfeit in report["forfeits"]), 2)
+        # What a plugin writes where the answer goes is not taken for it: the match is played like any other.
+        self.assertEqual((report["games"], report["forfeits"]), (2, []))
+        self.assertEqual(self.stored("SELECT DISTINCT attempts FROM matches"), [(1,)])
 
     def failed(self, old, new, folder):
         """A plugin that says so or breaks a promise: no second try is needed."""

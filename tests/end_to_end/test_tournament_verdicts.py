@@ -36,7 +36,7 @@ class Verdicts(tournament.Tournament):
         pairs = sum(pairing["pentanomial"])
         self.assertLess(pairs, 60)
         self.assertEqual(report["matches"], 2 * pairs)
-        self.assertIn(f"Verdict after {pairs} pairs: H1: small is 200 nElo stronger than worse, not 0\n", words)
+        self.assertIn(f"Verdict after {pairs} pairs: H1: the scores speak for a strength of 200 rather than 0 nElo\n", words)
         self.assertIn(f"Results of small vs worse ({pairs} pairs of 200, seeds from 1, 2 openings):\n", words)
         test = pairing["sprt"]
         self.assertGreaterEqual(test["llr"], test["llr_stopping"][1])

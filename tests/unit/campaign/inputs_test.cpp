@@ -69,8 +69,10 @@ TEST(CommonInputs, KnowTheOpening) {
 }
 
 TEST(Differences, NameWhatHasChanged) {
-  const std::vector<Input> before{{"x", "1"}, {"y", "2"}}, now{{"x", "3"}, {"z", "2"}};
+  const std::vector<Input> before{{"x", "1"}, {"y", "2"}}, now{{"x", "3"}, {"z", "4"}};
   EXPECT_THAT(differences(before, now), ElementsAre("x has changed", "y is no longer used", "z is new"));
+  const std::vector<Input> elsewhere{{"./x", "1"}, {"y", "2"}};
+  EXPECT_THAT(differences(before, elsewhere), IsEmpty());
   EXPECT_THAT(differences(before, before), IsEmpty());
 }
 

@@ -7,6 +7,7 @@
 #include "statistics/bradley_terry.hpp"
 #include "statistics/multiplicity.hpp"
 #include "statistics/rating.hpp"
+#include "statistics/sign_flip.hpp"
 #include "statistics/variance_ratio.hpp"
 
 namespace regista::report {
@@ -128,19 +129,16 @@ TEST(Ranking, BeforeTheFirstMatchInTheOrderOfThePlan) {
   EXPECT_THAT(order, ElementsAre(0, 1, 2));
 }
 
-TEST(AdjustedP, AreTwiceTheDoubtAboutTheBetterTeamByHolm) {
+TEST(PValues, AreThoseOfTheSignsOfPairsByHolm) {
   Course course({"a", "b", "c"});
   course.take_pairs({{2, 3, 5, 6, 4}, {8, 6, 4, 1, 1}, {4, 4, 4, 4, 4}});
-  std::vector<double> p;
-  for (const study::Meeting& meeting : course.tournament->meetings()) {
-    const double superiority = statistics::likelihood_of_superiority(statistics::score_law(meeting.pairs));
-    p.push_back(2.0 * std::min(superiority, 1.0 - superiority));
-  }
-  EXPECT_LT(p[1], p[0]);
-  EXPECT_EQ(p[2], 1.0);
-  EXPECT_THAT(adjusted_p(*course.tournament),
-              ElementsAre(testing::DoubleEq(2.0 * p[0]), testing::DoubleEq(3.0 * p[1]), 1.0));
-  EXPECT_THAT(adjusted_p(*Course({"a", "b", "c"}).tournament), ElementsAre(1.0, 1.0, 1.0));
+  const PValues p = p_values(*course.tournament);
+  EXPECT_LT(p.single[1], p.single[0]);
+  EXPECT_EQ(p.single[2], 1.0);
+  EXPECT_EQ(p.single[0], statistics::sign_flip_p({{2, 3, 5, 6, 4}}));
+  EXPECT_THAT(p.adjusted, ElementsAre(testing::DoubleEq(std::min(1.0, 2.0 * p.single[0])),
+                                      testing::DoubleEq(3.0 * p.single[1]), 1.0));
+  EXPECT_THAT(p_values(*Course({"a", "b", "c"}).tournament).adjusted, ElementsAre(1.0, 1.0, 1.0));
 }
 
 TEST(Points, CountADrawHalf) {

@@ -205,12 +205,14 @@ TEST(Tournament, TheTestOnGoalsStopsWhenNoDifferenceIsExcluded) {
   }
 }
 
-TEST(Tournament, ThreeGoalsMoreThanTheMercyRuleAreBetOnAsFarAsItGoes) {
+TEST(Tournament, AForfeitIsNoLargerADifferenceThanAMatchCanEndWith) {
   TournamentPlan plan = plan_of(2, 10);
   plan.most_goals = 3;
   Tournament course(plan);
-  take(course, pair_of(10, 10));  // a forfeit of rules of another house
-  EXPECT_EQ(course.meetings().front().goals_of_pairs.mean(), 10.0);
+  take(course, pair_of(10, 10));
+  EXPECT_EQ(course.meetings().front().goals_of_pairs.mean(), 3.0);
+  EXPECT_EQ(course.meetings().front().goals_of_matches.mean(), 3.0);
+  EXPECT_EQ(course.meetings().front().goals[0], 20u);
   EXPECT_EQ(course.meetings().front().goals_sequence.mean(), 3.0);
 }
 

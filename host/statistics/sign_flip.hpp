@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// How surprising the scores of pairs are if the teams are equal: then each pair could as well have gone the other way
+// round, and the sum of the scores above 1/2 is as likely to have any of its signs. Exact for any number of pairs,
+// given which of them were decided and by how much. R. A. Fisher, "The Design of Experiments", 1935, section 21.
+#pragma once
+
+#include "statistics/counts.hpp"
+
+namespace regista::statistics {
+
+// Two-sided, in (0, 1]: the probability of a sum as far from 0 or farther, over all 2^N signs. 1 where every pair was
+// even. Beyond a few thousand decided pairs by the normal law with continuity correction.
+double sign_flip_p(const PairCounts& pairs);
+
+}  // namespace regista::statistics
