@@ -3,8 +3,9 @@
 // pair a coin decides which team is called the first. Then neither is better, whatever the teams are, and every
 // rejection is an error: at a level of 5 % at most 5 % of the tournaments may end with one.
 //
-//   regista report PAIRS.db --csv | label_exchange PAIRS_PER_TOURNAMENT [SEED]
+//   regista report PAIRS.db --csv | label_exchange PAIRS_PER_TOURNAMENT MOST_GOALS [SEED]
 //
+// MOST_GOALS: the largest goal difference of a match, as the tournament bet with it (docs/statistics.md).
 // Two teams are needed that do not play the same: a tournament of a team against itself has only even pairs.
 #include <array>
 #include <cmath>
@@ -20,14 +21,14 @@
 #include "statistics/betting_grid.hpp"
 #include "statistics/moments.hpp"
 #include "statistics/paired_t.hpp"
-#include "statistics/rating.hpp"
 #include "statistics/sequential_test.hpp"
+#include "statistics/sign_flip.hpp"
 
 namespace {
 
 using namespace regista::statistics;
 
-constexpr double most_goals = 10.0, alpha = 0.05;
+constexpr double alpha = 0.05;
 
 // Goal differences of the two matches of a pair, for the team that is at home in the first.
 struct Pair {
@@ -60,7 +61,8 @@ struct Errors {
 };
 
 // One tournament: adds 1 to each test that found a difference.
-void judge(const std::vector<Pair>& pairs, std::size_t begin, std::size_t end, std::mt19937_64& coin, Errors& errors) {
+void judge(const std::vector<Pair>& pairs, std::size_t begin, std::size_t end, double most_goals, std::mt19937_64& coin,
+           Errors& errors) {
   Moments goals;
   PairCounts counts;
   BettingGrid betting({-most_goals, most_goals, alpha, 1.0}, 4000);
@@ -76,8 +78,7 @@ void judge(const std::vector<Pair>& pairs, std::size_t begin, std::size_t end, s
   }
   const auto t = paired_t(goals);
   errors.t += t && t->p <= alpha ? 1 : 0;
-  const double superiority = likelihood_of_superiority(score_law(counts));
-  errors.score += 2.0 * std::min(superiority, 1.0 - superiority) <= alpha ? 1 : 0;
+  errors.score += sign_flip_p(counts) <= alpha ? 1 : 0;
   errors.betting += betting.finding(0.0) != BettingTest::Finding::none ? 1 : 0;
   errors.sequential += sequential.verdict() == Verdict::accept_h1 ? 1 : 0;
 }
@@ -91,12 +92,12 @@ void print(const char* test, int errors, int tournaments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int length = argc > 1 ? std::atoi(argv[1]) : 0;
-  if (length < 2) {
-    std::fprintf(stderr, "regista report PAIRS.db --csv | label_exchange PAIRS_PER_TOURNAMENT [SEED]\n");
+  const int length = argc > 1 ? std::atoi(argv[1]) : 0, most_goals = argc > 2 ? std::atoi(argv[2]) : 0;
+  if (length < 2 || most_goals < 1) {
+    std::fprintf(stderr, "regista report PAIRS.db --csv | label_exchange PAIRS_PER_TOURNAMENT MOST_GOALS [SEED]\n");
     return 2;
   }
-  std::mt19937_64 coin(argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1);
+  std::mt19937_64 coin(argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
   const std::vector<Pair> pairs = read_pairs(std::cin);
   const auto size = static_cast<std::size_t>(length);
   const int tournaments = static_cast<int>(pairs.size() / size);
@@ -107,11 +108,11 @@ int main(int argc, char** argv) {
   Errors errors;
   for (int each = 0; each < tournaments; ++each) {
     const std::size_t begin = static_cast<std::size_t>(each) * size;
-    judge(pairs, begin, begin + size, coin, errors);
+    judge(pairs, begin, begin + size, most_goals, coin, errors);
   }
   std::printf("%zu pairs, %d tournaments of %d pairs\n", pairs.size(), tournaments, length);
   print("paired t of goals", errors.t, tournaments);
-  print("normal approximation of scores", errors.score, tournaments);
+  print("signs of pairs", errors.score, tournaments);
   print("betting on goals, at any time", errors.betting, tournaments);
   print("sequential test [0, 50] nElo: H1", errors.sequential, tournaments);
 }

@@ -33,7 +33,7 @@ constexpr auto examples = R"(Examples:
   regista tournament --team a.yaml --team a.yaml --pairs 50 --set b.utility.terms.distance.weight=0.5
 
 A pair is two matches with the same seed and the sides swapped; pair k has the seed of --seed plus k - 1, and the k-th
-opening. The test is fixed before the first match: --sprt stops as soon as the scores of pairs speak for H1 (stronger
+opening, or under a test one drawn by that seed. The test is fixed before the first match: --sprt stops as soon as the scores of pairs speak for H1 (stronger
 by ELO1) or H0 (by ELO0); --metric goals, or any number of a match, as soon as they differ, at the latest after --pairs.
 Without a test all pairs are played.
 A path of --set begins with a (the first team), b (the second), ..., rules, robot, disturbance or opening; without one
