@@ -30,6 +30,8 @@ Boundaries boundaries_of(const std::string& bytes) {
 
 class CutOffTest : public McapTest {
  protected:
+  CutOffTest() : McapTest(quick_folder()) {}
+
   // The file of `bytes`, cut at `length`, against the chunks that end before.
   void expect_whole_chunks(std::string_view bytes, std::size_t length, const Boundaries& boundaries,
                            const std::vector<ChunkIndex>& chunks, const std::vector<std::size_t>& messages_until,

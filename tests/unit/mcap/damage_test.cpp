@@ -10,6 +10,7 @@ namespace {
 
 class DamageTest : public McapTest, public testing::WithParamInterface<Compression> {
  protected:
+  DamageTest() : McapTest(quick_folder()) {}
   WriterOptions options() const { return {.chunk_size = 400, .compression = GetParam()}; }
 };
 

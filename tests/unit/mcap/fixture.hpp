@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -61,10 +62,13 @@ inline void write_bytes(const std::filesystem::path& file, std::string_view byte
       .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
+// For tests that write thousands of files: memory, where there is some to write to.
+inline std::string quick_folder() { return access("/dev/shm", W_OK) == 0 ? "/dev/shm" : testing::TempDir(); }
+
 class McapTest : public testing::Test {
  protected:
-  McapTest() {
-    std::string pattern = testing::TempDir() + "mcap_XXXXXX";
+  explicit McapTest(const std::string& parent = testing::TempDir()) {
+    std::string pattern = parent + "/mcap_XXXXXX";
     if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
     folder_ = pattern;
   }
