@@ -10,6 +10,9 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <optional>
+#include <ostream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +23,16 @@
 #include "unit/mcap/example.hpp"
 
 namespace regista::mcap {
+
+// How GoogleTest names the cases.
+inline void PrintTo(Compression compression, std::ostream* out) {
+  *out << (compression == Compression::zstd ? "zstd" : "plain");
+}
+
+inline void PrintTo(const WriterOptions& options, std::ostream* out) {
+  PrintTo(options.compression, out);
+  *out << " level " << options.level << " chunks of " << options.chunk_size;
+}
 
 // All that came out of a file, and the error that ended it.
 struct Contents {
