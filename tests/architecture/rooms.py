@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Who may know whom: the arrows of docs/architecture.md as data. A change here is a change of the architecture.
 
-    cli -> report -> study -> campaign -> match -> mind -> plugin -> sdk;  config and statistics are leaves
+    cli -> report -> study -> campaign -> match -> mind -> plugin -> sdk;  config, statistics, mcap are leaves
 
 An arrow may skip rooms (match may include plugin), never run backwards or sideways.
 """
@@ -10,13 +10,14 @@ An arrow may skip rooms (match may include plugin), never run backwards or sidew
 KNOWS = {
     "config": set(),
     "statistics": set(),
+    "mcap": set(),
     "plugin": {"sdk", "config"},
     "mind": {"sdk", "config", "plugin"},
     "match": {"sdk", "config", "plugin", "mind"},
     "campaign": {"sdk", "config", "plugin", "mind", "match", "statistics"},
     "study": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign"},
-    "report": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study"},
-    "cli": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study", "report"},
+    "report": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study", "mcap"},
+    "cli": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "mcap"},
 }
 
 # What of the SDK the host may include.
@@ -38,6 +39,8 @@ CONFINED = [
     Library("CGAL", "plugins/positioners/voronoi/", ("CGAL/",), ("CGAL", "CGAL::CGAL")),
     Library("nlopt", "host/study/", ("nlopt.h", "nlopt.hpp"), ("nlopt", "nlopt_cxx", "NLopt", "NLopt::nlopt",
                                                                 "NLopt::nlopt_cxx")),
+    Library("zstd", "host/mcap/", ("zstd.h", "zstd_errors.h", "zdict.h"),
+            ("zstd", "zstd::libzstd", "zstd::libzstd_shared", "zstd::libzstd_static"), sources_only=True),
     Library("yaml-cpp", "host/config/", ("yaml-cpp/",), ("yaml-cpp", "yaml-cpp::yaml-cpp"), sources_only=True),
     Library("sqlite", "host/campaign/", ("sqlite3.h", "sqlite3ext.h", "SQLiteCpp/"),
             ("sqlite3", "SQLiteCpp", "SQLite3", "SQLite::SQLite3"), sources_only=True),

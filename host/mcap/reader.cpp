@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: MIT
+#include "mcap/reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "mcap/checksum.hpp"
+#include "mcap/error.hpp"
+
+namespace regista::mcap {
+namespace {
+
+// Bytes of an attachment's record that hold its names and times.
+constexpr std::size_t attachment_front = std::size_t{64} << 10;
+
+std::string in_ascii(std::string_view bytes) {
+  std::string text;
+  for (const char c : bytes) {
+    std::array<char, 5> escape{};
+    std::snprintf(escape.data(), escape.size(), c >= 0x20 && c < 0x7f ? "%c" : "\\x%02x",
+                  static_cast<unsigned char>(c));
+    text += escape.data();
+  }
+  return text;
+}
+
+// Throws Error unless the file begins as an MCAP file of version 0.
+void check_magic(const InputFile& file) {
+  if (file.size() == 0) throw Error(file.path(), "is empty");
+  std::string begin;
+  file.read(0, static_cast<std::size_t>(std::min<std::uint64_t>(file.size(), magic.size())), begin);
+  if (magic.starts_with(begin)) {
+    if (begin.size() == magic.size()) return;
+    throw Error(file.path(), "is cut off at byte " + std::to_string(begin.size()) + ", before its header");
+  }
+  std::string with_our_version = begin;
+  if (begin.size() > version_in_magic) with_our_version[version_in_magic] = magic[version_in_magic];
+  if (magic.starts_with(with_our_version)) {
+    throw Error(file.path(), "is an MCAP file of version " + in_ascii(begin.substr(version_in_magic, 1)) +
+                                 "; this program reads version 0");
+  }
+  throw Error(file.path(), "is not an MCAP file; it begins with \"" + in_ascii(begin) + "\"");
+}
+
+}  // namespace
+
+Reader::Reader(const std::filesystem::path& file, const ReaderOptions& options)
+    : file_(file),
+      largest_record_(options.largest_record),
+      definitions_(options.largest_record),
+      metadata_left_(options.largest_record),
+      walk_(file_, magic.size()) {
+  check_magic(file_);
+  const auto place = walk_.next();
+  if (!place) {
+    throw Error(file_.path(), "is cut off at byte " + std::to_string(file_.size()) + ", within its header");
+  }
+  if (place->opcode != Opcode::header) damaged(place->offset, "here the header has to stand");
+  try {
+    header_ = decode_header(content(place->offset, place->length(), stored_));
+  } catch (const Malformed& malformed) {
+    damaged(place->offset, malformed.why);
+  }
+  header_end_ = walk_.offset();
+  has_footer_ = mcap::has_footer(file_);
+  if (has_footer_) open_summary();
+  select({});
+}
+
+void Reader::open_summary() {
+  summary_ = read_summary(file_, header_end_, largest_record_);
+  if (!summary_) return;
+  try {
+    for (Schema& schema : summary_->schemas) definitions_.define(std::move(schema));
+    for (Channel& channel : summary_->channels) definitions_.define(std::move(channel));
+  } catch (const Malformed& malformed) {
+    damaged(summary_->data_end, malformed.why);
+  }
+  summary_->schemas.clear();
+  summary_->channels.clear();
+  attachments_ = std::move(summary_->attachments);
+  for (const MetadataIndex& index : summary_->metadata) keep_metadata(index.offset, index.length);
+}
+
+const Statistics* Reader::statistics() const {
+  return summary_ && summary_->statistics ? &*summary_->statistics : nullptr;
+}
+
+const std::vector<ChunkIndex>& Reader::chunks() const {
+  static const std::vector<ChunkIndex> none;
+  return summary_ ? summary_->chunks : none;
+}
+
+void Reader::select(Selection selection) {
+  selection_ = std::move(selection);
+  wanted_.clear();
+  for (const auto& [id, channel] : channels()) note_wanted(channel);
+  next_chunk_ = 0;
+  walk_ = RecordWalk(file_, header_end_);
+  walk_is_over_ = in_summary_ = false;
+  rest_ = Decoder({});
+  cut_off_.reset();
+}
+
+bool Reader::next(Message& message) {
+  try {
+    while (true) {
+      if (take_message(message)) return true;
+      if (!next_records()) return false;
+    }
+  } catch (const Malformed& malformed) {
+    rest_ = Decoder({});
+    damaged(place_, malformed.why);
+  } catch (...) {
+    rest_ = Decoder({});
+    throw;
+  }
+}
+
+// Delivers from the current records.
+bool Reader::take_message(Message& message) {
+  while (!rest_.rest().empty()) {
+    const RawRecord record = take_record(rest_);
+    switch (record.opcode) {
+      case Opcode::schema:
+      case Opcode::channel:
+        define(record);
+        break;
+      case Opcode::message: {
+        message = decode_message(record.content);
+        const auto channel = static_cast<std::size_t>(message.channel);
+        const Wanted wanted = channel < wanted_.size() ? wanted_[channel] : Wanted::unknown;
+        if (wanted == Wanted::unknown) {
+          throw Malformed{"a message names channel " + std::to_string(channel) + ", which is missing"};
+        }
+        if (wanted == Wanted::yes && message.log_time >= selection_.first_time &&
+            message.log_time <= selection_.last_time) {
+          return true;
+        }
+        break;
+      }
+      default:
+        break;  // what later versions add
+    }
+  }
+  return false;
+}
+
+void Reader::define(const RawRecord& record) {
+  if (record.opcode == Opcode::schema) {
+    definitions_.define(decode_schema(record.content));
+    return;
+  }
+  Channel channel = decode_channel(record.content);
+  const ChannelId id = channel.id;
+  if (definitions_.define(std::move(channel))) note_wanted(channels().at(id));
+}
+
+void Reader::note_wanted(const Channel& channel) {
+  const auto index = static_cast<std::size_t>(channel.id);
+  if (index >= wanted_.size()) wanted_.resize(index + 1, Wanted::unknown);
+  const auto& topics = selection_.topics;
+  const bool wanted = topics.empty() || std::find(topics.begin(), topics.end(), channel.topic) != topics.end();
+  wanted_[index] = wanted ? Wanted::yes : Wanted::no;
+}
+
+// Makes the next chunk, or the next record outside of chunks, the current records.
+bool Reader::next_records() { return summary_ ? next_indexed_chunk() : next_walked_record(); }
+
+bool Reader::next_indexed_chunk() {
+  while (next_chunk_ < summary_->chunks.size()) {
+    const ChunkIndex& chunk = summary_->chunks[next_chunk_++];
+    if (!is_wanted(chunk)) continue;
+    load_chunk(chunk.offset, chunk.length, &chunk);
+    return true;
+  }
+  return false;
+}
+
+bool Reader::is_wanted(const ChunkIndex& chunk) const {
+  if (chunk.first_time > selection_.last_time || chunk.last_time < selection_.first_time) return false;
+  if (chunk.message_indexes.empty()) return true;  // nobody says what it holds
+  return std::any_of(chunk.message_indexes.begin(), chunk.message_indexes.end(), [&](const auto& index) {
+    const auto channel = static_cast<std::size_t>(index.first);
+    return channel >= wanted_.size() || wanted_[channel] != Wanted::no;
+  });
+}
+
+bool Reader::next_walked_record() {
+  while (!walk_is_over_) {
+    const auto place = walk_.next();
+    if (!place) {
+      end_walk(false);
+      return false;
+    }
+    place_ = place->offset;
+    if (in_summary_ && place->opcode != Opcode::footer) continue;
+    switch (place->opcode) {
+      case Opcode::chunk:
+        load_chunk(place->offset, place->length(), nullptr);
+        return true;
+      case Opcode::schema:
+      case Opcode::channel:
+      case Opcode::message:
+        content(place->offset, place->length(), records_);
+        rest_ = Decoder(records_);
+        return true;
+      case Opcode::metadata:
+      case Opcode::attachment:
+        keep(*place);
+        break;
+      case Opcode::data_end:
+        in_summary_ = true;
+        break;
+      case Opcode::footer:
+        end_walk(true);
+        return false;
+      default:
+        if (static_cast<std::uint8_t>(place->opcode) == 0) {
+          walk_is_over_ = true;
+          throw Malformed{"here a record has to begin"};
+        }
+        break;
+    }
+  }
+  return false;
+}
+
+// The walk has passed the footer, or met a record that the file does not hold.
+void Reader::end_walk(bool after_footer) {
+  walk_is_over_ = true;
+  const std::uint64_t byte = walk_.offset();
+  const std::uint64_t left = file_.size() - byte;
+  if (after_footer) {
+    std::string end;
+    file_.read(byte, static_cast<std::size_t>(std::min<std::uint64_t>(left, magic.size())), end);
+    if (end == magic && left == magic.size()) return;
+    if (left >= magic.size() || !magic.starts_with(end)) damaged(byte, "here the file has to end");
+  } else if (has_footer_) {
+    damaged(byte, "a record reaches beyond the end of the file");
+  }
+  const std::string where = in_summary_ ? ", in its summary; no message is missing" : "; what stands before is whole";
+  cut_off_ = CutOff{byte, file_.size(), in_summary_,
+                    file_.path().string() + ": is cut off at byte " + std::to_string(byte) + where};
+}
+
+void Reader::load_chunk(std::uint64_t offset, std::uint64_t length, const ChunkIndex* index) {
+  place_ = offset;
+  const Chunk chunk = decode_chunk(content(offset, length, stored_));
+  if (index != nullptr) {
+    Decoder prefix(stored_);
+    if (static_cast<Opcode>(prefix.u8()) != Opcode::chunk || prefix.u64() != length - record_prefix ||
+        chunk.first_time != index->first_time || chunk.last_time != index->last_time ||
+        chunk.uncompressed_size != index->uncompressed_size || chunk.compression != index->compression ||
+        chunk.records.size() != index->compressed_size) {
+      throw Malformed{"this chunk is not the one that the summary describes"};
+    }
+  }
+  if (chunk.uncompressed_size > largest_record_) {
+    throw Error(file_.path(), "has a chunk of " + std::to_string(chunk.uncompressed_size) + " bytes at byte " +
+                                  std::to_string(offset) + "; at most " + std::to_string(largest_record_) +
+                                  " can be read");
+  }
+  if (chunk.compression == "zstd") {
+    decompressor_.decompress(chunk.records, chunk.uncompressed_size, records_);
+  } else if (chunk.compression.empty()) {
+    if (chunk.records.size() != chunk.uncompressed_size) throw Malformed{"a chunk claims another size than it has"};
+    records_ = chunk.records;
+  } else {
+    throw Error(file_.path(), "has a chunk at byte " + std::to_string(offset) + " that is compressed by \"" +
+                                  in_ascii(chunk.compression.substr(0, 32)) +
+                                  "\"; this program reads zstd and uncompressed chunks");
+  }
+  if (chunk.checksum != 0 && checksum(records_) != chunk.checksum) {
+    throw Malformed{"the checksum of a chunk is wrong"};
+  }
+  rest_ = Decoder(records_);
+}
+
+// Metadata or an attachment that the walk has met for the first time.
+void Reader::keep(const RecordPlace& place) {
+  if (place.offset < kept_until_) return;
+  kept_until_ = place.offset + place.length();
+  if (place.opcode == Opcode::metadata) {
+    keep_metadata(place.offset, place.length());
+    return;
+  }
+  file_.read(place.offset, static_cast<std::size_t>(std::min<std::uint64_t>(place.length(), attachment_front)),
+             stored_);
+  Decoder in(std::string_view(stored_).substr(record_prefix));
+  AttachmentIndex index{.offset = place.offset, .length = place.length(), .name = {}, .media_type = {}};
+  index.log_time = in.u64();
+  index.create_time = in.u64();
+  index.name = in.string();
+  index.media_type = in.string();
+  index.data_size = in.u64();
+  attachments_.push_back(std::move(index));
+}
+
+void Reader::keep_metadata(std::uint64_t offset, std::uint64_t length) {
+  try {
+    const std::string_view bytes = content(offset, length, stored_);
+    if (bytes.size() > metadata_left_) throw Malformed{"its metadata are larger than this program reads"};
+    metadata_left_ -= bytes.size();
+    Decoder prefix(stored_);
+    if (static_cast<Opcode>(prefix.u8()) != Opcode::metadata || prefix.u64() != bytes.size()) {
+      throw Malformed{"here metadata have to stand"};
+    }
+    metadata_.push_back(decode_metadata(bytes));
+  } catch (const Malformed& malformed) {
+    damaged(offset, malformed.why);
+  }
+}
+
+Attachment Reader::attachment(const AttachmentIndex& index) const {
+  std::string bytes;
+  try {
+    const std::string_view inside = content(index.offset, index.length, bytes);
+    Decoder prefix(bytes);
+    if (static_cast<Opcode>(prefix.u8()) != Opcode::attachment || prefix.u64() != inside.size()) {
+      throw Malformed{"here an attachment has to stand"};
+    }
+    return decode_attachment(inside);
+  } catch (const Malformed& malformed) {
+    damaged(index.offset, malformed.why);
+  }
+}
+
+void Reader::verify() const {
+  RecordWalk walk(file_, magic.size());
+  for (auto place = walk.next(); place; place = walk.next()) {
+    if (place->opcode != Opcode::data_end) continue;
+    std::string bytes;
+    std::uint32_t actual = 0;
+    constexpr std::uint64_t block = std::uint64_t{1} << 20;
+    for (std::uint64_t offset = 0; offset < place->offset; offset += block) {
+      file_.read(offset, static_cast<std::size_t>(std::min(block, place->offset - offset)), bytes);
+      actual = checksum(bytes, actual);
+    }
+    std::uint32_t expected = 0;
+    try {
+      expected = Decoder(content(place->offset, place->length(), bytes)).u32();
+    } catch (const Malformed& malformed) {
+      damaged(place->offset, malformed.why);
+    }
+    if (expected != 0 && expected != actual) damaged(place->offset, "the checksum of the file's data is wrong");
+    return;
+  }
+  if (has_footer_) damaged(walk.offset(), "the end of the data is missing");
+}
+
+// What the record at a place holds, read whole into `to`.
+std::string_view Reader::content(std::uint64_t offset, std::uint64_t length, std::string& to) const {
+  if (length > largest_record_) {
+    throw Error(file_.path(), "has a record of " + std::to_string(length) + " bytes at byte " + std::to_string(offset) +
+                                  "; at most " + std::to_string(largest_record_) + " can be read");
+  }
+  file_.read(offset, static_cast<std::size_t>(length), to);
+  return std::string_view(to).substr(record_prefix);
+}
+
+void Reader::damaged(std::uint64_t byte, const std::string& why) const {
+  throw Error(file_.path(), "is damaged at byte " + std::to_string(byte) + ": " + why);
+}
+
+}  // namespace regista::mcap
