@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "config/documents.hpp"
-#include "config/flow.hpp"
-#include "config/parse.hpp"
 #include "config/profiles.hpp"
 #include "config/show.hpp"
 #include "plugin/content_hash.hpp"
@@ -21,18 +21,15 @@ namespace {
 
 std::string content_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in) throw std::runtime_error("cannot read " + file.string());
-  return bytes;
+  std::ostringstream bytes;
+  if (!in || !(bytes << in.rdbuf())) throw std::runtime_error("cannot read " + file.string());
+  return std::move(bytes).str();
 }
-
-// Values alone: without comments, so that a moved line is no change.
-std::string canonical(const std::string& shown) { return config::flow(config::parse_text(shown, "resolved document")); }
 
 template <class Profile>
 Input profile(const char* kind, Profile values) {
-  const std::string shown = config::show(config::declare(values), config::Node(), {});
-  return {fmt::format("{} {}", kind, values.name), plugin::content_hash(canonical(shown))};
+  const std::string shown = config::show(config::declare(values), config::Node(), {}, config::Remarks::without);
+  return {fmt::format("{} {}", kind, values.name), plugin::content_hash(shown)};
 }
 
 class Collected {
@@ -73,8 +70,8 @@ std::vector<Input> team_inputs(const mind::TeamPlan& plan, const config::Node& d
     plugins.add(context.assigner);
     plugins.add(context.sender);
   }
-  const std::string shown = config::show(document, plugin::declarations(catalogue.plugins()));
-  std::vector<Input> out{{"team " + plan.team().file, plugin::content_hash(canonical(shown))}};
+  const std::string shown = config::show(document, plugin::declarations(catalogue.plugins()), config::Remarks::without);
+  std::vector<Input> out{{"team " + plan.team().file, plugin::content_hash(shown)}};
   std::ranges::move(plugins.take(), std::back_inserter(out));
   return out;
 }

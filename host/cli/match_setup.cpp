@@ -31,11 +31,12 @@ double parse_limit(const std::string& text) {
   return seconds;
 }
 
-// The built-in values as a document that paths can address: all of them written out.
-config::Node built_in(config::DocumentKind kind, const std::string& name) {
+// The built-in values as a document; all of them written out where paths are to address them.
+config::Node built_in(config::DocumentKind kind, const std::string& name, bool addressed) {
   const std::string key(config::name_of(kind));
   const config::Location where{fmt::format("built-in {} {}", key, name), 0, 0};
   const config::Node bare = config::Node::map({{key, where, config::Node::scalar(name, false, where)}}, where);
+  if (!addressed) return bare;
   return config::parse_text(config::show(bare), where.file);
 }
 
@@ -43,7 +44,7 @@ config::Node profile(config::DocumentKind kind, const std::string& name, const s
                      const config::Overrides& overrides) {
   // The name of the built-in profile means it, unless there is a file of that name.
   const bool by_name = file == name && !std::filesystem::exists(file);
-  return file.empty() || by_name ? config::override_with(built_in(kind, name), overrides)
+  return file.empty() || by_name ? config::override_with(built_in(kind, name, !overrides.empty()), overrides)
                                  : config::load(file, overrides);
 }
 

@@ -137,8 +137,8 @@ DocumentKind check(const std::filesystem::path& file, const Overrides& overrides
   return kind_of(document);
 }
 
-std::string show(const Node& document, std::span<const PluginDeclaration> plugins) {
-  return visit(document, [&](const Map& map) { return show(map, document, plugins); });
+std::string show(const Node& document, std::span<const PluginDeclaration> plugins, Remarks remarks) {
+  return visit(document, [&](const Map& map) { return show(map, document, plugins, remarks); });
 }
 
 std::string show(const std::filesystem::path& file, const Overrides& overrides,

@@ -17,6 +17,7 @@
 #include "config/predictor_study.hpp"
 #include "config/robot.hpp"
 #include "config/rules.hpp"
+#include "config/show.hpp"
 #include "config/team.hpp"
 
 namespace regista::config {
@@ -55,7 +56,8 @@ DocumentKind check(const std::filesystem::path& file, const Overrides& overrides
 // The resolved document as YAML: every value that is in force, defaults too, each with its unit, its meaning and where
 // it came from. Reading it gives the same values. Parameters of plugins that are declared are shown like any other
 // value; those of other plugins as they stand. Throws as the readers do.
-std::string show(const Node& document, std::span<const PluginDeclaration> plugins = {});
+std::string show(const Node& document, std::span<const PluginDeclaration> plugins = {},
+                 Remarks remarks = Remarks::with);
 std::string show(const std::filesystem::path& file, const Overrides& overrides = {},
                  std::span<const PluginDeclaration> plugins = {});
 

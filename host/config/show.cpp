@@ -32,7 +32,7 @@ std::string scaled_text(double value, double scale) {
 
 class Page {
  public:
-  explicit Page(std::span<const PluginDeclaration> plugins) : plugins_(plugins) {}
+  Page(std::span<const PluginDeclaration> plugins, Remarks remarks) : plugins_(plugins), remarks_(remarks) {}
 
   std::string take() { return std::move(text_); }
 
@@ -190,17 +190,18 @@ class Page {
   void line(int indent, const std::string& content, const std::string& remark) {
     constexpr std::size_t column = 44;
     const std::string text = std::string(static_cast<std::size_t>(indent), ' ') + content;
-    text_ += fmt::format("{:<{}}  # {}\n", text, column, one_line(remark));
+    text_ += remarks_ == Remarks::with ? fmt::format("{:<{}}  # {}\n", text, column, one_line(remark)) : text + '\n';
   }
 
   std::span<const PluginDeclaration> plugins_;
+  Remarks remarks_;
   std::string text_;
 };
 
 }  // namespace
 
-std::string show(const Map& map, const Node& document, std::span<const PluginDeclaration> plugins) {
-  Page page(plugins);
+std::string show(const Map& map, const Node& document, std::span<const PluginDeclaration> plugins, Remarks remarks) {
+  Page page(plugins, remarks);
   page.map(map, document, 0);
   return page.take();
 }

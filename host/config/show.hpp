@@ -11,7 +11,10 @@
 
 namespace regista::config {
 
+enum class Remarks { with, without };  // values alone: equal for documents that mean the same
+
 // `document` is what the object was read from: it tells where each value stood. Values it does not have are defaults.
-std::string show(const Map& map, const Node& document, std::span<const PluginDeclaration> plugins);
+std::string show(const Map& map, const Node& document, std::span<const PluginDeclaration> plugins,
+                 Remarks remarks = Remarks::with);
 
 }  // namespace regista::config

@@ -14,12 +14,13 @@ namespace regista::plugin {
 
 // Plain bytes without pointers; all zero: no plugin was called yet.
 struct CallNote {
-  std::array<char, 64> plugin{};  // id, cut off; ends with a zero
-  std::array<char, 16> call{};    // "assign"; ends with a zero
-  std::uint64_t tick = 0;         // of the robot
-  std::int32_t robot = 0;         // number, from 1
-  std::int32_t side = 0;          // 0 home, 1 away
-  std::uint32_t inside = 0;       // 1 while the plugin works, 0 when it has returned
+  std::array<char, 64> plugin{};   // id, cut off; ends with a zero
+  std::array<char, 16> call{};     // "assign"; ends with a zero
+  std::uint64_t tick = 0;          // of the robot
+  std::int32_t robot = 0;          // number, from 1
+  std::int32_t side = 0;           // 0 home, 1 away
+  std::uint32_t inside = 0;        // 1 while the plugin works, 0 when it has returned
+  const void* instance = nullptr;  // that plugin, robot and side are those of; an address of the noting process
   friend bool operator==(const CallNote&, const CallNote&) = default;
 };
 

@@ -35,6 +35,7 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
       noted_id_(note_of_id(plugin.descriptor->id)) {
   assert(parameters.values().size() == plugin.descriptor->parameter_count);
   environment_.size = sizeof environment_;
+  if (note_ != nullptr) note_->instance = nullptr;  // an earlier one may have stood at this address
   begin("create");
   try {
     raw_ = plugin.descriptor->create(&environment_, host != nullptr ? host : &host_without_radio,

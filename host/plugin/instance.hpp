@@ -74,11 +74,15 @@ class Instance {
     static_assert(Size <= std::tuple_size_v<decltype(CallNote::call)>);
     if (note_ == nullptr) [[likely]]
       return;
-    std::memcpy(note_->plugin.data(), noted_id_.data(), noted_id_.size());
+    // An instance is mostly called several times in a row.
+    if (note_->instance != this) {
+      std::memcpy(note_->plugin.data(), noted_id_.data(), noted_id_.size());
+      note_->robot = caller_->robot;
+      note_->side = caller_->noting.side;
+      note_->instance = this;
+    }
     std::memcpy(note_->call.data(), name, Size);
     note_->tick = caller_->tick;
-    note_->robot = caller_->robot;
-    note_->side = caller_->noting.side;
     note_->inside = 1;
   }
   void end() {
