@@ -163,7 +163,8 @@ int compare(const Options& options, const campaign::Decided& stored, const match
 
 int play(Options options, const Invocation& invocation) {
   // Before stored_match() goes elsewhere.
-  if (!options.from.empty() && !options.decisions.empty()) options.decisions = std::filesystem::absolute(options.decisions).string();
+  if (!options.from.empty() && !options.decisions.empty())
+    options.decisions = std::filesystem::absolute(options.decisions).string();
   const std::optional<Stored> stored = stored_match(options);
   if (!stored && options.teams.size() != 2) {
     throw BadInput(

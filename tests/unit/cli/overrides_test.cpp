@@ -10,7 +10,8 @@ using List = config::Overrides;
 
 TEST(SortedOverrides, GoWhereTheirFirstPartSays) {
   const SortedOverrides sorted({"home.team=a", "away.team=b", "rules.team_size=5", "robot.walk.forward=1",
-                                "disturbance.extra_delay=1", "opening.length=20", "sender.params.reserve=3", "roles.playing=[]"});
+                                "disturbance.extra_delay=1", "opening.length=20", "sender.params.reserve=3",
+                                "roles.playing=[]"});
   EXPECT_EQ(sorted.of("home"), (List{"team=a", "sender.params.reserve=3", "roles.playing=[]"}));
   EXPECT_EQ(sorted.of("away"), (List{"team=b", "sender.params.reserve=3", "roles.playing=[]"}));
   EXPECT_EQ(sorted.of("rules"), List{"team_size=5"});
