@@ -2,29 +2,15 @@
 #include "cli/live_line.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <string_view>
+
+#include "cli/terminal.hpp"
 
 namespace regista::cli {
 namespace {
 
 constexpr std::chrono::milliseconds between_drawings{100};
-
-// A terminal that can erase a line.
-bool can_rewrite() {
-  const char* const type = std::getenv("TERM");
-  return isatty(STDERR_FILENO) != 0 && type != nullptr && std::string_view(type) != "dumb";
-}
-
-// What is lost of this is lost: it is no result.
-void say(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stderr);
-  std::fflush(stderr);
-}
 
 }  // namespace
 

@@ -3,31 +3,18 @@
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 
 #include "cli/end_of_program.hpp"
+#include "cli/terminal.hpp"
 
 namespace regista::cli {
 namespace {
 
 constexpr std::chrono::milliseconds between_drawings{200};
 constexpr std::uint64_t between_standings = 200;  // matches, where each has a line
-
-bool can_rewrite() {
-  const char* const type = std::getenv("TERM");
-  return isatty(STDERR_FILENO) != 0 && type != nullptr && std::string_view(type) != "dumb";
-}
-
-// What is lost of this is lost: it is no result.
-void say(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stderr);
-  std::fflush(stderr);
-}
 
 winsize terminal() {
   winsize size{};

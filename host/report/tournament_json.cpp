@@ -16,7 +16,7 @@ Json interval(const statistics::Interval& bounds) { return Json::array({bounds.l
 
 Json score_test(const statistics::SequentialTest<statistics::PairCounts>& test) {
   const auto& design = test.design();
-  return {{"model", design.model == statistics::Model::logistic ? "logistic" : "normalized"},
+  return {{"model", name(design.model)},
           {"elo0", design.hypotheses.elo0},
           {"elo1", design.hypotheses.elo1},
           {"alpha", design.rates.alpha},

@@ -38,8 +38,7 @@ std::string score_test_text(const statistics::SequentialTest<statistics::PairCou
   const auto& hypotheses = test.design().hypotheses;
   return fmt::format("LLR: {} ({} %) ({:.2f}, {:.2f}) [{}, {}] {}{}, stops at {} or {}\n", fixed(llr, 2),
                      fixed(percent(llr, llr < 0.0 ? -bounds.lower : bounds.upper), 1), bounds.lower, bounds.upper,
-                     fixed(hypotheses.elo0, 2), fixed(hypotheses.elo1, 2),
-                     test.design().model == statistics::Model::logistic ? "logistic" : "normalized",
+                     fixed(hypotheses.elo0, 2), fixed(hypotheses.elo1, 2), name(test.design().model),
                      test.ratio().method == statistics::Method::closed_form ? ", approximate" : "",
                      fixed(test.stopping().lower, 2), fixed(test.stopping().upper, 2));
 }

@@ -13,6 +13,8 @@ enum class Model {
   normalized,  // elo0, elo1 are normalised Elo: hypotheses about the mean in standard deviations of one game
 };
 
+inline const char* name(Model model) { return model == Model::logistic ? "logistic" : "normalized"; }
+
 // Precondition wherever it is taken: both finite, elo0 < elo1. Elo within +-4000 keeps the accuracy.
 struct Hypotheses {
   double elo0, elo1;

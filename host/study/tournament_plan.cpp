@@ -20,7 +20,6 @@ using Json = nlohmann::ordered_json;
 constexpr int plan_version = 1;
 
 const char* name(Format format) { return format == Format::gauntlet ? "gauntlet" : "round_robin"; }
-const char* name(statistics::Model model) { return model == statistics::Model::logistic ? "logistic" : "normalized"; }
 
 // Of a text of the plan, the value that is called so.
 template <class Value>

@@ -5,12 +5,17 @@ The installation has the layout of a real one, bin/regista and lib/regista/plugi
 the plugins there are does not depend on those that are shipped.
 """
 
+import fcntl
 import json
 import os
 import pathlib
+import pty
 import shutil
+import struct
 import subprocess
 import tempfile
+import termios
+import threading
 import unittest
 
 PROGRAM = pathlib.Path(os.environ["REGISTA_PROGRAM"])
@@ -87,6 +92,31 @@ class Case(unittest.TestCase):
     def start(self, *arguments, environment=None, **options):
         return subprocess.Popen([str(self.program), *map(str, arguments)], cwd=self.folder, text=True,
                                 env=self.environment(environment), stdin=subprocess.DEVNULL, **options)
+
+    def on_terminal(self, *arguments, columns=80, terminal="xterm", **options):
+        """What a terminal of so many columns got on standard error, and standard output, of what must succeed."""
+        ours, theirs = pty.openpty()
+        fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+        pieces = []
+
+        def read():
+            try:
+                while piece := os.read(ours, 4096):
+                    pieces.append(piece)
+            except OSError:  # the other end is closed
+                pass
+
+        with self.start(*arguments, stdout=subprocess.PIPE, stderr=theirs, environment={"TERM": terminal},
+                        **options) as process:
+            os.close(theirs)
+            reader = threading.Thread(target=read)
+            reader.start()
+            out = process.stdout.read()
+            process.wait(timeout=120)
+            reader.join()
+        os.close(ours)
+        self.assertEqual(process.returncode, 0)
+        return b"".join(pieces).decode(), out
 
     def run_program(self, *arguments, environment=None, timeout=120, **options):
         options.setdefault("stdout", subprocess.PIPE)

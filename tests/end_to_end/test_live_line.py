@@ -1,11 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The line that shows the course of a match on a terminal."""
 
-import os
-import pty
 import re
-import subprocess
-import threading
 import unittest
 
 import program
@@ -15,28 +11,9 @@ ERASE = "\r\x1b[K"
 
 class LiveLine(program.Case):
     def shown(self, *arguments, terminal="xterm"):
-        """What a terminal got, and the exit code."""
-        ours, theirs = pty.openpty()
-        pieces = []
-
-        def read():
-            try:
-                while piece := os.read(ours, 4096):
-                    pieces.append(piece)
-            except OSError:  # the other end is closed
-                pass
-
+        """What a terminal got."""
         limit = "100" if program.SANITIZED else "1000"
-        with self.start("match", "small.yaml", "small.yaml", "--limit", limit, *arguments, stdout=subprocess.DEVNULL,
-                        stderr=theirs, environment={"TERM": terminal}) as process:
-            os.close(theirs)
-            reader = threading.Thread(target=read)
-            reader.start()
-            process.wait(timeout=120)
-            reader.join()
-        os.close(ours)
-        self.assertEqual(process.returncode, 0)
-        return b"".join(pieces).decode()
+        return self.on_terminal("match", "small.yaml", "small.yaml", "--limit", limit, *arguments, terminal=terminal)[0]
 
     def test_one_line_rewritten_in_place_and_cleared(self):
         text = self.shown()

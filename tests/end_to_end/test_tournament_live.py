@@ -1,14 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The block that shows the course of a tournament on a terminal: played back by a small terminal of our own."""
 
-import fcntl
-import os
-import pty
 import re
-import struct
-import subprocess
-import termios
-import threading
 import unittest
 
 import program
@@ -20,28 +13,7 @@ REWRITE = re.compile(r"\x1b\[(\d+)F\x1b\[J")
 class Live(tournament.Tournament):
     def shown(self, *arguments, columns=80, terminal="xterm", **options):
         """What a terminal of so many columns got on standard error, and standard output."""
-        ours, theirs = pty.openpty()
-        fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
-        pieces = []
-
-        def read():
-            try:
-                while piece := os.read(ours, 4096):
-                    pieces.append(piece)
-            except OSError:  # the other end is closed
-                pass
-
-        with self.start(*self.arguments(*arguments, **options), stdout=subprocess.PIPE, stderr=theirs,
-                        environment={"TERM": terminal}) as process:
-            os.close(theirs)
-            reader = threading.Thread(target=read)
-            reader.start()
-            out = process.stdout.read()
-            process.wait(timeout=120)
-            reader.join()
-        os.close(ours)
-        self.assertEqual(process.returncode, 0)
-        return b"".join(pieces).decode(), out
+        return self.on_terminal(*self.arguments(*arguments, **options), columns=columns, terminal=terminal)
 
     def played_back(self, text, columns):
         """Every block that was on the screen, and what is left on it at the end."""
