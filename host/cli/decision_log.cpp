@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cli/match_report.hpp"
+#include "match/names.hpp"
 #include "match/teams.hpp"
 
 namespace regista::cli {
@@ -29,17 +29,6 @@ Json pose(const match::BodyState& body, double direction) {
 
 std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
-std::string_view name(mind::Phase phase) {
-  constexpr std::array<std::string_view, 5> names{"initial", "ready", "set", "playing", "finished"};
-  return names[static_cast<std::size_t>(phase)];
-}
-
-std::string_view name(mind::SetPlay set_play) {
-  constexpr std::array<std::string_view, 7> names{"none",        "kick_off",          "kick_in",     "goal_kick",
-                                                  "corner_kick", "pushing_free_kick", "penalty_kick"};
-  return names[static_cast<std::size_t>(set_play)];
-}
-
 // Name of a row of the table of roles; null for none, "unknown" while negotiations have not told.
 Json role_name(const std::vector<std::string>& names, int role) {
   if (role == REGISTA_UNKNOWN_TASK) return "unknown";
@@ -53,9 +42,11 @@ Json ball(const mind::Snapshot& world) {
 }
 
 // The own row of the utility estimation matrix, by task; null when this robot has none.
-Json utilities(const mind::Mind& mind, const std::vector<std::string>& names) {
+Json utilities(const mind::TeamPlan& plan, const mind::Mind& mind, const std::vector<std::string>& names) {
   const mind::Decision& decision = mind.decision();
-  const bool common = decision.frame.knowledge == REGISTA_COMMON;
+  if (decision.context < 0) return nullptr;
+  const config::Context& context = plan.team().contexts[static_cast<std::size_t>(decision.context)];
+  const bool common = context.utility_knowledge == config::Knowledge::common;
   const auto& active = (common ? mind.world().common() : mind.world().mine()).active;
   const auto own = std::ranges::find(active, mind.number());
   const std::size_t columns = decision.columns.size();
@@ -77,7 +68,7 @@ DecisionLog::DecisionLog(const std::filesystem::path& file, const std::array<con
   for (const match::Side side : match::both_sides) {
     const std::size_t i = match::index(side);
     last_[i].resize(static_cast<std::size_t>(plans[i]->rules().team_size));
-    role_names_[i] = role_names(match::roles(*plans[i]));
+    role_names_[i] = match::role_names(match::roles(*plans[i]));
   }
   file_.write(line(
       {{"kind", "match"}, {"time", 0.0}, {"teams", {plans[0]->team().name, plans[1]->team().name}}, {"seed", seed}}));
@@ -117,18 +108,15 @@ void DecisionLog::decided(match::Side side, const mind::Mind& mind, const mind::
   }
   Json& assignment = out["assignment"] = Json::array();
   for (const std::int32_t role : decision.role_of) assignment.push_back(role_name(names, role));
-  out["utility"] = utilities(mind, names);
-  out["packet"] = outcome.send ? Json(reason_name(outcome.send_reason)) : Json(nullptr);
+  out["utility"] = utilities(*plans_[i], mind, names);
+  out["packet"] = outcome.send ? Json(match::reason_name(outcome.send_reason)) : Json(nullptr);
   file_.write(line(out));
 }
 
 void DecisionLog::event(double time, const match::Event& event, const match::GameState& state) {
-  std::string what = match::name(event.kind);
-  std::ranges::replace_if(
-      what, [](char c) { return c == ' ' || c == '-'; }, '_');
   Json out{{"kind", "event"},
            {"time", rounded(time, millimetres)},
-           {"event", what},
+           {"event", match::word(event.kind)},
            {"side", match::name(event.side)},
            {"robot", event.number > 0 ? Json(event.number) : Json(nullptr)},
            {"score", state.goals}};
@@ -152,8 +140,8 @@ void DecisionLog::stepped(const match::Snapshot& snapshot) {
            {"time", rounded(snapshot.time, millimetres)},
            {"half", state.half},
            {"clock", rounded(state.clock, millimetres)},
-           {"phase", name(state.phase)},
-           {"set_play", name(state.set_play)},
+           {"phase", match::name(state.phase)},
+           {"set_play", match::name(state.set_play)},
            {"score", state.goals},
            {"packets_left", state.packets_left},
            {"ball", point(direction * body.x, direction * body.y)},

@@ -26,7 +26,10 @@
 #include "cli/test_options.hpp"
 #include "cli/tournament_files.hpp"
 #include "config/text.hpp"
+#include "match/names.hpp"
 #include "match/teams.hpp"
+#include "mcap/error.hpp"
+#include "report/match_recording.hpp"
 
 namespace regista::cli {
 namespace {
@@ -36,6 +39,7 @@ constexpr auto examples = R"(Examples:
   regista match a.yaml b.yaml --seed 7 --json
   regista match a.yaml a.yaml --set home.utility.terms.distance.weight=0.5
   regista match a.yaml b.yaml --limit 60 --decisions decisions.jsonl
+  regista match a.yaml b.yaml --record match.mcap
   regista match a.yaml b.yaml --opening configs/openings/counter_three_on_two.yaml
   regista match --from tournament.db --row 12
 
@@ -49,8 +53,8 @@ defect of Regista.)";
 
 struct Options : MatchRequest {
   std::vector<std::string> plugins;
-  std::string decisions, from, row;
-  bool json = false, quiet = false, verbose = false;
+  std::string decisions, record, from, row;
+  bool force = false, json = false, quiet = false, verbose = false;
 };
 
 std::string interrupted_text(const std::string& again, const match::GameState& state, double time) {
@@ -58,14 +62,14 @@ std::string interrupted_text(const std::string& again, const match::GameState& s
                      state.half, clock_text(state.clock), time, state.goals[0], state.goals[1], again);
 }
 
-// A log must not replace what the match is read from.
-void refuse_to_overwrite(const Options& options) {
+// What is written must not replace what the match is read from.
+void refuse_to_overwrite(const Options& options, const char* option, const std::string& written) {
   std::vector<std::string> read = options.teams;
   read.insert(read.end(), {options.rules, options.robot, options.disturbance, options.opening});
   for (const std::string& file : read) {
     std::error_code none;
-    if (std::filesystem::equivalent(options.decisions, file, none)) {
-      throw BadInput(fmt::format("--decisions {}: is a file that this match reads", options.decisions));
+    if (std::filesystem::equivalent(written, file, none)) {
+      throw BadInput(fmt::format("{} {}: is a file that this match reads", option, written));
     }
   }
 }
@@ -161,10 +165,37 @@ int compare(const Options& options, const campaign::Decided& stored, const match
   return exit_done;
 }
 
+// The line that plays the match again, but does not stumble over the recording of this time.
+std::string without_recording(const std::vector<std::string>& arguments) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] == "--record") {
+      ++i;
+    } else if (arguments[i] != "--force" && !arguments[i].starts_with("--record=")) {
+      words.push_back(arguments[i]);
+    }
+  }
+  return shell_line(words);
+}
+
+std::unique_ptr<report::MatchRecording> begin_recording(const Options& options, const report::RecordedSetup& setup) {
+  std::error_code none;
+  if (!options.force && std::filesystem::exists(options.record, none)) {
+    throw BadInput(fmt::format("--record {}: exists already; --force replaces it", options.record));
+  }
+  try {
+    return std::make_unique<report::MatchRecording>(options.record, setup, options.force);
+  } catch (const mcap::Error& error) {
+    throw BadInput(fmt::format("--record: {}", error.what()));
+  }
+}
+
 int play(Options options, const Invocation& invocation) {
   // Before stored_match() goes elsewhere.
-  if (!options.from.empty() && !options.decisions.empty())
-    options.decisions = std::filesystem::absolute(options.decisions).string();
+  for (std::string* written : {&options.decisions, &options.record}) {
+    if (!options.from.empty() && !written->empty()) *written = std::filesystem::absolute(*written).string();
+  }
+  if (options.force && options.record.empty()) throw BadInput("--force: belongs to --record, which is not given");
   const std::optional<Stored> stored = stored_match(options);
   if (!stored && options.teams.size() != 2) {
     throw BadInput(
@@ -186,12 +217,20 @@ int play(Options options, const Invocation& invocation) {
   played.budget = prepared.setup.rules.messages.budget;
   for (const match::Side side : match::both_sides) {
     played.teams[match::index(side)] = plans[match::index(side)]->team().name;
-    played.role_names[match::index(side)] = role_names(match::roles(*plans[match::index(side)]));
+    played.role_names[match::index(side)] = match::role_names(match::roles(*plans[match::index(side)]));
   }
 
   std::optional<DecisionLog> log;
-  if (!options.decisions.empty()) refuse_to_overwrite(options);
-  if (!options.decisions.empty()) log.emplace(options.decisions, plans, played.seed);
+  if (!options.decisions.empty()) {
+    refuse_to_overwrite(options, "--decisions", options.decisions);
+    log.emplace(options.decisions, plans, played.seed);
+  }
+  std::unique_ptr<report::MatchRecording> recording;
+  if (!options.record.empty()) {
+    refuse_to_overwrite(options, "--record", options.record);
+    recording = begin_recording(options, {plans, "regista " REGISTA_VERSION, without_recording(invocation.arguments),
+                                          played.opening, played.seed});
+  }
   LiveLine live(played.teams, !options.quiet, options.verbose);
   const Interruption interruption(
       fmt::format("regista: interrupted while a plugin did not return; the same match again: {}\n", again));
@@ -204,17 +243,27 @@ int play(Options options, const Invocation& invocation) {
   observer.event = [&](double time, const match::Event& event, const match::GameState& state) {
     live.event(event, state);
     if (log) log->event(time, event, state);
+    if (recording) recording->event(time, event, state);
   };
   match::AfterDecision after;
-  if (log) {
-    observer.step = [&](const match::Snapshot& snapshot) { log->stepped(snapshot); };
+  if (log || recording) {
+    observer.step = [&](const match::Snapshot& snapshot) {
+      if (log) log->stepped(snapshot);
+      if (recording) recording->stepped(snapshot);
+    };
     after = [&](match::Side side, const mind::Mind& mind, const mind::Percepts& percepts,
-                const mind::Outcome& outcome) { log->decided(side, mind, percepts, outcome); };
+                std::span<const mind::HeardPacket> packets, const mind::Outcome& outcome) {
+      if (log) log->decided(side, mind, percepts, outcome);
+      if (recording) recording->decided(side, mind, percepts, packets, outcome);
+    };
   }
 
   const auto began = std::chrono::steady_clock::now();
   try {
     played.result = match::play(std::move(prepared.setup), plans, &observer, after);
+    if (recording) recording->close();
+  } catch (const mcap::Error& error) {
+    throw WriteError(error.what());
   } catch (const std::invalid_argument& error) {
     throw BadInput(error.what());  // profiles and teams that do not go together
   }
@@ -247,6 +296,9 @@ Command add_match(CLI::App& parent, const Invocation& invocation) {
   app.add_flag("--json", options->json, "write the result as JSON")->disable_flag_override();
   app.add_option("--decisions", options->decisions, "write what the robots believed and chose as JSON lines")
       ->type_name("FILE");
+  app.add_option("--record", options->record, "write the match as an MCAP file, for `regista view` and others")
+      ->type_name("FILE");
+  app.add_flag("--force", options->force, "let --record replace a file")->disable_flag_override();
   app.add_flag("--quiet", options->quiet, "no live line on the terminal")->disable_flag_override();
   app.add_flag("--verbose", options->verbose, "a line on standard error for each goal")->disable_flag_override();
   app.footer(examples);

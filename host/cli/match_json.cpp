@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/match_report.hpp"
+#include "match/names.hpp"
 
 namespace regista::cli {
 namespace {
@@ -23,7 +24,7 @@ Json roles(const match::TeamMetrics& team, const std::vector<std::string>& names
 Json packets_by_reason(const match::TeamMetrics& team) {
   Json out = Json::object();
   for (std::size_t reason = 0; reason < team.packets_by_reason.size(); ++reason) {
-    out[std::string(reason_name(static_cast<int>(reason)))] = team.packets_by_reason[reason];
+    out[std::string(match::reason_name(static_cast<int>(reason)))] = team.packets_by_reason[reason];
   }
   return out;
 }

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "match/match.hpp"
@@ -21,13 +20,6 @@ struct PlayedMatch {
   double wall_seconds = 0.0;
   match::Result result;
 };
-
-// What each role of a team's table is called where one word is wanted: its name, or "list.name" when several lists have
-// a role of that name.
-std::vector<std::string> role_names(const std::vector<match::Role>& roles);
-
-// Reason of a packet in words with underscores, for REGISTA_EVENT_*: "role_changed".
-std::string_view reason_name(int reason);
 
 // A page that ends with a newline.
 std::string summary_text(const PlayedMatch& match);

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <regista/abi.h>
 #include <algorithm>
 
 #include "cli/match_report.hpp"
+#include "match/names.hpp"
 
 namespace regista::cli {
 namespace {
-
-constexpr std::array<std::string_view, REGISTA_EVENT_COUNT> reasons{
-    "period",     "whistle", "ball_found", "goalkeeper_saw_ball", "ball_known_again", "role_changed", "ball_moved",
-    "pose_moved", "fell",    "got_up",     "phase_changed",       "context_changed",  "returned",     "offer"};
 
 std::string in_words(std::string_view name) {
   std::string words(name);
@@ -41,7 +37,7 @@ std::string packets(const match::TeamMetrics& team, int charged, int budget) {
   std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t r) { return team.packets_by_reason[r]; });
   for (std::size_t i = 0; i < order.size(); ++i) {
     out += fmt::format("{} {} {}", i == 0 ? ":" : ",", team.packets_by_reason[order[i]],
-                       in_words(reason_name(static_cast<int>(order[i]))));
+                       in_words(match::reason_name(static_cast<int>(order[i]))));
   }
   return out + '\n';
 }
@@ -60,17 +56,6 @@ std::string table(const match::TeamMetrics& team, const std::vector<std::string>
 }
 
 }  // namespace
-
-std::vector<std::string> role_names(const std::vector<match::Role>& roles) {
-  std::vector<std::string> names;
-  for (const match::Role& role : roles) {
-    const bool unique = std::ranges::count(roles, role.name, &match::Role::name) == 1;
-    names.push_back(unique ? role.name : role.list + '.' + role.name);
-  }
-  return names;
-}
-
-std::string_view reason_name(int reason) { return reasons.at(static_cast<std::size_t>(reason)); }
 
 std::string summary_text(const PlayedMatch& match) {
   const match::Result& result = match.result;

@@ -26,6 +26,7 @@
 #include "cli/match_setup.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/text.hpp"
+#include "match/names.hpp"
 #include "match/teams.hpp"
 #include "plugin/failure.hpp"
 
@@ -77,7 +78,7 @@ Answer play(const campaign::Job& job, const Invocation& invocation, plugin::Call
   played.seed = job.seed;
   for (const match::Side side : match::both_sides) {
     played.teams[match::index(side)] = plans[match::index(side)]->team().name;
-    played.role_names[match::index(side)] = role_names(match::roles(*plans[match::index(side)]));
+    played.role_names[match::index(side)] = match::role_names(match::roles(*plans[match::index(side)]));
   }
   try {
     played.result = match::play(std::move(prepared.setup), plans, nullptr, {}, &note);

@@ -19,6 +19,7 @@
 #include "cli/test_options.hpp"
 #include "config/text.hpp"
 #include "match/match.hpp"
+#include "match/names.hpp"
 #include "match/teams.hpp"
 #include "study/metric.hpp"
 
@@ -142,7 +143,7 @@ void label_teams(std::vector<study::Entrant>& teams) {
 // Every path of a team's metrics, from a match that was not played.
 std::vector<std::string> metric_paths_of(const mind::TeamPlan& team) {
   PlayedMatch played;
-  played.role_names[0] = played.role_names[1] = role_names(match::roles(team));
+  played.role_names[0] = played.role_names[1] = match::role_names(match::roles(team));
   for (match::TeamMetrics& metrics : played.result.metrics.teams) metrics.roles.resize(played.role_names[0].size());
   return study::metric_paths(summary_json(played), 0);
 }

@@ -43,7 +43,7 @@ Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, cons
       think[index(side)].push_back([&each, &after, side](const mind::Percepts& percepts,
                                                          std::span<const mind::HeardPacket> heard, mind::Outcome& out) {
         each.think(percepts, heard, out);
-        after(side, each, percepts, out);
+        after(side, each, percepts, heard, out);
       });
     }
   }

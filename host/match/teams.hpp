@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "match/match.hpp"
@@ -22,7 +23,8 @@ std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64
 std::vector<Role> roles(const mind::TeamPlan& plan);
 
 // Called after each decision of a mind; it cannot change it.
-using AfterDecision = std::function<void(Side, const mind::Mind&, const mind::Percepts&, const mind::Outcome&)>;
+using AfterDecision = std::function<void(Side, const mind::Mind&, const mind::Percepts&,
+                                         std::span<const mind::HeardPacket>, const mind::Outcome&)>;
 
 // Plays `setup` (its `roles` are taken from the plans). Throws as play() and Mind do.
 Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, const Observer* observer = nullptr,

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "match/names.hpp"
+
+#include <regista/abi.h>
+
+#include <algorithm>
+#include <array>
+
+namespace regista::match {
+namespace {
+
+constexpr std::array<std::string_view, 5> phases{"initial", "ready", "set", "playing", "finished"};
+constexpr std::array<std::string_view, 7> set_plays{"none",        "kick_off",          "kick_in",     "goal_kick",
+                                                    "corner_kick", "pushing_free_kick", "penalty_kick"};
+constexpr std::array<std::string_view, REGISTA_EVENT_COUNT> reasons{
+    "period",     "whistle", "ball_found", "goalkeeper_saw_ball", "ball_known_again", "role_changed", "ball_moved",
+    "pose_moved", "fell",    "got_up",     "phase_changed",       "context_changed",  "returned",     "offer"};
+
+}  // namespace
+
+std::string_view name(mind::Phase phase) { return phases.at(static_cast<std::size_t>(phase)); }
+std::string_view name(mind::SetPlay set_play) { return set_plays.at(static_cast<std::size_t>(set_play)); }
+std::string_view reason_name(int reason) { return reasons.at(static_cast<std::size_t>(reason)); }
+
+std::string word(EventKind kind) {
+  std::string out = name(kind);
+  std::ranges::replace_if(
+      out, [](char c) { return c == ' ' || c == '-'; }, '_');
+  return out;
+}
+
+std::vector<std::string> role_names(const std::vector<Role>& roles) {
+  std::vector<std::string> names;
+  for (const Role& role : roles) {
+    const bool unique = std::ranges::count(roles, role.name, &Role::name) == 1;
+    names.push_back(unique ? role.name : role.list + '.' + role.name);
+  }
+  return names;
+}
+
+}  // namespace regista::match

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: MIT
+#include "report/match_recording.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "match/names.hpp"
+#include "mcap/error.hpp"
+#include "mcap/writer.hpp"
+#include "mind/world/packet.hpp"
+#include "report/json_text.hpp"
+#include "report/recording_schemas.hpp"
+
+namespace regista::report {
+namespace {
+
+constexpr int game_steps = match::physics_steps_per_second / 10;
+constexpr double belief_period = 0.5;  // s
+
+std::uint64_t nanoseconds(double seconds) { return static_cast<std::uint64_t>(std::llround(seconds * 1e9)); }
+
+// From the field frame of a team into the world frame: as it is, or turned by half a turn.
+struct ToWorld {
+  double direction;
+
+  void point(JsonText& json, const double (&xy)[2]) const { point(json, xy[0], xy[1]); }
+  void point(JsonText& json, double x, double y) const {
+    json.open('[').number(direction * x).number(direction * y).close(']');
+  }
+  void pose(JsonText& json, double x, double y, double heading) const {
+    const double turned = direction > 0.0 ? heading : match::wrapped(heading + std::numbers::pi);
+    json.open('[').number(direction * x).number(direction * y).number(turned).close(']');
+  }
+  void pose(JsonText& json, const double (&values)[3]) const { pose(json, values[0], values[1], values[2]); }
+  // Half a turn leaves a covariance as it is: xx, xy, yy.
+  static void covariance(JsonText& json, double xx, double xy, double yy) {
+    json.open('[').number(xx, 4).number(xy, 4).number(yy, 4).close(']');
+  }
+};
+
+void numbers_of(JsonText& json, std::uint32_t set) {
+  json.open('[');
+  for (int number = 1; set != 0; ++number, set >>= 1) {
+    if ((set & 1u) != 0) json.integer(number);
+  }
+  json.close(']');
+}
+
+void world(JsonText& json, const mind::Snapshot& snapshot, const ToWorld& to) {
+  const regista_ball& ball = snapshot.raw.ball;
+  json.key("ball");
+  if (snapshot.ball_known()) {
+    json.open('{').key("at");
+    to.point(json, ball.position);
+    json.key("velocity");
+    to.point(json, ball.velocity);
+    json.key("covariance");
+    ToWorld::covariance(json, ball.covariance[0], ball.covariance[1], ball.covariance[5]);
+    json.key("age").number(ball.age).close('}');
+  } else {
+    json.null();
+  }
+  json.key("teammates").open('[');
+  for (const regista_robot& robot : snapshot.robots) {
+    if ((robot.flags & REGISTA_ROBOT_KNOWN) == 0) continue;
+    json.open('{').key("number").integer(robot.number).key("pose");
+    to.pose(json, robot.pose);
+    json.key("covariance");
+    ToWorld::covariance(json, robot.covariance[0], robot.covariance[1], robot.covariance[4]);
+    json.key("age").number(robot.age);
+    json.key("active").boolean((robot.flags & REGISTA_ROBOT_ACTIVE) != 0);
+    json.key("role").integer(robot.role).close('}');
+  }
+  json.close(']').key("opponents").open('[');
+  for (const regista_opponent& opponent : snapshot.opponents) {
+    json.open('{').key("at");
+    to.point(json, opponent.position);
+    json.key("covariance");
+    ToWorld::covariance(json, opponent.covariance[0], opponent.covariance[1], opponent.covariance[3]);
+    json.key("age").number(opponent.age).key("weight").number(opponent.weight).close('}');
+  }
+  json.close(']');
+}
+
+void placement(JsonText& json, const plugin::Placement& placement, const ToWorld& to) {
+  json.key("waypoints").open('[');
+  for (const regista_waypoint& point : placement.points) {
+    json.open('[').number(to.direction * point.x).number(to.direction * point.y).quantity(point.score).close(']');
+  }
+  json.close(']').key("edges").open('[');
+  for (const regista_edge& edge : placement.edges) {
+    json.open('[').integer(edge.from).integer(edge.to).close(']');
+  }
+  json.close(']');
+}
+
+void tasks(JsonText& json, const mind::Decision& decision, const ToWorld& to) {
+  json.key("tasks").open('[');
+  for (const regista_task& task : decision.tasks) {
+    json.open('{').key("role").integer(task.id).key("before");
+    to.pose(json, task.before);
+    json.key("after");
+    const auto kept = std::ranges::find(decision.columns, task.id, &regista_task::id);
+    if (kept == decision.columns.end())
+      json.null();
+    else
+      to.pose(json, kept->after);
+    json.close('}');
+  }
+  json.close(']').key("columns").open('[');
+  for (const regista_task& task : decision.columns) json.integer(task.id);
+  json.close(']');
+}
+
+// Row by row; null where a pair is forbidden.
+void matrix(JsonText& json, const std::vector<double>& values, std::size_t columns) {
+  json.open('[');
+  for (std::size_t i = 0; columns > 0 && i + columns <= values.size(); i += columns) {
+    json.open('[');
+    for (std::size_t j = 0; j < columns; ++j) json.quantity(values[i + j]);
+    json.close(']');
+  }
+  json.close(']');
+}
+
+}  // namespace
+
+struct MatchRecording::Parts {
+  // What a decision was last written for.
+  struct Last {
+    int context = -3, role = -3;  // of the last decision written; the role also of the last one at all
+    std::vector<std::int32_t> kept, assignment;
+    double belief = -1.0;  // when it was written
+    mcap::ChannelId decisions{}, beliefs{};
+    std::uint32_t decision_count = 0, belief_count = 0;
+  };
+
+  Parts(const std::filesystem::path& file, const RecordedSetup& setup, bool replace)
+      : plans(setup.plans), writer(file, {.library = setup.program, .replace = replace}) {
+    const auto channel = [&](const char* topic, const char* schema, const std::string& text) {
+      return writer.add_channel(topic, "json", writer.add_schema(schema, "jsonschema", text));
+    };
+    game = channel("/game", "game", schema::game());
+    events = channel("/event", "event", schema::event());
+    packets = channel("/packet", "packet", schema::packet());
+    heard = channel("/heard", "heard", schema::heard());
+    const auto decision = writer.add_schema("decision", "jsonschema", schema::decision());
+    const auto belief = writer.add_schema("belief", "jsonschema", schema::belief());
+    for (const match::Side side : match::both_sides) {
+      std::vector<Last>& robots = last[match::index(side)];
+      const mind::TeamPlan& plan = *plans[match::index(side)];
+      const auto team_size = plan.rules().team_size;
+      robots.resize(static_cast<std::size_t>(team_size));
+      limits[match::index(side)] = {team_size, static_cast<int>(plan.roles().size()),
+                                    static_cast<int>(plan.contexts().size()),
+                                    static_cast<std::size_t>(plan.rules().messages.size)};
+      with_common[match::index(side)] = std::ranges::any_of(plan.team().contexts, [](const config::Context& context) {
+        return context.utility_knowledge == config::Knowledge::common ||
+               context.tasks.knowledge == config::Knowledge::common;
+      });
+      for (std::size_t i = 0; i < robots.size(); ++i) {
+        const std::string whose = std::string("/") + match::name(side) + '/' + std::to_string(i + 1);
+        robots[i].decisions = writer.add_channel("/decision" + whose, "json", decision);
+        robots[i].beliefs = writer.add_channel("/belief" + whose, "json", belief);
+      }
+    }
+    writer.write(mcap::Metadata{about_record, about(setup)});
+    // Found even when the match ends in the first seconds by a crash.
+  }
+
+  ToWorld to_world(match::Side side) const { return {match::attack(side, half)}; }
+
+  void write(mcap::ChannelId channel, double time, std::uint32_t& sequence) {
+    const std::uint64_t when = nanoseconds(time);
+    writer.write(mcap::Message{channel, sequence++, when, when, json.text()});
+  }
+
+  void begin(double time) {
+    json.clear();
+    json.open('{').key("time").number(time);
+  }
+
+  void write_decision(Last& robot, match::Side side, const mind::Mind& mind, double time);
+  void write_belief(Last& robot, match::Side side, const mind::Mind& mind, double time);
+
+  std::array<const mind::TeamPlan*, 2> plans;
+  mcap::Writer writer;
+  JsonText json;
+  mcap::ChannelId game{}, events{}, packets{}, heard{};
+  std::uint32_t game_count = 0, event_count = 0, packet_count = 0, heard_count = 0;
+  std::array<mind::PacketLimits, 2> limits;
+  std::array<bool, 2> with_common{};  // a context of the team uses what all can know
+  std::vector<mind::Segment> segments;
+  std::array<std::vector<Last>, 2> last;  // by side and number
+  std::uint64_t steps = 0;
+  int half = 1;
+};
+
+void MatchRecording::Parts::write_decision(Last& robot, match::Side side, const mind::Mind& mind, double time) {
+  const mind::Decision& decision = mind.decision();
+  const ToWorld to = to_world(side);
+  begin(time);
+  json.key("context").integer(decision.context);
+  if (decision.context < 0) {
+    // Nothing was decided; what stands in the decision is of an earlier one.
+    json.key("knowledge").name("mine");
+    for (const char* empty : {"waypoints", "edges", "tasks", "columns", "rows", "utility", "terms"}) {
+      json.key(empty).open('[').close(']');
+    }
+  } else {
+    const auto& context = plans[match::index(side)]->team().contexts[static_cast<std::size_t>(decision.context)];
+    const bool common = context.utility_knowledge == config::Knowledge::common;
+    json.key("knowledge").name(common ? "common" : "mine");
+    placement(json, decision.placement, to);
+    tasks(json, decision, to);
+    json.key("rows").open('[');
+    for (const std::int32_t number : (common ? mind.world().common() : mind.world().mine()).active)
+      json.integer(number);
+    const std::size_t columns = decision.columns.size();
+    json.close(']').key("utility");
+    matrix(json, decision.utility, columns);
+    json.key("terms").open('[');
+    for (const std::vector<double>& term : decision.terms) matrix(json, term, columns);
+    json.close(']');
+  }
+  json.key("assigned").open('[');
+  for (const std::int32_t row : decision.role_of) json.integer(row);
+  json.close(']').key("role").integer(decision.own_role);
+  json.key("since").number(decision.own_role < 0 ? 0.0 : decision.own_role_since).close('}');
+  write(robot.decisions, time, robot.decision_count);
+}
+
+void MatchRecording::Parts::write_belief(Last& robot, match::Side side, const mind::Mind& mind, double time) {
+  const ToWorld to = to_world(side);
+  const regista_track& self = mind.world().local().self();
+  begin(time);
+  json.key("pose");
+  to.pose(json, self.x, self.y, self.heading);
+  json.key("sees_ball").boolean(mind.world().local().sees_ball());
+  json.key("mine").open('{');
+  world(json, mind.world().mine(), to);
+  json.close('}');
+  if (with_common[match::index(side)]) {
+    json.key("common").open('{');
+    world(json, mind.world().common(), to);
+    json.close('}');
+  }
+  json.close('}');
+  write(robot.beliefs, time, robot.belief_count);
+}
+
+MatchRecording::MatchRecording(const std::filesystem::path& file, const RecordedSetup& setup, bool replace)
+    : parts_(std::make_unique<Parts>(file, setup, replace)) {}
+
+MatchRecording::~MatchRecording() {
+  try {
+    if (parts_) parts_->writer.close();
+  } catch (const mcap::Error&) {
+    // Whoever wanted to know has called close().
+  }
+}
+
+void MatchRecording::decided(match::Side side, const mind::Mind& mind, const mind::Percepts& percepts,
+                             std::span<const mind::HeardPacket> packets, const mind::Outcome& outcome) {
+  Parts& parts = *parts_;
+  Parts::Last& last = parts.last[match::index(side)][static_cast<std::size_t>(mind.number() - 1)];
+  const mind::Decision& decision = mind.decision();
+  const bool role_changed = last.role != decision.own_role;
+  for (const mind::HeardPacket& packet : packets) {
+    const auto report = mind::decode(packet.bytes, parts.limits[match::index(side)], parts.segments);
+    if (!report) continue;
+    parts.begin(packet.time_heard);
+    parts.json.key("side").name(match::name(side)).key("robot").integer(mind.number());
+    parts.json.key("sender").integer(report->sender).key("sent").number(report->time_sent).close('}');
+    parts.write(parts.heard, packet.time_heard, parts.heard_count);
+  }
+  if (outcome.send) {
+    parts.begin(percepts.time);
+    parts.json.key("side").name(match::name(side)).key("robot").integer(mind.number());
+    parts.json.key("reason").name(match::reason_name(outcome.send_reason));
+    parts.json.key("bytes").integer(static_cast<std::int64_t>(outcome.packet.size())).close('}');
+    parts.write(parts.packets, percepts.time, parts.packet_count);
+  }
+  const bool kept_same = std::ranges::equal(last.kept, decision.columns, {}, {}, &regista_task::id);
+  if (!kept_same || role_changed || last.context != decision.context || last.assignment != decision.role_of) {
+    last.context = decision.context;
+    last.role = decision.own_role;
+    last.assignment = decision.role_of;
+    last.kept.clear();
+    for (const regista_task& task : decision.columns) last.kept.push_back(task.id);
+    parts.write_decision(last, side, mind, percepts.time);
+  }
+  if (role_changed || last.belief < 0.0 || percepts.time - last.belief >= belief_period - 1e-9) {
+    last.belief = percepts.time;
+    parts.write_belief(last, side, mind, percepts.time);
+  }
+}
+
+void MatchRecording::event(double time, const match::Event& event, const match::GameState& state) {
+  Parts& parts = *parts_;
+  parts.begin(time);
+  parts.json.key("event").name(match::word(event.kind)).key("side").name(match::name(event.side));
+  parts.json.key("robot").integer(event.number);
+  parts.json.key("score").open('[').integer(state.goals[0]).integer(state.goals[1]).close(']').close('}');
+  parts.write(parts.events, time, parts.event_count);
+}
+
+void MatchRecording::stepped(const match::Snapshot& snapshot) {
+  Parts& parts = *parts_;
+  const match::GameState& state = snapshot.state;
+  parts.half = state.half;
+  if (++parts.steps % game_steps != 0) return;
+  JsonText& json = parts.json;
+  const auto counts = [&](std::string_view key, const std::array<int, 2>& values) {
+    json.key(key).open('[').integer(values[0]).integer(values[1]).close(']');
+  };
+  const std::size_t team_size = parts.last[0].size();
+  const auto robots = [&](std::string_view key, match::RobotSet all) {
+    json.key(key).open('[');
+    for (const std::size_t side : {0u, 1u}) {
+      numbers_of(json, static_cast<std::uint32_t>(all >> (side * team_size) & ((match::RobotSet{1} << team_size) - 1)));
+    }
+    json.close(']');
+  };
+  parts.begin(snapshot.time);
+  json.key("half").integer(state.half).key("clock").number(state.clock).key("phase").name(match::name(state.phase));
+  json.key("set_play").name(match::name(state.set_play)).key("kicking").name(match::name(state.kicking));
+  counts("score", state.goals);
+  counts("packets_left", state.packets_left);
+  robots("penalised", state.penalised[0] | static_cast<match::RobotSet>(state.penalised[1]) << team_size);
+  robots("fallen", snapshot.fallen);
+  robots("kicks", snapshot.kicking);
+  const match::BodyState& ball = snapshot.bodies.back();
+  json.key("ball").open('[').number(ball.x).number(ball.y).number(ball.vx).number(ball.vy).close(']');
+  for (const std::size_t side : {0u, 1u}) {
+    json.key(side == 0 ? "home" : "away").open('[');
+    for (std::size_t i = 0; i < team_size; ++i) {
+      const match::BodyState& body = snapshot.bodies[side * team_size + i];
+      json.open('[').number(body.x).number(body.y).number(match::wrapped(body.heading)).close(']');
+    }
+    json.close(']');
+  }
+  json.key("roles").open('[');
+  for (const auto& side : parts.last) {
+    json.open('[');
+    for (const Parts::Last& robot : side) json.integer(std::max(robot.role, REGISTA_UNKNOWN_TASK + 0));
+    json.close(']');
+  }
+  json.close(']').close('}');
+  parts.write(parts.game, snapshot.time, parts.game_count);
+}
+
+void MatchRecording::close() { parts_->writer.close(); }
+
+}  // namespace regista::report

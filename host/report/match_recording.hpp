@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// A match as an MCAP file, written while it is played: what happened, what every robot believed, and how it decided.
+// Foxglove and the other readers of MCAP open it; messages are JSON with a schema. docs/recordings.md says what is in
+// them.
+//
+//   /game                  ten times a second: clock, phase, score, penalties, packets left, and where everything truly
+//   is /event                 of the referee, when it happens /packet                when it is sent, by whom and why
+//   /heard                 when a robot hears a packet of another
+//   /decision/<side>/<n>   of a robot, when its context, kept tasks, assignment or role changed
+//   /belief/<side>/<n>     of a robot, twice a second and when its role changed
+//
+// All of it in the world frame: origin at the centre, home attacks towards +x in the first half. Metres, seconds,
+// radians. The metadata record "match" says who plays, with which roles and contexts, on which field.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+
+#include "match/match.hpp"
+#include "mind/mind.hpp"
+#include "report/recording_about.hpp"
+
+namespace regista::report {
+
+class MatchRecording {
+ public:
+  // The plans of `setup` outlive the recording. `replace` a file of this name, instead of refusing it. Every function
+  // throws mcap::Error when the file cannot be written.
+  MatchRecording(const std::filesystem::path& file, const RecordedSetup& setup, bool replace = false);
+  ~MatchRecording();  // closes what close() has not
+  MatchRecording(const MatchRecording&) = delete;
+  MatchRecording& operator=(const MatchRecording&) = delete;
+
+  // To be called as match::play calls its observers.
+  void decided(match::Side side, const mind::Mind& mind, const mind::Percepts& percepts,
+               std::span<const mind::HeardPacket> packets, const mind::Outcome& outcome);
+  void event(double time, const match::Event& event, const match::GameState& state);
+  void stepped(const match::Snapshot& snapshot);
+  void close();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace regista::report

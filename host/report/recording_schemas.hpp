@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// What the messages of a recording look like, as JSON Schema: stands in every file, so that readers need nothing else.
+// docs/recordings.md says the same in words.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace regista::report::schema {
+
+namespace part {
+
+inline const std::string number = R"({"type":"number"})";
+inline const std::string integer = R"({"type":"integer"})";
+inline const std::string side = R"({"enum":["home","away"]})";
+
+inline std::string list(const std::string& of, int least = 0, int most = -1) {
+  std::string out = R"({"type":"array","items":)" + of;
+  if (least > 0) out += R"(,"minItems":)" + std::to_string(least);
+  if (most >= 0) out += R"(,"maxItems":)" + std::to_string(most);
+  return out + '}';
+}
+inline std::string described(const std::string& schema, std::string_view text) {
+  return schema.substr(0, schema.size() - 1) + R"(,"description":")" + std::string(text) + "\"}";
+}
+inline std::string or_null(const std::string& schema) { return R"({"anyOf":[)" + schema + R"(,{"type":"null"}]})"; }
+
+// All properties are required unless `optional` names one; more of them may come with later versions.
+struct Property {
+  std::string_view name;
+  std::string schema;
+  bool optional = false;
+};
+inline std::string object(std::initializer_list<Property> properties, std::string_view title = {}) {
+  std::string out = "{", required, all;
+  if (!title.empty())
+    out += R"("$schema":"http://json-schema.org/draft-07/schema#","title":")" + std::string(title) + "\",";
+  for (const Property& property : properties) {
+    const std::string name = '"' + std::string(property.name) + '"';
+    all += (all.empty() ? "" : ",") + name + ':' + property.schema;
+    if (!property.optional) required += (required.empty() ? "" : ",") + name;
+  }
+  return out + R"("type":"object","properties":{)" + all + R"(},"required":[)" + required + "]}";
+}
+
+inline const std::string time = described(number, "s since the match began");
+inline const std::string point = described(list(number, 2, 2), "x, y in m, world frame");
+inline const std::string pose = described(list(number, 3, 3), "x, y in m, heading in rad, world frame");
+inline const std::string covariance = described(list(number, 3, 3), "xx, xy, yy in m^2");
+inline const std::string both_counts = described(list(integer, 2, 2), "home, away");
+inline const std::string both_sets = described(list(list(integer), 2, 2), "home, away: numbers of robots");
+inline const std::string role = described(integer, "row of the table of roles; -1 none, -2 not known yet");
+inline const std::string matrix = list(list(or_null(number)));
+
+}  // namespace part
+
+inline std::string game() {
+  using namespace part;
+  return object({{"time", time},
+                 {"half", integer},
+                 {"clock", described(number, "s played of this half")},
+                 {"phase", R"({"enum":["initial","ready","set","playing","finished"]})"},
+                 {"set_play", R"({"type":"string"})"},
+                 {"kicking", described(side, "whose set play or last kick-off it is")},
+                 {"score", both_counts},
+                 {"packets_left", both_counts},
+                 {"penalised", both_sets},
+                 {"fallen", both_sets},
+                 {"kicks", described(both_sets, "robots that are kicking")},
+                 {"ball", described(list(number, 4, 4), "x, y in m, velocity in m/s, world frame")},
+                 {"home", list(pose)},
+                 {"away", list(pose)},
+                 {"roles", described(list(list(role), 2, 2), "home, away: the role that each robot holds")}},
+                "game");
+}
+
+inline std::string event() {
+  using namespace part;
+  return object({{"time", time},
+                 {"event", R"({"type":"string"})"},
+                 {"side", described(side, "whom it concerns")},
+                 {"robot", described(integer, "0 where there is none")},
+                 {"score", both_counts}},
+                "event");
+}
+
+inline std::string packet() {
+  using namespace part;
+  return object(
+      {{"time", time}, {"side", side}, {"robot", integer}, {"reason", R"({"type":"string"})"}, {"bytes", integer}},
+      "packet");
+}
+
+inline std::string heard() {
+  using namespace part;
+  return object({{"time", time},
+                 {"side", side},
+                 {"robot", described(integer, "who heard it")},
+                 {"sender", integer},
+                 {"sent", described(number, "s, when it was sent")}},
+                "heard");
+}
+
+inline std::string decision() {
+  using namespace part;
+  const std::string task = object({{"role", role}, {"before", pose}, {"after", or_null(pose)}});
+  return object({{"time", time},
+                 {"context", described(integer, "index into the team's contexts; -1 none holds")},
+                 {"knowledge", described(R"({"enum":["mine","common"]})", "the world that utilities are of")},
+                 {"waypoints", described(list(list(number, 3, 3)), "x, y in m, score")},
+                 {"edges", described(list(list(integer, 2, 2)), "indices of waypoints")},
+                 {"tasks", described(list(task), "before the offset, and after it where the task was kept")},
+                 {"columns", described(list(role), "the kept tasks: columns of the matrices")},
+                 {"rows", described(list(integer), "the active robots: rows of the matrices")},
+                 {"utility", described(matrix, "weighted sum of the terms; null where forbidden")},
+                 {"terms", described(list(matrix), "unweighted, in the order of the context's terms")},
+                 {"assigned", described(list(role), "the role of each robot of the team, as this one believes")},
+                 {"role", role},
+                 {"since", described(number, "s since the match began: when it took its role")}},
+                "decision");
+}
+
+inline std::string belief() {
+  using namespace part;
+  const std::string ball = object({{"at", point}, {"velocity", point}, {"covariance", covariance}, {"age", number}});
+  const std::string teammate = object({{"number", integer},
+                                       {"pose", pose},
+                                       {"covariance", covariance},
+                                       {"age", described(number, "s since there was news")},
+                                       {"active", R"({"type":"boolean"})"},
+                                       {"role", role}});
+  const std::string opponent = object({{"at", point}, {"covariance", covariance}, {"age", number}, {"weight", number}});
+  const std::string world =
+      object({{"ball", or_null(ball)}, {"teammates", list(teammate)}, {"opponents", list(opponent)}});
+  return object({{"time", time},
+                 {"pose", pose},
+                 {"sees_ball", R"({"type":"boolean"})"},
+                 {"mine", world},
+                 {"common", world, true}},
+                "belief");
+}
+
+}  // namespace regista::report::schema

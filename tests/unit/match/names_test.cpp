@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "match/names.hpp"
+
+#include <gtest/gtest.h>
+#include <regista/abi.h>
+
+#include <set>
+#include <stdexcept>
+
+namespace regista::match {
+namespace {
+
+TEST(RoleNames, ShowTheListOnlyWhereTheNameAloneIsAmbiguous) {
+  const std::vector<Role> roles{{.name = "goalkeeper"},
+                                {.name = "striker"},
+                                {.name = "goalkeeper", .list = "searching"},
+                                {.name = "seeker", .list = "searching"}};
+  EXPECT_EQ(role_names(roles),
+            (std::vector<std::string>{"playing.goalkeeper", "striker", "searching.goalkeeper", "seeker"}));
+}
+
+TEST(ReasonNames, EveryReasonHasOne) {
+  std::set<std::string_view> names;
+  for (int reason = 0; reason < REGISTA_EVENT_COUNT; ++reason) names.insert(reason_name(reason));
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(REGISTA_EVENT_COUNT));
+  EXPECT_EQ(reason_name(REGISTA_EVENT_PERIOD), "period");
+  EXPECT_EQ(reason_name(REGISTA_EVENT_GOALKEEPER_SAW_BALL), "goalkeeper_saw_ball");
+  EXPECT_EQ(reason_name(REGISTA_EVENT_RETURNED), "returned");
+  EXPECT_EQ(reason_name(REGISTA_EVENT_OFFER), "offer");
+  EXPECT_THROW(reason_name(REGISTA_EVENT_COUNT), std::out_of_range);
+}
+
+TEST(Words, OfEventsAreOne) {
+  EXPECT_EQ(word(EventKind::kick_off), "kick_off");
+  for (int kind = 0; kind <= static_cast<int>(EventKind::opening); ++kind) {
+    EXPECT_EQ(word(static_cast<EventKind>(kind)).find_first_not_of("abcdefghijklmnopqrstuvwxyz_"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace regista::match
