@@ -29,12 +29,13 @@ struct Run {
   SharedNote note;
   std::unique_ptr<Worker> worker;
   std::vector<End> deaths;
+  std::optional<Decided> forfeited;  // already; what runs still is for the recording alone
   int attempts = 0;      // workers so far
   double seconds = 0.0;  // of all of them
 };
 
 // What the answer decides; nothing when the worker broke down, and `end` then tells how. seconds: of all its workers.
-std::optional<Decided> answered(End& end, double seconds) {
+std::optional<Decided> answered(End& end, double seconds, std::string& not_recorded) {
   Answer answer;
   try {
     answer = answer_from_json(end.text);
@@ -46,6 +47,7 @@ std::optional<Decided> answered(End& end, double seconds) {
   switch (answer.kind) {
     case Answer::Kind::played:
       answer.decided.seconds = seconds;
+      not_recorded = answer.message;
       return answer.decided;
     case Answer::Kind::failed:
       return forfeit(*answer.decided.failure, seconds);
@@ -123,7 +125,7 @@ class Engine {
   static std::int64_t row(std::uint64_t index) { return static_cast<std::int64_t>(index) + 1; }
 
   void start(Run& run) {
-    ++run.attempts;
+    if (!run.forfeited) ++run.attempts;
     run.worker = std::make_unique<Worker>(run.job, limits_, run.note);
   }
 
@@ -151,11 +153,22 @@ class Engine {
   // The worker has ended. True when the match is decided.
   bool settle(Run& run) {
     End end = run.worker->end();
+    if (run.forfeited) {
+      decide(run, *run.forfeited);
+      return true;
+    }
     run.seconds += end.seconds;
     if (end.how == End::How::answered) {
-      const std::optional<Decided> decided = answered(end, run.seconds);
+      std::string not_recorded;
+      const std::optional<Decided> decided = answered(end, run.seconds, not_recorded);
       if (decided) {
         if (!run.deaths.empty() && schedule_.accident) schedule_.accident(run.job, run.deaths.back());
+        if (!not_recorded.empty() && schedule_.not_recorded) schedule_.not_recorded(run.job, not_recorded);
+        if (decided->failure && record(run)) {
+          run.forfeited = decided;
+          start(run);
+          return false;
+        }
         decide(run, *decided);
         return true;
       }
@@ -163,6 +176,7 @@ class Engine {
     run.deaths.push_back(end);
     switch (judge(run.deaths)) {
       case Judgement::play_again:
+        record(run);
         start(run);
         return false;
       case Judgement::forfeit:
@@ -172,6 +186,13 @@ class Engine {
         break;
     }
     give_up(run.deaths);
+  }
+
+  // What failed once is recorded when it is played again. False: it was recorded the first time, or is not wanted.
+  bool record(Run& run) {
+    if (!run.job.record.empty() || !schedule_.record_failure) return false;
+    run.job.record = schedule_.record_failure(run.indices.front());
+    return !run.job.record.empty();
   }
 
   void decide(const Run& run, const Decided& decided) {
@@ -198,6 +219,7 @@ Decided play_alone(const Job& job, const Limits& limits) {
   SharedNote note;
   std::vector<End> deaths;
   double seconds = 0.0;
+  std::string not_recorded;
   for (;;) {
     Worker worker(job, limits, note);
     while (!worker.advance()) {
@@ -207,7 +229,7 @@ Decided play_alone(const Job& job, const Limits& limits) {
     End end = worker.end();
     seconds += end.seconds;
     if (end.how == End::How::answered) {
-      if (const std::optional<Decided> decided = answered(end, seconds)) return *decided;
+      if (const std::optional<Decided> decided = answered(end, seconds, not_recorded)) return *decided;
     }
     deaths.push_back(end);
     const Judgement judgement = judge(deaths);

@@ -29,6 +29,11 @@ struct Schedule {
   // store. False: enough, nothing more is needed.
   std::function<bool(std::uint64_t index, const Decided* decided, bool fresh)> take;
   Metrics metrics = Metrics::left_out;  // of results read from the store
+  // The file for the recording of a match that fails, at the end of which it fails once more; empty: none. May itself
+  // be empty.
+  std::function<std::string(std::uint64_t index)> record_failure;
+  // A match was played, but could not be recorded. May be empty.
+  std::function<void(const Job& job, const std::string& why)> not_recorded;
   // A worker died over this match, but the next one did not: an accident of the machine. May be empty.
   std::function<void(const Job& job, const End& death)> accident;
   std::function<bool()> asked_to_stop;  // looked at ten times a second

@@ -81,6 +81,7 @@ std::string to_json(const Job& job) {
                    {"plugins", job.plugins},
                    {"limit", job.limit},
                    {"seed", job.seed},
+                   {"record", job.record},
                    {"home_inputs", json_of(job.home_inputs)},
                    {"away_inputs", json_of(job.away_inputs)},
                    {"common_inputs", json_of(job.common_inputs)}});
@@ -98,6 +99,7 @@ Job job_from_json(const std::string& text) {
     json.at("plugins").get_to(job.plugins);
     json.at("limit").get_to(job.limit);
     json.at("seed").get_to(job.seed);
+    json.at("record").get_to(job.record);
     job.home_inputs = inputs_of(json.at("home_inputs"));
     job.away_inputs = inputs_of(json.at("away_inputs"));
     job.common_inputs = inputs_of(json.at("common_inputs"));

@@ -21,6 +21,7 @@ struct Job {
   std::string opening;                    // file of the scene it starts from; empty: from kick-off
   std::string limit;                      // simulated seconds, as typed; empty: none, or the opening's length
   std::uint64_t seed = 1;
+  std::string record;  // file that the worker records the match in, replacing it; empty: none. Part of no key.
   // What is to be played, as inputs.hpp counts it up. A worker that finds something else in the files does not play.
   std::vector<Input> home_inputs, away_inputs, common_inputs;
   friend bool operator==(const Job&, const Job&) = default;
@@ -61,7 +62,7 @@ struct Answer {
   };
   Kind kind = Kind::stopped;
   Decided decided;
-  std::string message;
+  std::string message;            // of a match that was played: why it could not be recorded, else empty
 };
 
 std::string to_json(const Job& job);

@@ -184,7 +184,8 @@ std::unique_ptr<report::MatchRecording> begin_recording(const Options& options, 
     throw BadInput(fmt::format("--record {}: exists already; --force replaces it", options.record));
   }
   try {
-    return std::make_unique<report::MatchRecording>(options.record, setup, options.force);
+    return std::make_unique<report::MatchRecording>(options.record, setup,
+                                                    report::MatchRecording::Options{options.force, true});
   } catch (const mcap::Error& error) {
     throw BadInput(fmt::format("--record: {}", error.what()));
   }

@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <filesystem>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -25,10 +27,13 @@
 #include "cli/match_report.hpp"
 #include "cli/match_setup.hpp"
 #include "cli/plugin_folders.hpp"
+#include "cli/shell.hpp"
 #include "config/text.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
+#include "mcap/error.hpp"
 #include "plugin/failure.hpp"
+#include "report/match_recording.hpp"
 
 namespace regista::cli {
 namespace {
@@ -64,6 +69,64 @@ std::string metrics_of(const PlayedMatch& played) {
   return json.dump();
 }
 
+// The recording of a match of a campaign: when it cannot be written, the match is played to its end all the same.
+class Recording {
+ public:
+  Recording(const campaign::Job& job, const MatchSetup& prepared, const std::array<const mind::TeamPlan*, 2>& plans) {
+    if (job.record.empty()) return;
+    std::vector<std::string> words = campaign::match_arguments(job);
+    words.insert(words.begin(), "regista");
+    const std::string opening = prepared.setup.opening ? prepared.setup.opening->name : "";
+    try {
+      std::filesystem::create_directories(std::filesystem::path(job.record).parent_path());
+      file_.emplace(job.record,
+                    report::RecordedSetup{plans, "regista " REGISTA_VERSION, shell_line(words), opening, job.seed},
+                    report::MatchRecording::Options{.replace = true});
+    } catch (const std::filesystem::filesystem_error& error) {
+      why_not_ = fmt::format("{}: {}", job.record, error.code().message());
+      return;
+    } catch (const mcap::Error& error) {
+      why_not_ = error.what();
+      return;
+    }
+    observer_.step = [this](const match::Snapshot& snapshot) { write([&] { file_->stepped(snapshot); }); };
+    observer_.event = [this](double time, const match::Event& event, const match::GameState& state) {
+      write([&] { file_->event(time, event, state); });
+    };
+    after_ = [this](match::Side side, const mind::Mind& mind, const mind::Percepts& percepts,
+                    std::span<const mind::HeardPacket> packets, const mind::Outcome& outcome) {
+      write([&] { file_->decided(side, mind, percepts, packets, outcome); });
+    };
+  }
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
+
+  const match::Observer* observer() const { return &observer_; }
+  const match::AfterDecision& after() const { return after_; }
+  // Ends it; why there is none although there should be, else empty.
+  std::string close() {
+    write([&] { file_->close(); });
+    return why_not_;
+  }
+
+ private:
+  template <class Write>
+  void write(Write write) {
+    if (!file_) return;
+    try {
+      write();
+    } catch (const mcap::Error& error) {
+      why_not_ = error.what();
+      file_.reset();
+    }
+  }
+
+  std::optional<report::MatchRecording> file_;
+  std::string why_not_;
+  match::Observer observer_;
+  match::AfterDecision after_;
+};
+
 Answer play(const campaign::Job& job, const Invocation& invocation, plugin::CallNote& note) {
   const plugin::Catalogue catalogue = open_plugins(job.plugins, invocation);
   MatchSetup prepared = match_setup(request_of(job), catalogue);
@@ -80,12 +143,14 @@ Answer play(const campaign::Job& job, const Invocation& invocation, plugin::Call
     played.teams[match::index(side)] = plans[match::index(side)]->team().name;
     played.role_names[match::index(side)] = match::role_names(match::roles(*plans[match::index(side)]));
   }
+  Recording recording(job, prepared, plans);
   try {
-    played.result = match::play(std::move(prepared.setup), plans, nullptr, {}, &note);
+    played.result = match::play(std::move(prepared.setup), plans, recording.observer(), recording.after(), &note);
   } catch (const std::invalid_argument& error) {
     throw BadInput(error.what());  // profiles and teams that do not go together
   }
   answer.kind = Answer::Kind::played;
+  answer.message = recording.close();
   answer.decided.score = played.result.score;
   answer.decided.ended = match::name(played.result.ended);
   answer.decided.hash = match::hash_text(played.result.hash);

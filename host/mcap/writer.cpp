@@ -28,6 +28,7 @@ Writer::Writer(const std::filesystem::path& file, const WriterOptions& options)
   std::string begin(magic);
   append_record(begin, Header{options.profile, options.library});
   file_.append(begin);
+  if (options.background) background_.emplace();
 }
 
 Writer::~Writer() = default;
@@ -40,9 +41,9 @@ SchemaId Writer::add_schema(std::string_view name, std::string_view encoding, st
   if (schemas_.size() == most_ids) throw Error(file_.path(), "cannot hold more than 65535 schemas");
   const auto id = static_cast<SchemaId>(schemas_.size() + 1);
   schemas_.push_back({id, std::string(name), std::string(encoding), std::string(data)});
-  append_record(records_, schemas_.back());
+  append_record(filling_.records, schemas_.back());
   statistics_.schemas = static_cast<std::uint16_t>(schemas_.size());
-  if (records_.size() >= chunk_size_) finish_chunk();
+  if (filling_.records.size() >= chunk_size_) finish_chunk();
   return id;
 }
 
@@ -57,10 +58,10 @@ ChannelId Writer::add_channel(std::string_view topic, std::string_view message_e
   if (channels_.size() == most_ids) throw Error(file_.path(), "cannot hold more than 65535 channels");
   const auto id = static_cast<ChannelId>(channels_.size() + 1);
   channels_.push_back({id, schema, std::string(topic), std::string(message_encoding), metadata});
-  places_.emplace_back();
-  append_record(records_, channels_.back());
+  filling_.places.emplace_back();
+  append_record(filling_.records, channels_.back());
   statistics_.channels = static_cast<std::uint32_t>(channels_.size());
-  if (records_.size() >= chunk_size_) finish_chunk();
+  if (filling_.records.size() >= chunk_size_) finish_chunk();
   return id;
 }
 
@@ -69,23 +70,24 @@ void Writer::write(const Message& message) {
   check_size("a message", message.data.size());
   const auto channel = static_cast<std::size_t>(message.channel) - 1;
   assert(channel < channels_.size());
-  records_.reserve(records_.size() + record_prefix + message_fields + message.data.size());
-  places_[channel].emplace_back(message.log_time, records_.size());
-  append_record(records_, message);
+  filling_.records.reserve(filling_.records.size() + record_prefix + message_fields + message.data.size());
+  filling_.places[channel].emplace_back(message.log_time, filling_.records.size());
+  append_record(filling_.records, message);
 
-  first_time_ = messages_ == 0 ? message.log_time : std::min(first_time_, message.log_time);
-  last_time_ = messages_ == 0 ? message.log_time : std::max(last_time_, message.log_time);
-  ++messages_;
+  filling_.first_time = filling_.messages == 0 ? message.log_time : std::min(filling_.first_time, message.log_time);
+  filling_.last_time = filling_.messages == 0 ? message.log_time : std::max(filling_.last_time, message.log_time);
+  ++filling_.messages;
   const bool is_first = statistics_.messages == 0;
   statistics_.first_time = is_first ? message.log_time : std::min(statistics_.first_time, message.log_time);
   statistics_.last_time = is_first ? message.log_time : std::max(statistics_.last_time, message.log_time);
   ++statistics_.messages;
   ++statistics_.messages_of[message.channel];
-  if (records_.size() >= chunk_size_) finish_chunk();
+  if (filling_.records.size() >= chunk_size_) finish_chunk();
 }
 
 void Writer::write(const Metadata& metadata) {
   check_open();
+  settle();
   check_text("the name of metadata", metadata.name);
   check_pairs("metadata", metadata.pairs);
   std::string record;
@@ -97,6 +99,7 @@ void Writer::write(const Metadata& metadata) {
 
 void Writer::write(const Attachment& attachment) {
   check_open();
+  settle();
   check_text("the name of an attachment", attachment.name);
   check_text("the media type of an attachment", attachment.media_type);
   check_size("an attachment", attachment.name.size() + attachment.media_type.size() + attachment.data.size());
@@ -110,52 +113,75 @@ void Writer::write(const Attachment& attachment) {
 
 void Writer::finish_chunk() {
   check_open();
-  if (records_.empty()) return;
+  if (filling_.records.empty()) return;
+  if (!background_) {
+    store(filling_);
+    return;
+  }
+  background_->wait();
+  std::swap(filling_, finished_);
+  filling_.places.resize(channels_.size());
+  background_->begin([this] { store(finished_); });
+}
+
+void Writer::store(Chunk& chunk) {
   ChunkIndex index;
-  index.first_time = messages_ == 0 ? 0 : first_time_;
-  index.last_time = messages_ == 0 ? 0 : last_time_;
+  index.first_time = chunk.messages == 0 ? 0 : chunk.first_time;
+  index.last_time = chunk.messages == 0 ? 0 : chunk.last_time;
   index.offset = file_.size();
   index.compression = compressor_ ? "zstd" : "";
-  index.uncompressed_size = records_.size();
+  index.uncompressed_size = chunk.records.size();
 
   // The fields stand before the records and tell their compressed size; they are written over once it is known.
   const std::size_t prefix = record_prefix + chunk_fields + index.compression.size();
-  finished_.assign(prefix, '\0');
+  bytes_.assign(prefix, '\0');
   if (compressor_) {
-    compressor_->append(finished_, records_);
+    compressor_->append(bytes_, chunk.records);
   } else {
-    finished_.append(records_);
+    bytes_.append(chunk.records);
   }
-  index.length = finished_.size();
-  index.compressed_size = finished_.size() - prefix;
+  index.length = bytes_.size();
+  index.compressed_size = bytes_.size() - prefix;
   std::string fields;
-  append_chunk_fields(fields, index, checksum(records_));
+  append_chunk_fields(fields, index, checksum(chunk.records));
   assert(fields.size() == prefix);
-  finished_.replace(0, prefix, fields);
+  bytes_.replace(0, prefix, fields);
 
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (places_[i].empty()) continue;
-    index.message_indexes.emplace_back(channels_[i].id, index.offset + finished_.size());
-    append_message_index(finished_, channels_[i].id, places_[i]);
+  for (std::size_t i = 0; i < chunk.places.size(); ++i) {
+    if (chunk.places[i].empty()) continue;
+    const auto channel = static_cast<ChannelId>(i + 1);
+    index.message_indexes.emplace_back(channel, index.offset + bytes_.size());
+    append_message_index(bytes_, channel, chunk.places[i]);
   }
-  index.message_index_length = finished_.size() - index.length;
+  index.message_index_length = bytes_.size() - index.length;
 
-  file_.append(finished_);
+  file_.append(bytes_);
   chunks_.push_back(std::move(index));
-  ++statistics_.chunks;
-  records_.clear();
-  for (std::vector<MessagePlace>& places : places_) places.clear();
-  messages_ = 0;
+  chunk.records.clear();
+  for (std::vector<MessagePlace>& places : chunk.places) places.clear();
+  chunk.messages = 0;
 }
 
 void Writer::close() {
+  settle();
   if (!file_.is_open()) return;
   finish_chunk();
+  settle();
   std::string end;
   append_data_end(end, file_.checksum());
   file_.append(end);
+  statistics_.chunks = static_cast<std::uint32_t>(chunks_.size());
   file_.append(summary());
   file_.close();
+}
+
+void Writer::settle() {
+  if (background_) background_->wait();
+}
+
+std::uint64_t Writer::bytes_written() {
+  settle();
+  return file_.size();
 }
 
 std::string Writer::summary() const {
@@ -181,7 +207,11 @@ std::string Writer::summary() const {
   return bytes;
 }
 
-void Writer::check_open() const {
+void Writer::check_open() {
+  if (background_) {
+    background_->throw_if_failed();
+    return;
+  }
   assert(file_.is_open());
   file_.throw_if_failed();
 }

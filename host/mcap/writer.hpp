@@ -9,9 +9,10 @@
 //   writer.write({.channel = truth, .sequence = 0, .log_time = 0, .publish_time = 0, .data = R"({"ball": [0, 0]})"});
 //   writer.close();
 //
-// In memory stands one chunk, plain and compressed, and about 100 bytes of index for every chunk written. A finished
-// chunk is with the kernel: a process that dies leaves a file whose finished chunks can all be read; so does a writer
-// that is destroyed without close(). The bytes of the file depend on the calls and the version of zstd alone.
+// In memory stands one chunk, plain and compressed (two with a background), and about 100 bytes of index for every
+// chunk written. A finished chunk is with the kernel: a process that dies leaves a file whose finished chunks can all
+// be read; so does a writer that is destroyed without close(). The bytes of the file depend on the calls and the
+// version of zstd alone.
 #pragma once
 
 #include <cstddef>
@@ -22,6 +23,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mcap/background.hpp"
 #include "mcap/compression.hpp"
 #include "mcap/encode.hpp"
 #include "mcap/output_file.hpp"
@@ -38,6 +40,9 @@ struct WriterOptions {
   Compression compression = Compression::zstd;
   int level = 1;  // of zstd, 1 to 19; numbers as text get larger, not smaller, by 2, 3, 5 and 7 (benchmarks/mcap)
   bool replace = false;  // a file of this name, instead of refusing it
+  // Finished chunks are compressed and written by a thread of their own. Failures are then told a chunk later; the
+  // bytes of the file are the same.
+  bool background = false;
 };
 
 class Writer {
@@ -64,11 +69,11 @@ class Writer {
   // Ends the file with its summary. Nothing can be written afterwards; a second close() does nothing.
   void close();
 
-  std::uint64_t bytes_written() const { return file_.size(); }
-  const Statistics& statistics() const { return statistics_; }  // chunks: the finished ones
+  std::uint64_t bytes_written();
 
  private:
-  void check_open() const;
+  void check_open();
+  void settle();  // waits for the background
   void check_text(std::string_view what, std::string_view text) const;
   void check_size(std::string_view what, std::size_t bytes) const;
   void check_pairs(std::string_view what, const Pairs& pairs) const;
@@ -78,12 +83,16 @@ class Writer {
   std::size_t chunk_size_;
   std::optional<Compressor> compressor_;
 
-  // Of the chunk that is being filled.
-  std::string records_;
-  std::vector<std::vector<MessagePlace>> places_;  // by channel
-  std::size_t messages_ = 0;
-  std::uint64_t first_time_ = 0, last_time_ = 0;
-  std::string finished_;  // its bytes as they go to the file
+  struct Chunk {
+    std::string records;
+    std::vector<std::vector<MessagePlace>> places;  // by channel
+    std::size_t messages = 0;
+    std::uint64_t first_time = 0, last_time = 0;
+  };
+  void store(Chunk& chunk);  // in the file, and empties it
+  Chunk filling_;
+  Chunk finished_;     // in the background
+  std::string bytes_;  // of the last chunk as they went to the file
 
   // Of the file.
   std::vector<Schema> schemas_;    // identifiers count from 1
@@ -92,6 +101,7 @@ class Writer {
   std::vector<MetadataIndex> metadata_;
   std::vector<AttachmentIndex> attachments_;
   Statistics statistics_;
+  std::optional<Background> background_;  // last: it uses the others
 };
 
 }  // namespace regista::mcap

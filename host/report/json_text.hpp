@@ -1,111 +1,126 @@
 // SPDX-License-Identifier: MIT
-// Writes JSON text by hand, straight into a string that is reused: a recording writes ten million numbers a match, and
-// a tree of values for each message would cost more than the match. Numbers are rounded to a fixed number of decimals.
+// Writes JSON text straight into memory that is reused: a recording writes ten million numbers a match, and a tree of
+// values for each message would cost more than the match. Numbers are rounded to a fixed number of decimals.
 #pragma once
 
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <string>
+#include <cstring>
 #include <string_view>
+#include <vector>
 
 namespace regista::report {
 
+// Keys and words are names of this program: nothing in them needs to be escaped.
 class JsonText {
  public:
+  JsonText() : memory_(4096), end_(memory_.data()) {}
+  JsonText(const JsonText&) = delete;
+  JsonText& operator=(const JsonText&) = delete;
+
   void clear() {
-    text_.clear();
+    end_ = memory_.data();
     first_ = true;
   }
-  std::string_view text() const { return text_; }
+  std::string_view text() const { return {memory_.data(), static_cast<std::size_t>(end_ - memory_.data())}; }
 
   JsonText& key(std::string_view name) {
-    comma();
-    text_ += '"';
-    text_ += name;  // names of this program, nothing to escape
-    text_ += "\":";
+    begin_value(name.size() + 4);
+    *end_++ = '"';
+    put(name);
+    *end_++ = '"';
+    *end_++ = ':';
     first_ = true;
     return *this;
   }
   JsonText& open(char bracket) {
-    comma();
-    text_ += bracket;
+    begin_value(2);
+    *end_++ = bracket;
     first_ = true;
     return *this;
   }
   JsonText& close(char bracket) {
-    text_ += bracket;
+    make_room(1);
+    *end_++ = bracket;
     first_ = false;
     return *this;
   }
-  JsonText& null() { return raw("null"); }
-  JsonText& boolean(bool value) { return raw(value ? "true" : "false"); }
-  // Text that is JSON already.
-  JsonText& raw(std::string_view json) {
-    comma();
-    text_ += json;
-    first_ = false;
-    return *this;
-  }
-  JsonText& name(std::string_view word) {
-    comma();
-    text_ += '"';
-    text_ += word;
-    text_ += '"';
-    first_ = false;
+  JsonText& null() { return bare("null"); }
+  JsonText& boolean(bool value) { return bare(value ? "true" : "false"); }
+  JsonText& word(std::string_view word) {
+    begin_value(word.size() + 3);
+    *end_++ = '"';
+    put(word);
+    *end_++ = '"';
     return *this;
   }
   JsonText& integer(std::int64_t value) {
-    comma();
-    digits(value);
-    first_ = false;
+    begin_value(24);
+    end_ = std::to_chars(end_, end_ + 24, value).ptr;
     return *this;
   }
-  // `decimals`, 1 to 6, are kept, without trailing zeros; null where the value is not finite.
+  // With so many decimals, 1 to 6, without trailing zeros; null where the value is not finite.
   JsonText& number(double value, int decimals = 3) {
-    if (!std::isfinite(value)) return null();
-    constexpr std::int64_t powers[] = {1, 10, 100, 1000, 10'000, 100'000, 1'000'000};
-    if (std::abs(value) > 1e9) return shortest(value);
-    std::int64_t parts = std::llround(value * static_cast<double>(powers[decimals]));
-    comma();
-    first_ = false;
-    if (parts < 0) text_ += '-';
-    parts = parts < 0 ? -parts : parts;
-    digits(parts / powers[decimals]);
-    std::int64_t rest = parts % powers[decimals];
-    if (rest == 0) return *this;
-    char tail[7];
-    tail[0] = '.';
-    for (int i = decimals; i > 0; --i, rest /= 10) tail[i] = static_cast<char>('0' + rest % 10);
-    int length = decimals + 1;
-    while (tail[length - 1] == '0') --length;
-    text_.append(tail, static_cast<std::size_t>(length));
+    constexpr double powers[] = {1, 10, 100, 1e3, 1e4, 1e5, 1e6};
+    if (!(std::abs(value) < 1e9)) return std::isfinite(value) ? shortest(value) : null();
+    const double scaled = value * powers[decimals];
+    auto parts = static_cast<std::int64_t>(scaled + std::copysign(0.5, scaled));
+    begin_value(24);
+    if (parts < 0) {
+      *end_++ = '-';
+      parts = -parts;
+    }
+    while (decimals > 0 && parts % 10 == 0) {
+      parts /= 10;
+      --decimals;
+    }
+    char digits[20];
+    char* first = digits + sizeof digits;
+    for (int i = 0; i < decimals; ++i, parts /= 10) *--first = static_cast<char>('0' + parts % 10);
+    if (decimals > 0) *--first = '.';
+    do {
+      *--first = static_cast<char>('0' + parts % 10);
+      parts /= 10;
+    } while (parts != 0);
+    put({first, static_cast<std::size_t>(digits + sizeof digits - first)});
     return *this;
   }
-  // Of a size that nobody knows beforehand: about five digits.
-  JsonText& quantity(double value) {
+  // Of a size that nobody knows beforehand: with `decimals`, but never fewer than about four digits.
+  JsonText& quantity(double value, int decimals) {
     const double size = std::abs(value);
-    return size == 0.0 || (size >= 0.1 && size <= 1e9) || !std::isfinite(value) ? number(value, 5) : shortest(value);
+    return size > 0.0 && size < 0.1 ? shortest(value) : number(value, decimals);
   }
 
  private:
-  JsonText& shortest(double value) {
-    comma();
-    char buffer[32];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 5).ptr;
-    text_.append(buffer, static_cast<std::size_t>(end - buffer));
-    first_ = false;
+  JsonText& bare(std::string_view json) {
+    begin_value(json.size() + 1);
+    put(json);
     return *this;
   }
-  void comma() {
-    if (!first_) text_ += ',';
+  JsonText& shortest(double value) {
+    begin_value(32);
+    end_ = std::to_chars(end_, end_ + 32, value, std::chars_format::general, 4).ptr;
+    return *this;
   }
-  void digits(std::int64_t value) {
-    char buffer[20];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-    text_.append(buffer, static_cast<std::size_t>(end - buffer));
+  void begin_value(std::size_t bytes) {
+    make_room(bytes + 1);
+    if (!first_) *end_++ = ',';
+    first_ = false;
   }
-  std::string text_;
+  void make_room(std::size_t bytes) {
+    const std::size_t used = text().size();
+    if (memory_.size() - used >= bytes) return;
+    memory_.resize(2 * (used + bytes));
+    end_ = memory_.data() + used;
+  }
+  void put(std::string_view text) {
+    std::memcpy(end_, text.data(), text.size());
+    end_ += text.size();
+  }
+
+  std::vector<char> memory_;
+  char* end_;
   bool first_ = true;
 };
 

@@ -18,27 +18,28 @@ namespace {
 
 constexpr int game_steps = match::physics_steps_per_second / 10;
 constexpr double belief_period = 0.5;  // s
+constexpr double chunk_period = 2.0;   // s: what a crash may take away
 
 std::uint64_t nanoseconds(double seconds) { return static_cast<std::uint64_t>(std::llround(seconds * 1e9)); }
 
-// From the field frame of a team into the world frame: as it is, or turned by half a turn.
+// From the field frame of a team into the world frame: as it is, or turned by half a turn. What robots believe is told
+// to the centimetre and the hundredth of a radian.
 struct ToWorld {
   double direction;
 
-  void point(JsonText& json, const double (&xy)[2]) const { point(json, xy[0], xy[1]); }
-  void point(JsonText& json, double x, double y) const {
-    json.open('[').number(direction * x).number(direction * y).close(']');
+  void point(JsonText& json, const double (&xy)[2]) const {
+    json.open('[').number(direction * xy[0], 2).number(direction * xy[1], 2).close(']');
   }
-  void pose(JsonText& json, double x, double y, double heading) const {
-    const double turned = direction > 0.0 ? heading : match::wrapped(heading + std::numbers::pi);
-    json.open('[').number(direction * x).number(direction * y).number(turned).close(']');
-  }
-  void pose(JsonText& json, const double (&values)[3]) const { pose(json, values[0], values[1], values[2]); }
-  // Half a turn leaves a covariance as it is: xx, xy, yy.
-  static void covariance(JsonText& json, double xx, double xy, double yy) {
-    json.open('[').number(xx, 4).number(xy, 4).number(yy, 4).close(']');
+  void pose(JsonText& json, const double (&pose)[3]) const {
+    const double turned = direction > 0.0 ? pose[2] : match::wrapped(pose[2] + std::numbers::pi);
+    json.open('[').number(direction * pose[0], 2).number(direction * pose[1], 2).number(turned, 2).close(']');
   }
 };
+
+// xx, xy, yy; half a turn leaves them as they are.
+void covariance(JsonText& json, double xx, double xy, double yy) {
+  json.open('[').number(xx, 4).number(xy, 4).number(yy, 4).close(']');
+}
 
 void numbers_of(JsonText& json, std::uint32_t set) {
   json.open('[');
@@ -48,6 +49,15 @@ void numbers_of(JsonText& json, std::uint32_t set) {
   json.close(']');
 }
 
+// A list of what `write` writes of each of `elements`.
+template <class Elements, class Write>
+void column(JsonText& json, std::string_view name, const Elements& elements, Write write) {
+  json.key(name).open('[');
+  for (const auto& element : elements) write(element);
+  json.close(']');
+}
+
+// Robots stand in columns: a name is written once, not once for each robot, which halves the bytes.
 void world(JsonText& json, const mind::Snapshot& snapshot, const ToWorld& to) {
   const regista_ball& ball = snapshot.raw.ball;
   json.key("ball");
@@ -57,37 +67,44 @@ void world(JsonText& json, const mind::Snapshot& snapshot, const ToWorld& to) {
     json.key("velocity");
     to.point(json, ball.velocity);
     json.key("covariance");
-    ToWorld::covariance(json, ball.covariance[0], ball.covariance[1], ball.covariance[5]);
-    json.key("age").number(ball.age).close('}');
+    covariance(json, ball.covariance[0], ball.covariance[1], ball.covariance[5]);
+    json.key("age").number(ball.age, 2).close('}');
   } else {
     json.null();
   }
-  json.key("teammates").open('[');
-  for (const regista_robot& robot : snapshot.robots) {
-    if ((robot.flags & REGISTA_ROBOT_KNOWN) == 0) continue;
-    json.open('{').key("number").integer(robot.number).key("pose");
-    to.pose(json, robot.pose);
-    json.key("covariance");
-    ToWorld::covariance(json, robot.covariance[0], robot.covariance[1], robot.covariance[4]);
-    json.key("age").number(robot.age);
-    json.key("active").boolean((robot.flags & REGISTA_ROBOT_ACTIVE) != 0);
-    json.key("role").integer(robot.role).close('}');
-  }
-  json.close(']').key("opponents").open('[');
-  for (const regista_opponent& opponent : snapshot.opponents) {
-    json.open('{').key("at");
-    to.point(json, opponent.position);
-    json.key("covariance");
-    ToWorld::covariance(json, opponent.covariance[0], opponent.covariance[1], opponent.covariance[3]);
-    json.key("age").number(opponent.age).key("weight").number(opponent.weight).close('}');
-  }
-  json.close(']');
+  const auto known = [&](std::string_view name, auto write) {
+    column(json, name, snapshot.robots, [&](const regista_robot& robot) {
+      if ((robot.flags & REGISTA_ROBOT_KNOWN) != 0) write(robot);
+    });
+  };
+  json.key("teammates").open('{');
+  known("number", [&](const regista_robot& robot) { json.integer(robot.number); });
+  known("pose", [&](const regista_robot& robot) { to.pose(json, robot.pose); });
+  known("covariance", [&](const regista_robot& robot) {
+    covariance(json, robot.covariance[0], robot.covariance[1], robot.covariance[4]);
+  });
+  known("age", [&](const regista_robot& robot) { json.number(robot.age, 2); });
+  known("role", [&](const regista_robot& robot) { json.integer(robot.role); });
+  column(json, "active", snapshot.active, [&](std::int32_t number) { json.integer(number); });
+  json.close('}').key("opponents").open('{');
+  column(json, "at", snapshot.opponents, [&](const regista_opponent& opponent) { to.point(json, opponent.position); });
+  column(json, "covariance", snapshot.opponents, [&](const regista_opponent& opponent) {
+    covariance(json, opponent.covariance[0], opponent.covariance[1], opponent.covariance[3]);
+  });
+  column(json, "age", snapshot.opponents, [&](const regista_opponent& opponent) { json.number(opponent.age, 2); });
+  column(json, "weight", snapshot.opponents,
+         [&](const regista_opponent& opponent) { json.number(opponent.weight, 2); });
+  json.close('}');
 }
 
 void placement(JsonText& json, const plugin::Placement& placement, const ToWorld& to) {
   json.key("waypoints").open('[');
   for (const regista_waypoint& point : placement.points) {
-    json.open('[').number(to.direction * point.x).number(to.direction * point.y).quantity(point.score).close(']');
+    json.open('[')
+        .number(to.direction * point.x, 2)
+        .number(to.direction * point.y, 2)
+        .quantity(point.score, 4)
+        .close(']');
   }
   json.close(']').key("edges").open('[');
   for (const regista_edge& edge : placement.edges) {
@@ -115,11 +132,11 @@ void tasks(JsonText& json, const mind::Decision& decision, const ToWorld& to) {
 }
 
 // Row by row; null where a pair is forbidden.
-void matrix(JsonText& json, const std::vector<double>& values, std::size_t columns) {
+void matrix(JsonText& json, const std::vector<double>& values, std::size_t columns, int decimals) {
   json.open('[');
   for (std::size_t i = 0; columns > 0 && i + columns <= values.size(); i += columns) {
     json.open('[');
-    for (std::size_t j = 0; j < columns; ++j) json.quantity(values[i + j]);
+    for (std::size_t j = 0; j < columns; ++j) json.quantity(values[i + j], decimals);
     json.close(']');
   }
   json.close(']');
@@ -137,8 +154,9 @@ struct MatchRecording::Parts {
     std::uint32_t decision_count = 0, belief_count = 0;
   };
 
-  Parts(const std::filesystem::path& file, const RecordedSetup& setup, bool replace)
-      : plans(setup.plans), writer(file, {.library = setup.program, .replace = replace}) {
+  Parts(const std::filesystem::path& file, const RecordedSetup& setup, const Options& options)
+      : plans(setup.plans),
+        writer(file, {.library = setup.program, .replace = options.replace, .background = options.background}) {
     const auto channel = [&](const char* topic, const char* schema, const std::string& text) {
       return writer.add_channel(topic, "json", writer.add_schema(schema, "jsonschema", text));
     };
@@ -195,6 +213,7 @@ struct MatchRecording::Parts {
   std::vector<mind::Segment> segments;
   std::array<std::vector<Last>, 2> last;  // by side and number
   std::uint64_t steps = 0;
+  double chunk_began = 0.0;
   int half = 1;
 };
 
@@ -205,14 +224,14 @@ void MatchRecording::Parts::write_decision(Last& robot, match::Side side, const 
   json.key("context").integer(decision.context);
   if (decision.context < 0) {
     // Nothing was decided; what stands in the decision is of an earlier one.
-    json.key("knowledge").name("mine");
+    json.key("knowledge").word("mine");
     for (const char* empty : {"waypoints", "edges", "tasks", "columns", "rows", "utility", "terms"}) {
       json.key(empty).open('[').close(']');
     }
   } else {
     const auto& context = plans[match::index(side)]->team().contexts[static_cast<std::size_t>(decision.context)];
     const bool common = context.utility_knowledge == config::Knowledge::common;
-    json.key("knowledge").name(common ? "common" : "mine");
+    json.key("knowledge").word(common ? "common" : "mine");
     placement(json, decision.placement, to);
     tasks(json, decision, to);
     json.key("rows").open('[');
@@ -220,9 +239,9 @@ void MatchRecording::Parts::write_decision(Last& robot, match::Side side, const 
       json.integer(number);
     const std::size_t columns = decision.columns.size();
     json.close(']').key("utility");
-    matrix(json, decision.utility, columns);
+    matrix(json, decision.utility, columns, 5);
     json.key("terms").open('[');
-    for (const std::vector<double>& term : decision.terms) matrix(json, term, columns);
+    for (const std::vector<double>& term : decision.terms) matrix(json, term, columns, 4);
     json.close(']');
   }
   json.key("assigned").open('[');
@@ -237,7 +256,7 @@ void MatchRecording::Parts::write_belief(Last& robot, match::Side side, const mi
   const regista_track& self = mind.world().local().self();
   begin(time);
   json.key("pose");
-  to.pose(json, self.x, self.y, self.heading);
+  to.pose(json, {self.x, self.y, self.heading});
   json.key("sees_ball").boolean(mind.world().local().sees_ball());
   json.key("mine").open('{');
   world(json, mind.world().mine(), to);
@@ -251,8 +270,8 @@ void MatchRecording::Parts::write_belief(Last& robot, match::Side side, const mi
   write(robot.beliefs, time, robot.belief_count);
 }
 
-MatchRecording::MatchRecording(const std::filesystem::path& file, const RecordedSetup& setup, bool replace)
-    : parts_(std::make_unique<Parts>(file, setup, replace)) {}
+MatchRecording::MatchRecording(const std::filesystem::path& file, const RecordedSetup& setup, const Options& options)
+    : parts_(std::make_unique<Parts>(file, setup, options)) {}
 
 MatchRecording::~MatchRecording() {
   try {
@@ -272,14 +291,14 @@ void MatchRecording::decided(match::Side side, const mind::Mind& mind, const min
     const auto report = mind::decode(packet.bytes, parts.limits[match::index(side)], parts.segments);
     if (!report) continue;
     parts.begin(packet.time_heard);
-    parts.json.key("side").name(match::name(side)).key("robot").integer(mind.number());
+    parts.json.key("side").word(match::name(side)).key("robot").integer(mind.number());
     parts.json.key("sender").integer(report->sender).key("sent").number(report->time_sent).close('}');
     parts.write(parts.heard, packet.time_heard, parts.heard_count);
   }
   if (outcome.send) {
     parts.begin(percepts.time);
-    parts.json.key("side").name(match::name(side)).key("robot").integer(mind.number());
-    parts.json.key("reason").name(match::reason_name(outcome.send_reason));
+    parts.json.key("side").word(match::name(side)).key("robot").integer(mind.number());
+    parts.json.key("reason").word(match::reason_name(outcome.send_reason));
     parts.json.key("bytes").integer(static_cast<std::int64_t>(outcome.packet.size())).close('}');
     parts.write(parts.packets, percepts.time, parts.packet_count);
   }
@@ -301,7 +320,7 @@ void MatchRecording::decided(match::Side side, const mind::Mind& mind, const min
 void MatchRecording::event(double time, const match::Event& event, const match::GameState& state) {
   Parts& parts = *parts_;
   parts.begin(time);
-  parts.json.key("event").name(match::word(event.kind)).key("side").name(match::name(event.side));
+  parts.json.key("event").word(match::word(event.kind)).key("side").word(match::name(event.side));
   parts.json.key("robot").integer(event.number);
   parts.json.key("score").open('[').integer(state.goals[0]).integer(state.goals[1]).close(']').close('}');
   parts.write(parts.events, time, parts.event_count);
@@ -309,6 +328,10 @@ void MatchRecording::event(double time, const match::Event& event, const match::
 
 void MatchRecording::stepped(const match::Snapshot& snapshot) {
   Parts& parts = *parts_;
+  if (snapshot.time - parts.chunk_began >= chunk_period) {
+    parts.writer.finish_chunk();
+    parts.chunk_began = snapshot.time;
+  }
   const match::GameState& state = snapshot.state;
   parts.half = state.half;
   if (++parts.steps % game_steps != 0) return;
@@ -325,8 +348,8 @@ void MatchRecording::stepped(const match::Snapshot& snapshot) {
     json.close(']');
   };
   parts.begin(snapshot.time);
-  json.key("half").integer(state.half).key("clock").number(state.clock).key("phase").name(match::name(state.phase));
-  json.key("set_play").name(match::name(state.set_play)).key("kicking").name(match::name(state.kicking));
+  json.key("half").integer(state.half).key("clock").number(state.clock).key("phase").word(match::name(state.phase));
+  json.key("set_play").word(match::name(state.set_play)).key("kicking").word(match::name(state.kicking));
   counts("score", state.goals);
   counts("packets_left", state.packets_left);
   robots("penalised", state.penalised[0] | static_cast<match::RobotSet>(state.penalised[1]) << team_size);

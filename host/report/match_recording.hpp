@@ -25,9 +25,12 @@ namespace regista::report {
 
 class MatchRecording {
  public:
-  // The plans of `setup` outlive the recording. `replace` a file of this name, instead of refusing it. Every function
-  // throws mcap::Error when the file cannot be written.
-  MatchRecording(const std::filesystem::path& file, const RecordedSetup& setup, bool replace = false);
+  struct Options {
+    bool replace = false;     // a file of this name, instead of refusing it
+    bool background = false;  // a thread of its own compresses and writes
+  };
+  // The plans of `setup` outlive the recording. Every function throws mcap::Error when the file cannot be written.
+  MatchRecording(const std::filesystem::path& file, const RecordedSetup& setup, const Options& options);
   ~MatchRecording();  // closes what close() has not
   MatchRecording(const MatchRecording&) = delete;
   MatchRecording& operator=(const MatchRecording&) = delete;

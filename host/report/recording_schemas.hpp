@@ -123,15 +123,19 @@ inline std::string decision() {
 inline std::string belief() {
   using namespace part;
   const std::string ball = object({{"at", point}, {"velocity", point}, {"covariance", covariance}, {"age", number}});
-  const std::string teammate = object({{"number", integer},
-                                       {"pose", pose},
-                                       {"covariance", covariance},
-                                       {"age", described(number, "s since there was news")},
-                                       {"active", R"({"type":"boolean"})"},
-                                       {"role", role}});
-  const std::string opponent = object({{"at", point}, {"covariance", covariance}, {"age", number}, {"weight", number}});
-  const std::string world =
-      object({{"ball", or_null(ball)}, {"teammates", list(teammate)}, {"opponents", list(opponent)}});
+  const std::string teammates = object({{"number", list(integer)},
+                                        {"pose", list(pose)},
+                                        {"covariance", list(covariance)},
+                                        {"age", described(list(number), "s since there was news")},
+                                        {"role", list(role)},
+                                        {"active", described(list(integer), "numbers of those that play")}});
+  const std::string opponents = object({{"at", list(point)},
+                                        {"covariance", list(covariance)},
+                                        {"age", list(number)},
+                                        {"weight", described(list(number), "probability that it is there")}});
+  const std::string world = object({{"ball", or_null(ball)},
+                                    {"teammates", described(teammates, "columns: one entry for each robot known")},
+                                    {"opponents", described(opponents, "columns: one entry for each opponent")}});
   return object({{"time", time},
                  {"pose", pose},
                  {"sees_ball", R"({"type":"boolean"})"},

@@ -21,6 +21,8 @@ INSTANTIATE_TEST_SUITE_P(Options, RoundTrip,
                                          WriterOptions{.chunk_size = 300},
                                          WriterOptions{.chunk_size = 300, .compression = Compression::none},
                                          WriterOptions{.profile = "x", .library = "y", .level = 1},
+                                         WriterOptions{.chunk_size = 1, .background = true},
+                                         WriterOptions{.chunk_size = 300, .background = true},
                                          WriterOptions{.chunk_size = largest_chunk_size, .level = 19}));
 
 TEST_P(RoundTrip, GivesBackWhatWasWritten) {
@@ -90,6 +92,14 @@ TEST_F(WriterTest, AFileWithoutMessagesIsWhole) {
   EXPECT_FALSE(contents.cut_off.has_value());
 }
 
+TEST_F(WriterTest, ABackgroundChangesNoByte) {
+  for (const std::size_t chunk_size : {std::size_t{1}, std::size_t{300}, largest_chunk_size}) {
+    write_example(path("plain.mcap"), {.chunk_size = chunk_size, .replace = true});
+    write_example(path("background.mcap"), {.chunk_size = chunk_size, .replace = true, .background = true});
+    EXPECT_EQ(bytes_of(path("plain.mcap")), bytes_of(path("background.mcap")));
+  }
+}
+
 TEST_F(WriterTest, FinishedChunksAreInTheFileAtOnce) {
   Writer writer(path("a.mcap"));
   const ChannelId channel = writer.add_channel("/t", "json");
@@ -151,7 +161,12 @@ TEST_F(WriterTest, AFullDiskIsReported) {
             "/dev/full: cannot be written: No space left on device");
 }
 
-TEST_F(WriterTest, ADiskThatFillsUpLeavesWholeChunksAndFailsFromThenOn) {
+// With and without a background.
+class FullDisk : public WriterTest, public testing::WithParamInterface<bool> {};
+
+INSTANTIATE_TEST_SUITE_P(Background, FullDisk, testing::Bool());
+
+TEST_P(FullDisk, LeavesWholeChunksAndFailsFromThenOn) {
   const std::string too_large = path("a.mcap").string() + ": cannot be written: File too large";
   struct rlimit before {};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
@@ -161,7 +176,7 @@ TEST_F(WriterTest, ADiskThatFillsUpLeavesWholeChunksAndFailsFromThenOn) {
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
   std::uint32_t written = 0;
   {
-    Writer writer(path("a.mcap"), {.chunk_size = 1000, .compression = Compression::none});
+    Writer writer(path("a.mcap"), {.chunk_size = 1000, .compression = Compression::none, .background = GetParam()});
     const ChannelId channel = writer.add_channel("/t", "json");
     const std::string data(200, 'x');
     const auto write = [&] { writer.write({channel, written, written, written, data}); };
