@@ -10,7 +10,9 @@
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/output.hpp"
+#include "cli/results_page.hpp"
 #include "cli/shell.hpp"
+#include "cli/stored_course.hpp"
 #include "cli/tournament_files.hpp"
 #include "config/text.hpp"
 #include "report/tournament.hpp"
@@ -24,14 +26,17 @@ constexpr auto examples = R"(Examples:
   regista report tournament.db --json
   regista report tournament.db --csv > matches.csv
   regista report tournament.db --csv --metrics > everything.csv
+  regista report tournament.db -o tournament.html
+  regista report tournament.db --figures figures --png
 
-What is told is what `regista tournament` told at its end; of a tournament that is not at its end, as far as its matches
+-o writes one page that needs nothing else, --figures each of its figures as NAME.svg, its data as NAME.csv, and
+NAME.gnuplot, which draws the one from the other. What is told is what `regista tournament` told at its end; of a tournament that is not at its end, as far as its matches
 have been played without a gap.
 Exit codes: 0 done; 1 the report could not be written; 2 bad input; 3 a defect of Regista.)";
 
 struct Options {
-  std::string file;
-  bool json = false, csv = false, metrics = false;
+  std::string file, page, figures;
+  bool json = false, csv = false, metrics = false, png = false, force = false;
 };
 
 // In pieces, so that a million rows need no memory.
@@ -46,12 +51,37 @@ void add_columns(std::vector<std::string>& columns, const campaign::Decided& dec
   }
 }
 
-int run(const Options& options, const Invocation& invocation) {
+void refuse_what_does_not_go_together(const Options& options) {
   if (options.file.empty()) throw BadInput("report: which results? Name a file that `regista tournament` wrote");
   if (options.csv && options.json) throw BadInput("report: --csv and --json: one of them");
   if (options.metrics && !options.csv) throw BadInput("report: --metrics adds columns to --csv, which is not given");
-  const StoredTournament results = read_results(options.file);
-  const campaign::Store& store = results.store;
+  const bool files = !options.page.empty() || !options.figures.empty();
+  if (files && (options.csv || options.json)) {
+    throw BadInput(fmt::format("report: {} and {}: one of them", options.page.empty() ? "--figures" : "-o",
+                               options.csv ? "--csv" : "--json"));
+  }
+  if (options.png && options.figures.empty()) throw BadInput("report: --png adds to --figures, which is not given");
+  if (options.force && !files) throw BadInput("report: --force belongs to -o or --figures, which are not given");
+}
+
+// Names of the metrics that matches have: until every team was seen in one that was played to its end.
+std::vector<std::string> metric_columns(const StoredCourse& stored, const study::Tournament& course) {
+  std::vector<std::string> columns;
+  const study::Calendar& calendar = course.calendar();
+  std::vector<bool> seen(course.failures().size(), false);
+  for (std::uint64_t index = 0; index < calendar.matches() && std::ranges::count(seen, false) > 0; ++index) {
+    const study::Fixture fixture = calendar.at(index);
+    if (seen[fixture.home] && seen[fixture.away]) continue;
+    const auto decided = stored.match(index, campaign::Metrics::wanted);
+    if (!decided) break;
+    if (decided->metrics.empty()) continue;
+    add_columns(columns, *decided);
+    seen[fixture.home] = seen[fixture.away] = true;
+  }
+  return columns;
+}
+
+int tell(const Options& options, const StoredTournament& results, const Invocation& invocation) {
   const study::TournamentPlan& plan = results.plan;
   study::Tournament course(plan);
   const report::TournamentView view{plan, course, [&plan, &course, &invocation](std::uint64_t index) {
@@ -61,49 +91,22 @@ int run(const Options& options, const Invocation& invocation) {
                                       return shell_line(words);
                                     }};
   try {
-    std::vector<std::string> keys;
-    for (campaign::Store::Fixture& each : study::fixtures(plan)) keys.push_back(std::move(each.key));
-    const std::vector<std::int64_t> numbers = store.numbers(keys);
+    const StoredCourse stored(results.store, plan);
     const bool needed = course.needs_metrics() || options.metrics;
-    const auto metrics = needed ? campaign::Metrics::wanted : campaign::Metrics::left_out;
-    const auto stored = [&](std::uint64_t index) {
-      const study::Fixture fixture = course.calendar().at(index);
-      return store.find(static_cast<std::int64_t>(index) + 1, {numbers[fixture.number], fixture.seed}, metrics);
-    };
-    std::vector<std::string> columns;
-    const std::uint64_t matches = course.calendar().matches();
-    if (options.metrics) {
-      // Until every team was seen in a match that was played to its end.
-      std::vector<bool> seen(plan.teams.size(), false);
-      for (std::uint64_t index = 0; index < matches && std::ranges::count(seen, false) > 0; ++index) {
-        const study::Fixture fixture = course.calendar().at(index);
-        if (seen[fixture.home] && seen[fixture.away]) continue;
-        const auto decided = stored(index);
-        if (!decided) break;
-        if (decided->metrics.empty()) continue;
-        add_columns(columns, *decided);
-        seen[fixture.home] = seen[fixture.away] = true;
-      }
-    }
+    const std::vector<std::string> columns =
+        options.metrics ? metric_columns(stored, course) : std::vector<std::string>();
     std::string csv = options.csv ? report::csv_head(columns) : std::string();
-    bool more = true;
-    for (std::uint64_t index = 0; more && index < matches; ++index) {
-      if (!course.wanted(index)) {
-        more = course.take(nullptr);
-        continue;
-      }
-      const std::optional<campaign::Decided> decided = stored(index);
-      if (!decided) break;
-      if (options.csv) csv += report::csv_line(view, index, *decided, columns);
-      if (csv.size() > piece) {
-        print(csv);
-        csv.clear();
-      }
-      more = course.take(&*decided);
-    }
-    if (more && course.taken() < matches) {
+    stored.play(course, needed ? campaign::Metrics::wanted : campaign::Metrics::left_out,
+                [&](std::uint64_t index, const campaign::Decided* decided) {
+                  if (!options.csv || decided == nullptr) return;
+                  csv += report::csv_line(view, index, *decided, columns);
+                  if (csv.size() <= piece) return;
+                  print(csv);
+                  csv.clear();
+                });
+    if (!course.complete()) {
       complain(fmt::format("{} holds {} of {} matches without a gap: the tournament is not at its end", options.file,
-                           course.matches(), matches));
+                           course.matches(), course.calendar().matches()));
     }
     if (options.csv)
       print(csv);
@@ -117,6 +120,19 @@ int run(const Options& options, const Invocation& invocation) {
   return exit_done;
 }
 
+int run(const Options& options, const Invocation& invocation) {
+  refuse_what_does_not_go_together(options);
+  const StoredTournament results = read_results(options.file);
+  if (options.page.empty() && options.figures.empty()) return tell(options, results, invocation);
+  PageWishes wishes;
+  if (!options.page.empty()) wishes.page = options.page;
+  if (!options.figures.empty()) wishes.figures = options.figures;
+  wishes.png = options.png;
+  wishes.existing = options.force ? Existing::replaced : Existing::refused;
+  write_page({options.file, results.store, results.plan, invocation}, wishes);
+  return exit_done;
+}
+
 }  // namespace
 
 Command add_report(CLI::App& parent, const Invocation& invocation) {
@@ -126,6 +142,12 @@ Command add_report(CLI::App& parent, const Invocation& invocation) {
   app.add_flag("--json", options->json, "write the report as JSON")->disable_flag_override();
   app.add_flag("--csv", options->csv, "write a table with a row for each match")->disable_flag_override();
   app.add_flag("--metrics", options->metrics, "with --csv: all numbers of the matches, too")->disable_flag_override();
+  app.add_option("-o,--output", options->page, "write the report as a page that needs nothing else")
+      ->type_name("PAGE.html");
+  app.add_option("--figures", options->figures, "write the figures of the page as files of this folder")
+      ->type_name("FOLDER");
+  app.add_flag("--png", options->png, "with --figures: each as PNG, too")->disable_flag_override();
+  app.add_flag("--force", options->force, "replace files that exist already")->disable_flag_override();
   app.footer(examples);
   return {&app, [options, &invocation] { return run(*options, invocation); }};
 }

@@ -14,10 +14,13 @@
 #include "cli/interruption.hpp"
 #include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
+#include "cli/results_page.hpp"
 #include "cli/shell.hpp"
+#include "cli/terminal.hpp"
 #include "cli/tournament_files.hpp"
 #include "cli/tournament_options.hpp"
 #include "cli/tournament_progress.hpp"
+#include "config/text.hpp"
 #include "report/tournament.hpp"
 #include "study/tournament.hpp"
 
@@ -44,18 +47,19 @@ of Regista.)";
 
 class Played {
  public:
-  Played(const TournamentOptions& options, const Invocation& invocation, study::TournamentPlan plan)
+  Played(const TournamentOptions& options, const Invocation& invocation, PlannedTournament planned)
       : options_(options),
         invocation_(invocation),
         workers_(number_of_workers(options)),
-        plan_(std::move(plan)),
+        plan_(std::move(planned.plan)),
+        documents_(std::move(planned.documents)),
         course_(plan_),
         view_{plan_, course_, [this](std::uint64_t index) { return again(job(index)); }} {}
   Played(const Played&) = delete;
   Played& operator=(const Played&) = delete;
 
   int play() {
-    campaign::Store store = open_results(options_.results, options_.resume, plan_);
+    campaign::Store store = open_results(options_.results, options_.resume, plan_, documents_);
     const Interruption interruption(fmt::format("regista: interrupted; to go on: {}\n", resume_line()));
     TournamentProgress progress(view_, !options_.quiet);
     progress.begin();
@@ -87,10 +91,16 @@ class Played {
     }
     progress.finish();
     print(options_.json ? report::tournament_json(view_) : report::tournament_text(view_));
+    if (!options_.no_page) write_page(store);
     return exit_done;
   }
 
  private:
+  void write_page(const campaign::Store& store) const {
+    const auto page = write_page_beside({options_.results, store, plan_, invocation_});
+    if (page && !options_.quiet) say(fmt::format("page: {}\n", config::one_line(page->string())));
+  }
+
   campaign::Schedule schedule_with(TournamentProgress& progress, const Interruption& interruption) {
     campaign::Schedule out;
     out.matches = course_.calendar().matches();
@@ -132,6 +142,7 @@ class Played {
   const Invocation& invocation_;
   int workers_;
   study::TournamentPlan plan_;
+  std::vector<std::string> documents_;  // of the teams
   study::Tournament course_;
   report::TournamentView view_;
   std::vector<std::int64_t> numbers_;  // of the fixtures, in the store
@@ -139,9 +150,9 @@ class Played {
 
 int tournament(const TournamentOptions& options, const Invocation& invocation) {
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  study::TournamentPlan plan = tournament_plan(options, catalogue);
+  PlannedTournament planned = planned_tournament(options, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
-  return Played(options, invocation, std::move(plan)).play();
+  return Played(options, invocation, std::move(planned)).play();
 }
 
 }  // namespace
@@ -193,6 +204,8 @@ Command add_tournament(CLI::App& parent, const Invocation& invocation) {
                  "processor time of one call of a plugin; default 10")
       ->type_name("SECONDS");
   app.add_option("--memory", options->memory, "address space of a match; default 2048")->type_name("MIB");
+  app.add_flag("--no-page", options->no_page, "write no page NAME.html beside the results NAME.db at the end")
+      ->disable_flag_override();
   app.add_flag("--json", options->json, "write the report as JSON")->disable_flag_override();
   app.add_flag("--quiet", options->quiet, "no progress on standard error")->disable_flag_override();
   app.footer(examples);

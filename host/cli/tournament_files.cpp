@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
@@ -12,7 +13,9 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto schedule = "schedule";  // its name in the file
+// Their names in the file.
+constexpr auto schedule = "schedule";
+constexpr auto teams_documents = "documents";
 
 study::TournamentPlan plan_of(const std::string& file, const std::string& stored) {
   try {
@@ -35,11 +38,14 @@ auto opening(Open open) {
 
 }  // namespace
 
-campaign::Store open_results(const std::string& file, bool resume, const study::TournamentPlan& plan) {
+campaign::Store open_results(const std::string& file, bool resume, const study::TournamentPlan& plan,
+                             const std::vector<std::string>& documents) {
   return opening([&] {
     campaign::Store store(file, resume ? campaign::Store::Mode::open : campaign::Store::Mode::create, REGISTA_VERSION);
     const std::string stored = store.meta(schedule);
     if (stored.empty()) {  // new, or killed before there was one
+      using Json = nlohmann::json;
+      store.set_meta(teams_documents, Json(documents).dump(-1, ' ', false, Json::error_handler_t::replace));
       store.set_meta(schedule, study::to_json(plan));
       return store;
     }
@@ -50,6 +56,16 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
                     "--results names a new file",
                     file, config::join(changed)));
   });
+}
+
+std::vector<std::string> stored_documents(const campaign::Store& store) {
+  const std::string stored = store.meta(teams_documents);
+  if (stored.empty()) return {};
+  try {
+    return nlohmann::json::parse(stored).get<std::vector<std::string>>();
+  } catch (const nlohmann::json::exception&) {
+    throw campaign::StoreError("the teams' documents in the results are damaged");
+  }
 }
 
 std::string damaged_metrics(const std::string& file, const std::invalid_argument& error) {

@@ -5,15 +5,21 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "campaign/store.hpp"
 #include "study/tournament_plan.hpp"
 
 namespace regista::cli {
 
-// Opens the file of results for this plan. Throws BadInput: it exists and is not to be continued, or the other way
-// round, holds something else, or cannot be used.
-campaign::Store open_results(const std::string& file, bool resume, const study::TournamentPlan& plan);
+// Opens the file of results for this plan. documents: of the teams, resolved, which the file keeps for its readers.
+// Throws BadInput: it exists and is not to be continued, or the other way round, holds something else, or cannot be
+// used.
+campaign::Store open_results(const std::string& file, bool resume, const study::TournamentPlan& plan,
+                             const std::vector<std::string>& documents);
+
+// The documents that a file keeps, by team; none in files of older programs. Throws campaign::StoreError.
+std::vector<std::string> stored_documents(const campaign::Store& store);
 
 // A file of results to be read, and what was planned. Throws BadInput.
 struct StoredTournament {

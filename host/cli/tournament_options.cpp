@@ -17,10 +17,12 @@
 #include "cli/match_report.hpp"
 #include "cli/match_setup.hpp"
 #include "cli/test_options.hpp"
+#include "config/documents.hpp"
 #include "config/text.hpp"
 #include "match/match.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
+#include "plugin/declarations.hpp"
 #include "study/metric.hpp"
 
 namespace regista::cli {
@@ -179,7 +181,7 @@ void refuse_too_many(const study::TournamentPlan& plan) {
 
 }  // namespace
 
-study::TournamentPlan tournament_plan(const TournamentOptions& options, const plugin::Catalogue& catalogue) {
+PlannedTournament planned_tournament(const TournamentOptions& options, const plugin::Catalogue& catalogue) {
   if (options.teams.size() < 2) {
     throw BadInput(
         fmt::format("tournament: two teams or more are wanted, each by --team FILE; {} given", options.teams.size()));
@@ -187,7 +189,8 @@ study::TournamentPlan tournament_plan(const TournamentOptions& options, const pl
   if (options.teams.size() > most_teams) {
     throw BadInput(fmt::format("tournament: {} teams; at most {} can play", options.teams.size(), most_teams));
   }
-  study::TournamentPlan plan;
+  PlannedTournament out;
+  study::TournamentPlan& plan = out.plan;
   plan.objective = parse_objective(options);
   const bool tested = !std::holds_alternative<study::FixedNumber>(plan.objective);
   if (tested && options.teams.size() > 2) {
@@ -230,6 +233,8 @@ study::TournamentPlan tournament_plan(const TournamentOptions& options, const pl
     require_metric(plan.objective, *prepared.plans[0]);
     plan.teams[team].label = prepared.plans[0]->team().name;
     plan.teams[team].inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue);
+    out.documents.push_back(
+        config::show(prepared.documents[0], plugin::declarations(catalogue.plugins()), config::Remarks::without));
     plan.common_inputs = campaign::common_inputs(without_opening(prepared.setup), program, mathematics);
     if (openings.empty()) plan.most_goals = match::most_goal_difference(prepared.setup);
   }
@@ -255,7 +260,7 @@ study::TournamentPlan tournament_plan(const TournamentOptions& options, const pl
   plan.openings = std::move(scenes);
   refuse_what_never_ends(options, plan);
   refuse_too_many(plan);
-  return plan;
+  return out;
 }
 
 int number_of_workers(const TournamentOptions& options) {

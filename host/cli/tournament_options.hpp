@@ -19,11 +19,16 @@ struct TournamentOptions {
   std::string sprt, metric, model, alpha, beta;  // empty: not given
   std::string failures_in_a_row = "10";
   std::string workers, results = "tournament.db", processor_seconds = "10", memory = "2048";
-  bool resume = false, json = false, quiet = false;
+  bool resume = false, json = false, quiet = false, no_page = false;
+};
+
+struct PlannedTournament {
+  study::TournamentPlan plan;
+  std::vector<std::string> documents;  // of the teams, resolved, as their hashes in the plan were made from them
 };
 
 // Throws BadInput and config::Error.
-study::TournamentPlan tournament_plan(const TournamentOptions& options, const plugin::Catalogue& catalogue);
+PlannedTournament planned_tournament(const TournamentOptions& options, const plugin::Catalogue& catalogue);
 
 int number_of_workers(const TournamentOptions& options);
 campaign::Limits limits(const TournamentOptions& options);

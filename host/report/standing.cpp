@@ -38,10 +38,20 @@ PValues p_values(const study::Tournament& course) {
   return out;
 }
 
+statistics::SquareTable points_won(const study::TournamentPlan& plan, const study::Tournament& course) {
+  statistics::SquareTable out(plan.teams.size());
+  for (const study::Meeting& meeting : course.meetings()) {
+    const std::size_t a = meeting.pairing.first, b = meeting.pairing.second;
+    out.at(a, b) = points(meeting.games);
+    out.at(b, a) = static_cast<double>(total(meeting.games)) - out.at(a, b);
+  }
+  return out;
+}
+
 std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tournament& course) {
   const std::size_t teams = plan.teams.size();
   std::vector<Ranked> out(teams);
-  statistics::SquareTable won(teams), payoff(teams);
+  statistics::SquareTable payoff(teams);
   for (std::size_t team = 0; team < teams; ++team) {
     out[team].team = team;
     out[team].failures = course.failures()[team];
@@ -50,8 +60,6 @@ std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tour
     const std::size_t a = meeting.pairing.first, b = meeting.pairing.second;
     const statistics::Count losses = meeting.games.seen[0], draws = meeting.games.seen[1], wins = meeting.games.seen[2];
     const double games = static_cast<double>(total(meeting.games)), of_a = points(meeting.games);
-    won.at(a, b) = of_a;
-    won.at(b, a) = games - of_a;
     if (games > 0.0) payoff.at(a, b) = of_a / games - 0.5;
     payoff.at(b, a) = -payoff.at(a, b);
     const auto add = [draws, &meeting](Ranked& team, statistics::Count w, statistics::Count l, double p,
@@ -67,7 +75,7 @@ std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tour
     add(out[a], wins, losses, of_a, meeting.goals[0], meeting.goals[1]);
     add(out[b], losses, wins, games - of_a, meeting.goals[1], meeting.goals[0]);
   }
-  if (const auto elo = statistics::bradley_terry(won)) {
+  if (const auto elo = statistics::bradley_terry(points_won(plan, course))) {
     for (Ranked& team : out) team.elo = (*elo)[team.team];
   }
   const statistics::NashAverage nash = statistics::nash_average(payoff);

@@ -11,6 +11,7 @@
 #include "statistics/nash.hpp"
 #include "statistics/paired_t.hpp"
 #include "statistics/score_law.hpp"
+#include "statistics/square_table.hpp"
 #include "study/tournament.hpp"
 
 namespace regista::report {
@@ -46,5 +47,8 @@ struct PValues {
 PValues p_values(const study::Tournament& course);
 
 double points(const statistics::GameCounts& games);  // of the first team
+
+// Points that each team (row) won against each other one (column), as bradley_terry() wants them.
+statistics::SquareTable points_won(const study::TournamentPlan& plan, const study::Tournament& course);
 
 }  // namespace regista::report

@@ -2,30 +2,18 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <string_view>
 
+#include "report/csv_text.hpp"
 #include "report/tournament.hpp"
 #include "study/metric.hpp"
 
 namespace regista::report {
-namespace {
-
-std::string field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  return out + '"';
-}
-
-}  // namespace
 
 std::string csv_head(const std::vector<std::string>& metrics) {
   std::string out =
       "row,pair,seed,opening,home,away,home_goals,away_goals,ended,state_hash,forfeited_by,plugin,call,why";
-  for (const std::string& each : metrics) out += fmt::format(",{},{}", field("home." + each), field("away." + each));
+  for (const std::string& each : metrics)
+    out += fmt::format(",{},{}", csv_field("home." + each), csv_field("away." + each));
   return out + '\n';
 }
 
@@ -36,13 +24,14 @@ std::string csv_line(const TournamentView& view, std::uint64_t index, const camp
   const std::string opening = view.plan.openings.empty()
                                   ? std::string()
                                   : std::filesystem::path(view.plan.openings[fixture.opening].file).stem().string();
-  std::string out = fmt::format("{},{},{},{},{},{},{},{},{},{},", index + 1, fixture.pair + 1, fixture.seed,
-                                field(opening), field(teams[fixture.home].label), field(teams[fixture.away].label),
-                                decided.score[0], decided.score[1], decided.ended, decided.hash);
+  std::string out =
+      fmt::format("{},{},{},{},{},{},{},{},{},{},", index + 1, fixture.pair + 1, fixture.seed, csv_field(opening),
+                  csv_field(teams[fixture.home].label), csv_field(teams[fixture.away].label), decided.score[0],
+                  decided.score[1], decided.ended, decided.hash);
   if (decided.failure) {
     const campaign::Failure& failure = *decided.failure;
-    out += fmt::format("{},{},{},{}", failure.side == 0 ? "home" : "away", field(failure.plugin), field(failure.call),
-                       field(failure.what));
+    out += fmt::format("{},{},{},{}", failure.side == 0 ? "home" : "away", csv_field(failure.plugin),
+                       csv_field(failure.call), csv_field(failure.what));
   } else {
     out += ",,,";
   }

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "cli/results_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
+
+#include "cli/end_of_program.hpp"
+#include "cli/output.hpp"
+#include "cli/shell.hpp"
+#include "cli/stored_course.hpp"
+#include "cli/tournament_files.hpp"
+#include "report/course_record.hpp"
+#include "report/gnuplot.hpp"
+#include "report/reproduction.hpp"
+#include "report/svg.hpp"
+#include "report/tournament_figures.hpp"
+#include "report/tournament_page.hpp"
+#include "study/recording_place.hpp"
+
+namespace regista::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Places in the schedule of which there is a recording, ascending.
+std::vector<std::uint64_t> recorded(const fs::path& results) {
+  std::vector<std::uint64_t> out;
+  std::error_code error;
+  for (fs::directory_iterator each(study::recording_folder(results), error), end; !error && each != end;
+       each.increment(error)) {
+    if (each->path().extension() != ".mcap") continue;
+    const std::string stem = each->path().stem().string();
+    std::uint64_t row = 0;
+    const auto [rest, wrong] = std::from_chars(stem.data(), stem.data() + stem.size(), row);
+    if (wrong == std::errc() && rest == stem.data() + stem.size() && row > 0) out.push_back(row - 1);
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+std::string command_line(const Invocation& invocation, std::vector<std::string> words) {
+  words.insert(words.begin(), invocation.arguments.front());
+  return shell_line(words);
+}
+
+// The course of a tournament, with all that a page wants to know of it.
+class Told {
+ public:
+  explicit Told(const StoredResults& results)
+      : results_(results), course_(results.plan), record_(results.plan, course_, recorded(results.file)) {
+    const StoredCourse stored(results.store, results.plan);
+    stored.play(course_, campaign::Metrics::wanted,
+                [this](std::uint64_t, const campaign::Decided* decided) { record_.take(decided); });
+  }
+  Told(const Told&) = delete;
+  Told& operator=(const Told&) = delete;
+
+  const study::Tournament& course() const { return course_; }
+  std::vector<report::Figure> figures() const { return report::tournament_figures(view(), record_); }
+
+  std::string page(const fs::path& page, std::vector<report::PageFigure> figures) const {
+    const auto link = [&](std::uint64_t match) {
+      const fs::path file = study::recording_file(results_.file, static_cast<std::int64_t>(match) + 1);
+      const std::string picture = fmt::format("{}-{}.html", results_.file.stem().string(), match + 1);
+      return report::RecordingLink{
+          fs::absolute(file).lexically_relative(fs::absolute(page).parent_path()).generic_string(),
+          command_line(results_.invocation, {"view", file.string(), "-o", picture})};
+    };
+    return report::tournament_page(
+        {view(), record_, std::move(figures), stored_documents(results_.store), results_.store.meta("program"),
+         command_line(results_.invocation, report::tournament_arguments(results_.plan)), link});
+  }
+
+ private:
+  report::TournamentView view() const {
+    return {results_.plan, course_, [this](std::uint64_t index) {
+              return command_line(results_.invocation,
+                                  campaign::match_arguments(study::job(results_.plan, course_.calendar().at(index))));
+            }};
+  }
+
+  const StoredResults& results_;
+  study::Tournament course_;
+  report::CourseRecord record_;
+};
+
+void write_figure(const fs::path& folder, const report::Drawing& drawn, const std::string& svg, Existing existing) {
+  const report::Figure& figure = drawn.figure;
+  const auto write = [&](const char* end, std::string_view bytes) {
+    if (!bytes.empty()) write_whole(folder / (figure.name + end), bytes, existing);
+  };
+  write(".csv", figure.csv);
+  write(".gnuplot", report::gnuplot_script(figure, report::Picture::svg));
+  write(".svg", svg);
+  write(".png", drawn.png);
+}
+
+// Draws what there is to draw; complains once for all that cannot be drawn.
+std::vector<report::PageFigure> drawn_figures(const Told& told, const PageWishes& wishes) {
+  std::vector<report::PageFigure> out;
+  std::string why_not;
+  for (report::Figure& figure : told.figures()) {
+    report::Drawing drawing = report::draw(std::move(figure), wishes.png ? report::Png::wanted : report::Png::left_out);
+    report::PageFigure& shown = out.emplace_back();
+    std::string file;
+    try {
+      if (!drawing.svg.empty()) {
+        shown.svg = report::svg_for_page(drawing.svg, drawing.figure);
+        file = report::svg_for_file(drawing.svg, drawing.figure);
+      }
+    } catch (const report::StrangePicture& error) {
+      drawing.why_not = error.what();
+    }
+    if (wishes.figures) write_figure(*wishes.figures, drawing, file, wishes.existing);
+    shown.why_not = drawing.why_not;
+    if (why_not.empty() && drawing.no_gnuplot) {
+      why_not = "figures are left out: gnuplot is not installed; on Debian: apt install gnuplot-nox";
+    } else if (why_not.empty() && !drawing.why_not.empty()) {
+      why_not = fmt::format("figure {} is left out: {}", drawing.figure.name, drawing.why_not);
+    }
+    shown.figure = std::move(drawing.figure);
+  }
+  if (!why_not.empty()) complain(why_not);
+  return out;
+}
+
+void refuse_results_as_page(const fs::path& results, const fs::path& page) {
+  std::error_code error;
+  if (fs::equivalent(results, page, error)) {
+    throw BadInput(fmt::format("-o {}: these are the results themselves", page.string()));
+  }
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directory(folder, error);
+  if (!error && fs::is_directory(folder)) return;
+  throw BadInput(fmt::format("cannot make the folder {}: {}", folder.string(),
+                             error ? error.message() : std::string("there is a file of this name")));
+}
+
+// Before work begins, for what is known by then.
+void refuse_existing(const fs::path& file, Existing existing) {
+  std::error_code error;
+  if (existing == Existing::refused && fs::exists(fs::status(file, error))) {
+    throw BadInput(fmt::format("{} exists already; --force replaces it", file.string()));
+  }
+}
+
+}  // namespace
+
+void write_page(const StoredResults& results, const PageWishes& wishes) {
+  if (wishes.page) {
+    refuse_results_as_page(results.file, *wishes.page);
+    refuse_existing(*wishes.page, wishes.existing);
+  }
+  try {
+    const Told told(results);
+    if (!told.course().complete()) {
+      complain(fmt::format("{} holds {} of {} matches without a gap: the tournament is not at its end",
+                           results.file.string(), told.course().matches(), told.course().calendar().matches()));
+    }
+    if (wishes.figures) make_folder(*wishes.figures);
+    std::vector<report::PageFigure> figures = drawn_figures(told, wishes);
+    if (wishes.page) write_whole(*wishes.page, told.page(*wishes.page, std::move(figures)), wishes.existing);
+  } catch (const campaign::StoreError& error) {
+    throw BadInput(error.what());
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(damaged_metrics(results.file.string(), error));
+  } catch (const std::system_error& error) {
+    throw WriteError(error.what());
+  }
+}
+
+std::optional<fs::path> write_page_beside(const StoredResults& results) {
+  fs::path page = results.file;
+  if (page.extension() == ".html")
+    page += ".html";
+  else
+    page.replace_extension(".html");
+  try {
+    std::error_code error;
+    const bool exists = fs::exists(page, error);
+    std::string beginning(report::page_beginning, '\0');
+    std::ifstream in(page, std::ios::binary);
+    in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+    if (exists && !report::is_our_page(beginning)) {
+      complain(fmt::format("no page is written: {} is none of Regista's pages, and stays", page.string()));
+      return std::nullopt;
+    }
+    write_page(results, {page, std::nullopt, false, exists ? Existing::replaced : Existing::refused});
+    return page;
+  } catch (const std::exception& error) {
+    complain(fmt::format("no page is written, the results are safe: {}", error.what()));
+    return std::nullopt;
+  }
+}
+
+}  // namespace regista::cli

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "report/course_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "plugin/content_hash.hpp"
+#include "report/standing.hpp"
+#include "statistics/bradley_terry.hpp"
+#include "statistics/rating.hpp"
+
+namespace regista::report {
+namespace {
+
+constexpr std::size_t most_points = 600;  // of a curve: finer than a figure can show
+constexpr std::size_t most_rankings = 120;
+
+void count(GoalDifferences& counts, int difference, bool forfeited) {
+  const int within = std::clamp(difference, -GoalDifferences::largest, GoalDifferences::largest);
+  ++(forfeited ? counts.forfeited : counts.played)[static_cast<std::size_t>(within + GoalDifferences::largest)];
+}
+
+}  // namespace
+
+CourseRecord::CourseRecord(const study::TournamentPlan& plan, const study::Tournament& course,
+                           std::vector<std::uint64_t> recorded)
+    : plan_(plan),
+      course_(course),
+      pair_points_(most_points),
+      ranking_points_(most_rankings),
+      goals_(plan.teams.size()),
+      numbers_(plan),
+      wanted_(std::move(recorded)) {}
+
+void CourseRecord::take(const campaign::Decided* decided) {
+  const std::uint64_t index = course_.taken() - 1;
+  // The course leaves out what it was given of a team that was set aside.
+  const bool counted = course_.matches() != std::exchange(matches_, course_.matches());
+  if (decided != nullptr && counted) {
+    const study::Fixture fixture = course_.calendar().at(index);
+    const int difference = decided->score[0] - decided->score[1];
+    count(goals_[fixture.home], difference, decided->failure.has_value());
+    count(goals_[fixture.away], -difference, decided->failure.has_value());
+    numbers_.take(fixture, *decided);
+    std::string line =
+        fmt::format("{} {} {}:{} {}", fingerprint_, index, decided->score[0], decided->score[1], decided->hash);
+    if (decided->failure) line += campaign::to_json(*decided->failure);
+    fingerprint_ = plugin::content_hash(line);
+    if (std::ranges::binary_search(wanted_, index)) {
+      ++recorded_count_;
+      if (recorded_.size() < most_recorded) {
+        recorded_.push_back({index, decided->score, decided->failure.has_value()});
+      }
+    }
+  }
+  if (course_.taken() % (2 * course_.calendar().pairings().size()) != 0) return;
+  if (plan_.teams.size() == 2) {
+    pair_points_.offer([this] { return pair_point(); });
+  } else if (plan_.teams.size() <= most_ranked) {
+    ranking_points_.offer([this] { return ranking_point(); });
+  }
+}
+
+PairPoint CourseRecord::pair_point() const {
+  const study::Meeting& meeting = course_.meetings().front();
+  PairPoint out;
+  out.pair = static_cast<std::uint64_t>(total(meeting.pairs));
+  if (out.pair > 0) out.elo = statistics::elo(score_law(meeting.pairs));
+  if (meeting.score_test) {
+    out.ratio = meeting.score_test->ratio().value;
+    out.lower = meeting.score_test->stopping().lower;
+    out.upper = meeting.score_test->stopping().upper;
+  }
+  out.value = meeting.metric ? meeting.metric->estimate()
+                             : statistics::Estimate{meeting.goals_of_pairs.mean(), meeting.goals_sequence.interval()};
+  return out;
+}
+
+RankingPoint CourseRecord::ranking_point() const {
+  RankingPoint out{course_.taken() / 2 / course_.calendar().pairings().size(), {}};
+  if (const auto elo = statistics::bradley_terry(points_won(plan_, course_))) {
+    for (const statistics::Estimate& each : *elo) out.elo.push_back(each.value);
+  }
+  return out;
+}
+
+std::vector<PairPoint> CourseRecord::pair_curve() const {
+  return pair_points_.with_last([this] { return pair_point(); });
+}
+
+std::vector<RankingPoint> CourseRecord::ranking_curve() const {
+  return ranking_points_.with_last([this] { return ranking_point(); });
+}
+
+}  // namespace regista::report

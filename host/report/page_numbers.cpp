@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// What the matches were like: goal differences, how well the teams were coordinated, what they sent.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "report/csv_text.hpp"
+#include "report/html_table.hpp"
+#include "report/number.hpp"
+#include "report/page_sections.hpp"
+#include "report/role_names.hpp"
+#include "report/visible_text.hpp"
+
+namespace regista::report {
+namespace {
+
+constexpr std::size_t most_teams = 40;  // of which the roles are told
+
+Html mean_of(const statistics::Moments* moments, int digits) {
+  return text(moments == nullptr || moments->count() == 0 ? "–" : fixed(moments->mean(), digits));
+}
+
+// Of first less second. Set in bold where the interval leaves nought out.
+Html difference_of(const study::MetricDifference* difference, int digits) {
+  if (difference == nullptr) return "–"_html;
+  const statistics::Estimate estimate = difference->estimate();
+  if (!estimate.interval.bounded()) return text(with_sign(estimate.value, digits));
+  const Html shown = text(fmt::format("{} ± {}", with_sign(estimate.value, digits), fixed(estimate.margin(), digits)));
+  if (estimate.interval.contains(0.0)) return shown;
+  Html out = "<span class=\"differs\">"_html;
+  return out << shown << "</span>"_html;
+}
+
+struct Row {
+  std::string title, path;
+  int digits = 2;
+};
+
+// Numbers of two teams beside each other.
+Html compared(const PageSource& source, Markup title, const std::vector<Row>& rows) {
+  HtmlTable table({{title, Column::words}, {team_name(source, 0)}, {team_name(source, 1)}, {"difference"_html}});
+  const MatchNumbers& numbers = source.record.numbers();
+  for (const auto& [name, path, digits] : rows) {
+    table.row({text(name), mean_of(numbers.find(0, path), digits), mean_of(numbers.find(1, path), digits),
+               difference_of(numbers.difference(path), digits)});
+  }
+  return table.html();
+}
+
+std::string spaced(std::string words) {
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
+Html roles_of_two(const PageSource& source, const std::vector<std::string>& roles) {
+  HtmlTable table({{"Role"_html, Column::words},
+                   {"overlap, s: <i class=\"key first\"></i>"_html},
+                   {"<i class=\"key second\"></i>"_html},
+                   {"difference"_html},
+                   {"uncovered, s: <i class=\"key first\"></i>"_html},
+                   {"<i class=\"key second\"></i>"_html},
+                   {"difference"_html},
+                   {"switches: <i class=\"key first\"></i>"_html},
+                   {"<i class=\"key second\"></i>"_html},
+                   {"difference"_html}});
+  const MatchNumbers& numbers = source.record.numbers();
+  const auto add = [&](const Html& title, const std::string& prefix) {
+    std::vector<Html> cells{title};
+    for (const char* measure : role_measures) {
+      const std::string path = prefix + measure;
+      cells.push_back(mean_of(numbers.find(0, path), 2));
+      cells.push_back(mean_of(numbers.find(1, path), 2));
+      cells.push_back(difference_of(numbers.difference(path), 2));
+    }
+    table.row(cells);
+  };
+  for (const std::string& role : roles) add(name(role), role + '.');
+  add("<b>all roles</b>"_html, "");
+  Html out = figure(source, "roles");
+  return out << "<p class=\"note\"><i class=\"key first\"></i>"_html << team_name(source, 0)
+             << " &nbsp; <i class=\"key second\"></i>"_html << team_name(source, 1) << "</p>\n"_html << table.html();
+}
+
+// A row for each team, a column for each role.
+Html roles_of_several(const PageSource& source, const std::vector<std::string>& roles, std::size_t teams) {
+  const std::array<Markup, role_measures.size()> titles{"Overlap, s per match"_html, "Uncovered, s per match"_html,
+                                                        "Switches per match"_html};
+  Html out;
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    std::vector<Heading> headings{{titles[i], Column::words}, {"all roles"_html}};
+    for (const std::string& role : roles) headings.push_back({name(role)});
+    HtmlTable table(headings);
+    for (std::size_t team = 0; team < teams; ++team) {
+      std::vector<Html> cells{team_name(source, team)};
+      cells.push_back(mean_of(source.record.numbers().find(team, role_measures[i]), 1));
+      for (const std::string& role : roles) {
+        cells.push_back(mean_of(source.record.numbers().find(team, role + '.' + role_measures[i]), 1));
+      }
+      table.row(cells);
+    }
+    out << table.html();
+  }
+  return out;
+}
+
+Html packets_of_several(const PageSource& source, const std::vector<std::string>& reasons, std::size_t teams) {
+  std::vector<Heading> headings{{"Packets per match"_html, Column::words}, {"all"_html}};
+  for (const std::string& reason : reasons) headings.push_back({text(spaced(reason))});
+  HtmlTable table(headings);
+  for (std::size_t team = 0; team < teams; ++team) {
+    std::vector<Html> cells{team_name(source, team)};
+    cells.push_back(mean_of(source.record.numbers().find(team, "packets"), 1));
+    for (const std::string& reason : reasons) {
+      cells.push_back(mean_of(source.record.numbers().find(team, packets_prefix + reason), 1));
+    }
+    table.row(cells);
+  }
+  return table.html();
+}
+
+// Rows of teams, columns of differences.
+Html goals_of_several(const PageSource& source) {
+  constexpr int shown = 5;
+  std::vector<Heading> headings{{"Matches by goal difference"_html, Column::words}};
+  for (int difference = -shown; difference <= shown; ++difference) {
+    const char* const sign = std::abs(difference) < shown ? "" : difference < 0 ? "≤ " : "≥ ";
+    headings.push_back({text(fmt::format("{}{}{}", sign, difference > 0 ? "+" : "", difference))});
+  }
+  HtmlTable table(headings);
+  std::string csv = "team,goal_difference,played,forfeited\n";
+  for (std::size_t team = 0; team < source.view.plan.teams.size(); ++team) {
+    const GoalDifferences& counts = source.record.goals_of(team);
+    std::array<std::uint64_t, 2 * shown + 1> columns{};
+    std::uint64_t all = 0;
+    for (int difference = -GoalDifferences::largest; difference <= GoalDifferences::largest; ++difference) {
+      const auto at = static_cast<std::size_t>(difference + GoalDifferences::largest);
+      const std::uint64_t matches = counts.played[at] + counts.forfeited[at];
+      columns[static_cast<std::size_t>(std::clamp(difference, -shown, shown) + shown)] += matches;
+      all += matches;
+      csv += fmt::format("{},{},{},{}\n", csv_field(visible(source.view.plan.teams[team].label)), difference,
+                         counts.played[at], counts.forfeited[at]);
+    }
+    if (team >= most_teams) continue;
+    std::vector<Html> cells{team_name(source, team)};
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const double share = all == 0 ? 0.0 : static_cast<double>(columns[i]) / static_cast<double>(all);
+      Html cell = "<span style=\"background:color-mix(in srgb,var(--series-"_html;
+      cells.push_back(cell << (i < shown    ? "2"_html
+                               : i == shown ? "8"_html
+                                            : "1"_html)
+                           << text(fmt::format(") {:.0f}%,transparent)", 70.0 * share)) << "\">"_html
+                           << text(fmt::format("{}", columns[i])) << "</span>"_html);
+    }
+    table.row(cells);
+  }
+  Html out = "<div class=\"heat\">"_html;
+  return out << table.html() << "</div>\n<p class=\"note\">"_html << table_link("goal_differences.csv", csv)
+             << "</p>\n"_html;
+}
+
+}  // namespace
+
+Html goals_section(const PageSource& source) {
+  if (source.view.course.matches() == 0) return {};
+  return section("goals", "Goal differences"_html,
+                 source.view.plan.teams.size() == 2 ? figure(source, "goal_differences") : goals_of_several(source));
+}
+
+Html roles_section(const PageSource& source) {
+  const std::size_t teams = std::min(source.view.plan.teams.size(), most_teams);
+  const std::vector<std::string> roles = role_names(source.record.numbers(), teams);
+  if (roles.empty()) return {};
+  Html out =
+      "<p>Overlap: two robots hold the role at once. Uncovered: nobody holds it though it is wanted. Switches: a robot "
+      "takes a role that it did not hold. Means of a match played to its end.</p>\n"_html;
+  if (teams > 2) return section("roles", "Coordination"_html, out << roles_of_several(source, roles, teams));
+  out << roles_of_two(source, roles);
+  std::vector<Row> others;
+  for (const auto& [title, path, digits] :
+       {Row{"Agreement of all robots on the assignment, share of time", "agreement", 3},
+        Row{"Possession, s", "possession_seconds", 1}, Row{"Touches", "touches", 1}, Row{"Kicks", "kicks", 1},
+        Row{"Falls", "falls", 2}, Row{"Penalties", "penalties", 2}}) {
+    if (source.record.numbers().find(0, path) != nullptr) others.push_back({title, path, digits});
+  }
+  if (!others.empty()) out << compared(source, "Of a match"_html, others);
+  out << "<p class=\"note\">Differences with margins that hold at any time once there are many pairs (95 %), in bold "
+         "where they leave nought out. With so many numbers some do so by chance.</p>\n"_html;
+  return section("roles", "Coordination"_html, out);
+}
+
+Html packets_section(const PageSource& source) {
+  const std::size_t teams = std::min(source.view.plan.teams.size(), most_teams);
+  const std::vector<std::string> reasons = packet_reasons(source.record.numbers(), teams);
+  if (reasons.empty()) return {};
+  if (teams > 2) return section("packets", "Packets by event"_html, packets_of_several(source, reasons, teams));
+  std::vector<Row> rows;
+  for (const std::string& reason : reasons) rows.push_back({spaced(reason), packets_prefix + reason, 2});
+  rows.push_back({"all", "packets", 2});
+  Html out = "<div class=\"two\">\n"_html;
+  out << figure(source, "packets") << "<div>"_html << compared(source, "Packets per match"_html, rows)
+      << "</div>\n</div>\n"_html;
+  return section("packets", "Packets by event"_html, out);
+}
+
+}  // namespace regista::report

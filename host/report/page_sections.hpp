@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The parts of the page of a tournament, each empty where there is nothing to tell.
+#pragma once
+
+#include <string_view>
+
+#include "report/html_table.hpp"
+#include "report/html_text.hpp"
+#include "report/tournament_page.hpp"
+
+namespace regista::report {
+
+Html standing_section(const PageSource& source);       // who stands where
+Html curves_section(const PageSource& source);         // Elo and test over pairs
+Html goals_section(const PageSource& source);          // goal differences
+Html roles_section(const PageSource& source);          // overlap, uncovered, switches
+Html packets_section(const PageSource& source);        // packets by event
+Html variance_section(const PageSource& source);       // what pairing gained
+Html failures_section(const PageSource& source);       // forfeits and how to play them again
+Html recordings_section(const PageSource& source);     // matches to look at
+Html configuration_section(const PageSource& source);  // where the teams differ
+Html reproduction_section(const PageSource& source);   // versions, hashes, command
+
+// What they share.
+Html team_name(const PageSource& source, std::size_t team);
+Html section(std::string_view id, Markup title, const Html& content);  // empty for no content
+Html figure(const PageSource& source, std::string_view figure_name);   // empty where there is no such figure
+Html table_link(std::string_view file_name, std::string_view csv);     // to take a table away
+
+}  // namespace regista::report

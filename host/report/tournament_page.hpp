@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A tournament as one page of HTML that needs nothing else: no network, no other file, no script. A function of plan,
+// results in order and the recordings that there are; no time of day and no running time stands in it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "report/course_record.hpp"
+#include "report/figure.hpp"
+#include "report/tournament.hpp"
+
+namespace regista::report {
+
+struct PageFigure {
+  Figure figure;
+  std::string svg;      // of svg_for_page(); empty: there is none
+  std::string why_not;  // then
+};
+
+// Where a recorded match is found, as seen from the page.
+struct RecordingLink {
+  std::string path;     // relative
+  std::string command;  // that shows it
+};
+
+struct PageSource {
+  const TournamentView& view;
+  const CourseRecord& record;
+  std::vector<PageFigure> figures;
+  std::vector<std::string> documents;  // resolved, by team; empty: not known
+  std::string program;                 // version that began the tournament
+  std::string command;                 // that plays it again
+  std::function<RecordingLink(std::uint64_t match)> recording;
+};
+
+std::string tournament_page(const PageSource& source);
+
+// Whether a file that begins so was written by tournament_page().
+bool is_our_page(std::string_view beginning);
+inline constexpr std::size_t page_beginning = 512;  // bytes that are enough to tell
+
+}  // namespace regista::report

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "report/verdict_sentence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "report/number.hpp"
+#include "report/standing.hpp"
+
+namespace regista::report {
+namespace {
+
+using study::Meeting;
+
+constexpr double level = 0.05;
+
+Html team(const TournamentView& view, std::size_t index) { return name(view.plan.teams[index].label); }
+
+Html counted(std::uint64_t count, const char* one, const char* more) {
+  return text(fmt::format("{} {}", count, count == 1 ? one : more));
+}
+
+Html numbers_of(const TournamentView& view, const Meeting& meeting) {
+  const auto pairs = static_cast<std::uint64_t>(total(meeting.pairs));
+  const double share = meeting.matches() == 0 ? 0.5 : points(meeting.games) / static_cast<double>(meeting.matches());
+  Html out;
+  return out << "After "_html << counted(pairs, "pair", "pairs") << " of matches "_html
+             << team(view, meeting.pairing.first)
+             << text(fmt::format(" has {:.1f} of {} points ({:.0f} %), goals {}:{}.", points(meeting.games),
+                                 meeting.matches(), 100.0 * share, meeting.goals[0], meeting.goals[1]));
+}
+
+// What may still be true, by the interval of 95 %.
+std::optional<Html> may_be(const TournamentView& view, const Meeting& meeting) {
+  const std::optional<Strength> known = strength(meeting);
+  if (!known || !known->elo.interval.bounded()) return std::nullopt;
+  const auto in_words = [](double elo) {
+    return fmt::format("{:.0f} Elo {}", std::abs(elo), elo < 0.0 ? "weaker" : "stronger");
+  };
+  const statistics::Interval& interval = known->elo.interval;
+  Html out = "With 95 % confidence "_html;
+  return out << team(view, meeting.pairing.first)
+             << text(fmt::format(" is between {} and {}.", in_words(interval.low), in_words(interval.high)));
+}
+
+Html than(const TournamentView& view, const Meeting& meeting, bool first_is_more, Markup what) {
+  const auto& [first, second] = meeting.pairing;
+  return team(view, first_is_more ? first : second) << what << team(view, first_is_more ? second : first) << "."_html;
+}
+
+Html by_scores(const TournamentView& view, const Meeting& meeting, const study::ScoreTest& test, bool h1) {
+  const auto& [elo0, elo1] = test.design.hypotheses;
+  const std::string unit = test.design.model == statistics::Model::logistic ? "Elo" : "nElo";
+  if (h1 && elo1 > 0.0) return than(view, meeting, true, " is stronger than "_html);
+  if (!h1 && elo0 < 0.0) return than(view, meeting, false, " is stronger than "_html);
+  Html out = team(view, meeting.pairing.first);
+  return out << text(fmt::format(" is not {:.4g} {} {} than ", std::abs(h1 ? elo0 : elo1), unit,
+                                 h1 ? "weaker" : "stronger"))
+             << team(view, meeting.pairing.second) << "."_html;
+}
+
+Html by_value(const TournamentView& view, const Meeting& meeting, const std::string& value) {
+  const bool more = view.course.first_has_more();
+  if (value == study::goals_value) return than(view, meeting, more, " scores more goals than "_html);
+  Html out = team(view, meeting.pairing.first);
+  return out << text(fmt::format(" mostly has {} {} than ", more ? "more" : "less", value))
+             << team(view, meeting.pairing.second) << "."_html;
+}
+
+void of_sequential_test(const TournamentView& view, const Meeting& meeting, VerdictSentence& out) {
+  const study::Verdict verdict = view.course.verdict();
+  const auto* const score = std::get_if<study::ScoreTest>(&view.plan.objective);
+  if (verdict == study::Verdict::inconclusive) {
+    out.sentence =
+        view.course.complete() ? Html("The test ended without a verdict on "_html) : Html("No verdict yet on "_html);
+    out.sentence << team(view, 0) << " and "_html << team(view, 1) << "."_html;
+    if (const auto open = may_be(view, meeting)) out.beside.push_back(*open);
+    return;
+  }
+  const bool h1 = verdict == study::Verdict::accept_h1;
+  if (score != nullptr) {
+    out.sentence = by_scores(view, meeting, *score, h1);
+    const auto& [elo0, elo1] = score->design.hypotheses;
+    out.beside.push_back(text(fmt::format(
+        "The test accepted {}: the scores speak for a strength of {} rather than {} {}; error rates {:.4g} and {:.4g}.",
+        name(verdict), h1 ? elo1 : elo0, h1 ? elo0 : elo1,
+        score->design.model == statistics::Model::logistic ? "Elo" : "nElo", score->design.rates.alpha,
+        score->design.rates.beta)));
+  } else {
+    const auto& test = std::get<study::ValueTest>(view.plan.objective);
+    out.sentence = by_value(view, meeting, test.value);
+    out.beside.push_back(text(fmt::format("The test found a difference, with an error rate of {:.4g}.", test.alpha)));
+    if (meeting.metric && (meeting.metric->difference().mean() > 0.0) != view.course.first_has_more()) {
+      out.beside.push_back("But its mean is on the other side: a few pairs differ much the other way."_html);
+    }
+  }
+  out.beside.push_back(
+      "Elo and the other estimates are biased towards the verdict, because the test chose when to stop."_html);
+}
+
+void of_two(const TournamentView& view, VerdictSentence& out) {
+  const Meeting& meeting = view.course.meetings().front();
+  if (total(meeting.pairs) == 0) {
+    out.sentence = "No pair of matches has been played to its end yet: nothing can be said."_html;
+    return;
+  }
+  out.beside.push_back(numbers_of(view, meeting));
+  if (study::equal_teams(view.plan, meeting.pairing)) {
+    out.sentence << team(view, 0) << " and "_html << team(view, 1)
+                 << " are the same team: every pair is even by construction."_html;
+    return;
+  }
+  if (view.course.verdict() != study::Verdict::none) {
+    of_sequential_test(view, meeting, out);
+    return;
+  }
+  if (!view.course.complete()) {
+    out.sentence = "Not at its end yet: what "_html;
+    out.sentence << team(view, 0) << " and "_html << team(view, 1) << " are worth is open."_html;
+    return;
+  }
+  const double p = p_values(view.course).adjusted.front();
+  const bool first = points(meeting.games) > static_cast<double>(meeting.matches()) / 2.0;
+  if (p < level) {
+    out.sentence = than(view, meeting, first, " is stronger than "_html);
+    out.beside.push_back(
+        text(fmt::format("Were they equal, so clear a result would have a probability of {:.2g}.", p)));
+  } else {
+    out.sentence = counted(static_cast<std::uint64_t>(total(meeting.pairs)), "pair does", "pairs do");
+    out.sentence << " not show which of "_html << team(view, 0) << " and "_html << team(view, 1)
+                 << " is stronger."_html;
+    out.beside.push_back(text(fmt::format("Equal teams would differ as much with a probability of {:.2g}.", p)));
+  }
+  if (const auto open = may_be(view, meeting)) out.beside.push_back(*open);
+}
+
+// 1: the first team of the pairing is stronger, -1: the second, 0: that is open.
+int stronger(const TournamentView& view, const PValues& p, std::size_t pairing) {
+  const Meeting& meeting = view.course.meetings()[pairing];
+  if (!view.course.complete() || p.adjusted[pairing] >= level) return 0;
+  return points(meeting.games) > static_cast<double>(meeting.matches()) / 2.0 ? 1 : -1;
+}
+
+void of_gauntlet(const TournamentView& view, const PValues& p, VerdictSentence& out) {
+  std::array<std::uint64_t, 3> counts{};
+  for (std::size_t i = 0; i < p.adjusted.size(); ++i) {
+    ++counts[static_cast<std::size_t>(stronger(view, p, i) + 1)];
+  }
+  out.sentence = team(view, 0);
+  out.sentence << text(fmt::format(" against {} others: stronger than {}, weaker than {}, open for {}.",
+                                   p.adjusted.size(), counts[2], counts[0], counts[1]));
+}
+
+void of_round_robin(const TournamentView& view, const PValues& p, VerdictSentence& out) {
+  const std::vector<Ranked> ranks = ranking(view.plan, view.course);
+  const std::size_t best = ranks[0].team, next = ranks[1].team;
+  out.sentence = team(view, best);
+  out.sentence << text(fmt::format(" leads {} teams", ranks.size()));
+  for (std::size_t i = 0; i < p.adjusted.size(); ++i) {
+    const study::Pairing& pairing = view.course.meetings()[i].pairing;
+    if (std::min(pairing.first, pairing.second) != std::min(best, next)) continue;
+    if (std::max(pairing.first, pairing.second) != std::max(best, next)) continue;
+    const int found = stronger(view, p, i) * (pairing.first == best ? 1 : -1);
+    out.sentence << (found > 0 ? ", and is stronger than "_html : ", but may be no stronger than "_html)
+                 << team(view, next) << ", the next."_html;
+  }
+}
+
+void of_several(const TournamentView& view, VerdictSentence& out) {
+  if (view.course.matches() == 0) {
+    out.sentence = "No match has been played yet: nothing can be said."_html;
+    return;
+  }
+  const PValues p = p_values(view.course);
+  if (view.plan.format == study::Format::gauntlet)
+    of_gauntlet(view, p, out);
+  else
+    of_round_robin(view, p, out);
+  if (!view.course.complete()) {
+    out.beside.push_back("The tournament is not at its end: none of this is a finding yet."_html);
+  } else {
+    out.beside.push_back(text(fmt::format(
+        "Stronger is who won more of a pairing than chance gives with a probability of {:.0f} %, adjusted for the "
+        "number of pairings.",
+        100.0 * level)));
+  }
+}
+
+}  // namespace
+
+VerdictSentence verdict_sentence(const TournamentView& view) {
+  VerdictSentence out;
+  if (view.plan.teams.size() == 2)
+    of_two(view, out);
+  else
+    of_several(view, out);
+  for (const study::SetAside& each : view.course.set_aside()) {
+    Html line = team(view, each.team);
+    out.beside.push_back(
+        line << text(fmt::format(" was set aside after pair {}: its plugin {} failed {} times in a row.", each.pair + 1,
+                                 each.plugin, each.failures)));
+  }
+  std::uint64_t forfeits = 0;
+  for (const std::uint64_t count : view.course.failures()) forfeits += count;
+  if (forfeits > 0) {
+    Html line = counted(forfeits, "match", "matches");
+    out.beside.push_back(line << text(fmt::format(" of {} {} forfeited because a plugin failed, and count 0:10.",
+                                                  view.course.matches(), forfeits == 1 ? "was" : "were")));
+  }
+  return out;
+}
+
+}  // namespace regista::report

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What came out, as a sentence for somebody who knows football but no statistics, and the sentences that it needs
+// beside it lest it say too much.
+#pragma once
+
+#include <vector>
+
+#include "report/html_text.hpp"
+#include "report/tournament.hpp"
+
+namespace regista::report {
+
+struct VerdictSentence {
+  Html sentence;
+  std::vector<Html> beside;  // what it rests on, and what it does not say
+};
+
+// "Stronger", "weaker" are said of a test that was fixed beforehand and is at its end: a sequential test at its
+// verdict, or for a fixed number of pairs the sign-flip test at 5 %, adjusted by Holm for the number of pairings.
+VerdictSentence verdict_sentence(const TournamentView& view);
+
+}  // namespace regista::report
