@@ -30,6 +30,7 @@ Command add_play_one(CLI::App& parent, const Invocation& invocation);
 Command add_report(CLI::App& parent, const Invocation& invocation);
 Command add_sprt(CLI::App& parent, const Invocation& invocation);
 Command add_tournament(CLI::App& parent, const Invocation& invocation);
+Command add_view(CLI::App& parent, const Invocation& invocation);
 Command add_plugin_list(CLI::App& parent, const Invocation& invocation);
 Command add_plugin_info(CLI::App& parent, const Invocation& invocation);
 Command add_plugin_reference(CLI::App& parent, const Invocation& invocation);

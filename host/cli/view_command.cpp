@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// `regista view`: a recorded match as a page that plays it back, or one moment of it as a picture.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "cli/command.hpp"
+#include "cli/end_of_program.hpp"
+#include "cli/output.hpp"
+#include "cli/replaced_file.hpp"
+#include "config/text.hpp"
+#include "mcap/error.hpp"
+#include "report/match_page.hpp"
+#include "report/moment_svg.hpp"
+#include "report/recorded_match.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr auto examples = R"(Examples:
+  regista match a.yaml b.yaml --record match.mcap
+  regista view match.mcap
+  regista view match.mcap -o page.html --force
+  regista view match.mcap --at 7:42 -o frame.svg
+  regista view match.mcap --at 2/3:10 --robot 3 -o frame.svg
+  regista view match.mcap --at 462.3 --robot away/5 -o frame.svg
+
+The page needs nothing but a browser. --at 7:42 is the clock of the first half, 2/3:10 that of the second; a number alone
+is seconds since the match began, as in the address of the page. --robot 3 is the home team's; its picture shows the
+world as the robot believed it, its tasks, and the utilities it chose by.
+Exit codes: 0 done; 1 the page could not be written; 2 bad input; 3 a defect of Regista.)";
+
+struct Options {
+  std::string file, output, at, robot;
+  bool force = false;
+};
+
+template <class Number>
+std::optional<Number> number_in(std::string_view text) {
+  Number out{};
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  if (error != std::errc() || rest != text.data() + text.size()) return std::nullopt;
+  return out;
+}
+
+// A moment as it was typed.
+struct Moment {
+  int half = 0;          // 0: seconds since the match began
+  double seconds = 0.0;  // else of the clock of this half
+};
+
+Moment parse_moment(const std::string& typed) {
+  const auto refuse = [&] {
+    throw BadInput(
+        fmt::format("--at: {}; wanted is the clock of the first half, 7:42, of the second, 2/7:42, or seconds since "
+                    "the match began, 462.3",
+                    config::in_quotes(typed)));
+  };
+  Moment out;
+  std::string_view rest = typed;
+  if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
+    const auto half = number_in<int>(rest.substr(0, slash));
+    if (!half || *half < 1 || *half > 99) refuse();
+    out.half = *half;
+    rest.remove_prefix(slash + 1);
+  }
+  double minutes = 0.0;
+  if (const std::size_t colon = rest.find(':'); colon != std::string_view::npos) {
+    const auto whole = number_in<int>(rest.substr(0, colon));
+    if (!whole || *whole < 0) refuse();
+    minutes = *whole;
+    if (out.half == 0) out.half = 1;
+    rest.remove_prefix(colon + 1);
+  }
+  const auto seconds = number_in<double>(rest);
+  if (!seconds || !(*seconds >= 0.0) || *seconds > 1e6) refuse();
+  if (typed.find(':') != std::string::npos && *seconds >= 60.0) refuse();
+  out.seconds = 60.0 * minutes + *seconds;
+  return out;
+}
+
+report::RobotName parse_robot(const std::string& typed, int team_size) {
+  std::string_view rest = typed;
+  report::RobotName out;
+  if (rest.starts_with("home/")) {
+    rest.remove_prefix(5);
+  } else if (rest.starts_with("away/")) {
+    out.side = 1;
+    rest.remove_prefix(5);
+  }
+  const auto number = number_in<int>(rest);
+  if (!number || *number < 1 || *number > team_size) {
+    throw BadInput(fmt::format("--robot: {}; wanted is 1 to {}, home/1 to home/{} or away/1 to away/{}",
+                               config::in_quotes(typed), team_size, team_size, team_size));
+  }
+  out.number = *number;
+  return out;
+}
+
+double time_of(const report::RecordedMatch& match, const Moment& moment, const Options& options) {
+  if (moment.half == 0) {
+    if (moment.seconds <= match.end() + 1e-9) return moment.seconds;
+    throw BadInput(fmt::format("--at {}: the recording ends at {:.1f} s", options.at, match.end()));
+  }
+  if (const auto time = match.time_of(moment.half, moment.seconds)) return *time;
+  throw BadInput(
+      fmt::format("--at {}: the clock of half {} does not show that in this recording, which ends {:.1f} s "
+                  "after the match began",
+                  options.at, moment.half, match.end()));
+}
+
+std::string content_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string out((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (!in) throw BadInput(fmt::format("{}: cannot be read", file.string()));
+  return out;
+}
+
+std::string page(const Options& options, const Invocation& invocation) {
+  const std::filesystem::path viewer =
+      (invocation.executable.parent_path() / "../share/regista/viewer.html").lexically_normal();
+  std::error_code none;
+  if (invocation.executable.empty() || !std::filesystem::exists(viewer, none)) {
+    throw BadInput(
+        fmt::format("view: this build has no viewer page ({} is missing): it is made where Node.js is installed and "
+                    "`npm ci` was run in viewer/; `regista view --at` and other readers of MCAP work without it",
+                    viewer.string()));
+  }
+  const std::uintmax_t size = std::filesystem::file_size(options.file, none);
+  if (none || size > report::largest_recording_in_a_page) {
+    throw BadInput(
+        fmt::format("{}: holds {} MiB; no browser opens a page of more than {} MiB; `regista view --at` and "
+                    "other readers of MCAP can read it",
+                    options.file, size >> 20, report::largest_recording_in_a_page >> 20));
+  }
+  const std::string name = std::filesystem::path(options.file).filename().string();
+  const auto out = report::match_page(content_of(viewer), content_of(options.file), name);
+  if (!out) throw BadInput(fmt::format("view: {} belongs to another version of Regista", viewer.string()));
+  return *out;
+}
+
+int run(const Options& options, const Invocation& invocation) {
+  if (options.file.empty()) {
+    throw BadInput("view: which recording? Name a file that `regista match --record FILE` wrote");
+  }
+  if (options.at.empty() && !options.robot.empty()) {
+    throw BadInput("view: --robot belongs to --at, which is not given; the page shows all robots");
+  }
+  try {
+    const bool picture = !options.at.empty();
+    const Moment wanted = picture ? parse_moment(options.at) : Moment{};
+    const report::RecordedMatch match(options.file);
+    if (!match.cut_off().empty()) complain(match.cut_off());
+    std::string written;
+    if (picture) {
+      std::optional<report::RobotName> robot;
+      if (!options.robot.empty()) robot = parse_robot(options.robot, match.team_size());
+      written = report::moment_svg(match, match.at(time_of(match, wanted, options), robot), robot);
+    } else {
+      written = page(options, invocation);
+    }
+    std::filesystem::path output = options.output;
+    if (output.empty()) output = std::filesystem::path(options.file).replace_extension(picture ? ".svg" : ".html");
+    std::error_code none;
+    if (std::filesystem::equivalent(output, options.file, none)) {
+      throw BadInput(fmt::format("-o {}: is the recording itself", output.string()));
+    }
+    write_whole(output, written, options.force ? Existing::replaced : Existing::refused);
+    print(output.string() + '\n');
+  } catch (const mcap::Error& error) {
+    throw BadInput(error.what());
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+Command add_view(CLI::App& parent, const Invocation& invocation) {
+  CLI::App& app = *parent.add_subcommand("view", "see a recorded match");
+  const auto options = std::make_shared<Options>();
+  app.add_option("recording", options->file, "file that `regista match --record` wrote")->type_name("FILE.mcap");
+  app.add_option("-o,--output", options->output, "write this file; default: beside the recording, as .html or .svg")
+      ->type_name("FILE");
+  app.add_option("--at", options->at, "a picture of this moment instead of the page")->type_name("[HALF/]M:SS");
+  app.add_option("--robot", options->robot, "of --at: the world as this robot believed it")
+      ->type_name("[home/|away/]N");
+  app.add_flag("--force", options->force, "replace an existing file")->disable_flag_override();
+  app.footer(examples);
+  return {&app, [options, &invocation] { return run(*options, invocation); }};
+}
+
+}  // namespace regista::cli

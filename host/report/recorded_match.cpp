@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "report/recorded_match.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "mcap/error.hpp"
+#include "report/recording_about.hpp"
+
+namespace regista::report {
+namespace {
+
+using Json = nlohmann::json;
+
+const mcap::Metadata* about_in(const mcap::Reader& reader) {
+  const auto found = std::ranges::find(reader.metadata(), about_record, &mcap::Metadata::name);
+  return found == reader.metadata().end() ? nullptr : &*found;
+}
+
+constexpr std::size_t most_robots = 22;
+
+// A message of the right types that makes no sense.
+struct Senseless {};
+
+void require(bool holds) {
+  if (!holds) throw Senseless();
+}
+
+bool has_shape(const RecordedMatrix& matrix, std::size_t rows, std::size_t columns) {
+  return matrix.size() == rows && std::ranges::all_of(matrix, [&](const auto& row) { return row.size() == columns; });
+}
+
+RecordedPose pose(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
+RecordedCovariance covariance(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
+
+RecordedTeam team(const Json& json) {
+  RecordedTeam out;
+  json.at("team").get_to(out.name);
+  json.at("robot_radius").get_to(out.robot_radius);
+  for (const Json& role : json.at("roles")) out.roles.push_back(role.at("name"));
+  for (const Json& context : json.at("contexts")) {
+    RecordedContext& added = out.contexts.emplace_back();
+    context.at("name").get_to(added.name);
+    context.at("plugin").get_to(added.plugin);
+    context.at("parameters").get_to(added.parameters);
+    context.at("priority").get_to(added.priority);
+    for (const Json& term : context.at("terms")) added.terms.push_back({term.at("name"), term.at("weight")});
+  }
+  return out;
+}
+
+config::FieldSize field(const Json& json) {
+  config::FieldSize out;
+  json.at("length").get_to(out.length);
+  json.at("width").get_to(out.width);
+  json.at("border_strip").get_to(out.border_strip);
+  json.at("goal_width").get_to(out.goal_width);
+  json.at("goal_depth").get_to(out.goal_depth);
+  out.goal_area_length = json.at("goal_area").at(0);
+  out.goal_area_width = json.at("goal_area").at(1);
+  out.penalty_area_length = json.at("penalty_area").at(0);
+  out.penalty_area_width = json.at("penalty_area").at(1);
+  json.at("penalty_mark_distance").get_to(out.penalty_mark_distance);
+  out.centre_circle_diameter = 2.0 * json.at("centre_circle_radius").get<double>();
+  return out;
+}
+
+RecordedGame game(const Json& json) {
+  RecordedGame out;
+  json.at("time").get_to(out.time);
+  json.at("clock").get_to(out.clock);
+  json.at("half").get_to(out.half);
+  json.at("phase").get_to(out.phase);
+  json.at("set_play").get_to(out.set_play);
+  json.at("kicking").get_to(out.kicking);
+  json.at("score").get_to(out.score);
+  json.at("packets_left").get_to(out.packets_left);
+  json.at("penalised").get_to(out.penalised);
+  json.at("fallen").get_to(out.fallen);
+  out.ball = {json.at("ball").at(0), json.at("ball").at(1)};
+  for (const std::size_t side : {0u, 1u}) {
+    for (const Json& robot : json.at(side == 0 ? "home" : "away")) out.robots[side].push_back(pose(robot));
+  }
+  json.at("roles").get_to(out.roles);
+  const std::size_t robots = out.robots[0].size();
+  require(robots >= 1 && robots <= most_robots && out.robots[1].size() == robots);
+  require(out.roles[0].size() == robots && out.roles[1].size() == robots);
+  return out;
+}
+
+RecordedWorld world(const Json& json) {
+  RecordedWorld out;
+  if (const Json& ball = json.at("ball"); !ball.is_null()) {
+    out.ball = {ball.at("at").at(0), ball.at("at").at(1), ball.at("age"), 1.0, covariance(ball.at("covariance"))};
+  }
+  const Json& mates = json.at("teammates");
+  for (std::size_t i = 0; i < mates.at("number").size(); ++i) {
+    out.teammates.push_back({mates.at("number").at(i), mates.at("role").at(i), pose(mates.at("pose").at(i)),
+                             covariance(mates.at("covariance").at(i)), mates.at("age").at(i)});
+  }
+  const Json& others = json.at("opponents");
+  for (std::size_t i = 0; i < others.at("at").size(); ++i) {
+    out.opponents.push_back({others.at("at").at(i).at(0), others.at("at").at(i).at(1), others.at("age").at(i),
+                             others.at("weight").at(i), covariance(others.at("covariance").at(i))});
+  }
+  return out;
+}
+
+RecordedBelief belief(const Json& json) {
+  RecordedBelief out;
+  json.at("time").get_to(out.time);
+  out.pose = pose(json.at("pose"));
+  out.mine = world(json.at("mine"));
+  if (json.contains("common")) out.common = world(json.at("common"));
+  return out;
+}
+
+RecordedMatrix matrix(const Json& json) {
+  RecordedMatrix out;
+  for (const Json& row : json) {
+    auto& added = out.emplace_back();
+    for (const Json& value : row) {
+      added.push_back(value.is_null() ? std::optional<double>() : std::optional<double>(value.get<double>()));
+    }
+  }
+  return out;
+}
+
+RecordedDecision decision(const Json& json) {
+  RecordedDecision out;
+  json.at("time").get_to(out.time);
+  json.at("context").get_to(out.context);
+  json.at("knowledge").get_to(out.knowledge);
+  json.at("waypoints").get_to(out.waypoints);
+  json.at("edges").get_to(out.edges);
+  for (const Json& task : json.at("tasks")) {
+    RecordedTask& added = out.tasks.emplace_back();
+    task.at("role").get_to(added.role);
+    added.before = pose(task.at("before"));
+    if (!task.at("after").is_null()) added.after = pose(task.at("after"));
+  }
+  json.at("columns").get_to(out.columns);
+  json.at("rows").get_to(out.rows);
+  json.at("assigned").get_to(out.assigned);
+  json.at("role").get_to(out.role);
+  out.utility = matrix(json.at("utility"));
+  for (const Json& term : json.at("terms")) out.terms.push_back(matrix(term));
+  require(has_shape(out.utility, out.rows.size(), out.columns.size()));
+  for (const RecordedMatrix& term : out.terms) require(has_shape(term, out.rows.size(), out.columns.size()));
+  return out;
+}
+
+std::uint64_t nanoseconds(double seconds) {
+  return static_cast<std::uint64_t>(std::llround(std::clamp(seconds, 0.0, 1e9) * 1e9));
+}
+
+template <class Read>
+auto reading(const std::filesystem::path& file, const std::string& what, Read read) {
+  try {
+    return read();
+  } catch (const Json::exception&) {
+  } catch (const Senseless&) {
+  }
+  throw mcap::Error(file, "is damaged: " + what + " cannot be read");
+}
+
+}  // namespace
+
+RecordedMatch::RecordedMatch(const std::filesystem::path& file) : file_(file) {
+  mcap::Reader reader(file);
+  reader.select({.topics = {"/game"}});
+  // All of the game's states, for the last one is wanted; of a file without a summary, this also finds who played.
+  mcap::Message message;
+  std::string last;
+  while (reader.next(message)) last = message.data;
+  if (reader.cut_off()) cut_off_ = reader.cut_off()->line;
+  const mcap::Metadata* const about = about_in(reader);
+  if (about == nullptr) {
+    throw mcap::Error(file, "is no recording of a match; `regista match A.yaml B.yaml --record FILE` writes one");
+  }
+  const auto value = [&](const char* key) -> const std::string& {
+    const auto found = about->pairs.find(key);
+    if (found == about->pairs.end()) throw mcap::Error(file, "is damaged: it does not say its " + std::string(key));
+    return found->second;
+  };
+  if (const std::string& format = value("format"); format != std::to_string(recording_format)) {
+    throw mcap::Error(file, "has format " + format + " of " + value("program") + "; this program reads format " +
+                                std::to_string(recording_format));
+  }
+  if (last.empty()) throw mcap::Error(file, "ends before the first state of the game was written");
+  reading(file, "who plays", [&] {
+    field_ = report::field(Json::parse(value("field")));
+    ball_radius_ = Json::parse(value("ball_radius")).get<double>();
+    teams_ = {team(Json::parse(value("home"))), team(Json::parse(value("away")))};
+  });
+  const RecordedGame ending = reading(file, "the last state of the game", [&] { return game(Json::parse(last)); });
+  end_ = ending.time;
+  team_size_ = static_cast<int>(ending.robots[0].size());
+}
+
+std::optional<double> RecordedMatch::time_of(int half, double clock) const {
+  mcap::Reader reader(file_);
+  reader.select({.topics = {"/game"}});
+  mcap::Message message;
+  while (reader.next(message)) {
+    const RecordedGame state = reading(file_, "a state of the game", [&] { return game(Json::parse(message.data)); });
+    if (state.half == half && state.clock >= clock - 1e-9) return state.time;
+  }
+  return std::nullopt;
+}
+
+RecordedMoment RecordedMatch::at(double time, const std::optional<RobotName>& robot) const {
+  const std::string whose =
+      robot ? (robot->side == 0 ? "/home/" : "/away/") + std::to_string(robot->number) : std::string();
+  const std::string decisions = "/decision" + whose, beliefs = "/belief" + whose;
+  mcap::Reader reader(file_);
+  mcap::Selection selection{.last_time = nanoseconds(time), .topics = {"/game"}};
+  if (robot) selection.topics.insert(selection.topics.end(), {decisions, beliefs});
+  reader.select(selection);
+  std::map<std::string, std::string> last;  // by topic
+  mcap::Message message;
+  while (reader.next(message)) last[reader.channels().at(message.channel).topic] = message.data;
+  if (last["/game"].empty()) throw mcap::Error(file_, "says nothing of a time that early");
+
+  RecordedMoment out;
+  out.game = reading(file_, "a state of the game", [&] { return game(Json::parse(last["/game"])); });
+  if (!last[decisions].empty()) {
+    out.decision = reading(file_, "a message of " + decisions, [&] { return decision(Json::parse(last[decisions])); });
+  }
+  if (!last[beliefs].empty()) {
+    out.belief = reading(file_, "a message of " + beliefs, [&] { return belief(Json::parse(last[beliefs])); });
+  }
+  return out;
+}
+
+}  // namespace regista::report
