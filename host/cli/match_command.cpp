@@ -139,7 +139,9 @@ int play_forfeit(const Options& options, const Stored& stored) {
   };
   campaign::Decided now;
   try {
-    now = campaign::play_alone(stored.job, stored.limits);
+    campaign::Job job = stored.job;
+    job.record = options.record;
+    now = campaign::play_alone(job, stored.limits);
   } catch (const campaign::CampaignError& error) {
     if (error.kind() == campaign::CampaignError::Kind::input) throw BadInput(error.what());
     throw WriteError(error.what());
@@ -178,11 +180,15 @@ std::string without_recording(const std::vector<std::string>& arguments) {
   return shell_line(words);
 }
 
-std::unique_ptr<report::MatchRecording> begin_recording(const Options& options, const report::RecordedSetup& setup) {
+void refuse_to_replace(const Options& options) {
+  refuse_to_overwrite(options, "--record", options.record);
   std::error_code none;
   if (!options.force && std::filesystem::exists(options.record, none)) {
     throw BadInput(fmt::format("--record {}: exists already; --force replaces it", options.record));
   }
+}
+
+std::unique_ptr<report::MatchRecording> begin_recording(const Options& options, const report::RecordedSetup& setup) {
   try {
     return std::make_unique<report::MatchRecording>(options.record, setup,
                                                     report::MatchRecording::Options{options.force, true});
@@ -208,6 +214,7 @@ int play(Options options, const Invocation& invocation) {
       match_setup(stored ? request_of(stored->job) : static_cast<const MatchRequest&>(options), catalogue);
   tell_what_is_not_used(catalogue, folders);
   if (stored) require_unchanged(options, stored->job, prepared, catalogue, invocation);
+  if (!options.record.empty()) refuse_to_replace(options);
   if (stored && stored->decided.failure) return play_forfeit(options, *stored);
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
   const std::string again = shell_line(invocation.arguments);
@@ -228,7 +235,6 @@ int play(Options options, const Invocation& invocation) {
   }
   std::unique_ptr<report::MatchRecording> recording;
   if (!options.record.empty()) {
-    refuse_to_overwrite(options, "--record", options.record);
     recording = begin_recording(options, {plans, "regista " REGISTA_VERSION, without_recording(invocation.arguments),
                                           played.opening, played.seed});
   }

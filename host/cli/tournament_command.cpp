@@ -22,6 +22,7 @@
 #include "cli/tournament_progress.hpp"
 #include "config/text.hpp"
 #include "report/tournament.hpp"
+#include "study/recording_place.hpp"
 #include "study/tournament.hpp"
 
 namespace regista::cli {
@@ -33,6 +34,7 @@ constexpr auto examples = R"(Examples:
   regista tournament --team a.yaml --team b.yaml --metric striker.overlap_seconds --pairs 200 --limit 300
   regista tournament --team a.yaml --team b.yaml --team c.yaml --pairs 50 --results night.db
   regista tournament --team a.yaml --team b.yaml --team c.yaml --pairs 50 --results night.db --resume
+  regista tournament --team a.yaml --team b.yaml --pairs 50 --record-every 20
   regista tournament --team a.yaml --team a.yaml --pairs 50 --set b.utility.terms.distance.weight=0.5
 
 A pair is two matches with the same seed and the sides swapped; pair k has the seed of --seed plus k - 1, and the k-th
@@ -51,6 +53,7 @@ class Played {
       : options_(options),
         invocation_(invocation),
         workers_(number_of_workers(options)),
+        record_every_(record_every(options)),
         plan_(std::move(planned.plan)),
         documents_(std::move(planned.documents)),
         course_(plan_),
@@ -109,7 +112,16 @@ class Played {
       const study::Fixture fixture = course_.calendar().at(index);
       return campaign::MatchKey{numbers_[fixture.number], fixture.seed};
     };
-    out.job = [this](std::uint64_t index) { return job(index); };
+    out.job = [this](std::uint64_t index) {
+      campaign::Job match = job(index);
+      if (record_every_ > 0 && index % record_every_ == 0) match.record = recording(index);
+      return match;
+    };
+    out.record_failure = [this](std::uint64_t index) { return recording(index); };
+    out.not_recorded = [this, &progress](const campaign::Job& job, const std::string& why) {
+      progress.tell(
+          fmt::format("a match was not recorded: {}; it can be played again with --record: {}", why, again(job)));
+    };
     out.take = [this, &progress](std::uint64_t index, const campaign::Decided* decided, bool fresh) {
       const bool more = course_.take(decided);
       progress.match(index, decided, fresh);
@@ -126,6 +138,10 @@ class Played {
 
   campaign::Job job(std::uint64_t index) const { return study::job(plan_, course_.calendar().at(index)); }
 
+  std::string recording(std::uint64_t index) const {
+    return study::recording_file(options_.results, static_cast<std::int64_t>(index) + 1).string();
+  }
+
   std::string again(const campaign::Job& job) const {
     std::vector<std::string> words = campaign::match_arguments(job);
     words.insert(words.begin(), invocation_.arguments.front());
@@ -141,6 +157,7 @@ class Played {
   const TournamentOptions& options_;
   const Invocation& invocation_;
   int workers_;
+  std::uint64_t record_every_;
   study::TournamentPlan plan_;
   std::vector<std::string> documents_;  // of the teams
   study::Tournament course_;
@@ -195,6 +212,9 @@ Command add_tournament(CLI::App& parent, const Invocation& invocation) {
   add_plugin_folders(app, options->plugins);
   app.add_option("--results", options->results, "file the results are kept in; default: tournament.db")
       ->type_name("FILE");
+  app.add_option("--record-every", options->record_every,
+                 "record every N-th match, beside the results in NAME.recordings/ROW.mcap; those that fail always are")
+      ->type_name("N");
   app.add_flag("--resume", options->resume, "go on with what the file of results was begun with")
       ->disable_flag_override();
   app.add_option("--failures-in-a-row", options->failures_in_a_row,

@@ -268,6 +268,10 @@ int number_of_workers(const TournamentOptions& options) {
   return static_cast<int>(parse_whole("--workers", options.workers, 1, 1024));
 }
 
+std::uint64_t record_every(const TournamentOptions& options) {
+  return options.record_every.empty() ? 0 : parse_whole("--record-every", options.record_every, 1, UINT64_MAX);
+}
+
 campaign::Limits limits(const TournamentOptions& options) {
   campaign::Limits limits;
   limits.processor_seconds =

@@ -17,7 +17,7 @@ struct TournamentOptions {
   std::string rules, robot, disturbance, limit;
   std::string format = "round-robin", pairs, seed = "1";
   std::string sprt, metric, model, alpha, beta;  // empty: not given
-  std::string failures_in_a_row = "10";
+  std::string failures_in_a_row = "10", record_every;  // empty: only matches that fail are recorded
   std::string workers, results = "tournament.db", processor_seconds = "10", memory = "2048";
   bool resume = false, json = false, quiet = false, no_page = false;
 };
@@ -31,6 +31,8 @@ struct PlannedTournament {
 PlannedTournament planned_tournament(const TournamentOptions& options, const plugin::Catalogue& catalogue);
 
 int number_of_workers(const TournamentOptions& options);
+// 0: none but those that fail.
+std::uint64_t record_every(const TournamentOptions& options);
 campaign::Limits limits(const TournamentOptions& options);
 
 }  // namespace regista::cli

@@ -32,12 +32,12 @@ constexpr auto examples = R"(Examples:
   regista view match.mcap
   regista view match.mcap -o page.html --force
   regista view match.mcap --at 7:42 -o frame.svg
-  regista view match.mcap --at 2/3:10 --robot 3 -o frame.svg
   regista view match.mcap --at 462.3 --robot away/5 -o frame.svg
+  regista view match.mcap --at 2/3:10 --robot 3 -o frame.svg
 
-The page needs nothing but a browser. --at 7:42 is the clock of the first half, 2/3:10 that of the second; a number alone
-is seconds since the match began, as in the address of the page. --robot 3 is the home team's; its picture shows the
-world as the robot believed it, its tasks, and the utilities it chose by.
+The page needs nothing but a browser. --at 7:42, or 462 (seconds), is the time since the match began, as under the field
+of the page; 1/6:55 is the clock of the first half, 2/3:10 that of the second. --robot 3 is the home team's; its picture
+shows the world as the robot believed it, its tasks, and the utilities it chose by.
 Exit codes: 0 done; 1 the page could not be written; 2 bad input; 3 a defect of Regista.)";
 
 struct Options {
@@ -62,8 +62,7 @@ struct Moment {
 Moment parse_moment(const std::string& typed) {
   const auto refuse = [&] {
     throw BadInput(
-        fmt::format("--at: {}; wanted is the clock of the first half, 7:42, of the second, 2/7:42, or seconds since "
-                    "the match began, 462.3",
+        fmt::format("--at: {}; wanted is the time since the match began, 7:42 or 462.3, or the clock of a half, 2/7:42",
                     config::in_quotes(typed)));
   };
   Moment out;
@@ -79,7 +78,6 @@ Moment parse_moment(const std::string& typed) {
     const auto whole = number_in<int>(rest.substr(0, colon));
     if (!whole || *whole < 0) refuse();
     minutes = *whole;
-    if (out.half == 0) out.half = 1;
     rest.remove_prefix(colon + 1);
   }
   const auto seconds = number_in<double>(rest);

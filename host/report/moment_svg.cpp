@@ -125,10 +125,10 @@ Html truth(const RecordedMatch& match, const RecordedGame& game, const std::opti
                       to.y(game.ball[1]), std::max(4.0, match.ball_radius() * to.per_metre));
 }
 
-Html believed(const RecordedWorld& world, const RecordedTeam& team, int own_number, const Scale& to) {
-  Html out = R"(<g class="belief">)"_html;
+Html believed(const RecordedWorld& world, const RecordedTeam& team, const RobotName& robot, const Scale& to) {
+  Html out = robot.side == 0 ? R"(<g class="of-home">)"_html : R"(<g class="of-away">)"_html;
   for (const RecordedTeammate& mate : world.teammates) {
-    if (mate.number == own_number) continue;
+    if (mate.number == robot.number) continue;
     out << ellipse(mate.covariance, mate.pose.x, mate.pose.y, to)
         << robot_shape(mate.pose, team.robot_radius, mate.number, "ghost mate", to)
         << label(to.x(mate.pose.x), to.y(mate.pose.y) - (team.robot_radius + 0.08) * to.per_metre, "age",
@@ -255,8 +255,12 @@ Html panel(const RecordedMatch& match, const RecordedMoment& moment, const Robot
   Html out;
   double y = head + 14.0;
   const auto line = [&](const char* classes, const std::string& words) {
-    out << label(left, y, classes, visible_at_most(words, 62));
+    out << label(left, y, classes, visible_at_most(words, 66));
     y += 19.0;
+  };
+  const auto context_lines = [&](const RecordedContext& context, const char* how) {
+    line("small", fmt::format("context {}: {} {}", context.name, context.plugin, how));
+    if (!context.parameters.empty()) line("small", "    " + context.parameters);
   };
   if (!moment.decision) {
     line("title", fmt::format("{} {}", team.name, robot.number));
@@ -267,12 +271,8 @@ Html panel(const RecordedMatch& match, const RecordedMoment& moment, const Robot
   line("title", fmt::format("{} {}: {}", team.name, robot.number, role_name(team, decision.role)));
   const auto context = static_cast<std::size_t>(decision.context);
   if (decision.context >= 0 && context < team.contexts.size()) {
-    const RecordedContext& holds = team.contexts[context];
-    for (std::size_t i = 0; i < context; ++i) {
-      line("small", fmt::format("context {}: does not hold ({} {})", team.contexts[i].name, team.contexts[i].plugin,
-                                team.contexts[i].parameters));
-    }
-    line("small", fmt::format("context {}: holds ({} {})", holds.name, holds.plugin, holds.parameters));
+    for (std::size_t i = 0; i < context; ++i) context_lines(team.contexts[i], "does not hold");
+    context_lines(team.contexts[context], "holds");
   } else {
     line("small", "no context holds");
   }
@@ -280,7 +280,7 @@ Html panel(const RecordedMatch& match, const RecordedMoment& moment, const Robot
                             decision.knowledge == "common" ? "in common with the others" : "itself"));
   if (decision.columns.empty()) return out;
   const double columns = static_cast<double>(decision.columns.size());
-  Table table{left + 22.0, y + 96.0, std::min(52.0, (panel_width - 22.0 - 60.0) / columns), 25.0};
+  Table table{left + 22.0, y + 112.0, std::min(52.0, (panel_width - 22.0 - 60.0) / columns), 25.0};
   out << label(left, y + 6.0, "heading", "Utility estimation matrix: robots × tasks")
       << matrix(decision, team, robot.number, table);
   table.top += 25.0 * static_cast<double>(decision.rows.size()) + 34.0;
@@ -291,15 +291,17 @@ Html panel(const RecordedMatch& match, const RecordedMoment& moment, const Robot
 
 constexpr Markup style = R"(<style>
 text{font-family:"Helvetica Neue",Arial,"DejaVu Sans",sans-serif;font-size:12px;fill:#1b1f24}
-.head{font-size:22px;font-weight:600}.small{fill:#4a545e}.title{font-size:17px;font-weight:600}.heading{font-weight:600}
+.head{font-size:22px;font-weight:600}.small{fill:#4a545e;white-space:pre}.title{font-size:17px;font-weight:600}.heading{font-weight:600}
 .grass{fill:#eef4ee}.line *{fill:none;stroke:#7d8a80;stroke-width:1.5}
 .robot text,.ghost text{text-anchor:middle;font-size:12.5px;font-weight:600}
 .robot circle{stroke:#fff;stroke-width:1}.robot path{stroke:#1b1f24;stroke-width:2}
 .home circle{fill:#0072b2}.away circle{fill:#d55e00}.home text,.away text{fill:#fff}.penalised{opacity:.3}
 .chosen{fill:none;stroke:#1b1f24;stroke-width:2.5}.ball{fill:#1b1f24;stroke:#fff;stroke-width:1.5}
 .role{text-anchor:middle;font-size:10.5px;fill:#4a545e}
-.ghost circle,circle.ghost{fill:none;stroke:#0072b2;stroke-width:1.4;stroke-dasharray:4 3}.ghost path{stroke:#0072b2;stroke-width:1.2}
-.ghost text{fill:#0072b2}circle.other{stroke:#d55e00}circle.believed-ball{stroke:#1b1f24}
+.ghost circle,circle.ghost{fill:none;stroke-width:1.4;stroke-dasharray:4 3}.ghost path{stroke-width:1.2}
+.of-home .mate *,.of-away .other{stroke:#0072b2}.of-away .mate *,.of-home .other{stroke:#d55e00}
+.of-home .mate text{fill:#0072b2;stroke:#fff}.of-away .mate text{fill:#b34f00;stroke:#fff}.believed-ball{stroke:#1b1f24}
+.role,.age,.task-name,.mate text{paint-order:stroke;stroke:#fff;stroke-width:2.5px;stroke-linejoin:round}
 .spread{fill:#5b6670;fill-opacity:.07;stroke:#5b6670;stroke-opacity:.45;stroke-width:.8}
 .age{text-anchor:middle;font-size:9.5px;fill:#4a545e}
 .edge{stroke:#009e73;stroke-opacity:.45;fill:none}.waypoint{fill:#009e73}
@@ -344,7 +346,7 @@ std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment,
     const bool common = moment.decision && moment.decision->knowledge == "common";
     if (moment.belief) {
       const RecordedWorld& world = common && moment.belief->common ? *moment.belief->common : moment.belief->mine;
-      out << believed(world, team, robot->number, to);
+      out << believed(world, team, *robot, to);
     }
     out << panel(match, moment, *robot, width - panel_width);
     out << label(margin, bottom + 20.0, "small",
