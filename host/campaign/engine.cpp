@@ -190,9 +190,10 @@ class Engine {
 
   // What failed once is recorded when it is played again. False: it was recorded the first time, or is not wanted.
   bool record(Run& run) {
-    if (!run.job.record.empty() || !schedule_.record_failure) return false;
+    if (run.job.expects_failure || !schedule_.record_failure) return false;
     run.job.record = schedule_.record_failure(run.indices.front());
-    return !run.job.record.empty();
+    run.job.expects_failure = !run.job.record.empty();
+    return run.job.expects_failure;
   }
 
   void decide(const Run& run, const Decided& decided) {

@@ -82,6 +82,7 @@ std::string to_json(const Job& job) {
                    {"limit", job.limit},
                    {"seed", job.seed},
                    {"record", job.record},
+                   {"expects_failure", job.expects_failure},
                    {"home_inputs", json_of(job.home_inputs)},
                    {"away_inputs", json_of(job.away_inputs)},
                    {"common_inputs", json_of(job.common_inputs)}});
@@ -100,6 +101,7 @@ Job job_from_json(const std::string& text) {
     json.at("limit").get_to(job.limit);
     json.at("seed").get_to(job.seed);
     json.at("record").get_to(job.record);
+    json.at("expects_failure").get_to(job.expects_failure);
     job.home_inputs = inputs_of(json.at("home_inputs"));
     job.away_inputs = inputs_of(json.at("away_inputs"));
     job.common_inputs = inputs_of(json.at("common_inputs"));

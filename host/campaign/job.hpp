@@ -22,6 +22,7 @@ struct Job {
   std::string limit;                      // simulated seconds, as typed; empty: none, or the opening's length
   std::uint64_t seed = 1;
   std::string record;  // file that the worker records the match in, replacing it; empty: none. Part of no key.
+  bool expects_failure = false;  // then as much as possible is to stand in that file when the worker dies
   // What is to be played, as inputs.hpp counts it up. A worker that finds something else in the files does not play.
   std::vector<Input> home_inputs, away_inputs, common_inputs;
   friend bool operator==(const Job&, const Job&) = default;

@@ -141,6 +141,7 @@ int play_forfeit(const Options& options, const Stored& stored) {
   try {
     campaign::Job job = stored.job;
     job.record = options.record;
+    job.expects_failure = true;
     now = campaign::play_alone(job, stored.limits);
   } catch (const campaign::CampaignError& error) {
     if (error.kind() == campaign::CampaignError::Kind::input) throw BadInput(error.what());
@@ -190,8 +191,8 @@ void refuse_to_replace(const Options& options) {
 
 std::unique_ptr<report::MatchRecording> begin_recording(const Options& options, const report::RecordedSetup& setup) {
   try {
-    return std::make_unique<report::MatchRecording>(options.record, setup,
-                                                    report::MatchRecording::Options{options.force, true});
+    return std::make_unique<report::MatchRecording>(
+        options.record, setup, report::MatchRecording::Options{.replace = options.force, .background = true});
   } catch (const mcap::Error& error) {
     throw BadInput(fmt::format("--record: {}", error.what()));
   }

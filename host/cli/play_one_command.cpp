@@ -81,7 +81,7 @@ class Recording {
       std::filesystem::create_directories(std::filesystem::path(job.record).parent_path());
       file_.emplace(job.record,
                     report::RecordedSetup{plans, "regista " REGISTA_VERSION, shell_line(words), opening, job.seed},
-                    report::MatchRecording::Options{.replace = true});
+                    report::MatchRecording::Options{.replace = true, .at_stake = job.expects_failure ? 0.1 : 2.0});
     } catch (const std::filesystem::filesystem_error& error) {
       why_not_ = fmt::format("{}: {}", job.record, error.code().message());
       return;

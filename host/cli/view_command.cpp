@@ -124,6 +124,16 @@ std::string content_of(const std::filesystem::path& file) {
   return out;
 }
 
+void refuse_what_no_browser_opens(const std::string& file) {
+  std::error_code none;
+  const std::uintmax_t size = std::filesystem::file_size(file, none);
+  if (none || size <= report::largest_recording_in_a_page) return;  // what else is wrong is found when it is read
+  throw BadInput(
+      fmt::format("{}: holds {} MiB; no browser opens a page with more than {} MiB; `regista view --at` and "
+                  "other readers of MCAP can read it",
+                  file, size >> 20, report::largest_recording_in_a_page >> 20));
+}
+
 std::string page(const Options& options, const Invocation& invocation) {
   const std::filesystem::path viewer =
       (invocation.executable.parent_path() / "../share/regista/viewer.html").lexically_normal();
@@ -133,13 +143,6 @@ std::string page(const Options& options, const Invocation& invocation) {
         fmt::format("view: this build has no viewer page ({} is missing): it is made where Node.js is installed and "
                     "`npm ci` was run in viewer/; `regista view --at` and other readers of MCAP work without it",
                     viewer.string()));
-  }
-  const std::uintmax_t size = std::filesystem::file_size(options.file, none);
-  if (none || size > report::largest_recording_in_a_page) {
-    throw BadInput(
-        fmt::format("{}: holds {} MiB; no browser opens a page of more than {} MiB; `regista view --at` and "
-                    "other readers of MCAP can read it",
-                    options.file, size >> 20, report::largest_recording_in_a_page >> 20));
   }
   const std::string name = std::filesystem::path(options.file).filename().string();
   const auto out = report::match_page(content_of(viewer), content_of(options.file), name);
@@ -157,8 +160,9 @@ int run(const Options& options, const Invocation& invocation) {
   try {
     const bool picture = !options.at.empty();
     const Moment wanted = picture ? parse_moment(options.at) : Moment{};
+    if (!picture) refuse_what_no_browser_opens(options.file);
     const report::RecordedMatch match(options.file);
-    if (!match.cut_off().empty()) complain(match.cut_off());
+    if (!match.damage().empty()) complain(match.damage());
     std::string written;
     if (picture) {
       std::optional<report::RobotName> robot;

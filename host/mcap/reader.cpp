@@ -196,6 +196,10 @@ bool Reader::next_walked_record() {
       return false;
     }
     place_ = place->offset;
+    if (static_cast<std::uint8_t>(place->opcode) == 0) {
+      walk_is_over_ = true;
+      throw Malformed{"here a record has to begin"};
+    }
     if (in_summary_ && place->opcode != Opcode::footer) continue;
     switch (place->opcode) {
       case Opcode::chunk:
@@ -218,10 +222,6 @@ bool Reader::next_walked_record() {
         end_walk(true);
         return false;
       default:
-        if (static_cast<std::uint8_t>(place->opcode) == 0) {
-          walk_is_over_ = true;
-          throw Malformed{"here a record has to begin"};
-        }
         break;
     }
   }

@@ -18,7 +18,6 @@ namespace {
 
 constexpr int game_steps = match::physics_steps_per_second / 10;
 constexpr double belief_period = 0.5;  // s
-constexpr double chunk_period = 2.0;   // s: what a crash may take away
 
 std::uint64_t nanoseconds(double seconds) { return static_cast<std::uint64_t>(std::llround(seconds * 1e9)); }
 
@@ -156,6 +155,7 @@ struct MatchRecording::Parts {
 
   Parts(const std::filesystem::path& file, const RecordedSetup& setup, const Options& options)
       : plans(setup.plans),
+        at_stake(options.at_stake),
         writer(file, {.library = setup.program, .replace = options.replace, .background = options.background}) {
     const auto channel = [&](const char* topic, const char* schema, const std::string& text) {
       return writer.add_channel(topic, "json", writer.add_schema(schema, "jsonschema", text));
@@ -204,6 +204,7 @@ struct MatchRecording::Parts {
   void write_belief(Last& robot, match::Side side, const mind::Mind& mind, double time);
 
   std::array<const mind::TeamPlan*, 2> plans;
+  double at_stake;
   mcap::Writer writer;
   JsonText json;
   mcap::ChannelId game{}, events{}, packets{}, heard{};
@@ -328,7 +329,7 @@ void MatchRecording::event(double time, const match::Event& event, const match::
 
 void MatchRecording::stepped(const match::Snapshot& snapshot) {
   Parts& parts = *parts_;
-  if (snapshot.time - parts.chunk_began >= chunk_period) {
+  if (snapshot.time - parts.chunk_began >= parts.at_stake - 1e-9) {
     parts.writer.finish_chunk();
     parts.chunk_began = snapshot.time;
   }

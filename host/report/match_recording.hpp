@@ -28,6 +28,7 @@ class MatchRecording {
   struct Options {
     bool replace = false;     // a file of this name, instead of refusing it
     bool background = false;  // a thread of its own compresses and writes
+    double at_stake = 2.0;    // s of the match that are lost at most when the process dies
   };
   // The plans of `setup` outlive the recording. Every function throws mcap::Error when the file cannot be written.
   MatchRecording(const std::filesystem::path& file, const RecordedSetup& setup, const Options& options);

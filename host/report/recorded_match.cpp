@@ -156,6 +156,17 @@ std::uint64_t nanoseconds(double seconds) {
   return static_cast<std::uint64_t>(std::llround(std::clamp(seconds, 0.0, 1e9) * 1e9));
 }
 
+// The next message that can be read; what cannot is told in `damage`, the first of it.
+bool next(mcap::Reader& reader, mcap::Message& message, std::string& damage) {
+  for (;;) {
+    try {
+      return reader.next(message);
+    } catch (const mcap::Error& error) {
+      if (damage.empty()) damage = error.what();
+    }
+  }
+}
+
 template <class Read>
 auto reading(const std::filesystem::path& file, const std::string& what, Read read) {
   try {
@@ -174,9 +185,10 @@ RecordedMatch::RecordedMatch(const std::filesystem::path& file) : file_(file) {
   // All of the game's states, for the last one is wanted; of a file without a summary, this also finds who played.
   mcap::Message message;
   std::string last;
-  while (reader.next(message)) last = message.data;
-  if (reader.cut_off()) cut_off_ = reader.cut_off()->line;
+  while (next(reader, message, damage_)) last = message.data;
+  if (reader.cut_off() && damage_.empty()) damage_ = reader.cut_off()->line;
   const mcap::Metadata* const about = about_in(reader);
+  if (about == nullptr && !damage_.empty()) throw mcap::Error(file, "breaks off before it says who plays");
   if (about == nullptr) {
     throw mcap::Error(file, "is no recording of a match; `regista match A.yaml B.yaml --record FILE` writes one");
   }
@@ -204,7 +216,8 @@ std::optional<double> RecordedMatch::time_of(int half, double clock) const {
   mcap::Reader reader(file_);
   reader.select({.topics = {"/game"}});
   mcap::Message message;
-  while (reader.next(message)) {
+  std::string told_before;
+  while (next(reader, message, told_before)) {
     const RecordedGame state = reading(file_, "a state of the game", [&] { return game(Json::parse(message.data)); });
     if (state.half == half && state.clock >= clock - 1e-9) return state.time;
   }
@@ -221,7 +234,8 @@ RecordedMoment RecordedMatch::at(double time, const std::optional<RobotName>& ro
   reader.select(selection);
   std::map<std::string, std::string> last;  // by topic
   mcap::Message message;
-  while (reader.next(message)) last[reader.channels().at(message.channel).topic] = message.data;
+  std::string told_before;
+  while (next(reader, message, told_before)) last[reader.channels().at(message.channel).topic] = message.data;
   if (last["/game"].empty()) throw mcap::Error(file_, "says nothing of a time that early");
 
   RecordedMoment out;

@@ -113,7 +113,8 @@ struct RecordedMoment {
 
 class RecordedMatch {
  public:
-  // Throws mcap::Error for a file that is no recording of a match, or one of a later version of Regista.
+  // Throws mcap::Error for a file that is no recording of a match, or one of a later version of Regista. Of a file that
+  // is damaged, what can be read counts.
   explicit RecordedMatch(const std::filesystem::path& file);
 
   const config::FieldSize& field() const { return field_; }
@@ -122,8 +123,8 @@ class RecordedMatch {
   int team_size() const { return team_size_; }
   // Of the last state of the game that can be read.
   double end() const { return end_; }
-  // Where the file was cut off, in words; empty when it is whole.
-  const std::string& cut_off() const { return cut_off_; }
+  // Where the file was cut off or damaged, in words; empty when it is whole.
+  const std::string& damage() const { return damage_; }
 
   // The first time at which the clock of this half shows so much; nothing when it never does.
   std::optional<double> time_of(int half, double clock) const;
@@ -137,7 +138,7 @@ class RecordedMatch {
   double ball_radius_ = 0.05, end_ = 0.0;
   int team_size_ = 0;
   std::array<RecordedTeam, 2> teams_;
-  std::string cut_off_;
+  std::string damage_;
 };
 
 }  // namespace regista::report

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""Recorded matches of a tournament: every N-th, and those that fail."""
+
+import json
+import unittest
+
+import program
+import recorded
+import tournament
+
+DEATHS = program.TEST_PLUGINS / "deaths"
+BAD_VALUES = program.TEST_PLUGINS / "bad_values"
+LIMITS = ("--processor-seconds", "1", "--memory", "512")
+
+
+class Recordings(tournament.Tournament):
+    def names(self, folder="tournament.recordings"):
+        return sorted((path.name for path in (self.folder / folder).glob("*")), key=lambda name: int(name.split(".")[0]))
+
+    def recording(self, row, folder="tournament.recordings"):
+        return recorded.read(self.folder / folder / f"{row}.mcap")
+
+    def test_every_third_match_is_recorded_and_nothing_else_changes(self):
+        self.play("--results", "plain.db")
+        self.play("--record-every", "3", "--results", "tournament.db")
+        self.assertEqual(self.names(), ["1.mcap", "4.mcap"])
+        self.assertFalse((self.folder / "plain.recordings").exists())
+        self.assertEqual(self.rows("plain.db"), self.rows())
+        for row, match in enumerate(self.table(), 1):
+            if row not in (1, 4):
+                continue
+            file = self.recording(row)
+            self.assertTrue(file.whole)
+            self.assertEqual(file.about["seed"], match["seed"])
+            self.assertEqual([json.loads(file.about[side])["team"] for side in ("home", "away")],
+                             [match["home"], match["away"]])
+            self.assertEqual(file.of("/game")[-1]["score"], [int(match["home_goals"]), int(match["away_goals"])])
+
+    def test_a_match_of_a_tournament_can_be_recorded_later(self):
+        self.play("--record-every", "2")
+        done = self.run_program("match", "--from", "tournament.db", "--row", "3", "--quiet", "--record", "later.mcap")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        later, then = recorded.read(self.folder / "later.mcap"), self.recording(3)
+        self.assertEqual(later.messages, then.messages)
+
+    def test_a_resumed_tournament_records_what_is_still_to_be_played(self):
+        self.kill_when(lambda: self.count() >= 3, *self.arguments("--quiet", "--record-every", "1", pairs=50))
+        played = self.count()
+        self.succeed(*self.arguments("--quiet", "--record-every", "10", "--resume", pairs=50))
+        names = self.names()
+        self.assertTrue(set(f"{row}.mcap" for row in range(1, played + 1)) <= set(names))
+        self.assertTrue(set(f"{row}.mcap" for row in range(played + 20, 101) if row % 10 == 1) <= set(names))
+        for row in (1, 91):
+            self.assertTrue(self.recording(row).whole)
+
+    def bad(self, old, new, folder):
+        text = program.TEAM.format(name="bad").replace("robot: 1, ", "")
+        self.assertIn(old, text)
+        self.write("bad.yaml", text.replace(old, new))
+        return json.loads(self.succeed(*self.arguments("--quiet", "--json", "--plugins", folder, *LIMITS,
+                                                       teams=("bad.yaml", "small.yaml"), pairs=1)))
+
+    def test_a_plugin_that_dies_leaves_its_last_seconds(self):
+        self.bad("plugin: ball_seen", "plugin: crashes", DEATHS)
+        self.assertEqual(self.names(), ["1.mcap", "2.mcap"])
+        # The file was never finished; what stands in it ends just before the death.
+        file = self.recording(1)
+        self.assertFalse(file.whole)
+        self.assertGreaterEqual(file.of("/game")[-1]["time"], 1.7)  # it dies at the 19th decision
+        self.assertTrue(file.of("/decision/home/3"))
+
+    def test_a_plugin_that_breaks_a_promise_leaves_all_of_it(self):
+        self.bad("plugin: first_free", "plugin: assigns_beyond", BAD_VALUES)
+        self.assertEqual(self.names(), ["1.mcap", "2.mcap"])
+        self.assertTrue(self.recording(1).whole)
+
+    def test_a_folder_that_cannot_be_written_costs_the_recording_alone(self):
+        self.write("tournament.recordings", "in the way")
+        done = self.run_program(*self.arguments("--quiet", "--record-every", "3"))
+        self.assertEqual(done.returncode, 0)
+        lines = done.stderr.splitlines()
+        self.assertEqual(len(lines), 2, done.stderr)
+        for line in lines:
+            self.assertRegex(line, r"^regista: a match was not recorded: tournament\.recordings/\d\.mcap: .+; it can be "
+                                   r"played again with --record: .* match ")
+        self.assertEqual(self.count(), 6)
+
+    def test_numbers_that_are_none(self):
+        for value in ("0", "-1", "x", "1.5"):
+            self.assertIn("--record-every", self.refused(*self.arguments("--record-every", value)))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: MIT
+"""`regista view`: pages and pictures of recorded matches."""
+
+import base64
+import json
+import os
+import pathlib
+import re
+import unittest
+import xml.etree.ElementTree
+
+import program
+import recorded
+
+MATCH = ("match", "small.yaml", "small.yaml", *program.PLAY_SOON, "--limit", "20", "--quiet")
+SVG = "{http://www.w3.org/2000/svg}"
+VIEWER = ('<html><script id="recording" data-name="@REGISTA_RECORDING_NAME@">@REGISTA_RECORDING@</script></html>')
+
+
+class View(program.Case):
+    def setUp(self):
+        super().setUp()
+        self.succeed(*MATCH, "--record", "a.mcap")
+
+    def install_viewer(self, text=VIEWER):
+        self.write("share/regista/viewer.html", text)
+
+    def picture(self, *more, file="a.mcap"):
+        self.succeed("view", file, *more, "-o", "a.svg", "--force")
+        return xml.etree.ElementTree.parse(self.folder / "a.svg").getroot()
+
+    def texts(self, svg):
+        return [element.text or "" for element in svg.iter(f"{SVG}text")]
+
+
+class Pages(View):
+    def test_the_page_holds_the_recording(self):
+        self.install_viewer()
+        os.rename(self.folder / "a.mcap", self.folder / 'my <"first"> & best.mcap')
+        self.assertEqual(self.succeed("view", 'my <"first"> & best.mcap', "-o", "page.html"), "page.html\n")
+        page = (self.folder / "page.html").read_text()
+        found = re.fullmatch(r'<html><script id="recording" data-name="([^"]*)">([A-Za-z0-9+/=]*)</script></html>', page)
+        self.assertEqual(found[1], "my &lt;&quot;first&quot;&gt; &amp; best.mcap")
+        self.assertEqual(base64.b64decode(found[2], validate=True),
+                         (self.folder / 'my <"first"> & best.mcap').read_bytes())
+
+    def test_without_a_name_it_stands_beside_the_recording(self):
+        self.install_viewer()
+        self.assertEqual(self.succeed("view", "a.mcap"), "a.html\n")
+        self.assertIn("--force", self.refused("view", "a.mcap"))
+        self.assertEqual(self.succeed("view", "a.mcap", "--force"), "a.html\n")
+        self.assertIn("is the recording itself", self.refused("view", "a.mcap", "-o", "a.mcap", "--force"))
+
+    def test_a_build_without_viewer_says_what_is_missing(self):
+        line = self.refused("view", "a.mcap")
+        self.assertIn("Node.js", line)
+        self.assertIn("npm ci", line)
+        self.install_viewer("<html>another</html>")
+        self.assertIn("belongs to another version", self.refused("view", "a.mcap"))
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_a_folder_that_may_not_be_written(self):
+        self.install_viewer()
+        (self.folder / "closed").mkdir(mode=0o500)
+        self.assertIn("Permission denied", self.refused("view", "a.mcap", "-o", "closed/a.html"))
+
+    def test_folders_and_disks_that_take_nothing(self):
+        self.install_viewer()
+        self.assertIn("none/a.html", self.refused("view", "a.mcap", "-o", "none/a.html"))
+        self.assertIn("small.yaml/a.html", self.refused("view", "a.mcap", "-o", "small.yaml/a.html"))
+
+
+class BadRecordings(View):
+    def test_files_that_are_no_recordings(self):
+        self.write("empty.mcap", "")
+        self.write("foreign.mcap", "PNG or whatever it is")
+        (self.folder / "magic.mcap").write_bytes(recorded.MAGIC)
+        (self.folder / "folder.mcap").mkdir()
+        for name, words in (("empty", "is empty"), ("foreign", "is not an MCAP file"), ("magic", "within its header"),
+                            ("folder", ""), ("none", "No such file")):
+            for more in ((), ("--at", "1")):
+                line = self.refused("view", f"{name}.mcap", *more)
+                self.assertIn(f"{name}.mcap", line)
+                self.assertIn(words, line)
+
+    def test_a_file_of_a_later_version(self):
+        data = (self.folder / "a.mcap").read_bytes()
+        old = b"\x06\x00\x00\x00format\x01\x00\x00\x001"
+        self.assertEqual(data.count(old), 1)
+        (self.folder / "later.mcap").write_bytes(data.replace(old, old[:-1] + b"2"))
+        self.assertIn("has format 2 of regista", self.refused("view", "later.mcap", "--at", "1"))
+
+    def test_a_recording_of_something_else(self):
+        data = (self.folder / "a.mcap").read_bytes()
+        # The name of the metadata: a file of another program.
+        other = data.replace(b"\x05\x00\x00\x00match", b"\x05\x00\x00\x00other", 1)
+        (self.folder / "other.mcap").write_bytes(other)
+        self.assertIn("is no recording of a match", self.refused("view", "other.mcap", "--at", "1"))
+
+    def test_a_huge_file_is_refused_for_a_page(self):
+        self.install_viewer()
+        data = (self.folder / "a.mcap").read_bytes()
+        # A hole after the last complete chunk: cut off, as far as a reader can tell.
+        path = self.folder / "huge.mcap"
+        path.write_bytes(data[:-2000])
+        os.truncate(path, 2 << 30)
+        done = self.run_program("view", "huge.mcap", timeout=60)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("no browser opens", done.stderr)
+
+
+class Pictures(View):
+    def test_shows_what_stands_in_the_recording(self):
+        file = recorded.read(self.folder / "a.mcap")
+        game = next(game for game in file.of("/game") if game["time"] == 15.0)
+        decision = [d for d in file.of("/decision/home/3") if d["time"] <= 15.0][-1]
+        about = json.loads(file.about["home"])
+        svg = self.picture("--at", "15", "--robot", "3")
+        texts = self.texts(svg)
+        self.assertIn(f"small {game['score'][0]} : {game['score'][1]} small", texts)
+        self.assertIn(f"small 3: {about['roles'][decision['role']]['name']}", texts)
+        values = [f"{value:.2f}" for row in decision["utility"] for value in row if value is not None]
+        shown = [element.text for element in svg.iter(f"{SVG}text") if "value" in element.get("class", "")]
+        self.assertEqual([text for text in shown[:len(decision["rows"]) * len(decision["columns"])] if text != "–"],
+                         values)
+        taken = [element for element in svg.iter(f"{SVG}rect") if element.get("class") == "taken"]
+        chosen = [row for row in decision["rows"] if decision["assigned"][row - 1] in decision["columns"]]
+        self.assertEqual(len(taken), len(chosen))
+        # Robots stand where they stood: centre of the picture's field and its scale, from the lines drawn.
+        robots = [group.find(f"{SVG}circle") for group in svg.iter(f"{SVG}g")
+                  if (group.get("class") or "").startswith("robot home")]
+        xs = [float(robot.get("cx")) for robot in robots]
+        poses = game["home"]
+        scale = (xs[1] - xs[0]) / (poses[1][0] - poses[0][0])
+        for x, pose in zip(xs, poses):
+            self.assertLessEqual(abs(x - xs[0] - scale * (pose[0] - poses[0][0])), 0.2 + 0.01 * abs(scale))
+
+    def test_moments(self):
+        file = recorded.read(self.folder / "a.mcap")
+        clocked = next(game for game in file.of("/game") if game["half"] == 1 and game["clock"] >= 5)
+        at = self.texts(self.picture("--at", "1/0:05"))
+        self.assertEqual(at, self.texts(self.picture("--at", clocked["time"])))
+        self.assertEqual(self.texts(self.picture("--at", "0:15")), self.texts(self.picture("--at", "15.0")))
+
+    def test_moments_and_robots_that_are_none(self):
+        for typed in ("x", "-1", "1:", ":5", "7:75", "0/1:00", "1/2/3", "nan", "inf", "1e99", "1:2:3", ""):
+            if typed:
+                self.assertIn("--at", self.refused("view", "a.mcap", "--at", typed))
+        self.assertIn("ends at 20.0 s", self.refused("view", "a.mcap", "--at", "20.2"))
+        self.assertIn("ends 20.0 s after", self.refused("view", "a.mcap", "--at", "2/0:10"))
+        for typed in ("0", "8", "x", "away/8", "left/1", "-1"):
+            self.assertIn("--robot", self.refused("view", "a.mcap", "--at", "5", "--robot", typed))
+        self.assertIn("--robot belongs to --at", self.refused("view", "a.mcap", "--robot", "3"))
+
+    def test_hostile_names_do_no_harm(self):
+        # No team file can name them, but a recording may come from anywhere.
+        long_name = "a_name_of_30_letters_that_goes"
+        self.succeed("match", "small.yaml", "small.yaml", *program.PLAY_SOON, "--limit", "10", "--quiet", "--record",
+                     "b.mcap", "--set", f"home.team={long_name}")
+        data = (self.folder / "b.mcap").read_bytes()
+        name = "<script>\u202ealert(1)</script>".encode()
+        self.assertLessEqual(len(name), len(long_name))
+        old = f'"team":"{long_name}"'.encode()
+        self.assertEqual(data.count(old), 1)
+        (self.folder / "hostile.mcap").write_bytes(data.replace(old, b'"team":"' + name.ljust(len(long_name)) + b'"'))
+        svg = self.picture("--at", "9", "--robot", "2", file="hostile.mcap")
+        self.assertFalse([element for element in svg.iter() if element.tag.endswith("script")])
+        self.assertTrue(any("<script>" in text for text in self.texts(svg)))
+        self.assertFalse(any("\u202e" in text for text in self.texts(svg)))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// The parts that a recording and its page are made of.
+#include <gmock/gmock.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "report/base64.hpp"
+#include "report/json_text.hpp"
+#include "report/match_page.hpp"
+#include "report/recording_schemas.hpp"
+
+namespace regista::report {
+namespace {
+
+std::string base64(std::string_view bytes) {
+  std::string out = ">";
+  append_base64(out, bytes);
+  return out.substr(1);
+}
+
+TEST(Base64, GivesTheVectorsOfRfc4648) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64(std::string_view("\xff\xfe\x00\xfb\xf0", 5)), "//4A+/A=");
+}
+
+TEST(MatchPage, PutsNameAndRecordingIntoTheirPlaces) {
+  const std::string viewer = R"(<a name="@REGISTA_RECORDING_NAME@">@REGISTA_RECORDING@</a>)";
+  EXPECT_EQ(match_page(viewer, "foo", "<my> \"match\""), R"(<a name="&lt;my&gt; &quot;match&quot;">Zm9v</a>)");
+  EXPECT_EQ(match_page("no place", "foo", "n"), std::nullopt);
+  EXPECT_EQ(match_page("@REGISTA_RECORDING_NAME@ alone", "foo", "n"), std::nullopt);
+}
+
+std::string number(double value, int decimals) {
+  JsonText json;
+  json.number(value, decimals);
+  return std::string(json.text());
+}
+
+std::string quantity(double value, int decimals) {
+  JsonText json;
+  json.quantity(value, decimals);
+  return std::string(json.text());
+}
+
+TEST(JsonText, WritesNumbersWithoutIdleDigits) {
+  EXPECT_EQ(number(0.0, 3), "0");
+  EXPECT_EQ(number(-0.0, 3), "0");
+  EXPECT_EQ(number(-0.0004, 3), "0");
+  EXPECT_EQ(number(1.5, 3), "1.5");
+  EXPECT_EQ(number(-12.0305, 3), "-12.031");
+  EXPECT_EQ(number(0.05, 2), "0.05");
+  EXPECT_EQ(number(100.0, 2), "100");
+  EXPECT_EQ(number(999'999'999.0, 6), "999999999");
+  EXPECT_EQ(number(std::numeric_limits<double>::infinity(), 3), "null");
+  EXPECT_EQ(number(std::nan(""), 3), "null");
+  EXPECT_EQ(nlohmann::json::parse(number(1e300, 3)).get<double>(), 1e300);
+}
+
+TEST(JsonText, NumbersAreTheNearestWithSoManyDecimals) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> digits(-1.0, 1.0);
+  for (int i = 0; i < 20'000; ++i) {
+    const int decimals = 1 + i % 6;
+    const double value = digits(random) * std::pow(10.0, i % 9);
+    const double half_step = 0.5 * std::pow(10.0, -decimals);
+    const std::string text = number(value, decimals);
+    double read = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), read);
+    ASSERT_TRUE(error == std::errc() && end == text.data() + text.size()) << text;
+    ASSERT_LE(std::abs(read - value), half_step * (1.0 + 1e-9) + 1e-15 * std::abs(value)) << text;
+    const std::size_t point = text.find('.');
+    ASSERT_TRUE(point == std::string::npos || text.size() - point - 1 <= static_cast<std::size_t>(decimals)) << text;
+  }
+}
+
+TEST(JsonText, SmallQuantitiesKeepTheirDigits) {
+  EXPECT_EQ(quantity(0.5, 4), "0.5");
+  EXPECT_EQ(quantity(0.0, 4), "0");
+  EXPECT_EQ(nlohmann::json::parse(quantity(1.2345e-7, 4)).get<double>(), 1.2345e-7);
+  EXPECT_EQ(nlohmann::json::parse(quantity(-0.012345678, 4)).get<double>(), -0.01235);
+}
+
+TEST(JsonText, IsJsonHoweverLongItGets) {
+  JsonText json;
+  for (int round = 0; round < 2; ++round) {
+    json.clear();
+    json.open('{').key("list").open('[');
+    for (int i = 0; i < 20'000; ++i) json.number(i / 7.0).integer(-i).word("x").null().boolean(i % 2 == 0);
+    json.close(']').key("empty").open('{').close('}').key("end").integer(INT64_MIN).close('}');
+    const auto parsed = nlohmann::json::parse(json.text());
+    EXPECT_EQ(parsed.at("list").size(), 100'000u);
+    EXPECT_EQ(parsed.at("end"), INT64_MIN);
+  }
+}
+
+TEST(RecordingSchemas, AreJson) {
+  for (const std::string& schema :
+       {schema::game(), schema::event(), schema::packet(), schema::heard(), schema::decision(), schema::belief()}) {
+    const auto parsed = nlohmann::json::parse(schema);
+    EXPECT_EQ(parsed.at("type"), "object");
+    for (const auto& name : parsed.at("required")) EXPECT_TRUE(parsed.at("properties").contains(name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace regista::report
