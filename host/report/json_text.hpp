@@ -86,7 +86,7 @@ class JsonText {
     put({first, static_cast<std::size_t>(digits + sizeof digits - first)});
     return *this;
   }
-  // Of a size that nobody knows beforehand: with `decimals`, but never fewer than about four digits.
+  // Of a size that nobody knows beforehand: with `decimals`, but never fewer than five digits.
   JsonText& quantity(double value, int decimals) {
     const double size = std::abs(value);
     return size > 0.0 && size < 0.1 ? shortest(value) : number(value, decimals);
@@ -100,7 +100,7 @@ class JsonText {
   }
   JsonText& shortest(double value) {
     begin_value(32);
-    end_ = std::to_chars(end_, end_ + 32, value, std::chars_format::general, 4).ptr;
+    end_ = std::to_chars(end_, end_ + 32, value, std::chars_format::general, 5).ptr;
     return *this;
   }
   void begin_value(std::size_t bytes) {

@@ -87,7 +87,7 @@ TEST(JsonText, SmallQuantitiesKeepTheirDigits) {
   EXPECT_EQ(quantity(0.5, 4), "0.5");
   EXPECT_EQ(quantity(0.0, 4), "0");
   EXPECT_EQ(nlohmann::json::parse(quantity(1.2345e-7, 4)).get<double>(), 1.2345e-7);
-  EXPECT_EQ(nlohmann::json::parse(quantity(-0.012345678, 4)).get<double>(), -0.01235);
+  EXPECT_EQ(nlohmann::json::parse(quantity(-0.012345678, 4)).get<double>(), -0.012346);
 }
 
 TEST(JsonText, IsJsonHoweverLongItGets) {
