@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Packets at a fixed rate: the arm "without events" of Affinita et al. 2023, with the periods of the SPQR team's
 // fixed-rate configuration: every 8 s, the striker every 4 s. Seven robots then send one packet a second: 1200 in two
-// halves of 600 s.
+// halves of 600 s. What is sent while the clock stands (in Ready and Set) is missing at the end, and a team that falls
+// silent minutes before the end plays as seven strangers: stretch() makes periods longer instead.
 //
 // Every robot has a phase of its own, so that robots do not send at once, and the times at which it is due do not drift
 // with the moments at which it decides.
@@ -16,6 +17,14 @@ struct Settings {
   double fast_period = 4.0;  // s, > 0, of the robot with the fast role
   int reserve = 0;           // packets that are left unspent, >= 0
 };
+
+// By how much periods have to be longer, >= 1, so that what is left lasts to the end. packets_left: without the
+// reserve; line: those that would be left if all had been spent evenly. A packet for each robot may be missing: they
+// are not sent evenly to the second.
+inline double stretch(int packets_left, double line, int team_size) {
+  const double wanted = line - team_size;
+  return packets_left > 0 && wanted > packets_left ? wanted / packets_left : 1.0;
+}
 
 class Schedule {
  public:

@@ -12,10 +12,11 @@
 namespace {
 
 struct FixedRate {
-  static constexpr auto id = "fixed_rate", version = "1.0.0", summary = "A packet every so many seconds";
+  static constexpr auto id = "fixed_rate", version = "1.1.0", summary = "A packet every so many seconds";
   double period = 8.0, fast_period = 4.0;
   std::string fast_role = "striker";
   int reserve = 0;
+  bool lasts = true;
   static constexpr std::tuple parameters{
       regista::real("period", &FixedRate::period, {0.5, 120.0}, "s", "Time between two packets of a robot; SPQR: 8")
           .tunable(),
@@ -24,7 +25,13 @@ struct FixedRate {
           .tunable(),
       regista::text("fast_role", &FixedRate::fast_role, "Name of the fast role, in any list of roles; SPQR: striker"),
       regista::integer("reserve", &FixedRate::reserve, {0, 10000}, "1",
-                       "Packets of the team that are never spent; more than 0 where the count of packets comes late")};
+                       "Packets of the team that are never spent; more than 0 where the count of packets comes late"),
+      regista::boolean(
+          "lasts", &FixedRate::lasts,
+          "Longer periods when less than an even share of the budget is left, so that it lasts to the end; "
+          "our choice")};
+
+  int team_size = 1;
 
   fixed_rate::Schedule schedule, fresh;
   std::vector<bool> is_fast;  // by id of the role
@@ -34,6 +41,7 @@ struct FixedRate {
   void setup(const regista::Environment& environment) {
     fresh = fixed_rate::Schedule(environment->own_number, static_cast<int>(environment->team_size));
     schedule = fresh;
+    team_size = static_cast<int>(environment->team_size);
     for (const regista::Role& role : environment.roles()) is_fast.push_back(fast_role == role.name);
     offers.reserve(16);
     chosen.reserve(16);
@@ -45,7 +53,10 @@ struct FixedRate {
     const bool fast =
         task >= 0 && static_cast<std::size_t>(task) < is_fast.size() && is_fast[static_cast<std::size_t>(task)];
     const regista::Budget& budget = query.budget;
-    if (!schedule.decide({period, fast_period, reserve}, frame.time(), budget.since_own, fast, budget.packets_left)) {
+    const double longer =
+        lasts ? fixed_rate::stretch(budget.packets_left - reserve, budget.line - reserve, team_size) : 1.0;
+    if (!schedule.decide({longer * period, longer * fast_period, reserve}, frame.time(), budget.since_own, fast,
+                         budget.packets_left)) {
       return std::nullopt;
     }
     offers.clear();

@@ -68,6 +68,45 @@ TEST(FixedRate, SevenRobotsSpendTheBudgetInAMatch) {
   }
 }
 
+TEST(FixedRate, IsStretchedByWhatIsMissing) {
+  EXPECT_DOUBLE_EQ(fixed_rate::stretch(600, 600.0, 7), 1.0);
+  EXPECT_DOUBLE_EQ(fixed_rate::stretch(700, 600.0, 7), 1.0);
+  EXPECT_DOUBLE_EQ(fixed_rate::stretch(593, 600.0, 7), 1.0);
+  EXPECT_DOUBLE_EQ(fixed_rate::stretch(500, 607.0, 7), 1.2);
+  EXPECT_DOUBLE_EQ(fixed_rate::stretch(0, 600.0, 7), 1.0);
+}
+
+// The clock stands for 50 s before either half, as in Ready and Set.
+TEST(FixedRate, TheBudgetLastsWhenTheClockHasStood) {
+  for (const bool stretched : {false, true}) {
+    std::vector<Schedule> schedules;
+    for (int number = 1; number <= 7; ++number) schedules.emplace_back(number, 7);
+    std::vector<double> last(7, 0.0);
+    int left = 1200;
+    double longest_silence = 0.0, last_of_team = 0.0;
+    for (int tick = 0; tick < 13'000; ++tick) {
+      const double time = 0.1 * tick;
+      const double played = std::clamp(time - 50.0, 0.0, 600.0) + std::clamp(time - 700.0, 0.0, 600.0);
+      for (int number = 1; number <= 7; ++number) {
+        const auto i = static_cast<std::size_t>(number - 1);
+        const double longer = stretched ? fixed_rate::stretch(left, 1200.0 - played, 7) : 1.0;
+        if (!schedules[i].decide({8.0 * longer, number == 7 ? 4.0 * longer : 4.0, 0}, time, time - last[i], number == 7,
+                                 left)) {
+          continue;
+        }
+        --left;
+        last[i] = last_of_team = time;
+      }
+      longest_silence = std::max(longest_silence, time - last_of_team);
+    }
+    if (stretched) {
+      EXPECT_LE(longest_silence, 8.5);  // about a period
+    } else {
+      EXPECT_GT(longest_silence, 90.0);
+    }
+  }
+}
+
 TEST(FixedRate, PeriodsDoNotDrift) {
   const Course course = play({});
   for (std::size_t robot = 0; robot < 7; ++robot) {
