@@ -27,7 +27,7 @@ Html label(double x, double y, const char* classes, std::string_view words) {
 }
 
 std::string clock_text(double seconds) {
-  const auto whole = static_cast<int>(seconds);
+  const auto whole = static_cast<int>(std::clamp(seconds, 0.0, 1e6));
   return fmt::format("{:02}:{:02}", whole / 60, whole % 60);
 }
 
