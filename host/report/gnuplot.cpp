@@ -95,7 +95,7 @@ Ended run_gnuplot(const fs::path& folder, const std::string& script) {
   std::string program = "gnuplot", settings = "-d", file = script;  // -d: no files of settings
   char* const arguments[] = {program.data(), settings.data(), file.data(), nullptr};
   // No locale, font or terminal of the user's: the same picture everywhere.
-  std::string locale = "LC_ALL=C", home = "HOME=" + folder.string();
+  std::string locale = "LC_ALL=C.UTF-8", home = "HOME=" + folder.string();
   const char* const path = std::getenv("PATH");
   std::string search = fmt::format("PATH={}", path == nullptr ? "" : path);
   char* const environment[] = {locale.data(), home.data(), search.data(), nullptr};
@@ -105,9 +105,14 @@ Ended run_gnuplot(const fs::path& folder, const std::string& script) {
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, pipe[1], STDERR_FILENO);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  // Ctrl-C is for the program, which then decides; a figure must not be lost to it.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   pid_t child = -1;
   Ended out;
-  out.started = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environment) == 0;
+  out.started = posix_spawnp(&child, program.c_str(), &actions, &attributes, arguments, environment) == 0;
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   close(pipe[1]);
   if (out.started) {
@@ -120,10 +125,12 @@ Ended run_gnuplot(const fs::path& folder, const std::string& script) {
   return out;
 }
 
-std::string first_line(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r\n^");
-  if (begin == std::string::npos) return "it says nothing";
-  return visible_at_most(text.substr(begin, text.find('\n', begin) - begin), 200);
+// What went wrong stands last, after warnings.
+std::string last_line(const std::string& text) {
+  const std::size_t end = text.find_last_not_of(" \t\r\n^");
+  if (end == std::string::npos) return "it does not say why";
+  const std::size_t before = text.rfind('\n', end), begin = before == std::string::npos ? 0 : before + 1;
+  return visible_at_most(text.substr(begin, end + 1 - begin), 200);
 }
 
 // Into the named file of the folder. Empty: done.
@@ -138,24 +145,32 @@ std::string picture(const fs::path& folder, Drawing& drawing, Picture kind) {
   }
   if (!ended.in_time) return fmt::format("gnuplot took more than {} s", patience.count());
   if (!WIFEXITED(ended.status)) return fmt::format("gnuplot was stopped by signal {}", WTERMSIG(ended.status));
-  if (WEXITSTATUS(ended.status) != 0) return "gnuplot: " + first_line(ended.complaint);
+  if (WEXITSTATUS(ended.status) != 0) return "gnuplot: " + last_line(ended.complaint);
   std::string& bytes = kind == Picture::svg ? drawing.svg : drawing.png;
   bytes = read(folder / (drawing.figure.name + (kind == Picture::svg ? ".svg" : ".png")));
   return bytes.empty() ? "gnuplot wrote no picture" : "";
 }
 
-}  // namespace
-
-Drawing draw(Figure figure, Png png) {
+void draw_into(Drawing& out, Png png) {
   const TemporaryFolder folder;
-  Drawing out;
-  out.figure = std::move(figure);
   if (!write(folder.path() / (out.figure.name + ".csv"), out.figure.csv)) {
     out.why_not = "temporary files cannot be written";
-    return out;
+    return;
   }
   out.why_not = picture(folder.path(), out, Picture::svg);
   if (out.why_not.empty() && png == Png::wanted) out.why_not = picture(folder.path(), out, Picture::png);
+}
+
+}  // namespace
+
+Drawing draw(Figure figure, Png png) {
+  Drawing out;
+  out.figure = std::move(figure);
+  try {
+    draw_into(out, png);
+  } catch (const std::system_error& error) {
+    out.why_not = visible(error.what());
+  }
   return out;
 }
 

@@ -40,7 +40,8 @@ td{vertical-align:top}
 bdi{overflow-wrap:anywhere}
 .two{display:grid;grid-template-columns:repeat(2,minmax(0,1fr));gap:26px}
 @media (max-width:880px){.two{grid-template-columns:minmax(0,1fr)}}
-figure{margin:10px 0 0;min-width:0}
+figure{margin:10px 0 0;min-width:0;max-width:640px}
+.full figure{max-width:none}
 figure svg{display:block;width:100%;height:auto;font-family:inherit}
 figcaption{font-size:13.5px;color:var(--soft);max-width:80ch;overflow-wrap:anywhere}
 figcaption b{color:var(--ink)}
@@ -52,7 +53,7 @@ font:12.5px/1.5 ui-monospace,SFMono-Regular,Menlo,Consolas,monospace;white-space
 max-height:60vh;overflow:auto}
 code{font:12.5px/1.5 ui-monospace,SFMono-Regular,Menlo,Consolas,monospace;overflow-wrap:anywhere}
 td code{white-space:pre-wrap}
-.values td{max-width:34ch;overflow-wrap:anywhere}
+.values td{min-width:9ch;max-width:34ch;overflow-wrap:anywhere}.values td:first-child{max-width:64ch}
 .heat td.n{padding:4px 9px;border-bottom:1px solid var(--background)}
 .heat td span{display:block;margin:-4px -9px;padding:4px 9px}
 .differs{font-weight:620}

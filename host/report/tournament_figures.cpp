@@ -8,19 +8,14 @@
 #include <limits>
 #include <optional>
 
-#include "report/csv_text.hpp"
 #include "report/curve_figures.hpp"
 #include "report/role_names.hpp"
 #include "report/standing.hpp"
-#include "report/visible_text.hpp"
 
 namespace regista::report {
 namespace {
 
 const std::string& label(const TournamentView& view, std::size_t team) { return view.plan.teams[team].label; }
-
-// A table is read line by line: no end of line in a field.
-std::string field(const std::string& text) { return csv_field(visible(text)); }
 
 std::string number_or_nothing(const statistics::Moments* moments) {
   return moments == nullptr || moments->count() == 0 ? std::string() : fmt::format("{}", moments->mean());
@@ -33,7 +28,7 @@ std::optional<Figure> goal_differences(const TournamentView& view, const CourseR
   out.name = "goal_differences";
   out.title = "Goal differences of matches";
   out.description = fmt::format(
-      "Matches by goals of {} less goals of {}; those that were forfeited in grey on top. {} or more count as {}.",
+      "Matches by goals of {} less goals of {}; those that were forfeited in black on top. {} or more count as {}.",
       label(view, 0), label(view, 1), GoalDifferences::largest, GoalDifferences::largest);
   out.csv = "goal_difference,played,forfeited\n";
   int widest = 2;
@@ -56,7 +51,7 @@ std::optional<Figure> goal_differences(const TournamentView& view, const CourseR
       "  '' using ($1==0?$1:1/0):2 with boxes lc rgb '{6}' title 'draws', \\\n"
       "  '' using ($1<0?$1:1/0):2 with boxes lc rgb '{5}' title {1}.' wins'{7}\n",
       gnuplot_text(label(view, 0)), gnuplot_text(label(view, 1)), -widest - 0.6, widest + 0.6, colours[0], colours[1],
-      colours[2],
+      colours[7],
       forfeits
           ? fmt::format(", \\\n  '' using 1:($2+$3/2.0):(0.4):($3/2.0) with boxxyerror lc rgb '{}' title 'forfeits'",
                         colours[7])
@@ -76,10 +71,17 @@ std::string panel(const Figure& figure, const char* title, int column, const std
       figure.name, title, column, column + 1, rows, tics, grid_colour, colours[0], colours[1]);
 }
 
+// The widest of these, in units of the figure.
+double width_of(const std::vector<std::string>& names) {
+  std::size_t most = 0;
+  for (const std::string& each : names) most = std::max(most, gnuplot_text(each).size() - 2);
+  return 8.2 * static_cast<double>(most) + 16.0;
+}
+
 std::string name_tics(const std::vector<std::string>& names) {
-  std::string out = "set ytics (";
+  std::string out = "set ytics scale 0\nset ytics (";
   for (std::size_t i = 0; i < names.size(); ++i) {
-    out += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_text(names[i]), -static_cast<int>(i));
+    out += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_mark(names[i]), -static_cast<int>(i));
   }
   return out + ")\n";
 }
@@ -90,15 +92,17 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
   Figure out;
   out.name = "roles";
   out.title = "Overlap, uncovered time and switches by role";
-  out.description = fmt::format("Means of a match. Circles: {}. Triangles: {}. Further left is better coordinated.",
-                                label(view, 0), label(view, 1));
+  out.description = fmt::format(
+      "Means of a match. Circles: {}. Triangles: {}. Less overlap and uncovered time is better coordinated.",
+      label(view, 0), label(view, 1));
   out.csv = "role";
   for (const char* measure : role_measures) {
-    for (const std::size_t team : {0u, 1u}) out.csv += ',' + field(fmt::format("{} {}", label(view, team), measure));
+    for (const std::size_t team : {0u, 1u})
+      out.csv += ',' + figure_field(fmt::format("{} {}", label(view, team), measure));
   }
   out.csv += '\n';
   for (const std::string& role : names) {
-    out.csv += field(role);
+    out.csv += figure_field(role);
     for (const char* measure : role_measures) {
       for (const std::size_t team : {0u, 1u}) {
         out.csv += ',' + number_or_nothing(record.numbers().find(team, role + '.' + measure));
@@ -106,6 +110,7 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
     }
     out.csv += '\n';
   }
+  out.width = 1130;
   out.height = 90 + 22 * static_cast<int>(names.size());
   out.commands = fmt::format(
       "set grid noytics\nset grid xtics ytics lt 1 lc rgb '{}' lw 0.7\n"
@@ -114,10 +119,12 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
       "set multiplot\n",
       grid_colour, -static_cast<double>(names.size()) + 0.3);
   const std::array<const char*, 3> titles{"overlap, s", "uncovered, s", "switches"};
-  const std::array<double, 4> edges{0.17, 0.435, 0.705, 0.975};
+  const std::vector<std::string> nameless(names.size());
+  const double left = width_of(names) / out.width, panel_width = (1.01 - left) / 3.0;
   for (std::size_t i = 0; i < titles.size(); ++i) {
-    out.commands += fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n", edges[i], edges[i + 1] - 0.025);
-    if (i > 0) out.commands += "set format y ''\n";
+    const double begin = left + panel_width * static_cast<double>(i);
+    out.commands +=
+        fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n", begin, begin + panel_width - 0.03);
     // Where all are nought there is no range to choose.
     const bool nothing = std::ranges::all_of(names, [&](const std::string& role) {
       return std::ranges::all_of(std::array<std::size_t, 2>{0, 1}, [&](std::size_t team) {
@@ -126,24 +133,26 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
       });
     });
     out.commands += nothing ? "set xrange [0:1]\n" : "set xrange [0:*]\n";
-    out.commands += panel(out, titles[i], static_cast<int>(2 * i + 2), i == 0 ? name_tics(names) : "", names.size());
+    out.commands += panel(out, titles[i], static_cast<int>(2 * i + 2), i == 0 ? name_tics(names) : name_tics(nameless),
+                          names.size());
   }
   out.commands += "unset multiplot\n";
   return out;
 }
 
 std::optional<Figure> packets(const TournamentView& view, const CourseRecord& record) {
-  const std::vector<std::string> reasons = packet_reasons(record.numbers(), 2);
+  std::vector<std::string> reasons = packet_reasons(record.numbers(), 2);
+  std::erase_if(reasons, [&](const std::string& reason) { return sent_none(record.numbers(), 2, reason); });
   if (reasons.empty()) return std::nullopt;
   Figure out;
   out.name = "packets";
   out.title = "Packets by the event that caused them";
   out.description = fmt::format("Means of a match. Upper bars: {}. Lower bars: {}.", label(view, 0), label(view, 1));
-  out.csv = fmt::format("reason,{},{}\n", field(label(view, 0)), field(label(view, 1)));
+  out.csv = fmt::format("reason,{},{}\n", figure_field(label(view, 0)), figure_field(label(view, 1)));
   double most = 0.0;
   std::vector<std::string> names;
   for (const std::string& reason : reasons) {
-    out.csv += field(reason);
+    out.csv += figure_field(reason);
     for (const std::size_t team : {0u, 1u}) {
       const statistics::Moments* const found = record.numbers().find(team, packets_prefix + reason);
       out.csv += ',' + number_or_nothing(found);
@@ -157,12 +166,12 @@ std::optional<Figure> packets(const TournamentView& view, const CourseRecord& re
   out.commands = fmt::format(
       "{0}set grid noytics\nset grid xtics lt 1 lc rgb '{1}' lw 0.7\n"
       "set yrange [{2}:0.6]\nset xrange [0:{3}]\n"
-      "set xlabel 'packets per match'\nset lmargin at screen 0.24\n"
+      "set xlabel 'packets per match'\nset lmargin at screen {8:.4f}\n"
       "set style fill solid noborder\nset key outside top center horizontal\n"
       "plot 'packets.csv' using 2:(-$0+0.19):(0):2:(-$0+0.02):(-$0+0.36) with boxxyerror lc rgb '{4}' title {6}, \\\n"
       "  '' using 3:(-$0-0.19):(0):3:(-$0-0.36):(-$0-0.02) with boxxyerror lc rgb '{5}' title {7}\n",
       name_tics(names), grid_colour, -static_cast<double>(reasons.size()) + 0.4, most > 0.0 ? 1.05 * most : 1.0,
-      colours[0], colours[1], gnuplot_text(label(view, 0)), gnuplot_text(label(view, 1)));
+      colours[0], colours[1], gnuplot_text(label(view, 0)), gnuplot_text(label(view, 1)), width_of(names) / out.width);
   return out;
 }
 

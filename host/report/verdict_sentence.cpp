@@ -77,7 +77,9 @@ void of_sequential_test(const TournamentView& view, const Meeting& meeting, Verd
     out.sentence =
         view.course.complete() ? Html("The test ended without a verdict on "_html) : Html("No verdict yet on "_html);
     out.sentence << team(view, 0) << " and "_html << team(view, 1) << "."_html;
-    if (const auto open = may_be(view, meeting)) out.beside.push_back(*open);
+    // An interval for one look only: not while somebody may still be looking again and again.
+    const std::optional<Html> open = view.course.complete() ? may_be(view, meeting) : std::nullopt;
+    if (open) out.beside.push_back(*open);
     return;
   }
   const bool h1 = verdict == study::Verdict::accept_h1;
@@ -157,7 +159,16 @@ void of_gauntlet(const TournamentView& view, const PValues& p, VerdictSentence& 
 void of_round_robin(const TournamentView& view, const PValues& p, VerdictSentence& out) {
   const std::vector<Ranked> ranks = ranking(view.plan, view.course);
   const std::size_t best = ranks[0].team, next = ranks[1].team;
+  const auto together = std::ranges::count_if(ranks, [&](const Ranked& each) {
+    return each.points == ranks[0].points && each.matches == ranks[0].matches &&
+           each.elo.has_value() == ranks[0].elo.has_value() &&
+           (!each.elo || std::abs(each.elo->value - ranks[0].elo->value) < 1e-6);
+  });
   out.sentence = team(view, best);
+  if (together > 1) {
+    out.sentence << text(fmt::format(" and {} more lead {} teams together.", together - 1, ranks.size()));
+    return;
+  }
   out.sentence << text(fmt::format(" leads {} teams", ranks.size()));
   for (std::size_t i = 0; i < p.adjusted.size(); ++i) {
     const study::Pairing& pairing = view.course.meetings()[i].pairing;
