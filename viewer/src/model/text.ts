@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Numbers and names as they are read.
+
+// 462.3 -> "7:42.3"
+export function timeText(seconds: number, digits = 1): string {
+  const scale = 10 ** digits;
+  const whole = Math.round(Math.abs(seconds) * scale);
+  const minutes = Math.floor(whole / (60 * scale));
+  const rest = (whole - minutes * 60 * scale) / scale;
+  const padded = rest.toFixed(digits).padStart(digits > 0 ? 3 + digits : 2, "0");
+  return `${seconds < 0 && whole > 0 ? "\u2212" : ""}${minutes}:${padded}`;
+}
+
+// "pushing_free_kick" -> "pushing free kick"
+export const words = (name: string): string => name.replaceAll("_", " ");
+
+export const fixed = (value: number, digits: number): string =>
+  value.toFixed(digits).replace(/^-(?=0(\.0*)?$)/, "").replace("-", "\u2212");
+
+export const secondsText = (seconds: number): string => `${fixed(seconds, 1)} s`;
+
+export const listText = (items: readonly (string | number)[], joiner = "and"): string =>
+  items.length < 2 ? items.join("") : `${items.slice(0, -1).join(", ")} ${joiner} ${items[items.length - 1]}`;

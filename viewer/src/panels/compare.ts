@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// The decisions of two robots side by side: who takes which role in the head of each, what each computed for the role
+// they share, where their beliefs differ, and which packets did not arrive.
+import type { View } from "../app/state";
+import { type Comparison, type Estimate, type News, type Pair, compare } from "../model/compare";
+import { roleName } from "../model/look";
+import { packetLines } from "../time/detail";
+import { fixed, listText, secondsText, timeText, words } from "../model/text";
+import type { Match } from "../recording/match";
+import { element, heading, numeric, row } from "./elements";
+
+const signed = (value: number, digits: number) => `${value > 0 ? "+" : ""}${fixed(value, digits)}`;
+
+export class ComparePanel {
+  private readonly content = element("div", { class: "compare" });
+  private readonly selects: [HTMLSelectElement, HTMLSelectElement];
+  private readonly role = element("select", { "aria-label": "Role", id: "compare-role" });
+  private readonly verdict = element("p", { class: "verdict", id: "verdict" });
+  private readonly bar: HTMLElement;
+  private readonly empty: HTMLElement;
+  private shownPair: Pair | null = null;
+  private shownTime = NaN;
+  private filledSide = -1;
+
+  constructor(box: HTMLElement, private readonly match: Match, private readonly choose: (pair: Pair) => void) {
+    this.selects = [
+      element("select", { "aria-label": "First robot", id: "compare-first" }),
+      element("select", { "aria-label": "Second robot", id: "compare-second" }),
+    ];
+    for (const select of [...this.selects, this.role]) {
+      select.addEventListener("change", () => {
+        if (this.shownPair === null) return;
+        const robots: [number, number] = [Number(this.selects[0].value), Number(this.selects[1].value)];
+        if (robots[0] === robots[1]) robots[select === this.selects[0] ? 1 : 0] = this.shownPair.robots[select === this.selects[0] ? 0 : 1];
+        this.choose({ ...this.shownPair, robots, role: Number(this.role.value) });
+      });
+    }
+    const swatch = (name: string) => element("span", { class: `swatch ${name}`, "aria-hidden": "true" });
+    this.bar = element("div", { class: "filters" }, swatch("first"), this.selects[0], element("span", { class: "muted" }, "and"),
+      swatch("second"), this.selects[1], element("span", { class: "muted" }, "as"), this.role);
+    this.empty = element("p", { class: "empty" },
+      "Choose an overlap in the list, or press ] for the next one: the decisions of the robots that share the role are compared here.");
+    box.append(this.empty, this.bar, this.verdict, this.content);
+  }
+
+  update(view: View): void {
+    const { pair } = view;
+    this.empty.hidden = pair !== null;
+    for (const part of [this.bar, this.verdict, this.content]) part.hidden = pair === null;
+    const time = Math.floor(view.time * 10 + 1e-6) / 10;
+    if (pair === null || (pair === this.shownPair && time === this.shownTime)) return;
+    this.fillSelects(pair);
+    this.shownPair = pair;
+    this.shownTime = time;
+    this.show(pair, compare(this.match, pair, view.time), view.time);
+  }
+
+  private fillSelects(pair: Pair): void {
+    if (this.filledSide !== pair.side) {
+      this.filledSide = pair.side;
+      const robots = () => Array.from({ length: this.match.game.sizes[pair.side] }, (_, i) =>
+        element("option", { value: String(i + 1) }, `${this.match.about.teams[pair.side].name} ${i + 1}`));
+      for (const select of this.selects) select.replaceChildren(...robots());
+      this.role.replaceChildren(...this.match.about.teams[pair.side].roles.map((role, i) => element("option", { value: String(i) }, role.name)));
+    }
+    this.selects.forEach((select, i) => {
+      select.value = String(pair.robots[i]);
+    });
+    this.role.value = String(pair.role);
+  }
+
+  private show(pair: Pair, found: Comparison, time: number): void {
+    const [a, b] = pair.robots;
+    this.verdict.textContent = this.sentences(pair, found, time).join(" ");
+    const faults = found.looks.map((look) => look.fault).filter((fault) => fault !== "").join(" ");
+    const assigned = element("table", { class: "list tight", id: "compare-assigned" },
+      heading(["", `by ${a}`, `by ${b}`, "holds"]),
+      element("tbody", {}, ...found.assigned.map((line) => {
+        const name = (role: number | null) => (role === null ? "\u2013" : roleName(this.match, pair.side, role).replace(/^.*\./, ""));
+        const differs: Record<string, string> = line.differs ? { class: "differs" } : {};
+        return row([
+          element("th", { scope: "row" }, `${line.robot}${line.differs ? " \u2260" : ""}`),
+          element("td", differs, name(line.assigned[0])), element("td", differs, name(line.assigned[1])),
+          line.penalised ? "penalised" : name(line.holds),
+        ], pair.robots.includes(line.robot) ? { class: "own" } : {});
+      })));
+    const column = roleName(this.match, pair.side, pair.role).replace(/^.*\./, "");
+    const value = (utility: number | null) => numeric(utility === null ? "\u2715" : fixed(utility, 3));
+    const utilities = element("table", { class: "list tight", id: "compare-utilities" },
+      heading([`as ${column}`, `#in ${a}`, `#in ${b}`, "#\u0394", "greatest terms of \u0394"]),
+      element("tbody", {}, ...found.utilities.map((line) => row([
+        element("th", { scope: "row" }, `robot ${line.robot}`), value(line.utility[0]), value(line.utility[1]),
+        numeric(line.difference === null ? "" : signed(line.difference, 3)),
+        line.terms.filter((term) => Math.abs(term.difference) > 0.0005).slice(0, 2)
+          .map((term) => `${term.name} ${signed(term.difference, 3)}`).join(", "),
+      ], pair.robots.includes(line.robot) ? { class: "own" } : {}))));
+    const estimate = (of: Estimate | null, own: boolean) =>
+      [numeric(of === null ? "\u2013" : `${fixed(of.error, 2)} m`), numeric(of === null || own ? "" : `${fixed(of.age, 1)} s`)];
+    const beliefs = element("table", { class: "list tight", id: "compare-beliefs" },
+      heading(["where is", "#apart", `#${a} off by`, "#age", `#${b} off by`, "#age"]),
+      element("tbody", {}, ...found.beliefs.map((line) => row([
+        element("th", { scope: "row" }, line.robot === 0 ? "ball" : `robot ${line.robot}`),
+        numeric(line.apart === null ? "\u2013" : `${fixed(line.apart, 2)} m`, (line.apart ?? 1) > 0.5 ? { class: "warn" } : {}),
+        ...estimate(line.by[0], line.robot === a), ...estimate(line.by[1], line.robot === b),
+      ]))));
+    this.content.replaceChildren(
+      ...(faults === "" ? [] : [element("p", { class: "fault" }, faults)]),
+      element("div", { class: "compare-columns" },
+        element("section", {}, element("h3", {}, "Assignment in each head"), assigned),
+        element("section", {}, element("h3", {}, `Utility of ${column}`), utilities),
+        element("section", {}, element("h3", {}, "Beliefs, farthest apart first"), beliefs),
+        element("section", {}, element("h3", {}, "Packets between them"), this.packets(pair, found.news))));
+  }
+
+  private packets(pair: Pair, news: [News, News]): HTMLElement {
+    const items: HTMLElement[] = [];
+    news.forEach(({ heard, missed }, i) => {
+      const listener = pair.robots[i]!;
+      const sender = pair.robots[1 - i]!;
+      items.push(element("li", {}, heard === null ? `${listener} has never heard ${sender}` :
+        `${listener} last heard ${sender}: packet of ${timeText(heard.time, 2)} (${words(heard.reason)})`));
+      for (const packet of missed.slice(-3)) {
+        items.push(element("li", { class: "warn", title: packetLines(this.match, packet).join("\n") },
+          `${listener} did not hear ${sender} at ${timeText(packet.time, 2)} (${words(packet.reason)})`));
+      }
+    });
+    return element("ul", { class: "packets" }, ...items);
+  }
+
+  // What can be read off, in sentences.
+  private sentences(pair: Pair, found: Comparison, time: number): string[] {
+    const [a, b] = pair.robots;
+    const role = roleName(this.match, pair.side, pair.role);
+    const result: string[] = [];
+    const stretch = this.match.courses[pair.side].overlaps.find((s) =>
+      s.role === pair.role && s.from <= time + 1e-6 && time < s.to + 1e-6 && s.robots.includes(a) && s.robots.includes(b));
+    if (stretch !== undefined) {
+      const all = stretch.robots.length > 2 ? ` (all that held it: ${listText(stretch.robots)})` : "";
+      result.push(`${a} and ${b} both are ${role}, ${timeText(stretch.from)} to ${timeText(stretch.to)}, ${secondsText(stretch.samples / 10)}${all}.`);
+    } else {
+      result.push(`At this moment ${a} and ${b} do not both hold ${role}.`);
+    }
+    const of = (i: 0 | 1) => {
+      const other = pair.robots[1 - i]!;
+      const given = found.assigned[other - 1]?.assigned[i] ?? null;
+      return given === null ? "" : `${pair.robots[i]} gives ${other} ${given < 0 ? "no role" : roleName(this.match, pair.side, given)}`;
+    };
+    const gives = [of(0), of(1)].filter((text) => text !== "");
+    if (gives.length > 0) result.push(`${listText(gives)}.`);
+    const farthest = found.beliefs.find((line) => line.apart !== null);
+    if (farthest !== undefined && farthest.apart! > 0.3) {
+      const what = farthest.robot === 0 ? "the ball" : `robot ${farthest.robot}`;
+      result.push(`They believe ${what} ${fixed(farthest.apart!, 1)} m apart.`);
+    }
+    found.news.forEach(({ missed }, i) => {
+      if (missed.length > 0) {
+        const times = missed.length === 1 ? "the last packet" : `the last ${missed.length} packets`;
+        result.push(`${pair.robots[i]} missed ${times} of ${pair.robots[1 - i]}.`);
+      }
+    });
+    return result;
+  }
+}
