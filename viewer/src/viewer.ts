@@ -55,7 +55,7 @@ export class Viewer {
     this.head = new Head(match);
     this.list = new OverlapList(byId("panel-overlaps"), match, (stretch) => this.jump(stretch));
     this.robotPanel = new RobotPanel(byId("panel-robot"), match, (knowledge) => this.state.set({ knowledge }));
-    this.comparePanel = new ComparePanel(byId("panel-compare"), match, (pair) => this.state.set({ pair }));
+    this.comparePanel = new ComparePanel(byId("panel-compare"), byId("tab-row"), match, (pair) => this.state.set({ pair }));
     this.matchPanel = new MatchPanel(byId("panel-match"), match, name, (time) => this.state.set({ time }));
     this.address = new Address(() => fragmentOf(this.state.view.time, this.state.view.robot));
     this.playback = new Playback(this.state, (now) => this.draw(now));
@@ -110,7 +110,7 @@ export class Viewer {
 
   private changed(changed: ReadonlySet<keyof View>): void {
     const { view } = this.state;
-    if (changed.has("robot") || changed.has("side")) this.timeline.invalidate();
+    if (["robot", "side", "pair", "panel"].some((key) => changed.has(key as keyof View))) this.timeline.invalidate();
     if ([...changed].some((key) => key !== "time")) this.showControls(view);
     if (!view.playing || [...changed].some((key) => key !== "time")) this.panelsStale = true;
     if (changed.has("time") || changed.has("robot")) this.address.touch();
@@ -287,6 +287,7 @@ export class Viewer {
       tab.setAttribute("aria-selected", String(view.panel === panel));
       byId(`panel-${panel}`).hidden = view.panel !== panel;
     }
+    this.comparePanel.showBar(view);
     for (const layer of layerNames) byId(`layer-${layer}`).setAttribute("aria-pressed", String(view.layers[layer]));
   }
 }

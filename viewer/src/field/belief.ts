@@ -11,10 +11,12 @@ import type { World } from "../recording/messages";
 import type { Projection } from "./ground";
 import { type Context, bodyPath, ellipsePath, headingPath, label } from "./shapes";
 
-// color: of everything (two beliefs are compared), or null: of the teams.
+// color: of everything (two beliefs are compared), or null: of the teams. robots: whose ellipses and ages are drawn beside
+// the ball's; null: everybody's.
 export interface BeliefStyle {
   color: string | null;
   ellipses: boolean;
+  robots: readonly number[] | null;
 }
 
 const shownAge = 0.35;  // s; younger news carry no number
@@ -36,10 +38,10 @@ export function drawBelief(
   const ellipse = (x: number, y: number, covariance: [number, number, number], color: string) => {
     if (!style.ellipses) return;
     ellipsePath(context, to, x, y, covariance);
-    context.globalAlpha = 0.1;
+    context.globalAlpha = 0.07;
     context.fillStyle = color;
     context.fill();
-    context.globalAlpha = 0.55;
+    context.globalAlpha = 0.45;
     context.lineWidth = 1;
     context.strokeStyle = color;
     context.setLineDash([]);
@@ -62,7 +64,7 @@ export function drawBelief(
 
   for (const opponent of world.opponents) {
     const [x, y] = opponent.at;
-    ellipse(x, y, opponent.covariance, theirs);
+    if (style.robots === null) ellipse(x, y, opponent.covariance, theirs);
     context.setLineDash([3, 2]);
     context.lineWidth = 1.5;
     context.strokeStyle = theirs;
@@ -76,7 +78,8 @@ export function drawBelief(
     if (mate.number > game.sizes[side] || mate.number < 1) continue;
     const [x, y, heading] = mate.pose;
     const truth = 3 * game.place(side, mate.number);
-    ellipse(x, y, mate.covariance, own);
+    const whole = style.robots === null || style.robots.includes(mate.number);
+    if (whole) ellipse(x, y, mate.covariance, own);
     tie(x, y, moment.poses[truth]!, moment.poses[truth + 1]!, own);
     context.setLineDash([3, 2]);
     context.lineWidth = 1.75;
@@ -93,7 +96,7 @@ export function drawBelief(
     context.globalAlpha = 1;
     context.textAlign = "left";
     context.font = font(10);
-    if (mate.number !== self) age(mate.age, x, y);
+    if (mate.number !== self && whole) age(mate.age, x, y);
   }
   const { ball } = world;
   if (ball !== null) {

@@ -4,7 +4,7 @@ import { Canvas, font } from "../app/canvas";
 import type { Palette } from "../app/palette";
 import type { Robot, State } from "../app/state";
 import { type Game, Moment, inMask } from "../model/game";
-import { type Look, lookAt, roleName, worldOf } from "../model/look";
+import { type Look, lookAt, shortRoleName, worldOf } from "../model/look";
 import { bothSides } from "../recording/about";
 import type { Match } from "../recording/match";
 import { drawBelief } from "./belief";
@@ -75,7 +75,8 @@ export class Field {
         const color = i === 0 ? palette.first : palette.second;
         if (view.layers.belief && look.belief !== null) {
           const world = worldOf(look.belief, look.decision?.knowledge ?? "mine");
-          drawBelief(context, to, match, moment, pair.side, number, world, palette, { color, ellipses: view.layers.ellipses });
+          drawBelief(context, to, match, moment, pair.side, number, world, palette,
+            { color, ellipses: view.layers.ellipses, robots: pair.robots });
         }
       });
     } else if (view.robot !== null) {
@@ -89,12 +90,12 @@ export class Field {
   private drawMind(look: Look, robot: Robot, state: State): void {
     const { view } = state;
     const { context } = this.canvas;
-    if (look.decision !== null) {
-      drawPlan(context, this.projection, this.match, robot.side, look.decision, this.palette, view.layers);
-    }
     if (look.belief !== null && view.layers.belief) {
       drawBelief(context, this.projection, this.match, this.moment, robot.side, robot.number,
-        worldOf(look.belief, view.knowledge), this.palette, { color: null, ellipses: view.layers.ellipses });
+        worldOf(look.belief, view.knowledge), this.palette, { color: null, ellipses: view.layers.ellipses, robots: null });
+    }
+    if (look.decision !== null) {
+      drawPlan(context, this.projection, this.match, this.moment, robot.side, look.decision, this.palette, view.layers);
     }
   }
 
@@ -156,7 +157,8 @@ export class Field {
     const { view } = state;
     context.textAlign = "center";
     context.textBaseline = "middle";
-    const names = view.robot !== null || compared !== null ? [view.pair !== null && compared !== null ? view.pair.side : view.side] : bothSides;
+    // Where names of tasks stand, those of roles would cover them.
+    const named = compared !== null ? [] : view.robot === null ? bothSides : view.layers.tasks ? [] : [view.robot.side];
     for (const side of bothSides) {
       const color = side === 0 ? palette.home : palette.away;
       const radius = Math.max(8, match.about.teams[side].robotRadius * to.scale);
@@ -202,10 +204,11 @@ export class Field {
           context.stroke();
         }
         context.globalAlpha = 1;
-        if (names.includes(side)) {
+        if (named.includes(side) || order >= 0) {
           const role = out ? "penalised" : roleText(game, match, moment.index, side, n);
           context.font = font(10);
-          label(context, down ? `${role} (fallen)` : role, x, y + radius + 9, palette.text, palette.grass);
+          const lines = (down ? `${role} fallen` : role).split(" ");
+          for (const [i, line] of lines.entries()) label(context, line, x, y + radius + 9 + 10 * i, palette.text, palette.grass);
         }
       }
     }
@@ -214,7 +217,7 @@ export class Field {
 
 function roleText(game: Game, match: Match, index: number, side: 0 | 1, n: number): string {
   const role = game.role(index, side, n);
-  return role < 0 ? "" : roleName(match, side, role).replace(/^.*\./, "").replaceAll("_", " ");
+  return role < 0 ? "" : shortRoleName(match, side, role).replaceAll("_", " ");
 }
 
 function trail(

@@ -4,7 +4,8 @@
 import { font } from "../app/canvas";
 import type { Palette } from "../app/palette";
 import type { LayerName } from "../app/state";
-import { roleName } from "../model/look";
+import type { Moment } from "../model/game";
+import { shortRoleName } from "../model/look";
 import type { Side } from "../recording/about";
 import type { Match } from "../recording/match";
 import type { Decision } from "../recording/messages";
@@ -12,7 +13,7 @@ import type { Projection } from "./ground";
 import { type Context, arrow, label } from "./shapes";
 
 export function drawPlan(
-  context: Context, to: Projection, match: Match, side: Side, decision: Decision, palette: Palette,
+  context: Context, to: Projection, match: Match, moment: Moment, side: Side, decision: Decision, palette: Palette,
   layers: Readonly<Record<LayerName, boolean>>,
 ): void {
   context.save();
@@ -47,7 +48,22 @@ export function drawPlan(
     context.font = font(10);
     context.textAlign = "center";
     context.textBaseline = "middle";
-    for (const { role, before, after } of decision.tasks) {
+    // Whom it sends where: from each robot as it is to its task.
+    context.strokeStyle = palette.tasks;
+    context.lineWidth = 1;
+    context.setLineDash([1.5, 3]);
+    context.beginPath();
+    for (const [i, role] of decision.assigned.entries()) {
+      const task = decision.tasks.find((candidate) => candidate.role === role);
+      if (task === undefined || i >= match.game.sizes[side]) continue;
+      const [x, y] = task.after ?? task.before;
+      const robot = 3 * match.game.place(side, i + 1);
+      context.moveTo(to.x(moment.poses[robot]!), to.y(moment.poses[robot + 1]!));
+      context.lineTo(to.x(x), to.y(y));
+    }
+    context.stroke();
+    context.setLineDash([]);
+    for (const { before, after } of decision.tasks) {
       const [x, y] = [to.x(before[0]), to.y(before[1])];
       context.strokeStyle = palette.tasks;
       context.fillStyle = palette.tasks;
@@ -58,10 +74,12 @@ export function drawPlan(
         const [toX, toY] = [to.x(after[0]), to.y(after[1])];
         arrow(context, x, y, toX, toY);
         context.fillRect(toX - 4, toY - 4, 8, 8);
-        label(context, roleName(match, side, role).replace(/^.*\./, ""), toX, toY - 10, palette.tasks, palette.grass);
-      } else {
-        label(context, roleName(match, side, role).replace(/^.*\./, ""), x, y - 10, palette.tasks, palette.grass);
       }
+    }
+    context.globalAlpha = 1;
+    for (const { role, after } of decision.tasks) {
+      if (after === null) continue;
+      label(context, shortRoleName(match, side, role).replaceAll("_", " "), to.x(after[0]), to.y(after[1]) - 10, palette.tasks, palette.grass);
     }
   }
   context.restore();

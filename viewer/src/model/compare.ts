@@ -36,12 +36,13 @@ export interface BeliefRow {
   by: [Estimate | null, Estimate | null];
 }
 
-export interface UtilityRow {
-  robot: number;
+// One entry of both matrices.
+export interface EntryComparison {
+  known: [boolean, boolean];  // whether the entry stands in the matrix at all
   utility: [number | null, number | null];  // null: no entry, or forbidden
   difference: number | null;  // second minus first
-  // Weighted difference of each term, second minus first, the greatest first.
-  terms: { name: string; difference: number }[];
+  // Weighted, those that differ most first.
+  terms: { name: string; values: [number | null, number | null]; difference: number }[];
 }
 
 export interface News {
@@ -52,38 +53,53 @@ export interface News {
 export interface Comparison {
   looks: [Look, Look];
   assigned: AssignedRow[];
-  utilities: UtilityRow[];
   beliefs: BeliefRow[];  // the farthest apart first
   news: [News, News];  // of the second at the first, of the first at the second
 }
 
 const distance = (a: ArrayLike<number>, b: ArrayLike<number>) => Math.hypot(a[0]! - b[0]!, a[1]! - b[1]!);
 
-function entries(look: Look, match: Match, pair: Pair, robot: number) {
+function entry(look: Look, match: Match, pair: Pair, robot: number, role: number) {
   const { decision } = look;
   const row = decision?.rows.indexOf(robot) ?? -1;
-  const column = decision?.columns.indexOf(pair.role) ?? -1;
+  const column = decision?.columns.indexOf(role) ?? -1;
   if (decision === null || row < 0 || column < 0) return null;
   const terms = match.about.teams[pair.side].contexts[decision.context]?.terms ?? [];
   return {
     utility: decision.utility[row]?.[column] ?? null,
-    terms: terms.map((term, i) => ({ name: term.name, value: (decision.terms[i]?.[row]?.[column] ?? 0) * term.weight })),
+    terms: new Map(terms.map((term, i) => [term.name, (decision.terms[i]?.[row]?.[column] ?? 0) * term.weight])),
   };
 }
 
-function utilityRow(looks: [Look, Look], match: Match, pair: Pair, robot: number): UtilityRow {
-  const [a, b] = looks.map((look) => entries(look, match, pair, robot));
-  const both = a !== null && a !== undefined && b !== null && b !== undefined;
-  const names = both ? [...new Set([...a.terms, ...b.terms].map((term) => term.name))] : [];
-  const valueOf = (of: typeof a, name: string) => of?.terms.find((term) => term.name === name)?.value ?? 0;
+export function compareEntry(match: Match, pair: Pair, looks: [Look, Look], robot: number, role: number): EntryComparison {
+  const a = entry(looks[0], match, pair, robot, role);
+  const b = entry(looks[1], match, pair, robot, role);
+  const utility: [number | null, number | null] = [a?.utility ?? null, b?.utility ?? null];
+  const names = new Set([...(a?.terms.keys() ?? []), ...(b?.terms.keys() ?? [])]);
   return {
-    robot,
-    utility: [a?.utility ?? null, b?.utility ?? null],
-    difference: both && a.utility !== null && b.utility !== null ? b.utility - a.utility : null,
-    terms: names
-      .map((name) => ({ name, difference: valueOf(b, name) - valueOf(a, name) }))
+    known: [a !== null, b !== null],
+    utility,
+    difference: utility[0] !== null && utility[1] !== null ? utility[1] - utility[0] : null,
+    terms: [...names]
+      .map((name) => {
+        const values: [number | null, number | null] = [a?.terms.get(name) ?? null, b?.terms.get(name) ?? null];
+        return { name, values, difference: (values[1] ?? 0) - (values[0] ?? 0) };
+      })
       .sort((x, y) => Math.abs(y.difference) - Math.abs(x.difference)),
   };
+}
+
+// The entry whose utilities lie farthest apart; null when no entry stands in both matrices.
+export function greatestDifference(match: Match, pair: Pair, looks: [Look, Look]): { robot: number; role: number; entry: EntryComparison } | null {
+  let found: { robot: number; role: number; entry: EntryComparison } | null = null;
+  for (const robot of looks[0].decision?.rows ?? []) {
+    for (const role of looks[0].decision?.columns ?? []) {
+      const entry = compareEntry(match, pair, looks, robot, role);
+      if (entry.difference === null) continue;
+      if (found === null || Math.abs(entry.difference) > Math.abs(found.entry.difference!)) found = { robot, role, entry };
+    }
+  }
+  return found;
 }
 
 function beliefRows(looks: [Look, Look], match: Match, pair: Pair): BeliefRow[] {
@@ -129,11 +145,9 @@ export function compare(match: Match, pair: Pair, time: number): Comparison {
       differs: by[0] !== by[1],
     });
   }
-  const robots = [...pair.robots, ...assigned.map((row) => row.robot).filter((robot) => !pair.robots.includes(robot))];
   return {
     looks,
     assigned,
-    utilities: robots.map((robot) => utilityRow(looks, match, pair, robot)),
     beliefs: beliefRows(looks, match, pair),
     news: [
       match.packets.news(pair.side, first, second, time + 1e-9),

@@ -41,3 +41,6 @@ export function roleName(match: Match, side: Side, role: number): string {
   if (role === -2) return "unknown";
   return role < 0 ? "none" : (match.about.teams[side].roles[role]?.name ?? `role ${role}`);
 }
+
+// Without the list that makes it unique: where there is little room.
+export const shortRoleName = (match: Match, side: Side, role: number): string => roleName(match, side, role).replace(/^.*\./, "");

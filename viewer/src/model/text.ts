@@ -17,6 +17,11 @@ export const words = (name: string): string => name.replaceAll("_", " ");
 export const fixed = (value: number, digits: number): string =>
   value.toFixed(digits).replace(/^-(?=0(\.0*)?$)/, "").replace("-", "\u2212");
 
+export const signed = (value: number, digits: number): string => {
+  const text = fixed(value, digits);
+  return value > 0 && Number(text) !== 0 ? `+${text}` : text;
+};
+
 export const secondsText = (seconds: number): string => `${fixed(seconds, 1)} s`;
 
 export const listText = (items: readonly (string | number)[], joiner = "and"): string =>

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The decisions of two robots side by side: who takes which role in the head of each, what each computed for the role
-// they share, where their beliefs differ, and which packets did not arrive.
+// The decisions of two robots side by side: who takes which role in the head of each, what each computed, where their beliefs differ, and which packets did not arrive.
 import type { View } from "../app/state";
-import { type Comparison, type Estimate, type News, type Pair, compare } from "../model/compare";
-import { roleName } from "../model/look";
+import { type Comparison, type Estimate, type News, type Pair, compare, greatestDifference } from "../model/compare";
+import { roleName, shortRoleName } from "../model/look";
 import { packetLines } from "../time/detail";
-import { fixed, listText, secondsText, timeText, words } from "../model/text";
+import { fixed, listText, secondsText, signed, timeText, words } from "../model/text";
 import type { Match } from "../recording/match";
+import { DifferenceMatrix } from "./difference";
 import { element, heading, numeric, row } from "./elements";
-
-const signed = (value: number, digits: number) => `${value > 0 ? "+" : ""}${fixed(value, digits)}`;
 
 export class ComparePanel {
   private readonly content = element("div", { class: "compare" });
@@ -21,8 +19,10 @@ export class ComparePanel {
   private shownPair: Pair | null = null;
   private shownTime = NaN;
   private filledSide = -1;
+  private readonly difference: DifferenceMatrix;
 
-  constructor(box: HTMLElement, private readonly match: Match, private readonly choose: (pair: Pair) => void) {
+  constructor(box: HTMLElement, tabs: HTMLElement, private readonly match: Match, private readonly choose: (pair: Pair) => void) {
+    this.difference = new DifferenceMatrix(match);
     this.selects = [
       element("select", { "aria-label": "First robot", id: "compare-first" }),
       element("select", { "aria-label": "Second robot", id: "compare-second" }),
@@ -36,17 +36,23 @@ export class ComparePanel {
       });
     }
     const swatch = (name: string) => element("span", { class: `swatch ${name}`, "aria-hidden": "true" });
-    this.bar = element("div", { class: "filters" }, swatch("first"), this.selects[0], element("span", { class: "muted" }, "and"),
+    this.bar = element("div", { class: "pair" }, swatch("first"), this.selects[0], element("span", { class: "muted" }, "and"),
       swatch("second"), this.selects[1], element("span", { class: "muted" }, "as"), this.role);
     this.empty = element("p", { class: "empty" },
       "Choose an overlap in the list, or press ] for the next one: the decisions of the robots that share the role are compared here.");
-    box.append(this.empty, this.bar, this.verdict, this.content);
+    tabs.append(this.bar);
+    box.append(this.empty, this.verdict, this.content);
+  }
+
+  // Which robots are compared stands beside the tabs.
+  showBar(view: View): void {
+    this.bar.hidden = view.panel !== "compare" || view.pair === null;
   }
 
   update(view: View): void {
     const { pair } = view;
     this.empty.hidden = pair !== null;
-    for (const part of [this.bar, this.verdict, this.content]) part.hidden = pair === null;
+    for (const part of [this.verdict, this.content]) part.hidden = pair === null;
     const time = Math.floor(view.time * 10 + 1e-6) / 10;
     if (pair === null || (pair === this.shownPair && time === this.shownTime)) return;
     this.fillSelects(pair);
@@ -74,9 +80,9 @@ export class ComparePanel {
     this.verdict.textContent = this.sentences(pair, found, time).join(" ");
     const faults = found.looks.map((look) => look.fault).filter((fault) => fault !== "").join(" ");
     const assigned = element("table", { class: "list tight", id: "compare-assigned" },
-      heading(["", `by ${a}`, `by ${b}`, "holds"]),
+      heading(["robot", `given by ${a}`, `given by ${b}`, "holds"]),
       element("tbody", {}, ...found.assigned.map((line) => {
-        const name = (role: number | null) => (role === null ? "\u2013" : roleName(this.match, pair.side, role).replace(/^.*\./, ""));
+        const name = (role: number | null) => (role === null ? "\u2013" : shortRoleName(this.match, pair.side, role));
         const differs: Record<string, string> = line.differs ? { class: "differs" } : {};
         return row([
           element("th", { scope: "row" }, `${line.robot}${line.differs ? " \u2260" : ""}`),
@@ -84,16 +90,7 @@ export class ComparePanel {
           line.penalised ? "penalised" : name(line.holds),
         ], pair.robots.includes(line.robot) ? { class: "own" } : {});
       })));
-    const column = roleName(this.match, pair.side, pair.role).replace(/^.*\./, "");
-    const value = (utility: number | null) => numeric(utility === null ? "\u2715" : fixed(utility, 3));
-    const utilities = element("table", { class: "list tight", id: "compare-utilities" },
-      heading([`as ${column}`, `#in ${a}`, `#in ${b}`, "#\u0394", "greatest terms of \u0394"]),
-      element("tbody", {}, ...found.utilities.map((line) => row([
-        element("th", { scope: "row" }, `robot ${line.robot}`), value(line.utility[0]), value(line.utility[1]),
-        numeric(line.difference === null ? "" : signed(line.difference, 3)),
-        line.terms.filter((term) => Math.abs(term.difference) > 0.0005).slice(0, 2)
-          .map((term) => `${term.name} ${signed(term.difference, 3)}`).join(", "),
-      ], pair.robots.includes(line.robot) ? { class: "own" } : {}))));
+    this.difference.update(pair, found.looks);
     const estimate = (of: Estimate | null, own: boolean) =>
       [numeric(of === null ? "\u2013" : `${fixed(of.error, 2)} m`), numeric(of === null || own ? "" : `${fixed(of.age, 1)} s`)];
     const beliefs = element("table", { class: "list tight", id: "compare-beliefs" },
@@ -106,10 +103,11 @@ export class ComparePanel {
     this.content.replaceChildren(
       ...(faults === "" ? [] : [element("p", { class: "fault" }, faults)]),
       element("div", { class: "compare-columns" },
-        element("section", {}, element("h3", {}, "Assignment in each head"), assigned),
-        element("section", {}, element("h3", {}, `Utility of ${column}`), utilities),
-        element("section", {}, element("h3", {}, "Beliefs, farthest apart first"), beliefs),
-        element("section", {}, element("h3", {}, "Packets between them"), this.packets(pair, found.news))));
+        element("section", {},
+          element("h3", {}, "Assignment in each head"), assigned, element("h3", {}, "Beliefs, farthest apart first"), beliefs),
+        element("section", {},
+          element("h3", {}, `Utilities: those of ${b} less those of ${a}`), this.difference.table, this.difference.terms,
+          element("h3", {}, "Packets between them"), this.packets(pair, found.news))));
   }
 
   private packets(pair: Pair, news: [News, News]): HTMLElement {
@@ -147,6 +145,13 @@ export class ComparePanel {
     };
     const gives = [of(0), of(1)].filter((text) => text !== "");
     if (gives.length > 0) result.push(`${listText(gives)}.`);
+    const most = greatestDifference(this.match, pair, found.looks);
+    if (most !== null && Math.abs(most.entry.difference!) > 0.02) {
+      const term = most.entry.terms[0];
+      const by = term === undefined ? "" : `, most by ${term.name} (${signed(term.difference, 2)})`;
+      result.push(`Their utilities differ most for robot ${most.robot} as ${roleName(this.match, pair.side, most.role)}: ` +
+        `${signed(most.entry.difference!, 2)}${by}.`);
+    }
     const farthest = found.beliefs.find((line) => line.apart !== null);
     if (farthest !== undefined && farthest.apart! > 0.3) {
       const what = farthest.robot === 0 ? "the ball" : `robot ${farthest.robot}`;

@@ -32,3 +32,13 @@ export function heading(cells: readonly (string | HTMLTableCellElement)[]): HTML
 export function setText(node: HTMLElement, text: string): void {
   if (node.textContent !== text) node.textContent = text;
 }
+
+// A column's head that may break a long name at its underscores, and within a long word.
+export function brokenName(name: string): (Node | string)[] {
+  return name.split("_").flatMap((part, i) => {
+    const letters = [...part];
+    const half = Math.ceil(letters.length / 2);
+    const soft = letters.length > 9 ? [...letters.slice(0, half), "\u00ad", ...letters.slice(half)].join("") : part;
+    return i > 0 ? [element("wbr"), `_${soft}`] : [soft];
+  });
+}

@@ -2,12 +2,12 @@
 // The Utility Estimation Matrix as a heat map: a row for each active robot, a column for each kept task, the chosen
 // entries framed; and the terms behind the entry that is pointed at or focused.
 import { heat } from "../app/palette";
-import { roleName } from "../model/look";
+import { roleName, shortRoleName } from "../model/look";
 import { fixed } from "../model/text";
 import type { Side } from "../recording/about";
 import type { Match } from "../recording/match";
 import type { Decision } from "../recording/messages";
-import { element, heading, numeric, row, setText } from "./elements";
+import { brokenName, element, heading, numeric, row, setText } from "./elements";
 
 export class UtilityMatrix {
   readonly table = element("table", { class: "matrix", role: "grid", "aria-label": "Utility Estimation Matrix" });
@@ -68,18 +68,11 @@ export class UtilityMatrix {
     this.cells = decision.rows.map((_, i) =>
       decision.columns.map((__, j) =>
         element("td", { role: "gridcell", tabindex: i === 0 && j === 0 ? "0" : "-1", "data-row": String(i), "data-column": String(j) })));
-    const heads = decision.columns.map((role) => {
-      const cell = element("th", { scope: "col" });
-      // Where a long name may break.
-      for (const [i, part] of roleName(this.match, this.side, role).replace(/^.*\./, "").split("_").entries()) {
-        if (i > 0) cell.append(element("wbr"));
-        cell.append(i > 0 ? `_${part}` : part);
-      }
-      return cell;
-    });
+    const heads = decision.columns.map((role) =>
+      element("th", { scope: "col", title: roleName(this.match, this.side, role) }, ...brokenName(shortRoleName(this.match, this.side, role))));
     const body = element("tbody", {}, ...decision.rows.map((robot, i) =>
       element("tr", robot === this.self ? { class: "own" } : {}, element("th", { scope: "row" }, `robot ${robot}`), ...this.cells[i]!)));
-    this.table.replaceChildren(heading([element("th"), ...heads]), body);
+    this.table.replaceChildren(heading([element("th", { scope: "col" }, "utility"), ...heads]), body);
   }
 
   private fill(decision: Decision): void {

@@ -2,7 +2,7 @@
 // One robot's mind: what it decided and why, and how old and how wrong what it knows is.
 import type { Robot, View } from "../app/state";
 import { Moment } from "../model/game";
-import { type Look, hasCommon, lookAt, roleName, worldOf } from "../model/look";
+import { type Look, hasCommon, lookAt, roleName, shortRoleName, worldOf } from "../model/look";
 import { fixed, timeText } from "../model/text";
 import { sideNames } from "../recording/about";
 import type { Match } from "../recording/match";
@@ -37,8 +37,7 @@ export class RobotPanel {
       this.fault,
       element("div", { class: "mind-columns" },
         element("div", { class: "mind-left" },
-          element("h3", {}, "Utilities of this decision"), element("div", { class: "matrix-box" }, this.matrix.table),
-          element("h3", {}, "What it knows"), this.news),
+          element("div", { class: "matrix-box" }, this.matrix.table), this.news),
         element("div", { class: "mind-right" }, this.matrix.terms,
           element("h3", {}, "Context"), this.context,
           element("h3", {}, "Tasks"), this.tasks)));
@@ -109,11 +108,11 @@ export class RobotPanel {
       const moved = after === null ? null : Math.hypot(after[0] - before[0], after[1] - before[1]);
       const at = (pose: [number, number, number]) => `${fixed(pose[0], 2)}, ${fixed(pose[1], 2)}`;
       return row([
-        roleName(this.match, robot.side, task.role), numeric(at(before)),
-        numeric(after === null ? "not kept" : at(after)), numeric(moved === null ? "" : `${fixed(moved, 2)} m`),
+        shortRoleName(this.match, robot.side, task.role), numeric(at(before)),
+        numeric(after === null ? "not kept" : at(after)), numeric(moved === null ? "" : fixed(moved, 2)),
       ], { class: after === null ? "muted" : task.role === decision?.role ? "own" : "" });
     }));
-    this.tasks.replaceChildren(element("table", { class: "list tight" }, heading(["task", "#before", "#after offset", "#moved"]), body));
+    this.tasks.replaceChildren(element("table", { class: "list tight" }, heading(["task", "#before", "#after", "#offset"]), body));
   }
 
   private showNews(robot: Robot, { belief }: Look, view: View): void {
@@ -137,7 +136,7 @@ export class RobotPanel {
       const { heard, missed } = match.packets.news(robot.side, robot.number, mate.number, view.time);
       body.append(row([
         own ? "itself" : `robot ${mate.number}`,
-        `${roleName(match, robot.side, mate.role)}${mate.active ? "" : " (not active)"}`,
+        `${shortRoleName(match, robot.side, mate.role)}${mate.active ? "" : " (not active)"}`,
         numeric(own ? "" : `${fixed(mate.age, 1)} s`),
         numeric(`${fixed(error(mate.pose[0], mate.pose[1], truth.poses, 3 * match.game.place(robot.side, mate.number)), 2)} m`),
         numeric(own ? "" : heard === null ? "never" : timeText(heard.time)),
@@ -145,7 +144,7 @@ export class RobotPanel {
       ], own ? { class: "own" } : {}));
     }
     this.news.replaceChildren(element("table", { class: "list tight" },
-      heading(["", "role it was told", "#age of news", "#off by", "#last heard", "#since then"]), body,
+      heading(["it knows", "role it heard", "#age", "#off by", "#last heard", ""]), body,
       element("caption", {}, `belief of ${timeText(belief.time, 2)}; ${world.opponents.length} opponents known`)));
   }
 }

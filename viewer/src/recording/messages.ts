@@ -225,34 +225,41 @@ function ballOf(value: unknown, where: string): BallEstimate | null {
   };
 }
 
-function teammateOf(value: unknown, where: string): TeammateEstimate {
-  const robot = checked.object(value, where);
-  return {
-    number: checked.integer(robot.number, `${where}.number`),
-    pose: pose(robot.pose, `${where}.pose`),
-    covariance: covariance(robot.covariance, `${where}.covariance`),
-    age: checked.number(robot.age, `${where}.age`),
-    active: checked.boolean(robot.active, `${where}.active`),
-    role: checked.integer(robot.role, `${where}.role`),
-  };
+// Robots stand in columns, one entry for each of them.
+function column<T>(value: unknown, where: string, item: (value: unknown, where: string) => T, length: number): T[] {
+  const values = checked.list(value, where, item);
+  if (values.length !== length) throw new checked.WrongForm(`${where} has ${values.length} entries, not ${length}`);
+  return values;
 }
 
-function opponentOf(value: unknown, where: string): OpponentEstimate {
-  const robot = checked.object(value, where);
-  return {
-    at: point(robot.at, `${where}.at`),
-    covariance: covariance(robot.covariance, `${where}.covariance`),
-    age: checked.number(robot.age, `${where}.age`),
-    weight: checked.number(robot.weight, `${where}.weight`),
-  };
+function teammatesOf(value: unknown, where: string): TeammateEstimate[] {
+  const columns = checked.object(value, where);
+  const numbers = integers(columns.number, `${where}.number`);
+  const places = column(columns.pose, `${where}.pose`, pose, numbers.length);
+  const covariances = column(columns.covariance, `${where}.covariance`, covariance, numbers.length);
+  const ages = column(columns.age, `${where}.age`, checked.number, numbers.length);
+  const roles = column(columns.role, `${where}.role`, checked.integer, numbers.length);
+  const active = integers(columns.active, `${where}.active`);
+  return numbers.map((number, i) => ({
+    number, pose: places[i]!, covariance: covariances[i]!, age: ages[i]!, role: roles[i]!, active: active.includes(number),
+  }));
+}
+
+function opponentsOf(value: unknown, where: string): OpponentEstimate[] {
+  const columns = checked.object(value, where);
+  const places = checked.list(columns.at, `${where}.at`, point);
+  const covariances = column(columns.covariance, `${where}.covariance`, covariance, places.length);
+  const ages = column(columns.age, `${where}.age`, checked.number, places.length);
+  const weights = column(columns.weight, `${where}.weight`, checked.number, places.length);
+  return places.map((at, i) => ({ at, covariance: covariances[i]!, age: ages[i]!, weight: weights[i]! }));
 }
 
 function worldOf(value: unknown, where: string): World {
   const world = checked.object(value, where);
   return {
     ball: ballOf(world.ball ?? null, `${where}.ball`),
-    teammates: checked.list(world.teammates, `${where}.teammates`, teammateOf),
-    opponents: checked.list(world.opponents, `${where}.opponents`, opponentOf),
+    teammates: teammatesOf(world.teammates, `${where}.teammates`),
+    opponents: opponentsOf(world.opponents, `${where}.opponents`),
   };
 }
 

@@ -5,7 +5,7 @@ import { Canvas, font } from "../app/canvas";
 import type { Palette } from "../app/palette";
 import type { Robot, View } from "../app/state";
 import { inMask } from "../model/game";
-import { roleName } from "../model/look";
+import { roleName, shortRoleName } from "../model/look";
 import type { Packet } from "../model/packets";
 import type { Stretch } from "../model/roles";
 import { listText, secondsText, timeText, words } from "../model/text";
@@ -16,6 +16,7 @@ import { type TimeScale, gutter, margin, tickSeconds } from "./scale";
 
 const axisHeight = 24;  // times above, events below
 const stripHeight = 12;
+const lane = 3.5;  // at the foot of each row, for packets
 
 // What stands under a point, in words, and what a click there chooses.
 export interface Found {
@@ -95,7 +96,7 @@ export class Detail {
     const rowHeight = this.rowHeight(side);
     context.textAlign = "left";
     context.textBaseline = "middle";
-    context.font = font(Math.min(10.5, rowHeight - 2.5));
+    context.font = font(Math.min(10, rowHeight - 4));
     for (const [n, runs] of match.courses[side].runs.entries()) {
       const y = axisHeight + n * rowHeight;
       for (const { role, from, to } of runs) {
@@ -106,11 +107,11 @@ export class Detail {
         const x = Math.max(gutter - 1, scale.x(begin));
         const w = Math.min(this.canvas.width, scale.x(end)) - x;
         context.fillStyle = role < 0 ? palette.sunken : palette.roles[role % 8]!;
-        context.fillRect(x, y + 1, Math.max(0.5, w - 0.5), rowHeight - 2);
+        context.fillRect(x, y + 1, Math.max(0.5, w - 0.5), rowHeight - 1 - lane);
         if (w > 24) {
           context.fillStyle = role < 0 ? palette.muted : palette.text;
-          const name = roleName(match, side, role).replace(/^.*\./, "").replaceAll("_", " ");
-          context.fillText(fitted(context, name, w - 6), x + 3, y + rowHeight / 2 + 0.5);
+          const name = shortRoleName(match, side, role).replaceAll("_", " ");
+          context.fillText(fitted(context, name, w - 6), x + 3, y + (rowHeight - lane) / 2 + 1);
         }
       }
       // Penalised: struck through.
@@ -137,7 +138,7 @@ export class Detail {
           const x = scale.x(from);
           const w = Math.max(2, scale.x(to) - x);
           const y = axisHeight + (robot - 1) * rowHeight;
-          context.strokeRect(x + 0.5, y + 1.5, w - 1, rowHeight - 3);
+          context.strokeRect(x + 0.5, y + 1.5, w - 1, rowHeight - 2 - lane);
         }
       }
     }
@@ -149,16 +150,16 @@ export class Detail {
     const { context } = this.canvas;
     const { scale, match } = this;
     const rowHeight = this.rowHeight(view.side);
-    const size = Math.min(5, rowHeight / 2.6);
+    const size = lane * 0.9;
     const listener = view.robot !== null && view.robot.side === view.side ? view.robot.number : 0;
     for (let n = 1; n <= match.game.sizes[view.side]; ++n) {
-      const foot = axisHeight + n * rowHeight - 1;
+      const foot = axisHeight + n * rowHeight - 0.5;
       for (const packet of match.packets.between(view.side, n, scale.from, scale.to)) {
         const x = scale.x(packet.time);
         const missed = listener > 0 && listener !== n && !packet.heard.has(listener);
         context.beginPath();
         context.moveTo(x - size, foot);
-        context.lineTo(x, foot - 1.7 * size);
+        context.lineTo(x, foot - 1.5 * size);
         context.lineTo(x + size, foot);
         context.closePath();
         context.fillStyle = missed ? palette.panel : palette.text;
@@ -168,7 +169,7 @@ export class Detail {
         context.stroke();
         if (missed) {
           context.beginPath();
-          context.moveTo(x - size, foot - 1.7 * size);
+          context.moveTo(x - size, foot - 1.5 * size);
           context.lineTo(x + size, foot);
           context.stroke();
         }
@@ -191,7 +192,7 @@ export class Detail {
       context.fillRect(x, top + 1, w, stripHeight - 2);
       if (w > 22) {
         context.fillStyle = "#111";
-        context.fillText(fitted(context, `${roleName(match, side, stretch.role).replace(/^.*\./, "")} ${stretch.robots.join(" ")}`, w - 4), x + 2, top + stripHeight / 2 + 0.5);
+        context.fillText(fitted(context, `${shortRoleName(match, side, stretch.role)} ${stretch.robots.join(" ")}`, w - 4), x + 2, top + stripHeight / 2 + 0.5);
       }
     }
     const missing = this.visible(course.uncovered);
@@ -208,7 +209,7 @@ export class Detail {
       const x = Math.max(gutter, scale.x(stretch.from));
       const w = scale.x(stretch.to) - x;
       if (w < 30 || x < free) continue;
-      const text = fitted(context, roleName(match, side, stretch.role).replace(/^.*\./, ""), w - 4);
+      const text = fitted(context, shortRoleName(match, side, stretch.role), w - 4);
       context.fillText(text, x + 2, top + stripHeight * 1.5 + 0.5);
       free = x + 4 + context.measureText(text).width;
     }
@@ -223,7 +224,7 @@ export class Detail {
     context.textBaseline = "middle";
     for (let n = 1; n <= this.match.game.sizes[side]; ++n) {
       const y = axisHeight + (n - 0.5) * rowHeight;
-      const chosen = view.robot?.side === side && view.robot.number === n;
+      const chosen = view.panel !== "compare" && view.robot?.side === side && view.robot.number === n;
       if (chosen) {
         context.fillStyle = side === 0 ? palette.home : palette.away;
         context.fillRect(4, y - rowHeight / 2 + 1, gutter - 8, rowHeight - 2);
@@ -231,6 +232,17 @@ export class Detail {
       context.fillStyle = chosen ? (side === 0 ? palette["on-home"] : palette["on-away"]) : palette.text;
       context.font = font(Math.min(11, rowHeight), chosen ? 700 : 400);
       context.fillText(`robot ${n}`, gutter - 8, y + 0.5);
+    }
+    if (view.panel === "compare" && view.pair !== null && view.pair.side === side) {
+      for (const [i, n] of view.pair.robots.entries()) {
+        context.strokeStyle = i === 0 ? palette.first : palette.second;
+        context.setLineDash(i === 0 ? [] : [2.5, 2]);
+        context.lineWidth = 2.5;
+        context.beginPath();
+        context.arc(14, axisHeight + (n - 0.5) * rowHeight, Math.min(4, rowHeight / 2 - 1), 0, 2 * Math.PI);
+        context.stroke();
+      }
+      context.setLineDash([]);
     }
     context.font = font(10);
     context.fillStyle = palette.muted;
