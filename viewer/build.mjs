@@ -4,7 +4,7 @@
 // Without a recording the page keeps the places that `regista view` fills: @REGISTA_RECORDING@ (the file as base64)
 // and @REGISTA_RECORDING_NAME@ (its name, escaped for HTML), each once.
 import { createHash } from "node:crypto";
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { basename, dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -57,7 +57,7 @@ const decompressors = {
   },
 };
 
-export async function script(entry = join(root, "src/main.ts")) {
+async function script(entry = join(root, "src/main.ts")) {
   const result = await build({
     entryPoints: [entry],
     bundle: true,
@@ -66,6 +66,7 @@ export async function script(entry = join(root, "src/main.ts")) {
     format: "iife",
     platform: "browser",
     loader: { ".wasm": "binary" },
+    absWorkingDir: root,
     target: ["chrome102", "firefox102"],
     charset: "ascii",
     legalComments: "none",
@@ -74,20 +75,33 @@ export async function script(entry = join(root, "src/main.ts")) {
     external: ["fs", "path"],
     plugins: [decompressors],
     logLevel: "warning",
+    metafile: true,
   });
-  return result.outputFiles[0].text;
+  return { code: result.outputFiles[0].text, inputs: Object.keys(result.metafile.inputs) };
+}
+
+// The licences of the packages whose code stands in the page.
+function licences(inputs) {
+  const folders = new Set(inputs.map((file) => join(root, file)).map((file) => /^.*node_modules\/(?:@[^/]+\/)?[^/]+/.exec(file)?.[0]).filter(Boolean));
+  const texts = [...folders].sort().map((folder) => {
+    const { name, version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+    const file = readdirSync(folder).find((entry) => /^licen[cs]e/i.test(entry));
+    return `${name} ${version} (${license})\n\n${file === undefined ? "" : readFileSync(join(folder, file), "utf8").trim()}\n`;
+  });
+  return texts.join("\n\n").replaceAll("<", "(").replaceAll(">", ")");
 }
 
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
 
 function fill(template, values) {
-  return template.replace(/@(TITLE_POLICY|STYLE|SCRIPT)@/g, (_, key) => values[key]);
+  return template.replace(/@(POLICY|STYLE|SCRIPT|LICENCES)@/g, (_, key) => values[key]);
 }
 
 const escaped = (text) => text.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);
 
-export async function page(recording) {
-  const code = (await script()).replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
+async function page(recording) {
+  const bundle = await script();
+  const code = bundle.code.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
   const curves = readFileSync(join(dirname(require.resolve("uplot")), "uPlot.min.css"), "utf8");
   const style = `${curves}\n${readFileSync(join(root, "src/style.css"), "utf8")}`;
   const policy = [
@@ -99,7 +113,7 @@ export async function page(recording) {
     "form-action 'none'",
   ].join("; ");
   const template = readFileSync(join(root, "src/page.html"), "utf8");
-  let html = fill(template, { TITLE_POLICY: policy, STYLE: style, SCRIPT: code });
+  let html = fill(template, { POLICY: policy, STYLE: style, SCRIPT: code, LICENCES: licences(bundle.inputs) });
   for (const place of Object.values(places)) {
     if (html.split(place).length !== 2) throw new Error(`${place} does not stand just once in the page`);
   }

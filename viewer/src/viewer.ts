@@ -5,7 +5,7 @@ import { type Key, listenToKeys } from "./app/keys";
 import { type Palette, readPalette } from "./app/palette";
 import { Playback } from "./app/playback";
 import { type LayerName, type PanelName, State, type View, layerNames, panelNames, speeds } from "./app/state";
-import { decisionStep, eventStep } from "./app/steps";
+import { decisionStep, eventStep, timeOf } from "./app/steps";
 import type { Theme } from "./app/theme";
 import { Field } from "./field/field";
 import { type Pair, pairAt } from "./model/compare";
@@ -124,7 +124,8 @@ export class Viewer {
     this.panelsStale = false;
     const { view } = this.state;
     this.head.update(view.time);
-    setText(byId("time"), timeText(view.time));
+    const time = byId<HTMLInputElement>("time");
+    if (document.activeElement !== time) time.value = timeText(view.time);
     const scrub = byId<HTMLInputElement>("scrub");
     scrub.value = view.time.toFixed(1);
     scrub.setAttribute("aria-valuetext", timeText(view.time));
@@ -250,6 +251,21 @@ export class Viewer {
     scrub.max = String(this.state.end);
     scrub.addEventListener("input", () => this.state.set({ time: Number(scrub.value) }));
     setText(byId("end"), timeText(this.state.end));
+    const time = byId<HTMLInputElement>("time");
+    time.addEventListener("focus", () => time.select());
+    time.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter" && event.key !== "Escape") return;
+      const typed = event.key === "Enter" ? timeOf(this.match.game, time.value) : this.state.view.time;
+      time.classList.toggle("wrong", typed === null);
+      if (typed === null) return;
+      this.state.set({ time: typed });
+      time.blur();
+      this.state.touch();
+    });
+    time.addEventListener("blur", () => {
+      time.classList.remove("wrong");
+      time.value = timeText(this.state.view.time);
+    });
 
     for (const panel of panelNames) {
       const tab = element("button", { type: "button", role: "tab", id: `tab-${panel}`, "aria-controls": `panel-${panel}` }, panelTexts[panel]);

@@ -40,6 +40,14 @@ export function posesAt(time: number): [number[][], number[][]] {
 
 const tables = ["striker", "defender"];
 
+// Robots 2 and 3 of home each believe that the other takes the role that they do not.
+function assignedBy(side: 0 | 1, robot: number, time: number): number[] {
+  const own = rolesAt(time)[side];
+  if (side === 1 || robot === 1) return own;
+  const other = own[robot - 1] === 1 ? 2 : 1;
+  return robot === 2 ? [0, own[1]!, other] : [0, other, own[2]!];
+}
+
 function decision(side: 0 | 1, robot: number, time: number): Json {
   const size = sizes[side];
   const rows = Array.from({ length: size }, (_, i) => i + 1);
@@ -56,7 +64,7 @@ function decision(side: 0 | 1, robot: number, time: number): Json {
       { role: 0, before: [-4, 0, 0], after: [-4, 0, 0] }, { role: 1, before: [0, 0.5, 0], after: [0.3, 0.9, 0] },
       { role: 2, before: [-2, -1, 0], after: size > 2 ? [-2, -0.5, 0] : null },
     ],
-    columns, rows, utility, terms, assigned: own.map((role, i) => (i + 1 === robot ? role : i === 0 ? 0 : 3 - robot > 0 ? 2 : 1)),
+    columns, rows, utility, terms, assigned: assignedBy(side, robot, time),
     role: own[robot - 1], since: Math.max(0, time - 1),
   };
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Jumps in time: from decision to decision, from event to event.
+// Jumps in time: from decision to decision, from event to event, to a time that is typed.
+import type { Game } from "../model/game";
+import { parsedTime } from "../model/text";
 import { lastNotAfter } from "../recording/log";
 import type { Match } from "../recording/match";
 import type { View } from "./state";
@@ -24,4 +26,15 @@ export function decisionStep(match: Match, view: View, direction: 1 | -1): numbe
 
 export function eventStep(match: Match, view: View, direction: 1 | -1): number | null {
   return neighbour(match.events.map((event) => event.time), view.time, direction);
+}
+
+// The match time that a typed text names; null when it names none.
+export function timeOf(game: Game, text: string): number | null {
+  const typed = parsedTime(text);
+  if (typed === null || typed.half === null) return typed?.seconds ?? null;
+  for (let i = 0; i < game.count; ++i) {
+    // Clocks are those of the samples: to a hundredth of the distance between two.
+    if (game.half[i] === typed.half && game.clock[i]! >= typed.seconds - 1e-3) return game.times[i]!;
+  }
+  return null;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a robot decided and believed last, at some time.
 import type { Side } from "../recording/about";
+import { shortened } from "./text";
 import { WrongForm } from "../recording/checked";
 import type { Log } from "../recording/log";
 import type { Match } from "../recording/match";
@@ -43,4 +44,5 @@ export function roleName(match: Match, side: Side, role: number): string {
 }
 
 // Without the list that makes it unique: where there is little room.
-export const shortRoleName = (match: Match, side: Side, role: number): string => roleName(match, side, role).replace(/^.*\./, "");
+export const shortRoleName = (match: Match, side: Side, role: number): string =>
+  shortened(roleName(match, side, role).replace(/^.*\./, ""), 24);

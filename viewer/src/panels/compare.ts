@@ -2,7 +2,7 @@
 // The decisions of two robots side by side: who takes which role in the head of each, what each computed, where their beliefs differ, and which packets did not arrive.
 import type { View } from "../app/state";
 import { type Comparison, type Estimate, type News, type Pair, compare, greatestDifference } from "../model/compare";
-import { roleName, shortRoleName } from "../model/look";
+import { shortRoleName } from "../model/look";
 import { packetLines } from "../time/detail";
 import { fixed, listText, secondsText, signed, timeText, words } from "../model/text";
 import type { Match } from "../recording/match";
@@ -78,6 +78,7 @@ export class ComparePanel {
   private show(pair: Pair, found: Comparison, time: number): void {
     const [a, b] = pair.robots;
     this.verdict.textContent = this.sentences(pair, found, time).join(" ");
+    this.verdict.title = this.verdict.textContent;
     const faults = found.looks.map((look) => look.fault).filter((fault) => fault !== "").join(" ");
     const assigned = element("table", { class: "list tight", id: "compare-assigned" },
       heading(["robot", `given by ${a}`, `given by ${b}`, "holds"]),
@@ -128,7 +129,7 @@ export class ComparePanel {
   // What can be read off, in sentences.
   private sentences(pair: Pair, found: Comparison, time: number): string[] {
     const [a, b] = pair.robots;
-    const role = roleName(this.match, pair.side, pair.role);
+    const role = shortRoleName(this.match, pair.side, pair.role);
     const result: string[] = [];
     const stretch = this.match.courses[pair.side].overlaps.find((s) =>
       s.role === pair.role && s.from <= time + 1e-6 && time < s.to + 1e-6 && s.robots.includes(a) && s.robots.includes(b));
@@ -141,7 +142,7 @@ export class ComparePanel {
     const of = (i: 0 | 1) => {
       const other = pair.robots[1 - i]!;
       const given = found.assigned[other - 1]?.assigned[i] ?? null;
-      return given === null ? "" : `${pair.robots[i]} gives ${other} ${given < 0 ? "no role" : roleName(this.match, pair.side, given)}`;
+      return given === null ? "" : `${pair.robots[i]} gives ${other} ${given < 0 ? "no role" : shortRoleName(this.match, pair.side, given)}`;
     };
     const gives = [of(0), of(1)].filter((text) => text !== "");
     if (gives.length > 0) result.push(`${listText(gives)}.`);
@@ -149,7 +150,7 @@ export class ComparePanel {
     if (most !== null && Math.abs(most.entry.difference!) > 0.02) {
       const term = most.entry.terms[0];
       const by = term === undefined ? "" : `, most by ${term.name} (${signed(term.difference, 2)})`;
-      result.push(`Their utilities differ most for robot ${most.robot} as ${roleName(this.match, pair.side, most.role)}: ` +
+      result.push(`Their utilities differ most for robot ${most.robot} as ${shortRoleName(this.match, pair.side, most.role)}: ` +
         `${signed(most.entry.difference!, 2)}${by}.`);
     }
     const farthest = found.beliefs.find((line) => line.apart !== null);

@@ -61,9 +61,9 @@ export class Budget {
       ],
       series: [
         {},
-        { stroke: palette.home, width: 2 },
-        { stroke: palette.away, width: 2, dash: [6, 3] },
-        { stroke: palette.muted, width: 1, dash: [2, 3] },
+        { stroke: palette.home, width: 2, points: { show: false } },
+        { stroke: palette.away, width: 2, dash: [6, 3], points: { show: false } },
+        { stroke: palette.muted, width: 1, dash: [2, 3], points: { show: false } },
       ],
     }, this.data, this.element);
   }

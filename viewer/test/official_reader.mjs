@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What host/mcap writes, read by @mcap/core as a stream and through the index, every checksum compared:
-//   node check.mjs WRITE_MCAP_EXAMPLES
+//   node official_reader.mjs WRITE_MCAP_EXAMPLES
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
