@@ -38,7 +38,10 @@ const decompressors = {
   setup(plugins) {
     plugins.onLoad({ filter: /wasm-zstd[\\/]dist[\\/]index\.js$/ }, ({ path }) => {
       const original = readFileSync(path, "utf8");
-      const contents = original.replace("ModuleFactory()", 'ModuleFactory({ wasmBinary: require("./wasm-zstd.wasm") })');
+      const contents = original.replace(
+        "ModuleFactory()",
+        'ModuleFactory({ wasmBinary: require("./wasm-zstd.wasm") })',
+      );
       if (contents === original) throw new Error(`${path} does not load its WebAssembly as expected`);
       return { contents, loader: "js" };
     });
@@ -70,7 +73,12 @@ async function script(entry = join(root, "src/main.ts")) {
     target: ["chrome102", "firefox102"],
     charset: "ascii",
     legalComments: "none",
-    define: { "process.env.WASM_ZSTD_ENVIRONMENT": '"WEB"', process: "undefined", __filename: "undefined", __dirname: '""' },
+    define: {
+      "process.env.WASM_ZSTD_ENVIRONMENT": '"WEB"',
+      process: "undefined",
+      __filename: "undefined",
+      __dirname: '""',
+    },
     inject: [join(root, "src/recording/buffer.js")],
     external: ["fs", "path"],
     plugins: [decompressors],
@@ -82,11 +90,17 @@ async function script(entry = join(root, "src/main.ts")) {
 
 // The licences of the packages whose code stands in the page.
 function licences(inputs) {
-  const folders = new Set(inputs.map((file) => join(root, file)).map((file) => /^.*node_modules\/(?:@[^/]+\/)?[^/]+/.exec(file)?.[0]).filter(Boolean));
+  const folders = new Set(
+    inputs
+      .map((file) => join(root, file))
+      .map((file) => /^.*node_modules\/(?:@[^/]+\/)?[^/]+/.exec(file)?.[0])
+      .filter(Boolean),
+  );
   const texts = [...folders].sort().map((folder) => {
     const { name, version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
     const file = readdirSync(folder).find((entry) => /^licen[cs]e/i.test(entry));
-    return `${name} ${version} (${license})\n\n${file === undefined ? "" : readFileSync(join(folder, file), "utf8").trim()}\n`;
+    const text = file === undefined ? "" : readFileSync(join(folder, file), "utf8").trim();
+    return `${name} ${version} (${license})\n\n${text}\n`;
   });
   return texts.join("\n\n").replaceAll("<", "(").replaceAll(">", ")");
 }
@@ -103,7 +117,13 @@ async function page(recording) {
   const bundle = await script();
   const code = bundle.code.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
   const curves = readFileSync(join(dirname(require.resolve("uplot")), "uPlot.min.css"), "utf8");
-  const style = `${curves}\n${readFileSync(join(root, "src/style.css"), "utf8")}`;
+  const ours = join(root, "src/style");
+  const style = [
+    curves,
+    ...readdirSync(ours)
+      .sort()
+      .map((file) => readFileSync(join(ours, file), "utf8")),
+  ].join("\n");
   const policy = [
     "default-src 'none'",
     `script-src ${hash(code)} 'wasm-unsafe-eval'`,

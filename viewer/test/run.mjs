@@ -16,8 +16,9 @@ if (files.length === 0) {
   process.exit(2);
 }
 
+// In the viewer's folder.
 function run(words) {
-  const { status } = spawnSync(process.execPath, words, { cwd: join(here, ".."), stdio: "inherit" });  // the viewer's folder
+  const { status } = spawnSync(process.execPath, words, { cwd: join(here, ".."), stdio: "inherit" });
   if (status !== 0) process.exit(status ?? 1);
 }
 

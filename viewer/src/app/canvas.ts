@@ -2,11 +2,14 @@
 // A canvas as large as its place in the page, sharp on every screen.
 export class Canvas {
   readonly context: CanvasRenderingContext2D;
-  width = 0;  // of the place, in CSS pixels
+  width = 0; // of the place, in CSS pixels
   height = 0;
   scale = 0;
 
-  constructor(readonly element: HTMLCanvasElement, alpha = false) {
+  constructor(
+    readonly element: HTMLCanvasElement,
+    alpha = false,
+  ) {
     const context = element.getContext("2d", { alpha });
     if (context === null) throw new Error("no canvas");
     this.context = context;

@@ -30,7 +30,7 @@ export function fragmentOf(time: number, robot: Robot | null): string {
   return `#t=${Math.round(time * 100) / 100}${robot === null ? "" : `&robot=${sideNames[robot.side]}/${robot.number}`}`;
 }
 
-const pauseMilliseconds = 400;  // browsers refuse addresses that change too often
+const pauseMilliseconds = 400; // browsers refuse addresses that change too often
 
 export class Address {
   private timer = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The keyboard: one table, which is also what the help shows.
 export interface Key {
-  keys: string[];  // as in KeyboardEvent.key
+  keys: string[]; // as in KeyboardEvent.key
   shown: string;
   does: string;
   run(event: KeyboardEvent): void;

@@ -1,9 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Colours of canvases, taken from the style sheet, which knows light and dark. Those that carry meaning are of Okabe and
-// Ito's palette for all kinds of colour vision ("Color Universal Design", 2008).
+// Colours of canvases, taken from the style sheet, which knows light and dark. Those that carry meaning are of Okabe
+// and Ito's palette for all kinds of colour vision ("Color Universal Design", 2008).
 const names = [
-  "text", "muted", "line", "panel", "sunken", "accent", "home", "away", "ball", "grass", "chalk", "surround", "nodes",
-  "tasks", "overlap", "uncovered", "first", "second", "on-home", "on-away",
+  "text",
+  "muted",
+  "line",
+  "panel",
+  "sunken",
+  "accent",
+  "home",
+  "away",
+  "ball",
+  "grass",
+  "chalk",
+  "surround",
+  "nodes",
+  "tasks",
+  "overlap",
+  "uncovered",
+  "first",
+  "second",
+  "on-home",
+  "on-away",
 ] as const;
 export type Palette = Record<(typeof names)[number], string> & { roles: string[] };
 
@@ -16,7 +34,18 @@ export function readPalette(): Palette {
 }
 
 // Steps of the colour map "cividis" (Nuñez, Anderton and Renslow, 2018), from the least to the greatest value.
-const cividis = ["#00224e", "#123570", "#3b496c", "#575d6d", "#707173", "#8a8678", "#a59c74", "#c3b369", "#e1cc55", "#fee838"];
+const cividis = [
+  "#00224e",
+  "#123570",
+  "#3b496c",
+  "#575d6d",
+  "#707173",
+  "#8a8678",
+  "#a59c74",
+  "#c3b369",
+  "#e1cc55",
+  "#fee838",
+];
 
 // share: 0..1. `ink` can be read upon `fill`.
 export function heat(share: number): { fill: string; ink: string } {

@@ -2,14 +2,17 @@
 // Time passing: one loop of frames, which rests while nothing changes.
 import { type State, speeds } from "./state";
 
-const longestFrame = 0.25;  // s; a page that was hidden goes on where it was
+const longestFrame = 0.25; // s; a page that was hidden goes on where it was
 
 export class Playback {
   private requested = false;
   private last = 0;
-  frames = 0;  // drawn so far
+  frames = 0; // drawn so far
 
-  constructor(private readonly state: State, private readonly draw: (now: number) => void) {
+  constructor(
+    private readonly state: State,
+    private readonly draw: (now: number) => void,
+  ) {
     state.listen(() => this.request());
   }
 

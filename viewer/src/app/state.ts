@@ -21,7 +21,7 @@ export interface View {
   playing: boolean;
   speed: number;
   robot: Robot | null;
-  side: Side;  // whose robots the timeline shows
+  side: Side; // whose robots the timeline shows
   pair: Pair | null;
   panel: PanelName;
   knowledge: "mine" | "common";
@@ -30,12 +30,22 @@ export interface View {
 
 export class State {
   view: View = {
-    time: 0, playing: false, speed: 1, robot: null, side: 0, pair: null, panel: "overlaps", knowledge: "mine",
+    time: 0,
+    playing: false,
+    speed: 1,
+    robot: null,
+    side: 0,
+    pair: null,
+    panel: "overlaps",
+    knowledge: "mine",
     layers: { belief: true, ellipses: true, nodes: true, tasks: true, trails: true },
   };
   private readonly listeners: ((changed: ReadonlySet<keyof View>) => void)[] = [];
 
-  constructor(readonly begin: number, readonly end: number) {
+  constructor(
+    readonly begin: number,
+    readonly end: number,
+  ) {
     this.view.time = begin;
   }
 

@@ -17,15 +17,23 @@ function neighbour(times: readonly number[], time: number, direction: 1 | -1): n
 export function decisionStep(match: Match, view: View, direction: 1 | -1): number | null {
   const all = match.decisions;
   const pair = view.panel === "compare" ? view.pair : null;
-  const logs = pair !== null ? pair.robots.map((n) => all[pair.side][n - 1])
-    : view.robot !== null ? [all[view.robot.side][view.robot.number - 1]] : all[view.side];
+  const logs =
+    pair !== null
+      ? pair.robots.map((n) => all[pair.side][n - 1])
+      : view.robot !== null
+        ? [all[view.robot.side][view.robot.number - 1]]
+        : all[view.side];
   const times = logs.map((log) => neighbour(log?.times ?? [], view.time, direction)).filter((time) => time !== null);
   if (times.length === 0) return null;
   return direction === 1 ? Math.min(...times) : Math.max(...times);
 }
 
 export function eventStep(match: Match, view: View, direction: 1 | -1): number | null {
-  return neighbour(match.events.map((event) => event.time), view.time, direction);
+  return neighbour(
+    match.events.map((event) => event.time),
+    view.time,
+    direction,
+  );
 }
 
 // The match time that a typed text names; null when it names none.

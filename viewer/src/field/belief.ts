@@ -11,19 +11,26 @@ import type { World } from "../recording/messages";
 import type { Projection } from "./ground";
 import { type Context, bodyPath, ellipsePath, headingPath, label } from "./shapes";
 
-// color: of everything (two beliefs are compared), or null: of the teams. robots: whose ellipses and ages are drawn beside
-// the ball's; null: everybody's.
+// color: of everything (two beliefs are compared), or null: of the teams. robots: whose ellipses and ages are drawn
+// beside the ball's; null: everybody's.
 export interface BeliefStyle {
   color: string | null;
   ellipses: boolean;
   robots: readonly number[] | null;
 }
 
-const shownAge = 0.35;  // s; younger news carry no number
+const shownAge = 0.35; // s; younger news carry no number
 
 export function drawBelief(
-  context: Context, to: Projection, match: Match, moment: Moment, side: Side, self: number, world: World,
-  palette: Palette, style: BeliefStyle,
+  context: Context,
+  to: Projection,
+  match: Match,
+  moment: Moment,
+  side: Side,
+  self: number,
+  world: World,
+  palette: Palette,
+  style: BeliefStyle,
 ): void {
   const { game, about } = match;
   const own = style.color ?? (side === 0 ? palette.home : palette.away);
@@ -59,7 +66,7 @@ export function drawBelief(
   };
   const age = (seconds: number, x: number, y: number) => {
     if (seconds < shownAge) return;
-    label(context, `${fixed(seconds, 1)} s`, to.x(x) + radius + 2, to.y(y) - radius * 0.7, palette.text, palette.grass);
+    label(context, `${fixed(seconds, 1)} s`, to.x(x) + radius * 0.8, to.y(y) + radius + 3, palette.text, palette.grass);
   };
 
   for (const opponent of world.opponents) {

@@ -12,7 +12,7 @@ import { Projection, drawGround } from "./ground";
 import { drawPlan } from "./plan";
 import { bodyPath, headingPath, label } from "./shapes";
 
-const trailSamples = 30;  // 3 s
+const trailSamples = 30; // 3 s
 
 export class Field {
   readonly projection: Projection;
@@ -21,7 +21,11 @@ export class Field {
   private readonly moment: Moment;
   private stale = true;
 
-  constructor(element: HTMLCanvasElement, private readonly match: Match, private palette: Palette) {
+  constructor(
+    element: HTMLCanvasElement,
+    private readonly match: Match,
+    private palette: Palette,
+  ) {
     this.canvas = new Canvas(element);
     this.ground = new Canvas(document.createElement("canvas"));
     this.projection = new Projection(match.about.field);
@@ -48,7 +52,9 @@ export class Field {
       for (let n = 1; n <= this.match.game.sizes[side]; ++n) {
         const at = 3 * this.match.game.place(side, n);
         const distance = Math.hypot(
-          this.projection.x(this.moment.poses[at]!) - px, this.projection.y(this.moment.poses[at + 1]!) - py);
+          this.projection.x(this.moment.poses[at]!) - px,
+          this.projection.y(this.moment.poses[at + 1]!) - py,
+        );
         if (distance < least) [nearest, least] = [{ side, number: n }, distance];
       }
     }
@@ -75,8 +81,11 @@ export class Field {
         const color = i === 0 ? palette.first : palette.second;
         if (view.layers.belief && look.belief !== null) {
           const world = worldOf(look.belief, look.decision?.knowledge ?? "mine");
-          drawBelief(context, to, match, moment, pair.side, number, world, palette,
-            { color, ellipses: view.layers.ellipses, robots: pair.robots });
+          drawBelief(context, to, match, moment, pair.side, number, world, palette, {
+            color,
+            ellipses: view.layers.ellipses,
+            robots: pair.robots,
+          });
         }
       });
     } else if (view.robot !== null) {
@@ -91,8 +100,17 @@ export class Field {
     const { view } = state;
     const { context } = this.canvas;
     if (look.belief !== null && view.layers.belief) {
-      drawBelief(context, this.projection, this.match, this.moment, robot.side, robot.number,
-        worldOf(look.belief, view.knowledge), this.palette, { color: null, ellipses: view.layers.ellipses, robots: null });
+      drawBelief(
+        context,
+        this.projection,
+        this.match,
+        this.moment,
+        robot.side,
+        robot.number,
+        worldOf(look.belief, view.knowledge),
+        this.palette,
+        { color: null, ellipses: view.layers.ellipses, robots: null },
+      );
     }
     if (look.decision !== null) {
       drawPlan(context, this.projection, this.match, this.moment, robot.side, look.decision, this.palette, view.layers);
@@ -100,7 +118,12 @@ export class Field {
   }
 
   private drawTrails(): void {
-    const { match: { game }, moment, palette, projection: to } = this;
+    const {
+      match: { game },
+      moment,
+      palette,
+      projection: to,
+    } = this;
     const { context } = this.canvas;
     const first = Math.max(0, moment.index - trailSamples);
     context.lineWidth = 1.5;
@@ -125,7 +148,12 @@ export class Field {
 
   // Where the ball lies at a set play: a ring that opponents keep out of.
   private drawSetPlay(): void {
-    const { match: { game }, moment, palette, projection: to } = this;
+    const {
+      match: { game },
+      moment,
+      palette,
+      projection: to,
+    } = this;
     if (game.setPlay[moment.index] === 0) return;
     const { context } = this.canvas;
     context.save();
@@ -142,7 +170,13 @@ export class Field {
     const { moment, palette, projection: to } = this;
     const { context } = this.canvas;
     context.beginPath();
-    context.arc(to.x(moment.ball[0]!), to.y(moment.ball[1]!), Math.max(4, this.match.about.ballRadius * to.scale), 0, 2 * Math.PI);
+    context.arc(
+      to.x(moment.ball[0]!),
+      to.y(moment.ball[1]!),
+      Math.max(4, this.match.about.ballRadius * to.scale),
+      0,
+      2 * Math.PI,
+    );
     context.fillStyle = palette.ball;
     context.fill();
     context.lineWidth = 1.5;
@@ -208,7 +242,8 @@ export class Field {
           const role = out ? "penalised" : roleText(game, match, moment.index, side, n);
           context.font = font(10);
           const lines = (down ? `${role} fallen` : role).split(" ");
-          for (const [i, line] of lines.entries()) label(context, line, x, y + radius + 9 + 10 * i, palette.text, palette.grass);
+          for (const [i, line] of lines.entries())
+            label(context, line, x, y + radius + 9 + 10 * i, palette.text, palette.grass);
         }
       }
     }
@@ -221,8 +256,16 @@ function roleText(game: Game, match: Match, index: number, side: 0 | 1, n: numbe
 }
 
 function trail(
-  context: CanvasRenderingContext2D, to: Projection, from: Float32Array, first: number, last: number, stride: number,
-  offset: number, most: number, now: Float32Array, place: number,
+  context: CanvasRenderingContext2D,
+  to: Projection,
+  from: Float32Array,
+  first: number,
+  last: number,
+  stride: number,
+  offset: number,
+  most: number,
+  now: Float32Array,
+  place: number,
 ): void {
   let x = 0;
   let y = 0;

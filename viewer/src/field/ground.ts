@@ -5,7 +5,7 @@ import type { Palette } from "../app/palette";
 
 // World frame (centre, x to the right, y up) to pixels.
 export class Projection {
-  scale = 1;  // pixels per metre
+  scale = 1; // pixels per metre
   centreX = 0;
   centreY = 0;
 
@@ -40,13 +40,16 @@ export class Projection {
 }
 
 export function drawGround(
-  context: CanvasRenderingContext2D, size: { width: number; height: number }, to: Projection, field: FieldSize,
+  context: CanvasRenderingContext2D,
+  size: { width: number; height: number },
+  to: Projection,
+  field: FieldSize,
   palette: Palette,
 ): void {
   context.fillStyle = palette.surround;
   context.fillRect(0, 0, size.width, size.height);
   context.fillStyle = palette.grass;
-  const strip = 0.35;  // the border, a little beyond the lines
+  const strip = 0.35; // the border, a little beyond the lines
   const box = (x: number, y: number, length: number, width: number) =>
     [to.x(x), to.y(y + width), length * to.scale, width * to.scale] as const;
   const { length, width } = field;
@@ -74,7 +77,12 @@ export function drawGround(
     context.fill();
     context.save();
     context.strokeStyle = palette.muted;
-    const goal = box(end < 0 ? -length / 2 - field.goalDepth : length / 2, -field.goalWidth / 2, field.goalDepth, field.goalWidth);
+    const goal = box(
+      end < 0 ? -length / 2 - field.goalDepth : length / 2,
+      -field.goalWidth / 2,
+      field.goalDepth,
+      field.goalWidth,
+    );
     context.lineWidth = 2;
     context.strokeRect(...goal);
     context.restore();

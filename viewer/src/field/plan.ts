@@ -13,7 +13,13 @@ import type { Projection } from "./ground";
 import { type Context, arrow, label } from "./shapes";
 
 export function drawPlan(
-  context: Context, to: Projection, match: Match, moment: Moment, side: Side, decision: Decision, palette: Palette,
+  context: Context,
+  to: Projection,
+  match: Match,
+  moment: Moment,
+  side: Side,
+  decision: Decision,
+  palette: Palette,
   layers: Readonly<Record<LayerName, boolean>>,
 ): void {
   context.save();
@@ -79,7 +85,14 @@ export function drawPlan(
     context.globalAlpha = 1;
     for (const { role, after } of decision.tasks) {
       if (after === null) continue;
-      label(context, shortRoleName(match, side, role).replaceAll("_", " "), to.x(after[0]), to.y(after[1]) - 10, palette.tasks, palette.grass);
+      label(
+        context,
+        shortRoleName(match, side, role).replaceAll("_", " "),
+        to.x(after[0]),
+        to.y(after[1]) - 10,
+        palette.tasks,
+        palette.grass,
+      );
     }
   }
   context.restore();

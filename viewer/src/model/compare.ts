@@ -18,7 +18,7 @@ export interface Pair {
 
 export interface AssignedRow {
   robot: number;
-  assigned: [number | null, number | null];  // by each of the pair; null: not known to it
+  assigned: [number | null, number | null]; // by each of the pair; null: not known to it
   holds: number;
   penalised: boolean;
   differs: boolean;
@@ -26,35 +26,35 @@ export interface AssignedRow {
 
 // What one of the pair believes of a thing: how far from the truth, how old.
 export interface Estimate {
-  error: number;  // m
-  age: number;  // s
+  error: number; // m
+  age: number; // s
 }
 
 export interface BeliefRow {
-  robot: number;  // 0: the ball
-  apart: number | null;  // m between the two beliefs; null: one has none
+  robot: number; // 0: the ball
+  apart: number | null; // m between the two beliefs; null: one has none
   by: [Estimate | null, Estimate | null];
 }
 
 // One entry of both matrices.
 export interface EntryComparison {
-  known: [boolean, boolean];  // whether the entry stands in the matrix at all
-  utility: [number | null, number | null];  // null: no entry, or forbidden
-  difference: number | null;  // second minus first
+  known: [boolean, boolean]; // whether the entry stands in the matrix at all
+  utility: [number | null, number | null]; // null: no entry, or forbidden
+  difference: number | null; // second minus first
   // Weighted, those that differ most first.
   terms: { name: string; values: [number | null, number | null]; difference: number }[];
 }
 
 export interface News {
-  heard: Packet | null;  // the newest of the other that reached this one
-  missed: Packet[];  // sent by the other since
+  heard: Packet | null; // the newest of the other that reached this one
+  missed: Packet[]; // sent by the other since
 }
 
 export interface Comparison {
   looks: [Look, Look];
   assigned: AssignedRow[];
-  beliefs: BeliefRow[];  // the farthest apart first
-  news: [News, News];  // of the second at the first, of the first at the second
+  beliefs: BeliefRow[]; // the farthest apart first
+  news: [News, News]; // of the second at the first, of the first at the second
 }
 
 const distance = (a: ArrayLike<number>, b: ArrayLike<number>) => Math.hypot(a[0]! - b[0]!, a[1]! - b[1]!);
@@ -71,7 +71,13 @@ function entry(look: Look, match: Match, pair: Pair, robot: number, role: number
   };
 }
 
-export function compareEntry(match: Match, pair: Pair, looks: [Look, Look], robot: number, role: number): EntryComparison {
+export function compareEntry(
+  match: Match,
+  pair: Pair,
+  looks: [Look, Look],
+  robot: number,
+  role: number,
+): EntryComparison {
   const a = entry(looks[0], match, pair, robot, role);
   const b = entry(looks[1], match, pair, robot, role);
   const utility: [number | null, number | null] = [a?.utility ?? null, b?.utility ?? null];
@@ -90,13 +96,18 @@ export function compareEntry(match: Match, pair: Pair, looks: [Look, Look], robo
 }
 
 // The entry whose utilities lie farthest apart; null when no entry stands in both matrices.
-export function greatestDifference(match: Match, pair: Pair, looks: [Look, Look]): { robot: number; role: number; entry: EntryComparison } | null {
+export function greatestDifference(
+  match: Match,
+  pair: Pair,
+  looks: [Look, Look],
+): { robot: number; role: number; entry: EntryComparison } | null {
   let found: { robot: number; role: number; entry: EntryComparison } | null = null;
   for (const robot of looks[0].decision?.rows ?? []) {
     for (const role of looks[0].decision?.columns ?? []) {
       const entry = compareEntry(match, pair, looks, robot, role);
       if (entry.difference === null) continue;
-      if (found === null || Math.abs(entry.difference) > Math.abs(found.entry.difference!)) found = { robot, role, entry };
+      if (found === null || Math.abs(entry.difference) > Math.abs(found.entry.difference!))
+        found = { robot, role, entry };
     }
   }
   return found;
@@ -122,7 +133,10 @@ function beliefRows(looks: [Look, Look], match: Match, pair: Pair): BeliefRow[] 
   });
   const rows: BeliefRow[] = [];
   for (let robot = 0; robot <= game.sizes[pair.side]; ++robot) {
-    const by = known.map((found) => found?.get(robot) ?? null) as [({ at: Point } & Estimate) | null, ({ at: Point } & Estimate) | null];
+    const by = known.map((found) => found?.get(robot) ?? null) as [
+      ({ at: Point } & Estimate) | null,
+      ({ at: Point } & Estimate) | null,
+    ];
     if (by[0] === null && by[1] === null) continue;
     rows.push({ robot, by, apart: by[0] !== null && by[1] !== null ? distance(by[0].at, by[1].at) : null });
   }

@@ -9,7 +9,7 @@ export const sampleSeconds = 0.1;
 export const playing = phases.indexOf("playing");
 
 // Farther than this between two samples nothing moves by itself: it was put there.
-const greatestStep = { robot: 0.5, ball: 1.2 };  // m
+const greatestStep = { robot: 0.5, ball: 1.2 }; // m
 
 type Column = Float64Array | Float32Array | Int32Array | Int8Array | Uint32Array | Uint8Array;
 
@@ -32,17 +32,17 @@ export class Game {
   times = new Float64Array(0);
   clock = new Float32Array(0);
   half = new Uint8Array(0);
-  phase = new Uint8Array(0);  // place in phases
-  setPlay = new Uint8Array(0);  // place in setPlays
+  phase = new Uint8Array(0); // place in phases
+  setPlay = new Uint8Array(0); // place in setPlays
   kicking = new Uint8Array(0);
-  score = new Int32Array(0);  // [sample * 2 + side]
+  score = new Int32Array(0); // [sample * 2 + side]
   packetsLeft = new Int32Array(0);
-  penalised = new Uint32Array(0);  // robots as bits
+  penalised = new Uint32Array(0); // robots as bits
   fallen = new Uint32Array(0);
   kicks = new Uint32Array(0);
-  ball = new Float32Array(0);  // [sample * 4]: x, y, vx, vy
-  poses = new Float32Array(0);  // [(sample * robots + robot) * 3]: x, y, heading; home first
-  roles = new Int8Array(0);  // [sample * robots + robot]
+  ball = new Float32Array(0); // [sample * 4]: x, y, vx, vy
+  poses = new Float32Array(0); // [(sample * robots + robot) * 3]: x, y, heading; home first
+  roles = new Int8Array(0); // [sample * robots + robot]
 
   constructor(readonly sizes: readonly [number, number]) {}
 
@@ -61,7 +61,8 @@ export class Game {
         throw new WrongForm("it has another number of robots than those before it");
       }
     }
-    if (this.count > 0 && m.time <= this.times[this.count - 1]!) throw new WrongForm("it is not later than the one before it");
+    if (this.count > 0 && m.time <= this.times[this.count - 1]!)
+      throw new WrongForm("it is not later than the one before it");
     if (this.count === this.times.length) this.grow();
     const i = this.count++;
     this.times[i] = m.time;
@@ -129,9 +130,9 @@ export class Game {
 // Truth at one time, between two samples.
 export class Moment {
   time = 0;
-  index = 0;  // of the sample in force
+  index = 0; // of the sample in force
   ball = new Float32Array(2);
-  poses: Float32Array;  // [robot * 3]
+  poses: Float32Array; // [robot * 3]
 
   constructor(private readonly game: Game) {
     this.poses = new Float32Array(3 * game.robots);
@@ -159,7 +160,13 @@ export class Moment {
 }
 
 function mix(
-  from: Float32Array, a: number, b: number, share: number, most: number, to: Float32Array, at: number,
+  from: Float32Array,
+  a: number,
+  b: number,
+  share: number,
+  most: number,
+  to: Float32Array,
+  at: number,
 ): boolean {
   const dx = from[b]! - from[a]!;
   const dy = from[b + 1]! - from[a + 1]!;

@@ -10,7 +10,7 @@ import type { Belief, Decision, World } from "../recording/messages";
 export interface Look {
   decision: Decision | null;
   belief: Belief | null;
-  fault: string;  // why one of them cannot be shown
+  fault: string; // why one of them cannot be shown
 }
 
 function last<T>(log: Log<T> | undefined, time: number, what: string, faults: string[]): T | null {

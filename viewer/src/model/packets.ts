@@ -5,16 +5,16 @@ import type { HeardMessage, PacketMessage } from "../recording/messages";
 import { lastNotAfter } from "../recording/log";
 
 export interface Packet extends PacketMessage {
-  heard: Map<number, number>;  // robot: time when it heard it
+  heard: Map<number, number>; // robot: time when it heard it
 }
 
-const sameTime = 1e-3;  // s: times are written rounded
+const sameTime = 1e-3; // s: times are written rounded
 
 // By side and robot (n - 1), in the order of time.
 export class Packets {
   readonly sent: [Packet[][], Packet[][]];
   private readonly times: [number[][], number[][]];
-  unmatched = 0;  // heard, but no packet of that time is recorded
+  unmatched = 0; // heard, but no packet of that time is recorded
 
   constructor(sizes: readonly [number, number]) {
     const empty = (size: number) => Array.from({ length: size }, () => []);

@@ -12,30 +12,30 @@ import { type Game, playing, sampleSeconds } from "./game";
 export interface Stretch {
   side: Side;
   role: number;
-  robots: number[];  // all that held it at some time within; empty for an uncovered stretch
-  from: number;  // s; `to` is 0.1 s after its last sample
+  robots: number[]; // all that held it at some time within; empty for an uncovered stretch
+  from: number; // s; `to` is 0.1 s after its last sample
   to: number;
   samples: number;
 }
 
 export interface RoleSum {
-  overlap: number;  // s
-  uncovered: number;  // s
+  overlap: number; // s
+  uncovered: number; // s
   robotSeconds: number[];
 }
 
 // A robot held one role from one sample up to another (not included).
 export interface Run {
   role: number;
-  from: number;  // sample
+  from: number; // sample
   to: number;
 }
 
 export interface RoleCourse {
   overlaps: Stretch[];
   uncovered: Stretch[];
-  sums: RoleSum[];  // by role
-  runs: Run[][];  // by robot (n - 1)
+  sums: RoleSum[]; // by role
+  runs: Run[][]; // by robot (n - 1)
 }
 
 function bits(mask: number): number {
@@ -54,7 +54,7 @@ export function roleCourse(game: Game, side: Side, roles: readonly Role[]): Role
   const size = game.sizes[side];
   const names = [...new Set(roles.map((role) => role.list))];
   const listOf = roles.map((role) => names.indexOf(role.list));
-  const holders = new Uint32Array(roles.length);  // robots as bits
+  const holders = new Uint32Array(roles.length); // robots as bits
   const listHolders = new Uint32Array(names.length);
   const overlapSamples = new Float64Array(roles.length);
   const uncoveredSamples = new Float64Array(roles.length);
@@ -118,7 +118,11 @@ export function roleCourse(game: Game, side: Side, roles: readonly Role[]): Role
       const { priority, robot } = roles[role]!;
       const mask = holders[role]!;
       const overlaps = bits(mask) >= 2;
-      const uncovered = inPlay && mask === 0 && listOf[role] === inForce && priority < activeCount &&
+      const uncovered =
+        inPlay &&
+        mask === 0 &&
+        listOf[role] === inForce &&
+        priority < activeCount &&
         (robot <= 0 || ((active >>> (robot - 1)) & 1) === 1);
       if (overlaps) ++overlapSamples[role]!;
       if (uncovered) ++uncoveredSamples[role]!;

@@ -7,7 +7,7 @@ import type { Match } from "../recording/match";
 
 export interface Switches {
   byRole: [number[], number[]];
-  unreadable: number;  // decisions
+  unreadable: number; // decisions
 }
 
 const sliceMilliseconds = 8;

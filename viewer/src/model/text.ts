@@ -15,7 +15,10 @@ export function timeText(seconds: number, digits = 1): string {
 export const words = (name: string): string => name.replaceAll("_", " ");
 
 export const fixed = (value: number, digits: number): string =>
-  value.toFixed(digits).replace(/^-(?=0(\.0*)?$)/, "").replace("-", "\u2212");
+  value
+    .toFixed(digits)
+    .replace(/^-(?=0(\.0*)?$)/, "")
+    .replace("-", "\u2212");
 
 export const signed = (value: number, digits: number): string => {
   const text = fixed(value, digits);

@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The decisions of two robots side by side: who takes which role in the head of each, what each computed, where their beliefs differ, and which packets did not arrive.
+// The decisions of two robots side by side: who takes which role in the head of each, what each computed, where their
+// beliefs differ, and which packets did not arrive.
 import type { View } from "../app/state";
-import { type Comparison, type Estimate, type News, type Pair, compare, greatestDifference } from "../model/compare";
+import {
+  type Comparison,
+  type Estimate,
+  type News,
+  type Pair,
+  compare,
+  compareEntry,
+  greatestDifference,
+} from "../model/compare";
 import { shortRoleName } from "../model/look";
-import { packetLines } from "../time/detail";
 import { fixed, listText, secondsText, signed, timeText, words } from "../model/text";
 import type { Match } from "../recording/match";
 import { DifferenceMatrix } from "./difference";
 import { element, heading, numeric, row } from "./elements";
+import { packetLines } from "./packet_lines";
 
 export class ComparePanel {
   private readonly content = element("div", { class: "compare" });
@@ -21,7 +30,12 @@ export class ComparePanel {
   private filledSide = -1;
   private readonly difference: DifferenceMatrix;
 
-  constructor(box: HTMLElement, tabs: HTMLElement, private readonly match: Match, private readonly choose: (pair: Pair) => void) {
+  constructor(
+    box: HTMLElement,
+    tabs: HTMLElement,
+    private readonly match: Match,
+    private readonly choose: (pair: Pair) => void,
+  ) {
     this.difference = new DifferenceMatrix(match);
     this.selects = [
       element("select", { "aria-label": "First robot", id: "compare-first" }),
@@ -31,15 +45,29 @@ export class ComparePanel {
       select.addEventListener("change", () => {
         if (this.shownPair === null) return;
         const robots: [number, number] = [Number(this.selects[0].value), Number(this.selects[1].value)];
-        if (robots[0] === robots[1]) robots[select === this.selects[0] ? 1 : 0] = this.shownPair.robots[select === this.selects[0] ? 0 : 1];
+        if (robots[0] === robots[1])
+          robots[select === this.selects[0] ? 1 : 0] = this.shownPair.robots[select === this.selects[0] ? 0 : 1];
         this.choose({ ...this.shownPair, robots, role: Number(this.role.value) });
       });
     }
     const swatch = (name: string) => element("span", { class: `swatch ${name}`, "aria-hidden": "true" });
-    this.bar = element("div", { class: "pair" }, swatch("first"), this.selects[0], element("span", { class: "muted" }, "and"),
-      swatch("second"), this.selects[1], element("span", { class: "muted" }, "as"), this.role);
-    this.empty = element("p", { class: "empty" },
-      "Choose an overlap in the list, or press ] for the next one: the decisions of the robots that share the role are compared here.");
+    this.bar = element(
+      "div",
+      { class: "pair" },
+      swatch("first"),
+      this.selects[0],
+      element("span", { class: "muted" }, "and"),
+      swatch("second"),
+      this.selects[1],
+      element("span", { class: "muted" }, "as"),
+      this.role,
+    );
+    this.empty = element(
+      "p",
+      { class: "empty" },
+      "Choose an overlap in the list, or press ] for the next one: " +
+        "the decisions of the robots that share the role are compared here.",
+    );
     tabs.append(this.bar);
     box.append(this.empty, this.verdict, this.content);
   }
@@ -64,10 +92,14 @@ export class ComparePanel {
   private fillSelects(pair: Pair): void {
     if (this.filledSide !== pair.side) {
       this.filledSide = pair.side;
-      const robots = () => Array.from({ length: this.match.game.sizes[pair.side] }, (_, i) =>
-        element("option", { value: String(i + 1) }, `${this.match.about.teams[pair.side].name} ${i + 1}`));
+      const robots = () =>
+        Array.from({ length: this.match.game.sizes[pair.side] }, (_, i) =>
+          element("option", { value: String(i + 1) }, `${this.match.about.teams[pair.side].name} ${i + 1}`),
+        );
       for (const select of this.selects) select.replaceChildren(...robots());
-      this.role.replaceChildren(...this.match.about.teams[pair.side].roles.map((role, i) => element("option", { value: String(i) }, role.name)));
+      this.role.replaceChildren(
+        ...this.match.about.teams[pair.side].roles.map((role, i) => element("option", { value: String(i) }, role.name)),
+      );
     }
     this.selects.forEach((select, i) => {
       select.value = String(pair.robots[i]);
@@ -79,36 +111,88 @@ export class ComparePanel {
     const [a, b] = pair.robots;
     this.verdict.textContent = this.sentences(pair, found, time).join(" ");
     this.verdict.title = this.verdict.textContent;
-    const faults = found.looks.map((look) => look.fault).filter((fault) => fault !== "").join(" ");
-    const assigned = element("table", { class: "list tight", id: "compare-assigned" },
+    const faults = found.looks
+      .map((look) => look.fault)
+      .filter((fault) => fault !== "")
+      .join(" ");
+    const assigned = element(
+      "table",
+      { class: "list tight", id: "compare-assigned" },
       heading(["robot", `given by ${a}`, `given by ${b}`, "holds"]),
-      element("tbody", {}, ...found.assigned.map((line) => {
-        const name = (role: number | null) => (role === null ? "\u2013" : shortRoleName(this.match, pair.side, role));
-        const differs: Record<string, string> = line.differs ? { class: "differs" } : {};
-        return row([
-          element("th", { scope: "row" }, `${line.robot}${line.differs ? " \u2260" : ""}`),
-          element("td", differs, name(line.assigned[0])), element("td", differs, name(line.assigned[1])),
-          line.penalised ? "penalised" : name(line.holds),
-        ], pair.robots.includes(line.robot) ? { class: "own" } : {});
-      })));
+      element(
+        "tbody",
+        {},
+        ...found.assigned.map((line) => {
+          const name = (role: number | null) => (role === null ? "\u2013" : shortRoleName(this.match, pair.side, role));
+          const differs: Record<string, string> = line.differs ? { class: "differs" } : {};
+          return row(
+            [
+              element("th", { scope: "row" }, `${line.robot}${line.differs ? " \u2260" : ""}`),
+              element("td", differs, name(line.assigned[0])),
+              element("td", differs, name(line.assigned[1])),
+              line.penalised ? "penalised" : name(line.holds),
+            ],
+            pair.robots.includes(line.robot) ? { class: "own" } : {},
+          );
+        }),
+      ),
+      element(
+        "caption",
+        {},
+        `decisions of ${found.looks
+          .map(({ decision }) => (decision === null ? "\u2013" : timeText(decision.time, 2)))
+          .join(" and ")}`,
+      ),
+    );
     this.difference.update(pair, found.looks);
-    const estimate = (of: Estimate | null, own: boolean) =>
-      [numeric(of === null ? "\u2013" : `${fixed(of.error, 2)} m`), numeric(of === null || own ? "" : `${fixed(of.age, 1)} s`)];
-    const beliefs = element("table", { class: "list tight", id: "compare-beliefs" },
+    const estimate = (of: Estimate | null, own: boolean) => [
+      numeric(of === null ? "\u2013" : `${fixed(of.error, 2)} m`),
+      numeric(of === null || own ? "" : `${fixed(of.age, 1)} s`),
+    ];
+    const beliefs = element(
+      "table",
+      { class: "list tight", id: "compare-beliefs" },
       heading(["where is", "#apart", `#${a} off by`, "#age", `#${b} off by`, "#age"]),
-      element("tbody", {}, ...found.beliefs.map((line) => row([
-        element("th", { scope: "row" }, line.robot === 0 ? "ball" : `robot ${line.robot}`),
-        numeric(line.apart === null ? "\u2013" : `${fixed(line.apart, 2)} m`, (line.apart ?? 1) > 0.5 ? { class: "warn" } : {}),
-        ...estimate(line.by[0], line.robot === a), ...estimate(line.by[1], line.robot === b),
-      ]))));
+      element(
+        "tbody",
+        {},
+        ...found.beliefs.map((line) =>
+          row([
+            element("th", { scope: "row" }, line.robot === 0 ? "ball" : `robot ${line.robot}`),
+            numeric(
+              line.apart === null ? "\u2013" : `${fixed(line.apart, 2)} m`,
+              (line.apart ?? 1) > 0.5 ? { class: "warn" } : {},
+            ),
+            ...estimate(line.by[0], line.robot === a),
+            ...estimate(line.by[1], line.robot === b),
+          ]),
+        ),
+      ),
+    );
     this.content.replaceChildren(
       ...(faults === "" ? [] : [element("p", { class: "fault" }, faults)]),
-      element("div", { class: "compare-columns" },
-        element("section", {},
-          element("h3", {}, "Assignment in each head"), assigned, element("h3", {}, "Beliefs, farthest apart first"), beliefs),
-        element("section", {},
-          element("h3", {}, `Utilities: those of ${b} less those of ${a}`), this.difference.table, this.difference.terms,
-          element("h3", {}, "Packets between them"), this.packets(pair, found.news))));
+      element(
+        "div",
+        { class: "compare-columns" },
+        element(
+          "section",
+          {},
+          element("h3", {}, "Assignment in each head"),
+          assigned,
+          element("h3", {}, "Beliefs, farthest apart first"),
+          beliefs,
+        ),
+        element(
+          "section",
+          {},
+          element("h3", {}, `Utilities: those of ${b} less those of ${a}`),
+          this.difference.table,
+          this.difference.terms,
+          element("h3", {}, "Packets between them"),
+          this.packets(pair, found.news),
+        ),
+      ),
+    );
   }
 
   private packets(pair: Pair, news: [News, News]): HTMLElement {
@@ -116,11 +200,23 @@ export class ComparePanel {
     news.forEach(({ heard, missed }, i) => {
       const listener = pair.robots[i]!;
       const sender = pair.robots[1 - i]!;
-      items.push(element("li", {}, heard === null ? `${listener} has never heard ${sender}` :
-        `${listener} last heard ${sender}: packet of ${timeText(heard.time, 2)} (${words(heard.reason)})`));
+      items.push(
+        element(
+          "li",
+          {},
+          heard === null
+            ? `${listener} has never heard ${sender}`
+            : `${listener} last heard ${sender}: packet of ${timeText(heard.time, 2)} (${words(heard.reason)})`,
+        ),
+      );
       for (const packet of missed.slice(-3)) {
-        items.push(element("li", { class: "warn", title: packetLines(this.match, packet).join("\n") },
-          `${listener} did not hear ${sender} at ${timeText(packet.time, 2)} (${words(packet.reason)})`));
+        items.push(
+          element(
+            "li",
+            { class: "warn", title: packetLines(this.match, packet).join("\n") },
+            `${listener} did not hear ${sender} at ${timeText(packet.time, 2)} (${words(packet.reason)})`,
+          ),
+        );
       }
     });
     return element("ul", { class: "packets" }, ...items);
@@ -131,27 +227,51 @@ export class ComparePanel {
     const [a, b] = pair.robots;
     const role = shortRoleName(this.match, pair.side, pair.role);
     const result: string[] = [];
-    const stretch = this.match.courses[pair.side].overlaps.find((s) =>
-      s.role === pair.role && s.from <= time + 1e-6 && time < s.to + 1e-6 && s.robots.includes(a) && s.robots.includes(b));
+    const stretch = this.match.courses[pair.side].overlaps.find(
+      (s) =>
+        s.role === pair.role &&
+        s.from <= time + 1e-6 &&
+        time < s.to + 1e-6 &&
+        s.robots.includes(a) &&
+        s.robots.includes(b),
+    );
     if (stretch !== undefined) {
       const all = stretch.robots.length > 2 ? ` (all that held it: ${listText(stretch.robots)})` : "";
-      result.push(`${a} and ${b} both are ${role}, ${timeText(stretch.from)} to ${timeText(stretch.to)}, ${secondsText(stretch.samples / 10)}${all}.`);
+      result.push(
+        `${a} and ${b} both are ${role}, ${timeText(stretch.from)} to ${timeText(stretch.to)}, ` +
+          `${secondsText(stretch.samples / 10)}${all}.`,
+      );
     } else {
       result.push(`At this moment ${a} and ${b} do not both hold ${role}.`);
     }
     const of = (i: 0 | 1) => {
       const other = pair.robots[1 - i]!;
       const given = found.assigned[other - 1]?.assigned[i] ?? null;
-      return given === null ? "" : `${pair.robots[i]} gives ${other} ${given < 0 ? "no role" : shortRoleName(this.match, pair.side, given)}`;
+      return given === null
+        ? ""
+        : `${pair.robots[i]} gives ${other} ${given < 0 ? "no role" : shortRoleName(this.match, pair.side, given)}`;
     };
     const gives = [of(0), of(1)].filter((text) => text !== "");
     if (gives.length > 0) result.push(`${listText(gives)}.`);
+    const value = (i: 0 | 1, robot: number) => compareEntry(this.match, pair, found.looks, robot, pair.role).utility[i];
+    const computed = ([0, 1] as const)
+      .map((i) => {
+        const own = value(i, pair.robots[i]);
+        const other = value(i, pair.robots[1 - i]!);
+        return own === null || other === null
+          ? ""
+          : `${pair.robots[i]} computes ${fixed(own, 2)} for itself and ${fixed(other, 2)} for ${pair.robots[1 - i]}`;
+      })
+      .filter((text) => text !== "");
+    if (computed.length > 0) result.push(`As ${role}, ${listText(computed)}.`);
     const most = greatestDifference(this.match, pair, found.looks);
     if (most !== null && Math.abs(most.entry.difference!) > 0.02) {
       const term = most.entry.terms[0];
       const by = term === undefined ? "" : `, most by ${term.name} (${signed(term.difference, 2)})`;
-      result.push(`Their utilities differ most for robot ${most.robot} as ${shortRoleName(this.match, pair.side, most.role)}: ` +
-        `${signed(most.entry.difference!, 2)}${by}.`);
+      result.push(
+        `Their utilities differ most for robot ${most.robot} as ${shortRoleName(this.match, pair.side, most.role)}: ` +
+          `${signed(most.entry.difference!, 2)}${by}.`,
+      );
     }
     const farthest = found.beliefs.find((line) => line.apart !== null);
     if (farthest !== undefined && farthest.apart! > 0.3) {

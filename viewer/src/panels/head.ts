@@ -22,8 +22,12 @@ export class Head {
     const i = game.indexAt(time);
     setText(byId("goals"), `${game.score[2 * i]} : ${game.score[2 * i + 1]}`);
     const setPlay = setPlays[game.setPlay[i]!]!;
-    const kicking = setPlay === "none" ? "" : `, ${words(setPlay)} of ${about.teams[game.kicking[i] === 0 ? 0 : 1].name}`;
-    setText(byId("game"), `half ${game.half[i]}, clock ${timeText(game.clock[i]!, 0)}, ${phases[game.phase[i]!]}${kicking}`);
+    const kicking =
+      setPlay === "none" ? "" : `, ${words(setPlay)} of ${about.teams[game.kicking[i] === 0 ? 0 : 1].name}`;
+    setText(
+      byId("game"),
+      `half ${game.half[i]}, clock ${timeText(game.clock[i]!, 0)}, ${phases[game.phase[i]!]}${kicking}`,
+    );
     const toRight = game.half[i]! % 2 === 1 ? 0 : 1;
     setText(byId("attack"), `${about.teams[toRight].name} attacks \u2192`);
   }

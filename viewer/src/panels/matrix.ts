@@ -7,7 +7,7 @@ import { fixed } from "../model/text";
 import type { Side } from "../recording/about";
 import type { Match } from "../recording/match";
 import type { Decision } from "../recording/messages";
-import { brokenName, element, heading, numeric, row, setText } from "./elements";
+import { brokenName, element, heading, moveWithArrows, numeric, row, setText } from "./elements";
 
 export class UtilityMatrix {
   readonly table = element("table", { class: "matrix", role: "grid", "aria-label": "Utility Estimation Matrix" });
@@ -32,24 +32,20 @@ export class UtilityMatrix {
     };
     this.table.addEventListener("pointerover", point);
     this.table.addEventListener("focusin", point);
-    this.table.addEventListener("keydown", (event) => {
-      const cell = place(event);
-      const step = { ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1] }[event.key];
-      if (cell === null || step === undefined) return;
-      event.preventDefault();
-      event.stopPropagation();
-      this.cells[Number(cell.dataset.row) + step[0]!]?.[Number(cell.dataset.column) + step[1]!]?.focus();
-    });
+    moveWithArrows(this.table);
   }
 
   update(side: Side, self: number, decision: Decision | null): void {
     if (decision === this.decision && side === this.side && self === this.self) return;
+    if (side !== this.side || self !== this.self) this.pointed = null;
     this.side = side;
     this.self = self;
     this.decision = decision;
     if (decision === null || decision.columns.length === 0) {
       this.shape = "";
-      this.table.replaceChildren(element("caption", {}, decision === null ? "No decision yet" : "This decision has no utilities"));
+      this.table.replaceChildren(
+        element("caption", {}, decision === null ? "No decision yet" : "This decision has no utilities"),
+      );
       this.terms.replaceChildren();
       return;
     }
@@ -57,7 +53,11 @@ export class UtilityMatrix {
     if (shape !== this.shape) this.build(decision);
     this.shape = shape;
     this.fill(decision);
-    if (this.pointed === null || !decision.rows.includes(this.pointed.robot) || !decision.columns.includes(this.pointed.role)) {
+    if (
+      this.pointed === null ||
+      !decision.rows.includes(this.pointed.robot) ||
+      !decision.columns.includes(this.pointed.role)
+    ) {
       const own = decision.columns.includes(decision.role) ? decision.role : decision.columns[0]!;
       this.pointed = { robot: decision.rows.includes(self) ? self : decision.rows[0]!, role: own };
     }
@@ -67,11 +67,28 @@ export class UtilityMatrix {
   private build(decision: Decision): void {
     this.cells = decision.rows.map((_, i) =>
       decision.columns.map((__, j) =>
-        element("td", { role: "gridcell", tabindex: i === 0 && j === 0 ? "0" : "-1", "data-row": String(i), "data-column": String(j) })));
+        element("td", { tabindex: i === 0 && j === 0 ? "0" : "-1", "data-row": String(i), "data-column": String(j) }),
+      ),
+    );
     const heads = decision.columns.map((role) =>
-      element("th", { scope: "col", title: roleName(this.match, this.side, role) }, ...brokenName(shortRoleName(this.match, this.side, role))));
-    const body = element("tbody", {}, ...decision.rows.map((robot, i) =>
-      element("tr", robot === this.self ? { class: "own" } : {}, element("th", { scope: "row" }, `robot ${robot}`), ...this.cells[i]!)));
+      element(
+        "th",
+        { scope: "col", title: roleName(this.match, this.side, role) },
+        ...brokenName(shortRoleName(this.match, this.side, role)),
+      ),
+    );
+    const body = element(
+      "tbody",
+      {},
+      ...decision.rows.map((robot, i) =>
+        element(
+          "tr",
+          robot === this.self ? { class: "own" } : {},
+          element("th", { scope: "row" }, `robot ${robot}`),
+          ...this.cells[i]!,
+        ),
+      ),
+    );
     this.table.replaceChildren(heading([element("th", { scope: "col" }, "utility"), ...heads]), body);
   }
 
@@ -96,8 +113,10 @@ export class UtilityMatrix {
         cell.style.color = shade?.ink ?? "";
         cell.className = `${value === null ? "forbidden" : ""} ${chosen ? "chosen" : ""}`.trim();
         const role = roleName(this.match, this.side, decision.columns[j]!);
-        cell.setAttribute("aria-label",
-          `robot ${robot}, ${role}: ${value === null ? "forbidden" : value}${chosen ? ", chosen" : ""}`);
+        cell.setAttribute(
+          "aria-label",
+          `robot ${robot}, ${role}: ${value === null ? "forbidden" : value}${chosen ? ", chosen" : ""}`,
+        );
       }
     }
   }
@@ -113,25 +132,42 @@ export class UtilityMatrix {
     const terms = this.match.about.teams[this.side].contexts[decision.context]?.terms ?? [];
     const body = element("tbody");
     let sum = 0;
-    const greatest = Math.max(1e-9, ...terms.map((term, t) => Math.abs(term.weight * (decision.terms[t]?.[i]?.[j] ?? 0))));
+    const greatest = Math.max(
+      1e-9,
+      ...terms.map((term, t) => Math.abs(term.weight * (decision.terms[t]?.[i]?.[j] ?? 0))),
+    );
     for (const [t, term] of terms.entries()) {
       const value = decision.terms[t]?.[i]?.[j] ?? null;
       const part = term.weight * (value ?? 0);
       sum += part;
       const bar = element("div", { class: "bar" });
       bar.style.width = `${(100 * Math.abs(part)) / greatest}%`;
-      body.append(row([
-        element("th", { scope: "row" }, term.name),
-        numeric(fixed(term.weight, 2)),
-        numeric(value === null ? "\u2715" : fixed(value, 3)),
-        numeric(value === null ? "\u2715" : fixed(part, 3)),
-        element("td", { class: "bars" }, bar),
-      ]));
+      body.append(
+        row([
+          element("th", { scope: "row" }, term.name),
+          numeric(fixed(term.weight, 2)),
+          numeric(value === null ? "\u2715" : fixed(value, 3)),
+          numeric(value === null ? "\u2715" : fixed(part, 3)),
+          element("td", { class: "bars" }, bar),
+        ]),
+      );
     }
-    body.append(row([
-      element("th", { scope: "row" }, "utility"), "", "", numeric(utility === null ? "forbidden" : fixed(utility, 3), { id: "utility-sum" }),
-      element("td", { class: "bars muted" }, utility !== null && Math.abs(utility - sum) > 2e-3 ? `terms give ${fixed(sum, 3)}` : ""),
-    ], { class: "sum" }));
+    body.append(
+      row(
+        [
+          element("th", { scope: "row" }, "utility"),
+          "",
+          "",
+          numeric(utility === null ? "forbidden" : fixed(utility, 3), { id: "utility-sum" }),
+          element(
+            "td",
+            { class: "bars muted" },
+            utility !== null && Math.abs(utility - sum) > 2e-3 ? `terms give ${fixed(sum, 3)}` : "",
+          ),
+        ],
+        { class: "sum" },
+      ),
+    );
     this.terms.replaceChildren(
       element("h3", {}, `robot ${pointed.robot} as ${roleName(this.match, this.side, pointed.role)}`),
       element("table", { class: "list tight" }, heading(["term", "#weight", "#value", "#share", ""]), body),

@@ -26,13 +26,18 @@ export class OverlapList {
   private readonly order = element("select", { "aria-label": "Order", id: "list-order" });
   private readonly count = element("span", { class: "muted", id: "list-count" });
 
-  constructor(private readonly box: HTMLElement, private readonly match: Match, private readonly jump: (stretch: Stretch) => void) {
+  constructor(
+    private readonly box: HTMLElement,
+    private readonly match: Match,
+    private readonly jump: (stretch: Stretch) => void,
+  ) {
     const option = (select: HTMLSelectElement, value: string, text: string) =>
       select.append(element("option", { value }, text));
     option(this.kind, "overlaps", "roles held twice");
     option(this.kind, "uncovered", "uncovered roles");
     option(this.side, "", "both teams");
-    for (const side of bothSides) option(this.side, String(side), `${match.about.teams[side].name} (${sideNames[side]})`);
+    for (const side of bothSides)
+      option(this.side, String(side), `${match.about.teams[side].name} (${sideNames[side]})`);
     for (const seconds of ["0.1", "0.3", "0.5", "1", "2", "5"]) option(this.least, seconds, `at least ${seconds} s`);
     option(this.order, "time", "by time");
     option(this.order, "length", "longest first");
@@ -42,7 +47,12 @@ export class OverlapList {
         this.fill();
       });
     }
-    const table = element("table", { class: "list" }, heading(["from", "#length", "role", "robots", "team"]), this.body);
+    const table = element(
+      "table",
+      { class: "list" },
+      heading(["from", "#length", "role", "robots", "team"]),
+      this.body,
+    );
     this.box.append(
       element("div", { class: "filters" }, this.kind, this.side, this.role, this.least, this.order, this.count),
       element("div", { class: "scroll" }, table),
@@ -73,10 +83,15 @@ export class OverlapList {
   private fill(): void {
     const kind = this.kind.value as Kind;
     const samples = Math.round(Number(this.least.value) * 10);
-    const all = bothSides.flatMap((side) => (this.side.value === "" || this.side.value === String(side) ? this.match.courses[side][kind] : []));
+    const all = bothSides.flatMap((side) =>
+      this.side.value === "" || this.side.value === String(side) ? this.match.courses[side][kind] : [],
+    );
     this.shown = all
       .filter((stretch) => stretch.samples >= samples)
-      .filter((stretch) => this.role.value === "" || `=${roleName(this.match, stretch.side, stretch.role)}` === this.role.value)
+      .filter(
+        (stretch) =>
+          this.role.value === "" || `=${roleName(this.match, stretch.side, stretch.role)}` === this.role.value,
+      )
       .sort((a, b) => a.from - b.from);
     const sorted = this.order.value === "length" ? [...this.shown].sort((a, b) => b.samples - a.samples) : this.shown;
     this.listed = sorted.slice(0, mostRows);
@@ -86,8 +101,14 @@ export class OverlapList {
         numeric(`${fixed(stretch.samples / 10, 1)} s`),
         roleName(this.match, stretch.side, stretch.role),
         stretch.robots.length > 0 ? stretch.robots.join("  ") : "none",
-        element("td", {}, element("span", { class: `mark ${sideNames[stretch.side]}`, "aria-hidden": "true" }), this.match.about.teams[stretch.side].name),
-      ]));
+        element(
+          "td",
+          {},
+          element("span", { class: `mark ${sideNames[stretch.side]}`, "aria-hidden": "true" }),
+          this.match.about.teams[stretch.side].name,
+        ),
+      ]),
+    );
     this.body.replaceChildren(...this.rows);
     const sum = this.shown.reduce((total, stretch) => total + stretch.samples, 0) / 10;
     const left = this.shown.length > mostRows ? `, the first ${mostRows} listed` : "";
@@ -102,7 +123,13 @@ export class OverlapList {
 
   // Marks the row of the last stretch that began before `time`.
   update(time: number, scroll: boolean): void {
-    const at = this.shown[lastNotAfter(this.shown.map((stretch) => stretch.from), time + 1e-6)];
+    const at =
+      this.shown[
+        lastNotAfter(
+          this.shown.map((stretch) => stretch.from),
+          time + 1e-6,
+        )
+      ];
     const now = at !== undefined && time <= at.to ? (this.rows[this.listed.indexOf(at)] ?? null) : null;
     if (now === this.marked) return;
     this.marked?.removeAttribute("aria-current");

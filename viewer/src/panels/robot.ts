@@ -14,33 +14,65 @@ export class RobotPanel {
   private readonly title = element("h2");
   private readonly since = element("span", { class: "muted" });
   private readonly fault = element("p", { class: "fault", role: "alert" });
-  private readonly knowledge = element("select", { id: "knowledge", "aria-label": "World that is shown" },
-    element("option", { value: "mine" }, "world: mine"), element("option", { value: "common" }, "world: common"));
+  private readonly knowledge = element(
+    "select",
+    { id: "knowledge", "aria-label": "World that is shown" },
+    element("option", { value: "mine" }, "world: mine"),
+    element("option", { value: "common" }, "world: common"),
+  );
   private readonly matrix: UtilityMatrix;
   private readonly news = element("div");
   private readonly context = element("div");
   private readonly tasks = element("div");
   private readonly moment: Moment;
-  private shown: { decision: Decision | null; belief: Belief | null; robot: Robot | null; knowledge: string; packets: number } = {
-    decision: null, belief: null, robot: null, knowledge: "", packets: -1,
+  private shown: {
+    decision: Decision | null;
+    belief: Belief | null;
+    robot: Robot | null;
+    knowledge: string;
+    packets: number;
+  } = {
+    decision: null,
+    belief: null,
+    robot: null,
+    knowledge: "",
+    packets: -1,
   };
-  private readonly empty = element("p", { class: "empty" },
-    "Choose a robot: on the field, in the timeline, or with its number on the keyboard.");
+  private readonly empty = element(
+    "p",
+    { class: "empty" },
+    "Choose a robot: on the field, in the timeline, or with its number on the keyboard.",
+  );
   private readonly content: HTMLElement;
 
-  constructor(box: HTMLElement, private readonly match: Match, chooseWorld: (knowledge: "mine" | "common") => void) {
+  constructor(
+    box: HTMLElement,
+    private readonly match: Match,
+    chooseWorld: (knowledge: "mine" | "common") => void,
+  ) {
     this.matrix = new UtilityMatrix(match);
     this.moment = new Moment(match.game);
     this.knowledge.addEventListener("change", () => chooseWorld(this.knowledge.value as "mine" | "common"));
-    this.content = element("div", { class: "mind" },
+    this.content = element(
+      "div",
+      { class: "mind" },
       element("header", { class: "mind-head" }, this.title, this.since, this.knowledge),
       this.fault,
-      element("div", { class: "mind-columns" },
-        element("div", { class: "mind-left" },
-          element("div", { class: "matrix-box" }, this.matrix.table), this.news),
-        element("div", { class: "mind-right" }, this.matrix.terms,
-          element("h3", {}, "Context"), this.context,
-          element("h3", {}, "Tasks"), this.tasks)));
+      element(
+        "div",
+        { class: "mind-columns" },
+        element("div", { class: "mind-left" }, element("div", { class: "matrix-box" }, this.matrix.table), this.news),
+        element(
+          "div",
+          { class: "mind-right" },
+          this.matrix.terms,
+          element("h3", {}, "Context"),
+          this.context,
+          element("h3", {}, "Tasks"),
+          this.tasks,
+        ),
+      ),
+    );
     box.append(this.empty, this.content);
   }
 
@@ -59,7 +91,12 @@ export class RobotPanel {
     }
     // News change with every packet heard, beliefs with every message.
     const packets = Math.floor(view.time * 5);
-    if (!same || look.belief !== this.shown.belief || view.knowledge !== this.shown.knowledge || packets !== this.shown.packets) {
+    if (
+      !same ||
+      look.belief !== this.shown.belief ||
+      view.knowledge !== this.shown.knowledge ||
+      packets !== this.shown.packets
+    ) {
       this.showNews(robot, look, view);
     }
     this.shown = { robot, decision: look.decision, belief: look.belief, knowledge: view.knowledge, packets };
@@ -70,9 +107,7 @@ export class RobotPanel {
     const team = this.match.about.teams[robot.side].name;
     setText(this.title, `${team} ${robot.number}`);
     this.title.className = sideNames[robot.side];
-    setText(this.since, decision === null ? "has not decided yet" :
-      `${roleName(this.match, robot.side, decision.role)}${decision.role >= 0 ? ` since ${timeText(decision.since)}` : ""}; ` +
-      `decision of ${timeText(decision.time, 2)}, ${fixed(Math.max(0, view.time - decision.time), 1)} s ago, on its world “${decision.knowledge}”`);
+    setText(this.since, decision === null ? "has not decided yet" : sinceText(this.match, robot, decision, view.time));
     setText(this.fault, look.fault);
     const common = hasCommon(this.match, robot.side);
     this.knowledge.disabled = !common;
@@ -82,17 +117,36 @@ export class RobotPanel {
 
   private showContext(robot: Robot, decision: Decision | null): void {
     const { contexts } = this.match.about.teams[robot.side];
-    const order = contexts.map((context, index) => ({ context, index })).sort((a, b) => b.context.priority - a.context.priority);
+    const order = contexts
+      .map((context, index) => ({ context, index }))
+      .sort((a, b) => b.context.priority - a.context.priority);
     const holds = order.findIndex(({ index }) => index === decision?.context);
     const items = order.map(({ context }, i) => {
-      const state = holds < 0 || i > holds ? (holds < 0 && decision !== null ? "does not hold" : "not asked") : i === holds ? "holds" : "does not hold";
-      const item = element("li", { class: state === "holds" ? "holds" : "" },
-        element("b", {}, context.name), ` ${state} `,
-        element("span", { class: "muted" }, `priority ${context.priority}: ${context.plugin}${context.parameters !== "" ? ` ${context.parameters}` : ""}`));
+      const state =
+        holds < 0 || i > holds
+          ? holds < 0 && decision !== null
+            ? "does not hold"
+            : "not asked"
+          : i === holds
+            ? "holds"
+            : "does not hold";
+      const item = element(
+        "li",
+        { class: state === "holds" ? "holds" : "" },
+        element("b", {}, context.name),
+        ` ${state} `,
+        element(
+          "span",
+          { class: "muted" },
+          `priority ${context.priority}: ${context.plugin}${context.parameters !== "" ? ` ${context.parameters}` : ""}`,
+        ),
+      );
       if (state === "holds") {
         const parts = [
-          `roles ${context.list}`, context.positioner === "" ? "no positioner" : `positioner ${context.positioner}`,
-          `assigner ${context.assigner || "none"}`, `sender ${context.sender || "none"}`,
+          `roles ${context.list}`,
+          context.positioner === "" ? "no positioner" : `positioner ${context.positioner}`,
+          `assigner ${context.assigner || "none"}`,
+          `sender ${context.sender || "none"}`,
           `tasks on ${context.tasksKnowledge}, utilities on ${context.utilityKnowledge}`,
         ];
         item.append(element("div", { class: "muted" }, parts.join("; ")));
@@ -103,16 +157,27 @@ export class RobotPanel {
   }
 
   private showTasks(robot: Robot, decision: Decision | null): void {
-    const body = element("tbody", {}, ...(decision?.tasks ?? []).map((task) => {
-      const { before, after } = task;
-      const moved = after === null ? null : Math.hypot(after[0] - before[0], after[1] - before[1]);
-      const at = (pose: [number, number, number]) => `${fixed(pose[0], 2)}, ${fixed(pose[1], 2)}`;
-      return row([
-        shortRoleName(this.match, robot.side, task.role), numeric(at(before)),
-        numeric(after === null ? "not kept" : at(after)), numeric(moved === null ? "" : fixed(moved, 2)),
-      ], { class: after === null ? "muted" : task.role === decision?.role ? "own" : "" });
-    }));
-    this.tasks.replaceChildren(element("table", { class: "list tight" }, heading(["task", "#before", "#after", "#offset"]), body));
+    const body = element(
+      "tbody",
+      {},
+      ...(decision?.tasks ?? []).map((task) => {
+        const { before, after } = task;
+        const moved = after === null ? null : Math.hypot(after[0] - before[0], after[1] - before[1]);
+        const at = (pose: [number, number, number]) => `${fixed(pose[0], 2)}, ${fixed(pose[1], 2)}`;
+        return row(
+          [
+            shortRoleName(this.match, robot.side, task.role),
+            numeric(at(before)),
+            numeric(after === null ? "not kept" : at(after)),
+            numeric(moved === null ? "" : fixed(moved, 2)),
+          ],
+          { class: after === null ? "muted" : task.role === decision?.role ? "own" : "" },
+        );
+      }),
+    );
+    this.tasks.replaceChildren(
+      element("table", { class: "list tight" }, heading(["task", "#before", "#after", "#offset"]), body),
+    );
   }
 
   private showNews(robot: Robot, { belief }: Look, view: View): void {
@@ -123,28 +188,63 @@ export class RobotPanel {
     const { match } = this;
     const truth = this.moment.set(belief.time);
     const world = worldOf(belief, view.knowledge);
-    const error = (x: number, y: number, of: ArrayLike<number>, place: number) => Math.hypot(x - of[place]!, y - of[place + 1]!);
+    const error = (x: number, y: number, of: ArrayLike<number>, place: number) =>
+      Math.hypot(x - of[place]!, y - of[place + 1]!);
     const body = element("tbody");
     const { ball } = world;
-    body.append(row(ball === null ? ["ball", element("td", { colspan: "5" }, "not known")] : [
-      "ball", belief.seesBall ? "sees it" : "does not see it", numeric(`${fixed(ball.age, 1)} s`),
-      numeric(`${fixed(error(ball.at[0], ball.at[1], truth.ball, 0), 2)} m`), "", "",
-    ]));
+    body.append(
+      row(
+        ball === null
+          ? ["ball", element("td", { colspan: "5" }, "not known")]
+          : [
+              "ball",
+              belief.seesBall ? "sees it" : "does not see it",
+              numeric(`${fixed(ball.age, 1)} s`),
+              numeric(`${fixed(error(ball.at[0], ball.at[1], truth.ball, 0), 2)} m`),
+              "",
+              "",
+            ],
+      ),
+    );
     for (const mate of world.teammates) {
       if (mate.number < 1 || mate.number > match.game.sizes[robot.side]) continue;
       const own = mate.number === robot.number;
+      const place = 3 * match.game.place(robot.side, mate.number);
       const { heard, missed } = match.packets.news(robot.side, robot.number, mate.number, view.time);
-      body.append(row([
-        own ? "itself" : `robot ${mate.number}`,
-        `${shortRoleName(match, robot.side, mate.role)}${mate.active ? "" : " (not active)"}`,
-        numeric(own ? "" : `${fixed(mate.age, 1)} s`),
-        numeric(`${fixed(error(mate.pose[0], mate.pose[1], truth.poses, 3 * match.game.place(robot.side, mate.number)), 2)} m`),
-        numeric(own ? "" : heard === null ? "never" : timeText(heard.time)),
-        numeric(own || missed.length === 0 ? "" : `${missed.length} missed`, missed.length > 0 && !own ? { class: "warn" } : {}),
-      ], own ? { class: "own" } : {}));
+      body.append(
+        row(
+          [
+            own ? "itself" : `robot ${mate.number}`,
+            `${shortRoleName(match, robot.side, mate.role)}${mate.active ? "" : " (not active)"}`,
+            numeric(own ? "" : `${fixed(mate.age, 1)} s`),
+            numeric(`${fixed(error(mate.pose[0], mate.pose[1], truth.poses, place), 2)} m`),
+            numeric(own ? "" : heard === null ? "never" : timeText(heard.time)),
+            numeric(
+              own || missed.length === 0 ? "" : `${missed.length} missed`,
+              missed.length > 0 && !own ? { class: "warn" } : {},
+            ),
+          ],
+          own ? { class: "own" } : {},
+        ),
+      );
     }
-    this.news.replaceChildren(element("table", { class: "list tight" },
-      heading(["it knows", "role it heard", "#age", "#off by", "#last heard", ""]), body,
-      element("caption", {}, `belief of ${timeText(belief.time, 2)}; ${world.opponents.length} opponents known`)));
+    this.news.replaceChildren(
+      element(
+        "table",
+        { class: "list tight" },
+        heading(["it knows", "role it heard", "#age", "#off by", "#last heard", ""]),
+        body,
+        element("caption", {}, `belief of ${timeText(belief.time, 2)}; ${world.opponents.length} opponents known`),
+      ),
+    );
   }
+}
+
+function sinceText(match: Match, robot: Robot, decision: Decision, time: number): string {
+  const since = decision.role >= 0 ? ` since ${timeText(decision.since)}` : "";
+  const ago = fixed(Math.max(0, time - decision.time), 1);
+  return (
+    `${roleName(match, robot.side, decision.role)}${since}; decision of ${timeText(decision.time, 2)}, ${ago} s ago, ` +
+    `on its world \u201c${decision.knowledge}\u201d`
+  );
 }

@@ -4,7 +4,7 @@ import * as checked from "./checked";
 
 export const readableFormat = 1;
 
-export type Side = 0 | 1;  // home, away: places in arrays of both sides
+export type Side = 0 | 1; // home, away: places in arrays of both sides
 export const sideNames = ["home", "away"] as const;
 export const bothSides: readonly Side[] = [0, 1];
 
@@ -15,7 +15,7 @@ export interface FieldSize {
   borderStrip: number;
   goalWidth: number;
   goalDepth: number;
-  goalArea: [number, number];  // length, width
+  goalArea: [number, number]; // length, width
   penaltyArea: [number, number];
   penaltyMarkDistance: number;
   centreCircleRadius: number;
@@ -25,7 +25,7 @@ export interface Role {
   name: string;
   list: string;
   priority: number;
-  robot: number;  // that alone may take it; 0 = any
+  robot: number; // that alone may take it; 0 = any
 }
 
 export interface Term {

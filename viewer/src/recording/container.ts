@@ -8,7 +8,7 @@ import { UnreadableRecording } from "./about";
 
 export interface ContainerMessage {
   topic: string;
-  time: number;  // s, of the log
+  time: number; // s, of the log
   data: Uint8Array;
 }
 
@@ -22,12 +22,14 @@ export type Damage = "" | "cut off" | "damaged";
 
 const magic = [0x89, 0x4d, 0x43, 0x41, 0x50, 0x30, 0x0d, 0x0a];
 const sliceBytes = 1 << 20;
-const sliceMilliseconds = 40;  // then the browser may paint
+const sliceMilliseconds = 40; // then the browser may paint
 
 const pause = () => new Promise<void>((resolve) => setTimeout(resolve, 0));
 
 export async function readContainer(
-  bytes: Uint8Array, visitor: Visitor, progress: (share: number) => void = () => {},
+  bytes: Uint8Array,
+  visitor: Visitor,
+  progress: (share: number) => void = () => {},
 ): Promise<{ damage: Damage; reason: string }> {
   if (bytes.length === 0) throw new UnreadableRecording("The file is empty: nothing was recorded into it.");
   if (!magic.every((byte, i) => i >= bytes.length || bytes[i] === byte)) {
@@ -40,7 +42,7 @@ export async function readContainer(
   try {
     for (let at = 0; at < bytes.length; at += sliceBytes) {
       reader.append(bytes.subarray(at, at + sliceBytes));
-      for (let record; (record = reader.nextRecord()) !== undefined;) {
+      for (let record; (record = reader.nextRecord()) !== undefined; ) {
         if (record.type === "Message") {
           visitor.message({
             topic: topics.get(record.channelId) ?? "",

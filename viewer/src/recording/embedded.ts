@@ -56,8 +56,11 @@ export function ofFile(file: File): Source {
     name: file.name,
     bytes: async () => {
       if (file.size > mostBytes) {
-        const gigabytes = (file.size / 2 ** 30).toFixed(1);
-        throw new UnreadableRecording(`The file has ${gigabytes} GiB; this page opens recordings of up to 1 GiB.`);
+        const megabytes = (bytes: number) => Math.round(bytes / 2 ** 20);
+        throw new UnreadableRecording(
+          `The file holds ${megabytes(file.size)} MiB; this page opens recordings of up to ` +
+            `${megabytes(mostBytes)} MiB.`,
+        );
       }
       try {
         return new Uint8Array(await file.arrayBuffer());

@@ -10,7 +10,16 @@ import { WrongForm } from "./checked";
 import { type ContainerMessage, readContainer } from "./container";
 import { Log, parsedJson } from "./log";
 import {
-  type Belief, type Decision, type EventMessage, beliefOf, decisionOf, eventOf, gameOf, heardOf, packetOf, phases,
+  type Belief,
+  type Decision,
+  type EventMessage,
+  beliefOf,
+  decisionOf,
+  eventOf,
+  gameOf,
+  heardOf,
+  packetOf,
+  phases,
 } from "./messages";
 
 export interface Match {
@@ -18,15 +27,16 @@ export interface Match {
   game: Game;
   events: EventMessage[];
   packets: Packets;
-  decisions: [Log<Decision>[], Log<Decision>[]];  // by side and robot (n - 1)
+  decisions: [Log<Decision>[], Log<Decision>[]]; // by side and robot (n - 1)
   beliefs: [Log<Belief>[], Log<Belief>[]];
-  courses: [RoleCourse, RoleCourse];  // by side
+  courses: [RoleCourse, RoleCourse]; // by side
   // Whether the phase was Playing when a decision was taken: [side][robot - 1][decision].
   inPlay: [boolean[][], boolean[][]];
-  faults: string[];  // sentences, the first ones of each kind
+  faults: string[]; // sentences, the first ones of each kind
 }
 
-export const mostBytes = 1024 * 1024 * 1024;
+// A whole match has some 15 MB; unpacked, a recording takes about five times its size in memory.
+export const mostBytes = 256 * 2 ** 20;
 
 // Events with which a phase begins; the truth is sampled, so a phase may begin between two samples.
 const phaseOfEvent: Readonly<Record<string, number>> = {
@@ -49,7 +59,7 @@ class Reading {
   decisions: [Log<Decision>[], Log<Decision>[]] = [[], []];
   beliefs: [Log<Belief>[], Log<Belief>[]] = [[], []];
   inPlay: [boolean[][], boolean[][]] = [[], []];
-  waiting: (() => void)[] = [];  // packets written before the first sample of the truth
+  waiting: (() => void)[] = []; // packets written before the first sample of the truth
   phase = -1;
   faultCount = new Map<string, { count: number; first: string }>();
 
@@ -98,7 +108,7 @@ class Reading {
     const [, kind, sideName, digits] = topic.split("/");
     const side = sideNames.indexOf(sideName as "home" | "away") as Side | -1;
     const number = Number(digits);
-    if ((kind !== "decision" && kind !== "belief") || side === -1) return;  // of something else: leave it
+    if ((kind !== "decision" && kind !== "belief") || side === -1) return; // of something else: leave it
     if (!Number.isInteger(number) || number < 1 || number > mostRobots) return;
     if (kind === "decision") {
       (this.decisions[side][number - 1] ??= new Log(decisionOf)).add(time, data);
@@ -118,15 +128,20 @@ const foreign = "This is an MCAP file, but not the recording of a match by Regis
 
 export async function readMatch(bytes: Uint8Array, progress?: (share: number) => void): Promise<Match> {
   const reading = new Reading();
-  const { damage, reason } = await readContainer(bytes, {
-    metadata: (name, pairs) => {
-      if (name === "match") reading.about ??= aboutOf(pairs);
+  const { damage, reason } = await readContainer(
+    bytes,
+    {
+      metadata: (name, pairs) => {
+        if (name === "match") reading.about ??= aboutOf(pairs);
+      },
+      message: (message) => reading.message(message),
     },
-    message: (message) => reading.message(message),
-  }, progress);
+    progress,
+  );
 
   const { about, game, packets } = reading;
-  const broken = damage === "cut off" ? " The file is cut off." : damage === "damaged" ? ` The file is damaged: ${reason}` : "";
+  const broken =
+    damage === "cut off" ? " The file is cut off." : damage === "damaged" ? ` The file is damaged: ${reason}` : "";
   if (about === null) throw new UnreadableRecording(foreign + broken);
   const faults: string[] = [];
   for (const [topic, { count, first }] of reading.faultCount) {
@@ -149,7 +164,10 @@ export async function readMatch(bytes: Uint8Array, progress?: (share: number) =>
   }
   const course = (side: Side) => roleCourse(game, side, about.teams[side].roles);
   return {
-    about, game, packets, faults,
+    about,
+    game,
+    packets,
+    faults,
     events: reading.events,
     decisions: reading.decisions,
     beliefs: reading.beliefs,

@@ -7,11 +7,17 @@ import * as checked from "./checked";
 
 export const phases = ["initial", "ready", "set", "playing", "finished"] as const;
 export const setPlays = [
-  "none", "kick_off", "kick_in", "goal_kick", "corner_kick", "pushing_free_kick", "penalty_kick",
+  "none",
+  "kick_off",
+  "kick_in",
+  "goal_kick",
+  "corner_kick",
+  "pushing_free_kick",
+  "penalty_kick",
 ] as const;
 export type Point = [number, number];
 export type Pose = [number, number, number];
-export type Covariance = [number, number, number];  // xx, xy, yy in m^2
+export type Covariance = [number, number, number]; // xx, xy, yy in m^2
 
 export interface GameMessage {
   time: number;
@@ -25,7 +31,7 @@ export interface GameMessage {
   penalised: [number[], number[]];
   fallen: [number[], number[]];
   kicks: [number[], number[]];
-  ball: [number, number, number, number];  // x, y, vx, vy
+  ball: [number, number, number, number]; // x, y, vx, vy
   robots: [Pose[], Pose[]];
   roles: [number[], number[]];
 }
@@ -34,7 +40,7 @@ export interface EventMessage {
   time: number;
   event: string;
   side: Side;
-  robot: number;  // 0 = none
+  robot: number; // 0 = none
   score: [number, number];
 }
 
@@ -51,31 +57,31 @@ export interface HeardMessage {
   side: Side;
   robot: number;
   sender: number;
-  sent: number;  // when it was sent
+  sent: number; // when it was sent
 }
 
 export interface Task {
   role: number;
   before: Pose;
-  after: Pose | null;  // null: not kept
+  after: Pose | null; // null: not kept
 }
 
-export type Matrix = (number | null)[][];  // by row (robot) and column (kept task); null = forbidden
+export type Matrix = (number | null)[][]; // by row (robot) and column (kept task); null = forbidden
 
 export interface Decision {
   time: number;
-  context: number;  // place in the team's contexts, -1 none
+  context: number; // place in the team's contexts, -1 none
   knowledge: "mine" | "common";
-  waypoints: Pose[];  // x, y, score
-  edges: Point[];  // places in waypoints
+  waypoints: Pose[]; // x, y, score
+  edges: Point[]; // places in waypoints
   tasks: Task[];
-  columns: number[];  // roles
-  rows: number[];  // robots
+  columns: number[]; // roles
+  rows: number[]; // robots
   utility: Matrix;
-  terms: Matrix[];  // one for each term of the context, not weighted
-  assigned: number[];  // by robot (n - 1): role
-  role: number;  // the own one
-  since: number;  // match time when the robot took it
+  terms: Matrix[]; // one for each term of the context, not weighted
+  assigned: number[]; // by robot (n - 1): role
+  role: number; // the own one
+  since: number; // match time when the robot took it
 }
 
 export interface BallEstimate {
@@ -89,7 +95,7 @@ export interface TeammateEstimate {
   number: number;
   pose: Pose;
   covariance: Covariance;
-  age: number;  // s since the last news
+  age: number; // s since the last news
   active: boolean;
   role: number;
 }
@@ -115,7 +121,8 @@ export interface Belief {
   common: World | null;
 }
 
-const sideOf = (value: unknown, where: string): Side => (checked.oneOf(value, where, ["home", "away"]) === "home" ? 0 : 1);
+const sideOf = (value: unknown, where: string): Side =>
+  checked.oneOf(value, where, ["home", "away"]) === "home" ? 0 : 1;
 const integers = (value: unknown, where: string): number[] => checked.list(value, where, checked.integer);
 const pose = (value: unknown, where: string): Pose => checked.numbers(value, where, 3) as Pose;
 const poses = (value: unknown, where: string): Pose[] => checked.list(value, where, pose);
@@ -205,9 +212,15 @@ export function decisionOf(json: unknown): Decision {
     role: checked.integer(m.role, "role"),
     since: checked.number(m.since, "since"),
   };
-  for (const [name, values] of [["utility", decision.utility] as const, ...decision.terms.map((t) => ["terms", t] as const)]) {
+  for (const [name, values] of [
+    ["utility", decision.utility] as const,
+    ...decision.terms.map((t) => ["terms", t] as const),
+  ]) {
     const shape = `${decision.rows.length} x ${decision.columns.length}`;
-    if (values.length !== 0 && (values.length !== decision.rows.length || values.some((row) => row.length !== decision.columns.length))) {
+    if (
+      values.length !== 0 &&
+      (values.length !== decision.rows.length || values.some((row) => row.length !== decision.columns.length))
+    ) {
       throw new checked.WrongForm(`${name} does not have ${shape} entries`);
     }
   }
@@ -241,7 +254,12 @@ function teammatesOf(value: unknown, where: string): TeammateEstimate[] {
   const roles = column(columns.role, `${where}.role`, checked.integer, numbers.length);
   const active = integers(columns.active, `${where}.active`);
   return numbers.map((number, i) => ({
-    number, pose: places[i]!, covariance: covariances[i]!, age: ages[i]!, role: roles[i]!, active: active.includes(number),
+    number,
+    pose: places[i]!,
+    covariance: covariances[i]!,
+    age: ages[i]!,
+    role: roles[i]!,
+    active: active.includes(number),
   }));
 }
 

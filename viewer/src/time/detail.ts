@@ -3,31 +3,27 @@
 // twice are framed in the rows and named below, those that nobody held are counted in the last row.
 import { Canvas, font } from "../app/canvas";
 import type { Palette } from "../app/palette";
-import type { Robot, View } from "../app/state";
+import type { View } from "../app/state";
 import { inMask } from "../model/game";
-import { roleName, shortRoleName } from "../model/look";
-import type { Packet } from "../model/packets";
+import { shortRoleName } from "../model/look";
 import type { Stretch } from "../model/roles";
-import { listText, secondsText, timeText, words } from "../model/text";
+import { timeText, words } from "../model/text";
 import type { Side } from "../recording/about";
-import { lastNotAfter } from "../recording/log";
 import type { Match } from "../recording/match";
 import { type TimeScale, gutter, margin, tickSeconds } from "./scale";
 
-const axisHeight = 24;  // times above, events below
-const stripHeight = 12;
-const lane = 3.5;  // at the foot of each row, for packets
-
-// What stands under a point, in words, and what a click there chooses.
-export interface Found {
-  lines: string[];
-  robot: Robot | null;
-}
+export const axisHeight = 24; // times above, events below
+export const stripHeight = 12;
+const lane = 2.5; // at the foot of each row, for packets
 
 export class Detail {
   readonly canvas: Canvas;
 
-  constructor(element: HTMLCanvasElement, private readonly match: Match, readonly scale: TimeScale) {
+  constructor(
+    element: HTMLCanvasElement,
+    readonly match: Match,
+    readonly scale: TimeScale,
+  ) {
     this.canvas = new Canvas(element);
   }
 
@@ -36,7 +32,7 @@ export class Detail {
     return this.canvas.fit(width, height);
   }
 
-  private rowHeight(side: Side): number {
+  rowHeight(side: Side): number {
     return (this.canvas.height - axisHeight - 2 * stripHeight - 4) / Math.max(1, this.match.game.sizes[side]);
   }
 
@@ -96,7 +92,7 @@ export class Detail {
     const rowHeight = this.rowHeight(side);
     context.textAlign = "left";
     context.textBaseline = "middle";
-    context.font = font(Math.min(10, rowHeight - 4));
+    context.font = font(Math.min(10.5, rowHeight - 2.6));
     for (const [n, runs] of match.courses[side].runs.entries()) {
       const y = axisHeight + n * rowHeight;
       for (const { role, from, to } of runs) {
@@ -111,7 +107,7 @@ export class Detail {
         if (w > 24) {
           context.fillStyle = role < 0 ? palette.muted : palette.text;
           const name = shortRoleName(match, side, role).replaceAll("_", " ");
-          context.fillText(fitted(context, name, w - 6), x + 3, y + (rowHeight - lane) / 2 + 1);
+          context.fillText(fitted(context, name, w - 6), x + 3, y + (rowHeight - lane) / 2 + 1.2);
         }
       }
       // Penalised: struck through.
@@ -150,7 +146,7 @@ export class Detail {
     const { context } = this.canvas;
     const { scale, match } = this;
     const rowHeight = this.rowHeight(view.side);
-    const size = lane * 0.9;
+    const size = 3.4;
     const listener = view.robot !== null && view.robot.side === view.side ? view.robot.number : 0;
     for (let n = 1; n <= match.game.sizes[view.side]; ++n) {
       const foot = axisHeight + n * rowHeight - 0.5;
@@ -159,7 +155,7 @@ export class Detail {
         const missed = listener > 0 && listener !== n && !packet.heard.has(listener);
         context.beginPath();
         context.moveTo(x - size, foot);
-        context.lineTo(x, foot - 1.5 * size);
+        context.lineTo(x, foot - 1.45 * size);
         context.lineTo(x + size, foot);
         context.closePath();
         context.fillStyle = missed ? palette.panel : palette.text;
@@ -169,7 +165,7 @@ export class Detail {
         context.stroke();
         if (missed) {
           context.beginPath();
-          context.moveTo(x - size, foot - 1.5 * size);
+          context.moveTo(x - size, foot - 1.45 * size);
           context.lineTo(x + size, foot);
           context.stroke();
         }
@@ -192,12 +188,16 @@ export class Detail {
       context.fillRect(x, top + 1, w, stripHeight - 2);
       if (w > 22) {
         context.fillStyle = "#111";
-        context.fillText(fitted(context, `${shortRoleName(match, side, stretch.role)} ${stretch.robots.join(" ")}`, w - 4), x + 2, top + stripHeight / 2 + 0.5);
+        context.fillText(
+          fitted(context, `${shortRoleName(match, side, stretch.role)} ${stretch.robots.join(" ")}`, w - 4),
+          x + 2,
+          top + stripHeight / 2 + 0.5,
+        );
       }
     }
     const missing = this.visible(course.uncovered);
     context.fillStyle = palette.uncovered;
-    context.globalAlpha = 0.38;  // of several at a time the strip grows darker
+    context.globalAlpha = 0.38; // of several at a time the strip grows darker
     for (const stretch of missing) {
       const x = scale.x(stretch.from);
       context.fillRect(x, top + stripHeight + 1, Math.max(1, scale.x(stretch.to) - x), stripHeight - 2);
@@ -254,59 +254,6 @@ export class Detail {
   private visible(stretches: readonly Stretch[]): Stretch[] {
     return stretches.filter((stretch) => stretch.to >= this.scale.from && stretch.from <= this.scale.to);
   }
-
-  find(view: View, px: number, py: number): Found {
-    const { match, scale } = this;
-    const { side } = view;
-    const time = scale.time(px);
-    const lines = [timeText(time)];
-    const top = this.canvas.height - 2 * stripHeight - 2;
-    const inStretch = (stretch: Stretch) => time >= stretch.from - 2 / scale.pixelsPerSecond && time <= stretch.to + 2 / scale.pixelsPerSecond;
-    if (py >= top) {
-      const over = py < top + stripHeight;
-      for (const stretch of (over ? match.courses[side].overlaps : match.courses[side].uncovered).filter(inStretch).slice(0, 8)) {
-        const name = roleName(match, side, stretch.role);
-        const length = secondsText(stretch.samples / 10);
-        lines.push(over ? `${name}: robots ${listText(stretch.robots)} for ${length}` : `${name}: nobody for ${length}`);
-      }
-      return { lines, robot: null };
-    }
-    const row = Math.floor((py - axisHeight) / this.rowHeight(side));
-    if (row < 0) {
-      const near = match.events.filter((event) => Math.abs(scale.x(event.time) - px) < 5);
-      for (const event of near.slice(0, 4)) {
-        const whose = match.about.teams[event.side].name;
-        lines.push(`${timeText(event.time, 2)} ${words(event.event)}, ${whose}${event.robot > 0 ? ` ${event.robot}` : ""}`);
-      }
-      return { lines, robot: null };
-    }
-    const number = row + 1;
-    if (number > match.game.sizes[side]) return { lines, robot: null };
-    const index = match.game.indexAt(time);
-    const runs = match.courses[side].runs[row]!;
-    const run = runs[lastNotAfter(runs.map((r) => r.from), index)];
-    if (run !== undefined) {
-      const from = match.game.times[run.from]!;
-      const to = match.game.times[Math.min(run.to, match.game.count - 1)]!;
-      lines.push(`robot ${number}: ${roleName(match, side, run.role)} ${timeText(from)} to ${timeText(to)}`);
-    }
-    if (match.game.isPenalised(index, side, number)) lines.push("penalised");
-    const reach = 6 / scale.pixelsPerSecond;
-    for (const packet of match.packets.between(side, number, time - reach, time + reach).slice(0, 3)) {
-      lines.push(...packetLines(match, packet));
-    }
-    return { lines, robot: { side, number } };
-  }
-}
-
-export function packetLines(match: Match, packet: Packet): string[] {
-  const others = Array.from({ length: match.game.sizes[packet.side] }, (_, i) => i + 1).filter((n) => n !== packet.robot);
-  const heard = others.filter((n) => packet.heard.has(n));
-  const not = others.filter((n) => !packet.heard.has(n));
-  return [
-    `packet of ${packet.robot} at ${timeText(packet.time, 2)}: ${words(packet.reason)}, ${packet.bytes} bytes`,
-    `heard by ${heard.length > 0 ? listText(heard) : "nobody"}${not.length > 0 ? `, not by ${listText(not)}` : ""}`,
-  ];
 }
 
 // When a robot held the role of a stretch, within it.

@@ -15,10 +15,14 @@ const bandHeight = 24;
 
 export class Overview {
   readonly canvas: Canvas;
-  private readonly fixed: Canvas;  // all but the window
+  private readonly fixed: Canvas; // all but the window
   private stale = true;
 
-  constructor(element: HTMLCanvasElement, private readonly match: Match, readonly scale: TimeScale) {
+  constructor(
+    element: HTMLCanvasElement,
+    private readonly match: Match,
+    readonly scale: TimeScale,
+  ) {
     this.canvas = new Canvas(element);
     this.fixed = new Canvas(document.createElement("canvas"));
   }
@@ -78,7 +82,12 @@ export class Overview {
       context.fillStyle = palette.overlap;
       for (const { from, to } of match.courses[side].overlaps) {
         const x = scale.x(from);
-        context.fillRect(x, side === 0 ? bandTop : bandTop + bandHeight / 2, Math.max(1, scale.x(to) - x), bandHeight / 2 - 1);
+        context.fillRect(
+          x,
+          side === 0 ? bandTop : bandTop + bandHeight / 2,
+          Math.max(1, scale.x(to) - x),
+          bandHeight / 2 - 1,
+        );
       }
     }
     context.strokeStyle = palette.line;

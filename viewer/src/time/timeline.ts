@@ -8,10 +8,11 @@ import { Budget, budgetHeight } from "./budget";
 import { Detail } from "./detail";
 import { Overview, overviewHeight } from "./overview";
 import { TimeScale } from "./scale";
+import { underPointer } from "./under_pointer";
 
-const shortest = 4;  // s that a window shows at least
+const shortest = 4; // s that a window shows at least
 const usual = 60;
-const forward = 0.12;  // of the window lie before the moment when the window turns a page
+const forward = 0.12; // of the window lie before the moment when the window turns a page
 
 export interface TimelineElements {
   box: HTMLElement;
@@ -31,7 +32,12 @@ export class Timeline {
   private stale = true;
   private palette: Palette;
 
-  constructor(private readonly elements: TimelineElements, match: Match, private readonly state: State, palette: Palette) {
+  constructor(
+    private readonly elements: TimelineElements,
+    match: Match,
+    private readonly state: State,
+    palette: Palette,
+  ) {
     const { begin, end } = match.game;
     this.palette = palette;
     this.seconds = Math.min(usual, Math.max(shortest, end - begin));
@@ -122,24 +128,30 @@ export class Timeline {
     scrub(overview, this.overview.scale);
     scrub(budget, this.overview.scale);
     scrub(detail, this.detail.scale, (x, y) => {
-      const { robot } = this.detail.find(this.state.view, x, y);
+      const { robot } = underPointer(this.detail, this.state.view, x, y);
       if (robot !== null) this.state.choose(robot);
     });
-    detail.addEventListener("wheel", (event) => {
-      event.preventDefault();
-      if (Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
-        this.detail.scale.from += event.deltaX / this.detail.scale.pixelsPerSecond;
-        this.keepInside();
-        this.stale = true;
-        this.state.set({ time: Math.min(this.detail.scale.to, Math.max(this.detail.scale.from, this.state.view.time)) });
-      } else {
-        this.zoom(event.deltaY > 0 ? 1.25 : 0.8);
-      }
-      this.state.touch();
-    }, { passive: false });
+    detail.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        if (Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
+          this.detail.scale.from += event.deltaX / this.detail.scale.pixelsPerSecond;
+          this.keepInside();
+          this.stale = true;
+          this.state.set({
+            time: Math.min(this.detail.scale.to, Math.max(this.detail.scale.from, this.state.view.time)),
+          });
+        } else {
+          this.zoom(event.deltaY > 0 ? 1.25 : 0.8);
+        }
+        this.state.touch();
+      },
+      { passive: false },
+    );
     detail.addEventListener("pointermove", (event) => {
       const box = detail.getBoundingClientRect();
-      const { lines } = this.detail.find(this.state.view, event.clientX - box.left, event.clientY - box.top);
+      const { lines } = underPointer(this.detail, this.state.view, event.clientX - box.left, event.clientY - box.top);
       tip.textContent = lines.join("\n");
       tip.hidden = false;
       const left = Math.min(event.clientX + 12, window.innerWidth - tip.offsetWidth - 8);
