@@ -36,7 +36,10 @@ async function open(source: Source): Promise<void> {
     opened = true;
     const viewer = new Viewer(match, source.name, theme);
     document.body.dataset.state = "ready";
-    window.regista = { viewer, openedAfter: performance.now() };
+    // After the first frame, which the viewer has asked for already.
+    requestAnimationFrame(() => {
+      window.regista = { viewer, openedAfter: performance.now() };
+    });
   } catch (error) {
     byId("start").hidden = false;
     byId("viewer").hidden = true;

@@ -178,12 +178,13 @@ export class Viewer {
       const pair: Pair = { side: stretch.side, role: stretch.role, robots };
       Object.assign(change, { pair, panel: "compare", robot: { side: stretch.side, number: robots[0] } });
     }
+    this.list.chosen = stretch;
     this.state.set(change);
     this.list.update(time, true);
   }
 
   private jumpBy(direction: 1 | -1): void {
-    const stretch = neighbour(this.list.stretches, this.state.view.time, direction);
+    const stretch = neighbour(this.list.stretches, this.state.view.time, direction, this.list.chosen);
     if (stretch !== null) this.jump(stretch);
   }
 

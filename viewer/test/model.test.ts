@@ -124,6 +124,12 @@ test("jumps go to the next and the previous stretch", () => {
   assert.equal(neighbour(all, all[1]!.from, -1), all[0]);
   assert.equal(neighbour(all, all[0]!.from, -1), null);
   assert.equal(neighbour(all, 1000, 1), null);
+  // Of three that begin together each has its turn, forwards and back.
+  const together = [0, 1, 2].map((role) => ({ ...all[0]!, role }));
+  assert.equal(neighbour(together, 20, 1, together[0]), together[1]);
+  assert.equal(neighbour(together, 20, -1, together[2]), together[1]);
+  assert.equal(neighbour(together, 20, 1, together[2]), null);
+  assert.equal(neighbour(together, 10, 1, together[2]), together[0], "time has gone elsewhere");
 });
 
 test("between two samples things move evenly, but what was put elsewhere jumps", async () => {

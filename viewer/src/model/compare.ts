@@ -28,6 +28,7 @@ export interface AssignedRow {
 export interface Estimate {
   error: number; // m
   age: number; // s
+  role: number | null; // that it is known by; null: the ball
 }
 
 export interface BeliefRow {
@@ -121,13 +122,13 @@ function beliefRows(looks: [Look, Look], match: Match, pair: Pair): BeliefRow[] 
     const world = worldOf(belief, decision?.knowledge ?? "mine");
     const found = new Map<number, { at: Point } & Estimate>();
     if (world.ball !== null) {
-      found.set(0, { at: world.ball.at, error: distance(world.ball.at, truth.ball), age: world.ball.age });
+      found.set(0, { at: world.ball.at, error: distance(world.ball.at, truth.ball), age: world.ball.age, role: null });
     }
     for (const mate of world.teammates) {
       if (mate.number < 1 || mate.number > game.sizes[pair.side]) continue;
       const place = 3 * game.place(pair.side, mate.number);
       const at: Point = [mate.pose[0], mate.pose[1]];
-      found.set(mate.number, { at, error: distance(at, truth.poses.subarray(place)), age: mate.age });
+      found.set(mate.number, { at, error: distance(at, truth.poses.subarray(place)), age: mate.age, role: mate.role });
     }
     return found;
   });

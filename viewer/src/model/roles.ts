@@ -142,9 +142,17 @@ export function roleCourse(game: Game, side: Side, roles: readonly Role[]): Role
   };
 }
 
-// The stretch after, or before, `time`, that jumps lead to: of those of `all` in the order of time.
-export function neighbour(all: readonly Stretch[], time: number, direction: 1 | -1): Stretch | null {
+// The stretch that a jump forwards or backwards in time leads to. `all` in the order of time; `last`: where the jump
+// before led to, so that of several that begin together each gets its turn.
+export function neighbour(
+  all: readonly Stretch[],
+  time: number,
+  direction: 1 | -1,
+  last: Stretch | null = null,
+): Stretch | null {
   const tolerance = 1e-6;
+  const at = last !== null && Math.abs(last.from - time) < tolerance ? all.indexOf(last) : -1;
+  if (at >= 0) return all[at + direction] ?? null;
   if (direction === 1) return all.find((stretch) => stretch.from > time + tolerance) ?? null;
   for (let i = all.length - 1; i >= 0; --i) if (all[i]!.from < time - tolerance) return all[i]!;
   return null;

@@ -2,21 +2,14 @@
 // The decisions of two robots side by side: who takes which role in the head of each, what each computed, where their
 // beliefs differ, and which packets did not arrive.
 import type { View } from "../app/state";
-import {
-  type Comparison,
-  type Estimate,
-  type News,
-  type Pair,
-  compare,
-  compareEntry,
-  greatestDifference,
-} from "../model/compare";
+import { type Comparison, type Estimate, type News, type Pair, compare } from "../model/compare";
 import { shortRoleName } from "../model/look";
-import { fixed, listText, secondsText, signed, timeText, words } from "../model/text";
+import { fixed, timeText, words } from "../model/text";
 import type { Match } from "../recording/match";
 import { DifferenceMatrix } from "./difference";
 import { element, heading, numeric, row } from "./elements";
 import { packetLines } from "./packet_lines";
+import { verdict } from "./verdict";
 
 export class ComparePanel {
   private readonly content = element("div", { class: "compare" });
@@ -109,7 +102,7 @@ export class ComparePanel {
 
   private show(pair: Pair, found: Comparison, time: number): void {
     const [a, b] = pair.robots;
-    this.verdict.textContent = this.sentences(pair, found, time).join(" ");
+    this.verdict.textContent = verdict(this.match, pair, found, time).join(" ");
     this.verdict.title = this.verdict.textContent;
     const faults = found.looks
       .map((look) => look.fault)
@@ -136,15 +129,11 @@ export class ComparePanel {
           );
         }),
       ),
-      element(
-        "caption",
-        {},
-        `decisions of ${found.looks
-          .map(({ decision }) => (decision === null ? "\u2013" : timeText(decision.time, 2)))
-          .join(" and ")}`,
-      ),
     );
     this.difference.update(pair, found.looks);
+    const decided = found.looks
+      .map(({ decision }) => (decision === null ? "never" : timeText(decision.time, 2)))
+      .join(" and ");
     const estimate = (of: Estimate | null, own: boolean) => [
       numeric(of === null ? "\u2013" : `${fixed(of.error, 2)} m`),
       numeric(of === null || own ? "" : `${fixed(of.age, 1)} s`),
@@ -177,7 +166,7 @@ export class ComparePanel {
         element(
           "section",
           {},
-          element("h3", {}, "Assignment in each head"),
+          element("h3", {}, `In each head, decided ${decided}`),
           assigned,
           element("h3", {}, "Beliefs, farthest apart first"),
           beliefs,
@@ -220,70 +209,5 @@ export class ComparePanel {
       }
     });
     return element("ul", { class: "packets" }, ...items);
-  }
-
-  // What can be read off, in sentences.
-  private sentences(pair: Pair, found: Comparison, time: number): string[] {
-    const [a, b] = pair.robots;
-    const role = shortRoleName(this.match, pair.side, pair.role);
-    const result: string[] = [];
-    const stretch = this.match.courses[pair.side].overlaps.find(
-      (s) =>
-        s.role === pair.role &&
-        s.from <= time + 1e-6 &&
-        time < s.to + 1e-6 &&
-        s.robots.includes(a) &&
-        s.robots.includes(b),
-    );
-    if (stretch !== undefined) {
-      const all = stretch.robots.length > 2 ? ` (all that held it: ${listText(stretch.robots)})` : "";
-      result.push(
-        `${a} and ${b} both are ${role}, ${timeText(stretch.from)} to ${timeText(stretch.to)}, ` +
-          `${secondsText(stretch.samples / 10)}${all}.`,
-      );
-    } else {
-      result.push(`At this moment ${a} and ${b} do not both hold ${role}.`);
-    }
-    const of = (i: 0 | 1) => {
-      const other = pair.robots[1 - i]!;
-      const given = found.assigned[other - 1]?.assigned[i] ?? null;
-      return given === null
-        ? ""
-        : `${pair.robots[i]} gives ${other} ${given < 0 ? "no role" : shortRoleName(this.match, pair.side, given)}`;
-    };
-    const gives = [of(0), of(1)].filter((text) => text !== "");
-    if (gives.length > 0) result.push(`${listText(gives)}.`);
-    const value = (i: 0 | 1, robot: number) => compareEntry(this.match, pair, found.looks, robot, pair.role).utility[i];
-    const computed = ([0, 1] as const)
-      .map((i) => {
-        const own = value(i, pair.robots[i]);
-        const other = value(i, pair.robots[1 - i]!);
-        return own === null || other === null
-          ? ""
-          : `${pair.robots[i]} computes ${fixed(own, 2)} for itself and ${fixed(other, 2)} for ${pair.robots[1 - i]}`;
-      })
-      .filter((text) => text !== "");
-    if (computed.length > 0) result.push(`As ${role}, ${listText(computed)}.`);
-    const most = greatestDifference(this.match, pair, found.looks);
-    if (most !== null && Math.abs(most.entry.difference!) > 0.02) {
-      const term = most.entry.terms[0];
-      const by = term === undefined ? "" : `, most by ${term.name} (${signed(term.difference, 2)})`;
-      result.push(
-        `Their utilities differ most for robot ${most.robot} as ${shortRoleName(this.match, pair.side, most.role)}: ` +
-          `${signed(most.entry.difference!, 2)}${by}.`,
-      );
-    }
-    const farthest = found.beliefs.find((line) => line.apart !== null);
-    if (farthest !== undefined && farthest.apart! > 0.3) {
-      const what = farthest.robot === 0 ? "the ball" : `robot ${farthest.robot}`;
-      result.push(`They believe ${what} ${fixed(farthest.apart!, 1)} m apart.`);
-    }
-    found.news.forEach(({ missed }, i) => {
-      if (missed.length > 0) {
-        const times = missed.length === 1 ? "the last packet" : `the last ${missed.length} packets`;
-        result.push(`${pair.robots[i]} missed ${times} of ${pair.robots[1 - i]}.`);
-      }
-    });
-    return result;
   }
 }

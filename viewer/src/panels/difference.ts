@@ -127,11 +127,15 @@ export class DifferenceMatrix {
       ),
     );
     this.terms.replaceChildren(
-      element("h3", {}, `robot ${pointed.robot} as ${roleName(this.match, pair.side, pointed.role)}`),
       element(
         "table",
         { class: "list tight", id: "compare-terms" },
-        heading(["weighted term", `#in ${pair.robots[0]}`, `#in ${pair.robots[1]}`, "#\u0394"]),
+        heading([
+          `robot ${pointed.robot} as ${shortRoleName(this.match, pair.side, pointed.role)}`,
+          `#in ${pair.robots[0]}`,
+          `#in ${pair.robots[1]}`,
+          "#\u0394",
+        ]),
         element("tbody", {}, ...lines),
       ),
     );

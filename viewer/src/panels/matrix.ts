@@ -9,6 +9,15 @@ import type { Match } from "../recording/match";
 import type { Decision } from "../recording/messages";
 import { brokenName, element, heading, moveWithArrows, numeric, row, setText } from "./elements";
 
+// Where a value lies between the least and the greatest: by its logarithm where they differ by orders of magnitude.
+function shareOf(value: number, least: number, most: number): number {
+  if (!(most > least)) return 0.5;
+  if (least > 0 && most > 20 * least) return Math.log(value / least) / Math.log(most / least);
+  return (value - least) / (most - least);
+}
+
+const shown = (value: number) => fixed(value, Math.abs(value) < 10 ? 2 : 1);
+
 export class UtilityMatrix {
   readonly table = element("table", { class: "matrix", role: "grid", "aria-label": "Utility Estimation Matrix" });
   readonly terms = element("div", { class: "terms" });
@@ -107,8 +116,8 @@ export class UtilityMatrix {
         const value = decision.utility[i]?.[j] ?? null;
         const robot = decision.rows[i]!;
         const chosen = decision.assigned[robot - 1] === decision.columns[j];
-        setText(cell, value === null ? "\u2715" : `${chosen ? "\u25cf" : ""}${fixed(value, 2)}`);
-        const shade = value === null ? null : heat(most > least ? (value - least) / (most - least) : 0.5);
+        setText(cell, value === null ? "\u2715" : `${chosen ? "\u25cf" : ""}${shown(value)}`);
+        const shade = value === null ? null : heat(shareOf(value, least, most));
         cell.style.background = shade?.fill ?? "";
         cell.style.color = shade?.ink ?? "";
         cell.className = `${value === null ? "forbidden" : ""} ${chosen ? "chosen" : ""}`.trim();
@@ -136,6 +145,8 @@ export class UtilityMatrix {
       1e-9,
       ...terms.map((term, t) => Math.abs(term.weight * (decision.terms[t]?.[i]?.[j] ?? 0))),
     );
+    if (terms.length === 0)
+      body.append(row([element("td", { colspan: "5", class: "muted" }, "this context has no terms")]));
     for (const [t, term] of terms.entries()) {
       const value = decision.terms[t]?.[i]?.[j] ?? null;
       const part = term.weight * (value ?? 0);

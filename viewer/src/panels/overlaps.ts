@@ -15,7 +15,9 @@ const mostRows = 2000;
 export class OverlapList {
   // As listed and in the order of time: what the jumps go along.
   private shown: Stretch[] = [];
+  private begins: number[] = [];
   private listed: Stretch[] = [];
+  chosen: Stretch | null = null; // that a jump led to
   private rows: HTMLTableRowElement[] = [];
   private marked: HTMLTableRowElement | null = null;
   private readonly body = element("tbody");
@@ -93,6 +95,7 @@ export class OverlapList {
           this.role.value === "" || `=${roleName(this.match, stretch.side, stretch.role)}` === this.role.value,
       )
       .sort((a, b) => a.from - b.from);
+    this.begins = this.shown.map((stretch) => stretch.from);
     const sorted = this.order.value === "length" ? [...this.shown].sort((a, b) => b.samples - a.samples) : this.shown;
     this.listed = sorted.slice(0, mostRows);
     this.rows = this.listed.map((stretch) =>
@@ -121,15 +124,11 @@ export class OverlapList {
     return this.shown;
   }
 
-  // Marks the row of the last stretch that began before `time`.
+  // Marks the row of the stretch that was jumped to, or of the last one that began before `time`.
   update(time: number, scroll: boolean): void {
-    const at =
-      this.shown[
-        lastNotAfter(
-          this.shown.map((stretch) => stretch.from),
-          time + 1e-6,
-        )
-      ];
+    const chosen = this.chosen;
+    const holds = chosen !== null && time > chosen.from - 1e-6 && time <= chosen.to && this.shown.includes(chosen);
+    const at = holds ? chosen : this.shown[lastNotAfter(this.begins, time + 1e-6)];
     const now = at !== undefined && time <= at.to ? (this.rows[this.listed.indexOf(at)] ?? null) : null;
     if (now === this.marked) return;
     this.marked?.removeAttribute("aria-current");

@@ -243,8 +243,5 @@ export class RobotPanel {
 function sinceText(match: Match, robot: Robot, decision: Decision, time: number): string {
   const since = decision.role >= 0 ? ` since ${timeText(decision.since)}` : "";
   const ago = fixed(Math.max(0, time - decision.time), 1);
-  return (
-    `${roleName(match, robot.side, decision.role)}${since}; decision of ${timeText(decision.time, 2)}, ${ago} s ago, ` +
-    `on its world \u201c${decision.knowledge}\u201d`
-  );
+  return `${roleName(match, robot.side, decision.role)}${since}; decision of ${timeText(decision.time, 2)}, ${ago} s ago`;
 }
