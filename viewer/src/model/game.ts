@@ -11,7 +11,7 @@ export const playing = phases.indexOf("playing");
 // Farther than this between two samples nothing moves by itself: it was put there.
 const greatestStep = { robot: 0.5, ball: 1.2 }; // m
 
-type Column = Float64Array | Float32Array | Int32Array | Int8Array | Uint32Array | Uint8Array;
+type Column = Float64Array | Float32Array | Int32Array | Int16Array | Uint32Array | Uint8Array;
 
 function grown<T extends Column>(column: T, length: number): T {
   const larger = new (column.constructor as new (length: number) => T)(length);
@@ -42,7 +42,7 @@ export class Game {
   kicks = new Uint32Array(0);
   ball = new Float32Array(0); // [sample * 4]: x, y, vx, vy
   poses = new Float32Array(0); // [(sample * robots + robot) * 3]: x, y, heading; home first
-  roles = new Int8Array(0); // [sample * robots + robot]
+  roles = new Int16Array(0); // [sample * robots + robot]
 
   constructor(readonly sizes: readonly [number, number]) {}
 
