@@ -26,23 +26,21 @@ export function verdict(match: Match, pair: Pair, found: Comparison, time: numbe
   } else {
     result.push(`At this moment ${a} and ${b} do not both hold ${role}.`);
   }
+  for (const i of [0, 1] as const) result.push(news(match, pair, found, i));
   const value = (i: 0 | 1, robot: number) => compareEntry(match, pair, found.looks, robot, pair.role).utility[i];
-  const computed = ([0, 1] as const)
-    .map((i) => {
-      const own = value(i, pair.robots[i]);
-      const other = value(i, pair.robots[1 - i]!);
-      return own === null || other === null
-        ? ""
-        : `${pair.robots[i]} computes ${fixed(own, 2)} for itself and ${fixed(other, 2)} for ${pair.robots[1 - i]}`;
-    })
-    .filter((text) => text !== "");
-  if (computed.length > 0) result.push(`As ${role}, ${listText(computed)}.`);
+  const computed = ([0, 1] as const).flatMap((i) => {
+    const own = value(i, pair.robots[i]);
+    const other = value(i, pair.robots[1 - i]!);
+    if (own === null || other === null) return [];
+    return [`in ${pair.robots[i]} own ${fixed(own, 2)}, of ${pair.robots[1 - i]} ${fixed(other, 2)}`];
+  });
+  if (computed.length > 0) result.push(`Utilities as ${role}: ${computed.join("; ")}.`);
   const most = greatestDifference(match, pair, found.looks);
   if (most !== null && Math.abs(most.entry.difference!) > 0.02) {
     const term = most.entry.terms[0];
     const by = term === undefined ? "" : `, most by ${term.name} (${signed(term.difference, 2)})`;
     result.push(
-      `Their utilities differ most for robot ${most.robot} as ${shortRoleName(match, pair.side, most.role)}: ` +
+      `They differ most for robot ${most.robot} as ${shortRoleName(match, pair.side, most.role)}: ` +
         `${signed(most.entry.difference!, 2)}${by}${known(match, pair, found, most.robot)}.`,
     );
   }
@@ -51,13 +49,20 @@ export function verdict(match: Match, pair: Pair, found: Comparison, time: numbe
     const what = farthest.robot === 0 ? "the ball" : `robot ${farthest.robot}`;
     result.push(`They believe ${what} ${fixed(farthest.apart!, 1)} m apart.`);
   }
-  found.news.forEach(({ missed }, i) => {
-    if (missed.length > 0) {
-      const times = missed.length === 1 ? "the last packet" : `the last ${missed.length} packets`;
-      result.push(`${pair.robots[i]} missed ${times} of ${pair.robots[1 - i]}.`);
-    }
-  });
-  return result;
+  return result.filter((sentence) => sentence !== "");
+}
+
+// What the robot in place `i` of the pair has not heard of the other.
+function news(match: Match, pair: Pair, found: Comparison, i: 0 | 1): string {
+  const { heard, missed } = found.news[i]!;
+  const listener = pair.robots[i]!;
+  const sender = pair.robots[1 - i]!;
+  const since = heard === null ? "" : ` since ${timeText(heard.time)}`;
+  if (missed.length > 0) return `${listener} missed ${missed.length} of ${sender}'s packets${since}.`;
+  const decision = found.looks[1 - i]!.decision;
+  if (heard === null || decision === null || decision.role < 0 || decision.since <= heard.time) return "";
+  const became = `${shortRoleName(match, pair.side, decision.role)} at ${timeText(decision.since)}`;
+  return `${listener} last heard ${sender} at ${timeText(heard.time)}, before it became ${became}.`;
 }
 
 // The roles by which the two know a robot, where they differ.
