@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes recordings into a folder, each with what it must hold as JSON beside it, for check.mjs.
+// Writes recordings into a folder, each with what it must hold as JSON beside it, for viewer/test/official_reader.mjs.
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>

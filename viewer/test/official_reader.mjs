@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What host/mcap writes, read by @mcap/core as a stream and through the index, every checksum compared:
-//   node check.mjs WRITE_MCAP_EXAMPLES
+//   node official_reader.mjs WRITE_MCAP_EXAMPLES
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
@@ -76,7 +76,8 @@ function placesOf(bytes) {
 }
 
 function byTime(messages) {
-  const order = (a, b) => (BigInt(a.log_time) < BigInt(b.log_time) ? -1 : BigInt(a.log_time) > BigInt(b.log_time) ? 1 : 0);
+  const later = (a, b) => Number(BigInt(a.log_time) > BigInt(b.log_time));
+  const order = (a, b) => later(a, b) - later(b, a);
   return [...messages].sort(order);  // stable: messages of one time keep the file's order
 }
 
@@ -116,7 +117,8 @@ function checkSummary(bytes, records, expected) {
     }
     assert.notEqual(chunkRecords[i].uncompressedCrc, 0);
     const end = chunks[i].offset + chunks[i].length;
-    const after = at(0x07).filter((place) => place.offset >= end && place.offset < end + Number(index.messageIndexLength));
+    const past = end + Number(index.messageIndexLength);
+    const after = at(0x07).filter((place) => place.offset >= end && place.offset < past);
     assert.deepEqual([...index.messageIndexOffsets.values()], after.map((place) => BigInt(place.offset)));
     assert.equal(after.reduce((sum, place) => sum + place.length, 0), Number(index.messageIndexLength));
   }

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// What the reader of the page looks at: the moment, the chosen robot, the pair compared, what is drawn.
+import type { Pair } from "../model/compare";
+import type { Side } from "../recording/about";
+
+export interface Robot {
+  side: Side;
+  number: number;
+}
+
+export const panelNames = ["overlaps", "robot", "compare", "match"] as const;
+export type PanelName = (typeof panelNames)[number];
+
+export const layerNames = ["belief", "ellipses", "nodes", "tasks", "trails"] as const;
+export type LayerName = (typeof layerNames)[number];
+
+export const speeds = [0.25, 0.5, 1, 2, 4, 8, 16] as const;
+
+export interface View {
+  time: number;
+  playing: boolean;
+  speed: number;
+  robot: Robot | null;
+  side: Side; // whose robots the timeline shows
+  pair: Pair | null;
+  panel: PanelName;
+  knowledge: "mine" | "common";
+  layers: Record<LayerName, boolean>;
+}
+
+export class State {
+  view: View = {
+    time: 0,
+    playing: false,
+    speed: 1,
+    robot: null,
+    side: 0,
+    pair: null,
+    panel: "overlaps",
+    knowledge: "mine",
+    layers: { belief: true, ellipses: true, nodes: true, tasks: true, trails: true },
+  };
+  private readonly listeners: ((changed: ReadonlySet<keyof View>) => void)[] = [];
+
+  constructor(
+    readonly begin: number,
+    readonly end: number,
+  ) {
+    this.view.time = begin;
+  }
+
+  listen(listener: (changed: ReadonlySet<keyof View>) => void): void {
+    this.listeners.push(listener);
+  }
+
+  set(change: Partial<View>): void {
+    if (change.time !== undefined) change.time = Math.min(this.end, Math.max(this.begin, change.time));
+    const changed = new Set<keyof View>();
+    for (const key of Object.keys(change) as (keyof View)[]) if (this.view[key] !== change[key]) changed.add(key);
+    if (changed.size === 0) return;
+    this.view = { ...this.view, ...change };
+    for (const listener of this.listeners) listener(changed);
+  }
+
+  // Something that is no part of the view has changed: draw again.
+  touch(): void {
+    for (const listener of this.listeners) listener(new Set());
+  }
+
+  choose(robot: Robot | null): void {
+    this.set(robot === null ? { robot } : { robot, side: robot.side });
+  }
+
+  toggle(layer: LayerName): void {
+    this.set({ layers: { ...this.view.layers, [layer]: !this.view.layers[layer] } });
+  }
+}

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+// The field as it is drawn: the truth, and over it what the chosen robot believes and plans.
+import { Canvas, font } from "../app/canvas";
+import type { Palette } from "../app/palette";
+import type { Robot, State } from "../app/state";
+import { type Game, Moment, inMask } from "../model/game";
+import { type Look, lookAt, shortRoleName, worldOf } from "../model/look";
+import { bothSides } from "../recording/about";
+import type { Match } from "../recording/match";
+import { drawBelief } from "./belief";
+import { Projection, drawGround } from "./ground";
+import { drawPlan } from "./plan";
+import { bodyPath, headingPath, label } from "./shapes";
+
+const trailSamples = 30; // 3 s
+
+export class Field {
+  readonly projection: Projection;
+  private readonly canvas: Canvas;
+  private readonly ground: Canvas;
+  private readonly moment: Moment;
+  private stale = true;
+
+  constructor(
+    element: HTMLCanvasElement,
+    private readonly match: Match,
+    private palette: Palette,
+  ) {
+    this.canvas = new Canvas(element);
+    this.ground = new Canvas(document.createElement("canvas"));
+    this.projection = new Projection(match.about.field);
+    this.moment = new Moment(match.game);
+  }
+
+  setPalette(palette: Palette): void {
+    this.palette = palette;
+    this.stale = true;
+  }
+
+  resize(width: number, height: number): void {
+    if (!this.canvas.fit(width, height)) return;
+    this.ground.fit(width, height);
+    this.projection.fit(width, height);
+    this.stale = true;
+  }
+
+  // The robot under a point of the canvas.
+  robotAt(px: number, py: number): Robot | null {
+    let nearest: Robot | null = null;
+    let least = Math.max(14, 0.25 * this.projection.scale);
+    for (const side of bothSides) {
+      for (let n = 1; n <= this.match.game.sizes[side]; ++n) {
+        const at = 3 * this.match.game.place(side, n);
+        const distance = Math.hypot(
+          this.projection.x(this.moment.poses[at]!) - px,
+          this.projection.y(this.moment.poses[at + 1]!) - py,
+        );
+        if (distance < least) [nearest, least] = [{ side, number: n }, distance];
+      }
+    }
+    return nearest;
+  }
+
+  draw(state: State): void {
+    const { canvas, palette, match, moment, projection: to } = this;
+    const { view } = state;
+    const context = canvas.context;
+    if (this.stale) {
+      drawGround(this.ground.context, canvas, to, match.about.field, palette);
+      this.stale = false;
+    }
+    moment.set(view.time);
+    context.drawImage(this.ground.element, 0, 0, canvas.width, canvas.height);
+    if (view.layers.trails) this.drawTrails();
+    this.drawSetPlay();
+
+    const pair = view.panel === "compare" ? view.pair : null;
+    if (pair !== null) {
+      pair.robots.forEach((number, i) => {
+        const look = lookAt(match, pair.side, number, view.time);
+        const color = i === 0 ? palette.first : palette.second;
+        if (view.layers.belief && look.belief !== null) {
+          const world = worldOf(look.belief, look.decision?.knowledge ?? "mine");
+          drawBelief(context, to, match, moment, pair.side, number, world, palette, {
+            color,
+            ellipses: view.layers.ellipses,
+            robots: pair.robots,
+          });
+        }
+      });
+    } else if (view.robot !== null) {
+      const look = lookAt(match, view.robot.side, view.robot.number, view.time);
+      this.drawMind(look, view.robot, state);
+    }
+    this.drawRobots(state, pair === null ? null : pair.robots.map((number) => ({ side: pair.side, number })));
+    this.drawBall();
+  }
+
+  private drawMind(look: Look, robot: Robot, state: State): void {
+    const { view } = state;
+    const { context } = this.canvas;
+    if (look.belief !== null && view.layers.belief) {
+      drawBelief(
+        context,
+        this.projection,
+        this.match,
+        this.moment,
+        robot.side,
+        robot.number,
+        worldOf(look.belief, view.knowledge),
+        this.palette,
+        { color: null, ellipses: view.layers.ellipses, robots: null },
+      );
+    }
+    if (look.decision !== null) {
+      drawPlan(context, this.projection, this.match, this.moment, robot.side, look.decision, this.palette, view.layers);
+    }
+  }
+
+  private drawTrails(): void {
+    const {
+      match: { game },
+      moment,
+      palette,
+      projection: to,
+    } = this;
+    const { context } = this.canvas;
+    const first = Math.max(0, moment.index - trailSamples);
+    context.lineWidth = 1.5;
+    context.globalAlpha = 0.35;
+    const robots = game.robots;
+    for (const side of bothSides) {
+      context.strokeStyle = side === 0 ? palette.home : palette.away;
+      context.beginPath();
+      for (let n = 1; n <= game.sizes[side]; ++n) {
+        const place = game.place(side, n);
+        trail(context, to, game.poses, first, moment.index, 3 * robots, 3 * place, 0.5, moment.poses, 3 * place);
+      }
+      context.stroke();
+    }
+    context.globalAlpha = 0.7;
+    context.strokeStyle = palette.ball;
+    context.beginPath();
+    trail(context, to, game.ball, first, moment.index, 4, 0, 1.2, moment.ball, 0);
+    context.stroke();
+    context.globalAlpha = 1;
+  }
+
+  // Where the ball lies at a set play: a ring that opponents keep out of.
+  private drawSetPlay(): void {
+    const {
+      match: { game },
+      moment,
+      palette,
+      projection: to,
+    } = this;
+    if (game.setPlay[moment.index] === 0) return;
+    const { context } = this.canvas;
+    context.save();
+    context.setLineDash([5, 4]);
+    context.lineWidth = 1.5;
+    context.strokeStyle = game.kicking[moment.index] === 0 ? palette.home : palette.away;
+    context.beginPath();
+    context.arc(to.x(moment.ball[0]!), to.y(moment.ball[1]!), 0.75 * to.scale, 0, 2 * Math.PI);
+    context.stroke();
+    context.restore();
+  }
+
+  private drawBall(): void {
+    const { moment, palette, projection: to } = this;
+    const { context } = this.canvas;
+    context.beginPath();
+    context.arc(
+      to.x(moment.ball[0]!),
+      to.y(moment.ball[1]!),
+      Math.max(4, this.match.about.ballRadius * to.scale),
+      0,
+      2 * Math.PI,
+    );
+    context.fillStyle = palette.ball;
+    context.fill();
+    context.lineWidth = 1.5;
+    context.strokeStyle = palette.grass;
+    context.stroke();
+  }
+
+  private drawRobots(state: State, compared: Robot[] | null): void {
+    const { match, moment, palette, projection: to } = this;
+    const { context } = this.canvas;
+    const { game } = match;
+    const { view } = state;
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    // Where names of tasks stand, those of roles would cover them.
+    const named = compared !== null ? [] : view.robot === null ? bothSides : view.layers.tasks ? [] : [view.robot.side];
+    for (const side of bothSides) {
+      const color = side === 0 ? palette.home : palette.away;
+      const radius = Math.max(8, match.about.teams[side].robotRadius * to.scale);
+      const penalised = game.penalised[2 * moment.index + side]!;
+      const fallen = game.fallen[2 * moment.index + side]!;
+      const kicks = game.kicks[2 * moment.index + side]!;
+      for (let n = 1; n <= game.sizes[side]; ++n) {
+        const at = 3 * game.place(side, n);
+        const x = to.x(moment.poses[at]!);
+        const y = to.y(moment.poses[at + 1]!);
+        const out = inMask(penalised, n);
+        const down = inMask(fallen, n);
+        const order = compared?.findIndex((robot) => robot.side === side && robot.number === n) ?? -1;
+        const chosen = compared === null && view.robot?.side === side && view.robot.number === n;
+        if (chosen || order >= 0) {
+          context.lineWidth = 3;
+          context.strokeStyle = chosen ? palette.text : order === 0 ? palette.first : palette.second;
+          context.setLineDash(order === 1 ? [4, 2.5] : []);
+          bodyPath(context, side, x, y, radius + 4);
+          context.stroke();
+          context.setLineDash([]);
+        }
+        context.globalAlpha = out ? 0.45 : 1;
+        bodyPath(context, side, x, y, radius);
+        context.fillStyle = down ? palette.grass : color;
+        context.fill();
+        context.lineWidth = down ? 2 : 1.5;
+        context.strokeStyle = down ? color : palette.grass;
+        context.stroke();
+        context.strokeStyle = color;
+        context.lineWidth = inMask(kicks, n) ? 5 : 3;
+        headingPath(context, x, y, moment.poses[at + 2]!, radius, radius + (inMask(kicks, n) ? 8 : 5));
+        context.stroke();
+        context.fillStyle = down ? color : side === 0 ? palette["on-home"] : palette["on-away"];
+        context.font = font(Math.round(1.15 * radius), 700);
+        context.fillText(String(n), x, y + 0.5);
+        if (out) {
+          context.lineWidth = 2;
+          context.strokeStyle = palette.text;
+          context.beginPath();
+          context.moveTo(x - radius, y + radius);
+          context.lineTo(x + radius, y - radius);
+          context.stroke();
+        }
+        context.globalAlpha = 1;
+        if (named.includes(side) || order >= 0) {
+          const role = out ? "penalised" : roleText(game, match, moment.index, side, n);
+          context.font = font(10);
+          const lines = (down ? `${role} fallen` : role).split(" ");
+          for (const [i, line] of lines.entries())
+            label(context, line, x, y + radius + 9 + 10 * i, palette.text, palette.grass);
+        }
+      }
+    }
+  }
+}
+
+function roleText(game: Game, match: Match, index: number, side: 0 | 1, n: number): string {
+  const role = game.role(index, side, n);
+  return role < 0 ? "" : shortRoleName(match, side, role).replaceAll("_", " ");
+}
+
+function trail(
+  context: CanvasRenderingContext2D,
+  to: Projection,
+  from: Float32Array,
+  first: number,
+  last: number,
+  stride: number,
+  offset: number,
+  most: number,
+  now: Float32Array,
+  place: number,
+): void {
+  let x = 0;
+  let y = 0;
+  for (let i = first; i <= last + 1; ++i) {
+    const at = i * stride + offset;
+    const nextX = i <= last ? from[at]! : now[place]!;
+    const nextY = i <= last ? from[at + 1]! : now[place + 1]!;
+    const jumps = i === first || (nextX - x) ** 2 + (nextY - y) ** 2 > most * most;
+    if (jumps) context.moveTo(to.x(nextX), to.y(nextY));
+    else context.lineTo(to.x(nextX), to.y(nextY));
+    x = nextX;
+    y = nextY;
+  }
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The head of the page: teams, score, the game's clock and phase, and what of the recording could not be read.
+import { timeText, words } from "../model/text";
+import { phases, setPlays } from "../recording/messages";
+import type { Match } from "../recording/match";
+import { byId, setText } from "./elements";
+
+export class Head {
+  constructor(private readonly match: Match) {
+    const { teams } = match.about;
+    setText(byId("home-name"), teams[0].name);
+    setText(byId("away-name"), teams[1].name);
+    byId("home-name").title = teams[0].name;
+    byId("away-name").title = teams[1].name;
+    document.title = `${teams[0].name} \u2013 ${teams[1].name}`;
+    setText(byId("faults"), match.faults.join(" "));
+    byId("faults").title = match.faults.join("\n");
+  }
+
+  update(time: number): void {
+    const { game, about } = this.match;
+    const i = game.indexAt(time);
+    setText(byId("goals"), `${game.score[2 * i]} : ${game.score[2 * i + 1]}`);
+    const setPlay = setPlays[game.setPlay[i]!]!;
+    const kicking =
+      setPlay === "none" ? "" : `, ${words(setPlay)} of ${about.teams[game.kicking[i] === 0 ? 0 : 1].name}`;
+    setText(
+      byId("game"),
+      `half ${game.half[i]}, clock ${timeText(game.clock[i]!, 0)}, ${phases[game.phase[i]!]}${kicking}`,
+    );
+    const toRight = game.half[i]! % 2 === 1 ? 0 : 1;
+    setText(byId("attack"), `${about.teams[toRight].name} attacks \u2192`);
+  }
+}

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// The Utility Estimation Matrix as a heat map: a row for each active robot, a column for each kept task, the chosen
+// entries framed; and the terms behind the entry that is pointed at or focused.
+import { heat } from "../app/palette";
+import { roleName, shortRoleName } from "../model/look";
+import { fixed } from "../model/text";
+import type { Side } from "../recording/about";
+import type { Match } from "../recording/match";
+import type { Decision } from "../recording/messages";
+import { brokenName, element, heading, moveWithArrows, numeric, row, setText } from "./elements";
+
+// Where a value lies between the least and the greatest: by its logarithm where they differ by orders of magnitude.
+function shareOf(value: number, least: number, most: number): number {
+  if (!(most > least)) return 0.5;
+  if (least > 0 && most > 20 * least) return Math.log(value / least) / Math.log(most / least);
+  return (value - least) / (most - least);
+}
+
+const shown = (value: number) => fixed(value, Math.abs(value) < 10 ? 2 : 1);
+
+export class UtilityMatrix {
+  readonly table = element("table", { class: "matrix", role: "grid", "aria-label": "Utility Estimation Matrix" });
+  readonly terms = element("div", { class: "terms" });
+  private shape = "";
+  private cells: HTMLTableCellElement[][] = [];
+  private decision: Decision | null = null;
+  private side: Side = 0;
+  private self = 0;
+  private pointed: { robot: number; role: number } | null = null;
+
+  constructor(private readonly match: Match) {
+    const place = (event: Event) => (event.target instanceof Element ? event.target.closest("td") : null);
+    const point = (event: Event) => {
+      const cell = place(event);
+      if (cell === null || this.decision === null) return;
+      this.pointed = {
+        robot: this.decision.rows[Number(cell.dataset.row)] ?? 0,
+        role: this.decision.columns[Number(cell.dataset.column)] ?? -1,
+      };
+      this.showTerms();
+    };
+    this.table.addEventListener("pointerover", point);
+    this.table.addEventListener("focusin", point);
+    moveWithArrows(this.table);
+  }
+
+  update(side: Side, self: number, decision: Decision | null): void {
+    if (decision === this.decision && side === this.side && self === this.self) return;
+    if (side !== this.side || self !== this.self) this.pointed = null;
+    this.side = side;
+    this.self = self;
+    this.decision = decision;
+    if (decision === null || decision.columns.length === 0) {
+      this.shape = "";
+      this.table.replaceChildren(
+        element("caption", {}, decision === null ? "No decision yet" : "This decision has no utilities"),
+      );
+      this.terms.replaceChildren();
+      return;
+    }
+    const shape = `${side} ${self} ${decision.rows.join(",")} ${decision.columns.join(",")}`;
+    if (shape !== this.shape) this.build(decision);
+    this.shape = shape;
+    this.fill(decision);
+    if (
+      this.pointed === null ||
+      !decision.rows.includes(this.pointed.robot) ||
+      !decision.columns.includes(this.pointed.role)
+    ) {
+      const own = decision.columns.includes(decision.role) ? decision.role : decision.columns[0]!;
+      this.pointed = { robot: decision.rows.includes(self) ? self : decision.rows[0]!, role: own };
+    }
+    this.showTerms();
+  }
+
+  private build(decision: Decision): void {
+    this.cells = decision.rows.map((_, i) =>
+      decision.columns.map((__, j) =>
+        element("td", { tabindex: i === 0 && j === 0 ? "0" : "-1", "data-row": String(i), "data-column": String(j) }),
+      ),
+    );
+    const heads = decision.columns.map((role) =>
+      element(
+        "th",
+        { scope: "col", title: roleName(this.match, this.side, role) },
+        ...brokenName(shortRoleName(this.match, this.side, role)),
+      ),
+    );
+    const body = element(
+      "tbody",
+      {},
+      ...decision.rows.map((robot, i) =>
+        element(
+          "tr",
+          robot === this.self ? { class: "own" } : {},
+          element("th", { scope: "row" }, `robot ${robot}`),
+          ...this.cells[i]!,
+        ),
+      ),
+    );
+    this.table.replaceChildren(heading([element("th", { scope: "col" }, "utility"), ...heads]), body);
+  }
+
+  private fill(decision: Decision): void {
+    let least = Infinity;
+    let most = -Infinity;
+    for (const values of decision.utility) {
+      for (const value of values) {
+        if (value === null) continue;
+        least = Math.min(least, value);
+        most = Math.max(most, value);
+      }
+    }
+    for (const [i, cells] of this.cells.entries()) {
+      for (const [j, cell] of cells.entries()) {
+        const value = decision.utility[i]?.[j] ?? null;
+        const robot = decision.rows[i]!;
+        const chosen = decision.assigned[robot - 1] === decision.columns[j];
+        setText(cell, value === null ? "\u2715" : `${chosen ? "\u25cf" : ""}${shown(value)}`);
+        const shade = value === null ? null : heat(shareOf(value, least, most));
+        cell.style.background = shade?.fill ?? "";
+        cell.style.color = shade?.ink ?? "";
+        cell.className = `${value === null ? "forbidden" : ""} ${chosen ? "chosen" : ""}`.trim();
+        const role = roleName(this.match, this.side, decision.columns[j]!);
+        cell.setAttribute(
+          "aria-label",
+          `robot ${robot}, ${role}: ${value === null ? "forbidden" : value}${chosen ? ", chosen" : ""}`,
+        );
+      }
+    }
+  }
+
+  private showTerms(): void {
+    const { decision, pointed } = this;
+    if (decision === null || pointed === null) return;
+    const i = decision.rows.indexOf(pointed.robot);
+    const j = decision.columns.indexOf(pointed.role);
+    for (const cells of this.cells) for (const cell of cells) cell.removeAttribute("aria-selected");
+    this.cells[i]?.[j]?.setAttribute("aria-selected", "true");
+    const utility = decision.utility[i]?.[j] ?? null;
+    const terms = this.match.about.teams[this.side].contexts[decision.context]?.terms ?? [];
+    const body = element("tbody");
+    let sum = 0;
+    const greatest = Math.max(
+      1e-9,
+      ...terms.map((term, t) => Math.abs(term.weight * (decision.terms[t]?.[i]?.[j] ?? 0))),
+    );
+    if (terms.length === 0)
+      body.append(row([element("td", { colspan: "5", class: "muted" }, "this context has no terms")]));
+    for (const [t, term] of terms.entries()) {
+      const value = decision.terms[t]?.[i]?.[j] ?? null;
+      const part = term.weight * (value ?? 0);
+      sum += part;
+      const bar = element("div", { class: "bar" });
+      bar.style.width = `${(100 * Math.abs(part)) / greatest}%`;
+      body.append(
+        row([
+          element("th", { scope: "row" }, term.name),
+          numeric(fixed(term.weight, 2)),
+          numeric(value === null ? "\u2715" : fixed(value, 3)),
+          numeric(value === null ? "\u2715" : fixed(part, 3)),
+          element("td", { class: "bars" }, bar),
+        ]),
+      );
+    }
+    body.append(
+      row(
+        [
+          element("th", { scope: "row" }, "utility"),
+          "",
+          "",
+          numeric(utility === null ? "forbidden" : fixed(utility, 3), { id: "utility-sum" }),
+          element(
+            "td",
+            { class: "bars muted" },
+            utility !== null && Math.abs(utility - sum) > 2e-3 ? `terms give ${fixed(sum, 3)}` : "",
+          ),
+        ],
+        { class: "sum" },
+      ),
+    );
+    this.terms.replaceChildren(
+      element("h3", {}, `robot ${pointed.robot} as ${roleName(this.match, this.side, pointed.role)}`),
+      element("table", { class: "list tight" }, heading(["term", "#weight", "#value", "#share", ""]), body),
+    );
+  }
+}

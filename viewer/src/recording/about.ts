@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// What a recording says about its match: the metadata record "match".
+import * as checked from "./checked";
+
+export const readableFormat = 1;
+
+export type Side = 0 | 1; // home, away: places in arrays of both sides
+export const sideNames = ["home", "away"] as const;
+export const bothSides: readonly Side[] = [0, 1];
+
+// Lengths in metres.
+export interface FieldSize {
+  length: number;
+  width: number;
+  borderStrip: number;
+  goalWidth: number;
+  goalDepth: number;
+  goalArea: [number, number]; // length, width
+  penaltyArea: [number, number];
+  penaltyMarkDistance: number;
+  centreCircleRadius: number;
+}
+
+export interface Role {
+  name: string;
+  list: string;
+  priority: number;
+  robot: number; // that alone may take it; 0 = any
+}
+
+export interface Term {
+  name: string;
+  weight: number;
+}
+
+export interface Context {
+  name: string;
+  priority: number;
+  plugin: string;
+  parameters: string;
+  list: string;
+  utilityKnowledge: string;
+  tasksKnowledge: string;
+  terms: Term[];
+  positioner: string;
+  assigner: string;
+  sender: string;
+}
+
+export interface Team {
+  name: string;
+  file: string;
+  robotRadius: number;
+  roles: Role[];
+  contexts: Context[];
+}
+
+export interface About {
+  program: string;
+  command: string;
+  seed: string;
+  rules: string;
+  opening: string;
+  field: FieldSize;
+  ballRadius: number;
+  packetBudget: number;
+  halfSeconds: number;
+  teams: [Team, Team];
+}
+
+// A recording that this page cannot show at all; the message is for the reader of the page.
+export class UnreadableRecording extends Error {}
+
+function parsed(pairs: ReadonlyMap<string, string>, key: string): unknown {
+  const text = pairs.get(key);
+  if (text === undefined) throw new UnreadableRecording(`The recording's description of the match has no "${key}".`);
+  try {
+    return JSON.parse(text);
+  } catch {
+    throw new UnreadableRecording(`The recording's description of the match is damaged: "${key}" is not JSON.`);
+  }
+}
+
+function positive(value: unknown, where: string): number {
+  const result = checked.number(value, where);
+  if (!(result > 0)) throw new checked.WrongForm(`${where} is not positive`);
+  return result;
+}
+
+function fieldOf(value: unknown): FieldSize {
+  const field = checked.object(value, "field");
+  const length = (key: string) => checked.number(field[key], `field.${key}`);
+  const area = (key: string) => checked.numbers(field[key], `field.${key}`, 2) as [number, number];
+  return {
+    length: positive(field.length, "field.length"),
+    width: positive(field.width, "field.width"),
+    borderStrip: length("border_strip"),
+    goalWidth: length("goal_width"),
+    goalDepth: length("goal_depth"),
+    goalArea: area("goal_area"),
+    penaltyArea: area("penalty_area"),
+    penaltyMarkDistance: length("penalty_mark_distance"),
+    centreCircleRadius: length("centre_circle_radius"),
+  };
+}
+
+function roleOf(value: unknown, where: string): Role {
+  const role = checked.object(value, where);
+  return {
+    name: checked.text(role.name, `${where}.name`),
+    list: checked.text(role.list, `${where}.list`),
+    priority: checked.integer(role.priority, `${where}.priority`),
+    robot: checked.integer(role.robot, `${where}.robot`),
+  };
+}
+
+function termOf(value: unknown, where: string): Term {
+  const term = checked.object(value, where);
+  return {
+    name: checked.text(term.name, `${where}.name`),
+    weight: checked.number(term.weight, `${where}.weight`),
+  };
+}
+
+function contextOf(value: unknown, where: string): Context {
+  const context = checked.object(value, where);
+  const word = (key: string) => checked.text(context[key] ?? "", `${where}.${key}`);
+  return {
+    name: checked.text(context.name, `${where}.name`),
+    priority: checked.number(context.priority ?? 0, `${where}.priority`),
+    plugin: word("plugin"),
+    parameters: word("parameters"),
+    list: word("list"),
+    utilityKnowledge: word("utility_knowledge"),
+    tasksKnowledge: word("tasks_knowledge"),
+    terms: checked.list(context.terms ?? [], `${where}.terms`, termOf),
+    positioner: word("positioner"),
+    assigner: word("assigner"),
+    sender: word("sender"),
+  };
+}
+
+function teamOf(value: unknown, where: string): Team {
+  const team = checked.object(value, where);
+  return {
+    name: checked.text(team.team, `${where}.team`),
+    file: checked.text(team.file ?? "", `${where}.file`),
+    robotRadius: positive(team.robot_radius, `${where}.robot_radius`),
+    roles: checked.list(team.roles, `${where}.roles`, roleOf),
+    contexts: checked.list(team.contexts, `${where}.contexts`, contextOf),
+  };
+}
+
+export function aboutOf(pairs: ReadonlyMap<string, string>): About {
+  const format = pairs.get("format") ?? "";
+  if (!/^\d+$/.test(format)) throw new UnreadableRecording("The recording does not say which format it has.");
+  if (Number(format) > readableFormat) {
+    throw new UnreadableRecording(
+      `This recording has format ${format}; this page reads format ${readableFormat}. It was written by ` +
+        `${pairs.get("program") ?? "a newer program"}: make the page again with that program's "regista view".`,
+    );
+  }
+  try {
+    return {
+      program: pairs.get("program") ?? "",
+      command: pairs.get("command") ?? "",
+      seed: pairs.get("seed") ?? "",
+      rules: pairs.get("rules") ?? "",
+      opening: pairs.get("opening") ?? "",
+      field: fieldOf(parsed(pairs, "field")),
+      ballRadius: positive(parsed(pairs, "ball_radius"), "ball_radius"),
+      packetBudget: checked.number(parsed(pairs, "packet_budget"), "packet_budget"),
+      halfSeconds: checked.number(parsed(pairs, "half_seconds"), "half_seconds"),
+      teams: [teamOf(parsed(pairs, "home"), "home"), teamOf(parsed(pairs, "away"), "away")],
+    };
+  } catch (error) {
+    if (!(error instanceof checked.WrongForm)) throw error;
+    throw new UnreadableRecording(`The recording's description of the match is damaged: ${error.message}.`);
+  }
+}

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// A whole recording, read: the course of the match ready to be drawn, decisions and beliefs as bytes until they are
+// asked for. What cannot be read is left out and named in `faults`.
+import { Game, playing } from "../model/game";
+import { Packets } from "../model/packets";
+import { type RoleCourse, roleCourse } from "../model/roles";
+import { timeText } from "../model/text";
+import { type About, type Side, UnreadableRecording, aboutOf, bothSides, sideNames } from "./about";
+import { WrongForm } from "./checked";
+import { type ContainerMessage, readContainer } from "./container";
+import { Log, parsedJson } from "./log";
+import {
+  type Belief,
+  type Decision,
+  type EventMessage,
+  beliefOf,
+  decisionOf,
+  eventOf,
+  gameOf,
+  heardOf,
+  packetOf,
+  phases,
+} from "./messages";
+
+export interface Match {
+  about: About;
+  game: Game;
+  events: EventMessage[];
+  packets: Packets;
+  decisions: [Log<Decision>[], Log<Decision>[]]; // by side and robot (n - 1)
+  beliefs: [Log<Belief>[], Log<Belief>[]];
+  courses: [RoleCourse, RoleCourse]; // by side
+  // Whether the phase was Playing when a decision was taken: [side][robot - 1][decision].
+  inPlay: [boolean[][], boolean[][]];
+  faults: string[]; // sentences, the first ones of each kind
+}
+
+// A whole match has some 15 MB; unpacked, a recording takes about five times its size in memory.
+export const mostBytes = 256 * 2 ** 20;
+
+// Events with which a phase begins; the truth is sampled, so a phase may begin between two samples.
+const phaseOfEvent: Readonly<Record<string, number>> = {
+  half_begins: phases.indexOf("initial"),
+  ready: phases.indexOf("ready"),
+  set: phases.indexOf("set"),
+  kick_off: playing,
+  opening: playing,
+  finished: phases.indexOf("finished"),
+};
+
+// Robots a recording may name: the truth holds them as bits.
+const mostRobots = 31;
+
+class Reading {
+  about: About | null = null;
+  game: Game | null = null;
+  events: EventMessage[] = [];
+  packets: Packets | null = null;
+  decisions: [Log<Decision>[], Log<Decision>[]] = [[], []];
+  beliefs: [Log<Belief>[], Log<Belief>[]] = [[], []];
+  inPlay: [boolean[][], boolean[][]] = [[], []];
+  waiting: (() => void)[] = []; // packets written before the first sample of the truth
+  phase = -1;
+  faultCount = new Map<string, { count: number; first: string }>();
+
+  message({ topic, time, data }: ContainerMessage): void {
+    if (this.about === null) throw new UnreadableRecording(foreign);
+    try {
+      this.take(topic, time, data);
+    } catch (error) {
+      if (!(error instanceof WrongForm)) throw error;
+      const fault = this.faultCount.get(topic);
+      if (fault !== undefined) ++fault.count;
+      else this.faultCount.set(topic, { count: 1, first: `at ${timeText(time)}: ${error.message}` });
+    }
+  }
+
+  private take(topic: string, time: number, data: Uint8Array): void {
+    switch (topic) {
+      case "/game": {
+        const message = gameOf(parsedJson(data));
+        if (this.game === null) {
+          const sizes = [message.robots[0].length, message.robots[1].length] as const;
+          if (Math.max(...sizes) > mostRobots) throw new WrongForm(`more than ${mostRobots} robots in a team`);
+          this.game = new Game(sizes);
+          this.packets = new Packets(sizes);
+        }
+        this.game.add(message);
+        this.phase = phases.indexOf(message.phase);
+        this.waiting.splice(0).forEach((add) => add());
+        return;
+      }
+      case "/event": {
+        const event = eventOf(parsedJson(data));
+        this.events.push(event);
+        this.phase = phaseOfEvent[event.event] ?? this.phase;
+        return;
+      }
+      case "/packet": {
+        const packet = packetOf(parsedJson(data));
+        return this.whenKnown(() => this.packets!.addSent(packet));
+      }
+      case "/heard": {
+        const heard = heardOf(parsedJson(data));
+        return this.whenKnown(() => this.packets!.addHeard(heard));
+      }
+    }
+    const [, kind, sideName, digits] = topic.split("/");
+    const side = sideNames.indexOf(sideName as "home" | "away") as Side | -1;
+    const number = Number(digits);
+    if ((kind !== "decision" && kind !== "belief") || side === -1) return; // of something else: leave it
+    if (!Number.isInteger(number) || number < 1 || number > mostRobots) return;
+    if (kind === "decision") {
+      (this.decisions[side][number - 1] ??= new Log(decisionOf)).add(time, data);
+      (this.inPlay[side][number - 1] ??= []).push(this.phase === playing);
+    } else {
+      (this.beliefs[side][number - 1] ??= new Log(beliefOf)).add(time, data);
+    }
+  }
+
+  private whenKnown(add: () => void): void {
+    if (this.packets === null) this.waiting.push(add);
+    else add();
+  }
+}
+
+const foreign = "This is an MCAP file, but not the recording of a match by Regista: it does not describe a match.";
+
+export async function readMatch(bytes: Uint8Array, progress?: (share: number) => void): Promise<Match> {
+  const reading = new Reading();
+  const { damage, reason } = await readContainer(
+    bytes,
+    {
+      metadata: (name, pairs) => {
+        if (name === "match") reading.about ??= aboutOf(pairs);
+      },
+      message: (message) => reading.message(message),
+    },
+    progress,
+  );
+
+  const { about, game, packets } = reading;
+  const broken =
+    damage === "cut off" ? " The file is cut off." : damage === "damaged" ? ` The file is damaged: ${reason}` : "";
+  if (about === null) throw new UnreadableRecording(foreign + broken);
+  const faults: string[] = [];
+  for (const [topic, { count, first }] of reading.faultCount) {
+    faults.push(`${count} ${count === 1 ? "message" : "messages"} of ${topic} cannot be read, the first one ${first}.`);
+  }
+  if (game === null || packets === null || game.count === 0) {
+    const why = reading.faultCount.size > 0 ? ` ${faults.join(" ")}` : "";
+    throw new UnreadableRecording(`The recording holds no moment of the match.${why}${broken}`);
+  }
+  const shownTo = `What is complete is shown, up to ${timeText(game.end)}.`;
+  if (damage === "cut off") faults.unshift(`This recording is cut off. ${shownTo}`);
+  if (damage === "damaged") faults.unshift(`This recording is damaged (${reason}). ${shownTo}`);
+
+  for (const side of bothSides) {
+    for (let n = 0; n < game.sizes[side]; ++n) {
+      reading.decisions[side][n] ??= new Log(decisionOf);
+      reading.beliefs[side][n] ??= new Log(beliefOf);
+      reading.inPlay[side][n] ??= [];
+    }
+  }
+  const course = (side: Side) => roleCourse(game, side, about.teams[side].roles);
+  return {
+    about,
+    game,
+    packets,
+    faults,
+    events: reading.events,
+    decisions: reading.decisions,
+    beliefs: reading.beliefs,
+    inPlay: reading.inPlay,
+    courses: [course(0), course(1)],
+  };
+}

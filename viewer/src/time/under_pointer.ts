@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// What stands under a point of the timeline's window, in words.
+import type { Robot, View } from "../app/state";
+import { roleName } from "../model/look";
+import type { Stretch } from "../model/roles";
+import { listText, secondsText, timeText, words } from "../model/text";
+import { lastNotAfter } from "../recording/log";
+import { packetLines } from "../panels/packet_lines";
+import { type Detail, axisHeight, stripHeight } from "./detail";
+
+// robot: whom a click there chooses.
+export interface Found {
+  lines: string[];
+  robot: Robot | null;
+}
+
+export function underPointer(detail: Detail, view: View, px: number, py: number): Found {
+  const { match, scale } = detail;
+  const { side } = view;
+  const time = scale.time(px);
+  const lines = [timeText(time)];
+  const top = detail.canvas.height - 2 * stripHeight - 2;
+  const inStretch = (stretch: Stretch) =>
+    time >= stretch.from - 2 / scale.pixelsPerSecond && time <= stretch.to + 2 / scale.pixelsPerSecond;
+  if (py >= top) {
+    const over = py < top + stripHeight;
+    for (const stretch of (over ? match.courses[side].overlaps : match.courses[side].uncovered)
+      .filter(inStretch)
+      .slice(0, 8)) {
+      const name = roleName(match, side, stretch.role);
+      const length = secondsText(stretch.samples / 10);
+      lines.push(over ? `${name}: robots ${listText(stretch.robots)} for ${length}` : `${name}: nobody for ${length}`);
+    }
+    return { lines, robot: null };
+  }
+  const row = Math.floor((py - axisHeight) / detail.rowHeight(side));
+  if (row < 0) {
+    const near = match.events.filter((event) => Math.abs(scale.x(event.time) - px) < 5);
+    for (const event of near.slice(0, 4)) {
+      const whose = match.about.teams[event.side].name;
+      lines.push(
+        `${timeText(event.time, 2)} ${words(event.event)}, ${whose}${event.robot > 0 ? ` ${event.robot}` : ""}`,
+      );
+    }
+    return { lines, robot: null };
+  }
+  const number = row + 1;
+  if (number > match.game.sizes[side]) return { lines, robot: null };
+  const index = match.game.indexAt(time);
+  const runs = match.courses[side].runs[row]!;
+  const run =
+    runs[
+      lastNotAfter(
+        runs.map((r) => r.from),
+        index,
+      )
+    ];
+  if (run !== undefined) {
+    const from = match.game.times[run.from]!;
+    const to = match.game.times[Math.min(run.to, match.game.count - 1)]!;
+    lines.push(`robot ${number}: ${roleName(match, side, run.role)} ${timeText(from)} to ${timeText(to)}`);
+  }
+  if (match.game.isPenalised(index, side, number)) lines.push("penalised");
+  const reach = 6 / scale.pixelsPerSecond;
+  for (const packet of match.packets.between(side, number, time - reach, time + reach).slice(0, 3)) {
+    lines.push(...packetLines(match, packet));
+  }
+  return { lines, robot: { side, number } };
+}

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: MIT
+// The viewer of one match: its parts, put together.
+import { Address, fragmentOf, readFragment } from "./app/fragment";
+import { type Key, listenToKeys } from "./app/keys";
+import { type Palette, readPalette } from "./app/palette";
+import { Playback } from "./app/playback";
+import { type LayerName, type PanelName, State, type View, layerNames, panelNames, speeds } from "./app/state";
+import { decisionStep, eventStep, timeOf } from "./app/steps";
+import type { Theme } from "./app/theme";
+import { Field } from "./field/field";
+import { type Pair, pairAt } from "./model/compare";
+import { type Stretch, neighbour } from "./model/roles";
+import { countSwitches } from "./model/switches";
+import { timeText } from "./model/text";
+import { ComparePanel } from "./panels/compare";
+import { byId, element, setText } from "./panels/elements";
+import { Head } from "./panels/head";
+import { MatchPanel } from "./panels/match";
+import { OverlapList } from "./panels/overlaps";
+import { RobotPanel } from "./panels/robot";
+import type { Side } from "./recording/about";
+import type { Match } from "./recording/match";
+import { Timeline } from "./time/timeline";
+
+const panelTexts: Record<PanelName, string> = {
+  overlaps: "Overlaps",
+  robot: "Robot",
+  compare: "Compare",
+  match: "Match",
+};
+const layerTexts: Record<LayerName, [string, string]> = {
+  belief: ["Belief", "b"],
+  ellipses: ["Ellipses", "i"],
+  nodes: ["Voronoi", "v"],
+  tasks: ["Tasks", "j"],
+  trails: ["Trails", "l"],
+};
+const panelMilliseconds = 100; // between two updates of the panels while time passes
+const largestShare = 0.56; // of the width, for the field
+
+export class Viewer {
+  readonly state: State;
+  readonly playback: Playback;
+  private palette: Palette;
+  private readonly field: Field;
+  private readonly timeline: Timeline;
+  private readonly head: Head;
+  private readonly list: OverlapList;
+  private readonly robotPanel: RobotPanel;
+  private readonly comparePanel: ComparePanel;
+  private readonly matchPanel: MatchPanel;
+  private readonly address: Address;
+  private panelsDrawn = 0;
+  private panelsStale = true;
+
+  constructor(
+    private readonly match: Match,
+    name: string,
+    private readonly theme: Theme,
+  ) {
+    this.state = new State(match.game.begin, match.game.end);
+    this.palette = readPalette();
+    this.field = new Field(byId("field"), match, this.palette);
+    this.timeline = new Timeline(
+      {
+        box: byId("timeline"),
+        overview: byId("overview"),
+        budget: byId("budget"),
+        detail: byId("detail"),
+        wholeLine: byId("whole-line"),
+        windowLine: byId("window-line"),
+        tip: byId("tip"),
+      },
+      match,
+      this.state,
+      this.palette,
+    );
+    this.head = new Head(match);
+    this.list = new OverlapList(byId("panel-overlaps"), match, (stretch) => this.jump(stretch));
+    this.robotPanel = new RobotPanel(byId("panel-robot"), match, (knowledge) => this.state.set({ knowledge }));
+    this.comparePanel = new ComparePanel(byId("panel-compare"), byId("tab-row"), match, (pair) =>
+      this.state.set({ pair }),
+    );
+    this.matchPanel = new MatchPanel(byId("panel-match"), match, name, (time) => this.state.set({ time }));
+    this.address = new Address(() => fragmentOf(this.state.view.time, this.state.view.robot));
+    this.playback = new Playback(this.state, (now) => this.draw(now));
+    theme.changed = () => this.repaint();
+    this.state.listen((changed) => this.changed(changed));
+    this.buildControls();
+    this.go(location.hash);
+    this.address.listen((fragment) => this.go(fragment));
+    new ResizeObserver(() => this.resize()).observe(byId("viewer"));
+    this.resize();
+    this.showControls(this.state.view);
+    void countSwitches(match, () => new Promise((resolve) => setTimeout(resolve, 4))).then((switches) => {
+      this.matchPanel.setSwitches(switches);
+      document.body.dataset.counted = "true";
+    });
+  }
+
+  private go(fragment: string): void {
+    const { time, robot } = readFragment(fragment, this.match.game.sizes);
+    if (time !== null) this.state.set({ time });
+    if (robot !== null) {
+      this.state.choose(robot);
+      this.state.set({ panel: "robot" });
+    }
+  }
+
+  private resize(): void {
+    const stage = byId("stage");
+    const layers = byId("layers");
+    const most = Math.max(200, byId("middle").clientHeight - layers.offsetHeight - 6);
+    const width = Math.floor(Math.min(most * this.field.projection.aspect, byId("middle").clientWidth * largestShare));
+    const height = Math.floor(Math.min(most, width / this.field.projection.aspect));
+    const canvas = byId("field");
+    canvas.style.width = `${width}px`;
+    canvas.style.height = `${height}px`;
+    stage.style.width = `${width + 8}px`;
+    this.field.resize(width, height);
+    const timeline = byId("timeline");
+    for (const id of ["overview", "detail"]) byId(id).style.width = `${timeline.clientWidth}px`;
+    byId("overview").style.height = "44px";
+    byId("detail").style.height = `${timeline.clientHeight - 98}px`;
+    this.timeline.resize();
+    this.state.touch();
+  }
+
+  private repaint(): void {
+    this.palette = readPalette();
+    this.field.setPalette(this.palette);
+    this.timeline.setPalette(this.palette);
+    this.state.touch();
+  }
+
+  private changed(changed: ReadonlySet<keyof View>): void {
+    const { view } = this.state;
+    if (["robot", "side", "pair", "panel"].some((key) => changed.has(key as keyof View))) this.timeline.invalidate();
+    if ([...changed].some((key) => key !== "time")) this.showControls(view);
+    if (!view.playing || [...changed].some((key) => key !== "time")) this.panelsStale = true;
+    if (changed.has("time") || changed.has("robot")) this.address.touch();
+  }
+
+  private draw(now: number): void {
+    this.field.draw(this.state);
+    this.timeline.draw();
+    if (!this.panelsStale && now - this.panelsDrawn < panelMilliseconds) return;
+    this.panelsDrawn = now;
+    this.panelsStale = false;
+    const { view } = this.state;
+    this.head.update(view.time);
+    const time = byId<HTMLInputElement>("time");
+    if (document.activeElement !== time) time.value = timeText(view.time);
+    const scrub = byId<HTMLInputElement>("scrub");
+    scrub.value = view.time.toFixed(1);
+    scrub.setAttribute("aria-valuetext", timeText(view.time));
+    if (view.panel === "overlaps") this.list.update(view.time, true);
+    if (view.panel === "robot") this.robotPanel.update(view);
+    if (view.panel === "compare") {
+      this.followPair(view);
+      this.comparePanel.update(this.state.view);
+    }
+  }
+
+  // Of three robots that share a role one may leave: the pair compared is of those that still do.
+  private followPair(view: View): void {
+    if (view.pair === null || !view.playing) return;
+    const robots = pairAt(this.match, view.pair, view.time);
+    if (robots !== null && robots.join() !== view.pair.robots.join())
+      this.state.set({ pair: { ...view.pair, robots } });
+  }
+
+  private jump(stretch: Stretch): void {
+    const time = stretch.from;
+    const change: Partial<View> = { time, playing: false, side: stretch.side };
+    if (stretch.robots.length >= 2) {
+      const robots = pairAt(this.match, stretch, time) ?? [stretch.robots[0]!, stretch.robots[1]!];
+      const pair: Pair = { side: stretch.side, role: stretch.role, robots };
+      Object.assign(change, { pair, panel: "compare", robot: { side: stretch.side, number: robots[0] } });
+    }
+    this.list.chosen = stretch;
+    this.state.set(change);
+    this.list.update(time, true);
+  }
+
+  private jumpBy(direction: 1 | -1): void {
+    const stretch = neighbour(this.list.stretches, this.state.view.time, direction, this.list.chosen);
+    if (stretch !== null) this.jump(stretch);
+  }
+
+  private stepDecision(direction: 1 | -1): void {
+    const time = decisionStep(this.match, this.state.view, direction);
+    if (time !== null) this.state.set({ time, playing: false });
+  }
+
+  private stepEvent(direction: 1 | -1): void {
+    const time = eventStep(this.match, this.state.view, direction);
+    if (time !== null) this.state.set({ time });
+  }
+
+  private by(seconds: number): void {
+    this.state.set({ time: this.state.view.time + seconds });
+  }
+
+  private chooseNumber(number: number): void {
+    const { side } = this.state.view;
+    if (number > this.match.game.sizes[side]) return;
+    this.state.choose({ side, number });
+    this.state.set({ panel: "robot" });
+  }
+
+  private otherSide(): void {
+    const { view } = this.state;
+    const side: Side = view.side === 0 ? 1 : 0;
+    const robot =
+      view.robot !== null && view.robot.number <= this.match.game.sizes[side]
+        ? { side, number: view.robot.number }
+        : null;
+    this.state.set({ side, robot, pair: null });
+  }
+
+  private keys(): Key[] {
+    const key = (keys: string[], shown: string, does: string, run: Key["run"]): Key => ({ keys, shown, does, run });
+    return [
+      key([" "], "Space", "play or pause", () => this.playback.toggle()),
+      key(["ArrowLeft"], "\u2190", "1 s back", () => this.by(-1)),
+      key(["ArrowRight"], "\u2192", "1 s on", () => this.by(1)),
+      key(["Shift+ArrowLeft"], "Shift \u2190", "0.1 s back", () => this.by(-0.1)),
+      key(["Shift+ArrowRight"], "Shift \u2192", "0.1 s on", () => this.by(0.1)),
+      key(["PageUp"], "Page \u2191", "30 s back", () => this.by(-30)),
+      key(["PageDown"], "Page \u2193", "30 s on", () => this.by(30)),
+      key(["Home"], "Home", "to the beginning", () => this.state.set({ time: this.state.begin })),
+      key(["End"], "End", "to the end", () => this.state.set({ time: this.state.end })),
+      key([","], ",", "previous decision", () => this.stepDecision(-1)),
+      key(["."], ".", "next decision", () => this.stepDecision(1)),
+      key(["[", "p"], "[, p", "previous overlap of the list", () => this.jumpBy(-1)),
+      key(["]", "n"], "], n", "next overlap of the list", () => this.jumpBy(1)),
+      key(["e"], "e", "next event", () => this.stepEvent(1)),
+      key(["E"], "Shift e", "previous event", () => this.stepEvent(-1)),
+      key(["+"], "+", "faster", () => this.playback.change(1)),
+      key(["-"], "\u2212", "slower", () => this.playback.change(-1)),
+      key(["1", "2", "3", "4", "5", "6", "7", "8", "9"], "1 \u2013 9", "choose a robot", (event) =>
+        this.chooseNumber(Number(event.key)),
+      ),
+      key(["0", "Escape"], "0, Esc", "choose none", () => this.state.choose(null)),
+      key(["t"], "t", "the other team", () => this.otherSide()),
+      key(["o"], "o", "list of overlaps", () => this.state.set({ panel: "overlaps" })),
+      key(["r"], "r", "the chosen robot", () => this.state.set({ panel: "robot" })),
+      key(["c"], "c", "comparison", () => this.state.set({ panel: "compare" })),
+      key(["m"], "m", "sums, events, recording", () => this.state.set({ panel: "match" })),
+      ...layerNames.map((layer) =>
+        key([layerTexts[layer][1]], layerTexts[layer][1], `${layerTexts[layer][0].toLowerCase()} on or off`, () =>
+          this.state.toggle(layer),
+        ),
+      ),
+      key(["="], "=", "less time in the timeline", () => this.zoom(0.6)),
+      key(["_"], "_", "more time in the timeline", () => this.zoom(1.7)),
+      key(["d"], "d", "light or dark", () => this.theme.toggle()),
+      key(["?"], "?", "this help", () => byId<HTMLDialogElement>("help").showModal()),
+    ];
+  }
+
+  private zoom(factor: number): void {
+    this.timeline.zoom(factor);
+    this.state.touch();
+  }
+
+  private buildControls(): void {
+    const click = (id: string, run: () => void) => byId(id).addEventListener("click", run);
+    click("play", () => this.playback.toggle());
+    click("previous-overlap", () => this.jumpBy(-1));
+    click("next-overlap", () => this.jumpBy(1));
+    click("previous-decision", () => this.stepDecision(-1));
+    click("next-decision", () => this.stepDecision(1));
+    click("side", () => this.otherSide());
+    click("zoom-in", () => this.zoom(0.6));
+    click("zoom-out", () => this.zoom(1.7));
+    click("theme", () => this.theme.toggle());
+    click("help-open", () => byId<HTMLDialogElement>("help").showModal());
+
+    const speed = byId<HTMLSelectElement>("speed");
+    for (const value of speeds) speed.append(element("option", { value: String(value) }, `${value}\u00d7`));
+    speed.addEventListener("change", () => this.state.set({ speed: Number(speed.value) }));
+
+    const scrub = byId<HTMLInputElement>("scrub");
+    scrub.min = String(this.state.begin);
+    scrub.max = String(this.state.end);
+    scrub.addEventListener("input", () => this.state.set({ time: Number(scrub.value) }));
+    setText(byId("end"), timeText(this.state.end));
+    const time = byId<HTMLInputElement>("time");
+    time.addEventListener("focus", () => time.select());
+    time.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter" && event.key !== "Escape") return;
+      const typed = event.key === "Enter" ? timeOf(this.match.game, time.value) : this.state.view.time;
+      time.classList.toggle("wrong", typed === null);
+      if (typed === null) return;
+      this.state.set({ time: typed });
+      time.blur();
+      this.state.touch();
+    });
+    time.addEventListener("blur", () => {
+      time.classList.remove("wrong");
+      time.value = timeText(this.state.view.time);
+    });
+
+    for (const panel of panelNames) {
+      const tab = element(
+        "button",
+        { type: "button", role: "tab", id: `tab-${panel}`, "aria-controls": `panel-${panel}` },
+        panelTexts[panel],
+      );
+      tab.addEventListener("click", () => this.state.set({ panel }));
+      byId("tabs").append(tab);
+    }
+    for (const layer of layerNames) {
+      const [text, key] = layerTexts[layer];
+      const button = element(
+        "button",
+        { type: "button", id: `layer-${layer}`, title: `${text} on or off (${key})` },
+        text,
+      );
+      button.addEventListener("click", () => this.state.toggle(layer));
+      byId("layers").append(button);
+    }
+    byId("field").addEventListener("click", (event) => {
+      const box = byId("field").getBoundingClientRect();
+      const robot = this.field.robotAt(event.clientX - box.left, event.clientY - box.top);
+      this.state.choose(robot);
+      if (robot !== null) this.state.set({ panel: "robot" });
+    });
+    const keys = this.keys();
+    listenToKeys(keys);
+    byId("keys").append(
+      element(
+        "tbody",
+        {},
+        ...keys.map((key) =>
+          element("tr", {}, element("td", {}, element("kbd", {}, key.shown)), element("td", {}, key.does)),
+        ),
+      ),
+    );
+  }
+
+  private showControls(view: View): void {
+    const play = byId("play");
+    setText(play, view.playing ? "Pause" : "Play");
+    play.setAttribute("aria-pressed", String(view.playing));
+    byId<HTMLSelectElement>("speed").value = String(view.speed);
+    const { teams } = this.match.about;
+    setText(byId("side"), `${teams[view.side].name} \u21c4`);
+    byId("side").setAttribute(
+      "aria-label",
+      `Timeline of ${teams[view.side].name}; change to ${teams[view.side === 0 ? 1 : 0].name}`,
+    );
+    for (const panel of panelNames) {
+      const tab = byId(`tab-${panel}`);
+      tab.setAttribute("aria-selected", String(view.panel === panel));
+      byId(`panel-${panel}`).hidden = view.panel !== panel;
+    }
+    this.comparePanel.showBar(view);
+    for (const layer of layerNames) byId(`layer-${layer}`).setAttribute("aria-pressed", String(view.layers[layer]));
+  }
+}

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: MIT
+// Reading and the model, without a browser.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { fragmentOf, readFragment } from "../src/app/fragment";
+import { decisionStep } from "../src/app/steps";
+import { compare, compareEntry, greatestDifference, pairAt } from "../src/model/compare";
+import { ellipseOf } from "../src/field/shapes";
+import { Moment } from "../src/model/game";
+import { lookAt } from "../src/model/look";
+import { neighbour } from "../src/model/roles";
+import { countSwitches } from "../src/model/switches";
+import { parsedTime, signed, timeText } from "../src/model/text";
+import { fromBase64 } from "../src/recording/embedded";
+import { lastNotAfter } from "../src/recording/log";
+import { type Match, readMatch } from "../src/recording/match";
+import type { State } from "../src/app/state";
+import { ballAt, metadata, penalisedAt, phaseAt, posesAt, recording, rolesAt, seconds, sizes } from "./synthetic";
+
+const whole = await recording();
+const match = await readMatch(whole);
+const noPause = async () => {};
+
+const samples = Array.from({ length: 10 * seconds + 1 }, (_, i) => i / 10);
+
+test("a recording is read as it was written", () => {
+  assert.deepEqual(match.faults, []);
+  assert.equal(match.game.count, samples.length);
+  assert.deepEqual(
+    match.about.teams.map((team) => team.name),
+    ["blue", "red"],
+  );
+  assert.equal(match.packets.unmatched, 0);
+  assert.deepEqual(
+    match.events.map((event) => event.event),
+    ["half_begins", "set", "kick_off", "goal", "finished"],
+  );
+  const moment = new Moment(match.game);
+  for (const time of samples) {
+    moment.set(time);
+    assert.ok(Math.hypot(moment.ball[0]! - ballAt(time)[0], moment.ball[1]! - ballAt(time)[1]) < 1e-4);
+    for (const side of [0, 1] as const) {
+      for (let n = 1; n <= sizes[side]; ++n) {
+        const at = 3 * match.game.place(side, n);
+        const [x, y, heading] = posesAt(time)[side][n - 1]!;
+        assert.ok(Math.hypot(moment.poses[at]! - x!, moment.poses[at + 1]! - y!) < 1e-4);
+        assert.ok(Math.abs(moment.poses[at + 2]! - heading!) < 1e-5);
+        assert.equal(match.game.role(moment.index, side, n), rolesAt(time)[side][n - 1]);
+      }
+    }
+  }
+});
+
+test("overlap and uncovered are counted as the definition says", () => {
+  for (const side of [0, 1] as const) {
+    for (const [role, { list, priority, robot }] of match.about.teams[side].roles.entries()) {
+      let overlap = 0;
+      let uncovered = 0;
+      for (const time of samples) {
+        if (phaseAt(time) !== "playing") continue;
+        const active = rolesAt(time)
+          [side].map((held, i) => ({ held, n: i + 1 }))
+          .filter(({ n }) => !penalisedAt(time)[side].includes(n));
+        const holders = active.filter(({ held }) => held === role).length;
+        if (holders >= 2) ++overlap;
+        const lists = ["playing", "searching"].map(
+          (name) => active.filter(({ held }) => match.about.teams[side].roles[held]?.list === name).length,
+        );
+        const inForce = lists[0] === 0 && lists[1] === 0 ? "" : lists[0]! >= lists[1]! ? "playing" : "searching";
+        const may = robot === 0 || active.some(({ n }) => n === robot);
+        if (holders === 0 && list === inForce && priority < active.length && may) ++uncovered;
+      }
+      assert.equal(match.courses[side].sums[role]!.overlap.toFixed(1), (overlap / 10).toFixed(1), `${side} ${role}`);
+      assert.equal(
+        match.courses[side].sums[role]!.uncovered.toFixed(1),
+        (uncovered / 10).toFixed(1),
+        `${side} ${role}`,
+      );
+    }
+  }
+  // By hand: 1 s, and 2.5 s of which robot 3 was penalised for one, and nothing else.
+  assert.equal(match.courses[0].sums[1]!.overlap.toFixed(1), "2.5");
+  const listed = match.courses[0].overlaps.map(({ role, robots, from, to, samples: count }) => [
+    role,
+    robots.join("+"),
+    from.toFixed(1),
+    to.toFixed(1),
+    count,
+  ]);
+  assert.deepEqual(listed, [
+    [1, "2+3", "20.0", "21.0", 10],
+    [1, "2+3", "30.0", "31.0", 10],
+    [1, "2+3", "32.0", "32.5", 5],
+  ]);
+  assert.deepEqual(match.courses[1].overlaps, []);
+});
+
+test("stretches add up to the sums", () => {
+  for (const course of match.courses) {
+    for (const [role, sum] of course.sums.entries()) {
+      const of = (kind: "overlaps" | "uncovered") =>
+        course[kind].filter((stretch) => stretch.role === role).reduce((total, stretch) => total + stretch.samples, 0) /
+        10;
+      assert.equal(of("overlaps").toFixed(1), sum.overlap.toFixed(1));
+      assert.equal(of("uncovered").toFixed(1), sum.uncovered.toFixed(1));
+    }
+  }
+});
+
+test("switches count roles taken in play", async () => {
+  const { byRole, unreadable } = await countSwitches(match, noPause);
+  assert.equal(unreadable, 0);
+  // Robot 2: striker at 20 and 30, defender again at 21 and 32.5; robot 1 its goal at 41. Taken at 0 s: not in play.
+  assert.deepEqual(byRole[0], [1, 2, 2, 0]);
+  // Robot 2 of away: searcher at 12, striker at 15.
+  assert.deepEqual(byRole[1], [0, 1, 0, 1]);
+});
+
+test("jumps go to the next and the previous stretch", () => {
+  const all = match.courses[0].overlaps;
+  assert.equal(neighbour(all, 0, 1), all[0]);
+  assert.equal(neighbour(all, all[0]!.from, 1), all[1]);
+  assert.equal(neighbour(all, all[1]!.from, -1), all[0]);
+  assert.equal(neighbour(all, all[0]!.from, -1), null);
+  assert.equal(neighbour(all, 1000, 1), null);
+  // Of three that begin together each has its turn, forwards and back.
+  const together = [0, 1, 2].map((role) => ({ ...all[0]!, role }));
+  assert.equal(neighbour(together, 20, 1, together[0]), together[1]);
+  assert.equal(neighbour(together, 20, -1, together[2]), together[1]);
+  assert.equal(neighbour(together, 20, 1, together[2]), null);
+  assert.equal(neighbour(together, 10, 1, together[2]), together[0], "time has gone elsewhere");
+});
+
+test("between two samples things move evenly, but what was put elsewhere jumps", async () => {
+  const moment = new Moment(match.game);
+  moment.set(10.05);
+  assert.ok(Math.abs(moment.ball[0]! - (-3 + 0.1 * 10.05)) < 1e-4);
+  const far = await readMatch(
+    await recording({
+      message: (topic, message) => {
+        if (topic !== "/game") return message;
+        const time = message.time as number;
+        const home = (message.home as number[][]).map((pose) => [...pose]);
+        home[1] = time < 19.95 ? [0, 0, 3.1] : [3, 0, -3.1];
+        home[2] = time < 19.95 ? [0, 0, 3.1] : [0.1, 0, -3.1];
+        return { ...message, home, ball: time < 19.95 ? [0, 0, 0, 0] : [4, 0, 0, 0] };
+      },
+    }),
+  );
+  const between = new Moment(far.game).set(19.95);
+  assert.equal(between.poses[3], 0, "was put elsewhere");
+  assert.ok(Math.abs(between.poses[6]! - 0.05) < 1e-3, "walked");
+  // From 3.1 to -3.1 it turns the short way, through pi.
+  assert.ok(Math.abs(Math.abs(between.poses[8]!) - Math.PI) < 1e-3);
+  assert.equal(between.ball[0], 0);
+});
+
+test("who heard which packet", () => {
+  const { packets } = match;
+  assert.equal(packets.sent[0][1]!.length, 13);
+  assert.deepEqual(packets.sent[0][1]!.map((packet) => [...packet.heard.keys()].join("+")).slice(0, 4), [
+    "1+3",
+    "1",
+    "1+3",
+    "1",
+  ]);
+  // At 17 s robot 3 last heard the packet of 10 s and missed that of 15 s; robot 1 missed none.
+  const news = packets.news(0, 3, 2, 17);
+  assert.deepEqual([news.heard?.time, news.missed.map((packet) => packet.time)], [10, [15]]);
+  assert.deepEqual([packets.news(0, 1, 2, 17).heard?.time, packets.news(0, 1, 2, 17).missed.length], [15, 0]);
+  // Heard 50 ms after it was sent: not before.
+  assert.equal(packets.news(0, 1, 2, 15.01).heard?.time, 10);
+  assert.equal(packets.news(0, 2, 1, 17).heard, null);
+});
+
+test("decisions and beliefs are those of the moment", () => {
+  assert.equal(lookAt(match, 0, 2, 20.5).decision?.role, 1);
+  assert.equal(lookAt(match, 0, 2, 19.99).decision?.role, 2);
+  assert.equal(lookAt(match, 0, 2, 20.6).belief?.time, 20.5);
+  assert.equal(lookAt(match, 0, 1, 20).belief?.mine.ball, null);
+  const view = {
+    time: 20,
+    robot: { side: 0, number: 2 },
+    side: 0,
+    panel: "robot",
+    pair: null,
+  } as unknown as State["view"];
+  assert.equal(decisionStep(match, view, 1), 21);
+  assert.equal(decisionStep(match, view, -1), 0);
+});
+
+test("two robots are compared", () => {
+  const pair = { side: 0, role: 1, robots: pairAt(match, { side: 0, role: 1 }, 20.5) } as const;
+  assert.deepEqual(pair.robots, [2, 3]);
+  const given = { ...pair, robots: [2, 3] as [number, number] };
+  const found = compare(match, given, 20.5);
+  const [a, b] = [lookAt(match, 0, 2, 20.5).decision!, lookAt(match, 0, 3, 20.5).decision!];
+  for (const line of found.assigned) {
+    assert.deepEqual(line.assigned, [a.assigned[line.robot - 1], b.assigned[line.robot - 1]]);
+    assert.equal(line.differs, line.assigned[0] !== line.assigned[1]);
+    assert.equal(line.holds, rolesAt(20.5)[0][line.robot - 1]);
+  }
+  const entry = compareEntry(match, given, found.looks, 2, 1);
+  assert.equal(entry.difference, b.utility[1]![1]! - a.utility[1]![1]!);
+  const sum = entry.terms.reduce((total, term) => total + term.difference, 0);
+  assert.ok(Math.abs(sum - entry.difference!) < 1e-4, "the terms explain the difference");
+  let most = 0;
+  for (const [i, row] of a.utility.entries()) {
+    for (const [j, value] of row.entries()) {
+      if (value !== null && b.utility[i]![j] !== null) most = Math.max(most, Math.abs(b.utility[i]![j]! - value));
+    }
+  }
+  assert.equal(Math.abs(greatestDifference(match, given, found.looks)!.entry.difference!), most);
+  const ball = found.beliefs.find((line) => line.robot === 0)!;
+  assert.equal(ball.apart, 0);
+  assert.ok(Math.abs(ball.by[0]!.error - 0.5) < 1e-4, "0.4 and 0.3 m off");
+  assert.deepEqual(
+    found.beliefs.find((line) => line.robot === 2)!.by.map((of) => of?.error.toFixed(2)),
+    ["0.00", "0.30"],
+  );
+  assert.deepEqual([found.news[1].heard?.time, found.news[1].missed.length], [20, 0]);
+});
+
+test("an ellipse has the axes of its covariance", () => {
+  assert.deepEqual(ellipseOf([4, 0, 1]), { major: 2, minor: 1, angle: 0 });
+  const { major, minor, angle } = ellipseOf([2.5, 1.5, 2.5]);
+  assert.ok(Math.abs(major - 2) < 1e-12 && Math.abs(minor - 1) < 1e-12 && Math.abs(angle - Math.PI / 4) < 1e-12);
+});
+
+test("a file that was cut off yields its complete part, wherever it was cut", async () => {
+  let least = Infinity;
+  for (let i = 1; i < 60; ++i) {
+    const length = Math.floor((i * whole.length) / 60);
+    let cut: Match;
+    try {
+      cut = await readMatch(whole.slice(0, length));
+    } catch (error) {
+      assert.match((error as Error).message, /cut off/, `at ${length}`);
+      continue;
+    }
+    least = Math.min(least, length);
+    assert.match(cut.faults[0]!, /^This recording is cut off\. What is complete is shown, up to \d+:\d\d\.\d\.$/);
+    assert.ok(cut.game.count > 0 && cut.game.count <= match.game.count);
+    assert.equal(cut.game.times[cut.game.count - 1], samples[cut.game.count - 1]);
+  }
+  assert.ok(least < whole.length / 2);
+});
+
+test("what is damaged is said, and what stands before it is read", async () => {
+  const changed = whole.slice();
+  changed[Math.floor(whole.length * 0.6)]! ^= 0xff;
+  const read = await readMatch(changed);
+  assert.match(read.faults[0]!, /^This recording is damaged \(.+\)\. What is complete is shown/);
+  assert.ok(read.game.count > 10 && read.game.count < match.game.count);
+});
+
+const refused = (name: string, bytes: () => Promise<Uint8Array>, expected: RegExp) =>
+  test(`refused: ${name}`, async () => {
+    await assert.rejects(readMatch(await bytes()), { message: expected });
+  });
+const bytesOf = (text: string) => async () => new TextEncoder().encode(text);
+refused("empty", bytesOf(""), /The file is empty/);
+refused("something else", bytesOf("PK\u0003\u0004 not a recording"), /not in the MCAP format/);
+refused("three bytes of one", async () => whole.slice(0, 3), /cut off/);
+refused(
+  "another program's",
+  () => recording({ without: Object.keys(metadata()) }),
+  /not the recording of a match by Regista/,
+);
+refused(
+  "a newer format",
+  () => recording({ metadata: { format: "2" } }),
+  /has format 2; this page reads format 1\. It was written by regista test/,
+);
+refused("no format", () => recording({ without: ["format"] }), /which format/);
+refused("no field", () => recording({ without: ["field"] }), /has no "field"/);
+refused("a field that is no JSON", () => recording({ metadata: { field: "{" } }), /"field" is not JSON/);
+refused(
+  "a field without length",
+  () => recording({ metadata: { field: '{"length":0}' } }),
+  /field\.length is not positive/,
+);
+refused("a team of text", () => recording({ metadata: { home: '"x"' } }), /home is not an object but "x"/);
+refused(
+  "no moment",
+  () => recording({ message: (topic, message) => (topic === "/game" ? undefined : message) }),
+  /holds no moment/,
+);
+refused(
+  "moments of another form",
+  () => recording({ message: (topic, message) => (topic === "/game" ? { ...message, ball: [1, 2] } : message) }),
+  /no moment of the match\. 601 messages of \/game cannot be read, the first one at 0:00\.0: ball has 2 numbers, not 4/,
+);
+
+test("single messages that are wrong are left out and counted", async () => {
+  const read = await readMatch(
+    await recording({
+      raw: (topic, index) =>
+        topic === "/game" && index === 100 ? "{" : topic === "/event" && index === 1 ? "[]" : undefined,
+      message: (topic, message, index) => (topic === "/packet" && index < 2 ? { ...message, robot: "two" } : message),
+    }),
+  );
+  assert.equal(read.game.count, match.game.count - 1);
+  assert.deepEqual(read.faults, [
+    '2 messages of /packet cannot be read, the first one at 0:00.0: robot is not a whole number but "two".',
+    "1 message of /event cannot be read, the first one at 0:05.0: the message is not an object but [].",
+    "1 message of /game cannot be read, the first one at 0:10.0: it is not JSON.",
+  ]);
+});
+
+test("a decision or belief that is wrong is refused when it is asked for", async () => {
+  const read = await readMatch(
+    await recording({
+      message: (topic, message) =>
+        topic === "/decision/home/2"
+          ? { ...message, utility: [[1]] }
+          : topic === "/belief/home/2"
+            ? { ...message, mine: { ...(message.mine as object), teammates: { number: [1], pose: [] } } }
+            : message,
+    }),
+  );
+  assert.deepEqual(read.faults, []);
+  const look = lookAt(read, 0, 2, 20);
+  assert.equal(look.decision, null);
+  assert.match(
+    look.fault,
+    /^This decision .*: utility does not have 3 x 3 entries\. This belief .*: mine\.teammates\.pose has 0 entries/,
+  );
+  assert.notEqual(lookAt(read, 0, 3, 20).decision, null);
+});
+
+test("names of any kind stay what they are", async () => {
+  const teams: [string, string] = ["<script>alert(1)</script>\"'&", "\u202Eabc " + "x".repeat(200)];
+  const read = await readMatch(await recording({ teams }));
+  assert.deepEqual(
+    read.about.teams.map((team) => team.name),
+    teams,
+  );
+});
+
+test("moments and robots go through the address", () => {
+  assert.equal(fragmentOf(462.3, { side: 0, number: 3 }), "#t=462.3&robot=home/3");
+  assert.equal(fragmentOf(12.345678, null), "#t=12.35");
+  assert.deepEqual(readFragment("#t=462.3&robot=home/3", [7, 7]), { time: 462.3, robot: { side: 0, number: 3 } });
+  for (const wrong of [
+    "",
+    "#",
+    "#t=abc",
+    "#t=",
+    "#robot=home/8",
+    "#robot=home/0",
+    "#robot=guest/1",
+    "#robot=away",
+    "#t=NaN&robot=home/1.5",
+  ]) {
+    assert.deepEqual(readFragment(wrong, [7, 7]), { time: null, robot: null }, wrong);
+  }
+});
+
+test("times and numbers as text, and back", () => {
+  assert.equal(timeText(462.3), "7:42.3");
+  assert.equal(timeText(59.96), "1:00.0");
+  assert.equal(timeText(0), "0:00.0");
+  assert.equal(timeText(605, 0), "10:05");
+  assert.equal(signed(-0.001, 2), "0.00");
+  assert.equal(signed(0.25, 2), "+0.25");
+  assert.deepEqual(parsedTime("7:42.3"), { half: null, seconds: 462.3 });
+  assert.deepEqual(parsedTime(" 2/3:10 "), { half: 2, seconds: 190 });
+  assert.deepEqual(parsedTime("462.3"), { half: null, seconds: 462.3 });
+  for (const wrong of ["", "x", "1:2:3", "7:75", "/3:10"]) assert.equal(parsedTime(wrong), null, wrong);
+});
+
+test("base64 as in the page", () => {
+  const native = (Uint8Array as { fromBase64?: unknown }).fromBase64;
+  delete (Uint8Array as { fromBase64?: unknown }).fromBase64;
+  try {
+    for (let length = 0; length < 300; ++length) {
+      const bytes = Uint8Array.from({ length }, (_, i) => (i * 151 + length) & 255);
+      assert.deepEqual(fromBase64(Buffer.from(bytes).toString("base64")), bytes);
+    }
+    assert.throws(() => fromBase64("ab@d"), /damaged/);
+  } finally {
+    if (native !== undefined) (Uint8Array as { fromBase64?: unknown }).fromBase64 = native;
+  }
+});
+
+test("places in ascending times", () => {
+  const times = [1, 2, 2, 5];
+  assert.deepEqual(
+    [0.5, 1, 2, 3, 5, 9].map((time) => lastNotAfter(times, time)),
+    [-1, 0, 2, 2, 3, 3],
+  );
+});

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: MIT
+// The page in a real browser, headless: what stands on the screen is what the recording holds, as @mcap/core reads it.
+// REGISTA names the program; without it only made-up recordings are played.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+
+import {
+  type Json,
+  browser,
+  checkMatrix,
+  folder,
+  lastBefore,
+  messages,
+  open,
+  pageOf,
+  placeOnField,
+  secondsOf,
+  settle,
+  shownTime,
+  synthetic,
+  text,
+} from "./page_kit";
+import { recording, seconds } from "./synthetic";
+
+const program = process.env.REGISTA ?? "";
+
+test("a match opens, plays, and shows what was recorded", async () => {
+  const file = join(folder, "whole.mcap");
+  writeFileSync(file, await recording());
+  const all = await messages(file);
+  const { page, complaints } = await open(pageOf(file, "whole"));
+  assert.equal(await page.title(), "blue \u2013 red");
+  assert.equal(await text(page, "#home-name"), "blue");
+  assert.equal(
+    await page.evaluate(
+      () =>
+        document.documentElement.scrollHeight <= window.innerHeight &&
+        document.documentElement.scrollWidth <= window.innerWidth,
+    ),
+    true,
+    "the page does not scroll",
+  );
+
+  // Typed times, keys, slider.
+  const go = async (time: string) => {
+    await page.fill("#time", time);
+    await page.press("#time", "Enter");
+    await settle(page);
+  };
+  await go("0:24.9");
+  assert.equal(await text(page, "#goals"), "0 : 0");
+  await page.keyboard.press("Shift+ArrowRight");
+  await settle(page);
+  assert.equal(await shownTime(page), "0:25.0");
+  assert.equal(await text(page, "#goals"), "1 : 0");
+  assert.match(await text(page, "#game"), /^half 1, clock 0:15, playing$/);
+  await page.keyboard.press("ArrowLeft");
+  await settle(page);
+  assert.equal(await shownTime(page), "0:24.0");
+  await go("1/0:30");
+  assert.equal(await shownTime(page), "0:40.0");
+  await go("nonsense");
+  assert.equal(await page.locator("#time.wrong").count(), 1);
+  await page.press("#time", "Escape");
+  await page.locator("#scrub").fill("33.3");
+  await settle(page);
+  assert.equal(await shownTime(page), "0:33.3");
+  const overview = (await page.locator("#overview").boundingBox())!;
+  await page.mouse.click(overview.x + 92 + (overview.width - 92 - 14) / 2, overview.y + 25);
+  await settle(page);
+  assert.ok(Math.abs(secondsOf(await shownTime(page)) - seconds / 2) <= 0.1, "a click in the middle of the match");
+  await page.keyboard.press("Home");
+  await settle(page);
+  assert.equal(await shownTime(page), "0:00.0");
+
+  // Playing, at two speeds.
+  const shifts = () =>
+    page.evaluate(() => {
+      const boxes = ["head", "middle", "stage", "field", "panels", "transport", "timeline", "detail", "play", "scrub"];
+      return boxes.map((id) => JSON.stringify(document.getElementById(id)!.getBoundingClientRect())).join();
+    });
+  const steady = await shifts();
+  for (const [speed, least, most] of [
+    ["1", 0.8, 3],
+    ["16", 12.8, 40],
+  ] as const) {
+    await page.keyboard.press("Home");
+    await page.selectOption("#speed", speed);
+    await page.keyboard.press("Tab");
+    await page.evaluate(() => (document.activeElement as HTMLElement).blur());
+    await page.keyboard.press("Space");
+    assert.equal(await text(page, "#play"), "Pause");
+    await page.waitForTimeout(1200);
+    await page.keyboard.press("Space");
+    await settle(page);
+    const reached = secondsOf(await shownTime(page));
+    assert.ok(reached >= least && reached <= most, `after 1.2 s at ${speed}x: ${reached}`);
+    assert.equal(await shifts(), steady, "nothing moves while the match plays");
+  }
+
+  // A robot, by its number and by a click.
+  await go("0:20.5");
+  await page.keyboard.press("2");
+  await settle(page);
+  assert.equal(await text(page, "#panel-robot h2"), "blue 2");
+  const decision = lastBefore(all.get("/decision/home/2")!, 20.5);
+  assert.equal(decision.time, 20);
+  await checkMatrix(page, decision);
+  assert.match(await text(page, ".mind-head .muted"), /^striker since 0:19\.0; decision of 0:20\.00, 0\.5 s ago$/);
+  await page.locator("table.matrix:not(.difference) tbody tr").nth(1).locator("td").nth(2).hover();
+  assert.equal(await text(page, ".mind .terms h3"), "robot 2 as defender");
+  const terms = await page.locator(".mind .terms tbody tr").allInnerTexts();
+  const cell = (row: string) => row.split("\t").map((part) => part.trim());
+  assert.deepEqual(cell(terms[0]!).slice(0, 4), [
+    "distance",
+    "0.70",
+    decision.terms[0][1][2].toFixed(3),
+    (0.7 * decision.terms[0][1][2]).toFixed(3),
+  ]);
+  assert.equal(await text(page, "#utility-sum"), decision.utility[1][2].toFixed(3));
+  const belief = lastBefore(all.get("/belief/home/2")!, 20.5);
+  const ballRow = await page.locator(".mind-left table.list tbody tr").first().innerText();
+  assert.deepEqual(cell(ballRow).slice(0, 4), ["ball", "sees it", `${belief.mine.ball.age.toFixed(1)} s`, "0.50 m"]);
+  assert.match(
+    await text(page, ".contexts li:nth-child(1)"),
+    /^search does not hold priority 50: ball_lost after=4\.5$/,
+  );
+  assert.match(
+    await text(page, ".contexts li:nth-child(2)"),
+    /^playing holds priority 0: always.*positioner voronoi; assigner greedy/,
+  );
+  assert.deepEqual(cell(await page.locator(".mind-right > div:last-child tbody tr").nth(1).innerText()), [
+    "striker",
+    "0.00, 0.50",
+    "0.30, 0.90",
+    "0.50",
+  ]);
+  await page.waitForFunction(() => location.hash === "#t=20.5&robot=home/2");
+  const away = await placeOnField(page, lastBefore(all.get("/game")!, 20.5).away[1]);
+  await page.mouse.click(away.x, away.y);
+  await settle(page);
+  assert.equal(await text(page, "#panel-robot h2"), "red 2");
+  await page.keyboard.press(".");
+  await settle(page);
+  assert.equal(await shownTime(page), "0:20.5", "no later decision");
+  await page.keyboard.press(",");
+  await settle(page);
+  assert.equal(await shownTime(page), "0:15.0");
+
+  // The truth is drawn where it was.
+  await page.keyboard.press("Escape");
+  for (const layer of ["trails", "belief"]) await page.click(`#layer-${layer}`);
+  await go("0:35");
+  const game = lastBefore(all.get("/game")!, 35);
+  for (const [side, robots] of [game.home, game.away].entries()) {
+    for (const pose of robots) {
+      const { x, y, scale } = await placeOnField(page, pose); // looked at beside the number
+      const colour = await page.evaluate(
+        ({ x, y }) => {
+          const field = document.getElementById("field") as HTMLCanvasElement;
+          const box = field.getBoundingClientRect();
+          const pixel = document.createElement("canvas").getContext("2d")!;
+          pixel.drawImage(field, Math.round(box.x - x), Math.round(box.y - y));
+          return [...pixel.getImageData(0, 0, 1, 1).data].slice(0, 3);
+        },
+        { x: x - 0.13 * scale, y },
+      );
+      const expected = side === 0 ? [0, 114, 178] : [213, 94, 0];
+      assert.ok(
+        colour.every((part, i) => Math.abs(part - expected[i]!) < 30),
+        `${colour} where ${expected} was`,
+      );
+    }
+  }
+  assert.deepEqual(complaints, []);
+  await page.close();
+});
+
+test("overlaps are listed, jumped to and compared", async () => {
+  const { page, complaints } = await open(await synthetic("overlaps", await recording()));
+  const rows = await page.locator("#panel-overlaps tbody tr").allInnerTexts();
+  assert.deepEqual(
+    rows.map((row) =>
+      row
+        .split("\t")
+        .map((part) => part.trim())
+        .slice(0, 4),
+    ),
+    [
+      ["0:20.0", "1.0 s", "striker", "2 3"],
+      ["0:30.0", "1.0 s", "striker", "2 3"],
+      ["0:32.0", "0.5 s", "striker", "2 3"],
+    ],
+  );
+  assert.equal(await text(page, "#list-count"), "3 stretches, 2.5 s");
+  for (const expected of ["0:20.0", "0:30.0", "0:32.0", "0:32.0"]) {
+    await page.keyboard.press("]");
+    await settle(page);
+    assert.equal(await shownTime(page), expected);
+  }
+  await page.keyboard.press("[");
+  await settle(page);
+  assert.equal(await shownTime(page), "0:30.0");
+  assert.match(await text(page, "#verdict"), /^2 and 3 both are striker, 0:30\.0 to 0:31\.0, 1\.0 s\./);
+  const heads = await page.locator("#compare-assigned tbody tr").allInnerTexts();
+  assert.deepEqual(
+    heads.map((row) => row.split("\t").map((part) => part.trim())),
+    [
+      ["1", "goalkeeper", "goalkeeper", "goalkeeper"],
+      ["2 \u2260", "striker", "defender", "striker"],
+      ["3 \u2260", "defender", "striker", "striker"],
+    ],
+  );
+  // Robot 3 heard that of 20 s, not that of 25; that of 30 s has not yet arrived.
+  assert.match(
+    await text(page, ".packets"),
+    /3 last heard 2: packet of 0:20\.00 \(period\)3 did not hear 2 at 0:25\.00 \(period\)/,
+  );
+  await page.keyboard.press("o");
+  await page.selectOption("#list-least", "1");
+  assert.equal(await page.locator("#panel-overlaps tbody tr").count(), 2);
+  await page.selectOption("#list-kind", "uncovered");
+  await page.selectOption("#list-least", "0.1");
+  assert.match(
+    (await page.locator("#panel-overlaps tbody tr").allInnerTexts()).join("\n"),
+    /0:40\.0\s+1\.0 s\s+goalkeeper\s+none\s+blue/,
+  );
+  await page.locator("#panel-overlaps tbody tr", { hasText: "goalkeeper" }).click();
+  await settle(page);
+  assert.equal(await shownTime(page), "0:40.0");
+  assert.equal(await page.locator("#panel-overlaps tbody tr[aria-current]").count(), 1);
+  assert.deepEqual(complaints, []);
+  await page.close();
+});
+
+test("an address names a moment and a robot", async () => {
+  const address = await synthetic("address", await recording());
+  const { page } = await open(`${address}#t=42.5&robot=away/1`);
+  await settle(page);
+  assert.equal(await shownTime(page), "0:42.5");
+  assert.equal(await text(page, "#panel-robot h2"), "red 1");
+  await page.evaluate(() => {
+    location.hash = "#t=7&robot=home/3";
+  });
+  await settle(page);
+  assert.equal(await shownTime(page), "0:07.0");
+  assert.equal(await text(page, "#panel-robot h2"), "blue 3");
+  await page.close();
+});
+
+test("light, dark and help", async () => {
+  const { page } = await open(await synthetic("themes", await recording()));
+  const theme = () =>
+    page.evaluate(() =>
+      [document.documentElement.dataset.theme, getComputedStyle(document.body).backgroundColor].join(),
+    );
+  const light = await theme();
+  assert.match(light, /^light/);
+  await page.keyboard.press("d");
+  assert.match(await theme(), /^dark/);
+  assert.notEqual((await theme()).split(",").slice(1).join(), light.split(",").slice(1).join());
+  await page.keyboard.press("d");
+  await page.emulateMedia({ colorScheme: "dark" });
+  assert.match(await theme(), /^light/, "what was chosen stays");
+  await page.keyboard.press("?");
+  assert.equal(await page.locator("#help").isVisible(), true);
+  assert.ok((await page.locator("#keys tr").count()) > 25);
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator("#help").isVisible(), false);
+  // Every control has a name that can be read aloud.
+  const nameless = await page.evaluate(() =>
+    [...document.querySelectorAll("button, select, input")]
+      .filter(
+        (element) =>
+          !(
+            element.textContent?.trim() ||
+            element.getAttribute("aria-label") ||
+            element.closest("label")?.textContent?.trim()
+          ),
+      )
+      .map((element) => element.outerHTML),
+  );
+  assert.deepEqual(nameless, []);
+  await page.close();
+  const fresh = await browser.newPage();
+  await fresh.emulateMedia({ colorScheme: "dark" });
+  await fresh.goto(pathToFileURL(join(folder, "themes.html")).href);
+  await fresh.waitForFunction(() => document.documentElement.dataset.theme === "dark");
+  await fresh.close();
+});
+
+test(
+  "a match that was played: sums are those of the program, entries those of the file",
+  { skip: program === "" && "REGISTA names no program" },
+  async (t) => {
+    const file = join(folder, "played.mcap");
+    const teams = ["paper", "fixed_rate"].map((name) => join("..", "configs", "teams", `${name}.yaml`));
+    const result = JSON.parse(
+      execFileSync(program, ["match", ...teams, "--limit", "150", "--record", file, "--json", "--quiet"], {
+        encoding: "utf8",
+      }),
+    );
+    let address: string;
+    if (existsSync(join(dirname(program), "../share/regista/viewer.html"))) {
+      execFileSync(program, ["view", file, "-o", join(folder, "played.html")]);
+      address = pathToFileURL(join(folder, "played.html")).href;
+    } else {
+      t.diagnostic("the program has no page: build.mjs makes it");
+      address = pageOf(file, "played");
+    }
+    const all = await messages(file);
+    const { page, complaints } = await open(`${address}#t=120&robot=home/3`);
+    await page.waitForFunction(() => document.body.dataset.counted === "true");
+    await settle(page);
+    const { time } = all.get("/game")!.at(-1)!;
+    assert.ok(time > 140);
+    await checkMatrix(page, lastBefore(all.get("/decision/home/3")!, 120));
+    await page.keyboard.press("m");
+    for (const [side, name] of ["home", "away"].entries()) {
+      const shown = await page.locator(`#sums-${name} tbody tr`).allInnerTexts();
+      const expected = Object.entries(result.roles[side] as Record<string, Json>).map(([role, of]) => [
+        role,
+        of.overlap_seconds.toFixed(1),
+        of.uncovered_seconds.toFixed(1),
+        String(of.switches),
+      ]);
+      assert.deepEqual(
+        shown.map((row) => row.split("\t").map((part) => part.trim())),
+        expected,
+      );
+    }
+    assert.deepEqual(complaints, []);
+    await page.close();
+  },
+);

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// Recordings made up for tests: three robots against two for a minute, roles by a script, everything else simple enough
+// to be computed again by hand.
+import { McapWriter, TempBuffer } from "@mcap/core";
+import zstd from "@foxglove/wasm-zstd";
+
+export const sizes = [3, 2] as const;
+export const seconds = 60;
+
+type Json = Record<string, unknown>;
+
+export interface Change {
+  teams?: [string, string];
+  metadata?: Record<string, string>; // added, or in place of what would be written
+  without?: string[]; // of the metadata
+  message?: (topic: string, message: Json, index: number) => unknown; // what is written instead; undefined: nothing
+  raw?: (topic: string, index: number) => string | undefined; // text in place of a message
+  chunkBytes?: number;
+}
+
+// Half a minute of play between 10 and 50 s.
+export const phaseAt = (time: number) => (time < 5 ? "ready" : time < 10 ? "set" : time < 50 ? "playing" : "finished");
+
+// Roles: 0 goalkeeper (robot 1 alone), 1 striker, 2 defender, 3 searcher (of another list).
+export function rolesAt(time: number): [number[], number[]] {
+  const between = (from: number, to: number) => time > from - 0.05 && time < to - 0.05;
+  const second = between(20, 21) || between(30, 32.5) ? 1 : 2;
+  return [
+    [between(40, 41) ? -1 : 0, second, 1],
+    [0, between(12, 15) ? 3 : 1],
+  ];
+}
+
+// Robot 3 of home is penalised from 31 to 32 s.
+export const penalisedAt = (time: number): [number[], number[]] => [time > 30.95 && time < 31.95 ? [3] : [], []];
+
+export const ballAt = (time: number): [number, number, number, number] => [-3 + 0.1 * time, 0.5, 0.1, 0];
+
+export function posesAt(time: number): [number[][], number[][]] {
+  const home = [
+    [-4, 0, 0],
+    [-2 + 0.05 * time, 1, 0.1],
+    [-1, -1 + 0.02 * time, 3.1],
+  ];
+  return [
+    home,
+    [
+      [4, 0, 3.14],
+      [2, 0.03 * time, -3.1],
+    ],
+  ];
+}
+
+const tables = ["striker", "defender"];
+
+// Robots 2 and 3 of home each believe that the other takes the role that they do not.
+function assignedBy(side: 0 | 1, robot: number, time: number): number[] {
+  const own = rolesAt(time)[side];
+  if (side === 1 || robot === 1) return own;
+  const other = own[robot - 1] === 1 ? 2 : 1;
+  return robot === 2 ? [0, own[1]!, other] : [0, other, own[2]!];
+}
+
+function decision(side: 0 | 1, robot: number, time: number): Json {
+  const size = sizes[side];
+  const rows = Array.from({ length: size }, (_, i) => i + 1);
+  const columns = [0, 1, 2].slice(0, size);
+  const term = (k: number) =>
+    rows.map((i) => columns.map((j) => Math.round(1e4 * Math.abs(Math.sin(i + 2 * j + k + 0.1 * robot))) / 1e4));
+  const terms = [term(0), term(1)];
+  const forbidden = (i: number, j: number) => (j === 0) !== (i === 0);
+  const utility = rows.map((_, i) =>
+    columns.map((__, j) =>
+      forbidden(i, j) ? null : Math.round(1e5 * (0.7 * terms[0]![i]![j]! + 0.3 * terms[1]![i]![j]!)) / 1e5,
+    ),
+  );
+  const own = rolesAt(time)[side];
+  return {
+    time,
+    context: 1,
+    knowledge: "mine",
+    waypoints: [
+      [0, 0, 0.5],
+      [1, 1, 0.9],
+      [2, -1, 0.1],
+    ],
+    edges: [
+      [0, 1],
+      [1, 2],
+    ],
+    tasks: [
+      { role: 0, before: [-4, 0, 0], after: [-4, 0, 0] },
+      { role: 1, before: [0, 0.5, 0], after: [0.3, 0.9, 0] },
+      { role: 2, before: [-2, -1, 0], after: size > 2 ? [-2, -0.5, 0] : null },
+    ],
+    columns,
+    rows,
+    utility,
+    terms,
+    assigned: assignedBy(side, robot, time),
+    role: own[robot - 1],
+    since: Math.max(0, time - 1),
+  };
+}
+
+function belief(side: 0 | 1, robot: number, time: number): Json {
+  const poses = posesAt(time)[side];
+  const [x, y] = ballAt(time);
+  const rest = poses.map((pose, i) => [pose[0]! + (i + 1 === robot ? 0 : 0.3), pose[1]!, pose[2]!]);
+  return {
+    time,
+    pose: poses[robot - 1],
+    sees_ball: robot === 2,
+    mine: {
+      ball: robot === 1 ? null : { at: [x + 0.4, y - 0.3], velocity: [0, 0], covariance: [0.04, 0.01, 0.02], age: 1.5 },
+      teammates: {
+        number: poses.map((_, i) => i + 1),
+        pose: rest,
+        covariance: poses.map(() => [0.02, 0, 0.01]),
+        age: poses.map((_, i) => (i + 1 === robot ? 0 : 2.5)),
+        role: rolesAt(time)[side],
+        active: poses.map((_, i) => i + 1),
+      },
+      opponents: { at: [[2, 0]], covariance: [[0.1, 0, 0.1]], age: [0.7], weight: [0.9] },
+    },
+  };
+}
+
+export function metadata(teams: [string, string] = ["blue", "red"]): Record<string, string> {
+  const role = (name: string, list: string, priority: number, robot = 0) => ({ name, list, priority, robot });
+  const team = (name: string) =>
+    JSON.stringify({
+      team: name,
+      file: `configs/${name}.yaml`,
+      robot_radius: 0.15,
+      roles: [
+        role("goalkeeper", "playing", 0, 1),
+        ...tables.map((t, i) => role(t, "playing", i + 1)),
+        role("searcher", "searching", 0),
+      ],
+      contexts: [
+        {
+          name: "search",
+          priority: 50,
+          plugin: "ball_lost",
+          parameters: "after=4.5",
+          list: "searching",
+          utility_knowledge: "mine",
+          tasks_knowledge: "mine",
+          terms: [],
+          positioner: "",
+          assigner: "greedy",
+          sender: "event_based",
+        },
+        {
+          name: "playing",
+          priority: 0,
+          plugin: "always",
+          parameters: "",
+          list: "playing",
+          utility_knowledge: "mine",
+          tasks_knowledge: "mine",
+          terms: [
+            { name: "distance", weight: 0.7 },
+            { name: "bearing", weight: 0.3 },
+          ],
+          positioner: "voronoi",
+          assigner: "greedy",
+          sender: "event_based",
+        },
+      ],
+    });
+  return {
+    format: "1",
+    program: "regista test",
+    command: "regista match blue.yaml red.yaml --seed 7",
+    seed: "7",
+    rules: "spl2023",
+    opening: "",
+    field: JSON.stringify({
+      length: 9,
+      width: 6,
+      border_strip: 0.7,
+      goal_width: 1.5,
+      goal_depth: 0.5,
+      goal_area: [0.6, 2.2],
+      penalty_area: [1.65, 4],
+      penalty_mark_distance: 1.3,
+      centre_circle_radius: 0.75,
+    }),
+    ball_radius: "0.05",
+    packet_budget: "100",
+    half_seconds: "600",
+    home: team(teams[0]),
+    away: team(teams[1]),
+  };
+}
+
+export async function recording(change: Change = {}): Promise<Uint8Array> {
+  await zstd.isLoaded;
+  const buffer = new TempBuffer();
+  const writer = new McapWriter({
+    writable: buffer,
+    chunkSize: change.chunkBytes ?? 20_000,
+    compressChunk: (data) => ({ compression: "zstd", compressedData: new Uint8Array(zstd.compress(data, 1)) }),
+  });
+  await writer.start({ profile: "", library: "regista test" });
+  const pairs = { ...metadata(change.teams), ...change.metadata };
+  for (const key of change.without ?? []) delete pairs[key];
+  if (Object.keys(pairs).length > 0)
+    await writer.addMetadata({ name: "match", metadata: new Map(Object.entries(pairs)) });
+  const channels = new Map<string, { id: number; count: number }>();
+  const put = async (topic: string, message: Json) => {
+    let channel = channels.get(topic);
+    if (channel === undefined) {
+      const id = await writer.registerChannel({ schemaId: 0, topic, messageEncoding: "json", metadata: new Map() });
+      channel = { id, count: 0 };
+      channels.set(topic, channel);
+    }
+    const index = channel.count++;
+    const time = BigInt(Math.round((message.time as number) * 1e9));
+    const changed = change.message === undefined ? message : change.message(topic, message, index);
+    if (changed === undefined) return;
+    const data = new TextEncoder().encode(change.raw?.(topic, index) ?? JSON.stringify(changed));
+    await writer.addMessage({ channelId: channel.id, sequence: index, logTime: time, publishTime: time, data });
+  };
+  const names = ["home", "away"] as const;
+  for (let i = 0; i <= 10 * seconds; ++i) {
+    const time = i / 10;
+    const phase = phaseAt(time);
+    const [home, away] = posesAt(time);
+    if (i === 0 || i === 50 || i === 100 || i === 250 || i === 500) {
+      const event = { 0: "half_begins", 50: "set", 100: "kick_off", 250: "goal", 500: "finished" }[i];
+      await put("/event", { time, event, side: "home", robot: i === 250 ? 3 : 0, score: [i >= 250 ? 1 : 0, 0] });
+    }
+    for (const side of [0, 1] as const) {
+      for (let n = 1; n <= sizes[side]; ++n) {
+        const before = i === 0 ? null : rolesAt(time - 0.1)[side][n - 1];
+        const changes = rolesAt(time)[side][n - 1] !== before;
+        if (changes) await put(`/decision/${names[side]}/${n}`, decision(side, n, time));
+        if (changes || i % 5 === 0) await put(`/belief/${names[side]}/${n}`, belief(side, n, time));
+      }
+    }
+    // Robot 2 of home sends every 5 s, robot 3 hears each second packet and robot 1 all.
+    if (i % 50 === 0) {
+      await put("/packet", { time, side: "home", robot: 2, reason: "period", bytes: 44 });
+      await put("/heard", { time: time + 0.05, side: "home", robot: 1, sender: 2, sent: time });
+      if (i % 100 === 0) await put("/heard", { time: time + 0.05, side: "home", robot: 3, sender: 2, sent: time });
+    }
+    await put("/game", {
+      time,
+      half: 1,
+      clock: Math.max(0, time - 10),
+      phase,
+      set_play: time < 10 ? "kick_off" : "none",
+      kicking: "home",
+      score: [time >= 25 ? 1 : 0, 0],
+      packets_left: [100 - Math.floor(i / 50), 100],
+      penalised: penalisedAt(time),
+      fallen: [[], []],
+      kicks: [[], []],
+      ball: ballAt(time),
+      home,
+      away,
+      roles: rolesAt(time),
+    });
+  }
+  await writer.end();
+  return buffer.get();
+}
