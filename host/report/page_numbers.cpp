@@ -78,9 +78,10 @@ Html roles_of_two(const PageSource& source, const std::vector<std::string>& role
   };
   for (const std::string& role : roles) add(name(role), role + '.');
   add("<b>all roles</b>"_html, "");
-  Html out = figure(source, "roles");
-  return out << "<p class=\"note\"><i class=\"key first\"></i>"_html << team_name(source, 0)
-             << " &nbsp; <i class=\"key second\"></i>"_html << team_name(source, 1) << "</p>\n"_html << table.html();
+  Html out = "<div class=\"full\">\n"_html;
+  return out << figure(source, "roles") << "</div>\n<p class=\"note\"><i class=\"key first\"></i>"_html
+             << team_name(source, 0) << " &nbsp; <i class=\"key second\"></i>"_html << team_name(source, 1)
+             << "</p>\n"_html << table.html();
 }
 
 // A row for each team, a column for each role.
@@ -192,15 +193,18 @@ Html roles_section(const PageSource& source) {
 
 Html packets_section(const PageSource& source) {
   const std::size_t teams = std::min(source.view.plan.teams.size(), most_teams);
-  const std::vector<std::string> reasons = packet_reasons(source.record.numbers(), teams);
+  std::vector<std::string> reasons = packet_reasons(source.record.numbers(), teams);
   if (reasons.empty()) return {};
-  if (teams > 2) return section("packets", "Packets by event"_html, packets_of_several(source, reasons, teams));
+  const auto without = std::erase_if(
+      reasons, [&](const std::string& reason) { return sent_none(source.record.numbers(), teams, reason); });
+  const Html rest = without == 0 ? Html() : text(fmt::format("{} other events caused none.", without));
+  if (teams > 2) return section("packets", "Packets by event"_html, packets_of_several(source, reasons, teams) << rest);
   std::vector<Row> rows;
   for (const std::string& reason : reasons) rows.push_back({spaced(reason), packets_prefix + reason, 2});
   rows.push_back({"all", "packets", 2});
   Html out = "<div class=\"two\">\n"_html;
   out << figure(source, "packets") << "<div>"_html << compared(source, "Packets per match"_html, rows)
-      << "</div>\n</div>\n"_html;
+      << "<p class=\"note\">"_html << rest << "</p></div>\n</div>\n"_html;
   return section("packets", "Packets by event"_html, out);
 }
 

@@ -40,7 +40,8 @@ td{vertical-align:top}
 bdi{overflow-wrap:anywhere}
 .two{display:grid;grid-template-columns:repeat(2,minmax(0,1fr));gap:26px}
 @media (max-width:880px){.two{grid-template-columns:minmax(0,1fr)}}
-figure{margin:10px 0 0;min-width:0}
+figure{margin:10px 0 0;min-width:0;max-width:640px}
+.full figure{max-width:none}
 figure svg{display:block;width:100%;height:auto;font-family:inherit}
 figcaption{font-size:13.5px;color:var(--soft);max-width:80ch;overflow-wrap:anywhere}
 figcaption b{color:var(--ink)}

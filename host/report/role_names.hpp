@@ -39,4 +39,13 @@ inline std::vector<std::string> packet_reasons(const MatchNumbers& numbers, std:
   });
 }
 
+// No packet of any of these teams was caused so.
+inline bool sent_none(const MatchNumbers& numbers, std::size_t teams, const std::string& reason) {
+  for (std::size_t team = 0; team < teams; ++team) {
+    const statistics::Moments* const found = numbers.find(team, packets_prefix + reason);
+    if (found != nullptr && found->mean() != 0.0) return false;
+  }
+  return true;
+}
+
 }  // namespace regista::report

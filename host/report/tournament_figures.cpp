@@ -33,7 +33,7 @@ std::optional<Figure> goal_differences(const TournamentView& view, const CourseR
   out.name = "goal_differences";
   out.title = "Goal differences of matches";
   out.description = fmt::format(
-      "Matches by goals of {} less goals of {}; those that were forfeited in grey on top. {} or more count as {}.",
+      "Matches by goals of {} less goals of {}; those that were forfeited in black on top. {} or more count as {}.",
       label(view, 0), label(view, 1), GoalDifferences::largest, GoalDifferences::largest);
   out.csv = "goal_difference,played,forfeited\n";
   int widest = 2;
@@ -56,7 +56,7 @@ std::optional<Figure> goal_differences(const TournamentView& view, const CourseR
       "  '' using ($1==0?$1:1/0):2 with boxes lc rgb '{6}' title 'draws', \\\n"
       "  '' using ($1<0?$1:1/0):2 with boxes lc rgb '{5}' title {1}.' wins'{7}\n",
       gnuplot_text(label(view, 0)), gnuplot_text(label(view, 1)), -widest - 0.6, widest + 0.6, colours[0], colours[1],
-      colours[2],
+      colours[7],
       forfeits
           ? fmt::format(", \\\n  '' using 1:($2+$3/2.0):(0.4):($3/2.0) with boxxyerror lc rgb '{}' title 'forfeits'",
                         colours[7])
@@ -76,8 +76,15 @@ std::string panel(const Figure& figure, const char* title, int column, const std
       figure.name, title, column, column + 1, rows, tics, grid_colour, colours[0], colours[1]);
 }
 
+// The widest of these, in units of the figure.
+double width_of(const std::vector<std::string>& names) {
+  std::size_t most = 0;
+  for (const std::string& each : names) most = std::max(most, gnuplot_text(each).size() - 2);
+  return 8.2 * static_cast<double>(most) + 16.0;
+}
+
 std::string name_tics(const std::vector<std::string>& names) {
-  std::string out = "set ytics (";
+  std::string out = "set ytics scale 0\nset ytics (";
   for (std::size_t i = 0; i < names.size(); ++i) {
     out += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_text(names[i]), -static_cast<int>(i));
   }
@@ -90,7 +97,7 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
   Figure out;
   out.name = "roles";
   out.title = "Overlap, uncovered time and switches by role";
-  out.description = fmt::format("Means of a match. Circles: {}. Triangles: {}. Further left is better coordinated.",
+  out.description = fmt::format("Means of a match. Circles: {}. Triangles: {}. Less overlap and uncovered time is better coordinated.",
                                 label(view, 0), label(view, 1));
   out.csv = "role";
   for (const char* measure : role_measures) {
@@ -106,6 +113,7 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
     }
     out.csv += '\n';
   }
+  out.width = 1130;
   out.height = 90 + 22 * static_cast<int>(names.size());
   out.commands = fmt::format(
       "set grid noytics\nset grid xtics ytics lt 1 lc rgb '{}' lw 0.7\n"
@@ -114,10 +122,12 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
       "set multiplot\n",
       grid_colour, -static_cast<double>(names.size()) + 0.3);
   const std::array<const char*, 3> titles{"overlap, s", "uncovered, s", "switches"};
-  const std::array<double, 4> edges{0.17, 0.435, 0.705, 0.975};
+  const std::vector<std::string> nameless(names.size());
+  const double left = width_of(names) / out.width, panel_width = (1.01 - left) / 3.0;
   for (std::size_t i = 0; i < titles.size(); ++i) {
-    out.commands += fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n", edges[i], edges[i + 1] - 0.025);
-    if (i > 0) out.commands += "set format y ''\n";
+    const double begin = left + panel_width * static_cast<double>(i);
+    out.commands +=
+        fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n", begin, begin + panel_width - 0.03);
     // Where all are nought there is no range to choose.
     const bool nothing = std::ranges::all_of(names, [&](const std::string& role) {
       return std::ranges::all_of(std::array<std::size_t, 2>{0, 1}, [&](std::size_t team) {
@@ -126,14 +136,16 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
       });
     });
     out.commands += nothing ? "set xrange [0:1]\n" : "set xrange [0:*]\n";
-    out.commands += panel(out, titles[i], static_cast<int>(2 * i + 2), i == 0 ? name_tics(names) : "", names.size());
+    out.commands += panel(out, titles[i], static_cast<int>(2 * i + 2), i == 0 ? name_tics(names) : name_tics(nameless),
+                          names.size());
   }
   out.commands += "unset multiplot\n";
   return out;
 }
 
 std::optional<Figure> packets(const TournamentView& view, const CourseRecord& record) {
-  const std::vector<std::string> reasons = packet_reasons(record.numbers(), 2);
+  std::vector<std::string> reasons = packet_reasons(record.numbers(), 2);
+  std::erase_if(reasons, [&](const std::string& reason) { return sent_none(record.numbers(), 2, reason); });
   if (reasons.empty()) return std::nullopt;
   Figure out;
   out.name = "packets";
@@ -157,12 +169,12 @@ std::optional<Figure> packets(const TournamentView& view, const CourseRecord& re
   out.commands = fmt::format(
       "{0}set grid noytics\nset grid xtics lt 1 lc rgb '{1}' lw 0.7\n"
       "set yrange [{2}:0.6]\nset xrange [0:{3}]\n"
-      "set xlabel 'packets per match'\nset lmargin at screen 0.24\n"
+      "set xlabel 'packets per match'\nset lmargin at screen {8:.4f}\n"
       "set style fill solid noborder\nset key outside top center horizontal\n"
       "plot 'packets.csv' using 2:(-$0+0.19):(0):2:(-$0+0.02):(-$0+0.36) with boxxyerror lc rgb '{4}' title {6}, \\\n"
       "  '' using 3:(-$0-0.19):(0):3:(-$0-0.36):(-$0-0.02) with boxxyerror lc rgb '{5}' title {7}\n",
       name_tics(names), grid_colour, -static_cast<double>(reasons.size()) + 0.4, most > 0.0 ? 1.05 * most : 1.0,
-      colours[0], colours[1], gnuplot_text(label(view, 0)), gnuplot_text(label(view, 1)));
+      colours[0], colours[1], gnuplot_text(label(view, 0)), gnuplot_text(label(view, 1)), width_of(names) / out.width);
   return out;
 }
 

@@ -49,8 +49,9 @@ Html tiles(const PageSource& source) {
          text(fmt::format("of the points, {:.1f} of {}", points(meeting.games), meeting.matches())));
     tile(out, text(fmt::format("{} – {} – {}", wins, draws, losses)), text("won – drawn – lost"));
     tile(out, text(fmt::format("{} : {}", meeting.goals[0], meeting.goals[1])), text("goals"));
-    Html better = team_name(source, 0);
-    tile(out, text(fmt::format("{:.1f} %", 100.0 * known->superiority)), better << " is the stronger one (LOS)"_html);
+    Html better = "probability that "_html;
+    tile(out, text(fmt::format("{:.1f} %", 100.0 * known->superiority)),
+         better << team_name(source, 0) << " is the stronger one (LOS)"_html);
   } else {
     tile(out, text(fmt::format("{}", view.plan.teams.size())), text("teams"));
     tile(out, text(fmt::format("{}", view.course.calendar().pairings().size())), text("pairings"));
