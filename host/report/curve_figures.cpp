@@ -167,7 +167,7 @@ std::optional<Figure> ranking_figure(const TournamentView& view) {
     out.csv += fmt::format("{},{},{},{}\n", csv_field(visible(label(view, ranks[i].team))), elo.value, low, high);
     range.take(low);
     range.take(high);
-    tics += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_text(label(view, ranks[i].team)), -static_cast<int>(i));
+    tics += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_mark(label(view, ranks[i].team)), -static_cast<int>(i));
   }
   out.height = 80 + 24 * static_cast<int>(ranks.size());
   out.commands = fmt::format(

@@ -27,12 +27,22 @@ std::string gnuplot_text(std::string_view text) {
   std::string out = "'";
   const std::string shown = visible_at_most(text, longest_text);
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    out += shown[i];
-    if (shown[i] == '\'') out += '\'';  // within quotes of this kind nothing else is special
+    // Nothing is special within these quotes but their like. Two of them should mean one, but at the beginning of a
+    // string gnuplot 5.4 takes them for its end; so there is none: it is drawn as U+2019.
+    if (shown[i] == '\'')
+      out += "\u2019";
+    else
+      out += shown[i];
     // SVG would take "&#65;" for a letter.
     if (shown[i] == '&' && i + 1 < shown.size() && shown[i + 1] == '#') out += ' ';
   }
   return out + '\'';
+}
+
+std::string gnuplot_mark(std::string_view text) {
+  std::string out;
+  for (const char c : gnuplot_text(text)) out += c == '%' ? std::string("%%") : std::string(1, c);
+  return out;
 }
 
 std::string gnuplot_script(const Figure& figure, Picture picture) {

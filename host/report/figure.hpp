@@ -29,6 +29,8 @@ inline constexpr std::string_view grid_colour = "#cccccc";
 // The text of a user as a string of gnuplot, in quotes: nothing in it is a command, and it is not too long to be
 // drawn.
 std::string gnuplot_text(std::string_view text);
+// The same for a mark of an axis, which gnuplot takes for a format of numbers.
+std::string gnuplot_mark(std::string_view text);
 
 // All that gnuplot is told to draw a figure as a file beside its table.
 enum class Picture { svg, png };

@@ -95,7 +95,7 @@ Ended run_gnuplot(const fs::path& folder, const std::string& script) {
   std::string program = "gnuplot", settings = "-d", file = script;  // -d: no files of settings
   char* const arguments[] = {program.data(), settings.data(), file.data(), nullptr};
   // No locale, font or terminal of the user's: the same picture everywhere.
-  std::string locale = "LC_ALL=C", home = "HOME=" + folder.string();
+  std::string locale = "LC_ALL=C.UTF-8", home = "HOME=" + folder.string();
   const char* const path = std::getenv("PATH");
   std::string search = fmt::format("PATH={}", path == nullptr ? "" : path);
   char* const environment[] = {locale.data(), home.data(), search.data(), nullptr};
@@ -120,10 +120,12 @@ Ended run_gnuplot(const fs::path& folder, const std::string& script) {
   return out;
 }
 
-std::string first_line(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r\n^");
-  if (begin == std::string::npos) return "it says nothing";
-  return visible_at_most(text.substr(begin, text.find('\n', begin) - begin), 200);
+// What went wrong stands last, after warnings.
+std::string last_line(const std::string& text) {
+  const std::size_t end = text.find_last_not_of(" \t\r\n^");
+  if (end == std::string::npos) return "it does not say why";
+  const std::size_t before = text.rfind('\n', end), begin = before == std::string::npos ? 0 : before + 1;
+  return visible_at_most(text.substr(begin, end + 1 - begin), 200);
 }
 
 // Into the named file of the folder. Empty: done.
@@ -138,7 +140,7 @@ std::string picture(const fs::path& folder, Drawing& drawing, Picture kind) {
   }
   if (!ended.in_time) return fmt::format("gnuplot took more than {} s", patience.count());
   if (!WIFEXITED(ended.status)) return fmt::format("gnuplot was stopped by signal {}", WTERMSIG(ended.status));
-  if (WEXITSTATUS(ended.status) != 0) return "gnuplot: " + first_line(ended.complaint);
+  if (WEXITSTATUS(ended.status) != 0) return "gnuplot: " + last_line(ended.complaint);
   std::string& bytes = kind == Picture::svg ? drawing.svg : drawing.png;
   bytes = read(folder / (drawing.figure.name + (kind == Picture::svg ? ".svg" : ".png")));
   return bytes.empty() ? "gnuplot wrote no picture" : "";

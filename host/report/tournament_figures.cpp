@@ -86,7 +86,7 @@ double width_of(const std::vector<std::string>& names) {
 std::string name_tics(const std::vector<std::string>& names) {
   std::string out = "set ytics scale 0\nset ytics (";
   for (std::size_t i = 0; i < names.size(); ++i) {
-    out += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_text(names[i]), -static_cast<int>(i));
+    out += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_mark(names[i]), -static_cast<int>(i));
   }
   return out + ")\n";
 }
@@ -97,8 +97,9 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
   Figure out;
   out.name = "roles";
   out.title = "Overlap, uncovered time and switches by role";
-  out.description = fmt::format("Means of a match. Circles: {}. Triangles: {}. Less overlap and uncovered time is better coordinated.",
-                                label(view, 0), label(view, 1));
+  out.description = fmt::format(
+      "Means of a match. Circles: {}. Triangles: {}. Less overlap and uncovered time is better coordinated.",
+      label(view, 0), label(view, 1));
   out.csv = "role";
   for (const char* measure : role_measures) {
     for (const std::size_t team : {0u, 1u}) out.csv += ',' + field(fmt::format("{} {}", label(view, team), measure));

@@ -44,7 +44,10 @@ Html tiles(const PageSource& source) {
   if (view.plan.teams.size() == 2 && known) {
     const auto& [losses, draws, wins] = meeting.games.seen;
     const double share = points(meeting.games) / static_cast<double>(meeting.matches());
-    tile(out, elo_text(known->elo), text("Elo, with the margin that holds with 95 %"));
+    const bool stopped =
+        view.course.verdict() == study::Verdict::accept_h0 || view.course.verdict() == study::Verdict::accept_h1;
+    tile(out, elo_text(known->elo),
+         text(stopped ? "Elo, biased towards the verdict" : "Elo, with the margin that holds with 95 %"));
     tile(out, text(fmt::format("{:.1f} %", 100.0 * share)),
          text(fmt::format("of the points, {:.1f} of {}", points(meeting.games), meeting.matches())));
     tile(out, text(fmt::format("{} – {} – {}", wins, draws, losses)), text("won – drawn – lost"));

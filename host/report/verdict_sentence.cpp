@@ -77,7 +77,9 @@ void of_sequential_test(const TournamentView& view, const Meeting& meeting, Verd
     out.sentence =
         view.course.complete() ? Html("The test ended without a verdict on "_html) : Html("No verdict yet on "_html);
     out.sentence << team(view, 0) << " and "_html << team(view, 1) << "."_html;
-    if (const auto open = may_be(view, meeting)) out.beside.push_back(*open);
+    // An interval for one look only: not while somebody may still be looking again and again.
+    const std::optional<Html> open = view.course.complete() ? may_be(view, meeting) : std::nullopt;
+    if (open) out.beside.push_back(*open);
     return;
   }
   const bool h1 = verdict == study::Verdict::accept_h1;

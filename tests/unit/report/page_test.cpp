@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include "course.hpp"
+#include "report/reproduction.hpp"
+#include "report/tournament_figures.hpp"
+#include "report/tournament_page.hpp"
+
+namespace regista::report {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string page_of(const Course& course, const CourseRecord& record, std::vector<std::string> documents = {},
+                    const std::string& why_not = "gnuplot is not installed") {
+  std::vector<PageFigure> figures;
+  for (Figure& each : tournament_figures(course.view(), record)) {
+    figures.push_back({std::move(each), why_not.empty() ? "<svg></svg>" : "", why_not});
+  }
+  return tournament_page({course.view(), record, std::move(figures), std::move(documents), "1.2.3",
+                          "regista tournament x", [](std::uint64_t match) {
+                            return RecordingLink{"night.recordings/" + std::to_string(match + 1) + ".mcap",
+                                                 "regista view " + std::to_string(match + 1)};
+                          }});
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t out = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++out;
+  return out;
+}
+
+void expect_order(const std::string& page, const std::vector<std::string>& ids) {
+  std::size_t last = 0;
+  for (const std::string& id : ids) {
+    const std::size_t at = page.find("id=\"" + id + "\"");
+    ASSERT_NE(at, std::string::npos) << id;
+    EXPECT_GT(at, last) << id;
+    last = at;
+  }
+}
+
+constexpr auto roles =
+    R"({"roles":[{"s":{"overlap_seconds":1,"uncovered_seconds":2,"switches":3}},{"s":{"overlap_seconds":1,"uncovered_seconds":2,"switches":3}}],"packets":[1,2],"packets_by_reason":[{"goal":1},{"goal":2}]})";
+
+TEST(TournamentPage, HasItsPartsInTheirOrder) {
+  Course course({"new", "old"}, 10);
+  CourseRecord record(course.plan, *course.tournament, {0, 3});
+  const auto take = [&](const campaign::Decided& decided) {
+    course.take(decided);
+    record.take(&decided);
+  };
+  for (int i = 0; i < 19; ++i) take(match(i % 3, i % 2, roles));
+  take(failed(1));
+  const std::string page = page_of(course, record, {"team: new\nx: 1\n", "team: old\nx: 2\n"});
+  expect_order(page, {"verdict", "standing", "curves", "goals", "roles", "packets", "variance", "failures",
+                      "recordings", "configuration", "reproduction"});
+  EXPECT_THAT(page, AllOf(HasSubstr("again 19"), HasSubstr("href=\"./night.recordings/4.mcap\""),
+                          HasSubstr("regista view 4"), HasSubstr("<td><code>x</code></td><td><code>1</code></td>"),
+                          HasSubstr("hash of new"), HasSubstr("Regista 1.2.3"), HasSubstr("regista tournament x")));
+  EXPECT_EQ(count(page, "Here a figure is missing: gnuplot is not installed"), 5u);
+  EXPECT_EQ(count(page, "href=\"data:text/csv"), 5u);
+  EXPECT_TRUE(is_our_page(page.substr(0, page_beginning)));
+  EXPECT_FALSE(is_our_page("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>"));
+  EXPECT_FALSE(is_our_page(""));
+}
+
+TEST(TournamentPage, NeedsNothingElse) {
+  Course course({"new", "old"}, 2);
+  CourseRecord record(course.plan, *course.tournament);
+  const std::string page = page_of(course, record);
+  for (const char* each : {"<script", "<link", "<img", "<iframe", "@import", "url(", "src=", "http:", "https:"}) {
+    EXPECT_THAT(page, Not(HasSubstr(each)));
+  }
+}
+
+TEST(TournamentPage, NoNameGetsOutOfItsPlace) {
+  const std::string hostile =
+      "</title></style></pre><script>alert(1)</script>\"'><img src=x onerror=alert(1)>\n\u202e&#60;";
+  Course course({hostile, "=b", "c\"c"}, 4);
+  for (study::Entrant& team : course.plan.teams) team.inputs = {{hostile, hostile}};
+  course.plan.common_inputs = {{hostile, hostile}};
+  course.plan.folder = course.plan.common.limit = hostile;
+  course.plan.openings = {{hostile, {hostile, hostile}}};
+  course.tournament.emplace(course.plan);
+  CourseRecord record(course.plan, *course.tournament, {0});
+  for (int i = 0; i < 24; ++i) {
+    campaign::Decided decided = i % 5 == 0 ? failed(0, hostile) : match(i % 3, 1, roles);
+    if (decided.failure) decided.failure->plugin = decided.failure->call = hostile;
+    course.take(decided);
+    record.take(&decided);
+  }
+  const std::string page = page_of(course, record, {hostile, "team: x\n", "a: b\n"}, hostile);
+  EXPECT_EQ(count(page, "<script"), 0u);
+  EXPECT_EQ(count(page, "<img"), 0u);
+  EXPECT_EQ(count(page, "\u202e"), 0u);
+  EXPECT_EQ(count(page, "</title>"), 1u);
+  EXPECT_EQ(count(page, "</style>"), 1u);
+  EXPECT_EQ(count(page, "<section"), count(page, "</section>"));
+  EXPECT_EQ(count(page, "<details"), count(page, "</details>"));
+}
+
+TEST(TournamentPage, OfNothing) {
+  for (const std::size_t teams : {2u, 3u, 30u}) {
+    std::vector<std::string> labels;
+    for (std::size_t i = 0; i < teams; ++i) labels.push_back("team " + std::to_string(i));
+    Course course(labels, 3);
+    CourseRecord record(course.plan, *course.tournament);
+    const std::string page = page_of(course, record);
+    EXPECT_THAT(page, HasSubstr("nothing can be said"));
+    EXPECT_THAT(page, AllOf(HasSubstr("id=\"standing\""), HasSubstr("id=\"reproduction\""), HasSubstr("</html>")));
+  }
+}
+
+TEST(TournamentPage, OfOnePairAndOfManyTeams) {
+  Course pair({"a", "b"}, 1);
+  CourseRecord of_pair(pair.plan, *pair.tournament);
+  for (int i = 0; i < 2; ++i) {
+    const campaign::Decided decided = match(1, 0, roles);
+    pair.take(decided);
+    of_pair.take(&decided);
+  }
+  EXPECT_THAT(page_of(pair, of_pair), HasSubstr("1 pair does not show which of"));
+  std::vector<std::string> labels;
+  for (int i = 0; i < 20; ++i) labels.push_back("team " + std::to_string(i));
+  Course many(labels, 2);
+  CourseRecord of_many(many.plan, *many.tournament);
+  for (std::uint64_t i = 0; i < many.tournament->calendar().matches(); ++i) {
+    const campaign::Decided decided = match(static_cast<int>(i * i % 4), static_cast<int>(i % 3), roles);
+    many.take(decided);
+    of_many.take(&decided);
+  }
+  const std::string page = page_of(many, of_many);
+  EXPECT_THAT(page, AllOf(HasSubstr("190 pairings"), HasSubstr("All against all"), HasSubstr("leads 20 teams")));
+}
+
+TEST(Reproduction, TheWordsThatPlanIt) {
+  Course course({"a", "b"}, 7, sprt(-10, 5.5, statistics::Model::logistic));
+  course.plan.first_seed = 3;
+  course.plan.openings = {{"o/x y.yaml", {}}};
+  course.plan.common.overrides = {"a.x=1"};
+  course.plan.common.limit = "30";
+  EXPECT_THAT(tournament_arguments(course.plan),
+              testing::ElementsAre("tournament", "--team", "a.yaml", "--team", "b.yaml", "--pairs", "7", "--seed", "3",
+                                   "--sprt=-10,5.5", "--model", "logistic", "--alpha", "0.05", "--beta", "0.05",
+                                   "--openings", "o/x y.yaml", "--limit", "30", "--set", "a.x=1", "--failures-in-a-row",
+                                   "10", "--processor-seconds", "10", "--memory", "2048"));
+}
+
+}  // namespace
+}  // namespace regista::report

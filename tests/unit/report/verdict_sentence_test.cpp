@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "report/verdict_sentence.hpp"
+
+#include <gmock/gmock.h>
+
+#include <regex>
+
+#include "course.hpp"
+#include "report/standing.hpp"
+
+namespace regista::report {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string plain(const std::string& html) { return std::regex_replace(html, std::regex("<[^>]*>"), ""); }
+std::string sentence(const Course& course) { return plain(verdict_sentence(course.view()).sentence.str()); }
+std::string beside(const Course& course) {
+  std::string out;
+  for (const Html& each : verdict_sentence(course.view()).beside) out += plain(each.str()) + '\n';
+  return out;
+}
+
+TEST(VerdictSentence, OfAFixedNumberOfPairs) {
+  Course clear({"new", "old"}, 290);
+  clear.take_pairs({{34, 54, 63, 64, 75}});
+  EXPECT_EQ(sentence(clear), "new is stronger than old.");
+  EXPECT_THAT(beside(clear), HasSubstr("new has 336.0 of 580 points (58 %), goals 277:185"));
+  EXPECT_THAT(beside(clear), HasSubstr("between 28 Elo stronger and 84 Elo stronger"));  // 55.3 wide, by the published margin
+  Course other({"new", "old"}, 290);
+  other.take_pairs({{75, 64, 63, 54, 34}});
+  EXPECT_EQ(sentence(other), "old is stronger than new.");
+  Course open({"new", "old"}, 20);
+  open.take_pairs({{4, 4, 4, 4, 4}});
+  EXPECT_EQ(sentence(open), "20 pairs do not show which of new and old is stronger.");
+}
+
+// Who stops where it looks good must not be told that it is a finding.
+TEST(VerdictSentence, NothingIsFoundBeforeTheEnd) {
+  Course course({"new", "old"}, 291);
+  EXPECT_THAT(sentence(course), HasSubstr("nothing can be said"));
+  course.take_pairs({{34, 54, 63, 64, 75}});
+  EXPECT_THAT(sentence(course), AllOf(HasSubstr("Not at its end"), Not(HasSubstr("stronger"))));
+  EXPECT_THAT(beside(course), Not(HasSubstr("confidence")));
+}
+
+TEST(VerdictSentence, OfEqualTeams) {
+  Course course({"a", "b"}, 2);
+  course.plan.teams[1].inputs = course.plan.teams[0].inputs;
+  course.take_pairs({{0, 0, 2, 0, 0}});
+  EXPECT_THAT(sentence(course), HasSubstr("are the same team"));
+}
+
+TEST(VerdictSentence, OfATestOfScores) {
+  const auto after = [](double elo0, double elo1, const std::array<int, 5>& pairs, std::uint64_t most = 100000) {
+    Course course({"new", "old"}, most, sprt(elo0, elo1));
+    course.take_pairs({pairs});
+    return sentence(course) + '|' + beside(course);
+  };
+  const std::array<int, 5> good{5, 5, 20, 300, 300}, bad{300, 300, 20, 5, 5};
+  EXPECT_THAT(after(0, 20, good),
+              AllOf(HasSubstr("new is stronger than old.|"), HasSubstr("accepted H1"), HasSubstr("biased")));
+  EXPECT_THAT(after(0, 20, bad), HasSubstr("new is not 20 nElo stronger than old.|"));
+  EXPECT_THAT(after(-20, 0, good), HasSubstr("new is not 20 nElo weaker than old.|"));
+  EXPECT_THAT(after(-20, 0, bad), HasSubstr("old is stronger than new.|"));
+  EXPECT_THAT(after(-5, 5, good), HasSubstr("new is stronger than old.|"));
+  EXPECT_THAT(after(-5, 5, bad), HasSubstr("old is stronger than new.|"));
+  EXPECT_THAT(after(-40, -20, good), HasSubstr("new is not 40 nElo weaker than old.|"));
+  EXPECT_THAT(after(20, 40, bad), HasSubstr("new is not 40 nElo stronger than old.|"));
+  EXPECT_THAT(after(0, 20, {1, 0, 0, 0, 1}), HasSubstr("No verdict yet on new and old."));
+  EXPECT_THAT(after(0, 20, {1, 0, 0, 0, 1}, 2), HasSubstr("ended without a verdict on new and old."));
+}
+
+TEST(VerdictSentence, OfATestOfGoals) {
+  Course course({"new", "old"}, 100000, study::ValueTest{study::goals_value, 0.05});
+  course.take_pairs({{0, 0, 0, 0, 1000}});
+  EXPECT_EQ(sentence(course), "new scores more goals than old.");
+  Course other({"new", "old"}, 100000, study::ValueTest{study::goals_value, 0.05});
+  other.take_pairs({{1000, 0, 0, 0, 0}});
+  EXPECT_EQ(sentence(other), "old scores more goals than new.");
+}
+
+TEST(VerdictSentence, OfATestOfAMetric) {
+  Course course({"new", "old"}, 100000, study::ValueTest{"packets", 0.05});
+  for (int pair = 0; pair < 200; ++pair) {
+    course.take(match(0, 0, R"({"packets":[3,5]})"));
+    if (!course.take(match(0, 0, R"({"packets":[5,3]})"))) break;
+  }
+  EXPECT_EQ(sentence(course), "new mostly has less packets than old.");
+}
+
+TEST(VerdictSentence, OfARoundRobin) {
+  Course clear({"a", "b", "c"}, 40);
+  clear.take_pairs({{30, 5, 5, 0, 0}, {0, 5, 5, 5, 25}, {0, 0, 0, 5, 35}});
+  EXPECT_EQ(sentence(clear), "b leads 3 teams, and is stronger than a, the next.");
+  Course open({"a", "b", "c"}, 5);
+  open.take_pairs({{3, 0, 1, 0, 1}, {3, 0, 0, 0, 2}, {1, 0, 1, 0, 3}});
+  EXPECT_THAT(sentence(open), AllOf(HasSubstr("b leads 3 teams"), HasSubstr("may be no stronger than")));
+  Course unplayed({"a", "b", "c"}, 5);
+  EXPECT_THAT(sentence(unplayed), HasSubstr("nothing can be said"));
+}
+
+TEST(VerdictSentence, OfAGauntlet) {
+  Course course({"a", "b", "c", "d"}, 40);
+  course.plan.format = study::Format::gauntlet;
+  course.tournament.emplace(course.plan);
+  course.take_pairs({{30, 5, 5, 0, 0}, {0, 5, 5, 5, 25}, {10, 0, 20, 0, 10}});
+  EXPECT_EQ(sentence(course), "a against 3 others: stronger than 1, weaker than 1, open for 1.");
+}
+
+TEST(VerdictSentence, ForfeitsAreTold) {
+  Course course({"good", "bad"}, 20);
+  course.plan.failures_in_a_row = 2;
+  course.tournament.emplace(course.plan);
+  course.take(failed(1));
+  course.take(failed(0));
+  EXPECT_THAT(beside(course),
+              AllOf(HasSubstr("bad was set aside after pair 1: its plugin greedy failed 2 times in a row."),
+                    HasSubstr("2 matches of 2 were forfeited")));
+}
+
+TEST(VerdictSentence, NamesAreEscaped) {
+  Course course({"<script>alert(1)</script>", "b"}, 2);
+  course.take_pairs({{0, 0, 2, 0, 0}});
+  const VerdictSentence verdict = verdict_sentence(course.view());
+  EXPECT_THAT(verdict.sentence.str(), AllOf(HasSubstr("<bdi>&lt;script&gt;"), Not(HasSubstr("<script"))));
+}
+
+}  // namespace
+}  // namespace regista::report
