@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "report/csv_text.hpp"
 #include "report/standing.hpp"
 #include "report/visible_text.hpp"
 
@@ -164,7 +163,7 @@ std::optional<Figure> ranking_figure(const TournamentView& view) {
     // An interval without an end has none to be drawn.
     const bool bounded = elo.interval.bounded();
     const double low = bounded ? elo.interval.low : elo.value, high = bounded ? elo.interval.high : elo.value;
-    out.csv += fmt::format("{},{},{},{}\n", csv_field(visible(label(view, ranks[i].team))), elo.value, low, high);
+    out.csv += fmt::format("{},{},{},{}\n", figure_field(label(view, ranks[i].team)), elo.value, low, high);
     range.take(low);
     range.take(high);
     tics += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_mark(label(view, ranks[i].team)), -static_cast<int>(i));
@@ -190,7 +189,7 @@ std::optional<Figure> ranking_over_pairs(const TournamentView& view, std::span<c
                                     ? std::string("all teams")
                                     : fmt::format("the first {} teams of the ranking", teams.size()));
   out.csv = "pair";
-  for (const std::size_t team : teams) out.csv += ',' + csv_field(visible(label(view, team)));
+  for (const std::size_t team : teams) out.csv += ',' + figure_field(label(view, team));
   out.csv += '\n';
   Range range;
   std::uint64_t last = 0;

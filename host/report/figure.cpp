@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "report/csv_text.hpp"
 #include "report/visible_text.hpp"
 
 namespace regista::report {
@@ -43,6 +44,12 @@ std::string gnuplot_mark(std::string_view text) {
   std::string out;
   for (const char c : gnuplot_text(text)) out += c == '%' ? std::string("%%") : std::string(1, c);
   return out;
+}
+
+std::string figure_field(std::string_view text) {
+  std::string out;
+  for (const char c : visible(text)) out += c == '"' ? std::string("\u201d") : std::string(1, c);
+  return csv_field(out);
 }
 
 std::string gnuplot_script(const Figure& figure, Picture picture) {

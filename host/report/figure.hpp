@@ -32,6 +32,10 @@ std::string gnuplot_text(std::string_view text);
 // The same for a mark of an axis, which gnuplot takes for a format of numbers.
 std::string gnuplot_mark(std::string_view text);
 
+// The text of a user as a field of a figure's table: in one line, and without quotes, for gnuplot 5.4 loses the line of
+// a field in which there are some.
+std::string figure_field(std::string_view text);
+
 // All that gnuplot is told to draw a figure as a file beside its table.
 enum class Picture { svg, png };
 std::string gnuplot_script(const Figure& figure, Picture picture);

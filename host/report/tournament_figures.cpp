@@ -8,19 +8,14 @@
 #include <limits>
 #include <optional>
 
-#include "report/csv_text.hpp"
 #include "report/curve_figures.hpp"
 #include "report/role_names.hpp"
 #include "report/standing.hpp"
-#include "report/visible_text.hpp"
 
 namespace regista::report {
 namespace {
 
 const std::string& label(const TournamentView& view, std::size_t team) { return view.plan.teams[team].label; }
-
-// A table is read line by line: no end of line in a field.
-std::string field(const std::string& text) { return csv_field(visible(text)); }
 
 std::string number_or_nothing(const statistics::Moments* moments) {
   return moments == nullptr || moments->count() == 0 ? std::string() : fmt::format("{}", moments->mean());
@@ -102,11 +97,12 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
       label(view, 0), label(view, 1));
   out.csv = "role";
   for (const char* measure : role_measures) {
-    for (const std::size_t team : {0u, 1u}) out.csv += ',' + field(fmt::format("{} {}", label(view, team), measure));
+    for (const std::size_t team : {0u, 1u})
+      out.csv += ',' + figure_field(fmt::format("{} {}", label(view, team), measure));
   }
   out.csv += '\n';
   for (const std::string& role : names) {
-    out.csv += field(role);
+    out.csv += figure_field(role);
     for (const char* measure : role_measures) {
       for (const std::size_t team : {0u, 1u}) {
         out.csv += ',' + number_or_nothing(record.numbers().find(team, role + '.' + measure));
@@ -152,11 +148,11 @@ std::optional<Figure> packets(const TournamentView& view, const CourseRecord& re
   out.name = "packets";
   out.title = "Packets by the event that caused them";
   out.description = fmt::format("Means of a match. Upper bars: {}. Lower bars: {}.", label(view, 0), label(view, 1));
-  out.csv = fmt::format("reason,{},{}\n", field(label(view, 0)), field(label(view, 1)));
+  out.csv = fmt::format("reason,{},{}\n", figure_field(label(view, 0)), figure_field(label(view, 1)));
   double most = 0.0;
   std::vector<std::string> names;
   for (const std::string& reason : reasons) {
-    out.csv += field(reason);
+    out.csv += figure_field(reason);
     for (const std::size_t team : {0u, 1u}) {
       const statistics::Moments* const found = record.numbers().find(team, packets_prefix + reason);
       out.csv += ',' + number_or_nothing(found);

@@ -298,7 +298,7 @@ class Pages(tournament.Tournament):
                 for field in row:
                     self.assertTrue(not field.startswith(("=", "+", "@")), field)
         roles = list(csv.reader(io.StringIO(self.tables(page)["roles.csv"])))
-        self.assertTrue(any(row[0].startswith("'=a,\"b") for row in roles))
+        self.assertTrue(any(row[0].startswith("'=a,\u201db") for row in roles))
         self.assertEqual({len(row) for row in roles}, {7})
 
     def test_links_to_recordings(self):

@@ -102,14 +102,14 @@ class Matches(tournament.Tournament):
     def test_a_line_for_each_match_when_nobody_watches(self):
         done = self.run_program(*self.arguments(pairs=2))
         lines = done.stderr.splitlines()
-        self.assertEqual(len(lines), 5, done.stderr)
+        self.assertEqual(len(lines), 6, done.stderr)
         for i, line in enumerate(lines[:4]):
             home, away = ("small", "other") if i % 2 == 0 else ("other", "small")
             self.assertRegex(line, rf"^match {i + 1} of 4, seed {1 + i // 2}, \w+: {home} \d+:\d+ {away}$")
         self.assertRegex(lines[4], r"^4 matches played in \d+ s, \d+\.\d\d matches/s$")
+        self.assertEqual(lines[5], "page: tournament.html")
         again = self.run_program(*self.arguments("--resume", pairs=2))
-        self.assertEqual(again.stderr.count("\n"), 1)
-        self.assertRegex(again.stderr, r"^0 matches played in \d+ s; 4 were played before\n$")
+        self.assertRegex(again.stderr, r"^0 matches played in \d+ s; 4 were played before\npage: tournament\.html\n$")
 
     def test_a_gone_reader_or_full_disk_loses_no_match(self):
         with open("/dev/full", "w") as full:

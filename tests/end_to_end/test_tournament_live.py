@@ -48,8 +48,9 @@ class Live(tournament.Tournament):
             self.assertTrue(last, block)
             done.append(int(last[1]))
         self.assertEqual(done, sorted(set(done)))
-        # What stays is the line that sums it up; the report goes to standard output.
-        self.assertEqual(len(screen), 1)
+        # What stays is the line that sums it up, and where the page is; the report goes to standard output.
+        self.assertEqual(len(screen), 2)
+        self.assertEqual(screen[1], "page: tournament.html")
         self.assertRegex(screen[0], rf"^{2 * pairs} matches played in \d+ s, \d+\.\d\d matches/s$")
         self.assertEqual(out, self.succeed("report", "tournament.db"))
 
@@ -71,7 +72,7 @@ class Live(tournament.Tournament):
         self.assertEqual(self.shown("--quiet", pairs=1)[0], "")
         text, _ = self.shown("--resume", terminal="dumb", pairs=1)
         self.assertNotIn("\x1b", text)
-        self.assertRegex(text, r"^0 matches played in \d+ s; 2 were played before\r\n$")
+        self.assertRegex(text, r"^0 matches played in \d+ s; 2 were played before\r\npage: tournament\.html\r\n$")
         text, _ = self.shown("--results", "dumb.db", terminal="dumb", pairs=1)
         self.assertEqual(len(re.findall(r"^match \d of 2, seed 1, \w+: ", text, re.MULTILINE)), 2)
         self.assertNotIn("\x1b", text)

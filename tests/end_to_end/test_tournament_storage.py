@@ -73,7 +73,7 @@ class NoRight(tournament.Tournament):
         super().setUp()
         self.closed = self.folder / "closed"
         self.closed.mkdir()
-        self.play("--results", "closed/there.db", pairs=1)
+        self.play("--results", "closed/there.db", "--no-page", pairs=1)
         self.text = self.succeed("report", "closed/there.db")
         self.who = {}
         if os.geteuid() == 0:

@@ -218,7 +218,7 @@ TEST(CourseRecord, NamesInTablesAreFieldsOfOneLine) {
   Recorded course({"=a,\n\"b\"", "-b"}, 1);
   course.take(match(0, 0, metrics(1, 1, 1, 1)));
   course.take(match(0, 0, metrics(1, 1, 1, 1)));
-  EXPECT_THAT(course.figure("packets")->csv, testing::StartsWith("reason,\"'=a,\\n\"\"b\"\"\",'-b\n"));
+  EXPECT_THAT(course.figure("packets")->csv, testing::StartsWith("reason,\"'=a,\\n\u201db\u201d\",'-b\n"));
 }
 
 TEST(CourseRecord, RankingOverPairs) {

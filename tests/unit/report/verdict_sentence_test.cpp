@@ -28,7 +28,8 @@ TEST(VerdictSentence, OfAFixedNumberOfPairs) {
   clear.take_pairs({{34, 54, 63, 64, 75}});
   EXPECT_EQ(sentence(clear), "new is stronger than old.");
   EXPECT_THAT(beside(clear), HasSubstr("new has 336.0 of 580 points (58 %), goals 277:185"));
-  EXPECT_THAT(beside(clear), HasSubstr("between 28 Elo stronger and 84 Elo stronger"));  // 55.3 wide, by the published margin
+  EXPECT_THAT(beside(clear),
+              HasSubstr("between 28 Elo stronger and 84 Elo stronger"));  // 55.3 wide, by the published margin
   Course other({"new", "old"}, 290);
   other.take_pairs({{75, 64, 63, 54, 34}});
   EXPECT_EQ(sentence(other), "old is stronger than new.");
