@@ -105,9 +105,14 @@ Ended run_gnuplot(const fs::path& folder, const std::string& script) {
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, pipe[1], STDERR_FILENO);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  // Ctrl-C is for the program, which then decides; a figure must not be lost to it.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   pid_t child = -1;
   Ended out;
-  out.started = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environment) == 0;
+  out.started = posix_spawnp(&child, program.c_str(), &actions, &attributes, arguments, environment) == 0;
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   close(pipe[1]);
   if (out.started) {

@@ -5,18 +5,13 @@
 // programs are left out too: the same data give the same bytes.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "report/figure.hpp"
+#include "report/svg_tree.hpp"
 
 namespace regista::report {
-
-// It is no picture as gnuplot writes it. what() says where it is not.
-class StrangePicture : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 // For a page: no background, text and axes in the colour of the page's text, series in the page's colours (custom
 // properties --series-1 ..., --grid), ids with the figure's name before them. Throws StrangePicture.
