@@ -154,6 +154,16 @@ void refuse_existing(const fs::path& file, Existing existing) {
   }
 }
 
+// Whatever else it may be is not opened: a pipe would wait for ever.
+bool is_our_page(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return false;
+  std::string beginning(report::page_beginning, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  return report::is_our_page(beginning);
+}
+
 }  // namespace
 
 void write_page(const StoredResults& results, const PageWishes& wishes) {
@@ -188,10 +198,7 @@ std::optional<fs::path> write_page_beside(const StoredResults& results) {
   try {
     std::error_code error;
     const bool exists = fs::exists(page, error);
-    std::string beginning(report::page_beginning, '\0');
-    std::ifstream in(page, std::ios::binary);
-    in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-    if (exists && !report::is_our_page(beginning)) {
+    if (exists && !is_our_page(page)) {
       complain(fmt::format("no page is written: {} is none of Regista's pages, and stays", page.string()));
       return std::nullopt;
     }

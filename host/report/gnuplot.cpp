@@ -151,18 +151,26 @@ std::string picture(const fs::path& folder, Drawing& drawing, Picture kind) {
   return bytes.empty() ? "gnuplot wrote no picture" : "";
 }
 
-}  // namespace
-
-Drawing draw(Figure figure, Png png) {
+void draw_into(Drawing& out, Png png) {
   const TemporaryFolder folder;
-  Drawing out;
-  out.figure = std::move(figure);
   if (!write(folder.path() / (out.figure.name + ".csv"), out.figure.csv)) {
     out.why_not = "temporary files cannot be written";
-    return out;
+    return;
   }
   out.why_not = picture(folder.path(), out, Picture::svg);
   if (out.why_not.empty() && png == Png::wanted) out.why_not = picture(folder.path(), out, Picture::png);
+}
+
+}  // namespace
+
+Drawing draw(Figure figure, Png png) {
+  Drawing out;
+  out.figure = std::move(figure);
+  try {
+    draw_into(out, png);
+  } catch (const std::system_error& error) {
+    out.why_not = visible(error.what());
+  }
   return out;
 }
 

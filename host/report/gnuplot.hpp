@@ -19,8 +19,7 @@ struct Drawing {
 
 enum class Png { wanted, left_out };
 
-// What the user's own settings of gnuplot say does not count. Never throws for what gnuplot does or does not do; throws
-// std::system_error when there is no folder for temporary files.
+// What the user's own settings of gnuplot say does not count. What goes wrong is told by `why_not`.
 Drawing draw(Figure figure, Png png);
 
 }  // namespace regista::report

@@ -84,24 +84,35 @@ Html roles_of_two(const PageSource& source, const std::vector<std::string>& role
              << "</p>\n"_html << table.html();
 }
 
-// A row for each team, a column for each role.
+// A row for each team with the sums over its roles; a table for each measure with a row for each role.
 Html roles_of_several(const PageSource& source, const std::vector<std::string>& roles, std::size_t teams) {
+  const MatchNumbers& numbers = source.record.numbers();
+  HtmlTable sums({{"All roles together, per match"_html, Column::words},
+                  {"overlap, s"_html},
+                  {"uncovered, s"_html},
+                  {"switches"_html},
+                  {"agreement, share of time"_html}});
+  for (std::size_t team = 0; team < teams; ++team) {
+    sums.row({team_name(source, team), mean_of(numbers.find(team, role_measures[0]), 1),
+              mean_of(numbers.find(team, role_measures[1]), 1), mean_of(numbers.find(team, role_measures[2]), 1),
+              mean_of(numbers.find(team, "agreement"), 3)});
+  }
+  Html out = sums.html();
   const std::array<Markup, role_measures.size()> titles{"Overlap, s per match"_html, "Uncovered, s per match"_html,
                                                         "Switches per match"_html};
-  Html out;
   for (std::size_t i = 0; i < titles.size(); ++i) {
-    std::vector<Heading> headings{{titles[i], Column::words}, {"all roles"_html}};
-    for (const std::string& role : roles) headings.push_back({name(role)});
+    std::vector<Heading> headings{{"Role"_html, Column::words}};
+    for (std::size_t team = 0; team < teams; ++team) headings.push_back({team_name(source, team)});
     HtmlTable table(headings);
-    for (std::size_t team = 0; team < teams; ++team) {
-      std::vector<Html> cells{team_name(source, team)};
-      cells.push_back(mean_of(source.record.numbers().find(team, role_measures[i]), 1));
-      for (const std::string& role : roles) {
-        cells.push_back(mean_of(source.record.numbers().find(team, role + '.' + role_measures[i]), 1));
+    for (const std::string& role : roles) {
+      std::vector<Html> cells{name(role)};
+      for (std::size_t team = 0; team < teams; ++team) {
+        cells.push_back(mean_of(numbers.find(team, role + '.' + role_measures[i]), 1));
       }
       table.row(cells);
     }
-    out << table.html();
+    out << "<details><summary>"_html << titles[i] << ", by role</summary>\n"_html << table.html()
+        << "</details>\n"_html;
   }
   return out;
 }
@@ -198,7 +209,9 @@ Html packets_section(const PageSource& source) {
   const auto without = std::erase_if(
       reasons, [&](const std::string& reason) { return sent_none(source.record.numbers(), teams, reason); });
   const Html rest = without == 0 ? Html() : text(fmt::format("{} other events caused none.", without));
-  if (teams > 2) return section("packets", "Packets by event"_html, packets_of_several(source, reasons, teams) << rest);
+  if (teams > 2)
+    return section("packets", "Packets by event"_html,
+                   packets_of_several(source, reasons, teams) << "<p class=\"note\">"_html << rest << "</p>\n"_html);
   std::vector<Row> rows;
   for (const std::string& reason : reasons) rows.push_back({spaced(reason), packets_prefix + reason, 2});
   rows.push_back({"all", "packets", 2});

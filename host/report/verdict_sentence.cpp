@@ -159,7 +159,16 @@ void of_gauntlet(const TournamentView& view, const PValues& p, VerdictSentence& 
 void of_round_robin(const TournamentView& view, const PValues& p, VerdictSentence& out) {
   const std::vector<Ranked> ranks = ranking(view.plan, view.course);
   const std::size_t best = ranks[0].team, next = ranks[1].team;
+  const auto together = std::ranges::count_if(ranks, [&](const Ranked& each) {
+    return each.points == ranks[0].points && each.matches == ranks[0].matches &&
+           each.elo.has_value() == ranks[0].elo.has_value() &&
+           (!each.elo || std::abs(each.elo->value - ranks[0].elo->value) < 1e-6);
+  });
   out.sentence = team(view, best);
+  if (together > 1) {
+    out.sentence << text(fmt::format(" and {} more lead {} teams together.", together - 1, ranks.size()));
+    return;
+  }
   out.sentence << text(fmt::format(" leads {} teams", ranks.size()));
   for (std::size_t i = 0; i < p.adjusted.size(); ++i) {
     const study::Pairing& pairing = view.course.meetings()[i].pairing;

@@ -151,10 +151,14 @@ class Pages(tournament.Tournament):
                 0, "regista: no page is written: tournament.html is none of Regista's pages, and stays\n"))
             self.assertIn("Results of small vs other", done.stdout)
             self.assertEqual((self.folder / "tournament.html").read_text(), other)
-        (self.folder / "tournament.html").unlink()
-        (self.folder / "tournament.html").mkdir()
-        done = self.run_program(*self.arguments("--quiet", "--resume", pairs=2))
-        self.assertEqual((done.returncode, done.stderr.count("\n")), (0, 1))
+        for make in (os.mkdir, os.mkfifo):
+            (self.folder / "tournament.html").unlink()
+            make(self.folder / "tournament.html")
+            done = self.run_program(*self.arguments("--quiet", "--resume", pairs=2))
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (0, 1))
+            if make is os.mkdir:
+                (self.folder / "tournament.html").rmdir()
+                self.write("tournament.html", "")
 
     def test_an_interrupted_tournament_has_none(self):
         with self.start(*self.arguments("--quiet", "--workers", "1", pairs=400), stdout=subprocess.DEVNULL,
@@ -232,6 +236,8 @@ class Pages(tournament.Tournament):
         self.assertEqual(page.of("svg"), [])
         self.assertEqual(page.whole().count("Here a figure is missing: gnuplot is not installed"), 5)
         self.assertEqual(len(self.tables(page)), 5)
+        done = self.run_program("report", "tournament.db", "-o", "a.html", environment={"TMPDIR": "/nowhere"})
+        self.assertEqual(done.returncode, 0, done.stderr)
         self.write("broken/gnuplot", "#!/bin/sh\necho 'something is wrong' >&2\nexit 3\n").chmod(0o755)
         done = self.run_program("report", "tournament.db", "-o", "b.html",
                                 environment={"PATH": f"{self.folder / 'broken'}:/usr/bin:/bin"})

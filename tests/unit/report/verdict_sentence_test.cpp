@@ -99,6 +99,9 @@ TEST(VerdictSentence, OfARoundRobin) {
   Course open({"a", "b", "c"}, 5);
   open.take_pairs({{3, 0, 1, 0, 1}, {3, 0, 0, 0, 2}, {1, 0, 1, 0, 3}});
   EXPECT_THAT(sentence(open), AllOf(HasSubstr("b leads 3 teams"), HasSubstr("may be no stronger than")));
+  Course even({"a", "b", "c"}, 2);
+  even.take_pairs({{0, 0, 2, 0, 0}, {0, 0, 2, 0, 0}, {0, 0, 2, 0, 0}});
+  EXPECT_EQ(sentence(even), "a and 2 more lead 3 teams together.");
   Course unplayed({"a", "b", "c"}, 5);
   EXPECT_THAT(sentence(unplayed), HasSubstr("nothing can be said"));
 }
