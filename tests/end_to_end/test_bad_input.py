@@ -6,7 +6,7 @@ import unittest
 
 import program
 
-OPTIONS = ("--help, --seed, --rules, --robot, --disturbance, --opening, --set, --limit, --from, --row, --plugins, --json, --decisions, "
+OPTIONS = ("--help, --seed, --rules, --robot, --disturbance, --opening, --set, --limit, --from, --row, --plugins, --json, --decisions, --record, --force, "
            "--quiet, --verbose")
 
 
@@ -57,7 +57,7 @@ class CommandLine(BadInput):
     def test_unknown_option(self):
         self.assert_match_refused(("--sede", "3"),
                                   f'unknown option "--sede" in regista match; nearest: "--seed"; known: {OPTIONS}')
-        self.assert_match_refused(("--record=x",), f'unknown option "--record" in regista match; known: {OPTIONS}')
+        self.assert_match_refused(("--overlap=x",), f'unknown option "--overlap" in regista match; known: {OPTIONS}')
 
     def test_too_few_and_too_many_words(self):
         see = "see: regista match --help"
