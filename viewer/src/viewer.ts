@@ -58,6 +58,7 @@ export class Viewer {
     name: string,
     private readonly theme: Theme,
   ) {
+    byId("viewer").style.setProperty("--rows", String(Math.max(...match.game.sizes)));
     this.state = new State(match.game.begin, match.game.end);
     this.palette = readPalette();
     this.field = new Field(byId("field"), match, this.palette);

@@ -9,7 +9,7 @@ import type { Side } from "../recording/about";
 import type { Match } from "../recording/match";
 import type { World } from "../recording/messages";
 import type { Projection } from "./ground";
-import { type Context, bodyPath, ellipsePath, headingPath, label } from "./shapes";
+import { type Context, bodyPath, deviationsOf95Percent, ellipseOf, ellipsePath, headingPath, label } from "./shapes";
 
 // color: of everything (two beliefs are compared), or null: of the teams. robots: whose ellipses and ages are drawn
 // beside the ball's; null: everybody's.
@@ -45,10 +45,12 @@ export function drawBelief(
   const ellipse = (x: number, y: number, covariance: [number, number, number], color: string) => {
     if (!style.ellipses) return;
     ellipsePath(context, to, x, y, covariance);
-    context.globalAlpha = 0.07;
+    // What may be anywhere is drawn fainter: its ellipse covers the field and says little.
+    const faint = Math.min(1, 1.5 / (deviationsOf95Percent * ellipseOf(covariance).major));
+    context.globalAlpha = 0.08 * faint;
     context.fillStyle = color;
     context.fill();
-    context.globalAlpha = 0.45;
+    context.globalAlpha = 0.2 + 0.3 * faint;
     context.lineWidth = 1;
     context.strokeStyle = color;
     context.setLineDash([]);

@@ -111,19 +111,21 @@ export class ComparePanel {
     const assigned = element(
       "table",
       { class: "list tight", id: "compare-assigned" },
-      heading(["robot", `given by ${a}`, `given by ${b}`, "holds"]),
+      heading(["", `given by ${a}`, `given by ${b}`, "holds"]),
       element(
         "tbody",
         {},
         ...found.assigned.map((line) => {
           const name = (role: number | null) => (role === null ? "\u2013" : shortRoleName(this.match, pair.side, role));
-          const differs: Record<string, string> = line.differs ? { class: "differs" } : {};
+          // Long names are cut off; whole they stand in the title.
+          const cell = (role: number | null) =>
+            element("td", { class: line.differs ? "differs" : "", title: name(role) }, name(role));
           return row(
             [
               element("th", { scope: "row" }, `${line.robot}${line.differs ? " \u2260" : ""}`),
-              element("td", differs, name(line.assigned[0])),
-              element("td", differs, name(line.assigned[1])),
-              line.penalised ? "penalised" : name(line.holds),
+              cell(line.assigned[0]),
+              cell(line.assigned[1]),
+              element("td", { title: name(line.holds) }, line.penalised ? "penalised" : name(line.holds)),
             ],
             pair.robots.includes(line.robot) ? { class: "own" } : {},
           );

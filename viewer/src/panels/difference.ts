@@ -89,6 +89,7 @@ export class DifferenceMatrix {
         ...brokenName(shortRoleName(this.match, pair.side, role)),
       ),
     );
+    this.table.classList.toggle("many", columns.length > 8);
     if (columns.length === 0) this.table.replaceChildren(element("caption", {}, "These decisions have no utilities"));
     else this.table.replaceChildren(heading([element("th"), ...heads]), body);
     if (!same || this.pointed === null || !rows.includes(this.pointed.robot) || !columns.includes(this.pointed.role)) {

@@ -98,6 +98,7 @@ export class UtilityMatrix {
         ),
       ),
     );
+    this.table.classList.toggle("many", decision.columns.length > 8);
     this.table.replaceChildren(heading([element("th", { scope: "col" }, "utility"), ...heads]), body);
   }
 
