@@ -8,7 +8,7 @@ import { type LayerName, type PanelName, State, type View, layerNames, panelName
 import { decisionStep, eventStep, timeOf } from "./app/steps";
 import type { Theme } from "./app/theme";
 import { Field } from "./field/field";
-import { type Pair, pairAt } from "./model/compare";
+import { type Pair, pairAt, pairNow } from "./model/compare";
 import { type Stretch, neighbour } from "./model/roles";
 import { countSwitches } from "./model/switches";
 import { timeText } from "./model/text";
@@ -136,6 +136,10 @@ export class Viewer {
 
   private changed(changed: ReadonlySet<keyof View>): void {
     const { view } = this.state;
+    if (changed.has("panel") && view.panel === "compare" && view.pair === null) {
+      const pair = pairNow(this.match, view.side, view.robot, view.time);
+      if (pair !== null) this.state.set({ pair });
+    }
     if (["robot", "side", "pair", "panel"].some((key) => changed.has(key as keyof View))) this.timeline.invalidate();
     if ([...changed].some((key) => key !== "time")) this.showControls(view);
     if (!view.playing || [...changed].some((key) => key !== "time")) this.panelsStale = true;

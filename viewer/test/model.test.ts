@@ -5,7 +5,7 @@ import { test } from "node:test";
 
 import { fragmentOf, readFragment } from "../src/app/fragment";
 import { decisionStep } from "../src/app/steps";
-import { compare, compareEntry, greatestDifference, pairAt } from "../src/model/compare";
+import { compare, compareEntry, greatestDifference, pairAt, pairNow } from "../src/model/compare";
 import { ellipseOf } from "../src/field/shapes";
 import { Moment } from "../src/model/game";
 import { lookAt } from "../src/model/look";
@@ -192,6 +192,9 @@ test("decisions and beliefs are those of the moment", () => {
 
 test("two robots are compared", () => {
   const pair = { side: 0, role: 1, robots: pairAt(match, { side: 0, role: 1 }, 20.5) } as const;
+  for (const chosen of [null, { side: 0, number: pair.robots![1] }, { side: 1, number: 1 }] as const)
+    assert.deepEqual(pairNow(match, 0, chosen, 20.5), pair);
+  assert.equal(pairNow(match, 1, null, 20.5), null);
   assert.deepEqual(pair.robots, [2, 3]);
   const given = { ...pair, robots: [2, 3] as [number, number] };
   const found = compare(match, given, 20.5);

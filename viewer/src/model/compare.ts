@@ -171,13 +171,32 @@ export function compare(match: Match, pair: Pair, time: number): Comparison {
   };
 }
 
-// The first two robots that hold `role` twice at `time`; null when nobody does.
-export function pairAt(match: Match, pair: { side: Side; role: number }, time: number): [number, number] | null {
+function holders(match: Match, side: Side, role: number, time: number): number[] {
   const { game } = match;
   const index = game.indexAt(time + 1e-9);
-  const holders: number[] = [];
-  for (let n = 1; n <= game.sizes[pair.side]; ++n) {
-    if (game.role(index, pair.side, n) === pair.role && !game.isPenalised(index, pair.side, n)) holders.push(n);
+  const numbers = Array.from({ length: game.sizes[side] }, (_, i) => i + 1);
+  return numbers.filter((n) => game.role(index, side, n) === role && !game.isPenalised(index, side, n));
+}
+
+// The first two robots that hold `role` twice at `time`; null when nobody does.
+export function pairAt(match: Match, pair: { side: Side; role: number }, time: number): [number, number] | null {
+  const [first, second] = holders(match, pair.side, pair.role, time);
+  return first !== undefined && second !== undefined ? [first, second] : null;
+}
+
+// Two robots of this side that share a role at `time`, the chosen one with another where it shares its own.
+export function pairNow(match: Match, side: Side, chosen: { side: Side; number: number } | null, time: number): Pair | null {
+  const roles = match.about.teams[side].roles.map((_, role) => role);
+  const own = chosen?.side === side ? chosen.number : 0;
+  let found: Pair | null = null;
+  for (const role of roles) {
+    const all = holders(match, side, role, time);
+    if (all.length < 2) continue;
+    if (all.includes(own)) {
+      const other = all.find((n) => n !== own)!;
+      return { side, role, robots: own < other ? [own, other] : [other, own] };
+    }
+    found ??= { side, role, robots: [all[0]!, all[1]!] };
   }
-  return holders.length >= 2 ? [holders[0]!, holders[1]!] : null;
+  return found;
 }
