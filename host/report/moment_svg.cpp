@@ -26,9 +26,10 @@ Html label(double x, double y, const char* classes, std::string_view words) {
   return out << text(words) << "</text>"_html;
 }
 
-std::string clock_text(double seconds) {
-  const auto whole = static_cast<int>(std::clamp(seconds, 0.0, 1e6));
-  return fmt::format("{:02}:{:02}", whole / 60, whole % 60);
+// "7:42.3", as in the viewer.
+std::string time_text(double seconds) {
+  const auto tenths = std::llround(10.0 * std::clamp(seconds, 0.0, 1e6));
+  return fmt::format("{}:{:02}.{}", tenths / 600, tenths / 10 % 60, tenths % 10);
 }
 
 std::string role_name(const RecordedTeam& team, int row) {
@@ -276,7 +277,7 @@ Html panel(const RecordedMatch& match, const RecordedMoment& moment, const Robot
   } else {
     line("small", "no context holds");
   }
-  line("small", fmt::format("decided at {:.2f} s; utilities of what it knows {}", decision.time,
+  line("small", fmt::format("decided at {}; utilities of what it knows {}", decision.time,
                             decision.knowledge == "common" ? "in common with the others" : "itself"));
   if (decision.columns.empty()) return out;
   const double columns = static_cast<double>(decision.columns.size());
@@ -333,8 +334,8 @@ std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment,
                fmt::format("{} {} : {} {}", visible_at_most(match.teams()[0].name, 32), game.score[0], game.score[1],
                            visible_at_most(match.teams()[1].name, 32)));
   out << label(margin, 52.0, "small",
-               fmt::format("half {}, {}  ({:.1f} s)   {}{}   packets left {} : {}", game.half, clock_text(game.clock),
-                           game.time, words_of(game.phase),
+               fmt::format("{}   half {}, clock {}   {}{}   packets left {} : {}", time_text(game.time), game.half,
+                           time_text(game.clock), words_of(game.phase),
                            game.set_play == "none" ? std::string()
                                                    : fmt::format(", {} of {}", words_of(game.set_play), game.kicking),
                            game.packets_left[0], game.packets_left[1]));
