@@ -277,7 +277,8 @@ Html panel(const RecordedMatch& match, const RecordedMoment& moment, const Robot
   } else {
     line("small", "no context holds");
   }
-  line("small", fmt::format("decided at {}; utilities of what it knows {}", decision.time,
+  line("small", fmt::format("decided {:.2f} s before; utilities of what it knows {}",
+                            std::max(moment.game.time - decision.time, 0.0),
                             decision.knowledge == "common" ? "in common with the others" : "itself"));
   if (decision.columns.empty()) return out;
   const double columns = static_cast<double>(decision.columns.size());
