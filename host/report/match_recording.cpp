@@ -17,7 +17,8 @@ namespace regista::report {
 namespace {
 
 constexpr int game_steps = match::physics_steps_per_second / 10;
-constexpr double belief_period = 0.5;  // s
+constexpr double belief_period = 0.5;    // s
+constexpr double decision_period = 5.0;  // s: at the latest, for a matrix changes though its outcome does not
 
 std::uint64_t nanoseconds(double seconds) { return static_cast<std::uint64_t>(std::llround(seconds * 1e9)); }
 
@@ -148,7 +149,7 @@ struct MatchRecording::Parts {
   struct Last {
     int context = -3, role = -3;  // of the last decision written; the role also of the last one at all
     std::vector<std::int32_t> kept, assignment;
-    double belief = -1.0;  // when it was written
+    double decision = 0.0, belief = -1.0;  // when one was written
     mcap::ChannelId decisions{}, beliefs{};
     std::uint32_t decision_count = 0, belief_count = 0;
   };
@@ -184,8 +185,8 @@ struct MatchRecording::Parts {
         robots[i].beliefs = writer.add_channel("/belief" + whose, "json", belief);
       }
     }
+    // Outside of chunks: it is found even when the match ends by a crash in its first seconds.
     writer.write(mcap::Metadata{about_record, about(setup)});
-    // Found even when the match ends in the first seconds by a crash.
   }
 
   ToWorld to_world(match::Side side) const { return {match::attack(side, half)}; }
@@ -304,7 +305,10 @@ void MatchRecording::decided(match::Side side, const mind::Mind& mind, const min
     parts.write(parts.packets, percepts.time, parts.packet_count);
   }
   const bool kept_same = std::ranges::equal(last.kept, decision.columns, {}, {}, &regista_task::id);
-  if (!kept_same || role_changed || last.context != decision.context || last.assignment != decision.role_of) {
+  const bool changed =
+      !kept_same || role_changed || last.context != decision.context || last.assignment != decision.role_of;
+  if (changed || percepts.time - last.decision >= decision_period - 1e-9) {
+    last.decision = percepts.time;
     last.context = decision.context;
     last.role = decision.own_role;
     last.assignment = decision.role_of;

@@ -6,7 +6,8 @@
 //   /game                  ten times a second: clock, phase, score, penalties, packets left, and where everything truly
 //   is /event                 of the referee, when it happens /packet                when it is sent, by whom and why
 //   /heard                 when a robot hears a packet of another
-//   /decision/<side>/<n>   of a robot, when its context, kept tasks, assignment or role changed
+//   /decision/<side>/<n>   of a robot, when its context, kept tasks, assignment or role changed,
+//                          and every 5 s
 //   /belief/<side>/<n>     of a robot, twice a second and when its role changed
 //
 // All of it in the world frame: origin at the centre, home attacks towards +x in the first half. Metres, seconds,

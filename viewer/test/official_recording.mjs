@@ -71,8 +71,11 @@ for (const [side, name] of ["home", "away"].entries()) {
       before = state;
       return changed;
     });
+    // Without those that only tell the matrix again.
+    const told = recorded.map((d) => JSON.stringify([d.context, d.role, d.columns, d.assigned]));
+    const changed = recorded.filter((_, i) => told[i] !== told[i - 1]);
     assert.deepEqual(
-      recorded.map((d) => [d.time, nameOf(side, d.role), d.assigned.map((r) => nameOf(side, r)), d.columns.map((r) => nameOf(side, r))]),
+      changed.map((d) => [d.time, nameOf(side, d.role), d.assigned.map((r) => nameOf(side, r)), d.columns.map((r) => nameOf(side, r))]),
       changes.map((line) => [line.time, line.role, line.assignment, line.kept]),
     );
     decisions += recorded.length;
