@@ -12,7 +12,7 @@ namespace part {
 
 inline const std::string number = R"({"type":"number"})";
 inline const std::string integer = R"({"type":"integer"})";
-inline const std::string side = R"({"enum":["home","away"]})";
+inline const std::string side = R"({"type":"string","enum":["home","away"]})";
 
 inline std::string list(const std::string& of, int least = 0, int most = -1) {
   std::string out = R"({"type":"array","items":)" + of;
@@ -25,6 +25,13 @@ inline std::string described(const std::string& schema, std::string_view text) {
 }
 inline std::string or_null(const std::string& schema) { return R"({"anyOf":[)" + schema + R"(,{"type":"null"}]})"; }
 
+// Foxglove refuses a topic whose schema has, among its properties, lists of lists or alternatives. It reads no further
+// than "properties", so these stand under "allOf", where validators find them.
+inline bool is_plain(std::string_view schema) {
+  return schema.starts_with(R"({"type":)") && !schema.starts_with(R"({"type":"array","items":{"type":"array")") &&
+         !schema.starts_with(R"({"type":"array","items":{"anyOf")");
+}
+
 // All properties are required unless `optional` names one; more of them may come with later versions.
 struct Property {
   std::string_view name;
@@ -32,15 +39,19 @@ struct Property {
   bool optional = false;
 };
 inline std::string object(std::initializer_list<Property> properties, std::string_view title = {}) {
-  std::string out = "{", required, all;
-  if (!title.empty())
+  std::string out = R"({"type":"object",)", required, plain, others;
+  const auto append = [](std::string& to, const std::string& item) { to += (to.empty() ? "" : ",") + item; };
+  if (!title.empty()) {
     out += R"("$schema":"http://json-schema.org/draft-07/schema#","title":")" + std::string(title) + "\",";
+  }
   for (const Property& property : properties) {
     const std::string name = '"' + std::string(property.name) + '"';
-    all += (all.empty() ? "" : ",") + name + ':' + property.schema;
-    if (!property.optional) required += (required.empty() ? "" : ",") + name;
+    append(is_plain(property.schema) ? plain : others, name + ':' + property.schema);
+    if (!property.optional) append(required, name);
   }
-  return out + R"("type":"object","properties":{)" + all + R"(},"required":[)" + required + "]}";
+  out += R"("properties":{)" + plain + R"(},"required":[)" + required + ']';
+  if (!others.empty()) out += R"(,"allOf":[{"properties":{)" + others + "}}]";
+  return out + '}';
 }
 
 inline const std::string time = described(number, "s since the match began");
@@ -59,7 +70,7 @@ inline std::string game() {
   return object({{"time", time},
                  {"half", integer},
                  {"clock", described(number, "s played of this half")},
-                 {"phase", R"({"enum":["initial","ready","set","playing","finished"]})"},
+                 {"phase", R"({"type":"string","enum":["initial","ready","set","playing","finished"]})"},
                  {"set_play", R"({"type":"string"})"},
                  {"kicking", described(side, "whose set play or last kick-off it is")},
                  {"score", both_counts},
@@ -104,20 +115,21 @@ inline std::string heard() {
 inline std::string decision() {
   using namespace part;
   const std::string task = object({{"role", role}, {"before", pose}, {"after", or_null(pose)}});
-  return object({{"time", time},
-                 {"context", described(integer, "index into the team's contexts; -1 none holds")},
-                 {"knowledge", described(R"({"enum":["mine","common"]})", "the world that utilities are of")},
-                 {"waypoints", described(list(list(number, 3, 3)), "x, y in m, score")},
-                 {"edges", described(list(list(integer, 2, 2)), "indices of waypoints")},
-                 {"tasks", described(list(task), "before the offset, and after it where the task was kept")},
-                 {"columns", described(list(role), "the kept tasks: columns of the matrices")},
-                 {"rows", described(list(integer), "the active robots: rows of the matrices")},
-                 {"utility", described(matrix, "weighted sum of the terms; null where forbidden")},
-                 {"terms", described(list(matrix), "unweighted, in the order of the context's terms")},
-                 {"assigned", described(list(role), "the role of each robot of the team, as this one believes")},
-                 {"role", role},
-                 {"since", described(number, "s since the match began: when it took its role")}},
-                "decision");
+  return object(
+      {{"time", time},
+       {"context", described(integer, "index into the team's contexts; -1 none holds")},
+       {"knowledge", described(R"({"type":"string","enum":["mine","common"]})", "the world that utilities are of")},
+       {"waypoints", described(list(list(number, 3, 3)), "x, y in m, score")},
+       {"edges", described(list(list(integer, 2, 2)), "indices of waypoints")},
+       {"tasks", described(list(task), "before the offset, and after it where the task was kept")},
+       {"columns", described(list(role), "the kept tasks: columns of the matrices")},
+       {"rows", described(list(integer), "the active robots: rows of the matrices")},
+       {"utility", described(matrix, "weighted sum of the terms; null where forbidden")},
+       {"terms", described(list(matrix), "unweighted, in the order of the context's terms")},
+       {"assigned", described(list(role), "the role of each robot of the team, as this one believes")},
+       {"role", role},
+       {"since", described(number, "s since the match began: when it took its role")}},
+      "decision");
 }
 
 inline std::string belief() {

@@ -103,13 +103,36 @@ TEST(JsonText, IsJsonHoweverLongItGets) {
   }
 }
 
-TEST(RecordingSchemas, AreJson) {
+// What Foxglove takes for the description of a message: objects of named properties, each of one type, and lists of
+// such, but no lists of lists and no alternatives.
+bool foxglove_takes(const nlohmann::json& schema) {
+  if (schema.value("type", "") != "object" || !schema.contains("properties")) return false;
+  for (const auto& [name, property] : schema.at("properties").items()) {
+    const nlohmann::json& item = property.value("type", "") == "array" ? property.at("items") : property;
+    if (property.contains("oneOf") || !item.contains("type")) return false;
+    const std::string type = item.at("type");
+    if (type == "object" ? !foxglove_takes(item)
+                         : type != "boolean" && type != "string" && type != "number" && type != "integer") {
+      return false;
+    }
+  }
+  return true;
+}
+
+TEST(RecordingSchemas, AreWhatFoxgloveTakes) {
   for (const std::string& schema :
        {schema::game(), schema::event(), schema::packet(), schema::heard(), schema::decision(), schema::belief()}) {
     const auto parsed = nlohmann::json::parse(schema);
-    EXPECT_EQ(parsed.at("type"), "object");
-    for (const auto& name : parsed.at("required")) EXPECT_TRUE(parsed.at("properties").contains(name)) << name;
+    EXPECT_TRUE(foxglove_takes(parsed)) << schema;
+    for (const auto& name : parsed.at("required")) {
+      const bool plain = parsed.at("properties").contains(name);
+      EXPECT_TRUE(plain || parsed.at("allOf").at(0).at("properties").contains(name)) << name;
+    }
   }
+  using namespace nlohmann::literals;
+  EXPECT_FALSE(foxglove_takes(R"({"type":"object","properties":{"a":{"anyOf":[]}}})"_json));
+  EXPECT_FALSE(
+      foxglove_takes(R"({"type":"object","properties":{"a":{"type":"array","items":{"type":"array"}}}})"_json));
 }
 
 }  // namespace
