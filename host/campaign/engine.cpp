@@ -5,10 +5,12 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -30,8 +32,8 @@ struct Run {
   std::unique_ptr<Worker> worker;
   std::vector<End> deaths;
   std::optional<Decided> forfeited;  // already; what runs still is for the recording alone
-  int attempts = 0;      // workers so far
-  double seconds = 0.0;  // of all of them
+  int attempts = 0;                  // workers so far
+  double seconds = 0.0;              // of all of them
 };
 
 // What the answer decides; nothing when the worker broke down, and `end` then tells how. seconds: of all its workers.
@@ -164,7 +166,7 @@ class Engine {
       if (decided) {
         if (!run.deaths.empty() && schedule_.accident) schedule_.accident(run.job, run.deaths.back());
         if (!not_recorded.empty() && schedule_.not_recorded) schedule_.not_recorded(run.job, not_recorded);
-        if (decided->failure && record(run)) {
+        if (decided->failure && run.job.record.empty() && record(run)) {
           run.forfeited = decided;
           start(run);
           return false;
@@ -188,7 +190,7 @@ class Engine {
     give_up(run.deaths);
   }
 
-  // What failed once is recorded when it is played again. False: it was recorded the first time, or is not wanted.
+  // What failed once is recorded when it is played again. False: it is already, or is not wanted.
   bool record(Run& run) {
     if (run.job.expects_failure || !schedule_.record_failure) return false;
     run.job.record = schedule_.record_failure(run.indices.front());
@@ -197,6 +199,10 @@ class Engine {
   }
 
   void decide(const Run& run, const Decided& decided) {
+    std::error_code none;
+    if (run.job.expects_failure && schedule_.not_recorded && !std::filesystem::exists(run.job.record, none)) {
+      schedule_.not_recorded(run.job, run.job.record + " could not be written");
+    }
     store_.insert(row(run.indices.front()), run.key, decided, run.attempts);
     for (const std::uint64_t index : run.indices) decided_.emplace(index, Waiting{decided, true});
   }

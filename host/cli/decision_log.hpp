@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/output.hpp"
@@ -22,6 +23,9 @@
 #include "mind/team_plan.hpp"
 
 namespace regista::cli {
+
+// How every such file begins.
+inline constexpr std::string_view decision_log_begin = R"({"kind":"match",)";
 
 class DecisionLog {
  public:

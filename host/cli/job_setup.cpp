@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "campaign/inputs.hpp"
+#include "cli/shell.hpp"
 #include "config/text.hpp"
 
 namespace regista::cli {
@@ -21,6 +22,26 @@ MatchRequest request_of(const campaign::Job& job) {
   request.opening = job.opening;
   request.limit = job.limit;
   return request;
+}
+
+campaign::Job job_of(const MatchRequest& request, const std::vector<std::string>& plugins) {
+  campaign::Job job;
+  job.teams = {request.teams.at(0), request.teams.at(1)};
+  job.rules = request.rules;
+  job.robot = request.robot;
+  job.disturbance = request.disturbance;
+  job.overrides = request.overrides;
+  job.plugins = plugins;
+  job.opening = request.opening;
+  job.limit = request.limit;
+  job.seed = parse_seed(request.seed, "--seed");
+  return job;
+}
+
+std::string plain_command(const campaign::Job& job) {
+  std::vector<std::string> words = campaign::match_arguments(job);
+  words.insert(words.begin(), "regista");
+  return shell_line(words);
 }
 
 std::string input_of(const campaign::Job& job, const std::string& name) {

@@ -20,4 +20,10 @@ std::string input_of(const campaign::Job& job, const std::string& name);
 std::string what_changed(const campaign::Job& job, const MatchSetup& prepared, const plugin::Catalogue& catalogue,
                          const std::string& program, const std::string& mathematics);
 
+// The other way round; without what is to be found in the files.
+campaign::Job job_of(const MatchRequest& request, const std::vector<std::string>& plugins);
+
+// The line of the shell that plays this match, whatever the program was called and asked to write: "regista match ...".
+std::string plain_command(const campaign::Job& job);
+
 }  // namespace regista::cli

@@ -21,6 +21,7 @@
 #include "cli/match_report.hpp"
 #include "cli/match_setup.hpp"
 #include "cli/output.hpp"
+#include "cli/own_kind.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/shell.hpp"
 #include "cli/test_options.hpp"
@@ -29,6 +30,7 @@
 #include "match/names.hpp"
 #include "match/teams.hpp"
 #include "mcap/error.hpp"
+#include "mcap/format.hpp"
 #include "report/match_recording.hpp"
 
 namespace regista::cli {
@@ -168,21 +170,20 @@ int compare(const Options& options, const campaign::Decided& stored, const match
   return exit_done;
 }
 
-// The line that plays the match again, but does not stumble over the recording of this time.
-std::string without_recording(const std::vector<std::string>& arguments) {
-  std::vector<std::string> words;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (arguments[i] == "--record") {
-      ++i;
-    } else if (arguments[i] != "--force" && !arguments[i].starts_with("--record=")) {
-      words.push_back(arguments[i]);
-    }
+void check_what_is_written(const Options& options) {
+  if (!options.decisions.empty()) {
+    refuse_to_overwrite(options, "--decisions", options.decisions);
+    refuse_other_kinds("--decisions", options.decisions, decision_log_begin, "log of decisions");
   }
-  return shell_line(words);
-}
-
-void refuse_to_replace(const Options& options) {
+  if (options.record.empty()) return;
   refuse_to_overwrite(options, "--record", options.record);
+  refuse_other_kinds("--record", options.record, mcap::magic.substr(0, mcap::version_in_magic), "recording");
+  const auto place = [](const std::string& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
+  };
+  if (!options.decisions.empty() && place(options.record) == place(options.decisions)) {
+    throw BadInput(fmt::format("--record and --decisions: both name {}", options.record));
+  }
   std::error_code none;
   if (!options.force && std::filesystem::exists(options.record, none)) {
     throw BadInput(fmt::format("--record {}: exists already; --force replaces it", options.record));
@@ -215,10 +216,12 @@ int play(Options options, const Invocation& invocation) {
       match_setup(stored ? request_of(stored->job) : static_cast<const MatchRequest&>(options), catalogue);
   tell_what_is_not_used(catalogue, folders);
   if (stored) require_unchanged(options, stored->job, prepared, catalogue, invocation);
-  if (!options.record.empty()) refuse_to_replace(options);
+  check_what_is_written(options);
   if (stored && stored->decided.failure) return play_forfeit(options, *stored);
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
-  const std::string again = shell_line(invocation.arguments);
+  std::vector<std::string> words = invocation.arguments;
+  if (!options.record.empty() && !options.force) words.push_back("--force");  // for there is a recording now
+  const std::string again = shell_line(words);
 
   PlayedMatch played;
   played.seed = prepared.setup.seed;
@@ -230,14 +233,11 @@ int play(Options options, const Invocation& invocation) {
   }
 
   std::optional<DecisionLog> log;
-  if (!options.decisions.empty()) {
-    refuse_to_overwrite(options, "--decisions", options.decisions);
-    log.emplace(options.decisions, plans, played.seed);
-  }
+  if (!options.decisions.empty()) log.emplace(options.decisions, plans, played.seed);
   std::unique_ptr<report::MatchRecording> recording;
   if (!options.record.empty()) {
-    recording = begin_recording(options, {plans, "regista " REGISTA_VERSION, without_recording(invocation.arguments),
-                                          played.opening, played.seed});
+    const std::string command = plain_command(stored ? stored->job : job_of(options, options.plugins));
+    recording = begin_recording(options, {plans, "regista " REGISTA_VERSION, command, played.opening, played.seed});
   }
   LiveLine live(played.teams, !options.quiet, options.verbose);
   const Interruption interruption(

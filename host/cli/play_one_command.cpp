@@ -27,7 +27,6 @@
 #include "cli/match_report.hpp"
 #include "cli/match_setup.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/shell.hpp"
 #include "config/text.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
@@ -74,13 +73,12 @@ class Recording {
  public:
   Recording(const campaign::Job& job, const MatchSetup& prepared, const std::array<const mind::TeamPlan*, 2>& plans) {
     if (job.record.empty()) return;
-    std::vector<std::string> words = campaign::match_arguments(job);
-    words.insert(words.begin(), "regista");
+    place_ = job.record;
     const std::string opening = prepared.setup.opening ? prepared.setup.opening->name : "";
     try {
       std::filesystem::create_directories(std::filesystem::path(job.record).parent_path());
       file_.emplace(job.record,
-                    report::RecordedSetup{plans, "regista " REGISTA_VERSION, shell_line(words), opening, job.seed},
+                    report::RecordedSetup{plans, "regista " REGISTA_VERSION, plain_command(job), opening, job.seed},
                     report::MatchRecording::Options{.replace = true, .at_stake = job.expects_failure ? 0.1 : 2.0});
     } catch (const std::filesystem::filesystem_error& error) {
       why_not_ = fmt::format("{}: {}", job.record, error.code().message());
@@ -118,9 +116,13 @@ class Recording {
     } catch (const mcap::Error& error) {
       why_not_ = error.what();
       file_.reset();
+      // The room it takes is needed for the results.
+      std::error_code none;
+      std::filesystem::remove(place_, none);
     }
   }
 
+  std::filesystem::path place_;
   std::optional<report::MatchRecording> file_;
   std::string why_not_;
   match::Observer observer_;

@@ -13,6 +13,7 @@
 
 #include "cli/end_of_program.hpp"
 #include "cli/output.hpp"
+#include "cli/own_kind.hpp"
 
 namespace regista::cli {
 namespace {
@@ -73,6 +74,7 @@ void write_whole(const fs::path& file, std::string_view bytes, Existing existing
     if (!fs::is_regular_file(now))
       throw BadInput(fmt::format("cannot write {}: it is no ordinary file", file.string()));
     if (existing == Existing::refused) throw exists();
+    if (bytes.starts_with('<')) refuse_other_kinds("cannot write", file, "<", "page or picture");
   }
   // What a link points to is meant, not the link.
   const fs::path place = fs::exists(now) ? fs::canonical(file, error) : file;

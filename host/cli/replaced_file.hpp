@@ -11,7 +11,8 @@ namespace regista::cli {
 enum class Existing { refused, replaced };
 
 // Throws BadInput when the file exists and is not to be replaced (the message names --force), is no ordinary file, or
-// cannot be made there; WriteError when its bytes cannot be kept, as on a full disk.
+// cannot be made there, or when markup would replace what is none; WriteError when its bytes cannot be kept, as on a
+// full disk.
 void write_whole(const std::filesystem::path& file, std::string_view bytes, Existing existing);
 
 }  // namespace regista::cli

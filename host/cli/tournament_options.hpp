@@ -16,7 +16,7 @@ struct TournamentOptions {
   std::vector<std::string> teams, plugins, overrides, openings;
   std::string rules, robot, disturbance, limit;
   std::string format = "round-robin", pairs, seed = "1";
-  std::string sprt, metric, model, alpha, beta;  // empty: not given
+  std::string sprt, metric, model, alpha, beta;        // empty: not given
   std::string failures_in_a_row = "10", record_every;  // empty: only matches that fail are recorded
   std::string workers, results = "tournament.db", processor_seconds = "10", memory = "2048";
   bool resume = false, json = false, quiet = false, no_page = false;

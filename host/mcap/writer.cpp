@@ -163,8 +163,8 @@ void Writer::store(Chunk& chunk) {
 }
 
 void Writer::close() {
+  if (closed_) return;
   settle();
-  if (!file_.is_open()) return;
   finish_chunk();
   settle();
   std::string end;
@@ -173,6 +173,7 @@ void Writer::close() {
   statistics_.chunks = static_cast<std::uint32_t>(chunks_.size());
   file_.append(summary());
   file_.close();
+  closed_ = true;
 }
 
 void Writer::settle() {
@@ -208,11 +209,11 @@ std::string Writer::summary() const {
 }
 
 void Writer::check_open() {
+  assert(!closed_);
   if (background_) {
     background_->throw_if_failed();
     return;
   }
-  assert(file_.is_open());
   file_.throw_if_failed();
 }
 

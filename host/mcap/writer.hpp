@@ -10,9 +10,9 @@
 //   writer.close();
 //
 // In memory stands one chunk, plain and compressed (two with a background), and about 100 bytes of index for every
-// chunk written. A finished chunk is with the kernel: a process that dies leaves a file whose finished chunks can all
-// be read; so does a writer that is destroyed without close(). The bytes of the file depend on the calls and the
-// version of zstd alone.
+// chunk written. A finished chunk is with the kernel (with a background: soon): a process that dies leaves a file whose
+// chunks can all be read; so does a writer that is destroyed without close(). The bytes of the file depend on the calls
+// and the version of zstd alone.
 #pragma once
 
 #include <cstddef>
@@ -64,7 +64,8 @@ class Writer {
   void write(const Metadata& metadata);      // at once, outside of chunks
   void write(const Attachment& attachment);  // likewise, uncompressed
 
-  // Ends the chunk before it is full, so that the file holds all that has been written so far.
+  // Ends the chunk before it is full, so that the file holds all that has been written so far; with a background: as
+  // soon as that has come to it.
   void finish_chunk();
   // Ends the file with its summary. Nothing can be written afterwards; a second close() does nothing.
   void close();
@@ -101,6 +102,7 @@ class Writer {
   std::vector<MetadataIndex> metadata_;
   std::vector<AttachmentIndex> attachments_;
   Statistics statistics_;
+  bool closed_ = false;
   std::optional<Background> background_;  // last: it uses the others
 };
 

@@ -150,6 +150,7 @@ struct MatchRecording::Parts {
     int context = -3, role = -3;  // of the last decision written; the role also of the last one at all
     std::vector<std::int32_t> kept, assignment;
     double decision = 0.0, belief = -1.0;  // when one was written
+    bool shares = false;                   // another has taken the same role since the last decision
     mcap::ChannelId decisions{}, beliefs{};
     std::uint32_t decision_count = 0, belief_count = 0;
   };
@@ -307,7 +308,12 @@ void MatchRecording::decided(match::Side side, const mind::Mind& mind, const min
   const bool kept_same = std::ranges::equal(last.kept, decision.columns, {}, {}, &regista_task::id);
   const bool changed =
       !kept_same || role_changed || last.context != decision.context || last.assignment != decision.role_of;
-  if (changed || percepts.time - last.decision >= decision_period - 1e-9) {
+  if (role_changed && decision.own_role >= 0) {
+    // What did those compute who hold the role? Their next decision tells.
+    for (Parts::Last& other : parts.last[match::index(side)]) other.shares |= other.role == decision.own_role;
+  }
+  if (changed || last.shares || percepts.time - last.decision >= decision_period - 1e-9) {
+    last.shares = false;
     last.decision = percepts.time;
     last.context = decision.context;
     last.role = decision.own_role;

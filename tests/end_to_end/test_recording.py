@@ -18,6 +18,7 @@ import recorded
 
 SECONDS = 60
 MATCH = ("match", "small.yaml", "other.yaml", *program.PLAY_SOON)
+BOTH_HALVES = (*MATCH, "--set", "rules.durations.half=25", "--limit", SECONDS)
 LONG = (*MATCH, "--set", "rules.durations.half=7200")
 MILLIMETRE = 0.001 + 1e-9
 
@@ -50,7 +51,7 @@ class WhatStandsInIt(Recording):
 
     def setUp(self):
         super().setUp()
-        command = (*MATCH, "--limit", SECONDS, "--json")
+        command = (*BOTH_HALVES, "--json")
         self.without = json.loads(self.succeed(*command))
         self.result = json.loads(self.succeed(*command, "--record", "a.mcap", "--decisions", "decisions.jsonl"))
         lines = (self.folder / "decisions.jsonl").read_text().splitlines()
@@ -59,9 +60,16 @@ class WhatStandsInIt(Recording):
             self.log[line["kind"]].append(line)
         self.file = self.recording()
         self.about = {side: json.loads(self.file.about[side]) for side in ("home", "away")}
+        self.halves = [event["time"] for event in self.file.of("/event") if event["event"] == "half_begins"]
         self.roles = {side: [role["name"] for role in self.about[side]["roles"]] for side in ("home", "away")}
 
+    def sign(self, side, time):
+        """Towards which end a side attacks."""
+        first_half = sum(begin <= time for begin in self.halves) == 1
+        return 1 if first_half == (side == "home") else -1
+
     def test_all(self):
+        self.assertEqual(len(self.halves), 2)
         with self.subTest("recording changes nothing"):
             self.assertEqual(self.result["state_hash"], self.without["state_hash"])
         with self.subTest("whole"):
@@ -103,10 +111,11 @@ class WhatStandsInIt(Recording):
             game = at[line["time"]]
             for name in ("half", "clock", "phase", "set_play", "score", "packets_left"):
                 self.assertEqual(game[name], line[name])
-            self.near(game["ball"][:2], line["ball"], MILLIMETRE)
+            sign = self.sign("home", line["time"])  # the log is in the frame of home
+            self.near(game["ball"][:2], turned(line["ball"], sign), MILLIMETRE)
             for side in ("home", "away"):
                 for one, two in zip(game[side], line[side], strict=True):
-                    self.near(one, two, MILLIMETRE)
+                    self.near(one, turned(two, sign), MILLIMETRE)
 
     def check_decisions(self):
         """A message for each change that the log knows, with the same numbers, and one after 5 s without."""
@@ -122,7 +131,6 @@ class WhatStandsInIt(Recording):
         for side in ("home", "away"):
             names = self.roles[side]
             contexts = [context["name"] for context in self.about[side]["contexts"]]
-            sign = 1 if side == "home" else -1  # one half
 
             def name(row):
                 return {-1: None, -2: "unknown"}.get(row) if row < 0 else names[row]
@@ -144,6 +152,7 @@ class WhatStandsInIt(Recording):
                     if line["target"] is not None:
                         task = next(task for task in message["tasks"] if task["role"] == message["role"])
                         for when in ("before", "after"):
+                            sign = self.sign(side, message["time"])
                             self.near(task[when], turned(line["target"][when], sign), 0.006)
 
     def changes(self, messages):
@@ -207,7 +216,7 @@ class WhatStandsInIt(Recording):
                 self.assertGreater(each["time"], each["sent"])
 
     def check_metrics(self):
-        """Overlap, uncovered time and switches, counted from the file as match/metrics.hpp says."""
+        """Overlap and uncovered time, counted from the file as match/metrics.hpp says."""
         for i, side in enumerate(("home", "away")):
             roles = self.about[side]["roles"]
             overlap, uncovered = collections.Counter(), collections.Counter()
@@ -233,19 +242,60 @@ class WhatStandsInIt(Recording):
 
     def test_same_match_same_bytes(self):
         before = (self.folder / "a.mcap").read_bytes()
-        self.succeed(*MATCH, "--limit", SECONDS, "--json", "--decisions", "decisions.jsonl", "--record", "a.mcap",
-                     "--force")
-        self.assertEqual((self.folder / "a.mcap").read_bytes(), before)
+        os.symlink(self.program, self.folder / "bin" / "another-name")
+        self.program = self.folder / "bin" / "another-name"
+        self.succeed(*BOTH_HALVES, "--quiet", "--record", "b.mcap")
+        self.assertEqual((self.folder / "b.mcap").read_bytes(), before)
+
+    def test_who_shares_a_role_tells_why(self):
+        """At the beginning of an overlap there is a fresh decision of everybody in it."""
+        checked = 0
+        for i, side in enumerate(("home", "away")):
+            decided = {n: [d["time"] for d in self.file.of(f"/decision/{side}/{n}")] for n in range(1, 8)}
+            before = {}
+            for game in self.file.of("/game"):
+                held = collections.defaultdict(set)
+                for n, role in enumerate(game["roles"][i], 1):
+                    if role >= 0:
+                        held[role].add(n)
+                for role, robots in held.items():
+                    if len(robots) < 2 or robots == before.get(role) or game["time"] > SECONDS - 0.5:
+                        continue
+                    for robot in robots:
+                        near = [t for t in decided[robot] if abs(t - game["time"]) <= 0.25]
+                        self.assertTrue(near, (side, game["time"], robot))
+                        checked += 1
+                before = held
+        self.assertGreater(checked, 4)
 
 
 class Ends(Recording):
     def test_a_file_that_exists_is_kept(self):
-        self.write("a.mcap", "mine")
+        self.succeed(*MATCH, "--limit", "1", "--quiet", "--record", "a.mcap")
+        first = (self.folder / "a.mcap").read_bytes()
         self.assertEqual(self.refused(*MATCH, "--record", "a.mcap"),
                          "--record a.mcap: exists already; --force replaces it")
-        self.assertEqual((self.folder / "a.mcap").read_text(), "mine")
-        self.succeed(*MATCH, "--limit", "1", "--quiet", "--record", "a.mcap", "--force")
-        self.assertTrue(self.recording().whole)
+        self.assertEqual((self.folder / "a.mcap").read_bytes(), first)
+        self.succeed(*MATCH, "--limit", "3", "--quiet", "--record", "a.mcap", "--force")
+        self.assertEqual(len(self.recording().of("/game")), 30)
+        self.write("empty.mcap", "")
+        self.succeed(*MATCH, "--limit", "1", "--quiet", "--record", "empty.mcap", "--force")
+
+    def test_no_file_of_another_kind_is_replaced(self):
+        self.write("mine.txt", "mine")
+        self.succeed("tournament", "--team", "small.yaml", "--team", "other.yaml", "--pairs", "1", "--limit", "1",
+                     "--quiet", "--results", "mine.db")
+        self.succeed(*MATCH, "--limit", "1", "--quiet", "--record", "a.mcap")
+        from_results = ("match", "--from", "mine.db", "--row", "1")
+        for name in ("mine.txt", "mine.db", "small.yaml", f"lib/regista/plugins/{program.SOUND.name}"):
+            before = (self.folder / name).read_bytes()
+            for command in (MATCH, from_results):
+                self.refused(*command, "--record", name, "--force")
+                self.refused(*command, "--decisions", name)
+            self.refused("view", "a.mcap", "--at", "0.5", "-o", name, "--force")
+            self.refused("report", "mine.db", "-o", name, "--force")
+            self.assertEqual((self.folder / name).read_bytes(), before)
+        self.assertIn("both name", self.refused(*MATCH, "--record", "x.j", "--decisions", "./x.j", "--force"))
         self.assertIn("is a file that this match reads", self.refused(*MATCH, "--record", "small.yaml", "--force"))
         self.assertIn("belongs to --record", self.refused(*MATCH, "--force"))
 
@@ -273,12 +323,13 @@ class Ends(Recording):
                 self.assertIsNone(process.poll())
                 time.sleep(0.01)
             process.send_signal(number)
-            process.communicate(timeout=60)
+            _, self.said = process.communicate(timeout=60)
         return process.returncode
 
     def test_after_ctrl_c_the_file_is_whole(self):
         self.assertEqual(self.stopped(signal.SIGINT), 1)
         self.assertTrue(self.recording().whole)
+        self.assertTrue(self.said.endswith(" --quiet --record a.mcap --force\n"), self.said)
         self.assertEqual(self.succeed("view", "a.mcap", "--at", "3", "-o", "a.svg"), "a.svg\n")
 
     def test_after_a_crash_what_was_finished_is_there(self):

@@ -40,8 +40,8 @@ class Recordings(tournament.Tournament):
         self.play("--record-every", "2")
         done = self.run_program("match", "--from", "tournament.db", "--row", "3", "--quiet", "--record", "later.mcap")
         self.assertEqual(done.returncode, 0, done.stderr)
-        later, then = recorded.read(self.folder / "later.mcap"), self.recording(3)
-        self.assertEqual(later.messages, then.messages)
+        self.assertEqual((self.folder / "later.mcap").read_bytes(),
+                         (self.folder / "tournament.recordings/3.mcap").read_bytes())
 
     def test_a_resumed_tournament_records_what_is_still_to_be_played(self):
         self.kill_when(lambda: self.count() >= 3, *self.arguments("--quiet", "--record-every", "1", pairs=50))
@@ -84,6 +84,18 @@ class Recordings(tournament.Tournament):
             self.assertRegex(line, r"^regista: a match was not recorded: tournament\.recordings/\d\.mcap: .+; it can be "
                                    r"played again with --record: .* match ")
         self.assertEqual(self.count(), 6)
+
+    def test_a_failed_match_that_cannot_be_recorded_is_told(self):
+        self.write("tournament.recordings", "in the way")
+        for old, new, folder in (("ball_seen", "crashes", DEATHS), ("first_free", "assigns_beyond", BAD_VALUES)):
+            text = program.TEAM.format(name="bad").replace("robot: 1, ", "")
+            self.write("bad.yaml", text.replace(f"plugin: {old}", f"plugin: {new}"))
+            (self.folder / "tournament.db").unlink(missing_ok=True)
+            done = self.run_program(*self.arguments("--quiet", "--no-page", "--plugins", folder, *LIMITS,
+                                                    teams=("bad.yaml", "small.yaml"), pairs=1))
+            self.assertEqual(done.returncode, 0)
+            told = [line for line in done.stderr.splitlines() if "a match was not recorded" in line]
+            self.assertEqual(len(told), 2, done.stderr)
 
     def test_numbers_that_are_none(self):
         for value in ("0", "-1", "x", "1.5"):
