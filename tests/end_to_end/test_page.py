@@ -177,10 +177,10 @@ class Pages(tournament.Tournament):
         self.play("--no-page", pairs=1)
         self.succeed("report", "tournament.db", "-o", "a.html")
         whole = (self.folder / "a.html").read_bytes()
-        self.write("a.html", "mine")
+        self.write("a.html", "<p>mine")
         self.assertEqual(self.refused("report", "tournament.db", "-o", "a.html"),
                          "a.html exists already; --force replaces it")
-        self.assertEqual((self.folder / "a.html").read_text(), "mine")
+        self.assertEqual((self.folder / "a.html").read_text(), "<p>mine")
         os.symlink("a.html", self.folder / "link.html")
         self.assertIn("exists already", self.refused("report", "tournament.db", "-o", "link.html"))
         self.succeed("report", "tournament.db", "-o", "link.html", "--force")
@@ -218,13 +218,13 @@ class Pages(tournament.Tournament):
     def test_a_full_disk(self):
         self.play("--no-page", pairs=1)
         full = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
-        self.write("a.html", "mine")
+        self.write("a.html", "<p>mine")
         for more in ((), ("--force",)):
             name = "a.html" if more else "b.html"
             done = self.run_program("report", "tournament.db", "-o", name, *more, preexec_fn=full)
             self.assertEqual((done.returncode, done.stdout), (1, ""))
             self.assertEqual(done.stderr.splitlines()[-1], f"regista: cannot write to {name}: File too large")
-        self.assertEqual((self.folder / "a.html").read_text(), "mine")
+        self.assertEqual((self.folder / "a.html").read_text(), "<p>mine")
         self.assertEqual(sorted(file.name for file in self.folder.glob("*.html*")), ["a.html"])
 
     def test_without_gnuplot(self):
