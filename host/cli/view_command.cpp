@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -82,7 +83,9 @@ Moment parse_moment(const std::string& typed) {
   }
   const auto seconds = number_in<double>(rest);
   if (!seconds || !(*seconds >= 0.0) || *seconds > 1e6) refuse();
-  if (typed.find(':') != std::string::npos && *seconds >= 60.0) refuse();
+  // 7:4 may mean 7:40 as well as 7:04.
+  const bool two_digits = rest.size() == 2 || (rest.size() > 2 && rest[2] == '.');
+  if (typed.find(':') != std::string::npos && (*seconds >= 60.0 || !two_digits)) refuse();
   out.seconds = 60.0 * minutes + *seconds;
   return out;
 }
@@ -107,7 +110,7 @@ report::RobotName parse_robot(const std::string& typed, int team_size) {
 
 double time_of(const report::RecordedMatch& match, const Moment& moment, const Options& options) {
   if (moment.half == 0) {
-    if (moment.seconds <= match.end() + 1e-9) return moment.seconds;
+    if (moment.seconds <= match.end() + 1e-9) return std::max(moment.seconds, match.begin());
     throw BadInput(fmt::format("--at {}: the recording ends at {:.1f} s", options.at, match.end()));
   }
   if (const auto time = match.time_of(moment.half, moment.seconds)) return *time;
@@ -177,6 +180,10 @@ int run(const Options& options, const Invocation& invocation) {
     if (std::filesystem::equivalent(output, options.file, none)) {
       throw BadInput(fmt::format("-o {}: is the recording itself", output.string()));
     }
+    if (output == "-") {
+      print(written);
+      return exit_done;
+    }
     write_whole(output, written, options.force ? Existing::replaced : Existing::refused);
     print(output.string() + '\n');
   } catch (const mcap::Error& error) {
@@ -191,7 +198,8 @@ Command add_view(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("view", "see a recorded match");
   const auto options = std::make_shared<Options>();
   app.add_option("recording", options->file, "file that `regista match --record` wrote")->type_name("FILE.mcap");
-  app.add_option("-o,--output", options->output, "write this file; default: beside the recording, as .html or .svg")
+  app.add_option("-o,--output", options->output,
+                 "write this file, - for standard output; default: beside the recording, as .html or .svg")
       ->type_name("FILE");
   app.add_option("--at", options->at, "a picture of this moment instead of the page")->type_name("[HALF/]M:SS");
   app.add_option("--robot", options->robot, "of --at: the world as this robot believed it")

@@ -7,37 +7,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "report/html_text.hpp"
+#include "report/moment_parts.hpp"
 #include "report/visible_text.hpp"
 
 namespace regista::report {
 namespace {
 
-constexpr double width = 1280.0, panel_width = 430.0, margin = 20.0, head = 64.0;
+using namespace moment;
 
-// Numbers and literals of this file alone.
-template <class... Numbers>
-Html drawn(fmt::format_string<Numbers...> format, Numbers... numbers) {
-  return Html::made_by_us(fmt::vformat(format, fmt::make_format_args(numbers...)));
-}
-
-Html label(double x, double y, const char* classes, std::string_view words) {
-  Html out = drawn(R"(<text x="{:.1f}" y="{:.1f}" class="{}">)", x, y, classes);
-  return out << text(words) << "</text>"_html;
-}
-
-// "7:42.3", as in the viewer.
-std::string time_text(double seconds) {
-  const auto tenths = std::llround(10.0 * std::clamp(seconds, 0.0, 1e6));
-  return fmt::format("{}:{:02}.{}", tenths / 600, tenths / 10 % 60, tenths % 10);
-}
-
-std::string role_name(const RecordedTeam& team, int row) {
-  if (row == -1) return "no role";
-  if (row == -2) return "not known yet";
-  const auto index = static_cast<std::size_t>(row);
-  return row >= 0 && index < team.roles.size() ? team.roles[index] : fmt::format("role {}", row);
-}
+constexpr double width = 1280.0, margin = 20.0, head = 64.0;
 
 std::string words_of(std::string name) {
   std::ranges::replace(name, '_', ' ');
@@ -88,13 +66,20 @@ Html ellipse(const RecordedCovariance& c, double x, double y, const Scale& to) {
                to.x(x), to.y(y), longer * to.per_metre, shorter * to.per_metre, -angle * 180.0 / std::numbers::pi);
 }
 
-// `kind`: a class of the style sheet.
-Html robot_shape(const RecordedPose& pose, double radius, int number, const char* kind, const Scale& to) {
-  const double x = to.x(pose.x), y = to.y(pose.y), r = radius * to.per_metre;
-  return drawn(
-      R"(<g class="{0}"><circle cx="{1:.1f}" cy="{2:.1f}" r="{3:.1f}"/><path d="M{1:.1f} {2:.1f}L{4:.1f} {5:.1f}"/>)"
-      R"(<text x="{1:.1f}" y="{6:.1f}">{7}</text></g>)",
-      kind, x, y, r, x + 1.5 * r * std::cos(pose.heading), y - 1.5 * r * std::sin(pose.heading), y + 4.5, number);
+// The home team's robots are discs, the away team's squares. `kind`: a class of the style sheet.
+Html robot_shape(const RecordedPose& pose, double radius, int side, int number, const char* kind, const Scale& to) {
+  const double x = to.x(pose.x), y = to.y(pose.y), r = radius * to.per_metre, half = 0.9 * r;
+  Html out = drawn(R"(<g class="{}">)", kind);
+  if (side == 0) {
+    out << drawn(R"(<circle class="body" cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", x, y, r);
+  } else {
+    out << drawn(R"(<rect class="body" x="{0:.1f}" y="{1:.1f}" width="{2:.1f}" height="{2:.1f}" rx="2"/>)", x - half,
+                 y - half, 2.0 * half);
+  }
+  out << drawn(R"(<path d="M{:.1f} {:.1f}L{:.1f} {:.1f}"/>)", x, y, x + 1.5 * r * std::cos(pose.heading),
+               y - 1.5 * r * std::sin(pose.heading));
+  if (number > 0) out << drawn(R"(<text x="{:.1f}" y="{:.1f}">{}</text>)", x, y + 4.5, number);
+  return out << "</g>"_html;
 }
 
 Html truth(const RecordedMatch& match, const RecordedGame& game, const std::optional<RobotName>& chosen,
@@ -111,11 +96,16 @@ Html truth(const RecordedMatch& match, const RecordedGame& game, const std::opti
         out << drawn(R"(<circle class="chosen" cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", to.x(pose.x), to.y(pose.y),
                      (team.robot_radius + 0.12) * to.per_metre);
       }
-      out << robot_shape(pose, team.robot_radius, number,
+      out << robot_shape(pose, team.robot_radius, static_cast<int>(side), number,
                          away        ? (side == 0 ? "robot home penalised" : "robot away penalised")
                          : side == 0 ? "robot home"
                                      : "robot away",
                          to);
+      if (std::ranges::find(game.fallen[side], number) != game.fallen[side].end()) {
+        const double x = to.x(pose.x), y = to.y(pose.y), r = (team.robot_radius + 0.05) * to.per_metre;
+        out << drawn(R"(<path class="fallen" d="M{:.1f} {:.1f}L{:.1f} {:.1f}M{:.1f} {:.1f}L{:.1f} {:.1f}"/>)", x - r,
+                     y - r, x + r, y + r, x - r, y + r, x + r, y - r);
+      }
       if (!away && game.roles[side][i] >= 0) {
         out << label(to.x(pose.x), to.y(pose.y) + (team.robot_radius + 0.2) * to.per_metre, "role",
                      visible_at_most(role_name(team, game.roles[side][i]), 24));
@@ -126,19 +116,20 @@ Html truth(const RecordedMatch& match, const RecordedGame& game, const std::opti
                       to.y(game.ball[1]), std::max(4.0, match.ball_radius() * to.per_metre));
 }
 
-Html believed(const RecordedWorld& world, const RecordedTeam& team, const RobotName& robot, const Scale& to) {
-  Html out = robot.side == 0 ? R"(<g class="of-home">)"_html : R"(<g class="of-away">)"_html;
+Html believed(const RecordedWorld& world, const RecordedPose& own, const RecordedTeam& team, const RobotName& robot,
+              const Scale& to) {
+  Html out = robot.side == 0 ? R"x(<g class="of-home" clip-path="url(#field)">)x"_html
+                             : R"x(<g class="of-away" clip-path="url(#field)">)x"_html;
   for (const RecordedTeammate& mate : world.teammates) {
     if (mate.number == robot.number) continue;
     out << ellipse(mate.covariance, mate.pose.x, mate.pose.y, to)
-        << robot_shape(mate.pose, team.robot_radius, mate.number, "ghost mate", to)
+        << robot_shape(mate.pose, team.robot_radius, robot.side, mate.number, "ghost mate", to)
         << label(to.x(mate.pose.x), to.y(mate.pose.y) - (team.robot_radius + 0.08) * to.per_metre, "age",
                  fmt::format("{:.1f} s", mate.age));
   }
   for (const RecordedObject& opponent : world.opponents) {
     out << ellipse(opponent.covariance, opponent.x, opponent.y, to)
-        << drawn(R"(<circle class="ghost other" cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", to.x(opponent.x),
-                 to.y(opponent.y), team.robot_radius * to.per_metre)
+        << robot_shape({opponent.x, opponent.y, 0.0}, team.robot_radius, 1 - robot.side, 0, "ghost other", to)
         << label(to.x(opponent.x), to.y(opponent.y) + 4.0, "age", fmt::format("{:.1f} s", opponent.age));
   }
   if (world.ball) {
@@ -147,7 +138,8 @@ Html believed(const RecordedWorld& world, const RecordedTeam& team, const RobotN
                  to.y(world.ball->y))
         << label(to.x(world.ball->x), to.y(world.ball->y) - 9.0, "age", fmt::format("ball, {:.1f} s", world.ball->age));
   }
-  return out << "</g>"_html;
+  // Itself: where it is not, as it were.
+  return out << robot_shape(own, team.robot_radius, robot.side, robot.number, "ghost mate itself", to) << "</g>"_html;
 }
 
 Html planned(const RecordedDecision& decision, const RecordedTeam& team, const Scale& to) {
@@ -178,130 +170,17 @@ Html planned(const RecordedDecision& decision, const RecordedTeam& team, const S
   return out;
 }
 
-// White for the smallest, blue for the largest; ink that can be read on it.
-Html heat(double share) {
-  const auto mix = [&](double light, double dark) { return static_cast<int>(light + share * (dark - light)); };
-  return drawn(R"( fill="#{:02x}{:02x}{:02x}")", mix(246, 0), mix(249, 90), mix(252, 156));
-}
-
-struct Table {
-  double left, top, cell_width, cell_height;
-};
-
-Html matrix(const RecordedDecision& decision, const RecordedTeam& team, int own_number, const Table& table) {
-  Html out;
-  double least = INFINITY, most = -INFINITY;
-  for (const auto& row : decision.utility) {
-    for (const auto& value : row) {
-      if (!value) continue;
-      least = std::min(least, *value);
-      most = std::max(most, *value);
-    }
-  }
-  for (std::size_t j = 0; j < decision.columns.size(); ++j) {
-    const double x = table.left + (static_cast<double>(j) + 0.62) * table.cell_width;
-    out << drawn(R"x(<text class="column" transform="translate({:.1f} {:.1f}) rotate(-55)">)x", x, table.top - 6.0)
-        << text(visible_at_most(role_name(team, decision.columns[j]), 16)) << "</text>"_html;
-  }
-  for (std::size_t i = 0; i < decision.rows.size(); ++i) {
-    const double y = table.top + static_cast<double>(i) * table.cell_height;
-    const int number = decision.rows[i];
-    out << label(table.left - 8.0, y + table.cell_height / 2.0 + 4.0, number == own_number ? "row own-row" : "row",
-                 std::to_string(number));
-    for (std::size_t j = 0; j < decision.columns.size(); ++j) {
-      const double x = table.left + static_cast<double>(j) * table.cell_width;
-      const std::optional<double>& value = decision.utility[i][j];
-      const auto robot = static_cast<std::size_t>(number - 1);
-      const bool assigned =
-          number >= 1 && robot < decision.assigned.size() && decision.assigned[robot] == decision.columns[j];
-      const double share = !value ? 0.0 : most > least ? (*value - least) / (most - least) : 1.0;
-      out << drawn(R"(<rect class="{}" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}")",
-                   value ? "cell" : "cell forbidden", x, y, table.cell_width, table.cell_height)
-          << (value ? heat(share) : Html()) << "/>"_html
-          << label(x + table.cell_width / 2.0, y + table.cell_height / 2.0 + 4.0,
-                   share > 0.55 ? "value light" : "value", value ? fmt::format("{:.2f}", *value) : "–");
-      if (assigned) {
-        out << drawn(R"(<rect class="taken" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>)", x + 1.5, y + 1.5,
-                     table.cell_width - 3.0, table.cell_height - 3.0);
-      }
-    }
-  }
-  return out;
-}
-
-// The terms behind the own row.
-Html own_terms(const RecordedDecision& decision, const RecordedTeam& team, int own_number, Table table) {
-  const auto own = std::ranges::find(decision.rows, own_number);
-  const auto context = static_cast<std::size_t>(decision.context);
-  if (own == decision.rows.end() || decision.context < 0 || context >= team.contexts.size()) return {};
-  const auto row = static_cast<std::size_t>(own - decision.rows.begin());
-  const std::vector<RecordedTerm>& names = team.contexts[context].terms;
-  Html out;
-  for (std::size_t k = 0; k < std::min(names.size(), decision.terms.size()); ++k) {
-    out << label(table.left, table.top + 4.0, "term",
-                 visible_at_most(fmt::format("{} × {:g}", names[k].name, names[k].weight), 40));
-    table.top += 9.0;
-    for (std::size_t j = 0; j < decision.columns.size(); ++j) {
-      const std::optional<double>& value = decision.terms[k][row][j];
-      out << label(table.left + (static_cast<double>(j) + 0.5) * table.cell_width, table.top + 12.0, "value",
-                   value ? fmt::format("{:.2f}", *value) : "–");
-    }
-    table.top += 30.0;
-  }
-  return out;
-}
-
-Html panel(const RecordedMatch& match, const RecordedMoment& moment, const RobotName& robot, double left) {
-  const RecordedTeam& team = match.teams()[static_cast<std::size_t>(robot.side)];
-  Html out;
-  double y = head + 14.0;
-  const auto line = [&](const char* classes, const std::string& words) {
-    out << label(left, y, classes, visible_at_most(words, 66));
-    y += 19.0;
-  };
-  const auto context_lines = [&](const RecordedContext& context, const char* how) {
-    line("small", fmt::format("context {}: {} {}", context.name, context.plugin, how));
-    if (!context.parameters.empty()) line("small", "    " + context.parameters);
-  };
-  if (!moment.decision) {
-    line("title", fmt::format("{} {}", team.name, robot.number));
-    line("small", "had decided nothing yet");
-    return out;
-  }
-  const RecordedDecision& decision = *moment.decision;
-  line("title", fmt::format("{} {}: {}", team.name, robot.number, role_name(team, decision.role)));
-  const auto context = static_cast<std::size_t>(decision.context);
-  if (decision.context >= 0 && context < team.contexts.size()) {
-    for (std::size_t i = 0; i < context; ++i) context_lines(team.contexts[i], "does not hold");
-    context_lines(team.contexts[context], "holds");
-  } else {
-    line("small", "no context holds");
-  }
-  line("small", fmt::format("decided {:.2f} s before; utilities of what it knows {}",
-                            std::max(moment.game.time - decision.time, 0.0),
-                            decision.knowledge == "common" ? "in common with the others" : "itself"));
-  if (decision.columns.empty()) return out;
-  const double columns = static_cast<double>(decision.columns.size());
-  Table table{left + 22.0, y + 112.0, std::min(52.0, (panel_width - 22.0 - 60.0) / columns), 25.0};
-  out << label(left, y + 6.0, "heading", "Utility estimation matrix: robots × tasks")
-      << matrix(decision, team, robot.number, table);
-  table.top += 25.0 * static_cast<double>(decision.rows.size()) + 34.0;
-  out << label(left, table.top, "heading", fmt::format("Terms behind the row of robot {}", robot.number));
-  table.top += 22.0;
-  return out << own_terms(decision, team, robot.number, table);
-}
-
 constexpr Markup style = R"(<style>
 text{font-family:"Helvetica Neue",Arial,"DejaVu Sans",sans-serif;font-size:12px;fill:#1b1f24}
 .head{font-size:22px;font-weight:600}.small{fill:#4a545e;white-space:pre}.title{font-size:17px;font-weight:600}.heading{font-weight:600}
 .grass{fill:#eef4ee}.line *{fill:none;stroke:#7d8a80;stroke-width:1.5}
 .robot text,.ghost text{text-anchor:middle;font-size:12.5px;font-weight:600}
-.robot circle{stroke:#fff;stroke-width:1}.robot path{stroke:#1b1f24;stroke-width:2}
-.home circle{fill:#0072b2}.away circle{fill:#d55e00}.home text,.away text{fill:#fff}.penalised{opacity:.3}
+.robot .body{stroke:#fff;stroke-width:1}.robot path{stroke:#1b1f24;stroke-width:2}.fallen{stroke:#1b1f24;stroke-width:2.5}
+.home .body{fill:#0072b2}.away .body{fill:#d55e00}.home text,.away text{fill:#fff}.penalised{opacity:.3}
 .chosen{fill:none;stroke:#1b1f24;stroke-width:2.5}.ball{fill:#1b1f24;stroke:#fff;stroke-width:1.5}
 .role{text-anchor:middle;font-size:10.5px;fill:#4a545e}
-.ghost circle,circle.ghost{fill:none;stroke-width:1.4;stroke-dasharray:4 3}.ghost path{stroke-width:1.2}
-.of-home .mate *,.of-away .other{stroke:#0072b2}.of-away .mate *,.of-home .other{stroke:#d55e00}
+.ghost .body,circle.ghost{fill:none;stroke-width:1.4;stroke-dasharray:4 3}.ghost path{stroke-width:1.2}.other path{display:none}
+.of-home .mate *,.of-away .other *{stroke:#0072b2}.of-away .mate *,.of-home .other *{stroke:#d55e00}
 .of-home .mate text{fill:#0072b2;stroke:#fff}.of-away .mate text{fill:#b34f00;stroke:#fff}.believed-ball{stroke:#1b1f24}
 .role,.age,.task-name,.mate text{paint-order:stroke;stroke:#fff;stroke-width:2.5px;stroke-linejoin:round}
 .spread{fill:#5b6670;fill-opacity:.07;stroke:#5b6670;stroke-opacity:.45;stroke-width:.8}
@@ -323,14 +202,16 @@ std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment,
   const double room = width - 2.0 * margin - (robot ? panel_width + margin : 0.0);
   to.per_metre = room / (2.0 * to.half_length);
   const double bottom = to.top + 2.0 * to.half_width * to.per_metre;
-  const std::size_t rows = moment.decision ? moment.decision->rows.size() : 0;
-  const double height = std::max(bottom, robot ? 420.0 + 25.0 * static_cast<double>(rows) : 0.0) + 36.0;
+  const Panel beside = robot ? panel(match, moment, *robot, width - panel_width, head) : Panel{};
+  const double height = std::max(bottom + (robot ? 56.0 : 20.0), beside.bottom + 20.0);
 
   const RecordedGame& game = moment.game;
   Html out = drawn(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" )"
                    R"(height="{1:.0f}"><rect width="100%" height="100%" fill="#fff"/>)",
                    width, height);
-  out << style;
+  out << style
+      << drawn(R"(<clipPath id="field"><rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/></clipPath>)",
+               to.left, to.top, 2.0 * to.half_length * to.per_metre, 2.0 * to.half_width * to.per_metre);
   out << label(margin, 32.0, "head",
                fmt::format("{} {} : {} {}", visible_at_most(match.teams()[0].name, 32), game.score[0], game.score[1],
                            visible_at_most(match.teams()[1].name, 32)));
@@ -348,12 +229,15 @@ std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment,
     const bool common = moment.decision && moment.decision->knowledge == "common";
     if (moment.belief) {
       const RecordedWorld& world = common && moment.belief->common ? *moment.belief->common : moment.belief->mine;
-      out << believed(world, team, *robot, to);
+      out << believed(world, moment.belief->pose, team, *robot, to);
     }
-    out << panel(match, moment, *robot, width - panel_width);
-    out << label(margin, bottom + 20.0, "small",
-                 "filled: the truth; dashed: what the robot believes, with the age of the news and two standard "
-                 "deviations; green: waypoints; purple: tasks before and after the offset");
+    out << beside.drawing
+        << label(margin, bottom + 20.0, "small",
+                 "filled: the truth (home round, away square, crossed out: fallen); dashed: what the robot believes, "
+                 "with "
+                 "the age of")
+        << label(margin, bottom + 37.0, "small",
+                 "the news and two standard deviations; green: waypoints; purple: tasks before and after the offset");
   } else {
     out << truth(match, game, robot, to);
   }

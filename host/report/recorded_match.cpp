@@ -184,8 +184,11 @@ RecordedMatch::RecordedMatch(const std::filesystem::path& file) : file_(file) {
   reader.select({.topics = {"/game"}});
   // All of the game's states, for the last one is wanted; of a file without a summary, this also finds who played.
   mcap::Message message;
-  std::string last;
-  while (next(reader, message, damage_)) last = message.data;
+  std::string first, last;
+  while (next(reader, message, damage_)) {
+    last = message.data;
+    if (first.empty()) first = last;
+  }
   if (reader.cut_off() && damage_.empty()) damage_ = reader.cut_off()->line;
   const mcap::Metadata* const about = about_in(reader);
   if (about == nullptr && !damage_.empty()) throw mcap::Error(file, "breaks off before it says who plays");
@@ -209,6 +212,7 @@ RecordedMatch::RecordedMatch(const std::filesystem::path& file) : file_(file) {
   });
   const RecordedGame ending = reading(file, "the last state of the game", [&] { return game(Json::parse(last)); });
   end_ = ending.time;
+  begin_ = reading(file, "the first state of the game", [&] { return game(Json::parse(first)).time; });
   team_size_ = static_cast<int>(ending.robots[0].size());
 }
 

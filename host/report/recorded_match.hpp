@@ -121,7 +121,8 @@ class RecordedMatch {
   double ball_radius() const { return ball_radius_; }
   const std::array<RecordedTeam, 2>& teams() const { return teams_; }
   int team_size() const { return team_size_; }
-  // Of the last state of the game that can be read.
+  // Of the first and the last state of the game that can be read.
+  double begin() const { return begin_; }
   double end() const { return end_; }
   // Where the file was cut off or damaged, in words; empty when it is whole.
   const std::string& damage() const { return damage_; }
@@ -135,7 +136,7 @@ class RecordedMatch {
  private:
   std::filesystem::path file_;
   config::FieldSize field_;
-  double ball_radius_ = 0.05, end_ = 0.0;
+  double ball_radius_ = 0.05, begin_ = 0.0, end_ = 0.0;
   int team_size_ = 0;
   std::array<RecordedTeam, 2> teams_;
   std::string damage_;

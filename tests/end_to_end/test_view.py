@@ -141,9 +141,12 @@ class Pictures(View):
         at = self.texts(self.picture("--at", "1/0:05"))
         self.assertEqual(at, self.texts(self.picture("--at", clocked["time"])))
         self.assertEqual(self.texts(self.picture("--at", "0:15")), self.texts(self.picture("--at", "15.0")))
+        self.assertEqual(self.texts(self.picture("--at", "0")), self.texts(self.picture("--at", "0.1")))
+        self.picture("--at", "0:15")
+        self.assertEqual(self.succeed("view", "a.mcap", "--at", "0:15", "-o", "-"), (self.folder / "a.svg").read_text())
 
     def test_moments_and_robots_that_are_none(self):
-        for typed in ("x", "-1", "1:", ":5", "7:75", "0/1:00", "1/2/3", "nan", "inf", "1e99", "1:2:3", ""):
+        for typed in ("x", "-1", "1:", ":5", "7:75", "7:4", "7:4.5", "0/1:00", "1/2/3", "nan", "inf", "1e99", "1:2:3", ""):
             if typed:
                 self.assertIn("--at", self.refused("view", "a.mcap", "--at", typed))
         self.assertIn("ends at 20.0 s", self.refused("view", "a.mcap", "--at", "20.2"))
