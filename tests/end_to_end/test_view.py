@@ -58,11 +58,16 @@ class Pages(View):
         self.install_viewer("<html>another</html>")
         self.assertIn("belongs to another version", self.refused("view", "a.mcap"))
 
-    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
     def test_a_folder_that_may_not_be_written(self):
         self.install_viewer()
-        (self.folder / "closed").mkdir(mode=0o500)
-        self.assertIn("Permission denied", self.refused("view", "a.mcap", "-o", "closed/a.html"))
+        (self.folder / "closed").mkdir(mode=0o555)
+        self.folder.chmod(0o755)
+        nobody = 65534
+        options = dict(user=nobody, group=nobody, extra_groups=[]) if os.geteuid() == 0 else {}
+        for more in ((), ("--at", "5")):
+            line = self.refused("view", "a.mcap", *more, "-o", "closed/a.html", **options)
+            self.assertIn("closed/a.html", line)
+            self.assertIn("Permission denied", line)
 
     def test_folders_and_disks_that_take_nothing(self):
         self.install_viewer()
