@@ -56,6 +56,8 @@ class Page(html.parser.HTMLParser):
 
 
 class Pages(tournament.Tournament):
+    pages = True
+
     def page(self, name="tournament.html"):
         page = Page((self.folder / name).read_text())
         self.assertEqual(page.wrong, [])

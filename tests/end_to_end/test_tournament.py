@@ -17,6 +17,8 @@ import tournament
 
 
 class Matches(tournament.Tournament):
+    pages = True
+
     def test_every_row_is_the_match_that_the_program_plays_by_itself(self):
         self.play("--seed", "7")
         rows = self.stored("SELECT row, job, seed, home_goals, away_goals, hash, json FROM matches "

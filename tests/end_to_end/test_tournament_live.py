@@ -11,6 +11,8 @@ REWRITE = re.compile(r"\x1b\[(\d+)F\x1b\[J")
 
 
 class Live(tournament.Tournament):
+    pages = True
+
     def shown(self, *arguments, columns=80, terminal="xterm", **options):
         """What a terminal of so many columns got on standard error, and standard output."""
         return self.on_terminal(*self.arguments(*arguments, **options), columns=columns, terminal=terminal)

@@ -31,6 +31,8 @@ class Tournament(program.Case):
     """small.yaml scores in most matches in which it is at home, other.yaml in as many but not in the same, worse.yaml
     never."""
 
+    pages = False  # whether tournaments write theirs, which takes longer than a few short matches
+
     def setUp(self):
         super().setUp()
         striker = "target: {at: ball}"
@@ -45,6 +47,8 @@ class Tournament(program.Case):
         words = ["tournament"]
         for team in teams:
             words += ["--team", team]
+        if not self.pages and "--no-page" not in more:
+            words.append("--no-page")
         return [*words, "--pairs", pairs, *SHORT, *more]
 
     def play(self, *more, **options):
