@@ -21,19 +21,37 @@ function ask(text: string): void {
   byId("start-hint").hidden = false;
 }
 
+// Only the recording that was chosen last counts; once one is shown, opening another begins anew.
+let chosen = 0;
+let opened = false;
+
+class Outdated extends Error {}
+
 async function open(source: Source): Promise<void> {
+  const turn = ++chosen;
+  const stillWanted = () => {
+    if (turn !== chosen) throw new Outdated();
+  };
   const progress = byId<HTMLProgressElement>("start-progress");
   document.body.dataset.state = "reading";
+  progress.value = 0;
   progress.hidden = false;
+  byId("start-choose").hidden = true;
+  byId("start-hint").hidden = true;
   setText(byId("start-text"), `Reading ${source.name} …`);
-  await new Promise((resolve) => setTimeout(resolve, 0));
   try {
-    const match = await readMatch(await source.bytes(), (share) => {
+    await new Promise((resolve) => setTimeout(resolve, 0));
+    stillWanted();
+    const bytes = await source.bytes();
+    stillWanted();
+    const match = await readMatch(bytes, (share) => {
+      stillWanted();
       progress.value = share;
     });
+    stillWanted();
+    opened = true;
     byId("start").hidden = true;
     byId("viewer").hidden = false;
-    opened = true;
     const viewer = new Viewer(match, source.name, theme);
     document.body.dataset.state = "ready";
     // After the first frame, which the viewer has asked for already.
@@ -41,6 +59,7 @@ async function open(source: Source): Promise<void> {
       window.regista = { viewer, openedAfter: performance.now() };
     });
   } catch (error) {
+    if (turn !== chosen) return; // another one is being read
     byId("start").hidden = false;
     byId("viewer").hidden = true;
     const why =
@@ -53,8 +72,6 @@ async function open(source: Source): Promise<void> {
   }
 }
 
-// One recording for each life of the page: opening another begins anew.
-let opened = false;
 function choose(file: File | undefined): void {
   if (file === undefined || opened) return;
   void open(ofFile(file));
@@ -62,7 +79,10 @@ function choose(file: File | undefined): void {
 
 function listen(): void {
   const file = byId<HTMLInputElement>("file");
-  file.addEventListener("change", () => choose(file.files?.[0]));
+  file.addEventListener("change", () => {
+    choose(file.files?.[0]);
+    file.value = ""; // the same one may be chosen again
+  });
   document.addEventListener("dragover", (event) => {
     event.preventDefault();
     document.body.classList.add("dropping");

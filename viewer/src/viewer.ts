@@ -20,6 +20,7 @@ import { OverlapList } from "./panels/overlaps";
 import { RobotPanel } from "./panels/robot";
 import type { Side } from "./recording/about";
 import type { Match } from "./recording/match";
+import { stripLanes } from "./time/detail";
 import { Timeline } from "./time/timeline";
 
 const panelTexts: Record<PanelName, string> = {
@@ -59,6 +60,8 @@ export class Viewer {
     private readonly theme: Theme,
   ) {
     byId("viewer").style.setProperty("--rows", String(Math.max(...match.game.sizes)));
+    const [over, under] = stripLanes(match);
+    byId("viewer").style.setProperty("--lanes", String(over + under));
     this.state = new State(match.game.begin, match.game.end);
     this.palette = readPalette();
     this.field = new Field(byId("field"), match, this.palette);
@@ -83,7 +86,10 @@ export class Viewer {
       this.state.set({ pair }),
     );
     this.matchPanel = new MatchPanel(byId("panel-match"), match, name, (time) => this.state.set({ time }));
-    this.address = new Address(() => fragmentOf(this.state.view.time, this.state.view.robot));
+    this.address = new Address(() => {
+      const { time, robot, panel, pair } = this.state.view;
+      return fragmentOf(time, robot, panel === "compare" ? pair : null);
+    });
     this.playback = new Playback(this.state, (now) => this.draw(now));
     theme.changed = () => this.repaint();
     this.state.listen((changed) => this.changed(changed));
@@ -100,12 +106,18 @@ export class Viewer {
   }
 
   private go(fragment: string): void {
-    const { time, robot } = readFragment(fragment, this.match.game.sizes);
+    const { teams } = this.match.about;
+    const { time, robot, pair } = readFragment(fragment, this.match.game.sizes, [
+      teams[0].roles.length,
+      teams[1].roles.length,
+    ]);
     if (time !== null) this.state.set({ time });
     if (robot !== null) {
       this.state.choose(robot);
       this.state.set({ panel: "robot" });
     }
+    if (pair !== null) this.state.set({ pair, panel: "compare", side: pair.side });
+    this.address.touch(); // what names a moment that is none is put right
   }
 
   private resize(): void {
@@ -143,7 +155,7 @@ export class Viewer {
     if (["robot", "side", "pair", "panel"].some((key) => changed.has(key as keyof View))) this.timeline.invalidate();
     if ([...changed].some((key) => key !== "time")) this.showControls(view);
     if (!view.playing || [...changed].some((key) => key !== "time")) this.panelsStale = true;
-    if (changed.has("time") || changed.has("robot")) this.address.touch();
+    if (["time", "robot", "pair", "panel"].some((key) => changed.has(key as keyof View))) this.address.touch();
   }
 
   private draw(now: number): void {
@@ -244,10 +256,15 @@ export class Viewer {
       key(["E"], "Shift e", "previous event", () => this.stepEvent(-1)),
       key(["+"], "+", "faster", () => this.playback.change(1)),
       key(["-"], "\u2212", "slower", () => this.playback.change(-1)),
-      key(["1", "2", "3", "4", "5", "6", "7", "8", "9"], "1 \u2013 9", "choose a robot", (event) =>
-        this.chooseNumber(Number(event.key)),
+      key([..."123456789"], "1 \u2013 9", "choose a robot", (event) => this.chooseNumber(Number(event.key))),
+      key(["0"], "0", "choose robot 10", () => this.chooseNumber(10)),
+      key(
+        [..."1234567890"].map((digit) => `Shift+Digit${digit}`),
+        "Shift 1 \u2013 0",
+        "choose robot 11 \u2013 20",
+        (event) => this.chooseNumber(10 + (Number(event.code.slice(-1)) || 10)),
       ),
-      key(["0", "Escape"], "0, Esc", "choose none", () => this.state.choose(null)),
+      key(["Escape"], "Esc", "choose none", () => this.state.choose(null)),
       key(["t"], "t", "the other team", () => this.otherSide()),
       key(["o"], "o", "list of overlaps", () => this.state.set({ panel: "overlaps" })),
       key(["r"], "r", "the chosen robot", () => this.state.set({ panel: "robot" })),

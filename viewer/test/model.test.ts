@@ -5,11 +5,12 @@ import { test } from "node:test";
 
 import { fragmentOf, readFragment } from "../src/app/fragment";
 import { decisionStep } from "../src/app/steps";
-import { compare, compareEntry, greatestDifference, pairAt, pairNow } from "../src/model/compare";
+import { type Pair, compare, compareEntry, greatestDifference, pairAt, pairNow } from "../src/model/compare";
 import { ellipseOf } from "../src/field/shapes";
 import { Moment } from "../src/model/game";
 import { lookAt } from "../src/model/look";
-import { neighbour } from "../src/model/roles";
+import { crowds, inLanes } from "../src/model/lanes";
+import { type Stretch, neighbour } from "../src/model/roles";
 import { countSwitches } from "../src/model/switches";
 import { parsedTime, signed, timeText } from "../src/model/text";
 import { fromBase64 } from "../src/recording/embedded";
@@ -172,6 +173,23 @@ test("who heard which packet", () => {
   // Heard 50 ms after it was sent: not before.
   assert.equal(packets.news(0, 1, 2, 15.01).heard?.time, 10);
   assert.equal(packets.news(0, 2, 1, 17).heard, null);
+  // Under way at 20.01 s to both of them: heard later, and so missed by nobody.
+  for (const robot of [1, 3]) {
+    const { missed, underWay } = packets.news(0, robot, 2, 20.01);
+    assert.deepEqual([missed.map((p) => p.time), underWay.map((p) => p.time)], [robot === 1 ? [] : [15], [20]]);
+  }
+});
+
+test("what is sent as the recording ends is not missed", async () => {
+  // The last packet, of 60 s, is heard by robot 3 after the end of the truth; were it not recorded, nobody could tell.
+  const read = await readMatch(
+    await recording({
+      message: (topic, message) => (topic === "/heard" && (message.sent as number) > 54 ? undefined : message),
+    }),
+  );
+  const [before, last] = read.packets.sent[0][1]!.slice(-2);
+  assert.deepEqual([before!.time, last!.time], [55, 60]);
+  assert.deepEqual([read.packets.lost(before!, 1), read.packets.lost(last!, 1)], [true, false]);
 });
 
 test("decisions and beliefs are those of the moment", () => {
@@ -250,12 +268,77 @@ test("a file that was cut off yields its complete part, wherever it was cut", as
   assert.ok(least < whole.length / 2);
 });
 
-test("what is damaged is said, and what stands before it is read", async () => {
-  const changed = whole.slice();
-  changed[Math.floor(whole.length * 0.6)]! ^= 0xff;
-  const read = await readMatch(changed);
-  assert.match(read.faults[0]!, /^This recording is damaged \(.+\)\. What is complete is shown/);
-  assert.ok(read.game.count > 10 && read.game.count < match.game.count);
+// Where the chunks of a recording lie.
+function chunksOf(bytes: Uint8Array): [number, number][] {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const found: [number, number][] = [];
+  for (let at = 8; bytes[at] !== 0x0f; ) {
+    const end = at + 9 + Number(view.getBigUint64(at + 1, true));
+    if (bytes[at] === 0x06) found.push([at, end]);
+    at = end;
+  }
+  return found;
+}
+
+test("a damaged chunk is left out and said, and the rest is read", async () => {
+  const chunks = chunksOf(whole);
+  assert.ok(chunks.length > 6);
+  const [at, end] = chunks[Math.floor(chunks.length / 2)]!;
+  const seen = new Set<string>();
+  // Within its data, at its kind, and in its length: the middle, and the beginning with all that can go wrong there.
+  for (const place of [Math.floor((at + end) / 2), end - 3, at, at + 3, at + 8, at + 60]) {
+    const changed = whole.slice();
+    changed[place]! ^= 0xff;
+    const read = await readMatch(changed);
+    assert.equal(read.game.end, match.game.end, `at ${place - at}: the end is reached`);
+    assert.equal(read.gaps.length, 1, `at ${place - at}: ${read.faults.join()}`);
+    const { from, to } = read.gaps[0]!;
+    const missing = samples.filter((time) => time > from + 0.05 && time < to! - 0.05);
+    assert.ok(missing.length > 3 && missing.length < samples.length / 4);
+    assert.deepEqual(
+      [...read.game.times.subarray(0, read.game.count)],
+      samples.filter((time) => !missing.includes(time)),
+    );
+    assert.match(
+      read.faults[0]!,
+      new RegExp(
+        `^This recording is damaged: ${timeText(from)} to ${timeText(to!)} is missing, the rest is shown\\. ` +
+          "1 part of it cannot be read: .+\\.$",
+      ),
+    );
+    seen.add(`${from} ${to}`);
+    // Nothing is said of what is not known: no role is held through the gap, no packet missed in it.
+    for (const course of read.courses)
+      for (const stretch of [...course.overlaps, ...course.uncovered])
+        assert.ok(stretch.to <= from + 0.15 || stretch.from >= to! - 0.05, `${stretch.from} to ${stretch.to}`);
+    for (const packet of read.packets.sent[0][1]!)
+      if (packet.time > from - 1 && packet.time < to!) assert.equal(read.packets.lost(packet, 3), false);
+  }
+  assert.equal(seen.size, 1, "wherever it is damaged, the same is missing");
+  const twice = whole.slice();
+  for (const [from] of [chunks[1]!, chunks[4]!]) twice[from + 100]! ^= 1;
+  const read = await readMatch(twice);
+  assert.match(read.faults[0]!, / and \d:\d\d\.\d to \d:\d\d\.\d are missing, the rest is shown\. 2 parts of it/);
+  assert.equal(read.gaps.length, 2);
+});
+
+test("damage at the beginning and at the end", async () => {
+  const chunks = chunksOf(whole);
+  const flipped = async (place: number) => {
+    const changed = whole.slice();
+    changed[place]! ^= 0x55;
+    return readMatch(changed);
+  };
+  const first = await flipped(chunks[0]![0] + 100);
+  assert.equal(first.gaps[0]!.from, 0);
+  assert.equal(first.gaps[0]!.to, first.game.begin);
+  assert.equal(first.game.end, match.game.end);
+  assert.equal(first.packets.unmatched <= 2, true);
+  const last = await flipped(chunks[chunks.length - 1]![0] + 100);
+  assert.ok(last.game.end < match.game.end);
+  assert.match(last.faults[0]!, /^This recording is damaged: /);
+  // The place of the footer: the summary is not found, and all is read all the same.
+  assert.deepEqual((await flipped(whole.length - 25)).game.count, match.game.count);
 });
 
 const refused = (name: string, bytes: () => Promise<Uint8Array>, expected: RegExp) =>
@@ -266,6 +349,11 @@ const bytesOf = (text: string) => async () => new TextEncoder().encode(text);
 refused("empty", bytesOf(""), /The file is empty/);
 refused("something else", bytesOf("PK\u0003\u0004 not a recording"), /not in the MCAP format/);
 refused("three bytes of one", async () => whole.slice(0, 3), /cut off/);
+refused(
+  "one that ends before its match is described",
+  async () => whole.slice(0, 60),
+  /^This recording breaks off before it describes its match\. It is cut off\.$/,
+);
 refused(
   "another program's",
   () => recording({ without: Object.keys(metadata()) }),
@@ -342,10 +430,17 @@ test("names of any kind stay what they are", async () => {
   );
 });
 
-test("moments and robots go through the address", () => {
-  assert.equal(fragmentOf(462.3, { side: 0, number: 3 }), "#t=462.3&robot=home/3");
-  assert.equal(fragmentOf(12.345678, null), "#t=12.35");
-  assert.deepEqual(readFragment("#t=462.3&robot=home/3", [7, 7]), { time: 462.3, robot: { side: 0, number: 3 } });
+test("moments, robots and comparisons go through the address", () => {
+  const robot = { side: 0, number: 3 } as const;
+  const pair = { side: 1, robots: [4, 6], role: 2 } as Pair;
+  const read = (fragment: string) => readFragment(fragment, [7, 7], [4, 5]);
+  assert.equal(fragmentOf(462.3, robot, null), "#t=462.3&robot=home/3");
+  assert.equal(fragmentOf(12.345678, null, null), "#t=12.35");
+  assert.equal(fragmentOf(462.3, robot, pair), "#t=462.3&robot=home/3&compare=away/4,6/2");
+  assert.deepEqual(read("#t=462.3&robot=home/3"), { time: 462.3, robot, pair: null });
+  assert.deepEqual(read(fragmentOf(462.3, robot, pair)), { time: 462.3, robot, pair });
+  assert.deepEqual(read("#compare=away/4%2C6/2").pair, pair);
+  assert.equal(read("#t=1e9").time, 1e9);
   for (const wrong of [
     "",
     "#",
@@ -356,9 +451,31 @@ test("moments and robots go through the address", () => {
     "#robot=guest/1",
     "#robot=away",
     "#t=NaN&robot=home/1.5",
+    "#robot=home/3/1",
+    "#compare=home/4,6",
+    "#compare=home/4,6/4",
+    "#compare=home/4,8/2",
+    "#compare=home/4,4/2",
+    "#compare=home/4/2",
+    "#compare=home/4,6,7/2",
+    "#compare=/4,6/2",
   ]) {
-    assert.deepEqual(readFragment(wrong, [7, 7]), { time: null, robot: null }, wrong);
+    assert.deepEqual(read(wrong), { time: null, robot: null, pair: null }, wrong);
   }
+});
+
+test("stretches lie in lanes side by side", () => {
+  const stretch = (from: number, to: number) => ({ side: 0, role: 0, robots: [], from, to, samples: 1 }) as Stretch;
+  const all = [stretch(0, 4), stretch(1, 3), stretch(2, 6), stretch(3, 5), stretch(4, 7), stretch(9, 10)];
+  const { lane, count } = inLanes(all);
+  assert.deepEqual([all.map((one) => lane.get(one)), count], [[0, 1, 2, 1, 0, 0], 3]);
+  for (const a of all)
+    for (const b of all)
+      if (a !== b && lane.get(a) === lane.get(b)) assert.ok(a.to <= b.from || b.to <= a.from, "none covers another");
+  assert.deepEqual(crowds(all), [
+    { from: 0, to: 7, most: 3 },
+    { from: 9, to: 10, most: 1 },
+  ]);
 });
 
 test("times and numbers as text, and back", () => {

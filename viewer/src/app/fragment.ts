@@ -1,33 +1,50 @@
 // SPDX-License-Identifier: MIT
-// The moment and the chosen robot as the fragment of the page's address, so that they can be shared:
-// #t=462.3&robot=home/3
+// The moment, the chosen robot and the comparison as the fragment of the page's address, so that they can be shared:
+// #t=462.3&robot=home/3&compare=home/4,6/2 (robots 4 and 6 as the role of row 2 of their team's table, from 0).
+import type { Pair } from "../model/compare";
 import { type Side, sideNames } from "../recording/about";
 import type { Robot } from "./state";
 
 export interface Place {
   time: number | null;
   robot: Robot | null;
+  pair: Pair | null;
 }
 
-export function readFragment(fragment: string, sizes: readonly [number, number]): Place {
-  const place: Place = { time: null, robot: null };
+const sideOf = (name: string | undefined) => sideNames.indexOf(name as (typeof sideNames)[number]) as Side | -1;
+
+// sizes, roles: of both teams, how many robots and roles they have.
+export function readFragment(
+  fragment: string,
+  sizes: readonly [number, number],
+  roles: readonly [number, number],
+): Place {
+  const place: Place = { time: null, robot: null, pair: null };
+  const whole = (digits: string | undefined) => (/^\d{1,4}$/.test(digits ?? "") ? Number(digits) : -1);
   for (const part of fragment.replace(/^#/, "").split("&")) {
     const [key, value = ""] = part.split("=");
-    if (key === "t" && value !== "" && Number.isFinite(Number(value))) place.time = Number(value);
-    if (key === "robot") {
-      const [name, digits] = value.split("/");
-      const side = sideNames.indexOf(name as (typeof sideNames)[number]);
-      const number = Number(digits);
-      if (side >= 0 && Number.isInteger(number) && number >= 1 && number <= sizes[side as Side]) {
-        place.robot = { side: side as Side, number };
-      }
+    if (key === "t" && value !== "" && !Number.isNaN(Number(value))) place.time = Number(value);
+    const [name, numbers, row] = value.replace(/%2[cC]/g, ",").split("/");
+    const side = sideOf(name);
+    if (side === -1) continue;
+    const isRobot = (number: number) => number >= 1 && number <= sizes[side];
+    if (key === "robot" && row === undefined && isRobot(whole(numbers))) place.robot = { side, number: whole(numbers) };
+    if (key === "compare") {
+      const robots = (numbers ?? "").split(",").map(whole);
+      const role = whole(row);
+      const [first = 0, second = 0] = robots;
+      if (robots.length === 2 && robots.every(isRobot) && first !== second && role >= 0 && role < roles[side])
+        place.pair = { side, robots: [first, second], role };
     }
   }
   return place;
 }
 
-export function fragmentOf(time: number, robot: Robot | null): string {
-  return `#t=${Math.round(time * 100) / 100}${robot === null ? "" : `&robot=${sideNames[robot.side]}/${robot.number}`}`;
+export function fragmentOf(time: number, robot: Robot | null, pair: Pair | null): string {
+  const parts = [`t=${Math.round(time * 100) / 100}`];
+  if (robot !== null) parts.push(`robot=${sideNames[robot.side]}/${robot.number}`);
+  if (pair !== null) parts.push(`compare=${sideNames[pair.side]}/${pair.robots.join(",")}/${pair.role}`);
+  return `#${parts.join("&")}`;
 }
 
 const pauseMilliseconds = 400; // browsers refuse addresses that change too often

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The keyboard: one table, which is also what the help shows.
 export interface Key {
-  keys: string[]; // as in KeyboardEvent.key
+  keys: string[]; // as in KeyboardEvent.key; with Shift: "Shift+" and key (arrows) or code (digits)
   shown: string;
   does: string;
   run(event: KeyboardEvent): void;
@@ -22,7 +22,9 @@ export function listenToKeys(keys: readonly Key[]): void {
   const byKey = new Map(keys.flatMap((key) => key.keys.map((name) => [name, key] as const)));
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
-    const key = byKey.get(event.shiftKey && event.key.startsWith("Arrow") ? `Shift+${event.key}` : event.key);
+    // What a digit gives with Shift is another on each keyboard; what it gives may be a key of its own.
+    const shifted = event.shiftKey && event.key.startsWith("Arrow") ? `Shift+${event.key}` : event.key;
+    const key = byKey.get(shifted) ?? (event.shiftKey ? byKey.get(`Shift+${event.code}`) : undefined);
     if (key === undefined || takesKey(event.target, event.key)) return;
     event.preventDefault();
     key.run(event);

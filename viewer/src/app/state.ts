@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the reader of the page looks at: the moment, the chosen robot, the pair compared, what is drawn.
 import type { Pair } from "../model/compare";
+import type { Knowledge } from "../model/look";
 import type { Side } from "../recording/about";
 
 export interface Robot {
@@ -24,7 +25,7 @@ export interface View {
   side: Side; // whose robots the timeline shows
   pair: Pair | null;
   panel: PanelName;
-  knowledge: "mine" | "common";
+  knowledge: Knowledge;
   layers: Record<LayerName, boolean>;
 }
 
@@ -37,7 +38,7 @@ export class State {
     side: 0,
     pair: null,
     panel: "overlaps",
-    knowledge: "mine",
+    knowledge: "decided",
     layers: { belief: true, ellipses: true, nodes: true, tasks: true, trails: true },
   };
   private readonly listeners: ((changed: ReadonlySet<keyof View>) => void)[] = [];

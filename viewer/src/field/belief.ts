@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The world as a robot believes it: ghosts beside the truth, each tied to what it stands for, with the ellipse that
-// holds 95 % of the belief and the age of the news in seconds.
+// The world as a robot believes it: ghosts beside the truth, each tied to what it stands for, with the ellipse of two
+// standard deviations and the age of the news in seconds.
 import { font } from "../app/canvas";
 import type { Palette } from "../app/palette";
 import type { Moment } from "../model/game";
@@ -9,7 +9,8 @@ import type { Side } from "../recording/about";
 import type { Match } from "../recording/match";
 import type { World } from "../recording/messages";
 import type { Projection } from "./ground";
-import { type Context, bodyPath, deviationsOf95Percent, ellipseOf, ellipsePath, headingPath, label } from "./shapes";
+import type { Labels } from "./labels";
+import { type Context, bodyPath, ellipseOf, ellipsePath, headingPath, label, shownDeviations } from "./shapes";
 
 // color: of everything (two beliefs are compared), or null: of the teams. robots: whose ellipses and ages are drawn
 // beside the ball's; null: everybody's.
@@ -31,6 +32,7 @@ export function drawBelief(
   world: World,
   palette: Palette,
   style: BeliefStyle,
+  labels: Labels,
 ): void {
   const { game, about } = match;
   const own = style.color ?? (side === 0 ? palette.home : palette.away);
@@ -46,7 +48,7 @@ export function drawBelief(
     if (!style.ellipses) return;
     ellipsePath(context, to, x, y, covariance);
     // What may be anywhere is drawn fainter: its ellipse covers the field and says little.
-    const faint = Math.min(1, 1.5 / (deviationsOf95Percent * ellipseOf(covariance).major));
+    const faint = Math.min(1, 1.5 / (shownDeviations * ellipseOf(covariance).major));
     context.globalAlpha = 0.08 * faint;
     context.fillStyle = color;
     context.fill();
@@ -68,7 +70,11 @@ export function drawBelief(
   };
   const age = (seconds: number, x: number, y: number) => {
     if (seconds < shownAge) return;
-    label(context, `${fixed(seconds, 1)} s`, to.x(x) + radius * 0.8, to.y(y) + radius + 3, palette.text, palette.grass);
+    const text = `${fixed(seconds, 1)} s`;
+    const [left, middle] = [to.x(x) + radius * 0.8, to.y(y) + radius + 3];
+    label(context, text, left, middle, palette.text, palette.grass);
+    const half = context.measureText(text).width / 2;
+    labels.take(left + half, middle, half, 5);
   };
 
   for (const opponent of world.opponents) {

@@ -4,11 +4,13 @@ import { Canvas, font } from "../app/canvas";
 import type { Palette } from "../app/palette";
 import type { Robot, State } from "../app/state";
 import { type Game, Moment, inMask } from "../model/game";
-import { type Look, lookAt, shortRoleName, worldOf } from "../model/look";
+import { type Look, ageOf, isOld, knowledgeOf, lookAt, shortRoleName, worldOf } from "../model/look";
+import { fixed } from "../model/text";
 import { bothSides } from "../recording/about";
 import type { Match } from "../recording/match";
 import { drawBelief } from "./belief";
 import { Projection, drawGround } from "./ground";
+import { Labels } from "./labels";
 import { drawPlan } from "./plan";
 import { bodyPath, headingPath, label } from "./shapes";
 
@@ -19,6 +21,7 @@ export class Field {
   private readonly canvas: Canvas;
   private readonly ground: Canvas;
   private readonly moment: Moment;
+  private readonly labels = new Labels();
   private stale = true;
 
   constructor(
@@ -73,6 +76,7 @@ export class Field {
     context.drawImage(this.ground.element, 0, 0, canvas.width, canvas.height);
     if (view.layers.trails) this.drawTrails();
     this.drawSetPlay();
+    this.labels.clear();
 
     const pair = view.panel === "compare" ? view.pair : null;
     if (pair !== null) {
@@ -81,11 +85,8 @@ export class Field {
         const color = i === 0 ? palette.first : palette.second;
         if (view.layers.belief && look.belief !== null) {
           const world = worldOf(look.belief, look.decision?.knowledge ?? "mine");
-          drawBelief(context, to, match, moment, pair.side, number, world, palette, {
-            color,
-            ellipses: view.layers.ellipses,
-            robots: pair.robots,
-          });
+          const style = { color, ellipses: view.layers.ellipses, robots: pair.robots };
+          drawBelief(context, to, match, moment, pair.side, number, world, palette, style, this.labels);
         }
       });
     } else if (view.robot !== null) {
@@ -107,14 +108,36 @@ export class Field {
         this.moment,
         robot.side,
         robot.number,
-        worldOf(look.belief, view.knowledge),
+        worldOf(look.belief, knowledgeOf(look, view.knowledge)),
         this.palette,
         { color: null, ellipses: view.layers.ellipses, robots: null },
+        this.labels,
       );
     }
     if (look.decision !== null) {
-      drawPlan(context, this.projection, this.match, this.moment, robot.side, look.decision, this.palette, view.layers);
+      drawPlan(
+        context,
+        this.projection,
+        this.match,
+        this.moment,
+        robot.side,
+        look.decision,
+        this.palette,
+        view.layers,
+        this.labels,
+      );
+      const age = ageOf(look.decision, view.time);
+      if (isOld(age) && (view.layers.nodes || view.layers.tasks)) this.drawAge(`plan ${fixed(age!, 1)} s old`);
     }
+  }
+
+  // At the foot of the field: what is drawn of the plan is not of this moment.
+  private drawAge(text: string): void {
+    const { context, height } = this.canvas;
+    context.font = font(11, 600);
+    context.textAlign = "left";
+    context.textBaseline = "middle";
+    label(context, text, 10, height - 10, this.palette.tasks, this.palette.surround);
   }
 
   private drawTrails(): void {
@@ -191,8 +214,10 @@ export class Field {
     const { view } = state;
     context.textAlign = "center";
     context.textBaseline = "middle";
-    // Where names of tasks stand, those of roles would cover them.
-    const named = compared !== null ? [] : view.robot === null ? bothSides : view.layers.tasks ? [] : [view.robot.side];
+    // Where much else is written, roles stand where there is room: those of the chosen robot's team always.
+    const crowded = compared !== null || view.robot !== null;
+    const own = compared?.[0]?.side ?? view.robot?.side ?? null;
+    if (crowded) this.takeBodies();
     for (const side of bothSides) {
       const color = side === 0 ? palette.home : palette.away;
       const radius = Math.max(8, match.about.teams[side].robotRadius * to.scale);
@@ -238,13 +263,42 @@ export class Field {
           context.stroke();
         }
         context.globalAlpha = 1;
-        if (named.includes(side) || order >= 0) {
+        if (!crowded || order >= 0) {
           const role = out ? "penalised" : roleText(game, match, moment.index, side, n);
           context.font = font(10);
           const lines = (down ? `${role} fallen` : role).split(" ");
-          for (const [i, line] of lines.entries())
+          for (const [i, line] of lines.entries()) {
             label(context, line, x, y + radius + 9 + 10 * i, palette.text, palette.grass);
+            this.labels.take(x, y + radius + 9 + 10 * i, context.measureText(line).width / 2, 5);
+          }
         }
+      }
+    }
+    if (!crowded) return;
+    context.font = font(9.5);
+    for (const side of own === 1 ? ([1, 0] as const) : bothSides) {
+      const radius = Math.max(8, match.about.teams[side].robotRadius * to.scale);
+      for (let n = 1; n <= game.sizes[side]; ++n) {
+        if (compared?.some((robot) => robot.side === side && robot.number === n)) continue;
+        const at = 3 * game.place(side, n);
+        const x = to.x(moment.poses[at]!);
+        const y = to.y(moment.poses[at + 1]!);
+        const out = inMask(game.penalised[2 * moment.index + side]!, n);
+        const role = out ? "penalised" : roleText(game, match, moment.index, side, n);
+        if (role === "") continue;
+        const ink = side === own ? palette.text : palette.muted;
+        this.labels.beside(context, role, x, y, radius, ink, palette.grass, side === own && compared === null);
+      }
+    }
+  }
+
+  private takeBodies(): void {
+    const { match, moment, projection: to } = this;
+    for (const side of bothSides) {
+      const radius = Math.max(8, match.about.teams[side].robotRadius * to.scale);
+      for (let n = 1; n <= match.game.sizes[side]; ++n) {
+        const at = 3 * match.game.place(side, n);
+        this.labels.take(to.x(moment.poses[at]!), to.y(moment.poses[at + 1]!), radius, radius);
       }
     }
   }

@@ -10,6 +10,7 @@ import type { Side } from "../recording/about";
 import type { Match } from "../recording/match";
 import type { Decision } from "../recording/messages";
 import type { Projection } from "./ground";
+import type { Labels } from "./labels";
 import { type Context, arrow, label } from "./shapes";
 
 export function drawPlan(
@@ -21,6 +22,7 @@ export function drawPlan(
   decision: Decision,
   palette: Palette,
   layers: Readonly<Record<LayerName, boolean>>,
+  labels: Labels,
 ): void {
   context.save();
   if (layers.nodes) {
@@ -85,14 +87,11 @@ export function drawPlan(
     context.globalAlpha = 1;
     for (const { role, after } of decision.tasks) {
       if (after === null) continue;
-      label(
-        context,
-        shortRoleName(match, side, role).replaceAll("_", " "),
-        to.x(after[0]),
-        to.y(after[1]) - 10,
-        palette.tasks,
-        palette.grass,
-      );
+      const text = shortRoleName(match, side, role).replaceAll("_", " ");
+      const [x, y] = [to.x(after[0]), to.y(after[1])];
+      label(context, text, x, y - 10, palette.tasks, palette.grass);
+      labels.take(x, y, 5, 5);
+      labels.take(x, y - 10, context.measureText(text).width / 2, 5);
     }
   }
   context.restore();

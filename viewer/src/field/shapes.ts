@@ -6,8 +6,8 @@ import type { Projection } from "./ground";
 
 export type Context = CanvasRenderingContext2D;
 
-// Half the plane's mass of a normal law in two dimensions lies within 1.18 standard deviations, 95 % within this many:
-export const deviationsOf95Percent = Math.sqrt(-2 * Math.log(0.05));
+// Ellipses reach as many standard deviations as in the program's pictures; of a normal law 86 % lies within two.
+export const shownDeviations = 2;
 
 export function bodyPath(context: Context, side: Side, x: number, y: number, radius: number): void {
   context.beginPath();
@@ -52,7 +52,7 @@ export function ellipseOf([xx, xy, yy]: Covariance): { major: number; minor: num
 
 export function ellipsePath(context: Context, to: Projection, x: number, y: number, covariance: Covariance): void {
   const { major, minor, angle } = ellipseOf(covariance);
-  const scale = deviationsOf95Percent * to.scale;
+  const scale = shownDeviations * to.scale;
   context.beginPath();
   context.ellipse(to.x(x), to.y(y), scale * major, scale * minor, -angle, 0, 2 * Math.PI);
 }

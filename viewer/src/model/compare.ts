@@ -6,8 +6,8 @@ import type { Side } from "../recording/about";
 import type { Match } from "../recording/match";
 import type { Point } from "../recording/messages";
 import { Moment } from "./game";
-import { type Look, lookAt, worldOf } from "./look";
-import type { Packet } from "./packets";
+import { type Look, ageOf, isOld, lookAt, worldOf } from "./look";
+import type { News } from "./packets";
 
 // Two robots whose decisions are laid side by side, because both hold, or claim, a role.
 export interface Pair {
@@ -46,13 +46,10 @@ export interface EntryComparison {
   terms: { name: string; values: [number | null, number | null]; difference: number }[];
 }
 
-export interface News {
-  heard: Packet | null; // the newest of the other that reached this one
-  missed: Packet[]; // sent by the other since
-}
-
 export interface Comparison {
   looks: [Look, Look];
+  ages: [number | null, number | null]; // s, of the decisions; null: none yet
+  old: [boolean, boolean]; // whose matrix is of another moment than the one shown
   assigned: AssignedRow[];
   beliefs: BeliefRow[]; // the farthest apart first
   news: [News, News]; // of the second at the first, of the first at the second
@@ -160,8 +157,11 @@ export function compare(match: Match, pair: Pair, time: number): Comparison {
       differs: by[0] !== by[1],
     });
   }
+  const ages = looks.map(({ decision }) => ageOf(decision, time)) as [number | null, number | null];
   return {
     looks,
+    ages,
+    old: ages.map(isOld) as [boolean, boolean],
     assigned,
     beliefs: beliefRows(looks, match, pair),
     news: [

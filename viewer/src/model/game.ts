@@ -6,6 +6,7 @@ import { WrongForm } from "../recording/checked";
 import { lastNotAfter } from "../recording/log";
 
 export const sampleSeconds = 0.1;
+const longestSample = 0.15; // s; longer, and a part of the recording is missing
 export const playing = phases.indexOf("playing");
 
 // Farther than this between two samples nothing moves by itself: it was put there.
@@ -118,6 +119,17 @@ export class Game {
     return Math.max(0, lastNotAfter(this.times, time, this.count));
   }
 
+  // When a sample ceases to tell of the match: at the next one, or 0.1 s later where none follows so soon.
+  until(index: number): number {
+    const next = index + 1 < this.count ? this.times[index + 1]! : Infinity;
+    return next - this.times[index]! > longestSample ? this.times[index]! + sampleSeconds : next;
+  }
+
+  // The sample follows its predecessor as usual: nothing is missing between them.
+  follows(index: number): boolean {
+    return index > 0 && this.times[index]! - this.times[index - 1]! <= longestSample;
+  }
+
   role(index: number, side: Side, number: number): number {
     return this.roles[index * this.robots + this.place(side, number)]!;
   }
@@ -145,7 +157,7 @@ export class Moment {
     this.index = i;
     const next = Math.min(i + 1, game.count - 1);
     const span = game.times[next]! - game.times[i]!;
-    const share = span > 0 ? Math.min(1, Math.max(0, (time - game.times[i]!) / span)) : 0;
+    const share = span > 0 && span <= longestSample ? Math.min(1, Math.max(0, (time - game.times[i]!) / span)) : 0;
     mix(game.ball, 4 * i, 4 * next, share, greatestStep.ball, this.ball, 0);
     const stride = 3 * game.robots;
     for (let offset = 0; offset < stride; offset += 3) {

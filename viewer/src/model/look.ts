@@ -32,6 +32,22 @@ export function lookAt(match: Match, side: Side, number: number, time: number): 
   return { decision, belief, fault: faults.join(" ") };
 }
 
+// Decisions are recorded when what was decided changes and every few seconds; the numbers behind them change all the
+// time. Older than this they are not those of the moment, and may not be taken, or compared, as such.
+const oldSeconds = 1;
+
+export const ageOf = (of: Decision | Belief | null, time: number): number | null =>
+  of === null ? null : Math.max(0, time - of.time);
+export const isOld = (age: number | null): boolean => age !== null && age > oldSeconds + 1e-6;
+
+// The world that is looked at: one of the two, or the one that the decision was taken on.
+export type Knowledge = "decided" | "mine" | "common";
+
+export function knowledgeOf(look: Look, wanted: Knowledge): "mine" | "common" {
+  const knowledge = wanted === "decided" ? (look.decision?.knowledge ?? "mine") : wanted;
+  return look.belief?.common === null ? "mine" : knowledge;
+}
+
 export const hasCommon = (match: Match, side: Side): boolean =>
   match.about.teams[side].contexts.some((c) => c.utilityKnowledge === "common" || c.tasksKnowledge === "common");
 

@@ -85,12 +85,14 @@ export function roleCourse(game: Game, side: Side, roles: readonly Role[]): Role
   };
 
   for (let i = 0; i < game.count; ++i) {
+    const follows = game.follows(i);
+    if (!follows) for (const stretches of open) stretches.fill(null);
     const penalised = game.penalised[2 * i + side]!;
     for (let n = 1; n <= size; ++n) {
       const role = game.role(i, side, n);
       const of = runs[n - 1]!;
       const last = of[of.length - 1];
-      if (last !== undefined && last.to === i && last.role === role) last.to = i + 1;
+      if (last !== undefined && last.to === i && last.role === role && follows) last.to = i + 1;
       else of.push({ role, from: i, to: i + 1 });
     }
     const time = game.times[i]!;

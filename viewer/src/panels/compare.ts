@@ -2,14 +2,15 @@
 // The decisions of two robots side by side: who takes which role in the head of each, what each computed, where their
 // beliefs differ, and which packets did not arrive.
 import type { View } from "../app/state";
-import { type Comparison, type Estimate, type News, type Pair, compare } from "../model/compare";
+import { type Comparison, type Estimate, type Pair, compare } from "../model/compare";
 import { shortRoleName } from "../model/look";
+import type { News } from "../model/packets";
 import { fixed, timeText, words } from "../model/text";
 import type { Match } from "../recording/match";
 import { DifferenceMatrix } from "./difference";
 import { element, heading, numeric, row } from "./elements";
 import { packetLines } from "./packet_lines";
-import { verdict } from "./verdict";
+import { ageText, verdict } from "./verdict";
 
 export class ComparePanel {
   private readonly content = element("div", { class: "compare" });
@@ -132,7 +133,7 @@ export class ComparePanel {
         }),
       ),
     );
-    this.difference.update(pair, found.looks);
+    this.difference.update(pair, found.looks, found.old.includes(true));
     const decided = found.looks
       .map(({ decision }) => (decision === null ? "never" : timeText(decision.time, 2)))
       .join(" and ");
@@ -164,7 +165,7 @@ export class ComparePanel {
       ...(faults === "" ? [] : [element("p", { class: "fault" }, faults)]),
       element(
         "div",
-        { class: "compare-columns" },
+        { class: `compare-columns${this.difference.table.classList.contains("many") ? " many" : ""}` },
         element(
           "section",
           {},
@@ -176,8 +177,12 @@ export class ComparePanel {
         element(
           "section",
           {},
-          element("h3", {}, `Utilities: those of ${b} less those of ${a}`),
-          this.difference.table,
+          element(
+            "h3",
+            { id: "compare-utilities", class: found.old.includes(true) ? "old" : "" },
+            `Utilities: those of ${b} less those of ${a}${ageText(pair, found)}`,
+          ),
+          element("div", { class: "matrix-scroll" }, this.difference.table),
           this.difference.terms,
           element("h3", {}, "Packets between them"),
           this.packets(pair, found.news),
@@ -188,7 +193,7 @@ export class ComparePanel {
 
   private packets(pair: Pair, news: [News, News]): HTMLElement {
     const items: HTMLElement[] = [];
-    news.forEach(({ heard, missed }, i) => {
+    news.forEach(({ heard, missed, underWay }, i) => {
       const listener = pair.robots[i]!;
       const sender = pair.robots[1 - i]!;
       items.push(
@@ -206,6 +211,15 @@ export class ComparePanel {
             "li",
             { class: "warn", title: packetLines(this.match, packet).join("\n") },
             `${listener} did not hear ${sender} at ${timeText(packet.time, 2)} (${words(packet.reason)})`,
+          ),
+        );
+      }
+      for (const packet of underWay) {
+        items.push(
+          element(
+            "li",
+            { title: packetLines(this.match, packet).join("\n") },
+            `under way to ${listener}: packet of ${timeText(packet.time, 2)} (${words(packet.reason)})`,
           ),
         );
       }

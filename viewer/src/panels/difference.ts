@@ -32,7 +32,9 @@ export class DifferenceMatrix {
     moveWithArrows(this.table);
   }
 
-  update(pair: Pair, looks: [Look, Look]): void {
+  // old: the two are of different moments.
+  update(pair: Pair, looks: [Look, Look], old: boolean): void {
+    for (const part of [this.table, this.terms]) part.classList.toggle("old", old);
     const same = this.pair !== null && this.pair.role === pair.role && this.pair.robots.join() === pair.robots.join();
     if (same && this.looks !== null && this.looks.every((look, i) => look.decision === looks[i]!.decision)) return;
     this.pair = pair;
@@ -89,7 +91,8 @@ export class DifferenceMatrix {
         ...brokenName(shortRoleName(this.match, pair.side, role)),
       ),
     );
-    this.table.classList.toggle("many", columns.length > 8);
+    this.table.classList.toggle("many", columns.length > 7);
+    this.table.style.setProperty("--columns", String(columns.length));
     if (columns.length === 0) this.table.replaceChildren(element("caption", {}, "These decisions have no utilities"));
     else this.table.replaceChildren(heading([element("th"), ...heads]), body);
     if (!same || this.pointed === null || !rows.includes(this.pointed.robot) || !columns.includes(this.pointed.role)) {

@@ -20,13 +20,14 @@ export class Head {
   update(time: number): void {
     const { game, about } = this.match;
     const i = game.indexAt(time);
+    const missing = this.match.gaps.some(({ from, to }) => time > from + 0.1 && time < (to ?? Infinity) - 1e-6);
     setText(byId("goals"), `${game.score[2 * i]} : ${game.score[2 * i + 1]}`);
     const setPlay = setPlays[game.setPlay[i]!]!;
     const kicking =
       setPlay === "none" ? "" : `, ${words(setPlay)} of ${about.teams[game.kicking[i] === 0 ? 0 : 1].name}`;
     setText(
       byId("game"),
-      `half ${game.half[i]}, clock ${timeText(game.clock[i]!, 0)}, ${phases[game.phase[i]!]}${kicking}`,
+      missing ? "this part of the recording is damaged" : `half ${game.half[i]}, clock ${timeText(game.clock[i]!, 0)}, ${phases[game.phase[i]!]}${kicking}`,
     );
     const toRight = game.half[i]! % 2 === 1 ? 0 : 1;
     setText(byId("attack"), `${about.teams[toRight].name} attacks \u2192`);

@@ -2,7 +2,7 @@
 // The Utility Estimation Matrix as a heat map: a row for each active robot, a column for each kept task, the chosen
 // entries framed; and the terms behind the entry that is pointed at or focused.
 import { heat } from "../app/palette";
-import { roleName, shortRoleName } from "../model/look";
+import { isOld, roleName, shortRoleName } from "../model/look";
 import { fixed } from "../model/text";
 import type { Side } from "../recording/about";
 import type { Match } from "../recording/match";
@@ -21,6 +21,8 @@ const shown = (value: number) => fixed(value, Math.abs(value) < 10 ? 2 : 1);
 export class UtilityMatrix {
   readonly table = element("table", { class: "matrix", role: "grid", "aria-label": "Utility Estimation Matrix" });
   readonly terms = element("div", { class: "terms" });
+  private readonly corner = element("th", { scope: "col", class: "corner" }, "utility");
+  private readonly termsAge = element("span");
   private shape = "";
   private cells: HTMLTableCellElement[][] = [];
   private decision: Decision | null = null;
@@ -73,6 +75,14 @@ export class UtilityMatrix {
     this.showTerms();
   }
 
+  // How old the numbers are; beyond a second they are muted.
+  setAge(age: number | null): void {
+    const old = isOld(age);
+    for (const part of [this.table, this.terms]) part.classList.toggle("old", old);
+    setText(this.corner, old ? `${fixed(age!, 1)} s old` : "utility");
+    setText(this.termsAge, old ? `, ${fixed(age!, 1)} s old` : "");
+  }
+
   private build(decision: Decision): void {
     this.cells = decision.rows.map((_, i) =>
       decision.columns.map((__, j) =>
@@ -98,8 +108,10 @@ export class UtilityMatrix {
         ),
       ),
     );
-    this.table.classList.toggle("many", decision.columns.length > 8);
-    this.table.replaceChildren(heading([element("th", { scope: "col" }, "utility"), ...heads]), body);
+    this.table.classList.toggle("many", decision.columns.length > 7);
+    this.table.closest(".mind-columns")?.classList.toggle("many", decision.columns.length > 7);
+    this.table.style.setProperty("--columns", String(decision.columns.length));
+    this.table.replaceChildren(heading([this.corner, ...heads]), body);
   }
 
   private fill(decision: Decision): void {
@@ -181,7 +193,12 @@ export class UtilityMatrix {
       ),
     );
     this.terms.replaceChildren(
-      element("h3", {}, `robot ${pointed.robot} as ${roleName(this.match, this.side, pointed.role)}`),
+      element(
+        "h3",
+        {},
+        `robot ${pointed.robot} as ${roleName(this.match, this.side, pointed.role)}`,
+        this.termsAge,
+      ),
       element("table", { class: "list tight" }, heading(["term", "#weight", "#value", "#share", ""]), body),
     );
   }

@@ -9,7 +9,7 @@ export function packetLines(match: Match, packet: Packet): string[] {
     (n) => n !== packet.robot,
   );
   const heard = others.filter((n) => packet.heard.has(n));
-  const not = others.filter((n) => !packet.heard.has(n));
+  const not = others.filter((n) => match.packets.lost(packet, n));
   return [
     `packet of ${packet.robot} at ${timeText(packet.time, 2)}: ${words(packet.reason)}, ${packet.bytes} bytes`,
     `heard by ${heard.length > 0 ? listText(heard) : "nobody"}${not.length > 0 ? `, not by ${listText(not)}` : ""}`,

@@ -2,7 +2,18 @@
 // One robot's mind: what it decided and why, and how old and how wrong what it knows is.
 import type { Robot, View } from "../app/state";
 import { Moment } from "../model/game";
-import { type Look, hasCommon, lookAt, roleName, shortRoleName, worldOf } from "../model/look";
+import {
+  type Knowledge,
+  type Look,
+  ageOf,
+  hasCommon,
+  isOld,
+  knowledgeOf,
+  lookAt,
+  roleName,
+  shortRoleName,
+  worldOf,
+} from "../model/look";
 import { fixed, timeText } from "../model/text";
 import { sideNames } from "../recording/about";
 import type { Match } from "../recording/match";
@@ -12,11 +23,12 @@ import { UtilityMatrix } from "./matrix";
 
 export class RobotPanel {
   private readonly title = element("h2");
-  private readonly since = element("span", { class: "muted" });
+  private readonly since = element("span", { class: "muted", id: "decided" });
   private readonly fault = element("p", { class: "fault", role: "alert" });
   private readonly knowledge = element(
     "select",
     { id: "knowledge", "aria-label": "World that is shown" },
+    element("option", { value: "decided" }, "world: as decided"),
     element("option", { value: "mine" }, "world: mine"),
     element("option", { value: "common" }, "world: common"),
   );
@@ -48,11 +60,11 @@ export class RobotPanel {
   constructor(
     box: HTMLElement,
     private readonly match: Match,
-    chooseWorld: (knowledge: "mine" | "common") => void,
+    chooseWorld: (knowledge: Knowledge) => void,
   ) {
     this.matrix = new UtilityMatrix(match);
     this.moment = new Moment(match.game);
-    this.knowledge.addEventListener("change", () => chooseWorld(this.knowledge.value as "mine" | "common"));
+    this.knowledge.addEventListener("change", () => chooseWorld(this.knowledge.value as Knowledge));
     this.content = element(
       "div",
       { class: "mind" },
@@ -89,17 +101,22 @@ export class RobotPanel {
       this.showContext(robot, look.decision);
       this.showTasks(robot, look.decision);
     }
+    const age = ageOf(look.decision, view.time);
+    this.matrix.setAge(age);
+    this.since.classList.toggle("old", isOld(age));
+    this.tasks.classList.toggle("old", isOld(age));
+    const knowledge = knowledgeOf(look, view.knowledge);
     // News change with every packet heard, beliefs with every message.
     const packets = Math.floor(view.time * 5);
     if (
       !same ||
       look.belief !== this.shown.belief ||
-      view.knowledge !== this.shown.knowledge ||
+      knowledge !== this.shown.knowledge ||
       packets !== this.shown.packets
     ) {
       this.showNews(robot, look, view);
     }
-    this.shown = { robot, decision: look.decision, belief: look.belief, knowledge: view.knowledge, packets };
+    this.shown = { robot, decision: look.decision, belief: look.belief, knowledge, packets };
   }
 
   private head(robot: Robot, look: Look, view: View): void {
@@ -112,7 +129,7 @@ export class RobotPanel {
     const common = hasCommon(this.match, robot.side);
     this.knowledge.disabled = !common;
     this.knowledge.title = common ? "" : "No context of this team uses common knowledge";
-    this.knowledge.value = common ? view.knowledge : "mine";
+    this.knowledge.value = common ? view.knowledge : "decided";
   }
 
   private showContext(robot: Robot, decision: Decision | null): void {
@@ -180,14 +197,16 @@ export class RobotPanel {
     );
   }
 
-  private showNews(robot: Robot, { belief }: Look, view: View): void {
+  private showNews(robot: Robot, look: Look, view: View): void {
+    const { belief } = look;
     if (belief === null) {
       this.news.replaceChildren(element("p", { class: "muted" }, "Nothing recorded yet"));
       return;
     }
     const { match } = this;
     const truth = this.moment.set(belief.time);
-    const world = worldOf(belief, view.knowledge);
+    const knowledge = knowledgeOf(look, view.knowledge);
+    const world = worldOf(belief, knowledge);
     const error = (x: number, y: number, of: ArrayLike<number>, place: number) =>
       Math.hypot(x - of[place]!, y - of[place + 1]!);
     const body = element("tbody");
@@ -234,7 +253,12 @@ export class RobotPanel {
         { class: "list tight" },
         heading(["it knows", "role it heard", "#age", "#off by", "#last heard", ""]),
         body,
-        element("caption", {}, `belief of ${timeText(belief.time, 2)}; ${world.opponents.length} opponents known`),
+        element(
+          "caption",
+          {},
+          `${knowledge === "common" ? "common belief" : "belief"} of ${timeText(belief.time, 2)}; ` +
+            `${world.opponents.length} opponents known`,
+        ),
       ),
     );
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What can be read off a comparison, in sentences: facts of the recording, no conclusions.
 import { type Comparison, type Pair, compareEntry, greatestDifference } from "../model/compare";
-import { shortRoleName } from "../model/look";
+import { ageOf, isOld, shortRoleName } from "../model/look";
 import { fixed, listText, secondsText, signed, timeText } from "../model/text";
 import type { Match } from "../recording/match";
 
@@ -27,6 +27,28 @@ export function verdict(match: Match, pair: Pair, found: Comparison, time: numbe
     result.push(`At this moment ${a} and ${b} do not both hold ${role}.`);
   }
   for (const i of [0, 1] as const) result.push(news(match, pair, found, i));
+  if (found.old.includes(true)) result.push(`${oldText(pair, found)}: utilities of two moments are not compared here.`);
+  else result.push(...utilities(match, pair, found, role));
+  const farthest = found.beliefs.find((line) => line.apart !== null);
+  const beliefsOld = found.looks.some(({ belief }) => isOld(ageOf(belief, time)));
+  if (!beliefsOld && farthest !== undefined && farthest.apart! > 0.3) {
+    const what = farthest.robot === 0 ? "the ball" : `robot ${farthest.robot}`;
+    result.push(`They believe ${what} ${fixed(farthest.apart!, 1)} m apart.`);
+  }
+  return result.filter((sentence) => sentence !== "");
+}
+
+// "4's matrix is 3.2 s old"
+function oldText(pair: Pair, { ages, old }: Comparison): string {
+  const parts = pair.robots.flatMap((robot, i) => (old[i] ? [`${robot}'s matrix is ${secondsText(ages[i]!)} old`] : []));
+  return listText(parts);
+}
+
+export const ageText = (pair: Pair, found: Comparison): string =>
+  found.old.includes(true) ? ` \u2013 ${oldText(pair, found)}` : "";
+
+function utilities(match: Match, pair: Pair, found: Comparison, role: string): string[] {
+  const result: string[] = [];
   const value = (i: 0 | 1, robot: number) => compareEntry(match, pair, found.looks, robot, pair.role).utility[i];
   const computed = ([0, 1] as const).flatMap((i) => {
     const own = value(i, pair.robots[i]);
@@ -44,12 +66,7 @@ export function verdict(match: Match, pair: Pair, found: Comparison, time: numbe
         `${signed(most.entry.difference!, 2)}${by}${known(match, pair, found, most.robot)}.`,
     );
   }
-  const farthest = found.beliefs.find((line) => line.apart !== null);
-  if (farthest !== undefined && farthest.apart! > 0.3) {
-    const what = farthest.robot === 0 ? "the ball" : `robot ${farthest.robot}`;
-    result.push(`They believe ${what} ${fixed(farthest.apart!, 1)} m apart.`);
-  }
-  return result.filter((sentence) => sentence !== "");
+  return result;
 }
 
 // What the robot in place `i` of the pair has not heard of the other.

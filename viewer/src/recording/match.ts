@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A whole recording, read: the course of the match ready to be drawn, decisions and beliefs as bytes until they are
 // asked for. What cannot be read is left out and named in `faults`.
-import { Game, playing } from "../model/game";
+import { Game, playing, sampleSeconds } from "../model/game";
 import { Packets } from "../model/packets";
 import { type RoleCourse, roleCourse } from "../model/roles";
-import { timeText } from "../model/text";
+import { listText, timeText } from "../model/text";
 import { type About, type Side, UnreadableRecording, aboutOf, bothSides, sideNames } from "./about";
 import { WrongForm } from "./checked";
 import { type ContainerMessage, readContainer } from "./container";
@@ -32,7 +32,14 @@ export interface Match {
   courses: [RoleCourse, RoleCourse]; // by side
   // Whether the phase was Playing when a decision was taken: [side][robot - 1][decision].
   inPlay: [boolean[][], boolean[][]];
+  gaps: Gap[]; // of the truth, in the order of time: chunks that cannot be read
   faults: string[]; // sentences, the first ones of each kind
+}
+
+// Nothing is known between two samples; s. to: null: the end of the match is missing.
+export interface Gap {
+  from: number;
+  to: number | null;
 }
 
 // A whole match has some 15 MB; unpacked, a recording takes about five times its size in memory.
@@ -48,6 +55,8 @@ const phaseOfEvent: Readonly<Record<string, number>> = {
   finished: phases.indexOf("finished"),
 };
 
+const finished = phases.indexOf("finished");
+
 // Robots a recording may name: the truth holds them as bits.
 const mostRobots = 31;
 
@@ -61,10 +70,15 @@ class Reading {
   inPlay: [boolean[][], boolean[][]] = [[], []];
   waiting: (() => void)[] = []; // packets written before the first sample of the truth
   phase = -1;
+  gaps: Gap[] = [];
+  private open: Gap | null = null;
   faultCount = new Map<string, { count: number; first: string }>();
 
   message({ topic, time, data }: ContainerMessage): void {
-    if (this.about === null) throw new UnreadableRecording(foreign);
+    if (this.about === null) {
+      if (this.open === null) throw new UnreadableRecording(foreign);
+      return; // what describes the match may be what is damaged
+    }
     try {
       this.take(topic, time, data);
     } catch (error) {
@@ -73,6 +87,16 @@ class Reading {
       if (fault !== undefined) ++fault.count;
       else this.faultCount.set(topic, { count: 1, first: `at ${timeText(time)}: ${error.message}` });
     }
+  }
+
+  damage(): void {
+    this.open ??= { from: this.game === null || this.game.count === 0 ? 0 : this.game.end, to: null };
+  }
+
+  // What is missing up to the end.
+  close(): void {
+    if (this.open !== null && this.game !== null && this.game.phase[this.game.count - 1] !== finished)
+      this.gaps.push(this.open);
   }
 
   private take(topic: string, time: number, data: Uint8Array): void {
@@ -86,6 +110,12 @@ class Reading {
           this.packets = new Packets(sizes);
         }
         this.game.add(message);
+        if (this.open !== null) {
+          this.open.to = message.time;
+          // Nothing of the truth is missing when the samples go on as usual.
+          if (message.time - this.open.from > 1.5 * sampleSeconds) this.gaps.push(this.open);
+          this.open = null;
+        }
         this.phase = phases.indexOf(message.phase);
         this.waiting.splice(0).forEach((add) => add());
         return;
@@ -124,25 +154,36 @@ class Reading {
   }
 }
 
+function missingText(gaps: readonly Gap[]): string {
+  const texts = gaps.map(({ from, to }) =>
+    to === null ? `everything after ${timeText(from)}` : `${timeText(from)} to ${timeText(to)}`,
+  );
+  if (texts.length === 0) return "no moment of the match is missing";
+  const few = texts.length > 4 ? [...texts.slice(0, 3), `${texts.length - 3} times more`] : texts;
+  return `${listText(few)} ${texts.length === 1 ? "is" : "are"} missing, the rest is shown`;
+}
+
+const early = "This recording breaks off before it describes its match.";
 const foreign = "This is an MCAP file, but not the recording of a match by Regista: it does not describe a match.";
 
 export async function readMatch(bytes: Uint8Array, progress?: (share: number) => void): Promise<Match> {
   const reading = new Reading();
-  const { damage, reason } = await readContainer(
+  const damage = await readContainer(
     bytes,
     {
       metadata: (name, pairs) => {
         if (name === "match") reading.about ??= aboutOf(pairs);
       },
       message: (message) => reading.message(message),
+      damage: () => reading.damage(),
     },
     progress,
   );
 
   const { about, game, packets } = reading;
-  const broken =
-    damage === "cut off" ? " The file is cut off." : damage === "damaged" ? ` The file is damaged: ${reason}` : "";
-  if (about === null) throw new UnreadableRecording(foreign + broken);
+  reading.close();
+  const broken = damage.parts > 0 ? ` The file is damaged: ${damage.reason}.` : damage.cutOff ? " It is cut off." : "";
+  if (about === null) throw new UnreadableRecording(broken === "" ? foreign : early + broken);
   const faults: string[] = [];
   for (const [topic, { count, first }] of reading.faultCount) {
     faults.push(`${count} ${count === 1 ? "message" : "messages"} of ${topic} cannot be read, the first one ${first}.`);
@@ -151,10 +192,14 @@ export async function readMatch(bytes: Uint8Array, progress?: (share: number) =>
     const why = reading.faultCount.size > 0 ? ` ${faults.join(" ")}` : "";
     throw new UnreadableRecording(`The recording holds no moment of the match.${why}${broken}`);
   }
-  const shownTo = `What is complete is shown, up to ${timeText(game.end)}.`;
-  if (damage === "cut off") faults.unshift(`This recording is cut off. ${shownTo}`);
-  if (damage === "damaged") faults.unshift(`This recording is damaged (${reason}). ${shownTo}`);
+  if (damage.cutOff)
+    faults.unshift(`This recording is cut off. What is complete is shown, up to ${timeText(game.end)}.`);
+  if (damage.parts > 0) {
+    const parts = damage.parts === 1 ? "1 part of it" : `${damage.parts} parts of it`;
+    faults.unshift(`This recording is damaged: ${missingText(reading.gaps)}. ${parts} cannot be read: ${damage.reason}.`);
+  }
 
+  packets.close(game.end, reading.gaps);
   for (const side of bothSides) {
     for (let n = 0; n < game.sizes[side]; ++n) {
       reading.decisions[side][n] ??= new Log(decisionOf);
@@ -168,6 +213,7 @@ export async function readMatch(bytes: Uint8Array, progress?: (share: number) =>
     game,
     packets,
     faults,
+    gaps: reading.gaps,
     events: reading.events,
     decisions: reading.decisions,
     beliefs: reading.beliefs,

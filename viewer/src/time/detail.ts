@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A window of the match: a row for each robot of one team with the roles it held and the packets it sent; roles held
-// twice are framed in the rows and named below, those that nobody held are counted in the last row.
+// twice are framed in the rows and named below, in a lane each, and so are those that nobody held.
 import { Canvas, font } from "../app/canvas";
 import type { Palette } from "../app/palette";
 import type { View } from "../app/state";
 import { inMask } from "../model/game";
 import { shortRoleName } from "../model/look";
+import { type Lanes, crowds, inLanes } from "../model/lanes";
 import type { Stretch } from "../model/roles";
 import { timeText, words } from "../model/text";
 import type { Side } from "../recording/about";
@@ -13,11 +14,31 @@ import type { Match } from "../recording/match";
 import { type TimeScale, gutter, margin, tickSeconds } from "./scale";
 
 export const axisHeight = 24; // times above, events below
-export const stripHeight = 12;
-const lane = 2.5; // at the foot of each row, for packets
+const laneHeight = 10; // of overlaps and of uncovered roles, below the rows
+const mostLanes = [3, 2]; // of overlaps, of uncovered roles
+const stripsMargin = 6;
+const leastRoom = 24; // for a name
+const foot = 2; // of each row, for packets
+
+// What stands below the rows.
+export interface Strip {
+  kind: "overlaps" | "uncovered";
+  top: number;
+  lanes: number;
+}
+
+const kinds = ["overlaps", "uncovered"] as const;
+
+// How many lanes the strips take: of both teams the same, so that nothing moves when the other one is shown.
+export function stripLanes(match: Match): [number, number] {
+  const needed = (kind: Strip["kind"]) => Math.max(...match.courses.map((course) => inLanes(course[kind]).count));
+  return kinds.map((kind, i) => Math.min(mostLanes[i]!, Math.max(1, needed(kind)))) as [number, number];
+}
 
 export class Detail {
   readonly canvas: Canvas;
+  private readonly lanes: [number, number];
+  private readonly placed: Record<Strip["kind"], Lanes>[]; // by side
 
   constructor(
     element: HTMLCanvasElement,
@@ -25,6 +46,20 @@ export class Detail {
     readonly scale: TimeScale,
   ) {
     this.canvas = new Canvas(element);
+    this.lanes = stripLanes(match);
+    this.placed = match.courses.map((course) => ({
+      overlaps: inLanes(course.overlaps),
+      uncovered: inLanes(course.uncovered),
+    }));
+  }
+
+  get strips(): [Strip, Strip] {
+    const [over, under] = this.lanes;
+    const top = this.canvas.height - (over + under) * laneHeight - 3;
+    return [
+      { kind: "overlaps", top, lanes: over },
+      { kind: "uncovered", top: top + over * laneHeight + 2, lanes: under },
+    ];
   }
 
   resize(width: number, height: number): boolean {
@@ -33,7 +68,8 @@ export class Detail {
   }
 
   rowHeight(side: Side): number {
-    return (this.canvas.height - axisHeight - 2 * stripHeight - 4) / Math.max(1, this.match.game.sizes[side]);
+    const strips = (this.lanes[0] + this.lanes[1]) * laneHeight + stripsMargin;
+    return (this.canvas.height - axisHeight - strips) / Math.max(1, this.match.game.sizes[side]);
   }
 
   draw(view: View, palette: Palette): void {
@@ -47,6 +83,7 @@ export class Detail {
     context.clip();
     this.drawAxis(palette);
     this.drawRuns(view, palette);
+    this.drawGaps(palette);
     this.drawOverlapFrames(side, palette);
     this.drawPackets(view, palette);
     this.drawStrips(side, palette);
@@ -92,22 +129,22 @@ export class Detail {
     const rowHeight = this.rowHeight(side);
     context.textAlign = "left";
     context.textBaseline = "middle";
-    context.font = font(Math.min(10.5, rowHeight - 2.6));
+    context.font = font(Math.min(10.5, rowHeight - 2.2));
     for (const [n, runs] of match.courses[side].runs.entries()) {
       const y = axisHeight + n * rowHeight;
       for (const { role, from, to } of runs) {
         const begin = game.times[from]!;
-        const end = game.times[Math.min(to, game.count - 1)]!;
+        const end = game.until(to - 1);
         if (end < scale.from) continue;
         if (begin > scale.to) break;
         const x = Math.max(gutter - 1, scale.x(begin));
         const w = Math.min(this.canvas.width, scale.x(end)) - x;
         context.fillStyle = role < 0 ? palette.sunken : palette.roles[role % 8]!;
-        context.fillRect(x, y + 1, Math.max(0.5, w - 0.5), rowHeight - 1 - lane);
+        context.fillRect(x, y + 1, Math.max(0.5, w - 0.5), rowHeight - 1 - foot);
         if (w > 24) {
           context.fillStyle = role < 0 ? palette.muted : palette.text;
           const name = shortRoleName(match, side, role).replaceAll("_", " ");
-          context.fillText(fitted(context, name, w - 6), x + 3, y + (rowHeight - lane) / 2 + 1.2);
+          context.fillText(fitted(context, name, w - 6), x + 3, y + (rowHeight - foot) / 2 + 1.2);
         }
       }
       // Penalised: struck through.
@@ -119,6 +156,20 @@ export class Detail {
           context.fillRect(x, y + rowHeight / 2 - 0.75, scale.x(game.times[i]! + 0.1) - x + 0.5, 1.5);
         }
       }
+    }
+  }
+
+  private drawGaps(palette: Palette): void {
+    const { context, height } = this.canvas;
+    context.font = font(11);
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    for (const { from, to } of this.match.gaps) {
+      if (from > this.scale.to || (to ?? Infinity) < this.scale.from) continue;
+      const x = Math.max(gutter, this.scale.x(from));
+      const w = Math.min(this.canvas.width - margin, this.scale.x(to ?? this.scale.to)) - x;
+      context.fillStyle = palette.muted;
+      context.fillText(fitted(context, "not recorded: damaged", w - 4), x + w / 2, (axisHeight + height) / 2);
     }
   }
 
@@ -134,7 +185,7 @@ export class Detail {
           const x = scale.x(from);
           const w = Math.max(2, scale.x(to) - x);
           const y = axisHeight + (robot - 1) * rowHeight;
-          context.strokeRect(x + 0.5, y + 1.5, w - 1, rowHeight - 2 - lane);
+          context.strokeRect(x + 0.5, y + 1.5, w - 1, rowHeight - 2 - foot);
         }
       }
     }
@@ -149,14 +200,14 @@ export class Detail {
     const size = 3.4;
     const listener = view.robot !== null && view.robot.side === view.side ? view.robot.number : 0;
     for (let n = 1; n <= match.game.sizes[view.side]; ++n) {
-      const foot = axisHeight + n * rowHeight - 0.5;
+      const base = axisHeight + n * rowHeight - 0.5;
       for (const packet of match.packets.between(view.side, n, scale.from, scale.to)) {
         const x = scale.x(packet.time);
-        const missed = listener > 0 && listener !== n && !packet.heard.has(listener);
+        const missed = listener > 0 && match.packets.lost(packet, listener);
         context.beginPath();
-        context.moveTo(x - size, foot);
-        context.lineTo(x, foot - 1.45 * size);
-        context.lineTo(x + size, foot);
+        context.moveTo(x - size, base);
+        context.lineTo(x, base - 1.45 * size);
+        context.lineTo(x + size, base);
         context.closePath();
         context.fillStyle = missed ? palette.panel : palette.text;
         context.strokeStyle = missed ? palette.text : palette.panel;
@@ -165,8 +216,8 @@ export class Detail {
         context.stroke();
         if (missed) {
           context.beginPath();
-          context.moveTo(x - size, foot - 1.45 * size);
-          context.lineTo(x + size, foot);
+          context.moveTo(x - size, base - 1.45 * size);
+          context.lineTo(x + size, base);
           context.stroke();
         }
       }
@@ -174,49 +225,68 @@ export class Detail {
   }
 
   private drawStrips(side: Side, palette: Palette): void {
-    const { context, height } = this.canvas;
+    for (const strip of this.strips) {
+      const { lane } = this.placed[side]![strip.kind];
+      const hidden: Stretch[] = [];
+      for (const stretch of this.visible(this.match.courses[side][strip.kind])) {
+        const at = lane.get(stretch)!;
+        if (at >= strip.lanes) hidden.push(stretch);
+        else this.drawStretch(stretch, strip, strip.top + at * laneHeight, palette);
+      }
+      this.drawCrowds(hidden, strip, palette);
+    }
+  }
+
+  private drawStretch(stretch: Stretch, { kind }: Strip, top: number, palette: Palette): void {
+    const { context } = this.canvas;
     const { scale, match } = this;
-    const top = height - 2 * stripHeight - 2;
-    const course = match.courses[side];
-    context.font = font(9.5);
+    const x = scale.x(stretch.from);
+    const w = Math.max(1.5, scale.x(stretch.to) - x);
+    const over = kind === "overlaps";
+    context.globalAlpha = over ? 1 : 0.38;
+    context.fillStyle = over ? palette.overlap : palette.uncovered;
+    context.fillRect(x, top + 0.5, Math.max(1, w - 0.5), laneHeight - 1);
+    context.globalAlpha = 1;
+    const shown = Math.max(x, gutter);
+    const room = scale.x(stretch.to) - shown - 4;
+    if (room < leastRoom) return;
+    const name = shortRoleName(match, stretch.side, stretch.role).replaceAll("_", " ");
+    context.font = font(9);
     context.textAlign = "left";
     context.textBaseline = "middle";
-    for (const stretch of this.visible(course.overlaps)) {
-      const x = scale.x(stretch.from);
-      const w = Math.max(1.5, scale.x(stretch.to) - x);
-      context.fillStyle = palette.overlap;
-      context.fillRect(x, top + 1, w, stripHeight - 2);
-      if (w > 22) {
-        context.fillStyle = "#111";
-        context.fillText(
-          fitted(context, `${shortRoleName(match, side, stretch.role)} ${stretch.robots.join(" ")}`, w - 4),
-          x + 2,
-          top + stripHeight / 2 + 0.5,
-        );
-      }
-    }
-    const missing = this.visible(course.uncovered);
-    context.fillStyle = palette.uncovered;
-    context.globalAlpha = 0.38; // of several at a time the strip grows darker
-    for (const stretch of missing) {
-      const x = scale.x(stretch.from);
-      context.fillRect(x, top + stripHeight + 1, Math.max(1, scale.x(stretch.to) - x), stripHeight - 2);
-    }
-    context.globalAlpha = 1;
+    context.fillStyle = over ? "#111" : palette.text;
+    context.fillText(
+      fitted(context, over ? `${name} ${stretch.robots.join(" ")}` : name, room),
+      shown + 2,
+      top + laneHeight / 2 + 0.5,
+    );
+  }
+
+  // Of what has no lane: in the last one a line for its time, and how many they are.
+  private drawCrowds(hidden: readonly Stretch[], strip: Strip, palette: Palette): void {
+    const { context } = this.canvas;
+    const bottom = strip.top + strip.lanes * laneHeight;
+    context.font = font(9, 700);
+    context.textAlign = "left";
+    context.textBaseline = "middle";
     let free = -Infinity;
-    context.fillStyle = palette.text;
-    for (const stretch of missing) {
-      const x = Math.max(gutter, scale.x(stretch.from));
-      const w = scale.x(stretch.to) - x;
-      if (w < 30 || x < free) continue;
-      const text = fitted(context, shortRoleName(match, side, stretch.role), w - 4);
-      context.fillText(text, x + 2, top + stripHeight * 1.5 + 0.5);
-      free = x + 4 + context.measureText(text).width;
+    for (const { from, to, most } of crowds(hidden)) {
+      const x = Math.max(gutter, this.scale.x(from));
+      const end = Math.max(x + 2, this.scale.x(to));
+      context.fillStyle = palette.text;
+      context.fillRect(x, bottom - 1.5, end - x, 1.5);
+      const text = `+${most}`;
+      const w = context.measureText(text).width + 3;
+      if (x < free) continue;
+      free = x + w + 2;
+      context.fillRect(x, bottom - laneHeight, w, laneHeight);
+      context.fillStyle = palette.panel;
+      context.fillText(text, x + 1.5, bottom - laneHeight / 2 + 0.5);
     }
   }
 
   private drawNames(view: View, palette: Palette): void {
-    const { context, height } = this.canvas;
+    const { context } = this.canvas;
     const { side } = view;
     const rowHeight = this.rowHeight(side);
     context.font = font(10);
@@ -246,9 +316,10 @@ export class Detail {
     }
     context.font = font(10);
     context.fillStyle = palette.muted;
-    const top = height - 2 * stripHeight - 2;
-    context.fillText("held twice", gutter - 8, top + stripHeight / 2);
-    context.fillText("uncovered", gutter - 8, top + stripHeight * 1.5);
+    for (const { kind, top, lanes } of this.strips) {
+      const text = kind === "overlaps" ? "held twice" : "uncovered";
+      context.fillText(text, gutter - 8, top + (lanes * laneHeight) / 2);
+    }
   }
 
   private visible(stretches: readonly Stretch[]): Stretch[] {
@@ -264,7 +335,7 @@ function held(match: Match, side: Side, robot: number, stretch: Stretch): [numbe
   for (const run of runs) {
     const from = game.times[run.from]!;
     if (from > stretch.to) break;
-    const to = game.times[Math.min(run.to, game.count - 1)]!;
+    const to = game.until(run.to - 1);
     if (run.role === stretch.role && to >= stretch.from) {
       result.push([Math.max(from, stretch.from), Math.min(to, stretch.to)]);
     }

@@ -90,6 +90,7 @@ export class Overview {
         );
       }
     }
+    this.drawGaps(palette);
     context.strokeStyle = palette.line;
     context.strokeRect(gutter + 0.5, bandTop + 0.5, width - gutter - margin - 1, bandHeight - 1);
     context.beginPath();
@@ -117,6 +118,29 @@ export class Overview {
       context.fill();
       context.strokeStyle = palette.panel;
       context.stroke();
+    }
+  }
+  // What cannot be read of the recording: hatched.
+  private drawGaps(palette: Palette): void {
+    const { context } = this.fixed;
+    for (const { from, to } of this.match.gaps) {
+      const x = this.scale.x(from);
+      const w = Math.max(2, this.scale.x(to ?? this.scale.to) - x);
+      context.save();
+      context.beginPath();
+      context.rect(x, bandTop, w, bandHeight);
+      context.clip();
+      context.fillStyle = palette.sunken;
+      context.fillRect(x, bandTop, w, bandHeight);
+      context.strokeStyle = palette.text;
+      context.lineWidth = 1;
+      context.beginPath();
+      for (let at = x - bandHeight; at < x + w; at += 5) {
+        context.moveTo(at, bandTop + bandHeight);
+        context.lineTo(at + bandHeight, bandTop);
+      }
+      context.stroke();
+      context.restore();
     }
   }
 }

@@ -6,7 +6,7 @@ import type { Stretch } from "../model/roles";
 import { listText, secondsText, timeText, words } from "../model/text";
 import { lastNotAfter } from "../recording/log";
 import { packetLines } from "../panels/packet_lines";
-import { type Detail, axisHeight, stripHeight } from "./detail";
+import { type Detail, axisHeight } from "./detail";
 
 // robot: whom a click there chooses.
 export interface Found {
@@ -19,17 +19,16 @@ export function underPointer(detail: Detail, view: View, px: number, py: number)
   const { side } = view;
   const time = scale.time(px);
   const lines = [timeText(time)];
-  const top = detail.canvas.height - 2 * stripHeight - 2;
   const inStretch = (stretch: Stretch) =>
     time >= stretch.from - 2 / scale.pixelsPerSecond && time <= stretch.to + 2 / scale.pixelsPerSecond;
-  if (py >= top) {
-    const over = py < top + stripHeight;
-    for (const stretch of (over ? match.courses[side].overlaps : match.courses[side].uncovered)
-      .filter(inStretch)
-      .slice(0, 8)) {
+  const strips = detail.strips;
+  if (py >= strips[0].top) {
+    const { kind } = py < strips[1].top ? strips[0] : strips[1];
+    for (const stretch of match.courses[side][kind].filter(inStretch)) {
       const name = roleName(match, side, stretch.role);
       const length = secondsText(stretch.samples / 10);
-      lines.push(over ? `${name}: robots ${listText(stretch.robots)} for ${length}` : `${name}: nobody for ${length}`);
+      const who = kind === "overlaps" ? `robots ${listText(stretch.robots)}` : "nobody";
+      lines.push(`${name}: ${who} for ${length}, from ${timeText(stretch.from)}`);
     }
     return { lines, robot: null };
   }
@@ -57,8 +56,8 @@ export function underPointer(detail: Detail, view: View, px: number, py: number)
     ];
   if (run !== undefined) {
     const from = match.game.times[run.from]!;
-    const to = match.game.times[Math.min(run.to, match.game.count - 1)]!;
-    lines.push(`robot ${number}: ${roleName(match, side, run.role)} ${timeText(from)} to ${timeText(to)}`);
+    const to = match.game.until(run.to - 1);
+    if (time <= to) lines.push(`robot ${number}: ${roleName(match, side, run.role)} ${timeText(from)} to ${timeText(to)}`);
   }
   if (match.game.isPenalised(index, side, number)) lines.push("penalised");
   const reach = 6 / scale.pixelsPerSecond;
