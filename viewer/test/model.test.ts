@@ -6,13 +6,16 @@ import { test } from "node:test";
 import { fragmentOf, readFragment } from "../src/app/fragment";
 import { decisionStep } from "../src/app/steps";
 import { type Pair, compare, compareEntry, greatestDifference, pairAt, pairNow } from "../src/model/compare";
-import { ellipseOf } from "../src/field/shapes";
+import type { Projection } from "../src/field/ground";
+import { Labels } from "../src/field/labels";
+import { ellipseOf, ellipsePath } from "../src/field/shapes";
 import { Moment } from "../src/model/game";
-import { lookAt } from "../src/model/look";
+import { knowledgeOf, lookAt } from "../src/model/look";
 import { crowds, inLanes } from "../src/model/lanes";
 import { type Stretch, neighbour } from "../src/model/roles";
 import { countSwitches } from "../src/model/switches";
 import { parsedTime, signed, timeText } from "../src/model/text";
+import { verdict } from "../src/panels/verdict";
 import { fromBase64 } from "../src/recording/embedded";
 import { lastNotAfter } from "../src/recording/log";
 import { type Match, readMatch } from "../src/recording/match";
@@ -241,6 +244,77 @@ test("two robots are compared", () => {
     ["0.00", "0.30"],
   );
   assert.deepEqual([found.news[1].heard?.time, found.news[1].missed.length], [20, 0]);
+});
+
+test("a decision of another moment is known as old", () => {
+  const pair = { side: 0, role: 1, robots: [2, 3] as [number, number] } as Pair;
+  // Robot 2 decided at 20 s, robot 3 at 0 s.
+  const found = compare(match, pair, 20.9);
+  assert.deepEqual(
+    found.ages.map((age) => age?.toFixed(3)),
+    ["0.900", "20.900"],
+  );
+  assert.deepEqual(found.old, [false, true]);
+  const said = (time: number) => verdict(match, pair, compare(match, pair, time), time).join(" ");
+  assert.match(said(20.9), / 3's matrix is 20\.9 s old: utilities are not compared here\./);
+  assert.doesNotMatch(said(20.9), /Utilities as|differ most/);
+  assert.match(said(25), / 2's matrix is 4\.0 s old and 3's matrix is 25\.0 s old: /);
+  assert.match(said(0.9), /Utilities as striker: in 2 own .* They differ most for robot /);
+  assert.doesNotMatch(said(0.9), / old/);
+  assert.deepEqual(compare(match, pair, 1).old, [false, false]);
+  assert.deepEqual(compare(match, pair, 1.01).old, [true, true]);
+});
+
+test("the world shown is the one decided on, until another is wanted", () => {
+  const look = lookAt(match, 0, 2, 20.5);
+  const common = { ...look, decision: { ...look.decision!, knowledge: "common" as const } };
+  const both = { ...common, belief: { ...look.belief!, common: look.belief!.mine } };
+  assert.equal(knowledgeOf(look, "decided"), "mine");
+  assert.equal(knowledgeOf(both, "decided"), "common");
+  assert.equal(knowledgeOf(both, "mine"), "mine");
+  assert.equal(knowledgeOf(common, "common"), "mine", "the recording holds no other");
+});
+
+// Notes what is drawn instead of drawing it; every letter is 6 wide.
+function noting() {
+  const ellipses: number[][] = [];
+  const texts: { text: string; x: number; y: number }[] = [];
+  const context = {
+    beginPath: () => {},
+    strokeText: () => {},
+    measureText: (text: string) => ({ width: 6 * text.length }),
+    fillText: (text: string, x: number, y: number) => texts.push({ text, x, y }),
+    ellipse: (...all: number[]) => ellipses.push(all),
+  } as unknown as CanvasRenderingContext2D;
+  return { context, ellipses, texts };
+}
+
+test("ellipses are drawn two standard deviations wide", () => {
+  const { context, ellipses } = noting();
+  ellipsePath(context, { x: (x: number) => x, y: (y: number) => y, scale: 10 } as Projection, 0, 0, [0.25, 0, 0.01]);
+  assert.deepEqual(
+    ellipses[0]!.slice(2, 4).map((axis) => axis.toFixed(9)),
+    ["10.000000000", "2.000000000"],
+  );
+});
+
+test("names on the field keep clear of each other and of the edges", () => {
+  const { context, texts } = noting();
+  const labels = new Labels();
+  labels.clear(200, 100);
+  for (let i = 0; i < 4; ++i) assert.equal(labels.beside(context, "striker", 100, 50, 8, "", "", false), true);
+  assert.equal(labels.beside(context, "goalkeeper", 5, 50, 8, "", "", true), true);
+  for (const a of texts) {
+    assert.ok(a.x - 3 * a.text.length >= 0 && a.x + 3 * a.text.length <= 200);
+    for (const b of texts)
+      if (a !== b)
+        assert.ok(
+          Math.abs(a.x - b.x) >= 3 * (a.text.length + b.text.length) || Math.abs(a.y - b.y) >= 10,
+          `${a.text} and ${b.text}`,
+        );
+  }
+  for (let i = 0; i < 12; ++i) labels.beside(context, "striker", 100, 50, 8, "", "", false);
+  assert.equal(labels.beside(context, "striker", 100, 50, 8, "", "", false), false, "no room is left");
 });
 
 test("an ellipse has the axes of its covariance", () => {

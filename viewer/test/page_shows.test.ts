@@ -25,7 +25,7 @@ import {
   text,
 } from "./page_kit";
 import type {} from "../src/main";
-import { recording, seconds } from "./synthetic";
+import { metadata, recording, seconds } from "./synthetic";
 
 const program = process.env.REGISTA ?? "";
 
@@ -167,7 +167,7 @@ test("a match opens, plays, and shows what was recorded", async () => {
           pixel.drawImage(field, Math.round(box.x - x), Math.round(box.y - y));
           return [...pixel.getImageData(0, 0, 1, 1).data].slice(0, 3);
         },
-        { x: x - 0.13 * scale, y },
+        { x: x - 0.11 * scale, y },
       );
       const expected = side === 0 ? [0, 114, 178] : [213, 94, 0];
       assert.ok(
@@ -216,10 +216,17 @@ test("overlaps are listed, jumped to and compared", async () => {
     ],
   );
   // Robot 3 heard that of 20 s, not that of 25; that of 30 s has not yet arrived.
-  assert.match(
-    await text(page, ".packets"),
-    /3 last heard 2: packet of 0:20\.00 \(period\)3 did not hear 2 at 0:25\.00 \(period\)/,
-  );
+  assert.deepEqual(await page.locator(".packets li").allInnerTexts(), [
+    "2 has never heard 3",
+    "3 last heard 2: packet of 0:20.00 (period)",
+    "3 did not hear 2 at 0:25.00 (period)",
+    "under way to 3: packet of 0:30.00 (period)",
+  ]);
+  assert.match(await text(page, "#verdict"), / 3 missed 1 of 2's packets since 0:20\.0\. /);
+  // Robot 3 decided at 0 s: its numbers are not those of the moment.
+  assert.match(await text(page, "#verdict"), / 3's matrix is 30\.0 s old: utilities are not compared here\. ?/);
+  assert.equal(await text(page, "#compare-utilities"), "Utilities: of 3 less of 2; 3's 30.0 s old");
+  assert.equal(await page.locator("table.difference.old").count(), 1);
   await page.keyboard.press("o");
   await page.selectOption("#list-least", "1");
   assert.equal(await page.locator("#panel-overlaps tbody tr").count(), 2);
@@ -249,6 +256,105 @@ test("an address names a moment and a robot", async () => {
   await settle(page);
   assert.equal(await shownTime(page), "0:07.0");
   assert.equal(await text(page, "#panel-robot h2"), "blue 3");
+  await page.close();
+});
+
+test("an address names a comparison", async () => {
+  const address = await synthetic("comparison", await recording());
+  const { page } = await open(`${address}#t=1e9`);
+  await page.waitForFunction((end) => location.hash === `#t=${end}`, seconds);
+  assert.equal(await shownTime(page), "1:00.0");
+  await page.evaluate(() => {
+    location.hash = "#t=2e9";
+  });
+  await page.waitForFunction((end) => location.hash === `#t=${end}`, seconds);
+  await page.keyboard.press("[");
+  await page.waitForFunction(() => location.hash === "#t=32&robot=home/2&compare=home/2,3/1");
+  const said = await text(page, "#verdict");
+  await page.close();
+  const shared = await open(`${address}#t=32&robot=home/2&compare=home/2,3/1`);
+  await settle(shared.page);
+  assert.equal(await shared.page.locator("#panel-compare").isVisible(), true);
+  assert.equal(await text(shared.page, "#verdict"), said);
+  assert.match(said, /^2 and 3 both are striker/);
+  // At the beginning both have just decided.
+  await shared.page.evaluate(() => {
+    location.hash = "#t=0.5&compare=home/3,2/1";
+  });
+  await settle(shared.page);
+  assert.match(await text(shared.page, "#verdict"), /Utilities as striker: in 3 own/);
+  assert.equal(await shared.page.locator("table.difference.old").count(), 0);
+  await shared.page.keyboard.press("o");
+  await shared.page.waitForFunction(() => location.hash === "#t=0.5&robot=home/2");
+  await shared.page.close();
+});
+
+test("numbers of another moment are marked", async () => {
+  const { page } = await open(`${await synthetic("ages", await recording())}#t=20.5&robot=home/2`);
+  await settle(page);
+  assert.equal(await text(page, "table.matrix .corner"), "utility");
+  assert.equal(await page.locator(".mind .old").count(), 0);
+  await page.keyboard.press("3");
+  await settle(page);
+  assert.equal(await text(page, "table.matrix .corner"), "20.5 s old");
+  assert.equal(await text(page, ".mind .terms h3"), "robot 3 as striker, 20.5 s old");
+  assert.equal(await page.locator(".mind table.matrix.old").count(), 1);
+  await page.close();
+});
+
+test("a team that decides on common knowledge is shown with it", async () => {
+  const pairs = metadata();
+  const home = JSON.parse(pairs.home!);
+  home.contexts[1].utility_knowledge = "common";
+  const bytes = await recording({
+    metadata: { home: JSON.stringify(home) },
+    message: (topic, message) => {
+      if (topic.startsWith("/decision/home")) return { ...message, knowledge: "common" };
+      if (!topic.startsWith("/belief/home")) return message;
+      const mine = message.mine as Json;
+      return { ...message, common: { ...mine, ball: { at: [0, 0], velocity: [0, 0], covariance: [1, 0, 1], age: 9.5 } } };
+    },
+  });
+  const { page } = await open(`${await synthetic("common", bytes)}#t=20.5&robot=home/2`);
+  await settle(page);
+  const ball = async () => (await page.locator(".mind-left table.list tbody tr").first().innerText()).split("\t")[2];
+  const world = () => page.locator("#knowledge").inputValue();
+  const caption = () => text(page, ".mind-left caption");
+  assert.deepEqual([await world(), await ball()], ["decided", "9.5 s"]);
+  assert.match(await caption(), /^common belief of 0:20\.50/);
+  await page.selectOption("#knowledge", "mine");
+  await settle(page);
+  assert.deepEqual([await world(), await ball()], ["mine", "1.5 s"]);
+  assert.match(await caption(), /^belief of 0:20\.50/);
+  await page.evaluate(() => (document.activeElement as HTMLElement).blur());
+  await page.keyboard.press("t");
+  await settle(page);
+  assert.equal(await world(), "decided");
+  assert.equal(await page.locator("#knowledge").isDisabled(), true);
+  await page.close();
+});
+
+test("robots beyond the ninth have keys", async () => {
+  const many = (list: unknown, more: unknown) => [...(list as unknown[]), ...Array.from({ length: 9 }, () => more)];
+  const bytes = await recording({
+    message: (topic, message) => {
+      if (topic !== "/game") return message;
+      const roles = message.roles as unknown[];
+      return { ...message, home: many(message.home, [0, 0, 0]), roles: [many(roles[0], -1), roles[1]] };
+    },
+  });
+  const { page } = await open(await synthetic("twelve", bytes));
+  for (const [key, name] of [
+    ["0", "blue 10"],
+    ["Shift+Digit1", "blue 11"],
+    ["Shift+Digit2", "blue 12"],
+    ["Shift+Digit3", "blue 12"], // there is none
+    ["9", "blue 9"],
+  ] as const) {
+    await page.keyboard.press(key);
+    await settle(page);
+    assert.equal(await text(page, "#panel-robot h2"), name);
+  }
   await page.close();
 });
 
@@ -332,6 +438,37 @@ test(
         shown.map((row) => row.split("\t").map((part) => part.trim())),
         expected,
       );
+    }
+    assert.deepEqual(complaints, []);
+    await page.close();
+  },
+);
+
+test(
+  "eleven a side fit the page",
+  { skip: program === "" && "REGISTA names no program" },
+  async () => {
+    const file = join(folder, "eleven.mcap");
+    const teams = ["paper", "fixed_rate"].map((name) => join("..", "configs", "teams", `${name}.yaml`));
+    const rules = ["--set", "rules.team_size=11", "--limit", "75", "--quiet"];
+    execFileSync(program, ["match", ...teams, ...rules, "--record", file]);
+    const { page, complaints } = await open(`${pageOf(file, "eleven")}#t=70&robot=home/11`);
+    const clipped = () =>
+      page.evaluate(() => ({
+        cells: [...document.querySelectorAll<HTMLElement>("table.matrix td, table.matrix th")]
+          .filter((cell) => cell.offsetParent !== null && cell.scrollWidth > cell.clientWidth)
+          .map((cell) => cell.textContent),
+        scrolls: document.documentElement.scrollHeight > window.innerHeight,
+      }));
+    for (const key of ["r", "c"]) {
+      await page.keyboard.press(key);
+      for (const time of ["55", "62", "70"]) {
+        await page.fill("#time", time);
+        await page.press("#time", "Enter");
+        await settle(page);
+        assert.ok((await page.locator("table.matrix td:visible").count()) > 0);
+        assert.deepEqual(await clipped(), { cells: [], scrolls: false }, `${key} at ${time}`);
+      }
     }
     assert.deepEqual(complaints, []);
     await page.close();

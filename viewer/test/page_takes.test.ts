@@ -58,6 +58,7 @@ test("what cannot be shown is said", async () => {
     ["empty", new Uint8Array(0), /The file is empty/],
     ["foreign", new TextEncoder().encode("\u0089PNG nothing of ours"), /not in the MCAP format/],
     ["another", await recording({ without: Object.keys(metadata()) }), /not the recording of a match by Regista/],
+    ["cut early", (await recording()).slice(0, 60), /breaks off before it describes its match/],
     ["newer", await recording({ metadata: { format: "3" } }), /has format 3; this page reads format 1/],
   ] as const) {
     const { page } = await open(await synthetic(name, bytes), "failed");
@@ -66,6 +67,74 @@ test("what cannot be shown is said", async () => {
     assert.equal(await page.locator("#viewer").isVisible(), false);
     await page.close();
   }
+});
+
+test("one damaged byte in the middle costs one chunk", async () => {
+  const changed = (await recording()).slice();
+  changed[Math.floor(changed.length / 2)]! ^= 0x10;
+  const { page, complaints } = await open(await synthetic("flipped", changed));
+  const said = /^This recording is damaged: (\d):(\d\d\.\d) to (\d:\d\d\.\d) is missing, the rest is shown\. 1 part of it /;
+  const [, minutes, rest] = said.exec(await text(page, "#faults"))!;
+  await page.keyboard.press("End");
+  await settle(page);
+  assert.equal(await page.locator("#time").inputValue(), "1:00.0");
+  assert.match(await text(page, "#game"), /^half 1/);
+  await page.fill("#time", `${minutes}:${(Number(rest) + 0.4).toFixed(1).padStart(4, "0")}`);
+  await page.press("#time", "Enter");
+  await settle(page);
+  assert.equal(await text(page, "#game"), "this part of the recording is damaged");
+  assert.deepEqual(complaints, []);
+  await page.close();
+});
+
+test("of several files the one chosen last counts", async () => {
+  const address = pageOf(null, "several");
+  const names = ["first", "second", "third"];
+  const files = await Promise.all(
+    names.map(async (name) => [...(await recording({ teams: [name, "red"] }))] as number[]),
+  );
+  for (const pauses of [0, 3, 15]) {
+    const { page, complaints } = await open(address, "asking");
+    const hidden = await page.evaluate(
+      async ({ names, files, pauses }) => {
+        const drop = (i: number) => {
+          const dataTransfer = new DataTransfer();
+          dataTransfer.items.add(new File([new Uint8Array(files[i]!)], `${names[i]}.mcap`));
+          document.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+        };
+        const seen: boolean[] = [];
+        for (let i = 0; i < files.length && document.body.dataset.state !== "ready"; ++i) {
+          drop(i);
+          seen.push(document.getElementById("start-choose")!.hidden);
+          if (pauses > 0) await new Promise((resolve) => setTimeout(resolve, pauses));
+        }
+        return seen;
+      },
+      { names, files, pauses },
+    );
+    assert.ok(hidden.every(Boolean), "no chooser while one is read");
+    await page.waitForFunction(() => document.body.dataset.state === "ready");
+    await page.waitForTimeout(300);
+    assert.equal(await text(page, "#home-name"), names[hidden.length - 1]);
+    assert.equal(await page.locator('[role="tab"]').count(), 4, "one viewer");
+    assert.deepEqual(complaints, []);
+    await page.close();
+  }
+  // One that cannot be read gives way to one that can, and says nothing more.
+  const { page } = await open(address, "asking");
+  await page.evaluate((bytes) => {
+    for (const [name, data] of [
+      ["bad", [1, 2, 3]],
+      ["good", bytes],
+    ] as const) {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([new Uint8Array(data)], `${name}.mcap`));
+      document.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+    }
+  }, files[0]!);
+  await page.waitForFunction(() => document.body.dataset.state === "ready");
+  assert.equal(await page.locator("#start").isVisible(), false);
+  await page.close();
 });
 
 test("a page without a recording opens a file that is chosen", async () => {

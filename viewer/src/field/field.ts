@@ -76,7 +76,7 @@ export class Field {
     context.drawImage(this.ground.element, 0, 0, canvas.width, canvas.height);
     if (view.layers.trails) this.drawTrails();
     this.drawSetPlay();
-    this.labels.clear();
+    this.labels.clear(canvas.width, canvas.height);
 
     const pair = view.panel === "compare" ? view.pair : null;
     if (pair !== null) {

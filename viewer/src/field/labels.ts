@@ -8,8 +8,14 @@ export class Labels {
   private readonly boxes = new Float32Array(4 * maxBoxes); // left, top, right, bottom
   private count = 0;
 
-  clear(): void {
+  private width = 0;
+  private height = 0;
+
+  // Of a canvas of this size.
+  clear(width: number, height: number): void {
     this.count = 0;
+    this.width = width;
+    this.height = height;
   }
 
   // Nothing may be written here.
@@ -20,6 +26,7 @@ export class Labels {
 
   private free(x: number, y: number, halfWidth: number, halfHeight: number): boolean {
     const { boxes } = this;
+    if (x < halfWidth || x + halfWidth > this.width || y < halfHeight || y + halfHeight > this.height) return false;
     for (let i = 0; i < 4 * this.count; i += 4) {
       if (
         x + halfWidth > boxes[i]! &&
@@ -61,8 +68,9 @@ export class Labels {
     ] as const;
     const found = places.find(([dx, dy]) => this.free(x + dx, y + dy, width, height)) ?? (must ? places[0] : null);
     if (found === null) return false;
-    label(context, text, x + found[0], y + found[1], ink, rim);
-    this.take(x + found[0], y + found[1], width, height);
+    const at = Math.min(this.width - width, Math.max(width, x + found[0]));
+    label(context, text, at, y + found[1], ink, rim);
+    this.take(at, y + found[1], width, height);
     return true;
   }
 }

@@ -180,7 +180,7 @@ export class ComparePanel {
           element(
             "h3",
             { id: "compare-utilities", class: found.old.includes(true) ? "old" : "" },
-            `Utilities: those of ${b} less those of ${a}${ageText(pair, found)}`,
+            `Utilities: of ${b} less of ${a}${ageText(pair, found)}`,
           ),
           element("div", { class: "matrix-scroll" }, this.difference.table),
           this.difference.terms,

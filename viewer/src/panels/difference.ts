@@ -5,7 +5,7 @@ import { type Pair, compareEntry, greatestDifference } from "../model/compare";
 import { type Look, roleName, shortRoleName } from "../model/look";
 import { fixed, listText, signed } from "../model/text";
 import type { Match } from "../recording/match";
-import { brokenName, element, heading, moveWithArrows, numeric, row } from "./elements";
+import { brokenName, element, heading, manyColumns, moveWithArrows, numeric, row } from "./elements";
 
 export class DifferenceMatrix {
   readonly table = element("table", {
@@ -88,10 +88,10 @@ export class DifferenceMatrix {
       element(
         "th",
         { scope: "col", class: role === pair.role ? "shared" : "", title: roleName(this.match, pair.side, role) },
-        ...brokenName(shortRoleName(this.match, pair.side, role)),
+        ...brokenName(shortRoleName(this.match, pair.side, role), columns.length > manyColumns ? 6 : 8),
       ),
     );
-    this.table.classList.toggle("many", columns.length > 7);
+    this.table.classList.toggle("many", columns.length > manyColumns);
     this.table.style.setProperty("--columns", String(columns.length));
     if (columns.length === 0) this.table.replaceChildren(element("caption", {}, "These decisions have no utilities"));
     else this.table.replaceChildren(heading([element("th"), ...heads]), body);

@@ -7,7 +7,7 @@ import { fixed } from "../model/text";
 import type { Side } from "../recording/about";
 import type { Match } from "../recording/match";
 import type { Decision } from "../recording/messages";
-import { brokenName, element, heading, moveWithArrows, numeric, row, setText } from "./elements";
+import { brokenName, element, heading, manyColumns, moveWithArrows, numeric, row, setText } from "./elements";
 
 // Where a value lies between the least and the greatest: by its logarithm where they differ by orders of magnitude.
 function shareOf(value: number, least: number, most: number): number {
@@ -93,7 +93,7 @@ export class UtilityMatrix {
       element(
         "th",
         { scope: "col", title: roleName(this.match, this.side, role) },
-        ...brokenName(shortRoleName(this.match, this.side, role)),
+        ...brokenName(shortRoleName(this.match, this.side, role), decision.columns.length > manyColumns ? 6 : 8),
       ),
     );
     const body = element(
@@ -108,8 +108,8 @@ export class UtilityMatrix {
         ),
       ),
     );
-    this.table.classList.toggle("many", decision.columns.length > 7);
-    this.table.closest(".mind-columns")?.classList.toggle("many", decision.columns.length > 7);
+    this.table.classList.toggle("many", decision.columns.length > manyColumns);
+    this.table.closest(".mind-columns")?.classList.toggle("many", decision.columns.length > manyColumns);
     this.table.style.setProperty("--columns", String(decision.columns.length));
     this.table.replaceChildren(heading([this.corner, ...heads]), body);
   }

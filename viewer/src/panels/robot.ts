@@ -25,10 +25,11 @@ export class RobotPanel {
   private readonly title = element("h2");
   private readonly since = element("span", { class: "muted", id: "decided" });
   private readonly fault = element("p", { class: "fault", role: "alert" });
+  private readonly asDecided = element("option", { value: "decided" }, "world: as decided");
   private readonly knowledge = element(
     "select",
     { id: "knowledge", "aria-label": "World that is shown" },
-    element("option", { value: "decided" }, "world: as decided"),
+    this.asDecided,
     element("option", { value: "mine" }, "world: mine"),
     element("option", { value: "common" }, "world: common"),
   );
@@ -127,6 +128,7 @@ export class RobotPanel {
     setText(this.since, decision === null ? "has not decided yet" : sinceText(this.match, robot, decision, view.time));
     setText(this.fault, look.fault);
     const common = hasCommon(this.match, robot.side);
+    setText(this.asDecided, `world: as decided${common ? ` (${knowledgeOf(look, "decided")})` : ""}`);
     this.knowledge.disabled = !common;
     this.knowledge.title = common ? "" : "No context of this team uses common knowledge";
     this.knowledge.value = common ? view.knowledge : "decided";

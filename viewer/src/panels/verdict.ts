@@ -27,7 +27,7 @@ export function verdict(match: Match, pair: Pair, found: Comparison, time: numbe
     result.push(`At this moment ${a} and ${b} do not both hold ${role}.`);
   }
   for (const i of [0, 1] as const) result.push(news(match, pair, found, i));
-  if (found.old.includes(true)) result.push(`${oldText(pair, found)}: utilities of two moments are not compared here.`);
+  if (found.old.includes(true)) result.push(`${oldText(pair, found)}: utilities are not compared here.`);
   else result.push(...utilities(match, pair, found, role));
   const farthest = found.beliefs.find((line) => line.apart !== null);
   const beliefsOld = found.looks.some(({ belief }) => isOld(ageOf(belief, time)));
@@ -44,8 +44,11 @@ function oldText(pair: Pair, { ages, old }: Comparison): string {
   return listText(parts);
 }
 
-export const ageText = (pair: Pair, found: Comparison): string =>
-  found.old.includes(true) ? ` \u2013 ${oldText(pair, found)}` : "";
+// "; 4's 3.2 s old"; "" while both are of the moment.
+export function ageText(pair: Pair, { ages, old }: Comparison): string {
+  const parts = pair.robots.flatMap((robot, i) => (old[i] ? [`${robot}'s ${secondsText(ages[i]!)} old`] : []));
+  return parts.length > 0 ? `; ${parts.join(", ")}` : "";
+}
 
 function utilities(match: Match, pair: Pair, found: Comparison, role: string): string[] {
   const result: string[] = [];

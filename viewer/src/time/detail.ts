@@ -4,7 +4,8 @@
 import { Canvas, font } from "../app/canvas";
 import type { Palette } from "../app/palette";
 import type { View } from "../app/state";
-import { inMask } from "../model/game";
+import { label } from "../field/shapes";
+import { inMask, sampleSeconds } from "../model/game";
 import { shortRoleName } from "../model/look";
 import { type Lanes, crowds, inLanes } from "../model/lanes";
 import type { Stretch } from "../model/roles";
@@ -159,17 +160,32 @@ export class Detail {
     }
   }
 
+  // What cannot be read of the recording: hatched, and named where there is room.
   private drawGaps(palette: Palette): void {
-    const { context, height } = this.canvas;
-    context.font = font(11);
-    context.textAlign = "center";
-    context.textBaseline = "middle";
+    const { context } = this.canvas;
+    const bottom = this.strips[0].top - 2;
     for (const { from, to } of this.match.gaps) {
       if (from > this.scale.to || (to ?? Infinity) < this.scale.from) continue;
-      const x = Math.max(gutter, this.scale.x(from));
+      const x = Math.max(gutter, this.scale.x(from + sampleSeconds));
       const w = Math.min(this.canvas.width - margin, this.scale.x(to ?? this.scale.to)) - x;
-      context.fillStyle = palette.muted;
-      context.fillText(fitted(context, "not recorded: damaged", w - 4), x + w / 2, (axisHeight + height) / 2);
+      context.save();
+      context.beginPath();
+      context.rect(x, axisHeight, w, bottom - axisHeight);
+      context.clip();
+      context.strokeStyle = palette.line;
+      context.lineWidth = 1;
+      context.beginPath();
+      for (let at = x - (bottom - axisHeight); at < x + w; at += 7) {
+        context.moveTo(at, bottom);
+        context.lineTo(at + bottom - axisHeight, axisHeight);
+      }
+      context.stroke();
+      context.font = font(11);
+      context.textAlign = "center";
+      context.textBaseline = "middle";
+      const text = ["not recorded: damaged", "damaged"].find((one) => context.measureText(one).width < w - 4) ?? "";
+      label(context, text, x + w / 2, (axisHeight + bottom) / 2, palette.text, palette.panel);
+      context.restore();
     }
   }
 
