@@ -312,7 +312,8 @@ test("a team that decides on common knowledge is shown with it", async () => {
       if (topic.startsWith("/decision/home")) return { ...message, knowledge: "common" };
       if (!topic.startsWith("/belief/home")) return message;
       const mine = message.mine as Json;
-      return { ...message, common: { ...mine, ball: { at: [0, 0], velocity: [0, 0], covariance: [1, 0, 1], age: 9.5 } } };
+      const ball = { at: [0, 0], velocity: [0, 0], covariance: [1, 0, 1], age: 9.5 };
+      return { ...message, common: { ...mine, ball } };
     },
   });
   const { page } = await open(`${await synthetic("common", bytes)}#t=20.5&robot=home/2`);

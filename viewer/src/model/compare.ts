@@ -185,7 +185,12 @@ export function pairAt(match: Match, pair: { side: Side; role: number }, time: n
 }
 
 // Two robots of this side that share a role at `time`, the chosen one with another where it shares its own.
-export function pairNow(match: Match, side: Side, chosen: { side: Side; number: number } | null, time: number): Pair | null {
+export function pairNow(
+  match: Match,
+  side: Side,
+  chosen: { side: Side; number: number } | null,
+  time: number,
+): Pair | null {
   const roles = match.about.teams[side].roles.map((_, role) => role);
   const own = chosen?.side === side ? chosen.number : 0;
   let found: Pair | null = null;

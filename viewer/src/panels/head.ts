@@ -25,10 +25,8 @@ export class Head {
     const setPlay = setPlays[game.setPlay[i]!]!;
     const kicking =
       setPlay === "none" ? "" : `, ${words(setPlay)} of ${about.teams[game.kicking[i] === 0 ? 0 : 1].name}`;
-    setText(
-      byId("game"),
-      missing ? "this part of the recording is damaged" : `half ${game.half[i]}, clock ${timeText(game.clock[i]!, 0)}, ${phases[game.phase[i]!]}${kicking}`,
-    );
+    const half = `half ${game.half[i]}, clock ${timeText(game.clock[i]!, 0)}, ${phases[game.phase[i]!]}${kicking}`;
+    setText(byId("game"), missing ? "this part of the recording is damaged" : half);
     const toRight = game.half[i]! % 2 === 1 ? 0 : 1;
     setText(byId("attack"), `${about.teams[toRight].name} attacks \u2192`);
   }

@@ -269,5 +269,6 @@ export class RobotPanel {
 function sinceText(match: Match, robot: Robot, decision: Decision, time: number): string {
   const since = decision.role >= 0 ? ` since ${timeText(decision.since)}` : "";
   const ago = fixed(Math.max(0, time - decision.time), 1);
-  return `${roleName(match, robot.side, decision.role)}${since}; decision of ${timeText(decision.time, 2)}, ${ago} s ago`;
+  const role = roleName(match, robot.side, decision.role);
+  return `${role}${since}; decision of ${timeText(decision.time, 2)}, ${ago} s ago`;
 }

@@ -40,8 +40,9 @@ export function verdict(match: Match, pair: Pair, found: Comparison, time: numbe
 
 // "4's matrix is 3.2 s old"
 function oldText(pair: Pair, { ages, old }: Comparison): string {
-  const parts = pair.robots.flatMap((robot, i) => (old[i] ? [`${robot}'s matrix is ${secondsText(ages[i]!)} old`] : []));
-  return listText(parts);
+  return listText(
+    pair.robots.flatMap((robot, i) => (old[i] ? [`${robot}'s matrix is ${secondsText(ages[i]!)} old`] : [])),
+  );
 }
 
 // "; 4's 3.2 s old"; "" while both are of the moment.

@@ -196,7 +196,8 @@ export async function readMatch(bytes: Uint8Array, progress?: (share: number) =>
     faults.unshift(`This recording is cut off. What is complete is shown, up to ${timeText(game.end)}.`);
   if (damage.parts > 0) {
     const parts = damage.parts === 1 ? "1 part of it" : `${damage.parts} parts of it`;
-    faults.unshift(`This recording is damaged: ${missingText(reading.gaps)}. ${parts} cannot be read: ${damage.reason}.`);
+    const missing = missingText(reading.gaps);
+    faults.unshift(`This recording is damaged: ${missing}. ${parts} cannot be read: ${damage.reason}.`);
   }
 
   packets.close(game.end, reading.gaps);

@@ -57,7 +57,8 @@ export function underPointer(detail: Detail, view: View, px: number, py: number)
   if (run !== undefined) {
     const from = match.game.times[run.from]!;
     const to = match.game.until(run.to - 1);
-    if (time <= to) lines.push(`robot ${number}: ${roleName(match, side, run.role)} ${timeText(from)} to ${timeText(to)}`);
+    const role = roleName(match, side, run.role);
+    if (time <= to) lines.push(`robot ${number}: ${role} ${timeText(from)} to ${timeText(to)}`);
   }
   if (match.game.isPenalised(index, side, number)) lines.push("penalised");
   const reach = 6 / scale.pixelsPerSecond;
