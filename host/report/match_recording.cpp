@@ -150,7 +150,7 @@ struct MatchRecording::Parts {
     int context = -3, role = -3;  // of the last decision written; the role also of the last one at all
     std::vector<std::int32_t> kept, assignment;
     double decision = 0.0, belief = -1.0;  // when one was written
-    bool shares = false;                   // another has taken the same role since the last decision
+    bool shares = false;                   // another has taken the same role since the last decision, or play has begun
     mcap::ChannelId decisions{}, beliefs{};
     std::uint32_t decision_count = 0, belief_count = 0;
   };
@@ -218,6 +218,7 @@ struct MatchRecording::Parts {
   std::uint64_t steps = 0;
   double chunk_began = 0.0;
   int half = 1;
+  mind::Phase phase = mind::Phase::initial;
 };
 
 void MatchRecording::Parts::write_decision(Last& robot, match::Side side, const mind::Mind& mind, double time) {
@@ -345,6 +346,12 @@ void MatchRecording::stepped(const match::Snapshot& snapshot) {
   }
   const match::GameState& state = snapshot.state;
   parts.half = state.half;
+  const bool began = state.phase == mind::Phase::playing && parts.phase != mind::Phase::playing;
+  parts.phase = state.phase;
+  // From now on it counts who shares a role.
+  for (std::vector<Parts::Last>& side : parts.last) {
+    for (Parts::Last& robot : side) robot.shares |= began;
+  }
   if (++parts.steps % game_steps != 0) return;
   JsonText& json = parts.json;
   const auto counts = [&](std::string_view key, const std::array<int, 2>& values) {

@@ -7,7 +7,8 @@
 //   is /event                 of the referee, when it happens /packet                when it is sent, by whom and why
 //   /heard                 when a robot hears a packet of another
 //   /decision/<side>/<n>   of a robot, when its context, kept tasks, assignment or role changed,
-//                          when another robot has taken the same role, and after 5 s without any of these
+//                          when another robot has taken the same role or play begins, and after 5 s without any of
+//                          these
 //   /belief/<side>/<n>     of a robot, twice a second and when its role changed
 //
 // All of it in the world frame: origin at the centre, home attacks towards +x in the first half. Metres, seconds,
