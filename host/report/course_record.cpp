@@ -8,6 +8,7 @@
 
 #include "plugin/content_hash.hpp"
 #include "report/standing.hpp"
+#include "report/verdict_interval.hpp"
 #include "statistics/bradley_terry.hpp"
 #include "statistics/rating.hpp"
 
@@ -68,6 +69,7 @@ PairPoint CourseRecord::pair_point() const {
   PairPoint out;
   out.pair = static_cast<std::uint64_t>(total(meeting.pairs));
   if (out.pair > 0) out.elo = statistics::elo(score_law(meeting.pairs));
+  out.enough = enough_for_interval(meeting.pairs);
   if (meeting.score_test) {
     out.ratio = meeting.score_test->ratio().value;
     out.lower = meeting.score_test->stopping().lower;

@@ -49,6 +49,14 @@ Html compared(const PageSource& source, Markup title, const std::vector<Row>& ro
   return table.html();
 }
 
+// "playing.goalkeeper", which may go on in a new line after the point, and within a word only where it is a long one.
+Html role_name(std::string_view role) {
+  const std::size_t point = role.find('.');
+  if (point == std::string_view::npos) return name(role);
+  Html out = name(role.substr(0, point + 1));
+  return out << "<wbr>"_html << name(role.substr(point + 1));
+}
+
 std::string spaced(std::string words) {
   std::ranges::replace(words, '_', ' ');
   return words;
@@ -76,7 +84,7 @@ Html roles_of_two(const PageSource& source, const std::vector<std::string>& role
     }
     table.row(cells);
   };
-  for (const std::string& role : roles) add(name(role), role + '.');
+  for (const std::string& role : roles) add(role_name(role), role + '.');
   add("<b>all roles</b>"_html, "");
   Html out = "<div class=\"full\">\n"_html;
   return out << figure(source, "roles") << "</div>\n<p class=\"note\"><i class=\"key first\"></i>"_html
@@ -105,7 +113,7 @@ Html roles_of_several(const PageSource& source, const std::vector<std::string>& 
     for (std::size_t team = 0; team < teams; ++team) headings.push_back({team_name(source, team)});
     HtmlTable table(headings);
     for (const std::string& role : roles) {
-      std::vector<Html> cells{name(role)};
+      std::vector<Html> cells{role_name(role)};
       for (std::size_t team = 0; team < teams; ++team) {
         cells.push_back(mean_of(numbers.find(team, role + '.' + role_measures[i]), 1));
       }

@@ -38,6 +38,7 @@ th,td{padding:4px 16px 4px 0;border-bottom:1px solid var(--line)}
 td{vertical-align:top}
 .n{text-align:right;white-space:nowrap}
 bdi{overflow-wrap:anywhere}
+table bdi{display:inline-block;max-width:34ch;overflow-wrap:break-word}
 .two{display:grid;grid-template-columns:repeat(2,minmax(0,1fr));gap:26px}
 @media (max-width:880px){.two{grid-template-columns:minmax(0,1fr)}}
 figure{margin:10px 0 0;min-width:0;max-width:640px}
