@@ -11,6 +11,7 @@
 #include "report/verdict_interval.hpp"
 #include "statistics/bradley_terry.hpp"
 #include "statistics/rating.hpp"
+#include "study/metric.hpp"
 
 namespace regista::report {
 namespace {
@@ -21,6 +22,12 @@ constexpr std::size_t most_rankings = 120;
 void count(GoalDifferences& counts, int difference, bool forfeited) {
   const int within = std::clamp(difference, -GoalDifferences::largest, GoalDifferences::largest);
   ++(forfeited ? counts.forfeited : counts.played)[static_cast<std::size_t>(within + GoalDifferences::largest)];
+}
+
+std::optional<double> packets_of(const campaign::Decided& decided) {
+  if (decided.metrics.empty()) return std::nullopt;
+  const auto home = study::metric(decided.metrics, 0, "packets"), away = study::metric(decided.metrics, 1, "packets");
+  return home && away ? std::optional(*home + *away) : std::nullopt;
 }
 
 }  // namespace
@@ -52,7 +59,7 @@ void CourseRecord::take(const campaign::Decided* decided) {
     if (std::ranges::binary_search(wanted_, index)) {
       ++recorded_count_;
       if (recorded_.size() < most_recorded) {
-        recorded_.push_back({index, decided->score, decided->failure.has_value()});
+        recorded_.push_back({index, decided->score, decided->failure.has_value(), packets_of(*decided)});
       }
     }
   }

@@ -46,6 +46,7 @@ struct RecordedRow {
   std::uint64_t index = 0;  // in the schedule, from 0
   std::array<int, 2> score{};
   bool forfeited = false;
+  std::optional<double> packets;  // of both teams; none where it is not known
 };
 
 class CourseRecord {

@@ -52,6 +52,16 @@ std::optional<std::array<int, 2>> last_score(mcap::Reader& reader) {
   return Json::parse(last).at("score").get<std::array<int, 2>>();
 }
 
+// How many packets were recorded; of a file with a summary, which counts them.
+double packets(const mcap::Reader& reader) {
+  std::uint64_t out = 0;
+  for (const auto& [channel, count] : reader.statistics()->messages_of) {
+    const auto found = reader.channels().find(channel);
+    if (found != reader.channels().end() && found->second.topic == "/packet") out += count;
+  }
+  return static_cast<double>(out);
+}
+
 }  // namespace
 
 bool holds(const std::filesystem::path& recording, const MatchToFind& match) {
@@ -65,7 +75,8 @@ bool holds(const std::filesystem::path& recording, const MatchToFind& match) {
     }
     const mcap::Pairs* const about = about_in(reader);
     if (about == nullptr || !fits(*about, match)) return false;
-    return !match.score || last_score(reader) == match.score;
+    if (!match.score) return true;
+    return last_score(reader) == match.score && (!match.packets || packets(reader) == *match.packets);
   } catch (const mcap::Error&) {
   } catch (const Json::exception&) {
   }
@@ -80,12 +91,16 @@ PageRecordings page_recordings(const TournamentView& view, const CourseRecord& r
   out.not_read = record.recorded_matches() - record.recorded().size();
   for (const RecordedRow& each : record.recorded()) {
     const study::Fixture fixture = view.course.calendar().at(each.index);
-    MatchToFind match{fixture.seed, {view.plan.teams[fixture.home].label, view.plan.teams[fixture.away].label}, "", {}};
+    MatchToFind match{
+        fixture.seed, {view.plan.teams[fixture.home].label, view.plan.teams[fixture.away].label}, "", {}, {}};
     if (!view.plan.openings.empty()) {
       const std::string& input = view.plan.openings[fixture.opening].input.name;
       match.opening = input.starts_with(kind) ? input.substr(kind.size()) : input;
     }
-    if (!each.forfeited) match.score = each.score;
+    if (!each.forfeited) {
+      match.score = each.score;
+      match.packets = each.packets;
+    }
     if (holds(study::recording_file(results, static_cast<std::int64_t>(each.index) + 1), match))
       out.fitting.push_back(each);
     else

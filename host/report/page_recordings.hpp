@@ -22,6 +22,7 @@ struct MatchToFind {
   std::array<std::string, 2> labels;        // of the home and the away team, in the tournament
   std::string opening;                      // name; empty: from kick-off
   std::optional<std::array<int, 2>> score;  // by side; none: the match failed, and its recording may be cut off
+  std::optional<double> packets;            // of both teams, of a match with a score: hardly two matches send as many
 };
 
 // Reads the beginning of the file and its last second. False for what is no recording, too.

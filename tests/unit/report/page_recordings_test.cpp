@@ -20,6 +20,7 @@ struct Written {
   std::string seed = "7", home = R"({"team":"a"})", away = R"({"team":"b"})", opening = "left";
   std::string game = R"({"time":100,"score":[2,1]})", goal = "";  // at the very end, of an event
   bool whole = true;
+  int packets = 0;
 };
 
 class PageRecordingsTest : public testing::Test {
@@ -41,6 +42,10 @@ class PageRecordingsTest : public testing::Test {
       writer.write({game, 0, 1'000'000'000, 1'000'000'000, R"({"time":1,"score":[0,0]})"});
       if (!content.game.empty()) writer.write({game, 1, 100'000'000'000, 100'000'000'000, content.game});
       if (!content.goal.empty()) writer.write({events, 0, 100'050'000'000, 100'050'000'000, content.goal});
+      const mcap::ChannelId sent = writer.add_channel("/packet", "json");
+      for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(content.packets); ++i) {
+        writer.write({sent, i, 100'055'000'000, 100'055'000'000, "{}"});
+      }
       writer.write({others, 0, 100'060'000'000, 100'060'000'000, "{}"});
       writer.close();
     }
@@ -49,12 +54,16 @@ class PageRecordingsTest : public testing::Test {
   }
 
   fs::path results_;
-  MatchToFind match_{7, {"a", "b"}, "left", std::array<int, 2>{2, 1}};
+  MatchToFind match_{7, {"a", "b"}, "left", std::array<int, 2>{2, 1}, {}};
 };
 
 TEST_F(PageRecordingsTest, OfTheSameMatch) {
   EXPECT_TRUE(holds(write({}), match_));
   EXPECT_TRUE(holds(write({.game = R"({"score":[1,1]})", .goal = R"({"score":[2,1]})"}), match_));
+  match_.packets = 2.0;
+  EXPECT_TRUE(holds(write({.packets = 2}), match_));
+  EXPECT_FALSE(holds(write({.packets = 3}), match_));
+  match_.packets.reset();
   match_.labels = {"a (one/a.yaml)", "b (c)"};
   EXPECT_TRUE(holds(write({}), match_));
 }

@@ -258,8 +258,9 @@ TEST(CourseRecord, RecordedMatchesThatWerePlayed) {
   Recorded course({"a", "b"}, 1000, study::FixedNumber{}, rows);
   course.take(match(1, 0));
   course.take(failed(1));
-  course.take(match(2, 3));
+  course.take(match(2, 3, R"({"packets":[4,5]})"));
   ASSERT_EQ(course.record.recorded().size(), 2u);
+  EXPECT_EQ(course.record.recorded()[1].packets, 9.0);
   EXPECT_EQ(course.record.recorded()[0].index, 1u);
   EXPECT_TRUE(course.record.recorded()[0].forfeited);
   EXPECT_EQ(course.record.recorded()[1].score, (std::array<int, 2>{2, 3}));
