@@ -114,8 +114,7 @@ Html recordings_section(const PageSource& source) {
                      : text(std::filesystem::path(plan.openings[fixture.opening].file).stem().string()),
                  file, code(link.command)});
     }
-    out << "<p>The commands are for the folder in which this page stands.</p>\n<div class=\"values\">"_html
-        << table.html() << "</div>\n"_html;
+    out << "<p>The commands are for the folder in which this page stands.</p>\n"_html << table.html();
   }
   const auto note = [&out](const std::string& line) {
     out << "<p class=\"note\">"_html << text(line) << "</p>\n"_html;

@@ -55,6 +55,7 @@ max-height:60vh;overflow:auto}
 code{font:12.5px/1.5 ui-monospace,SFMono-Regular,Menlo,Consolas,monospace;overflow-wrap:anywhere}
 td code{white-space:pre-wrap}
 .values td{min-width:9ch;max-width:34ch;overflow-wrap:anywhere}.values td:first-child{max-width:64ch}
+.tight table{font-size:13px}.tight th{font-size:12.5px}.tight th,.tight td{padding-right:10px}
 .heat td.n{padding:4px 9px;border-bottom:1px solid var(--background)}
 .heat td span{display:block;margin:-4px -9px;padding:4px 9px}
 .differs{font-weight:620}
