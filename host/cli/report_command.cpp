@@ -30,8 +30,8 @@ constexpr auto examples = R"(Examples:
   regista report tournament.db --figures figures --png
 
 -o writes one page that needs nothing else, --figures each of its figures as NAME.svg, its data as NAME.csv, and
-NAME.gnuplot, which draws the one from the other. What is told is what `regista tournament` told at its end; of a tournament that is not at its end, as far as its matches
-have been played without a gap.
+NAME.gnuplot, which draws the one from the other. What is told is what `regista tournament` told at its end; of a
+tournament that is not at its end, as far as its matches have been played without a gap.
 Exit codes: 0 done; 1 the report could not be written; 2 bad input; 3 a defect of Regista.)";
 
 struct Options {

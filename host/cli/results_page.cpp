@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Places in the schedule of which there is a recording, ascending.
+// Places in the schedule that recordings are called by, ascending; what these hold is another matter.
 std::vector<std::uint64_t> recorded(const fs::path& results) {
   std::vector<std::uint64_t> out;
   std::error_code error;
@@ -39,14 +39,15 @@ std::vector<std::uint64_t> recorded(const fs::path& results) {
     const std::string stem = each->path().stem().string();
     std::uint64_t row = 0;
     const auto [rest, wrong] = std::from_chars(stem.data(), stem.data() + stem.size(), row);
-    if (wrong == std::errc() && rest == stem.data() + stem.size() && row > 0) out.push_back(row - 1);
+    if (wrong == std::errc() && stem == std::to_string(row) && row > 0) out.push_back(row - 1);
   }
   std::ranges::sort(out);
   return out;
 }
 
-std::string command_line(const Invocation& invocation, std::vector<std::string> words) {
-  words.insert(words.begin(), invocation.arguments.front());
+// By the program's name and not by the path that was typed this time: the same results make the same page.
+std::string command_line(std::vector<std::string> words) {
+  words.insert(words.begin(), "regista");
   return shell_line(words);
 }
 
@@ -54,7 +55,10 @@ std::string command_line(const Invocation& invocation, std::vector<std::string> 
 class Told {
  public:
   explicit Told(const StoredResults& results)
-      : results_(results), course_(results.plan), record_(results.plan, course_, recorded(results.file)) {
+      : results_(results),
+        course_(results.plan),
+        recorded_(recorded(results.file)),
+        record_(results.plan, course_, recorded_) {
     const StoredCourse stored(results.store, results.plan);
     stored.play(course_, campaign::Metrics::wanted,
                 [this](std::uint64_t, const campaign::Decided* decided) { record_.take(decided); });
@@ -68,26 +72,28 @@ class Told {
   std::string page(const fs::path& page, std::vector<report::PageFigure> figures) const {
     const auto link = [&](std::uint64_t match) {
       const fs::path file = study::recording_file(results_.file, static_cast<std::int64_t>(match) + 1);
-      const std::string picture = fmt::format("{}-{}.html", results_.file.stem().string(), match + 1);
-      return report::RecordingLink{
-          fs::absolute(file).lexically_relative(fs::absolute(page).parent_path()).generic_string(),
-          command_line(results_.invocation, {"view", file.string(), "-o", picture})};
+      const std::string from_page =
+          fs::absolute(file).lexically_relative(fs::absolute(page).parent_path()).generic_string();
+      const std::string shown = study::beside(results_.file, fmt::format("-{}.html", match + 1)).filename().string();
+      const auto word = [](const std::string& path) { return path.starts_with('-') ? "./" + path : path; };
+      return report::RecordingLink{from_page, command_line({"view", word(from_page), "-o", word(shown)})};
     };
-    return report::tournament_page(
-        {view(), record_, std::move(figures), stored_documents(results_.store), results_.store.meta("program"),
-         command_line(results_.invocation, report::tournament_arguments(results_.plan)), link});
+    return report::tournament_page({view(), record_, std::move(figures), stored_documents(results_.store),
+                                    results_.store.meta("program"),
+                                    command_line(report::tournament_arguments(results_.plan)),
+                                    report::page_recordings(view(), record_, recorded_.size(), results_.file), link});
   }
 
  private:
   report::TournamentView view() const {
     return {results_.plan, course_, [this](std::uint64_t index) {
-              return command_line(results_.invocation,
-                                  campaign::match_arguments(study::job(results_.plan, course_.calendar().at(index))));
+              return command_line(campaign::match_arguments(study::job(results_.plan, course_.calendar().at(index))));
             }};
   }
 
   const StoredResults& results_;
   study::Tournament course_;
+  std::vector<std::uint64_t> recorded_;
   report::CourseRecord record_;
 };
 
@@ -190,11 +196,7 @@ void write_page(const StoredResults& results, const PageWishes& wishes) {
 }
 
 std::optional<fs::path> write_page_beside(const StoredResults& results) {
-  fs::path page = results.file;
-  if (page.extension() == ".html")
-    page += ".html";
-  else
-    page.replace_extension(".html");
+  const fs::path page = study::page_file(results.file);
   try {
     std::error_code error;
     const bool exists = fs::exists(page, error);

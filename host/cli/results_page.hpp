@@ -30,9 +30,9 @@ struct PageWishes {
 // Complains in one line where figures cannot be drawn, or results are missing. Throws BadInput and WriteError.
 void write_page(const StoredResults& results, const PageWishes& wishes);
 
-// After a tournament: NAME.html beside NAME.db, in the place of an older page of ours, never of another file. What goes
-// wrong is a complaint in one line and no more: the results are safe. Returns where it stands; nothing where it does
-// not.
+// After a tournament: its page beside the results (study/recording_place.hpp), in the place of an older page of ours,
+// never of another file. What goes wrong is a complaint in one line and no more: the results are safe. Returns where it
+// stands; nothing where it does not.
 std::optional<std::filesystem::path> write_page_beside(const StoredResults& results);
 
 }  // namespace regista::cli

@@ -8,8 +8,10 @@
 
 #include "plugin/content_hash.hpp"
 #include "report/standing.hpp"
+#include "report/verdict_interval.hpp"
 #include "statistics/bradley_terry.hpp"
 #include "statistics/rating.hpp"
+#include "study/metric.hpp"
 
 namespace regista::report {
 namespace {
@@ -20,6 +22,12 @@ constexpr std::size_t most_rankings = 120;
 void count(GoalDifferences& counts, int difference, bool forfeited) {
   const int within = std::clamp(difference, -GoalDifferences::largest, GoalDifferences::largest);
   ++(forfeited ? counts.forfeited : counts.played)[static_cast<std::size_t>(within + GoalDifferences::largest)];
+}
+
+std::optional<double> packets_of(const campaign::Decided& decided) {
+  if (decided.metrics.empty()) return std::nullopt;
+  const auto home = study::metric(decided.metrics, 0, "packets"), away = study::metric(decided.metrics, 1, "packets");
+  return home && away ? std::optional(*home + *away) : std::nullopt;
 }
 
 }  // namespace
@@ -51,7 +59,7 @@ void CourseRecord::take(const campaign::Decided* decided) {
     if (std::ranges::binary_search(wanted_, index)) {
       ++recorded_count_;
       if (recorded_.size() < most_recorded) {
-        recorded_.push_back({index, decided->score, decided->failure.has_value()});
+        recorded_.push_back({index, decided->score, decided->failure.has_value(), packets_of(*decided)});
       }
     }
   }
@@ -68,6 +76,7 @@ PairPoint CourseRecord::pair_point() const {
   PairPoint out;
   out.pair = static_cast<std::uint64_t>(total(meeting.pairs));
   if (out.pair > 0) out.elo = statistics::elo(score_law(meeting.pairs));
+  out.enough = enough_for_interval(meeting.pairs);
   if (meeting.score_test) {
     out.ratio = meeting.score_test->ratio().value;
     out.lower = meeting.score_test->stopping().lower;

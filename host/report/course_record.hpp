@@ -22,6 +22,7 @@ namespace regista::report {
 struct PairPoint {
   std::uint64_t pair = 0;
   std::optional<statistics::Estimate> elo;
+  bool enough = false;              // pairs for its interval (verdict_interval.hpp)
   std::optional<double> ratio;      // log-likelihood ratio of a test of scores, nats
   double lower = 0.0, upper = 0.0;  // where it stops
   statistics::Estimate value;       // difference of goals, or of the metric that is tested
@@ -40,19 +41,20 @@ struct GoalDifferences {
   Counts played{}, forfeited{};
 };
 
-// A match that was recorded.
-struct RecordedMatch {
+// A match of which there may be a recording: a file of its number.
+struct RecordedRow {
   std::uint64_t index = 0;  // in the schedule, from 0
   std::array<int, 2> score{};
   bool forfeited = false;
+  std::optional<double> packets;  // of both teams; none where it is not known
 };
 
 class CourseRecord {
  public:
-  static constexpr std::size_t most_recorded = 200;  // that are kept for the page
+  static constexpr std::size_t most_recorded = 200;  // that are looked into for the page
   static constexpr std::size_t most_ranked = 24;     // teams of which the ranking is followed
 
-  // recorded: places in the schedule, ascending, of matches of which there is a recording.
+  // recorded: places in the schedule, ascending, that recordings are called by; whatever these hold.
   CourseRecord(const study::TournamentPlan& plan, const study::Tournament& course,
                std::vector<std::uint64_t> recorded = {});
 
@@ -63,7 +65,7 @@ class CourseRecord {
   std::vector<RankingPoint> ranking_curve() const;  // of more
   const GoalDifferences& goals_of(std::size_t team) const { return goals_[team]; }
   const MatchNumbers& numbers() const { return numbers_; }
-  const std::vector<RecordedMatch>& recorded() const { return recorded_; }
+  const std::vector<RecordedRow>& recorded() const { return recorded_; }
   std::uint64_t recorded_matches() const { return recorded_count_; }
   // 32 hexadecimal digits over scores, state hashes and forfeits in order: equal where the same matches were played.
   const std::string& fingerprint() const { return fingerprint_; }
@@ -79,7 +81,7 @@ class CourseRecord {
   std::vector<GoalDifferences> goals_;
   MatchNumbers numbers_;
   std::vector<std::uint64_t> wanted_;
-  std::vector<RecordedMatch> recorded_;
+  std::vector<RecordedRow> recorded_;
   std::uint64_t recorded_count_ = 0, matches_ = 0;
   std::string fingerprint_;
 };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "report/standing.hpp"
+#include "report/verdict_interval.hpp"
 #include "report/visible_text.hpp"
 
 namespace regista::report {
@@ -28,10 +29,10 @@ struct Range {
     high = std::max(high, value);
   }
   // Of an axis: a little more on both sides.
-  std::string axis() const {
-    const double room = high > low ? 0.06 * (high - low) : 1.0;
-    return fmt::format("[{:.6g}:{:.6g}]", low - room, high + room);
-  }
+  double room() const { return high > low ? 0.06 * (high - low) : 1.0; }
+  std::string bottom() const { return fmt::format("{:.6g}", low - room()); }
+  std::string top() const { return fmt::format("{:.6g}", high + room()); }
+  std::string axis() const { return fmt::format("[{}:{}]", bottom(), top()); }
 };
 
 struct Banded {
@@ -48,11 +49,12 @@ std::string banded_csv(std::span<const Banded> points, const char* value) {
   return out;
 }
 
-// The first pairs tell next to nothing, and would make the rest too small to be seen: the axis is that of the others.
+// The first pairs of many tell next to nothing, and would make the rest too small to be seen: the axis is that of the
+// others.
 Range range_of(std::span<const Banded> points) {
+  constexpr std::uint64_t few = 8;
   Range out;
-  const std::uint64_t from =
-      std::max<std::uint64_t>(points.back().pair / 10, std::min<std::uint64_t>(8, points.back().pair));
+  const std::uint64_t last = points.back().pair, from = last <= few ? 0 : std::max(last / 10, few);
   for (const auto& [pair, estimate] : points) {
     if (pair < from) continue;
     for (const double value : {estimate.value, estimate.interval.low, estimate.interval.high}) out.take(value);
@@ -61,16 +63,22 @@ Range range_of(std::span<const Banded> points) {
 }
 
 std::string pairs_axis(std::uint64_t last) {
-  return fmt::format("set xlabel 'pairs'\nset xrange [0:{}]\n", std::max<std::uint64_t>(last, 2));
+  const std::uint64_t end = std::max<std::uint64_t>(last, 2);
+  return fmt::format("set xlabel 'pairs'\nset xrange [0:{}]\nset xtics {}\n", end,
+                     whole_tic_step(static_cast<double>(end), 8));
 }
 
+// An interval with one end reaches to the edge of the picture on the other side, one without any is left out.
 std::string banded_commands(const std::string& file, std::span<const Banded> points, const char* axis) {
+  const Range range = range_of(points);
   return fmt::format(
       "{1}set yrange {2}\nset ylabel '{3}'\nset xzeroaxis lt 1 lc rgb '{4}' lw 1\nunset key\n"
-      "plot '{0}.csv' using 1:3:4 with filledcurves lc rgb '{5}' fs transparent solid 0.2 noborder, \\\n"
-      "  '' using 1:2 with lines lc rgb '{5}' lw 2{6}\n",
-      file, pairs_axis(points.back().pair), range_of(points).axis(), axis, colours[7], colours[0],
-      points.size() == 1 ? fmt::format(", '' using 1:2 with points pt 7 lc rgb '{}'", colours[0]) : std::string());
+      "end(own, other, edge) = strlen(strcol(own)) ? column(own) : strlen(strcol(other)) ? edge : NaN\n"
+      "plot '{0}.csv' using 1:(end(3, 4, {7})):(end(4, 3, {8})) with filledcurves lc rgb '{5}' "
+      "fs transparent solid 0.2 noborder, \\\n"
+      "  '' using 1:2 with linespoints pt 7 ps {6} lw 2 lc rgb '{5}'\n",
+      file, pairs_axis(points.back().pair), range.axis(), axis, colours[7], colours[0], points.size() > 60 ? 0.0 : 0.4,
+      range.bottom(), range.top());
 }
 
 bool has_points(std::span<const Banded> points) {
@@ -82,16 +90,24 @@ bool has_points(std::span<const Banded> points) {
 std::optional<Figure> elo_over_pairs(const TournamentView& view, std::span<const PairPoint> curve) {
   std::vector<Banded> points;
   for (const PairPoint& each : curve) {
-    if (each.elo) points.push_back({each.pair, *each.elo});
+    if (!each.elo) continue;
+    points.push_back({each.pair, *each.elo});
+    if (!each.enough) points.back().estimate.interval = {-HUGE_VAL, HUGE_VAL};
   }
   if (!has_points(points)) return std::nullopt;
+  const bool any = std::ranges::any_of(points, [](const Banded& each) {
+    return std::isfinite(each.estimate.interval.low) || std::isfinite(each.estimate.interval.high);
+  });
   Figure out;
   out.name = "elo";
   out.title = "Elo over pairs";
   out.description = fmt::format(
-      "Strength of {} above {} with its interval of 95 %, as it was after each pair. The interval holds for "
-      "one look at a number of pairs fixed beforehand.",
-      label(view, 0), label(view, 1));
+      "Strength of {} above {}, as it was after each pair{}", label(view, 0), label(view, 1),
+      any ? fmt::format(
+                "; from the {}th pair on that was not even with its interval of 95 %, which holds for one look at "
+                "a number of pairs fixed beforehand.",
+                fewest_uneven_pairs)
+          : std::string(". Too few pairs for an interval."));
   out.csv = banded_csv(points, "elo");
   out.commands = banded_commands(out.name, points, "Elo");
   return out;

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "report/csv_text.hpp"
 #include "report/visible_text.hpp"
 
@@ -51,6 +54,18 @@ std::string figure_field(std::string_view text) {
   for (const char c : visible(text)) out += c == '"' ? std::string("\u201d") : std::string(1, c);
   return csv_field(out);
 }
+
+double tic_step(double end, int most) {
+  if (!(end > 0.0) || !std::isfinite(end)) return 1.0;
+  const double least = end / most;
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double times : {1.0, 2.0, 5.0}) {
+    if (times * power >= least * (1.0 - 1e-9)) return times * power;
+  }
+  return 10.0 * power;
+}
+
+double whole_tic_step(double end, int most) { return std::max(1.0, tic_step(end, most)); }
 
 std::string gnuplot_script(const Figure& figure, Picture picture) {
   return fmt::format(

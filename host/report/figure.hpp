@@ -36,6 +36,11 @@ std::string gnuplot_mark(std::string_view text);
 // a field in which there are some.
 std::string figure_field(std::string_view text);
 
+// Distance of the marks of an axis from 0 to `end` such that there are at most so many of them beyond 0: 1, 2 or 5
+// times a power of ten. The whole one is 1 at least, for what is counted.
+double tic_step(double end, int most);
+double whole_tic_step(double end, int most);
+
 // All that gnuplot is told to draw a figure as a file beside its table.
 enum class Picture { svg, png };
 std::string gnuplot_script(const Figure& figure, Picture picture);

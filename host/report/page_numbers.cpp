@@ -18,15 +18,21 @@ namespace {
 
 constexpr std::size_t most_teams = 40;  // of which the roles are told
 
+// Hundreds need less behind the point, and have less room.
+int digits_of(double value, int digits) { return std::abs(value) < 100.0 ? digits : std::min(digits, 1); }
+
 Html mean_of(const statistics::Moments* moments, int digits) {
-  return text(moments == nullptr || moments->count() == 0 ? "–" : fixed(moments->mean(), digits));
+  if (moments == nullptr || moments->count() == 0) return "–"_html;
+  return text(fixed(moments->mean(), digits_of(moments->mean(), digits)));
 }
 
 // Of first less second. Set in bold where the interval leaves nought out.
 Html difference_of(const study::MetricDifference* difference, int digits) {
   if (difference == nullptr) return "–"_html;
   const statistics::Estimate estimate = difference->estimate();
+  digits = digits_of(estimate.value, digits);
   if (!estimate.interval.bounded()) return text(with_sign(estimate.value, digits));
+  digits = digits_of(estimate.margin(), digits);
   const Html shown = text(fmt::format("{} ± {}", with_sign(estimate.value, digits), fixed(estimate.margin(), digits)));
   if (estimate.interval.contains(0.0)) return shown;
   Html out = "<span class=\"differs\">"_html;
@@ -47,6 +53,14 @@ Html compared(const PageSource& source, Markup title, const std::vector<Row>& ro
                difference_of(numbers.difference(path), digits)});
   }
   return table.html();
+}
+
+// "playing.goalkeeper", which may go on in a new line after the point, and within a word only where it is a long one.
+Html role_name(std::string_view role) {
+  const std::size_t point = role.find('.');
+  if (point == std::string_view::npos) return name(role);
+  Html out = name(role.substr(0, point + 1));
+  return out << "<wbr>"_html << name(role.substr(point + 1));
 }
 
 std::string spaced(std::string words) {
@@ -76,12 +90,12 @@ Html roles_of_two(const PageSource& source, const std::vector<std::string>& role
     }
     table.row(cells);
   };
-  for (const std::string& role : roles) add(name(role), role + '.');
+  for (const std::string& role : roles) add(role_name(role), role + '.');
   add("<b>all roles</b>"_html, "");
   Html out = "<div class=\"full\">\n"_html;
   return out << figure(source, "roles") << "</div>\n<p class=\"note\"><i class=\"key first\"></i>"_html
              << team_name(source, 0) << " &nbsp; <i class=\"key second\"></i>"_html << team_name(source, 1)
-             << "</p>\n"_html << table.html();
+             << "</p>\n<div class=\"tight\">"_html << table.html() << "</div>\n"_html;
 }
 
 // A row for each team with the sums over its roles; a table for each measure with a row for each role.
@@ -105,7 +119,7 @@ Html roles_of_several(const PageSource& source, const std::vector<std::string>& 
     for (std::size_t team = 0; team < teams; ++team) headings.push_back({team_name(source, team)});
     HtmlTable table(headings);
     for (const std::string& role : roles) {
-      std::vector<Html> cells{name(role)};
+      std::vector<Html> cells{role_name(role)};
       for (std::size_t team = 0; team < teams; ++team) {
         cells.push_back(mean_of(numbers.find(team, role + '.' + role_measures[i]), 1));
       }

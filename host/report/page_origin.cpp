@@ -88,35 +88,44 @@ Html failures_section(const PageSource& source) {
 }
 
 Html recordings_section(const PageSource& source) {
-  if (source.record.recorded().empty()) return {};
-  HtmlTable table({{"Row"_html},
-                   {"Match"_html, Column::words},
-                   {"Score"_html},
-                   {"Seed"_html},
-                   {"Opening"_html, Column::words},
-                   {"Recording"_html, Column::words},
-                   {"Shows it"_html, Column::words}});
-  const study::TournamentPlan& plan = source.view.plan;
-  for (const RecordedMatch& each : source.record.recorded()) {
-    const study::Fixture fixture = source.view.course.calendar().at(each.index);
-    const RecordingLink link = source.recording(each.index);
-    Html who = team_name(source, fixture.home);
-    who << " – "_html << team_name(source, fixture.away);
-    if (each.forfeited) who << " (forfeit)"_html;
-    Html file = "<a href=\""_html;
-    file << path_address(link.path) << "\">"_html << text(link.path) << "</a>"_html;
-    table.row({text(fmt::format("{}", each.index + 1)), who, text(fmt::format("{}:{}", each.score[0], each.score[1])),
-               text(fmt::format("{}", fixture.seed)),
-               plan.openings.empty() ? Html("–"_html)
-                                     : text(std::filesystem::path(plan.openings[fixture.opening].file).stem().string()),
-               file, code(link.command)});
+  const PageRecordings& found = source.recordings;
+  Html out;
+  if (!found.fitting.empty()) {
+    HtmlTable table({{"Row"_html},
+                     {"Match"_html, Column::words},
+                     {"Score"_html},
+                     {"Seed"_html},
+                     {"Opening"_html, Column::words},
+                     {"Recording"_html, Column::words},
+                     {"Shows it"_html, Column::words}});
+    const study::TournamentPlan& plan = source.view.plan;
+    for (const RecordedRow& each : found.fitting) {
+      const study::Fixture fixture = source.view.course.calendar().at(each.index);
+      const RecordingLink link = source.recording(each.index);
+      Html who = team_name(source, fixture.home);
+      who << " – "_html << team_name(source, fixture.away);
+      if (each.forfeited) who << " (forfeit, as far as it was played)"_html;
+      Html file = "<a href=\""_html;
+      file << path_address(link.path) << "\">"_html << text(link.path) << "</a>"_html;
+      table.row({text(fmt::format("{}", each.index + 1)), who, text(fmt::format("{}:{}", each.score[0], each.score[1])),
+                 text(fmt::format("{}", fixture.seed)),
+                 plan.openings.empty()
+                     ? Html("–"_html)
+                     : text(std::filesystem::path(plan.openings[fixture.opening].file).stem().string()),
+                 file, code(link.command)});
+    }
+    out << "<p>The commands are for the folder in which this page stands.</p>\n"_html << table.html();
   }
-  Html out = table.html();
-  if (source.record.recorded_matches() > source.record.recorded().size()) {
-    out << "<p class=\"note\">"_html
-        << text(fmt::format("{} more recordings stand beside these.",
-                            source.record.recorded_matches() - source.record.recorded().size()))
-        << "</p>\n"_html;
+  const auto note = [&out](const std::string& line) {
+    out << "<p class=\"note\">"_html << text(line) << "</p>\n"_html;
+  };
+  if (found.others > 0) {
+    const bool one = found.others == 1;
+    note(fmt::format("{} {} there {} to other matches, or {} cut off, and {} left out.", found.others,
+                     one ? "file" : "files", one ? "belongs" : "belong", one ? "was" : "were", one ? "is" : "are"));
+  }
+  if (found.not_read > 0) {
+    note(fmt::format("And {} more {}, not looked into.", found.not_read, found.not_read == 1 ? "file" : "files"));
   }
   return section("recordings", "Recorded matches"_html, out);
 }

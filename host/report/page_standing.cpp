@@ -9,6 +9,7 @@
 #include "report/number.hpp"
 #include "report/page_sections.hpp"
 #include "report/standing.hpp"
+#include "report/verdict_interval.hpp"
 
 namespace regista::report {
 namespace {
@@ -107,7 +108,10 @@ Html pairing_table(const PageSource& source) {
   const std::optional<Strength> known = strength(meeting);
   if (!known) return {};
   HtmlTable table({{"Number"_html, Column::words}, {"Value"_html}, {"What it says"_html, Column::words}});
-  table.row({"Elo"_html, text(estimate_text(known->elo, 1)), "strength; 400 are ten to one"_html});
+  table.row({"Elo"_html, text(estimate_text(known->elo, 1)),
+             enough_for_interval(meeting.pairs)
+                 ? "strength; 400 are ten to one"_html
+                 : "strength; 400 are ten to one. Too few pairs for the interval to hold"_html});
   table.row({"Normalised Elo"_html, text(estimate_text(known->normalized_elo, 1)),
              "strength in spreads of a match: how soon it is seen"_html});
   table.row({"Pairs by points"_html, text(fmt::format("{}", fmt::join(meeting.pairs.seen, " · "))),
@@ -199,7 +203,9 @@ Html standing_section(const PageSource& source) {
         << "<p class=\"note\">Elo of the ranking: Bradley and Terry, sum 0; its margins take matches as independent "
            "and "
            "as won or lost. Those of the pairings, which know of pairs and draws, are the better ones. Nash share: "
-           "how often the team is chosen where all choose best. p: two-sided, by the signs of pairs, adjusted by "
+           "how often the team is chosen where all choose best. Intervals of pairings in which fewer than 10 pairs "
+           "were "
+           "not even are rough. p: two-sided, by the signs of pairs, adjusted by "
            "Holm for the number of pairings.</p>\n"_html;
   }
   return section("standing", "Standing"_html, out);

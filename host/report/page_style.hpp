@@ -38,6 +38,7 @@ th,td{padding:4px 16px 4px 0;border-bottom:1px solid var(--line)}
 td{vertical-align:top}
 .n{text-align:right;white-space:nowrap}
 bdi{overflow-wrap:anywhere}
+table bdi{display:inline-block;max-width:34ch;overflow-wrap:break-word}
 .two{display:grid;grid-template-columns:repeat(2,minmax(0,1fr));gap:26px}
 @media (max-width:880px){.two{grid-template-columns:minmax(0,1fr)}}
 figure{margin:10px 0 0;min-width:0;max-width:640px}
@@ -54,6 +55,7 @@ max-height:60vh;overflow:auto}
 code{font:12.5px/1.5 ui-monospace,SFMono-Regular,Menlo,Consolas,monospace;overflow-wrap:anywhere}
 td code{white-space:pre-wrap}
 .values td{min-width:9ch;max-width:34ch;overflow-wrap:anywhere}.values td:first-child{max-width:64ch}
+.tight table{font-size:13px}.tight th{font-size:12.5px}.tight th,.tight td{padding-right:10px}
 .heat td.n{padding:4px 9px;border-bottom:1px solid var(--background)}
 .heat td span{display:block;margin:-4px -9px;padding:4px 9px}
 .differs{font-weight:620}

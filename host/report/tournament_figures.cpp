@@ -32,9 +32,11 @@ std::optional<Figure> goal_differences(const TournamentView& view, const CourseR
       label(view, 0), label(view, 1), GoalDifferences::largest, GoalDifferences::largest);
   out.csv = "goal_difference,played,forfeited\n";
   int widest = 2;
+  std::uint64_t highest = 1;
   for (int difference = -GoalDifferences::largest; difference <= GoalDifferences::largest; ++difference) {
     const auto at = static_cast<std::size_t>(difference + GoalDifferences::largest);
     out.csv += fmt::format("{},{},{}\n", difference, counts.played[at], counts.forfeited[at]);
+    highest = std::max(highest, counts.played[at] + counts.forfeited[at]);
     if (counts.played[at] + counts.forfeited[at] > 0) widest = std::max(widest, std::abs(difference));
   }
   const bool forfeits = std::ranges::any_of(counts.forfeited, [](std::uint64_t count) { return count > 0; });
@@ -44,6 +46,7 @@ std::optional<Figure> goal_differences(const TournamentView& view, const CourseR
       "set xrange [{2}:{3}]\n"
       "set yrange [0:*]\n"
       "set xtics 1\n"
+      "set ytics {9}\n"
       "set boxwidth 0.8\n"
       "set style fill solid noborder\n"
       "set key {8}\n"
@@ -56,7 +59,7 @@ std::optional<Figure> goal_differences(const TournamentView& view, const CourseR
           ? fmt::format(", \\\n  '' using 1:($2+$3/2.0):(0.4):($3/2.0) with boxxyerror lc rgb '{}' title 'forfeits'",
                         colours[7])
           : std::string(),
-      "outside top center horizontal");
+      "outside top center horizontal", whole_tic_step(static_cast<double>(highest), 6));
   return out;
 }
 
@@ -125,14 +128,16 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
     const double begin = left + panel_width * static_cast<double>(i);
     out.commands +=
         fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n", begin, begin + panel_width - 0.03);
-    // Where all are nought there is no range to choose.
-    const bool nothing = std::ranges::all_of(names, [&](const std::string& role) {
-      return std::ranges::all_of(std::array<std::size_t, 2>{0, 1}, [&](std::size_t team) {
+    double most = 0.0;
+    for (const std::string& role : names) {
+      for (const std::size_t team : {0u, 1u}) {
         const auto* const found = record.numbers().find(team, role + '.' + role_measures[i]);
-        return found == nullptr || found->mean() == 0.0;
-      });
-    });
-    out.commands += nothing ? "set xrange [0:1]\n" : "set xrange [0:*]\n";
+        if (found != nullptr) most = std::max(most, found->mean());
+      }
+    }
+    // Where all are nought there is no range to choose.
+    out.commands += fmt::format("set xrange [0:{}]\nset xtics {}\n",
+                                most > 0.0 ? fmt::format("{:.6g}", 1.06 * most) : "1", tic_step(most, 5));
     out.commands += panel(out, titles[i], static_cast<int>(2 * i + 2), i == 0 ? name_tics(names) : name_tics(nameless),
                           names.size());
   }
@@ -166,12 +171,13 @@ std::optional<Figure> packets(const TournamentView& view, const CourseRecord& re
   out.commands = fmt::format(
       "{0}set grid noytics\nset grid xtics lt 1 lc rgb '{1}' lw 0.7\n"
       "set yrange [{2}:0.6]\nset xrange [0:{3}]\n"
-      "set xlabel 'packets per match'\nset lmargin at screen {8:.4f}\n"
+      "set xtics {9}\nset xlabel 'packets per match'\nset lmargin at screen {8:.4f}\n"
       "set style fill solid noborder\nset key outside top center horizontal\n"
       "plot 'packets.csv' using 2:(-$0+0.19):(0):2:(-$0+0.02):(-$0+0.36) with boxxyerror lc rgb '{4}' title {6}, \\\n"
       "  '' using 3:(-$0-0.19):(0):3:(-$0-0.36):(-$0-0.02) with boxxyerror lc rgb '{5}' title {7}\n",
       name_tics(names), grid_colour, -static_cast<double>(reasons.size()) + 0.4, most > 0.0 ? 1.05 * most : 1.0,
-      colours[0], colours[1], gnuplot_text(label(view, 0)), gnuplot_text(label(view, 1)), width_of(names) / out.width);
+      colours[0], colours[1], gnuplot_text(label(view, 0)), gnuplot_text(label(view, 1)), width_of(names) / out.width,
+      tic_step(most, 6));
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include "report/page_sections.hpp"
 #include "report/page_style.hpp"
 #include "report/standing.hpp"
+#include "report/verdict_interval.hpp"
 #include "report/verdict_sentence.hpp"
 
 namespace regista::report {
@@ -30,10 +31,27 @@ void tile(Html& out, const Html& number, const Html& what) {
   out << "<div class=\"tile\"><b>"_html << number << "</b><span>"_html << what << "</span></div>\n"_html;
 }
 
-Html elo_text(const statistics::Estimate& elo) {
+Html elo_text(const statistics::Estimate& elo, IntervalUse use) {
   if (!std::isfinite(elo.value)) return text(elo.value > 0.0 ? "above all scales" : "below all scales");
-  return text(elo.interval.bounded() ? fmt::format("{} ± {:.0f}", with_sign(elo.value, 0), elo.margin())
-                                     : with_sign(elo.value, 0));
+  return text(use == IntervalUse::told ? fmt::format("{} ± {:.0f}", with_sign(elo.value, 0), elo.margin())
+                                       : with_sign(elo.value, 0));
+}
+
+const char* elo_caption(IntervalUse use) {
+  switch (use) {
+    case IntervalUse::told:
+      return "Elo, with the margin that holds with 95 %";
+    case IntervalUse::too_few_pairs:
+      return "Elo; too few pairs for an interval";
+    case IntervalUse::not_at_its_end:
+      return "Elo so far";
+    case IntervalUse::biased:
+      return "Elo, biased towards the verdict";
+    case IntervalUse::contradicted:
+    case IntervalUse::unbounded:
+      break;
+  }
+  return "Elo";
 }
 
 Html tiles(const PageSource& source) {
@@ -44,17 +62,17 @@ Html tiles(const PageSource& source) {
   if (view.plan.teams.size() == 2 && known) {
     const auto& [losses, draws, wins] = meeting.games.seen;
     const double share = points(meeting.games) / static_cast<double>(meeting.matches());
-    const bool stopped =
-        view.course.verdict() == study::Verdict::accept_h0 || view.course.verdict() == study::Verdict::accept_h1;
-    tile(out, elo_text(known->elo),
-         text(stopped ? "Elo, biased towards the verdict" : "Elo, with the margin that holds with 95 %"));
+    const IntervalUse use = interval_use(view, 0);
+    tile(out, elo_text(known->elo, use), text(elo_caption(use)));
     tile(out, text(fmt::format("{:.1f} %", 100.0 * share)),
          text(fmt::format("of the points, {:.1f} of {}", points(meeting.games), meeting.matches())));
     tile(out, text(fmt::format("{} – {} – {}", wins, draws, losses)), text("won – drawn – lost"));
     tile(out, text(fmt::format("{} : {}", meeting.goals[0], meeting.goals[1])), text("goals"));
-    Html better = "probability that "_html;
-    tile(out, text(fmt::format("{:.1f} %", 100.0 * known->superiority)),
-         better << team_name(source, 0) << " is the stronger one (LOS)"_html);
+    if (use == IntervalUse::told) {
+      Html better = "probability that "_html;
+      tile(out, text(fmt::format("{:.1f} %", 100.0 * known->superiority)),
+           better << team_name(source, 0) << " is the stronger one (LOS)"_html);
+    }
   } else {
     tile(out, text(fmt::format("{}", view.plan.teams.size())), text("teams"));
     tile(out, text(fmt::format("{}", view.course.calendar().pairings().size())), text("pairings"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A tournament as one page of HTML that needs nothing else: no network, no other file, no script. A function of plan,
-// results in order and the recordings that there are; no time of day and no running time stands in it.
+// results in order, the pictures that were drawn, and the recordings that there are, with their place as seen from the
+// page; no time of day and no running time stands in it.
 #pragma once
 
 #include <functional>
@@ -9,6 +10,7 @@
 
 #include "report/course_record.hpp"
 #include "report/figure.hpp"
+#include "report/page_recordings.hpp"
 #include "report/tournament.hpp"
 
 namespace regista::report {
@@ -22,7 +24,7 @@ struct PageFigure {
 // Where a recorded match is found, as seen from the page.
 struct RecordingLink {
   std::string path;     // relative
-  std::string command;  // that shows it
+  std::string command;  // that shows it, given in the folder of the page
 };
 
 struct PageSource {
@@ -32,6 +34,7 @@ struct PageSource {
   std::vector<std::string> documents;  // resolved, by team; empty: not known
   std::string program;                 // version that began the tournament
   std::string command;                 // that plays it again
+  PageRecordings recordings;
   std::function<RecordingLink(std::uint64_t match)> recording;
 };
 

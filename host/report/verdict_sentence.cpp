@@ -9,13 +9,14 @@
 
 #include "report/number.hpp"
 #include "report/standing.hpp"
+#include "report/verdict_interval.hpp"
 
 namespace regista::report {
 namespace {
 
 using study::Meeting;
 
-constexpr double level = 0.05;
+constexpr double level = significance_level;
 
 Html team(const TournamentView& view, std::size_t index) { return name(view.plan.teams[index].label); }
 
@@ -33,14 +34,23 @@ Html numbers_of(const TournamentView& view, const Meeting& meeting) {
                                  meeting.matches(), 100.0 * share, meeting.goals[0], meeting.goals[1]));
 }
 
-// What may still be true, by the interval of 95 %.
+// What may still be true, by the interval of 95 %, or why that cannot be said; nothing where the verdict says all.
 std::optional<Html> may_be(const TournamentView& view, const Meeting& meeting) {
-  const std::optional<Strength> known = strength(meeting);
-  if (!known || !known->elo.interval.bounded()) return std::nullopt;
+  switch (interval_use(view, 0)) {
+    case IntervalUse::told:
+      break;
+    case IntervalUse::too_few_pairs: {
+      const auto count = static_cast<std::uint64_t>(uneven(meeting.pairs));
+      return text(fmt::format("{} of them {} not even: too few pairs for an interval.",
+                              count == 0 ? "None" : fmt::format("Only {}", count), count <= 1 ? "was" : "were"));
+    }
+    default:
+      return std::nullopt;
+  }
   const auto in_words = [](double elo) {
     return fmt::format("{:.0f} Elo {}", std::abs(elo), elo < 0.0 ? "weaker" : "stronger");
   };
-  const statistics::Interval& interval = known->elo.interval;
+  const statistics::Interval interval = strength(meeting)->elo.interval;
   Html out = "With 95 % confidence "_html;
   return out << team(view, meeting.pairing.first)
              << text(fmt::format(" is between {} and {}.", in_words(interval.low), in_words(interval.high)));
@@ -77,9 +87,7 @@ void of_sequential_test(const TournamentView& view, const Meeting& meeting, Verd
     out.sentence =
         view.course.complete() ? Html("The test ended without a verdict on "_html) : Html("No verdict yet on "_html);
     out.sentence << team(view, 0) << " and "_html << team(view, 1) << "."_html;
-    // An interval for one look only: not while somebody may still be looking again and again.
-    const std::optional<Html> open = view.course.complete() ? may_be(view, meeting) : std::nullopt;
-    if (open) out.beside.push_back(*open);
+    if (const auto open = may_be(view, meeting)) out.beside.push_back(*open);
     return;
   }
   const bool h1 = verdict == study::Verdict::accept_h1;
@@ -164,6 +172,10 @@ void of_round_robin(const TournamentView& view, const PValues& p, VerdictSentenc
            each.elo.has_value() == ranks[0].elo.has_value() &&
            (!each.elo || std::abs(each.elo->value - ranks[0].elo->value) < 1e-6);
   });
+  if (together == std::ssize(ranks)) {
+    out.sentence = text(fmt::format("Nothing separates the {} teams.", ranks.size()));
+    return;
+  }
   out.sentence = team(view, best);
   if (together > 1) {
     out.sentence << text(fmt::format(" and {} more lead {} teams together.", together - 1, ranks.size()));

@@ -10,13 +10,16 @@
 
 namespace regista::report {
 
+inline constexpr double significance_level = 0.05;
+
 struct VerdictSentence {
   Html sentence;
   std::vector<Html> beside;  // what it rests on, and what it does not say
 };
 
 // "Stronger", "weaker" are said of a test that was fixed beforehand and is at its end: a sequential test at its
-// verdict, or for a fixed number of pairs the sign-flip test at 5 %, adjusted by Holm for the number of pairings.
+// verdict, or for a fixed number of pairs the sign-flip test at 5 %, adjusted by Holm for the number of pairings. The
+// interval of Elo stands beside it only where interval_use() (verdict_interval.hpp) lets it.
 VerdictSentence verdict_sentence(const TournamentView& view);
 
 }  // namespace regista::report

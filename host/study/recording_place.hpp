@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where the recordings of a tournament's matches stand: in the folder NAME.recordings beside the file of results
-// NAME.db, each in a file of its own that is called by the match's place in the schedule, from 1, as the row of the
+// Where files stand that belong to a file of results: beside it, and called like it. NAME.db has the page NAME.html and
+// the folder NAME.recordings; any other name keeps its ending, so that b.sqlite (b.sqlite.html, b.sqlite.recordings)
+// shares nothing with b.db. Recordings are called by the match's place in the schedule, from 1, as the row of the
 // results is: NAME.recordings/12.mcap.
 #pragma once
 
@@ -10,10 +11,17 @@
 
 namespace regista::study {
 
-inline std::filesystem::path recording_folder(const std::filesystem::path& results) {
-  std::filesystem::path name = results.stem();
-  name += ".recordings";
+// ending: with its dot.
+inline std::filesystem::path beside(const std::filesystem::path& results, const std::string& ending) {
+  std::filesystem::path name = results.extension() == ".db" ? results.stem() : results.filename();
+  name += ending;
   return results.parent_path() / name;
+}
+
+inline std::filesystem::path page_file(const std::filesystem::path& results) { return beside(results, ".html"); }
+
+inline std::filesystem::path recording_folder(const std::filesystem::path& results) {
+  return beside(results, ".recordings");
 }
 
 inline std::filesystem::path recording_file(const std::filesystem::path& results, std::int64_t row) {

@@ -309,21 +309,65 @@ class Pages(tournament.Tournament):
         self.assertTrue(any(row[0].startswith("'=a,\u201db") for row in roles))
         self.assertEqual({len(row) for row in roles}, {7})
 
+    def links(self, page):
+        return [link["href"] for link in page.of("a") if "download" not in link]
+
     def test_links_to_recordings(self):
-        self.play("--no-page", pairs=2)
-        for row in (3, 1, 99):
-            self.write(f"tournament.recordings/{row}.mcap", "")
-        self.write("tournament.recordings/notes.txt", "")
+        self.play("--record-every", "2", pairs=2)
+        (self.folder / "tournament.recordings/notes.txt").write_text("")
         self.write("tournament.recordings/x.mcap", "")
+        self.write("tournament.recordings/01.mcap", "")
         self.succeed("report", "tournament.db", "-o", "a.html")
-        links = [link["href"] for link in self.page("a.html").of("a") if "download" not in link]
-        self.assertEqual(links, ["./tournament.recordings/1.mcap", "./tournament.recordings/3.mcap"])
-        self.assertIn("view tournament.recordings/3.mcap -o tournament-3.html", self.page("a.html").whole())
+        page = self.page("a.html")
+        self.assertEqual(self.links(page), ["./tournament.recordings/1.mcap", "./tournament.recordings/3.mcap"])
+        self.assertNotIn("left out", page.whole())
+        self.assertIn("regista view tournament.recordings/3.mcap -o tournament-3.html", page.whole())
         (self.folder / "a b").mkdir()
         self.succeed("report", "tournament.db", "-o", "a b/c.html")
-        links = [link["href"] for link in self.page("a b/c.html").of("a") if "download" not in link]
+        links = self.links(self.page("a b/c.html"))
         self.assertEqual(links[0], "../tournament.recordings/1.mcap")
         self.assertEqual((self.folder / "a b" / links[0]).resolve(), self.folder / "tournament.recordings/1.mcap")
+        # By whatever path the results are found.
+        self.succeed("report", self.folder / "tournament.db", "-o", self.folder / "b.html")
+        self.assertEqual((self.folder / "b.html").read_bytes(), (self.folder / "a.html").read_bytes())
+
+    def test_recordings_of_other_matches_are_not_linked(self):
+        """Of results that were deleted, and of a match that was cut off and later played without a recording."""
+        self.play("--record-every", "1", pairs=2)
+        self.assertEqual(len(self.links(self.page())), 4)
+        whole = (self.folder / "tournament.recordings/2.mcap").read_bytes()
+        (self.folder / "tournament.recordings/2.mcap").write_bytes(whole[:len(whole) // 2])
+        shutil.copy(self.folder / "tournament.recordings/1.mcap", self.folder / "tournament.recordings/3.mcap")
+        self.write("tournament.recordings/99.mcap", "")
+        self.succeed("report", "tournament.db", "-o", "a.html")
+        page = self.page("a.html")
+        self.assertEqual(self.links(page), [f"./tournament.recordings/{row}.mcap" for row in (1, 4)])
+        self.assertIn("3 files there belong to other matches, or were cut off, and are left out.", page.whole())
+        for file in self.folder.glob("tournament.db*"):
+            file.unlink()
+        self.play("--seed", "100", pairs=2)
+        self.assertEqual(self.links(self.page()), [])
+        self.assertIn("5 files there belong to other matches", self.page().whole())
+        for file in self.folder.glob("tournament.db*"):
+            file.unlink()
+        self.play(teams=("worse.yaml", "other.yaml"), pairs=2)
+        self.assertEqual(self.links(self.page()), [])
+        # Of a team that was changed since under its name, though scores may be the same.
+        for file in self.folder.glob("tournament.db*"):
+            file.unlink()
+        self.play("--record-every", "1", pairs=2)
+        for file in self.folder.glob("tournament.db*"):
+            file.unlink()
+        self.play("--limit", "5", pairs=2)
+        self.assertEqual(self.links(self.page()), [])
+
+    def test_results_of_similar_names_share_nothing(self):
+        self.play("--results", "b.db", "--record-every", "4", pairs=2)
+        page = (self.folder / "b.html").read_bytes()
+        self.play("--results", "b.sqlite", "--seed", "9", "--record-every", "4", pairs=2)
+        self.assertEqual((self.folder / "b.html").read_bytes(), page)
+        self.assertEqual(self.links(self.page("b.html")), ["./b.recordings/1.mcap"])
+        self.assertEqual(self.links(self.page("b.sqlite.html")), ["./b.sqlite.recordings/1.mcap"])
 
     def test_the_command_plays_it_again(self):
         self.play("--seed", "7", "--set", "b.utility.terms.near.weight=0.5", pairs=2)
@@ -331,7 +375,8 @@ class Pages(tournament.Tournament):
         command = next(text for tag, text in page.text if tag == "pre" and " tournament " in text)
         words = subprocess.run(["/bin/sh", "-c", f"printf '%s\\n' {command}"], text=True, capture_output=True,
                                check=True).stdout.splitlines()
-        self.assertEqual(words[1], "tournament")
+        self.assertEqual(words[:2], ["regista", "tournament"])  # by whatever path it was started
+        self.assertNotIn(str(self.program), page.whole())
         self.succeed(*words[1:], "--quiet", "--results", "again.db")
         self.assertEqual((self.folder / "again.html").read_bytes(), (self.folder / "tournament.html").read_bytes())
 

@@ -68,6 +68,10 @@ class Recordings(tournament.Tournament):
         self.assertFalse(file.whole)
         self.assertGreaterEqual(file.of("/game")[-1]["time"], 1.7)  # it dies at the 19th decision
         self.assertTrue(file.of("/decision/home/3"))
+        page = (self.folder / "tournament.html").read_text()
+        for row in (1, 2):
+            self.assertIn(f'href="./tournament.recordings/{row}.mcap"', page)
+        self.assertEqual(page.count("(forfeit, as far as it was played)"), 2)
 
     def test_a_plugin_that_breaks_a_promise_leaves_all_of_it(self):
         self.bad("plugin: first_free", "plugin: assigns_beyond", BAD_VALUES)

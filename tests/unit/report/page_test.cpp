@@ -14,13 +14,13 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::string page_of(const Course& course, const CourseRecord& record, std::vector<std::string> documents = {},
-                    const std::string& why_not = "gnuplot is not installed") {
+                    const std::string& why_not = "gnuplot is not installed", PageRecordings recordings = {}) {
   std::vector<PageFigure> figures;
   for (Figure& each : tournament_figures(course.view(), record)) {
     figures.push_back({std::move(each), why_not.empty() ? "<svg></svg>" : "", why_not});
   }
   return tournament_page({course.view(), record, std::move(figures), std::move(documents), "1.2.3",
-                          "regista tournament x", [](std::uint64_t match) {
+                          "regista tournament x", std::move(recordings), [](std::uint64_t match) {
                             return RecordingLink{"night.recordings/" + std::to_string(match + 1) + ".mcap",
                                                  "regista view " + std::to_string(match + 1)};
                           }});
@@ -47,19 +47,24 @@ constexpr auto roles =
 
 TEST(TournamentPage, HasItsPartsInTheirOrder) {
   Course course({"new", "old"}, 10);
-  CourseRecord record(course.plan, *course.tournament, {0, 3});
+  CourseRecord record(course.plan, *course.tournament);
   const auto take = [&](const campaign::Decided& decided) {
     course.take(decided);
     record.take(&decided);
   };
   for (int i = 0; i < 19; ++i) take(match(i % 3, i % 2, roles));
   take(failed(1));
-  const std::string page = page_of(course, record, {"team: new\nx: 1\n", "team: old\nx: 2\n"});
+  const std::string page =
+      page_of(course, record, {"team: new\nx: 1\n", "team: old\nx: 2\n"}, "gnuplot is not installed",
+              {{{3, {0, 1}, false, {}}, {19, {0, 10}, true, {}}}, 2, 1});
   expect_order(page, {"verdict", "standing", "curves", "goals", "roles", "packets", "variance", "failures",
                       "recordings", "configuration", "reproduction"});
   EXPECT_THAT(page, AllOf(HasSubstr("again 19"), HasSubstr("href=\"./night.recordings/4.mcap\""),
                           HasSubstr("regista view 4"), HasSubstr("<td><code>x</code></td><td><code>1</code></td>"),
-                          HasSubstr("hash of new"), HasSubstr("Regista 1.2.3"), HasSubstr("regista tournament x")));
+                          HasSubstr("(forfeit, as far as it was played)"),
+                          HasSubstr("2 files there belong to other matches, or were cut off, and are left out."),
+                          HasSubstr("And 1 more file, not looked into."), HasSubstr("hash of new"),
+                          HasSubstr("Regista 1.2.3"), HasSubstr("regista tournament x")));
   EXPECT_EQ(count(page, "Here a figure is missing: gnuplot is not installed"), 5u);
   EXPECT_EQ(count(page, "href=\"data:text/csv"), 5u);
   EXPECT_TRUE(is_our_page(page.substr(0, page_beginning)));
@@ -85,14 +90,15 @@ TEST(TournamentPage, NoNameGetsOutOfItsPlace) {
   course.plan.folder = course.plan.common.limit = hostile;
   course.plan.openings = {{hostile, {hostile, hostile}}};
   course.tournament.emplace(course.plan);
-  CourseRecord record(course.plan, *course.tournament, {0});
+  CourseRecord record(course.plan, *course.tournament);
   for (int i = 0; i < 24; ++i) {
     campaign::Decided decided = i % 5 == 0 ? failed(0, hostile) : match(i % 3, 1, roles);
     if (decided.failure) decided.failure->plugin = decided.failure->call = hostile;
     course.take(decided);
     record.take(&decided);
   }
-  const std::string page = page_of(course, record, {hostile, "team: x\n", "a: b\n"}, hostile);
+  const std::string page =
+      page_of(course, record, {hostile, "team: x\n", "a: b\n"}, hostile, {{{0, {1, 0}, false, {}}}, 0, 0});
   EXPECT_EQ(count(page, "<script"), 0u);
   EXPECT_EQ(count(page, "<img"), 0u);
   EXPECT_EQ(count(page, "\u202e"), 0u);
@@ -100,6 +106,20 @@ TEST(TournamentPage, NoNameGetsOutOfItsPlace) {
   EXPECT_EQ(count(page, "</style>"), 1u);
   EXPECT_EQ(count(page, "<section"), count(page, "</section>"));
   EXPECT_EQ(count(page, "<details"), count(page, "</details>"));
+}
+
+// At so few pairs the interval and the test contradict each other: the page says what the test says.
+TEST(TournamentPage, NoIntervalOfTooFewPairs) {
+  const auto page = [](std::uint64_t pairs, const std::array<int, 5>& counts) {
+    Course course({"new", "old"}, pairs);
+    CourseRecord record(course.plan, *course.tournament);
+    course.take_pairs({counts});
+    return page_of(course, record);
+  };
+  EXPECT_THAT(page(3, {1, 2, 0, 0, 0}),
+              AllOf(HasSubstr("3 pairs do not show"), HasSubstr("too few pairs for an interval"),
+                    Not(HasSubstr("(LOS)")), Not(HasSubstr("confidence"))));
+  EXPECT_THAT(page(43, {0, 9, 28, 6, 0}), AllOf(HasSubstr("(LOS)"), HasSubstr("-12 ± 31"), HasSubstr("confidence")));
 }
 
 TEST(TournamentPage, OfNothing) {

@@ -7,6 +7,7 @@
 
 #include "course.hpp"
 #include "report/standing.hpp"
+#include "report/verdict_interval.hpp"
 
 namespace regista::report {
 namespace {
@@ -47,6 +48,50 @@ TEST(VerdictSentence, NothingIsFoundBeforeTheEnd) {
   EXPECT_THAT(beside(course), Not(HasSubstr("confidence")));
 }
 
+// Beside "do not show" stands no interval that leaves nought out, beside "is stronger" none that holds it, and none at
+// all of fewer than ten pairs that were not even; of any counts.
+TEST(VerdictSentence, AndItsIntervalDoNotContradictEachOther) {
+  EXPECT_THAT(
+      [] {
+        Course few({"new", "old"}, 3);
+        few.take_pairs({{1, 2, 0, 0, 0}});
+        return beside(few);
+      }(),
+      AllOf(HasSubstr("Only 3 of them were not even: too few pairs for an interval."), Not(HasSubstr("confidence"))));
+  std::mt19937_64 random(7);
+  int told = 0, contradicted = 0, few = 0;
+  for (int i = 0; i < 600; ++i) {
+    std::array<int, 5> counts{};
+    int pairs = 0;
+    for (int& count : counts) pairs += count = static_cast<int>(random() % (i % 3 == 0 ? 4 : 12));
+    if (pairs == 0) continue;
+    Course course({"new", "old"}, static_cast<std::uint64_t>(pairs));
+    course.take_pairs({counts});
+    const study::Meeting& meeting = course.tournament->meetings().front();
+    const statistics::Interval interval = strength(meeting)->elo.interval;
+    const bool stronger = sentence(course).find("is stronger than") != std::string::npos;
+    const IntervalUse use = interval_use(course.view(), 0);
+    EXPECT_EQ(beside(course).find("confidence") != std::string::npos, use == IntervalUse::told);
+    EXPECT_EQ(use == IntervalUse::too_few_pairs, pairs - counts[2] < 10);
+    if (use == IntervalUse::told) {
+      EXPECT_EQ(stronger, !interval.contains(0.0));
+    }
+    if (use == IntervalUse::contradicted) {
+      EXPECT_EQ(stronger, interval.contains(0.0));
+    }
+    told += use == IntervalUse::told;
+    contradicted += use == IntervalUse::contradicted;
+    few += use == IntervalUse::too_few_pairs;
+  }
+  EXPECT_GT(told, 100);
+  EXPECT_GT(contradicted, 0);
+  EXPECT_GT(few, 50);
+  Course all({"new", "old"}, 20);
+  all.take_pairs({{0, 0, 0, 0, 20}});
+  EXPECT_EQ(interval_use(all.view(), 0), IntervalUse::unbounded);
+  EXPECT_EQ(sentence(all), "new is stronger than old.");
+}
+
 TEST(VerdictSentence, OfEqualTeams) {
   Course course({"a", "b"}, 2);
   course.plan.teams[1].inputs = course.plan.teams[0].inputs;
@@ -72,6 +117,7 @@ TEST(VerdictSentence, OfATestOfScores) {
   EXPECT_THAT(after(20, 40, bad), HasSubstr("new is not 40 nElo stronger than old.|"));
   EXPECT_THAT(after(0, 20, {1, 0, 0, 0, 1}), HasSubstr("No verdict yet on new and old."));
   EXPECT_THAT(after(0, 20, {1, 0, 0, 0, 1}, 2), HasSubstr("ended without a verdict on new and old."));
+  EXPECT_THAT(after(0, 20, {9, 0, 0, 0, 9}, 18), HasSubstr("With 95 % confidence new is between"));
 }
 
 TEST(VerdictSentence, OfATestOfGoals) {
@@ -101,7 +147,10 @@ TEST(VerdictSentence, OfARoundRobin) {
   EXPECT_THAT(sentence(open), AllOf(HasSubstr("b leads 3 teams"), HasSubstr("may be no stronger than")));
   Course even({"a", "b", "c"}, 2);
   even.take_pairs({{0, 0, 2, 0, 0}, {0, 0, 2, 0, 0}, {0, 0, 2, 0, 0}});
-  EXPECT_EQ(sentence(even), "a and 2 more lead 3 teams together.");
+  EXPECT_EQ(sentence(even), "Nothing separates the 3 teams.");
+  Course together({"a", "b", "c"}, 2);
+  together.take_pairs({{0, 0, 2, 0, 0}, {0, 0, 0, 1, 1}, {0, 0, 0, 1, 1}});
+  EXPECT_THAT(sentence(together), HasSubstr(" and 1 more lead 3 teams together."));
   Course unplayed({"a", "b", "c"}, 5);
   EXPECT_THAT(sentence(unplayed), HasSubstr("nothing can be said"));
 }
