@@ -68,6 +68,7 @@ class Recordings(tournament.Tournament):
         self.assertFalse(file.whole)
         self.assertGreaterEqual(file.of("/game")[-1]["time"], 1.7)  # it dies at the 19th decision
         self.assertTrue(file.of("/decision/home/3"))
+        self.succeed("report", "tournament.db", "-o", "tournament.html")
         page = (self.folder / "tournament.html").read_text()
         for row in (1, 2):
             self.assertIn(f'href="./tournament.recordings/{row}.mcap"', page)
