@@ -63,7 +63,7 @@ struct Answer {
   };
   Kind kind = Kind::stopped;
   Decided decided;
-  std::string message;            // of a match that was played: why it could not be recorded, else empty
+  std::string message;  // of a match that was played: why it could not be recorded, else empty
 };
 
 std::string to_json(const Job& job);

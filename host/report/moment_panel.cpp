@@ -109,9 +109,9 @@ Panel panel(const RecordedMatch& match, const RecordedMoment& moment, const Robo
   } else {
     line("small", "no context holds");
   }
-  line("small", fmt::format("decided {:.2f} s before; utilities of what {}",
-                            std::max(moment.game.time - decision.time, 0.0),
-                            decision.knowledge == "common" ? "all can know" : "it knows itself"));
+  line("small",
+       fmt::format("decided {:.2f} s before; utilities of what {}", std::max(moment.game.time - decision.time, 0.0),
+                   decision.knowledge == "common" ? "all can know" : "it knows itself"));
   if (decision.columns.empty()) return {out, y};
   const double columns = static_cast<double>(decision.columns.size());
   Table table{left + 22.0, y + 112.0, std::min(52.0, (panel_width - 22.0 - 60.0) / columns), 25.0};
