@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "mcap/error.hpp"
 #include "report/recording_about.hpp"
@@ -32,6 +33,25 @@ bool has_shape(const RecordedMatrix& matrix, std::size_t rows, std::size_t colum
   return matrix.size() == rows && std::ranges::all_of(matrix, [&](const auto& row) { return row.size() == columns; });
 }
 
+// As a conversion by the library is undefined for a number that fits no int.
+int whole(const Json& json) {
+  require(json.is_number_integer());
+  const bool fits = json.is_number_unsigned() ? std::in_range<int>(json.get<std::uint64_t>())
+                                              : std::in_range<int>(json.get<std::int64_t>());
+  require(fits);
+  return static_cast<int>(json.get<std::int64_t>());
+}
+
+std::vector<int> wholes(const Json& json) {
+  require(json.is_array());
+  std::vector<int> out;
+  for (const Json& each : json) out.push_back(whole(each));
+  return out;
+}
+
+std::array<int, 2> two(const Json& json) { return {whole(json.at(0)), whole(json.at(1))}; }
+std::array<std::vector<int>, 2> both(const Json& json) { return {wholes(json.at(0)), wholes(json.at(1))}; }
+
 RecordedPose pose(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 RecordedCovariance covariance(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 
@@ -45,7 +65,7 @@ RecordedTeam team(const Json& json) {
     context.at("name").get_to(added.name);
     context.at("plugin").get_to(added.plugin);
     context.at("parameters").get_to(added.parameters);
-    context.at("priority").get_to(added.priority);
+    added.priority = whole(context.at("priority"));
     for (const Json& term : context.at("terms")) added.terms.push_back({term.at("name"), term.at("weight")});
   }
   return out;
@@ -71,19 +91,19 @@ RecordedGame game(const Json& json) {
   RecordedGame out;
   json.at("time").get_to(out.time);
   json.at("clock").get_to(out.clock);
-  json.at("half").get_to(out.half);
+  out.half = whole(json.at("half"));
   json.at("phase").get_to(out.phase);
   json.at("set_play").get_to(out.set_play);
   json.at("kicking").get_to(out.kicking);
-  json.at("score").get_to(out.score);
-  json.at("packets_left").get_to(out.packets_left);
-  json.at("penalised").get_to(out.penalised);
-  json.at("fallen").get_to(out.fallen);
+  out.score = two(json.at("score"));
+  out.packets_left = two(json.at("packets_left"));
+  out.penalised = both(json.at("penalised"));
+  out.fallen = both(json.at("fallen"));
   out.ball = {json.at("ball").at(0), json.at("ball").at(1)};
   for (const std::size_t side : {0u, 1u}) {
     for (const Json& robot : json.at(side == 0 ? "home" : "away")) out.robots[side].push_back(pose(robot));
   }
-  json.at("roles").get_to(out.roles);
+  out.roles = both(json.at("roles"));
   const std::size_t robots = out.robots[0].size();
   require(robots >= 1 && robots <= most_robots && out.robots[1].size() == robots);
   require(out.roles[0].size() == robots && out.roles[1].size() == robots);
@@ -97,8 +117,9 @@ RecordedWorld world(const Json& json) {
   }
   const Json& mates = json.at("teammates");
   for (std::size_t i = 0; i < mates.at("number").size(); ++i) {
-    out.teammates.push_back({mates.at("number").at(i), mates.at("role").at(i), pose(mates.at("pose").at(i)),
-                             covariance(mates.at("covariance").at(i)), mates.at("age").at(i)});
+    out.teammates.push_back({whole(mates.at("number").at(i)), whole(mates.at("role").at(i)),
+                             pose(mates.at("pose").at(i)), covariance(mates.at("covariance").at(i)),
+                             mates.at("age").at(i)});
   }
   const Json& others = json.at("opponents");
   for (std::size_t i = 0; i < others.at("at").size(); ++i) {
@@ -131,20 +152,20 @@ RecordedMatrix matrix(const Json& json) {
 RecordedDecision decision(const Json& json) {
   RecordedDecision out;
   json.at("time").get_to(out.time);
-  json.at("context").get_to(out.context);
+  out.context = whole(json.at("context"));
   json.at("knowledge").get_to(out.knowledge);
   json.at("waypoints").get_to(out.waypoints);
-  json.at("edges").get_to(out.edges);
+  for (const Json& edge : json.at("edges")) out.edges.push_back(two(edge));
   for (const Json& task : json.at("tasks")) {
     RecordedTask& added = out.tasks.emplace_back();
-    task.at("role").get_to(added.role);
+    added.role = whole(task.at("role"));
     added.before = pose(task.at("before"));
     if (!task.at("after").is_null()) added.after = pose(task.at("after"));
   }
-  json.at("columns").get_to(out.columns);
-  json.at("rows").get_to(out.rows);
-  json.at("assigned").get_to(out.assigned);
-  json.at("role").get_to(out.role);
+  out.columns = wholes(json.at("columns"));
+  out.rows = wholes(json.at("rows"));
+  out.assigned = wholes(json.at("assigned"));
+  out.role = whole(json.at("role"));
   out.utility = matrix(json.at("utility"));
   for (const Json& term : json.at("terms")) out.terms.push_back(matrix(term));
   require(has_shape(out.utility, out.rows.size(), out.columns.size()));
