@@ -11,6 +11,7 @@
 #include "config/documents.hpp"
 #include "match/replay.hpp"
 #include "match/teams.hpp"
+#include "teams.hpp"
 
 namespace regista {
 namespace {
@@ -21,14 +22,6 @@ double seconds_of(const auto& work) {
   work();
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
-
-struct Teams {
-  plugin::Catalogue catalogue{{REGISTA_PLUGINS}};
-  match::Setup setup;
-  mind::TeamPlan paper{config::read_team(REGISTA_CONFIGS "/teams/paper.yaml"), setup.rules, setup.robots[0], catalogue};
-  mind::TeamPlan fixed_rate{config::read_team(REGISTA_CONFIGS "/teams/fixed_rate.yaml"), setup.rules, setup.robots[1],
-                            catalogue};
-};
 
 void whole_match(benchmark::State& state) {
   static const Teams teams;

@@ -13,11 +13,11 @@
 #include <map>
 #include <string>
 
-#include "config/documents.hpp"
 #include "match/teams.hpp"
 #include "mcap/reader.hpp"
 #include "mcap/writer.hpp"
 #include "report/match_recording.hpp"
+#include "teams.hpp"
 
 namespace regista {
 namespace {
@@ -38,14 +38,6 @@ Seconds seconds_of(const auto& work) {
   return {std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count(),
           static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC};
 }
-
-struct Teams {
-  plugin::Catalogue catalogue{{REGISTA_PLUGINS}};
-  match::Setup setup;
-  mind::TeamPlan paper{config::read_team(REGISTA_CONFIGS "/teams/paper.yaml"), setup.rules, setup.robots[0], catalogue};
-  mind::TeamPlan fixed_rate{config::read_team(REGISTA_CONFIGS "/teams/fixed_rate.yaml"), setup.rules, setup.robots[1],
-                            catalogue};
-};
 
 // The size of a file with these messages of `from` alone.
 double size_of_truth_and_decisions(const std::filesystem::path& from, const std::filesystem::path& to) {

@@ -129,7 +129,7 @@ int run(const Options& options, const Invocation& invocation) {
   if (!options.figures.empty()) wishes.figures = options.figures;
   wishes.png = options.png;
   wishes.existing = options.force ? Existing::replaced : Existing::refused;
-  write_page({options.file, results.store, results.plan, invocation}, wishes);
+  write_page({options.file, results.store, results.plan}, wishes);
   return exit_done;
 }
 

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "campaign/store.hpp"
-#include "cli/command.hpp"
 #include "cli/replaced_file.hpp"
 #include "study/tournament_plan.hpp"
 
@@ -17,7 +16,6 @@ struct StoredResults {
   std::filesystem::path file;
   const campaign::Store& store;
   const study::TournamentPlan& plan;
-  const Invocation& invocation;
 };
 
 struct PageWishes {

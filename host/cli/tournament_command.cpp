@@ -100,7 +100,7 @@ class Played {
 
  private:
   void write_page(const campaign::Store& store) const {
-    const auto page = write_page_beside({options_.results, store, plan_, invocation_});
+    const auto page = write_page_beside({options_.results, store, plan_});
     if (page && !options_.quiet) say(fmt::format("page: {}\n", config::one_line(page->string())));
   }
 
