@@ -120,6 +120,7 @@ void DecisionLog::event(double time, const match::Event& event, const match::Gam
            {"side", match::name(event.side)},
            {"robot", event.number > 0 ? Json(event.number) : Json(nullptr)},
            {"score", state.goals}};
+  if (event.offence != match::Offence::none) out["offence"] = match::word(event.offence);
   file_.write(line(out));
 }
 

@@ -40,8 +40,10 @@ static Map declare(Durations& durations) {
       real("set", durations.set, {0, 600}, "s", "from Set to the whistle"),
       real("kick_off_free_after", durations.kick_off_free_after, {0, 600}, "s", "ball free although nobody touched it"),
       real("set_play", durations.set_play, {0, 600}, "s", "kick-in, goal kick, corner kick, pushing free kick"),
+      real("penalty_kick_ready", durations.penalty_kick_ready, {0, 600}, "s", "robots walk to their places for it"),
+      real("penalty_kick", durations.penalty_kick, {0, 600}, "s", "in which it must be taken"),
       real("state_delay", durations.state_delay, {0, 600}, "s", "Goal and Playing reach robots late over the network"),
-      real("game_stuck", durations.game_stuck, {1, 3600}, "s", "nobody touches the ball"),
+      real("game_stuck", durations.game_stuck, {1, 3600}, "s", "the ball has not moved"),
   }};
 }
 
@@ -57,6 +59,27 @@ static Map declare(Penalties& penalties) {
   return {{
       real("removal", penalties.removal, {0, 3600}, "s", "off the field, first offence of the team"),
       real("removal_growth", penalties.removal_growth, {0, 3600}, "s", "more for each earlier offence of the team"),
+      real("illegal_position_in_set", penalties.illegal_position_in_set, {0, 3600}, "s", "off the field"),
+      real("motion_in_set", penalties.motion_in_set, {0, 3600}, "s", "still, on the spot"),
+  }};
+}
+
+static Map declare(Offences& offences) {
+  return {{
+      integer("most_in_own_goal_area", offences.most_in_own_goal_area, {1, 22}, "robots", "of the team"),
+      real("leave_after_pushed_in", offences.leave_after_pushed_in, {0, 600}, "s",
+           "to leave the own goal area into which an opponent pushed"),
+      real("leave_free_kick", offences.leave_free_kick, {0, 600}, "s", "to leave the circle when it is called"),
+      real("fallen", offences.fallen, {0, 600}, "s", "lies longer"),
+      real("inactive", offences.inactive, {0.2, 600}, "s", "does nothing longer"),
+      real("hold_ball", offences.hold_ball, {0.1, 600}, "s", "keeps the ball at its feet longer"),
+      real("goalkeeper_holds_ball", offences.goalkeeper_holds_ball, {0.1, 600}, "s", "the same in the penalty area"),
+      real("walk_into_goal", offences.walk_into_goal, {0, 600}, "s", "walks into post, net or border longer"),
+      real("notice_set", offences.notice_set, {0, 600}, "s", "to come to rest in Set"),
+      real("pushing_speed", offences.pushing_speed, {0, 10}, "m/s", "of the walk against an opponent"),
+      real("pushing_lasts", offences.pushing_lasts, {0, 600}, "s", "pushes longer"),
+      real("pushing_near_ball", offences.pushing_near_ball, {0, 100}, "m", "costs a free kick or penalty kick"),
+      real("stuck_near_ball", offences.stuck_near_ball, {0, 100}, "m", "is why the game is stuck"),
   }};
 }
 
@@ -68,7 +91,8 @@ Map declare(Rules& rules) {
       section("ball", rules.ball, "the ball"),
       section("durations", rules.durations, "of the phases of the game"),
       section("messages", rules.messages, "between the robots of a team"),
-      section("penalties", rules.penalties, "what offences cost"),
+      section("penalties", rules.penalties, "what offences cost, in seconds of Ready and Playing"),
+      section("offences", rules.offences, "when something is an offence"),
       real("set_play_distance", rules.set_play_distance, {0, 20}, "m", "defenders keep away from the ball"),
       integer("mercy_difference", rules.mercy_difference, {1, 1000}, "goals", "difference that ends the match"),
   }};

@@ -33,9 +33,11 @@ struct Durations {
   double ready = 45.0;
   double set = 5.0;                   // from Set to the whistle
   double kick_off_free_after = 10.0;  // ball free without a touch
-  double set_play = 30.0;             // kick-in, goal kick, corner kick
+  double set_play = 30.0;             // kick-in, goal kick, corner kick, pushing free kick
+  double penalty_kick_ready = 30.0;   // robots walk to their places for a penalty kick
+  double penalty_kick = 30.0;         // in which it must be taken
   double state_delay = 15.0;          // Goal -> Ready and Set -> Playing reach robots late, except by whistle
-  double game_stuck = 30.0;           // nobody touches the ball
+  double game_stuck = 30.0;           // the ball has not moved
 };
 
 struct Messages {
@@ -44,8 +46,27 @@ struct Messages {
   int size = 128;             // bytes
 };
 
+// What offences cost, in seconds of Ready and Playing.
 struct Penalties {
-  double removal = 45.0, removal_growth = 10.0;
+  double removal = 45.0, removal_growth = 10.0;  // growth: for each earlier offence of the team that counts
+  double illegal_position_in_set = 15.0;         // off the field; does not count
+  double motion_in_set = 15.0;                   // on the spot; does not count
+};
+
+// When something is an offence. Seconds and metres.
+struct Offences {
+  int most_in_own_goal_area = 3;       // players of a team
+  double leave_after_pushed_in = 5.0;  // an own goal area into which an opponent pushed
+  double leave_free_kick = 10.0;       // who stood near the ball when a free kick was called
+  double fallen = 15.0;                // lies longer
+  double inactive = 10.0;              // does nothing longer
+  double hold_ball = 3.0, goalkeeper_holds_ball = 10.0;
+  double walk_into_goal = 5.0;       // or into the border
+  double notice_set = 1.0;           // to come to rest in Set
+  double pushing_speed = 0.1;        // m/s of the walk against an opponent
+  double pushing_lasts = 1.0;        // s of it
+  double pushing_near_ball = 0.5;    // m: nearer to the ball it costs a free kick or a penalty kick
+  double stuck_near_ball = 0.5;      // m: who stands so near is why the game is stuck
 };
 
 struct Rules {
@@ -56,6 +77,7 @@ struct Rules {
   Durations durations;
   Messages messages;
   Penalties penalties;
+  Offences offences;
   double set_play_distance = 0.75;  // defenders keep away
   int mercy_difference = 10;        // goals
 };

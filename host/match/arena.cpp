@@ -3,6 +3,7 @@
 
 #include <box2d/box2d.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -29,16 +30,26 @@ class Touches : public b2ContactListener {
   explicit Touches(int robots) : ball_(robots) {}
 
   void begin_step() {
-    contacts_ = {};
+    contacts_.robots_on_ball = contacts_.robots_on_robots = contacts_.robots_on_walls = 0;
+    contacts_.pair_count = 0;
+    contacts_.hardest_on_ball = -1;
     hardest_ = 0.0f;
   }
   const Contacts& contacts() const { return contacts_; }
 
   void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override {
     int a = id_of(contact->GetFixtureA()), b = id_of(contact->GetFixtureB());
-    if (a < 0 || b < 0) return;  // border or goal
+    if (a < 0 || b < 0) {  // border or goal
+      const int other = std::max(a, b);
+      if (other >= 0 && other != ball_) contacts_.robots_on_walls |= only(other);
+      return;
+    }
     if (a != ball_ && b != ball_) {
       contacts_.robots_on_robots |= only(a) | only(b);
+      if (contacts_.pair_count < static_cast<int>(contacts_.pairs.size())) {
+        contacts_.pairs[static_cast<std::size_t>(contacts_.pair_count++)] = {static_cast<std::int8_t>(a),
+                                                                              static_cast<std::int8_t>(b)};
+      }
       return;
     }
     const int robot = a == ball_ ? b : a;

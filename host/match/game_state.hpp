@@ -33,6 +33,21 @@ struct GameState {
   bool is_penalised(Side side, int number) const { return (penalised[index(side)] >> (number - 1) & 1u) != 0; }
 };
 
+// Why a robot is penalised. RoboCup SPL rule book 2023, section 4.
+enum class Offence : std::uint8_t {
+  none,
+  illegal_position,
+  illegal_position_in_set,
+  motion_in_set,
+  fallen,
+  inactive,
+  local_game_stuck,
+  ball_holding,
+  pushing,
+  leaving_the_field,
+};
+inline constexpr std::size_t offence_count = 10;
+
 enum class EventKind : std::uint8_t {
   half_begins,
   ready,
@@ -43,6 +58,9 @@ enum class EventKind : std::uint8_t {
   kick_in,
   goal_kick,
   corner_kick,
+  pushing_free_kick,
+  penalty_kick,  // awarded
+  whistle,       // it may be taken
   ball_free,
   game_stuck,
   penalty,
@@ -55,13 +73,16 @@ enum class EventKind : std::uint8_t {
   opening,  // a game from an opening begins; last, for the hash of a match counts the kinds
 };
 
-// `side`: whom it concerns: who kicks, scored, was penalised. number: of the robot, 0 where there is none.
+// `side`: whom it concerns: who kicks, scored, was penalised. number: of the robot, 0 where there is none. offence: of
+// a penalty.
 struct Event {
   EventKind kind;
   Side side = Side::home;
   int number = 0;
+  Offence offence = Offence::none;
 };
 
 const char* name(EventKind kind);
+const char* name(Offence offence);
 
 }  // namespace regista::match

@@ -101,7 +101,7 @@ class Course {
   void digest_outcome(const mind::Outcome& outcome);
   int move_bodies();
   void jostle();
-  void judge(int touched_by);
+  void judge(int kicker);
   void follow(const Calls& calls);
   void observe();
   Robot& robot(int id) { return robots_[static_cast<std::size_t>(id)]; }
@@ -121,9 +121,10 @@ class Course {
   Digest digest_;
   std::vector<Robot> robots_;
   std::vector<mind::HeardPacket> heard_;
-  std::vector<Vector> positions_;
+  std::vector<Vector> positions_, legs_;  // by id: where robots are, and where their legs carry them, m/s
   Points in_view_;            // the same, but who is out of play is nowhere
-  RobotSet out_of_play_ = 0;  // penalised
+  RobotSet out_of_play_ = 0;  // penalised, off the field
+  RobotSet acted_ = 0;        // decided since the referee last looked
   std::uint32_t tick_ = 0;
   double time_ = 0.0;
 };
@@ -147,6 +148,7 @@ Course::Course(const Setup& setup, std::span<const mind::Think> home, std::span<
   robots_.reserve(static_cast<std::size_t>(roster_.count()));
   heard_.reserve(64);
   positions_.resize(static_cast<std::size_t>(roster_.count()));
+  legs_.resize(positions_.size());
   in_view_.count = positions_.size();
   for (int id = 0; id < roster_.count(); ++id) {
     const Side side = roster_.side(id);
@@ -186,11 +188,10 @@ Result Course::run() {
     }
     const int kicker = move_bodies();
     arena_.step();
-    const Contacts& contacts = arena_.contacts();
-    if (contacts.robots_on_robots != 0) jostle();
+    if (arena_.contacts().robots_on_robots != 0) jostle();
     ++tick_;
     time_ = tick_ * physics_step;
-    judge(contacts.hardest_on_ball >= 0 ? contacts.hardest_on_ball : kicker);
+    judge(kicker);
     digest_.add(std::as_bytes(arena_.states()));
     if (tick_ % steps_per_sample == 0) metrics_.sample(referee_.state());
     observe();
@@ -204,6 +205,7 @@ Result Course::run() {
 void Course::decide(int id) {
   Robot& robot = this->robot(id);
   robot.next_decision += static_cast<std::uint32_t>(robot.steps_between);
+  acted_ |= only(id);
   const Side side = roster_.side(id);
   const int number = roster_.number(id);
   const GameState& state = referee_.state();
@@ -296,8 +298,9 @@ int Course::move_bodies() {
     const BodyState& now = arena_.robot(id);
     const Body::Motion motion = robot.body.move(time_, tick_, robot.body.kicking() ? ball_distance(id) : 0.0);
     const config::Walk& limits = robot.profile.walk;
-    arena_.drive(id, turned({motion.walk.forward, motion.walk.sideways}, now.cosine, now.sine), motion.walk.turn,
-                 limits.acceleration, limits.turn_acceleration);
+    Vector& legs = legs_[static_cast<std::size_t>(id)];
+    legs = turned({motion.walk.forward, motion.walk.sideways}, now.cosine, now.sine);
+    arena_.drive(id, legs, motion.walk.turn, limits.acceleration, limits.turn_acceleration);
     if (motion.ball_velocity) {
       metrics_.kicked(roster_.side(id));
       // Of two that strike at once, who is nearer to the ball hits it.
@@ -320,12 +323,30 @@ void Course::jostle() {
   }
 }
 
-void Course::judge(int touched_by) {
+void Course::judge(int kicker) {
+  RobotSet fallen = 0, kicking = 0;
   for (int id = 0; id < roster_.count(); ++id) {
-    positions_[static_cast<std::size_t>(id)] = {arena_.robot(id).x, arena_.robot(id).y};
+    const BodyState& body = arena_.robot(id);
+    positions_[static_cast<std::size_t>(id)] = {body.x, body.y};
+    if (robot(id).body.fallen(time_)) fallen |= only(id);
+    if (robot(id).body.kicking()) kicking |= only(id);
   }
+  const Contacts& contacts = arena_.contacts();
+  const int touched_by = contacts.hardest_on_ball >= 0 ? contacts.hardest_on_ball : kicker;
   if (touched_by >= 0) metrics_.touched(roster_.side(touched_by));
-  follow(referee_.update({time_, arena_.ball_position(), touched_by, positions_}));
+  follow(referee_.update({.time = time_,
+                          .ball = arena_.ball_position(),
+                          .touched_by = touched_by,
+                          .kicked = kicker >= 0 && kicker == touched_by,
+                          .robots = positions_,
+                          .steps = legs_,
+                          .touching = contacts.robots_on_ball,
+                          .fallen = fallen,
+                          .kicking = kicking,
+                          .acted = acted_,
+                          .at_walls = contacts.robots_on_walls,
+                          .contacts = std::span(contacts.pairs).first(static_cast<std::size_t>(contacts.pair_count))}));
+  acted_ = 0;
   for (int id = 0; id < roster_.count(); ++id) {
     const bool away = contains(out_of_play_, id);
     in_view_.x[static_cast<std::size_t>(id)] = away ? nowhere : arena_.robot(id).x;
@@ -339,6 +360,12 @@ void Course::follow(const Calls& calls) {
     arena_.place(id, waiting_pose(setup_.rules.field, id, largest_radius(setup_)));
     robot(id).body.put_down();
     out_of_play_ |= only(id);
+    legs_[static_cast<std::size_t>(id)] = {};
+    metrics_.penalised(roster_.side(id));
+  }
+  for (int id = 0; id < roster_.count(); ++id) {
+    if (!contains(calls.frozen, id)) continue;
+    robot(id).body.put_down();
     metrics_.penalised(roster_.side(id));
   }
   for (const Placement& placement : calls.placements) {

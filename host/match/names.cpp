@@ -16,18 +16,20 @@ constexpr std::array<std::string_view, REGISTA_EVENT_COUNT> reasons{
     "period",     "whistle", "ball_found", "goalkeeper_saw_ball", "ball_known_again", "role_changed", "ball_moved",
     "pose_moved", "fell",    "got_up",     "phase_changed",       "context_changed",  "returned",     "offer"};
 
+std::string one_word(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c == ' ' || c == '-'; }, '_');
+  return text;
+}
+
 }  // namespace
 
 std::string_view name(mind::Phase phase) { return phases.at(static_cast<std::size_t>(phase)); }
 std::string_view name(mind::SetPlay set_play) { return set_plays.at(static_cast<std::size_t>(set_play)); }
 std::string_view reason_name(int reason) { return reasons.at(static_cast<std::size_t>(reason)); }
 
-std::string word(EventKind kind) {
-  std::string out = name(kind);
-  std::ranges::replace_if(
-      out, [](char c) { return c == ' ' || c == '-'; }, '_');
-  return out;
-}
+std::string word(EventKind kind) { return one_word(name(kind)); }
+std::string word(Offence offence) { return one_word(name(offence)); }
 
 std::vector<std::string> role_names(const std::vector<Role>& roles) {
   std::vector<std::string> names;

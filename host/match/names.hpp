@@ -17,6 +17,7 @@ std::string_view name(mind::SetPlay set_play);
 
 // name(kind) as one word: "kick_off".
 std::string word(EventKind kind);
+std::string word(Offence offence);
 
 // Reason of a packet, for REGISTA_EVENT_*: "role_changed".
 std::string_view reason_name(int reason);

@@ -11,9 +11,6 @@ namespace {
 
 double sign(double value) { return value < 0.0 ? -1.0 : 1.0; }
 
-// Heading of somebody who looks along +x or -x.
-double facing(double direction) { return direction > 0.0 ? 0.0 : std::numbers::pi; }
-
 }  // namespace
 
 mind::Pose start_pose(const config::FieldSize& field, double direction, int number, int team_size) {
@@ -22,13 +19,6 @@ mind::Pose start_pose(const config::FieldSize& field, double direction, int numb
   const double step = places > 1 ? (deepest - nearest) / (places - 1) : 0.0;
   const double touch_line = (number % 2 == 1 ? direction : -direction) * field.width / 2.0;
   return {-direction * (deepest - step * place), touch_line, -sign(touch_line) * std::numbers::pi / 2.0};
-}
-
-mind::Pose manual_pose(const config::FieldSize& field, double direction, int number, int team_size) {
-  if (number == 1) return {-direction * (field.length - field.goal_area_length) / 2.0, 0.0, facing(direction)};
-  const double x = -direction * (field.length / 2.0 - field.penalty_area_length);
-  const double step = field.width / team_size;
-  return {x, direction * (field.width / 2.0 - step * (number - 1)), facing(direction)};
 }
 
 mind::Pose re_entry_pose(const config::FieldSize& field, double direction, Vector ball) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where people put things: robots before a half, robots that stood where they must not, robots that come back, the ball
+// Where people put things: robots before a half, robots that come back, the ball
 // of a set play. RoboCup SPL rule book 2023. World frame; `direction` is +1 for a side that attacks towards +x.
 #pragma once
 
@@ -13,9 +13,6 @@ namespace regista::match {
 
 // On a touch line of the own half, facing into the field: odd numbers at the left of the side, even ones at its right.
 mind::Pose start_pose(const config::FieldSize& field, double direction, int number, int team_size);
-
-// Put back in Set: a place in front of the own penalty area by number, number 1 in the goal area.
-mind::Pose manual_pose(const config::FieldSize& field, double direction, int number, int team_size);
 
 // Back from a penalty: own half, level with the penalty mark, on the touch line far from the ball.
 mind::Pose re_entry_pose(const config::FieldSize& field, double direction, Vector ball);

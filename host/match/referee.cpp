@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "match/areas.hpp"
 #include "match/placement.hpp"
+#include "match/set_positions.hpp"
 
 namespace regista::match {
 namespace {
@@ -12,26 +15,32 @@ namespace {
 using mind::Phase;
 using mind::SetPlay;
 
-constexpr double initial_lasts = 1.0;  // s; see the head of referee.hpp
-constexpr double leave_within = 5.0;   // s; see there
-constexpr double clearance = 0.05;     // m between bodies when something is put down
+constexpr double initial_lasts = 1.0;   // s; see the head of referee.hpp
+constexpr double clearance = 0.05;      // m between bodies when something is put down
+constexpr double moved = 0.25;          // m: the game is not stuck
 
-bool is_indirect(SetPlay kind) {
-  return kind == SetPlay::kick_in || kind == SetPlay::goal_kick || kind == SetPlay::corner_kick;
+EventKind event_of(SetPlay kind) {
+  switch (kind) {
+    case SetPlay::kick_in:
+      return EventKind::kick_in;
+    case SetPlay::goal_kick:
+      return EventKind::goal_kick;
+    case SetPlay::corner_kick:
+      return EventKind::corner_kick;
+    case SetPlay::pushing_free_kick:
+      return EventKind::pushing_free_kick;
+    case SetPlay::penalty_kick:
+      return EventKind::penalty_kick;
+    default:
+      return EventKind::ready;
+  }
 }
 
 }  // namespace
 
-const char* name(EventKind kind) {
-  constexpr std::array names{"half begins",      "ready",     "set",       "kick-off",    "goal",
-                             "goal not counted", "kick-in",   "goal kick", "corner kick", "ball free",
-                             "game stuck",       "penalty",   "returned",  "put back",    "too many packets",
-                             "packet too long",  "half ends", "finished",  "opening"};
-  return names[static_cast<std::size_t>(kind)];
-}
-
 void Calls::clear() {
   removed.clear();
+  frozen = 0;
   placements.clear();
   ball.reset();
   ball_velocity.reset();
@@ -44,9 +53,14 @@ int Referee::allowance(const config::Messages& messages, double added) {
 }
 
 Referee::Referee(const config::Rules& rules, double robot_radius, const config::Opening* opening)
-    : rules_(rules), opening_(opening), roster_{rules.team_size}, robot_radius_(robot_radius) {
+    : rules_(rules),
+      opening_(opening),
+      roster_{rules.team_size},
+      robot_radius_(robot_radius),
+      indirect_(rules.set_play_distance),
+      watch_(rules, roster_),
+      box_(rules.penalties, roster_) {
   where_.resize(static_cast<std::size_t>(roster_.count()));
-  back_at_.resize(where_.size());
   calls_.removed.reserve(where_.size());
   calls_.placements.reserve(where_.size());
   calls_.events.reserve(64);
@@ -54,10 +68,17 @@ Referee::Referee(const config::Rules& rules, double robot_radius, const config::
   state_.packets_left.fill(allowance(rules_.messages, 0.0));
 }
 
+RobotSet Referee::playing() const {
+  const RobotSet everybody = (RobotSet{1} << roster_.count()) - 1;
+  return everybody & ~box_.inside();
+}
+
 // Durations are met at the nearest instant, whatever the rounding of time.
 bool Referee::since(double moment, double duration) const { return time_ - moment >= duration - 1e-6; }
 
-void Referee::note(EventKind kind, Side side, int number) { calls_.events.push_back({kind, side, number}); }
+void Referee::note(EventKind kind, Side side, int number, Offence offence) {
+  calls_.events.push_back({kind, side, number, offence});
+}
 
 void Referee::announce(bool late) {
   calls_.announced = true;
@@ -67,6 +88,7 @@ void Referee::announce(bool late) {
 const Calls& Referee::update(const Scene& scene) {
   calls_.clear();
   if (state_.phase == Phase::finished) return calls_;
+  const double passed = scene.time - time_;
   time_ = scene.time;
   ball_ = scene.ball;
   std::copy(scene.robots.begin(), scene.robots.end(), where_.begin());
@@ -92,24 +114,29 @@ const Calls& Referee::update(const Scene& scene) {
     end_half();
     return calls_;
   }
+  if (state_.phase == Phase::ready || state_.phase == Phase::playing) box_.pass(passed);
   switch (state_.phase) {
     case Phase::initial:
-      if (since(state_.phase_began, initial_lasts)) begin_ready(state_.kicking, false);
+      if (since(state_.phase_began, initial_lasts)) begin_ready(SetPlay::kick_off, state_.kicking, {}, false);
       break;
     case Phase::ready:
-      if (since(state_.phase_began, rules_.durations.ready)) begin_set();
+      watch_offences(scene);
+      if (since(state_.phase_began, state_.set_play == SetPlay::penalty_kick ? rules_.durations.penalty_kick_ready
+                                                                              : rules_.durations.ready)) {
+        begin_set();
+      }
       break;
     case Phase::set:
-      if (since(state_.phase_began, rules_.durations.set)) kick_off();
+      watch_offences(scene);
+      if (since(state_.phase_began, rules_.durations.set)) whistle_play();
       break;
     case Phase::playing:
-      if (scene.touched_by >= 0) touch(scene.touched_by);
-      play();
+      play(scene);
       break;
     case Phase::finished:
       break;
   }
-  if (state_.penalised[0] != 0 || state_.penalised[1] != 0) let_back_in();
+  if (box_.inside() != 0 && state_.phase != Phase::initial) let_back_in();
   return calls_;
 }
 
@@ -121,13 +148,15 @@ void Referee::begin_half() {
   state_.clock_runs = false;
   state_.clock = 0.0;
   state_.penalised.fill(0);
+  box_.empty();
   state_.spot = {};
   last_touch_ = -1;
-  indirect_ = false;
+  indirect_.over();
   calls_.ball = state_.spot;
   for (int id = 0; id < roster_.count(); ++id) {
     const mind::Pose pose = start_pose(rules_.field, direction(roster_.side(id)), roster_.number(id), rules_.team_size);
     where_[static_cast<std::size_t>(id)] = {pose.x, pose.y};
+    watch_.forget(id);
     calls_.placements.push_back({id, pose});
   }
   announce();
@@ -139,8 +168,10 @@ void Referee::begin_in_play(const config::Opening& opening) {
   state_.phase_began = time_;
   state_.clock_runs = true;
   clock_began_ = time_;
-  last_action_ = time_;
+  touched_since_kick_off_ = true;
   state_.spot = {opening.ball.at[0], opening.ball.at[1]};
+  anchor_ = state_.spot;
+  anchored_ = time_;
   calls_.ball = state_.spot;
   calls_.ball_velocity = Vector{opening.ball.velocity[0], opening.ball.velocity[1]};
   for (int id = 0; id < roster_.count(); ++id) {
@@ -153,43 +184,46 @@ void Referee::begin_in_play(const config::Opening& opening) {
   note(EventKind::opening, state_.kicking);
 }
 
-void Referee::begin_ready(Side kicking, bool told_late) {
+void Referee::begin_ready(SetPlay kind, Side kicking, Vector spot, bool told_late) {
   state_.phase = Phase::ready;
-  state_.set_play = SetPlay::kick_off;
+  state_.set_play = kind;
   state_.kicking = kicking;
   state_.phase_began = time_;
-  state_.spot = {};
-  indirect_ = false;
+  state_.spot = spot;
+  indirect_.over();
   calls_.ball = state_.spot;
   clear_spot(state_.spot);
   announce(told_late);
-  note(EventKind::ready, kicking);
+  note(event_of(kind), kicking);
 }
 
 void Referee::begin_set() {
   state_.phase = Phase::set;
   state_.phase_began = time_;
   calls_.ball = state_.spot;
-  put_back_illegal();
+  remove_illegal_in_set();
+  if (state_.set_play == SetPlay::penalty_kick) put_goalkeeper_on_line();
   announce();
   note(EventKind::set, state_.kicking);
 }
 
-void Referee::kick_off() {
+void Referee::whistle_play() {
   state_.phase = Phase::playing;
   state_.phase_began = time_;
   calls_.ball = state_.spot;
-  put_back_illegal();
+  remove_illegal_in_set();
   was_near_ = 0;
-  last_action_ = time_;
   last_touch_ = -1;
+  touched_since_kick_off_ = false;
+  anchor_ = state_.spot;
+  anchored_ = time_;
   if (!state_.clock_runs) {
     state_.clock_runs = true;
     clock_began_ = time_;
   }
   calls_.whistle = true;
   announce(true);
-  note(EventKind::kick_off, state_.kicking);
+  note(state_.set_play == SetPlay::penalty_kick ? EventKind::whistle : EventKind::kick_off, state_.kicking);
 }
 
 void Referee::end_half() {
@@ -214,33 +248,46 @@ void Referee::finish(Ended how) {
   note(EventKind::finished, Side::home);
 }
 
-void Referee::touch(int robot) {
-  last_action_ = time_;
-  last_touch_ = robot;
+void Referee::touch(const Scene& scene) {
+  const int robot = scene.touched_by;
+  const Side side = roster_.side(robot);
   if (state_.set_play != SetPlay::none) {
-    indirect_ = is_indirect(state_.set_play);
-    first_touch_ = robot;
+    if (side != state_.kicking) {
+      touched_too_early(robot);
+      return;
+    }
+    if (state_.set_play == SetPlay::penalty_kick) indirect_.penalty_kick(side, state_.spot);
     free_ball();
-  } else if (indirect_) {
-    const double circle = rules_.set_play_distance;
-    if (robot != first_touch_ || squared_length(ball_ - state_.spot) > circle * circle) indirect_ = false;
   }
+  indirect_.touched(robot, side, scene.kicked, time_);
+  last_touch_ = robot;
+  touched_since_kick_off_ = true;
 }
 
-void Referee::play() {
+// The side that must keep away has touched it: it lies where it was.
+void Referee::touched_too_early(int robot) {
+  calls_.ball = state_.spot;
+  ball_ = state_.spot;
+  if (plays(robot)) penalise(robot, Offence::illegal_position);
+}
+
+void Referee::play(const Scene& scene) {
+  if (scene.touched_by >= 0) touch(scene);
   if (ball_left()) return;
-  if (state_.set_play != SetPlay::none) {
-    const bool at_kick_off = state_.set_play == SetPlay::kick_off;
-    if (since(state_.phase_began, at_kick_off ? rules_.durations.kick_off_free_after : rules_.durations.set_play)) {
-      last_action_ = time_;
-      free_ball();
-    } else {
-      watch_distances();
-    }
-  } else if (since(last_action_, rules_.durations.game_stuck)) {
-    const Side other = last_touch_ >= 0 ? opposite(roster_.side(last_touch_)) : opposite(state_.kicking);
-    note(EventKind::game_stuck, other);
-    begin_ready(other, false);
+  indirect_.ball_at(ball_);
+  watch_offences(scene);
+  if (state_.phase != Phase::playing) return;  // a penalty kick
+  if (state_.set_play == SetPlay::none) {
+    watch_progress();
+    return;
+  }
+  const double lasts = state_.set_play == SetPlay::kick_off       ? rules_.durations.kick_off_free_after
+                       : state_.set_play == SetPlay::penalty_kick ? rules_.durations.penalty_kick
+                                                                  : rules_.durations.set_play;
+  if (since(state_.phase_began, lasts)) {
+    free_ball();
+  } else {
+    watch_set_play();
   }
 }
 
@@ -256,19 +303,27 @@ bool Referee::ball_left() {
   const Side defender = (direction(Side::home) > 0.0) == (ball_.x > 0.0) ? Side::away : Side::home;
   const Side last = last_touch_ >= 0 ? roster_.side(last_touch_) : opposite(defender);
   const bool between_posts = std::fabs(ball_.y) < (field.goal_width + field.post_diameter) / 2.0;
-  if (over_goal_line && between_posts && !indirect_) {
-    goal(opposite(defender));
-  } else if (!over_goal_line) {
+  if (!over_goal_line) {
     set_play(SetPlay::kick_in, opposite(last), kick_in_spot(field, ball_));
-  } else {
+  } else if (between_posts && goal_counts(opposite(defender))) {
+    goal(opposite(defender));
+  } else if (between_posts || last != defender) {
     if (between_posts) note(EventKind::goal_not_counted, opposite(defender));
-    if (last == defender) {
-      set_play(SetPlay::corner_kick, opposite(defender), corner_spot(field, ball_));
-    } else {
-      set_play(SetPlay::goal_kick, defender, goal_kick_spot(field, ball_));
-    }
+    set_play(SetPlay::goal_kick, defender, goal_kick_spot(field, ball_));
+  } else {
+    set_play(SetPlay::corner_kick, opposite(defender), corner_spot(field, ball_));
   }
   return true;
+}
+
+// An own goal may always be scored, unless no opponent is there to profit.
+bool Referee::goal_counts(Side scorer) const {
+  const bool own_goal = last_touch_ >= 0 && roster_.side(last_touch_) != scorer;
+  if (own_goal) {
+    const std::uint32_t everybody = (1u << roster_.team_size) - 1u;
+    return state_.penalised[index(scorer)] != everybody;
+  }
+  return indirect_.may_score(scorer);
 }
 
 void Referee::goal(Side scorer) {
@@ -279,7 +334,7 @@ void Referee::goal(Side scorer) {
     note(EventKind::goal, scorer, last_touch_ >= 0 ? roster_.number(last_touch_) : 0);
   }
   calls_.whistle = true;
-  begin_ready(opposite(scorer), true);
+  begin_ready(SetPlay::kick_off, opposite(scorer), {}, true);
 }
 
 void Referee::set_play(SetPlay kind, Side kicking, Vector spot) {
@@ -287,43 +342,97 @@ void Referee::set_play(SetPlay kind, Side kicking, Vector spot) {
   state_.kicking = kicking;
   state_.phase_began = time_;
   state_.spot = spot;
-  indirect_ = true;
-  first_touch_ = -1;
+  indirect_.free_kick(kicking, spot);
   calls_.ball = spot;
   clear_spot(spot);
   was_near_ = 0;
   const double near = rules_.set_play_distance;
   for (int id = 0; id < roster_.count(); ++id) {
-    if (squared_length(where_[static_cast<std::size_t>(id)] - spot) < near * near) was_near_ |= only(id);
+    if (squared_length(where(id) - spot) < near * near) was_near_ |= only(id);
   }
   announce();
-  note(kind == SetPlay::kick_in     ? EventKind::kick_in
-       : kind == SetPlay::goal_kick ? EventKind::goal_kick
-                                    : EventKind::corner_kick,
-       kicking);
+  note(event_of(kind), kicking);
 }
 
 void Referee::free_ball() {
-  const bool was_kick_off = state_.set_play == SetPlay::kick_off;
+  const bool was_whistled = state_.set_play == SetPlay::kick_off || state_.set_play == SetPlay::penalty_kick;
   state_.set_play = SetPlay::none;
   state_.phase_began = time_;
+  anchor_ = ball_;
+  anchored_ = time_;
   announce();
-  calls_.ball_came_free = was_kick_off;
+  calls_.ball_came_free = was_whistled;
   note(EventKind::ball_free, state_.kicking);
 }
 
-void Referee::watch_distances() {
+void Referee::watch_set_play() {
+  if (state_.set_play == SetPlay::penalty_kick) {
+    const RobotSet intruders = intruders_at_penalty_kick(rules_, state_, roster_, where_, playing());
+    for (int id = 0; id < roster_.count(); ++id) {
+      if (contains(intruders, id)) penalise(id, Offence::illegal_position);
+    }
+    return;
+  }
   const bool at_kick_off = state_.set_play == SetPlay::kick_off;
   const double near = at_kick_off ? rules_.field.centre_circle_diameter / 2.0 : rules_.set_play_distance;
-  const bool time_to_leave = !at_kick_off && !since(state_.phase_began, leave_within);
+  const bool time_to_leave = !at_kick_off && !since(state_.phase_began, rules_.offences.leave_free_kick);
   const Side defender = opposite(state_.kicking);
   for (int number = 1; number <= rules_.team_size; ++number) {
     const int id = roster_.id(defender, number);
-    if (squared_length(where_[static_cast<std::size_t>(id)] - state_.spot) >= near * near) {
+    if (squared_length(where(id) - state_.spot) >= near * near) {
       was_near_ &= ~only(id);
     } else if (plays(id) && !(time_to_leave && contains(was_near_, id))) {
-      penalise(id);
+      penalise(id, Offence::illegal_position);
     }
+  }
+}
+
+void Referee::watch_offences(const Scene& scene) {
+  for (const Offender& offender : watch_.watch(scene, state_, playing())) {
+    if (!plays(offender.robot)) continue;
+    if (offender.offence == Offence::pushing) {
+      pushed(offender);
+    } else {
+      penalise(offender.robot, offender.offence);
+    }
+  }
+}
+
+// Near the ball it costs more than a robot. During a set play nothing but the robot is taken.
+void Referee::pushed(const Offender& offender) {
+  const Side side = roster_.side(offender.robot);
+  const double near = rules_.offences.pushing_near_ball;
+  const bool near_ball = squared_length(where(offender.robot) - ball_) <= near * near;
+  const bool in_own_area = in_penalty_area(rules_.field, -direction(side), where(offender.victim));
+  const bool open_play = state_.in_play();
+  penalise(offender.robot, Offence::pushing);
+  if (!near_ball || !open_play) return;
+  if (in_own_area) {
+    begin_ready(SetPlay::penalty_kick, opposite(side), penalty_mark(rules_.field, -direction(side)), false);
+  } else {
+    set_play(SetPlay::pushing_free_kick, opposite(side), ball_);
+  }
+}
+
+void Referee::watch_progress() {
+  if (squared_length(ball_ - anchor_) > moved * moved) {
+    anchor_ = ball_;
+    anchored_ = time_;
+  }
+  if (!since(anchored_, rules_.durations.game_stuck)) return;
+  int nearest = -1;
+  for (int id = 0; id < roster_.count(); ++id) {
+    if (!plays(id)) continue;
+    if (nearest < 0 || squared_length(where(id) - ball_) < squared_length(where(nearest) - ball_)) nearest = id;
+  }
+  if (nearest < 0) return;
+  const double near = rules_.offences.stuck_near_ball;
+  if (squared_length(where(nearest) - ball_) <= near * near) {
+    anchored_ = time_;
+    penalise(nearest, Offence::local_game_stuck);
+  } else if (touched_since_kick_off_) {
+    note(EventKind::game_stuck, roster_.side(nearest));
+    begin_ready(SetPlay::kick_off, roster_.side(nearest), {}, false);
   }
 }
 
@@ -343,21 +452,24 @@ void Referee::clear_spot(Vector spot) {
   }
 }
 
-bool Referee::legal_in_set(int id) const {
-  const Side side = roster_.side(id);
-  const Vector at = where_[static_cast<std::size_t>(id)];
-  const double on_ball = robot_radius_ + rules_.ball.diameter / 2.0, circle = rules_.field.centre_circle_diameter / 2.0;
-  const double free = side == state_.kicking ? on_ball : circle;
-  return at.x * direction(side) <= 0.0 && squared_length(at - state_.spot) >= free * free;
+void Referee::remove_illegal_in_set() {
+  const RobotSet illegal = illegal_in_set(rules_, state_, roster_, where_, playing(), robot_radius_);
+  for (int id = 0; id < roster_.count(); ++id) {
+    if (contains(illegal, id)) penalise(id, Offence::illegal_position_in_set);
+  }
 }
 
-void Referee::put_back_illegal() {
-  for (int id = 0; id < roster_.count(); ++id) {
-    if (!plays(id) || legal_in_set(id)) continue;
-    const Side side = roster_.side(id);
-    put_down(id, manual_pose(rules_.field, direction(side), roster_.number(id), rules_.team_size));
-    note(EventKind::put_back, side, roster_.number(id));
+// Before a penalty kick the goalkeeper stands on its line or outside its penalty area.
+void Referee::put_goalkeeper_on_line() {
+  const Side side = opposite(state_.kicking);
+  const int id = roster_.id(side, 1);
+  const double end = -direction(side), line = end * rules_.field.length / 2.0;
+  if (!plays(id) || !in_penalty_area(rules_.field, end, where(id)) || std::fabs(where(id).x - line) <= robot_radius_) {
+    return;
   }
+  const double between = rules_.field.goal_width / 2.0 - robot_radius_;
+  put_down(id, {line, std::clamp(where(id).y, -between, between), direction(side) > 0.0 ? 0.0 : std::numbers::pi});
+  note(EventKind::put_back, side, 1);
 }
 
 void Referee::put_down(int id, const mind::Pose& wanted) {
@@ -366,26 +478,30 @@ void Referee::put_down(int id, const mind::Pose& wanted) {
   const Vector ball = calls_.ball ? *calls_.ball : state_.phase == Phase::playing ? ball_ : state_.spot;
   const Vector spot = free_spot(rules_.field, {wanted.x, wanted.y}, id, where_, robot_gap, ball, ball_gap);
   where_[static_cast<std::size_t>(id)] = spot;
+  watch_.forget(id);
   calls_.placements.push_back({id, {spot.x, spot.y, wanted.heading}});
 }
 
-void Referee::penalise(int id) {
+void Referee::penalise(int id, Offence offence) {
   const Side side = roster_.side(id);
-  const config::Penalties& penalties = rules_.penalties;
+  box_.send(id, offence);
+  watch_.forget(id);
   state_.penalised[index(side)] |= 1u << (roster_.number(id) - 1);
-  back_at_[static_cast<std::size_t>(id)] =
-      time_ + penalties.removal + penalties.removal_growth * offences_[index(side)];
-  ++offences_[index(side)];
-  calls_.removed.push_back(id);
-  note(EventKind::penalty, side, roster_.number(id));
+  if (on_the_spot(offence)) {
+    calls_.frozen |= only(id);
+  } else {
+    calls_.removed.push_back(id);
+  }
+  note(EventKind::penalty, side, roster_.number(id), offence);
 }
 
 void Referee::let_back_in() {
   for (int id = 0; id < roster_.count(); ++id) {
-    if (plays(id) || !since(back_at_[static_cast<std::size_t>(id)], 0.0)) continue;
+    if (plays(id) || !box_.served(id) || contains(calls_.frozen, id)) continue;
     const Side side = roster_.side(id);
+    box_.release(id);
     state_.penalised[index(side)] &= ~(1u << (roster_.number(id) - 1));
-    put_down(id, re_entry_pose(rules_.field, direction(side), ball_));
+    if (!on_the_spot(box_.offence(id))) put_down(id, re_entry_pose(rules_.field, direction(side), ball_));
     note(EventKind::returned, side, roster_.number(id));
   }
 }

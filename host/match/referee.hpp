@@ -4,18 +4,20 @@
 //
 //   Initial -> Ready -> Set -> (whistle) Playing -> goal: Ready, ball out: set play, half over: Initial or Finished
 //
+// Offences are seen by OffenceWatch, positions in Set judged by illegal_in_set, penalties timed by PenaltyBox.
+//
 // Decided here where the rule book leaves room, or a person would judge:
 // - A game from an opening begins in play, in the first half, as if home had taken its kick-off long ago.
 // - Before each half robots stand in Initial for one second, so that every robot decides there at least once.
-// - Robots that stand illegally at the beginning or end of Set (beyond the own half, in the circle when the others kick
-//   off, on the ball) are put back by hand, and so is a robot on the very spot where the ball of a set play is put.
-// - An opponent that is too near in a set play has five seconds to leave; who comes near later is removed at once.
-//   In a kick-off whoever enters the circle is removed at once.
-// - Goal kicks, corner kicks and kick-ins are indirect: a goal counts after a second robot has touched the ball, or the
-//   same again after the ball left the circle. Otherwise the game goes on with a goal kick (own goal: corner kick).
-// - Nobody touches the ball for long ("game stuck"): a kick-off for the side that did not touch it last.
+// - Whoever stands on the very spot where the ball of a set play is put is moved aside by hand.
+// - A free kick is taken, and the kick-off's ball in play, with the first touch by the kicking side. A ball that the
+//   others touch before lies where it was, and who touched it is removed.
+// - A deliberate play, which makes an indirect kick whole, is a kick; whom the ball hits has not played it. The same
+//   robot may play it again after it has left the circle.
+// - In a penalty kick the taker's touches count as one until the ball was free of it for half a second.
+// - The game is stuck when the ball has not moved by a quarter of a metre for the time that the rules give. Somebody
+//   near it is removed (local); with nobody near, who is nearer kicks off (global), if the ball was touched before.
 // - The clock never stops within a half, so there is no added time and no extra allowance of packets from it.
-// - Penalties are over at half-time, for the break is longer than they are.
 #pragma once
 
 #include <array>
@@ -27,16 +29,12 @@
 #include "config/opening.hpp"
 #include "config/rules.hpp"
 #include "match/game_state.hpp"
+#include "match/indirect_kick.hpp"
+#include "match/offence_watch.hpp"
+#include "match/penalty_box.hpp"
+#include "match/scene.hpp"
 
 namespace regista::match {
-
-// What the referee sees after a physics step. World frame.
-struct Scene {
-  double time = 0.0;  // s since the start of the match; rises from call to call
-  Vector ball;
-  int touched_by = -1;             // id of the robot that touched the ball since the last call (see Roster)
-  std::span<const Vector> robots;  // by id; those of penalised robots are not looked at
-};
 
 struct Placement {
   int robot;  // id
@@ -46,6 +44,7 @@ struct Placement {
 // What is to be done now, in this order. The memory is the referee's, until the next call.
 struct Calls {
   std::vector<int> removed;             // ids of robots that leave the field
+  RobotSet frozen = 0;                  // robots that must not move from now on, where they are
   std::vector<Placement> placements;    // robots to be put down by hand
   std::optional<Vector> ball;           // the ball is put here, at rest
   std::optional<Vector> ball_velocity;  // but rolls: the scene of an opening, m/s
@@ -77,30 +76,37 @@ class Referee {
  private:
   void begin_half();
   void begin_in_play(const config::Opening& opening);
-  void begin_ready(Side kicking, bool told_late);
+  void begin_ready(mind::SetPlay kind, Side kicking, Vector spot, bool told_late);
   void begin_set();
-  void kick_off();
+  void whistle_play();
   void end_half();
   void finish(Ended how);
-  void play();
-  void touch(int robot);
+  void play(const Scene& scene);
+  void touch(const Scene& scene);
+  void touched_too_early(int robot);
   bool ball_left();
+  bool goal_counts(Side scorer) const;
   void goal(Side scorer);
   void set_play(mind::SetPlay kind, Side kicking, Vector spot);
   void free_ball();
-  void watch_distances();
+  void watch_set_play();
+  void watch_offences(const Scene& scene);
+  void pushed(const Offender& offender);
+  void watch_progress();
   void clear_spot(Vector spot);
-  void put_back_illegal();
-  bool legal_in_set(int id) const;
+  void remove_illegal_in_set();
+  void put_goalkeeper_on_line();
   void put_down(int id, const mind::Pose& wanted);
-  void penalise(int id);
+  void penalise(int id, Offence offence);
   void let_back_in();
   void sanction(Side side, EventKind why);
   void announce(bool late = false);
-  void note(EventKind kind, Side side, int number = 0);
-  bool plays(int id) const { return !state_.is_penalised(roster_.side(id), roster_.number(id)); }
+  void note(EventKind kind, Side side, int number = 0, Offence offence = Offence::none);
+  bool plays(int id) const { return !contains(box_.inside(), id); }
+  RobotSet playing() const;
   bool since(double moment, double duration) const;
   double direction(Side side) const { return attack(side, state_.half); }
+  Vector where(int id) const { return where_[static_cast<std::size_t>(id)]; }
 
   config::Rules rules_;
   const config::Opening* opening_;
@@ -110,15 +116,16 @@ class Referee {
   Calls calls_;
   std::vector<Event> pending_;   // of packets, told with the next update
   std::vector<Vector> where_;    // robots by id, as they will be after the calls so far
-  std::vector<double> back_at_;  // by id: when the penalty is over
-  std::array<int, 2> offences_{};
+  IndirectKick indirect_;
+  OffenceWatch watch_;
+  PenaltyBox box_;
   Vector ball_;
   double time_ = 0.0, clock_began_ = 0.0;
-  double last_action_ = 0.0;  // the last touch, or when the ball came free
-  int last_touch_ = -1;       // id
-  int first_touch_ = -1;      // id of who took an indirect set play, while no second robot touched the ball
-  bool indirect_ = false;
-  RobotSet was_near_ = 0;  // ids that stood too near when the set play was called
+  int last_touch_ = -1;  // id
+  bool touched_since_kick_off_ = false;
+  Vector anchor_;  // the ball has not moved away from here
+  double anchored_ = 0.0;
+  RobotSet was_near_ = 0;       // ids that stood too near when the set play was called
   bool began_ = false;
 };
 

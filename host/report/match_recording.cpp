@@ -334,6 +334,7 @@ void MatchRecording::event(double time, const match::Event& event, const match::
   parts.begin(time);
   parts.json.key("event").word(match::word(event.kind)).key("side").word(match::name(event.side));
   parts.json.key("robot").integer(event.number);
+  if (event.offence != match::Offence::none) parts.json.key("offence").word(match::word(event.offence));
   parts.json.key("score").open('[').integer(state.goals[0]).integer(state.goals[1]).close(']').close('}');
   parts.write(parts.events, time, parts.event_count);
 }

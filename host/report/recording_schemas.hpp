@@ -91,6 +91,7 @@ inline std::string event() {
                  {"event", R"({"type":"string"})"},
                  {"side", described(side, "whom it concerns")},
                  {"robot", described(integer, "0 where there is none")},
+                 {"offence", R"({"type":"string","description":"of a penalty"})", true},
                  {"score", both_counts}},
                 "event");
 }

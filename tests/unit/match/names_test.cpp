@@ -37,5 +37,13 @@ TEST(Words, OfEventsAreOne) {
   }
 }
 
+TEST(Words, OfOffencesAreOne) {
+  std::set<std::string> words;
+  for (std::size_t i = 0; i < offence_count; ++i) words.insert(word(static_cast<Offence>(i)));
+  EXPECT_EQ(words.size(), offence_count);
+  EXPECT_EQ(word(Offence::illegal_position_in_set), "illegal_position_in_set");
+}
+
 }  // namespace
 }  // namespace regista::match
+

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The match in sums: for each role of both teams how long it was held twice or by nobody and how often it was taken;
 // the events; and what is needed to play the match again.
-import { fixed, timeText, words } from "../model/text";
+import { fixed, timeText } from "../model/text";
 import type { Switches } from "../model/switches";
 import { type Side, bothSides, sideNames } from "../recording/about";
 import type { Match } from "../recording/match";
+import { eventText } from "../recording/messages";
 import { element, heading, numeric, row } from "./elements";
 
 export class MatchPanel {
@@ -39,7 +40,7 @@ export class MatchPanel {
             {},
             element("button", { class: "link", type: "button", "data-time": String(event.time) }, timeText(event.time)),
           ),
-          words(event.event),
+          eventText(event),
           `${about.teams[event.side].name}${event.robot > 0 ? ` ${event.robot}` : ""}`,
           numeric(event.score.join(" : ")),
         ]),

@@ -50,7 +50,9 @@ const phaseOfEvent: Readonly<Record<string, number>> = {
   half_begins: phases.indexOf("initial"),
   ready: phases.indexOf("ready"),
   set: phases.indexOf("set"),
+  penalty_kick: phases.indexOf("ready"),
   kick_off: playing,
+  whistle: playing,
   opening: playing,
   finished: phases.indexOf("finished"),
 };

@@ -3,6 +3,7 @@
 // frame: metres and radians from the centre, the home team attacking +x in the first half. A role is a row of its
 // team's table of roles, -1 none, -2 unknown.
 import type { Side } from "./about";
+import { words } from "../model/text";
 import * as checked from "./checked";
 
 export const phases = ["initial", "ready", "set", "playing", "finished"] as const;
@@ -41,8 +42,13 @@ export interface EventMessage {
   event: string;
   side: Side;
   robot: number; // 0 = none
+  offence: string; // of a penalty, or empty
   score: [number, number];
 }
+
+// "goal", "penalty: pushing"
+export const eventText = (event: EventMessage): string =>
+  words(event.event) + (event.offence === "" ? "" : `: ${words(event.offence)}`);
 
 export interface PacketMessage {
   time: number;
@@ -156,6 +162,7 @@ export function eventOf(json: unknown): EventMessage {
     event: checked.text(m.event, "event"),
     side: sideOf(m.side, "side"),
     robot: checked.integer(m.robot ?? 0, "robot"),
+    offence: checked.text(m.offence ?? "", "offence"),
     score: checked.both(m.score, "score", checked.integer),
   };
 }

@@ -9,9 +9,10 @@ import { inMask, sampleSeconds } from "../model/game";
 import { shortRoleName } from "../model/look";
 import { type Lanes, crowds, inLanes } from "../model/lanes";
 import type { Stretch } from "../model/roles";
-import { timeText, words } from "../model/text";
+import { timeText } from "../model/text";
 import type { Side } from "../recording/about";
 import type { Match } from "../recording/match";
+import { eventText } from "../recording/messages";
 import { type TimeScale, gutter, margin, tickSeconds } from "./scale";
 
 export const axisHeight = 24; // times above, events below
@@ -114,7 +115,7 @@ export class Detail {
       const goal = event.event === "goal";
       context.fillStyle = event.side === 0 ? palette.home : palette.away;
       context.fillRect(x, axisHeight - 9, goal ? 3 : 1.5, goal ? height : 9);
-      const text = `${words(event.event)}${event.robot > 0 ? ` ${event.robot}` : ""}`;
+      const text = `${eventText(event)}${event.robot > 0 ? ` ${event.robot}` : ""}`;
       if (x < free) continue;
       context.font = font(10, goal ? 700 : 400);
       context.fillText(text, x + 4, axisHeight - 4);

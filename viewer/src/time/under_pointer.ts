@@ -3,8 +3,9 @@
 import type { Robot, View } from "../app/state";
 import { roleName } from "../model/look";
 import type { Stretch } from "../model/roles";
-import { listText, secondsText, timeText, words } from "../model/text";
+import { listText, secondsText, timeText } from "../model/text";
 import { lastNotAfter } from "../recording/log";
+import { eventText } from "../recording/messages";
 import { packetLines } from "../panels/packet_lines";
 import { type Detail, axisHeight } from "./detail";
 
@@ -38,7 +39,7 @@ export function underPointer(detail: Detail, view: View, px: number, py: number)
     for (const event of near.slice(0, 4)) {
       const whose = match.about.teams[event.side].name;
       lines.push(
-        `${timeText(event.time, 2)} ${words(event.event)}, ${whose}${event.robot > 0 ? ` ${event.robot}` : ""}`,
+        `${timeText(event.time, 2)} ${eventText(event)}, ${whose}${event.robot > 0 ? ` ${event.robot}` : ""}`,
       );
     }
     return { lines, robot: null };
