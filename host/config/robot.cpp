@@ -12,6 +12,7 @@ static Map declare(Body& body) {
       real("reach", body.reach, {0.02, 3}, "m", "centre of the robot to centre of the ball, to kick it"),
       degrees("reach_angle_deg", body.reach_angle, {1, 180}, "deg", "to either side of the heading, to kick the ball"),
       real("get_up", body.get_up, {0, 120}, "s", "from the ground to walking"),
+      real("contact_felt", body.contact_felt, {0, 1}, "1", "probability per decision that it feels a robot in contact"),
       real("falls_per_contact_second", body.falls_per_contact_second, {0, 10}, "1/s", "rate while pushed"),
   }};
 }

@@ -38,6 +38,7 @@ struct Body {
   double reach_angle = 60.0 * radians_per_degree;  // to either side of the heading, within which it can kick, rad
   double get_up = 5.0;                             // s
   double falls_per_contact_second = 0.02;          // assumption: no published rate
+  double contact_felt = 0.8;                       // probability per decision that it feels a robot in contact
 };
 
 struct Camera {

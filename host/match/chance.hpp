@@ -30,6 +30,7 @@ enum class Purpose : std::uint32_t {
   landmark,
   radio_delay,
   radio_loss,
+  contact,
 };
 
 // A stream: 2^32 blocks of four words. Cheap to make (nothing is drawn until it is asked for).

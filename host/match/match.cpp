@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "match/body.hpp"
 #include "match/chance.hpp"
@@ -85,6 +86,7 @@ struct Robot {
   int steps_between;
   std::uint32_t next_decision;
   bool whistle = false;  // heard since the last decision
+  int touches = -1;      // id of the robot that it touched last since the last decision; -1: none
   mind::Percepts percepts;
   mind::Outcome outcome;
 };
@@ -97,6 +99,7 @@ class Course {
 
  private:
   void decide(int id);
+  void feel_contact(int id, Robot& robot);
   void check_outcome(int id, const Robot& robot) const;
   void digest_outcome(const mind::Outcome& outcome);
   int move_bodies();
@@ -218,6 +221,7 @@ void Course::decide(int id) {
   percepts.kicking = robot.body.kicking();
   percepts.whistle = robot.whistle;
   robot.whistle = false;
+  feel_contact(id, robot);
   robot.sensing.sense({arena_.robot(id), arena_.ball_position(), in_view_}, time_, tick_,
                       !percepts.penalised && !percepts.fallen, percepts);
   told_.tell(id, state, time_, percepts.game);
@@ -248,6 +252,17 @@ void Course::decide(int id) {
     if (state.packets[index(side)] != charged) metrics_.sent(side, outcome.send_reason);
     if (in_the_air) radio_[index(side)].send(number, outcome.packet, time_, tick_);
   }
+}
+
+void Course::feel_contact(int id, Robot& robot) {
+  robot.percepts.contact.reset();
+  const int other = std::exchange(robot.touches, -1);
+  if (other < 0) return;
+  Chance chance(setup_.seed, Purpose::contact, roster_.side(id), roster_.number(id), 0, tick_);
+  if (!chance.bernoulli(robot.profile.body.contact_felt)) return;
+  const BodyState &own = arena_.robot(id), &touched = arena_.robot(other);
+  const Vector way = turned({touched.x - own.x, touched.y - own.y}, own.cosine, -own.sine);
+  robot.percepts.contact = std::atan2(way.y, way.x);
 }
 
 void Course::check_outcome(int id, const Robot& robot) const {
@@ -314,6 +329,12 @@ int Course::move_bodies() {
 }
 
 void Course::jostle() {
+  const Contacts& contacts = arena_.contacts();
+  for (int i = 0; i < contacts.pair_count; ++i) {
+    const auto& pair = contacts.pairs[static_cast<std::size_t>(i)];
+    robot(pair[0]).touches = pair[1];
+    robot(pair[1]).touches = pair[0];
+  }
   for (int id = 0; id < roster_.count(); ++id) {
     if (!contains(arena_.contacts().robots_on_robots, id)) continue;
     Body& body = robot(id).body;

@@ -149,7 +149,7 @@ Situation Mind::Parts::situation() const {
 }
 
 Command Mind::Parts::act(const Percepts& percepts) {
-  robots_near.update(percepts, world.local().frame());
+  robots_near.update(percepts, world.local().frame(), 2.0 * plan.robot().body.radius);
   return behaviour.act(situation(), percepts);
 }
 

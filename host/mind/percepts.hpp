@@ -76,7 +76,8 @@ struct Percepts {
   std::vector<BallSighting> balls;  // false ones included
   std::vector<RobotSighting> robots;
   std::vector<LandmarkSighting> landmarks;
-  bool whistle = false;  // heard since the last decision
+  std::optional<double> contact;  // bearing of a robot that it feels against its arms or feet, rad
+  bool whistle = false;           // heard since the last decision
   bool fallen = false;
   double time_until_up = 0.0;  // s; 0 when it stands
   bool kicking = false;        // a kick is under way: commands to walk or kick are ignored

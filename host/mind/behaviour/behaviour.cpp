@@ -38,7 +38,7 @@ Command Behaviour::act(const Situation& situation, const Percepts& percepts) {
     if (!situation.has_role) {
       command = ready ? Command{} : search(situation);
     } else if (ready) {
-      command.walk = walk_to(situation, legal(situation, situation.target), robots_around(situation).list());
+      command.walk = walk_to(situation, legal(situation, situation.target), obstacles_around(situation).list());
     } else if (situation.behaviour == Role::keep_goal) {
       const bool plays = can_kick && keeper_plays_ball(situation);
       command = plays ? mind::play_ball(situation, kick(situation)) : mind::keep_goal(situation);

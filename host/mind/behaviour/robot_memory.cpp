@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mind/behaviour/robot_memory.hpp"
 
+#include <cmath>
+
 namespace regista::mind {
 namespace {
 
@@ -10,7 +12,7 @@ constexpr double near = 2.0;            // m: who is farther away is not in the 
 
 }  // namespace
 
-void RobotMemory::update(const Percepts& percepts, const Frame2& own) {
+void RobotMemory::update(const Percepts& percepts, const Frame2& own, double touching) {
   for (std::size_t i = 0; i < count_;) {
     if (percepts.time - times_[i] > remembered_for) {
       forget(i);
@@ -20,6 +22,10 @@ void RobotMemory::update(const Percepts& percepts, const Frame2& own) {
   }
   for (const RobotSighting& seen : percepts.robots) {
     if (seen.position.squaredNorm() < near * near) remember(own.to_field(seen.position), percepts.time);
+  }
+  if (percepts.contact) {
+    const double bearing = *percepts.contact;
+    remember(own.to_field(touching * Vector2d(std::cos(bearing), std::sin(bearing))), percepts.time);
   }
 }
 

@@ -13,8 +13,8 @@ namespace regista::mind {
 
 class RobotMemory {
  public:
-  // `own`: frame of the own pose when the percepts were taken.
-  void update(const Percepts& percepts, const Frame2& own);
+  // `own`: frame of the own pose when the percepts were taken. touching: between the centres of robots in contact.
+  void update(const Percepts& percepts, const Frame2& own, double touching);
   // Field frame, the latest seen last.
   std::span<const Vector2d> positions() const { return {positions_.data(), count_}; }
 

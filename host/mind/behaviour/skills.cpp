@@ -50,7 +50,7 @@ Command play_ball(const Situation& situation, const KickPlan& kick) {
     return command;
   }
 
-  Obstacles obstacles = robots_around(situation);
+  Obstacles obstacles = obstacles_around(situation);
   const Vector2d stand = ball - kick.direction * stand_off;
   // The ball is in its own way until the robot is behind it.
   if (!behind) obstacles.add(ball, touching(situation) + 0.15);
@@ -92,13 +92,13 @@ Command keep_goal(const Situation& situation) {
       return command;
     }
   }
-  command.walk = walk_to(situation, legal(situation, situation.target), robots_around(situation).list());
+  command.walk = walk_to(situation, legal(situation, situation.target), obstacles_around(situation).list());
   return command;
 }
 
 Command support(const Situation& situation) {
   Command command;
-  const Obstacles obstacles = robots_around(situation);
+  const Obstacles obstacles = obstacles_around(situation);
   if (!ball_is_theirs(situation)) {
     if (const auto point = interception(situation, 1.0)) {
       const double heading = angle_of(situation.ball - situation.frame.origin());
@@ -120,7 +120,7 @@ Command search(const Situation& situation) {
   const Pose target = legal(situation, situation.target);
   const double distance = std::hypot(target.x - situation.pose.x, target.y - situation.pose.y);
   if (situation.has_role && distance > 0.5) {
-    command.walk = walk_to(situation, target, robots_around(situation).list());
+    command.walk = walk_to(situation, target, obstacles_around(situation).list());
   } else {
     // Neighbours turn in opposite directions, so that together they see more.
     command.walk.turn = situation.own_number % 2 == 0 ? search_turn_rate : -search_turn_rate;

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double personal_space = 0.12;   // m between two torsos, beyond which nobody feels pushed
 constexpr double too_close = 0.06;        // m inside of that: step back
+constexpr double post_space = 0.08;       // m between torso and goal post
 constexpr double step_back = 0.10;        // m/s
 constexpr double look_ahead = 1.2;        // m of the way that is checked for obstacles
 constexpr double walk_turned_from = 0.7;  // m: nearer targets are approached without turning the back to them
@@ -46,7 +47,7 @@ Walk limited(const config::Walk& walk, Vector2d velocity, double turn) {
 
 }  // namespace
 
-Obstacles robots_around(const Situation& situation) {
+Obstacles obstacles_around(const Situation& situation) {
   Obstacles out;
   const double radius = 2.0 * situation.robot.body.radius + personal_space;
   for (const Vector2d& robot : situation.robots_near) out.add(robot, radius);
@@ -59,6 +60,14 @@ Obstacles robots_around(const Situation& situation) {
     const Vector2d position(robot.pose[0], robot.pose[1]);
     // Old news of a teammate's place are worse than none.
     if (robot.age < 3.0 && (position - situation.frame.origin()).squaredNorm() < 2.25) out.add(position, radius);
+  }
+  const config::FieldSize& field = situation.rules.field;
+  const Vector2d own = situation.frame.origin();
+  if (std::abs(own.x()) > field.length / 2.0 - look_ahead) {
+    const double line = std::copysign(field.length / 2.0, own.x());
+    const double post = (field.goal_width + field.post_diameter) / 2.0;
+    const double apart = situation.robot.body.radius + field.post_diameter / 2.0 + post_space;
+    for (const double y : {-post, post}) out.add({line, y}, apart);
   }
   return out;
 }

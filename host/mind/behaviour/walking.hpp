@@ -32,8 +32,8 @@ class Obstacles {
   std::size_t count_ = 0;
 };
 
-// Robots that are seen now, and opponents and teammates that are believed to be near.
-Obstacles robots_around(const Situation& situation);
+// Robots that are seen now, opponents and teammates that are believed to be near, and goal posts.
+Obstacles obstacles_around(const Situation& situation);
 
 // The point to walk to next on the way from `from` to `to`: `to` itself, or beside the first obstacle in the way.
 Vector2d way_around(const Vector2d& from, const Vector2d& to, std::span<const Obstacle> obstacles);
