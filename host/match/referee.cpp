@@ -316,13 +316,10 @@ bool Referee::ball_left() {
   return true;
 }
 
-// An own goal may always be scored, unless no opponent is there to profit.
 bool Referee::goal_counts(Side scorer) const {
   const bool own_goal = last_touch_ >= 0 && roster_.side(last_touch_) != scorer;
-  if (own_goal) {
-    const std::uint32_t everybody = (1u << roster_.team_size) - 1u;
-    return state_.penalised[index(scorer)] != everybody;
-  }
+  const std::uint32_t everybody = (1u << roster_.team_size) - 1u;
+  if (own_goal && state_.penalised[index(scorer)] == everybody) return false;  // nobody is there to profit
   return indirect_.may_score(scorer);
 }
 

@@ -51,7 +51,7 @@ TEST(RefereeFromAnOpening, BeginsInPlayWithEverybodyInPlace) {
   const config::Opening opening = scene();
   Referee referee(rules, 0.15, &opening);
   const std::vector<Vector> robots(6);
-  const Calls& calls = referee.update({0.0, {}, -1, robots});
+  const Calls& calls = referee.update({.time = 0.0, .ball = {}, .robots = robots});
   EXPECT_EQ(referee.state().phase, Phase::playing);
   EXPECT_TRUE(referee.state().in_play());
   EXPECT_EQ(referee.state().half, 1);
@@ -78,19 +78,19 @@ TEST(RefereeFromAnOpening, PlaysOnByTheRules) {
   const config::Opening opening = scene();
   Referee referee(rules, 0.15, &opening);
   const std::vector<Vector> robots{{-4.0, 0.1}, {0.7, -0.4}, {-1.0, 2.0}, {4.1, -0.2}, {2.5, 1.5}, {-0.4, -2.2}};
-  referee.update({0.0, {}, -1, robots});
-  referee.update({0.02, {1.3, -0.5}, -1, robots});
+  referee.update({.time = 0.0, .ball = {}, .robots = robots});
+  referee.update({.time = 0.02, .ball = {1.3, -0.5}, .robots = robots});
   EXPECT_TRUE(referee.state().in_play());
   EXPECT_DOUBLE_EQ(referee.state().clock, 0.02);
   // A goal that nobody touched counts, and away kicks off.
-  const Calls& goal = referee.update({0.04, {4.7, 0.0}, -1, robots});
+  const Calls& goal = referee.update({.time = 0.04, .ball = {4.7, 0.0}, .robots = robots});
   EXPECT_EQ(referee.state().score(Side::home), 1);
   EXPECT_EQ(referee.state().phase, Phase::ready);
   EXPECT_EQ(referee.state().kicking, Side::away);
   EXPECT_EQ(*goal.ball, Vector{});
   EXPECT_FALSE(goal.ball_velocity);
   // The clock has run since the beginning: the half ends in its time.
-  referee.update({rules.durations.half, {}, -1, robots});
+  referee.update({.time = rules.durations.half, .ball = {}, .robots = robots});
   EXPECT_EQ(referee.state().half, 2);
   EXPECT_EQ(referee.state().phase, Phase::initial);
 }
@@ -101,10 +101,10 @@ TEST(RefereeFromAnOpening, BallThatNobodyTouchesIsStuck) {
   const config::Opening opening = scene();
   Referee referee(rules, 0.15, &opening);
   const std::vector<Vector> robots{{-4.0, 0.1}, {0.7, -0.4}, {-1.0, 2.0}, {4.1, -0.2}, {2.5, 1.5}, {-0.4, -2.2}};
-  referee.update({0.0, {}, -1, robots});
-  referee.update({rules.durations.game_stuck - 0.02, {1.3, -0.5}, -1, robots});
+  referee.update({.time = 0.0, .ball = {}, .robots = robots});
+  referee.update({.time = rules.durations.game_stuck - 0.02, .ball = {1.3, -0.5}, .robots = robots});
   EXPECT_TRUE(referee.state().in_play());
-  referee.update({rules.durations.game_stuck, {1.3, -0.5}, -1, robots});
+  referee.update({.time = rules.durations.game_stuck, .ball = {1.3, -0.5}, .robots = robots});
   EXPECT_EQ(referee.state().phase, Phase::ready);
 }
 

@@ -14,7 +14,7 @@ class RobotMemoryTest : public testing::Test {
     Percepts given;
     given.time = time;
     for (const Vector2d& each : seen) given.robots.push_back({each, 0.1, 0.1, false});
-    memory.update(given, Frame2(own));
+    memory.update(given, Frame2(own), 0.3);
   }
   RobotMemory memory;
 };
