@@ -10,9 +10,9 @@ namespace regista::match {
 Radio::Radio(const config::Radio& profile, const config::Disturbance& disturbance, int team_size, std::uint64_t seed,
              Side side)
     : profile_(profile), team_size_(team_size), seed_(seed), side_(side) {
-  profile_.delay += disturbance.extra_delay;
+  profile_.delay += disturbance.radio.delay;
   // Lost by either of two independent causes.
-  profile_.loss = 1.0 - (1.0 - profile.loss) * (1.0 - disturbance.extra_packet_loss);
+  profile_.loss = 1.0 - (1.0 - profile.loss) * (1.0 - disturbance.radio.loss);
   // More than are ever in the air at once, so that none has to be made while the game goes on.
   constexpr std::size_t longest = 512, per_robot = 8;
   packets_.resize(per_robot * static_cast<std::size_t>(team_size));

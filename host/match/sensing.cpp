@@ -194,9 +194,9 @@ void Sensing::see(const Truth& truth, std::uint32_t tick, mind::Percepts& out) {
 }
 
 bool Sensing::blinded(std::uint32_t tick) const {
-  if (disturbance_.ball_blindness <= 0.0) return false;
+  if (disturbance_.camera.ball_blindness <= 0.0) return false;
   Chance chance(seed_, Purpose::ball_blindness, side_, number_, 0, tick);
-  return chance.bernoulli(disturbance_.ball_blindness);
+  return chance.bernoulli(disturbance_.camera.ball_blindness);
 }
 
 // A false ball, anywhere in the sector with equal density.

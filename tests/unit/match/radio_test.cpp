@@ -50,8 +50,8 @@ TEST(Radio, DelaysWithinItsBoundsAndSparesTheSender) {
 
 TEST(Radio, LosesByBothCauses) {
   config::Disturbance disturbance;
-  disturbance.extra_packet_loss = 0.5;
-  disturbance.extra_delay = 0.2;
+  disturbance.radio.loss = 0.5;
+  disturbance.radio.delay = 0.2;
   Radio radio({0.05, 0.0, 0.2}, disturbance, 3, 1, Side::away);
   std::vector<mind::HeardPacket> heard;
   int first = 0, both = 0;

@@ -75,7 +75,7 @@ TEST(Sensing, SeesTheBallWithItsProbability) {
   Scene scene;
   scene.ball = {2.0, 0.5};
   EXPECT_NEAR(scene.look(20000).balls / 20000.0, 0.9, 0.011);
-  scene.disturbance.ball_blindness = 0.5;
+  scene.disturbance.camera.ball_blindness = 0.5;
   EXPECT_NEAR(scene.look(20000).balls / 20000.0, 0.45, 0.018);
 }
 
