@@ -32,6 +32,11 @@ Input profile(const char* kind, Profile values) {
   return {fmt::format("{} {}", kind, values.name), plugin::content_hash(shown)};
 }
 
+// The same content is another input on the other side.
+Input of_side(const char* side, const Input& input) {
+  return {side + input.name, plugin::content_hash(side + input.hash)};
+}
+
 class Collected {
  public:
   void add(const mind::Part& part) {
@@ -81,7 +86,8 @@ std::vector<Input> common_inputs(const match::Setup& setup, const std::string& p
   const std::string limit = setup.limit ? fmt::format("{:a}", *setup.limit) : "none";
   std::vector<Input> out{profile("rules", setup.rules),
                          profile("robot", setup.robots[0]),
-                         profile("disturbance", setup.disturbances[0]),
+                         of_side("home ", profile("disturbance", setup.disturbances[0])),
+                         of_side("away ", profile("disturbance", setup.disturbances[1])),
                          {"limit", plugin::content_hash(limit)},
                          {program_input, program},
                          {mathematics_input, mathematics}};

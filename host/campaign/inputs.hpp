@@ -23,8 +23,8 @@ std::vector<Input> team_inputs(const mind::TeamPlan& plan, const config::Node& d
 inline constexpr const char* program_input = "program";
 inline constexpr const char* mathematics_input = "mathematics library";
 
-// What both share: rules, robot, disturbance, limit, where it is played (program and mathematics library), and last the
-// opening where there is one.
+// What is not a team's own: rules, robot, disturbances of home and of away, limit, where it is played (program and
+// mathematics library), and last the opening where there is one.
 std::vector<Input> common_inputs(const match::Setup& setup, const std::string& program, const std::string& mathematics);
 
 Input opening_input(config::Opening opening);

@@ -66,6 +66,8 @@ std::vector<std::string> match_arguments(const Job& job) {
   add("--rules", job.rules);
   add("--robot", job.robot);
   add("--disturbance", job.disturbance);
+  add("--home-disturbance", job.home_disturbance);
+  add("--away-disturbance", job.away_disturbance);
   for (const std::string& each : job.overrides) add("--set", each);
   for (const std::string& each : job.plugins) add("--plugins", each);
   return words;
@@ -76,6 +78,8 @@ std::string to_json(const Job& job) {
                    {"rules", job.rules},
                    {"robot", job.robot},
                    {"disturbance", job.disturbance},
+                   {"home_disturbance", job.home_disturbance},
+                   {"away_disturbance", job.away_disturbance},
                    {"opening", job.opening},
                    {"overrides", job.overrides},
                    {"plugins", job.plugins},
@@ -95,12 +99,14 @@ Job job_from_json(const std::string& text) {
     json.at("rules").get_to(job.rules);
     json.at("robot").get_to(job.robot);
     json.at("disturbance").get_to(job.disturbance);
+    job.home_disturbance = json.value("home_disturbance", "");  // results of before know none
+    job.away_disturbance = json.value("away_disturbance", "");
     json.at("opening").get_to(job.opening);
     json.at("overrides").get_to(job.overrides);
     json.at("plugins").get_to(job.plugins);
     json.at("limit").get_to(job.limit);
     json.at("seed").get_to(job.seed);
-    job.record = json.value("record", "");  // results of before know none
+    job.record = json.value("record", "");  // nor this
     job.expects_failure = json.value("expects_failure", false);
     job.home_inputs = inputs_of(json.at("home_inputs"));
     job.away_inputs = inputs_of(json.at("away_inputs"));

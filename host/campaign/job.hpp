@@ -16,10 +16,12 @@ namespace regista::campaign {
 struct Job {
   std::array<std::string, 2> teams;       // files: home, away
   std::string rules, robot, disturbance;  // files; empty: the built-in values
-  std::vector<std::string> overrides;     // of --set, as `regista match` understands them
-  std::vector<std::string> plugins;       // folders of --plugins
-  std::string opening;                    // file of the scene it starts from; empty: from kick-off
-  std::string limit;                      // simulated seconds, as typed; empty: none, or the opening's length
+  // Files: what disturbs one side alone, in the place of `disturbance`; empty: that one.
+  std::string home_disturbance, away_disturbance;
+  std::vector<std::string> overrides;  // of --set, as `regista match` understands them
+  std::vector<std::string> plugins;    // folders of --plugins
+  std::string opening;                 // file of the scene it starts from; empty: from kick-off
+  std::string limit;                   // simulated seconds, as typed; empty: none, or the opening's length
   std::uint64_t seed = 1;
   std::string record;  // file that the worker records the match in, replacing it; empty: none. Part of no key.
   bool expects_failure = false;  // then as much as possible is to stand in that file when the worker dies

@@ -17,6 +17,8 @@ MatchRequest request_of(const campaign::Job& job) {
   request.rules = job.rules;
   request.robot = job.robot;
   request.disturbance = job.disturbance;
+  request.home_disturbance = job.home_disturbance;
+  request.away_disturbance = job.away_disturbance;
   request.overrides = job.overrides;
   request.seed = std::to_string(job.seed);
   request.opening = job.opening;
@@ -30,6 +32,8 @@ campaign::Job job_of(const MatchRequest& request, const std::vector<std::string>
   job.rules = request.rules;
   job.robot = request.robot;
   job.disturbance = request.disturbance;
+  job.home_disturbance = request.home_disturbance;
+  job.away_disturbance = request.away_disturbance;
   job.overrides = request.overrides;
   job.plugins = plugins;
   job.opening = request.opening;

@@ -48,8 +48,8 @@ constexpr auto examples = R"(Examples:
 --from plays a match of a tournament again: the same teams, plugins, profiles and seed, or it says what has changed; and
 compares the hashes; one that was forfeited is played under the limits of the tournament. Rows are those of
 `regista report --csv`.
-A path of --set begins with home, away, rules, robot, disturbance or opening; without one of these it goes to both
-teams.
+A path of --set begins with home, away, rules, robot, disturbance (of both teams), home_disturbance, away_disturbance or
+opening; without one of these it goes to both teams.
 Exit codes: 0 played; 1 interrupted, or the result could not be written, or is not that of --from; 2 bad input; 3 a
 defect of Regista.)";
 
@@ -67,7 +67,8 @@ std::string interrupted_text(const std::string& again, const match::GameState& s
 // What is written must not replace what the match is read from.
 void refuse_to_overwrite(const Options& options, const char* option, const std::string& written) {
   std::vector<std::string> read = options.teams;
-  read.insert(read.end(), {options.rules, options.robot, options.disturbance, options.opening});
+  read.insert(read.end(), {options.rules, options.robot, options.disturbance, options.home_disturbance,
+                           options.away_disturbance, options.opening});
   for (const std::string& file : read) {
     std::error_code none;
     if (std::filesystem::equivalent(written, file, none)) {
@@ -93,7 +94,8 @@ std::optional<Stored> stored_match(const Options& options) {
   if (options.row.empty()) throw BadInput("--from: which match? Say --row N; `regista report --csv` lists them");
   const Options unset;
   const bool more = !options.teams.empty() || !options.rules.empty() || !options.robot.empty() ||
-                    !options.disturbance.empty() || !options.overrides.empty() || !options.opening.empty() ||
+                    !options.disturbance.empty() || !options.home_disturbance.empty() ||
+                    !options.away_disturbance.empty() || !options.overrides.empty() || !options.opening.empty() ||
                     !options.limit.empty() || !options.plugins.empty() || options.seed != unset.seed;
   if (more) throw BadInput("--from: the file says what is played; teams and options that change it cannot be given");
   const StoredTournament results = read_results(options.from);
@@ -291,7 +293,10 @@ Command add_match(CLI::App& parent, const Invocation& invocation) {
   app.add_option("--seed", options->seed, "all chance of the match comes from it; default 1")->type_name("N");
   app.add_option("--rules", options->rules, "rules profile; default: spl2023, built in")->type_name("FILE");
   app.add_option("--robot", options->robot, "robot profile of both teams; default: nao, built in")->type_name("FILE");
-  app.add_option("--disturbance", options->disturbance, "disturbance profile; default: none")->type_name("FILE");
+  app.add_option("--disturbance", options->disturbance, "disturbance profile of both teams; default: none")
+      ->type_name("FILE");
+  app.add_option("--home-disturbance", options->home_disturbance, "of the home team alone")->type_name("FILE");
+  app.add_option("--away-disturbance", options->away_disturbance, "of the away team alone")->type_name("FILE");
   app.add_option("--opening", options->opening, "scene that the game starts from; default: kick-off")
       ->type_name("FILE");
   app.add_option("--set", options->overrides, "a value laid over a document; may be repeated")

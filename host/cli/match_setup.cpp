@@ -67,6 +67,16 @@ std::optional<config::Opening> opening_of(const MatchRequest& request, const Sor
   });
 }
 
+config::Disturbance disturbance_of(const std::string& file, const SortedOverrides& overrides, match::Side side,
+                                   const config::Rules& rules) {
+  return overrides.read(std::string(match::name(side)) + "_disturbance", [&](const config::Overrides& of_this) {
+    const config::Node document = profile(config::DocumentKind::disturbance, config::Disturbance{}.name, file, of_this);
+    config::Disturbance disturbance = config::read_disturbance(document);
+    config::check(disturbance, rules, document);
+    return disturbance;
+  });
+}
+
 }  // namespace
 
 std::uint64_t parse_seed(const std::string& text, const std::string& option) {
@@ -96,11 +106,12 @@ MatchSetup match_setup(const MatchRequest& request, const plugin::Catalogue& cat
                          [](const Node& document) { return config::read_rules(document); });
   const config::Robot robot = read(DocumentKind::robot, config::Robot{}.name, request.robot,
                                    [](const Node& document) { return config::read_robot(document); });
-  const config::Disturbance disturbance =
-      read(DocumentKind::disturbance, config::Disturbance{}.name, request.disturbance,
-           [](const Node& document) { return config::read_disturbance(document); });
   out.setup.robots = {robot, robot};
-  out.setup.disturbances = {disturbance, disturbance};
+  for (const match::Side side : match::both_sides) {
+    const std::string& own = side == match::Side::home ? request.home_disturbance : request.away_disturbance;
+    out.setup.disturbances[match::index(side)] =
+        disturbance_of(own.empty() ? request.disturbance : own, overrides, side, out.setup.rules);
+  }
   out.setup.opening = opening_of(request, overrides, out.setup);
 
   for (const match::Side side : match::both_sides) {

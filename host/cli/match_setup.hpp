@@ -19,9 +19,11 @@ namespace regista::cli {
 struct MatchRequest {
   std::vector<std::string> teams;         // files: home, away
   std::string rules, robot, disturbance;  // files; empty: the built-in values
-  std::string opening;                    // file; empty: the match starts from kick-off
-  std::vector<std::string> overrides;     // of --set
-  std::string seed = "1", limit;          // as typed; no limit: empty
+  // Files, home and away: what disturbs one of them, in the place of `disturbance`; empty: that one.
+  std::string home_disturbance, away_disturbance;
+  std::string opening;                 // file; empty: the match starts from kick-off
+  std::vector<std::string> overrides;  // of --set
+  std::string seed = "1", limit;       // as typed; no limit: empty
 };
 
 struct MatchSetup {

@@ -8,7 +8,13 @@
 namespace regista::cli {
 namespace {
 
-constexpr std::array<std::string_view, 6> names{"home", "away", "rules", "robot", "disturbance", "opening"};
+constexpr std::array<std::string_view, 7> names{
+    "home", "away", "rules", "robot", "home_disturbance", "away_disturbance", "opening"};
+
+// The first part of a path, and the documents it is for.
+bool is_for(std::string_view part, std::string_view document) {
+  return part == document || (part == "disturbance" && document.ends_with("_disturbance"));
+}
 
 // How config names the place of an override.
 std::string place(const std::string& override_text) { return "--set " + override_text; }
@@ -19,10 +25,10 @@ SortedOverrides::SortedOverrides(const std::vector<std::string>& all) {
   for (const std::string_view name : names) documents_.push_back({name, {}, {}});
   for (const std::string& text : all) {
     bool addressed = false;
+    const std::size_t dot = text.find('.');
     for (Document& document : documents_) {
-      const std::string prefix = std::string(document.name) + '.';
-      if (!text.starts_with(prefix)) continue;
-      document.overrides.push_back(text.substr(prefix.size()));
+      if (dot == std::string::npos || !is_for(std::string_view(text).substr(0, dot), document.name)) continue;
+      document.overrides.push_back(text.substr(dot + 1));
       document.typed.push_back(text);
       addressed = true;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The values of `--set` for a command that reads several documents. The first part of a path says which one it is for:
-// home, away, rules, robot, disturbance or opening; a path without it goes to both teams.
+// home, away, rules, robot, disturbance (of both), home_disturbance, away_disturbance or opening; a path without it
+// goes to both teams.
 #pragma once
 
 #include <string>
@@ -15,7 +16,7 @@ class SortedOverrides {
  public:
   explicit SortedOverrides(const std::vector<std::string>& all);
 
-  // Those for one document ("home", "rules", ...), as it understands them.
+  // Those for one document ("home", "rules", "home_disturbance", ...), as it understands them.
   const config::Overrides& of(std::string_view document) const;
 
   // Calls read(overrides of the document). An error that stands at one of them is told with the path as it was typed.

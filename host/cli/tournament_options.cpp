@@ -74,6 +74,12 @@ void check_overrides(const TournamentOptions& options) {
                       "team, b for the second, and so on",
                       config::one_line(typed)));
     }
+    if (first == "home_disturbance" || first == "away_disturbance") {
+      throw BadInput(
+          fmt::format("--set {}: in a tournament each team plays on both sides; a path that begins with disturbance is "
+                      "for both teams",
+                      config::one_line(typed)));
+    }
     if (first.size() == 1 && first[0] >= 'a' && first[0] <= 'z' &&
         static_cast<std::size_t>(first[0] - 'a') >= options.teams.size()) {
       throw BadInput(fmt::format("--set {}: there are {} teams, a to {}", config::one_line(typed), options.teams.size(),

@@ -1,18 +1,249 @@
 // SPDX-License-Identifier: MIT
 #include "config/disturbance.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
 #include "config/profiles.hpp"
+#include "config/read.hpp"
+#include "config/scalar.hpp"
+#include "config/text.hpp"
 
 namespace regista::config {
+namespace {
+
+using Kind = Incident::Kind;
+using Whom = Incident::Whom;
+
+constexpr int largest_number = 22;
+constexpr double longest = 1e6;  // s
+
+int robot_number(const Node& node, const std::string& what) {
+  const std::int64_t number = to_integer(node, what);
+  if (number < 1 || number > largest_number) {
+    throw Error(node.where(), fmt::format("{}: {} is outside 1 to {} robots", what, number, largest_number));
+  }
+  return static_cast<int>(number);
+}
+
+Whom to_whom(const Node& node, const std::string& what) {
+  Whom whom;
+  if (node.kind() == Node::Kind::scalar && (node.text() == "all" || node.text() == "any")) {
+    whom.choice = node.text() == "all" ? Whom::Choice::all : Whom::Choice::any;
+    return whom;
+  }
+  whom.choice = Whom::Choice::listed;
+  if (node.kind() == Node::Kind::sequence) {
+    if (node.elements().empty()) throw Error(node.where(), what + ": an empty list; leave the incident out");
+    for (std::size_t i = 0; i < node.elements().size(); ++i) {
+      const Node& element = node.elements()[i];
+      const int number = robot_number(element, fmt::format("{}.{}", what, i));
+      if (std::ranges::find(whom.numbers, number) != whom.numbers.end()) {
+        throw Error(element.where(), fmt::format("{}: {} stands there twice", what, number));
+      }
+      whom.numbers.push_back(number);
+    }
+    std::ranges::sort(whom.numbers);
+    return whom;
+  }
+  const bool number = node.kind() == Node::Kind::scalar && !node.text().empty() &&
+                      node.text().find_first_not_of("0123456789") == std::string::npos;
+  if (!number) refuse_kind(node, what, "all, any, a number or a list of numbers");
+  whom.numbers.push_back(robot_number(node, what));
+  return whom;
+}
+
+Node written(const Whom& whom) {
+  if (whom.choice == Whom::Choice::all) return Node::scalar("all", false, {});
+  if (whom.choice == Whom::Choice::any) return Node::scalar("any", false, {});
+  std::vector<Node> numbers;
+  for (const int number : whom.numbers) numbers.push_back(Node::scalar(fmt::format("{}", number), false, {}));
+  return Node::sequence(std::move(numbers), {});
+}
+
+double moment(const Node& node, const std::string& what) {
+  const double time = to_real(node, what);
+  if (time < 0.0 || time > longest) {
+    throw Error(node.where(), fmt::format("{}: {} is outside 0 to {} s", what, in_quotes(node.text()), longest));
+  }
+  return time;
+}
+
+std::vector<double> to_moments(const Node& node, const std::string& what) {
+  if (node.kind() != Node::Kind::sequence) {
+    if (node.kind() != Node::Kind::scalar) refuse_kind(node, what, "a number of seconds or a list of them");
+    return {moment(node, what)};
+  }
+  if (node.elements().empty()) throw Error(node.where(), what + ": an empty list; leave the incident out");
+  std::vector<double> times;
+  for (std::size_t i = 0; i < node.elements().size(); ++i) {
+    times.push_back(moment(node.elements()[i], fmt::format("{}.{}", what, i)));
+    if (i > 0 && times[i] <= times[i - 1]) {
+      throw Error(node.elements()[i].where(), what + ": the moments are not in their order");
+    }
+  }
+  return times;
+}
+
+Node written(const std::vector<double>& times) {
+  if (times.empty()) return {};
+  std::vector<Node> elements;
+  for (const double time : times) elements.push_back(Node::scalar(real_text(time), false, {}));
+  return times.size() == 1 ? elements.front() : Node::sequence(std::move(elements), {});
+}
+
+Field robots_field(Whom& whom) {
+  return {"robots", "whom it strikes: all, any (one drawn anew each time), a number or a list of numbers",
+          Own{"robots", [&whom](const Node& node, const std::string& what) { whom = to_whom(node, what); },
+              [&whom] { return written(whom); }}};
+}
+
+Field at_field(std::vector<double>& at) {
+  return {"at", "s of match time when it begins, or a list of them",
+          Own{"moments", [&at](const Node& node, const std::string& what) { at = to_moments(node, what); },
+              [&at] { return written(at); }}};
+}
+
+// The values that only some kinds have.
+struct Value {
+  std::string_view key;
+  std::optional<double> Incident::*member;
+  std::vector<Kind> of;      // these
+  std::vector<Kind> needed;  // of which these cannot do without
+};
+
+const std::vector<Value>& values() {
+  static const std::vector<Value> all{
+      {"x", &Incident::x, {Kind::pose_bias, Kind::ghost_ball}, {}},
+      {"y", &Incident::y, {Kind::pose_bias, Kind::ghost_ball}, {}},
+      {"heading_deg", &Incident::heading, {Kind::pose_bias}, {}},
+      {"delay", &Incident::delay, {Kind::radio_delay}, {Kind::radio_delay}},
+      {"jitter", &Incident::jitter, {Kind::radio_jitter}, {Kind::radio_jitter}},
+      {"mean_good", &Incident::mean_good, {Kind::burst_loss}, {}},
+      {"mean_bad", &Incident::mean_bad, {Kind::burst_loss}, {}},
+      {"loss", &Incident::loss, {Kind::burst_loss}, {}},
+      {"speed", &Incident::speed, {Kind::slow_robot}, {Kind::slow_robot}},
+  };
+  return all;
+}
+
+bool among(const std::vector<Kind>& kinds, Kind kind) { return std::ranges::find(kinds, kind) != kinds.end(); }
+
+}  // namespace
+
+static Map declare(Burst& burst) {
+  return {{
+      real("mean_good", burst.mean_good, {0.01, longest}, "s", "mean time between two bursts"),
+      real("mean_bad", burst.mean_bad, {0.01, longest}, "s", "mean length of a burst"),
+      real("loss", burst.loss, {0, 1}, "1", "probability per packet and receiver within a burst; 0 is off"),
+  }};
+}
+
+static Map declare(Disturbance::Radio& radio) {
+  return {{
+      real("loss", radio.loss, {0, 1}, "1", "probability per packet and receiver"),
+      real("delay", radio.delay, {0, 60}, "s", "of every packet"),
+      real("jitter", radio.jitter, {0, 60}, "s", "width of a uniform law on top of the delay"),
+      section("burst", radio.burst, "loss in bursts, of each receiver by itself"),
+      boolean("silence", radio.silence, "no packet reaches anybody"),
+  }};
+}
+
+static Map declare(Disturbance::Camera& camera) {
+  return {{
+      real("ball_blindness", camera.ball_blindness, {0, 1}, "1", "probability that a sighting of the ball is lost"),
+      real("ghost_balls", camera.ghost_balls, {0, 50}, "1/s", "false balls of each robot, anywhere in its view"),
+  }};
+}
+
+static Map declare(Incident& incident) {
+  constexpr Range metres{-100, 100};
+  return {.fields =
+              {
+                  name("name", incident.name, "of this incident, for paths"),
+                  required(choice("kind", incident.kind, incident_kinds(), "what happens")),
+                  robots_field(incident.robots),
+                  at_field(incident.at),
+                  real("per_hour", incident.per_hour, {0, 36000}, "1/h", "how often on average; at random"),
+                  real("for", incident.duration, {0, longest}, "s", "how long; without it, to the end"),
+                  real("x", incident.x, metres, "m", "pose_bias: along the field; ghost_ball: where"),
+                  real("y", incident.y, metres, "m", "pose_bias: to the left; ghost_ball: where"),
+                  degrees("heading_deg", incident.heading, {-180, 180}, "deg", "pose_bias: of the heading"),
+                  real("delay", incident.delay, {0, 60}, "s", "radio_delay: of every packet"),
+                  real("jitter", incident.jitter, {0, 60}, "s", "radio_jitter: width of a uniform law"),
+                  real("mean_good", incident.mean_good, {0.01, longest}, "s", "burst_loss: mean time between bursts"),
+                  real("mean_bad", incident.mean_bad, {0.01, longest}, "s", "burst_loss: mean length of a burst"),
+                  real("loss", incident.loss, {0, 1}, "1", "burst_loss: probability per packet within a burst"),
+                  real("speed", incident.speed, {0, 1}, "1", "slow_robot: part of the speed that is left"),
+              },
+          .exactly_one = {"at", "per_hour"}};
+}
 
 Map declare(Disturbance& disturbance) {
   return {{
       required(name("disturbance", disturbance.name, "name of this disturbance")),
-      real("extra_packet_loss", disturbance.extra_packet_loss, {0, 1}, "1", "probability per packet and receiver"),
-      real("extra_delay", disturbance.extra_delay, {0, 60}, "s", "of every packet"),
-      real("ball_blindness", disturbance.ball_blindness, {0, 1}, "1",
-           "probability that a sighting of the ball is lost"),
+      section("radio", disturbance.radio, "of all robots, all the time"),
+      section("camera", disturbance.camera, "of all robots, all the time"),
+      list("incidents", disturbance.incidents, 0, 64, "what strikes some robots at some time"),
   }};
+}
+
+const std::vector<std::string>& incident_kinds() {
+  static const std::vector<std::string> names{"pose_bias",   "mirror_flip",  "ghost_ball", "blind_camera",
+                                              "radio_delay", "radio_jitter", "burst_loss", "radio_silence",
+                                              "crash",       "slow_robot"};
+  return names;
+}
+
+std::string path_of(const Disturbance& disturbance, std::size_t incident) {
+  const std::optional<std::string>& name = disturbance.incidents[incident].name;
+  return name ? "incidents." + *name : fmt::format("incidents.{}", incident);
+}
+
+void check(const Disturbance& disturbance, const Node& document) {
+  for (std::size_t i = 0; i < disturbance.incidents.size(); ++i) {
+    const Incident& incident = disturbance.incidents[i];
+    const std::string at = fmt::format("incidents.{}", i);
+    const std::string& kind = incident_kinds()[static_cast<std::size_t>(incident.kind)];
+    std::vector<std::string> known;
+    bool any = false;
+    for (const Value& value : values()) {
+      const bool belongs = among(value.of, incident.kind), there = (incident.*value.member).has_value();
+      if (belongs) known.emplace_back(value.key);
+      any = any || (belongs && there);
+    }
+    for (const Value& value : values()) {
+      const bool there = (incident.*value.member).has_value();
+      if (there && !among(value.of, incident.kind)) {
+        const std::string has = known.empty() ? "none of its own" : join(known);
+        refuse(document, {fmt::format("{}.{}", at, value.key)},
+               fmt::format("{}: makes no sense for {}, whose values are: {}",
+                           path_of(disturbance, i) + '.' + std::string(value.key), kind, has));
+      }
+      if (!there && among(value.needed, incident.kind)) {
+        refuse(document, {at}, fmt::format("missing key \"{}\" in {}", value.key, path_of(disturbance, i)));
+      }
+    }
+    if (incident.kind == Kind::pose_bias && !any) {
+      refuse(document, {at}, fmt::format("{}: by how much? {} are wanted", path_of(disturbance, i), join(known)));
+    }
+    if (incident.kind == Kind::ghost_ball && incident.x.has_value() != incident.y.has_value()) {
+      refuse(document, {at}, path_of(disturbance, i) + ": x and y are wanted, or neither for a place drawn at random");
+    }
+  }
+}
+
+void check(const Disturbance& disturbance, const Rules& rules, const Node& document) {
+  for (std::size_t i = 0; i < disturbance.incidents.size(); ++i) {
+    for (const int number : disturbance.incidents[i].robots.numbers) {
+      if (number <= rules.team_size) continue;
+      refuse(document, {fmt::format("incidents.{}.robots", i)},
+             fmt::format("disturbance {}: {} strikes robot {}, a team has {} robots", disturbance.name,
+                         path_of(disturbance, i), number, rules.team_size));
+    }
+  }
 }
 
 }  // namespace regista::config

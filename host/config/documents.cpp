@@ -94,6 +94,7 @@ Disturbance read_disturbance(const Node& document) {
   require_kind(document, DocumentKind::disturbance);
   Disturbance disturbance;
   read(declare(disturbance), document);
+  check(disturbance, document);
   return disturbance;
 }
 

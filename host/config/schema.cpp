@@ -164,12 +164,17 @@ Json definitions() {
   const Json point{{"type", "array"}, {"items", coordinate}, {"minItems", 2}, {"maxItems", 2}};
   const std::span<const std::string> anchors = anchor_names();
   const Json anchor{{"enum", std::vector<std::string>(anchors.begin(), anchors.end())}};
+  const Json robot{{"type", "integer"}, {"minimum", 1}, {"maximum", 22}};
+  const Json robots{{"type", "array"}, {"items", robot}, {"minItems", 1}, {"uniqueItems", true}};
+  const Json moment = number({0, 1e6}), moments{{"type", "array"}, {"items", moment}, {"minItems", 1}};
   std::string keys;
   for (const std::string& key : usable_keys()) {
     if (key != "roles") keys += (keys.empty() ? "" : "|") + key;
   }
   return {{"place", {{"anyOf", {anchor, point}}}},
           {"line", {{"type", "string"}, {"pattern", "^[^\n]*$"}}},
+          {"robots", {{"anyOf", {{{"enum", {"all", "any"}}}, robot, robots}}}},
+          {"moments", {{"anyOf", {moment, moments}}}},
           {"segment", {{"type", "array"}, {"items", {{"$ref", "#/$defs/place"}}}, {"minItems", 2}, {"maxItems", 2}}},
           {"params", {{"type", "object"}}},
           {"use",

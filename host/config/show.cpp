@@ -93,6 +93,10 @@ class Page {
     map(section.open(), node, indent + 2);
   }
   void write(const Field& field, const List& list, const Node& node, int indent) {
+    if (list.size() == 0) {
+      line(field, "[]", "", node, indent);
+      return;
+    }
     heading(field, indent);
     for (std::size_t i = 0; i < list.size(); ++i) {
       const std::span<const Node> elements = node.elements();

@@ -48,7 +48,7 @@ class Touches : public b2ContactListener {
       contacts_.robots_on_robots |= only(a) | only(b);
       if (contacts_.pair_count < static_cast<int>(contacts_.pairs.size())) {
         contacts_.pairs[static_cast<std::size_t>(contacts_.pair_count++)] = {static_cast<std::int8_t>(a),
-                                                                              static_cast<std::int8_t>(b)};
+                                                                             static_cast<std::int8_t>(b)};
       }
       return;
     }

@@ -31,7 +31,7 @@ struct BodyState {
 struct Contacts {
   RobotSet robots_on_ball = 0;
   RobotSet robots_on_robots = 0;
-  RobotSet robots_on_walls = 0;                         // border, goal posts, nets
+  RobotSet robots_on_walls = 0;                        // border, goal posts, nets
   std::array<std::array<std::int8_t, 2>, 64> pairs{};  // ids of robots in contact; the first 64 of them
   int pair_count = 0;
   int hardest_on_ball = -1;  // robot that touched the ball with the largest impulse; -1: none

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "match/arena.hpp"
 #include "match/chance.hpp"
@@ -10,6 +11,7 @@
 namespace regista::match {
 namespace {
 
+constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double instant = physics_step / 2.0;  // moments are met at the nearest physics step
 
 }  // namespace
@@ -57,7 +59,7 @@ Body::Motion Body::move(double time, std::uint32_t tick, double ball_distance) {
     walk_ = {};
   }
   if (at_step) walk_ = within_limits(commanded_, profile_.walk);
-  motion.walk = walk_;
+  motion.walk = {speed_ * walk_.forward, speed_ * walk_.sideways, speed_ * walk_.turn};
   return motion;
 }
 
@@ -76,8 +78,20 @@ void Body::jostled(double time, std::uint32_t tick) {
   Chance chance(seed_, Purpose::fall, side_, number_, 0, tick);
   if (!chance.bernoulli(profile_.body.falls_per_contact_second * physics_step)) return;
   put_down();
-  up_at_ = time + profile_.body.get_up;
+  up_at_ = frozen_ ? never : time + profile_.body.get_up;
   ++falls_;
+}
+
+void Body::freeze(double time) {
+  const bool lies = fallen(time);
+  put_down();
+  frozen_ = true;
+  if (lies) up_at_ = never;
+}
+
+void Body::thaw(double time) {
+  frozen_ = false;
+  if (up_at_ == never) up_at_ = time + profile_.body.get_up;
 }
 
 void Body::put_down() {

@@ -45,6 +45,13 @@ class Body {
   // Put down by hand: it stands, and nothing is under way.
   void put_down();
 
+  // From now on it moves with this part of the speed it means to have.
+  void set_speed(double factor) { speed_ = factor; }
+
+  // Frozen, it stands, or lies as it falls, and nothing is under way; commands are not given to it. Thawed, it gets up.
+  void freeze(double time);
+  void thaw(double time);
+
   bool fallen(double time) const { return time < up_at_; }
   double time_until_up(double time) const { return fallen(time) ? up_at_ - time : 0.0; }
   bool kicking() const { return kick_.has_value(); }
@@ -64,6 +71,8 @@ class Body {
   Side side_;
   int number_;
   mind::Walk commanded_, walk_;
+  double speed_ = 1.0;
+  bool frozen_ = false;
   double next_step_ = 0.0;
   std::optional<Kick> kick_;
   double up_at_ = -1.0;

@@ -31,6 +31,12 @@ enum class Purpose : std::uint32_t {
   radio_delay,
   radio_loss,
   contact,
+  incident_time,
+  incident_robot,
+  incident_place,
+  burst,
+  ghost_ball,
+  misplacing,
 };
 
 // A stream: 2^32 blocks of four words. Cheap to make (nothing is drawn until it is asked for).

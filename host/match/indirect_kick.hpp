@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a goal still needs after a free kick or a penalty kick. RoboCup SPL rule book 2023, sections 3.3.2 and 3.9: after
-// a free kick the ball must be played a second time, by another robot or, after it has left the circle, by the same;
-// who takes a penalty kick may score with one touch only, until another robot has touched the ball.
+// What a goal still needs after a free kick or a penalty kick. RoboCup SPL rule book 2023, sections 3.3.2 and 3.9:
+// after a free kick the ball must be played a second time, by another robot or, after it has left the circle, by the
+// same; who takes a penalty kick may score with one touch only, until another robot has touched the ball.
 #pragma once
 
 #include "config/rules.hpp"

@@ -17,6 +17,7 @@
 #include "match/referee.hpp"
 #include "match/sensing.hpp"
 #include "match/told.hpp"
+#include "match/trouble.hpp"
 
 namespace regista::match {
 namespace {
@@ -42,6 +43,7 @@ void check(const Setup& setup, std::size_t home, std::size_t away) {
     throw std::invalid_argument("rules want " + std::to_string(size) + " robots a team, minds are given for " +
                                 std::to_string(home) + " and " + std::to_string(away));
   }
+  for (const config::Disturbance& disturbance : setup.disturbances) config::check(disturbance, setup.rules, {});
   if (!setup.opening) return;
   if (const auto misfit = config::misfit(*setup.opening, setup.rules, setup.robots)) {
     throw std::invalid_argument(misfit->reason);
@@ -73,8 +75,8 @@ struct Robot {
         sensing(std::move(its_sensing)),
         steps_between(steps),
         next_decision(static_cast<std::uint32_t>(first)) {
-    // All that can be seen in one image; false balls come one at a time.
-    percepts.balls.reserve(4);
+    // All that can be seen in one image; false balls come one at a time, ghosts all at once.
+    percepts.balls.reserve(2 + Affliction::most_ghosts);
     percepts.robots.reserve(2 * largest_team);
     percepts.landmarks.reserve(most_points);
   }
@@ -98,6 +100,7 @@ class Course {
   Result run();
 
  private:
+  void suffer(Side side);
   void decide(int id);
   void feel_contact(int id, Robot& robot);
   void check_outcome(int id, const Robot& robot) const;
@@ -119,15 +122,17 @@ class Course {
   Arena arena_;
   Referee referee_;
   Told told_;
+  std::array<Trouble, 2> trouble_;
   std::array<Radio, 2> radio_;
   Metrics metrics_;
   Digest digest_;
   std::vector<Robot> robots_;
   std::vector<mind::HeardPacket> heard_;
   std::vector<Vector> positions_, legs_;  // by id: where robots are, and where their legs carry them, m/s
-  Points in_view_;            // the same, but who is out of play is nowhere
-  RobotSet out_of_play_ = 0;  // penalised, off the field
-  RobotSet acted_ = 0;        // decided since the referee last looked
+  Points in_view_;                        // the same, but who is out of play is nowhere
+  RobotSet out_of_play_ = 0;              // penalised, off the field
+  RobotSet acted_ = 0;                    // decided since the referee last looked
+  RobotSet crashed_ = 0;
   std::uint32_t tick_ = 0;
   double time_ = 0.0;
 };
@@ -141,8 +146,10 @@ Course::Course(const Setup& setup, std::span<const mind::Think> home, std::span<
       arena_(setup.rules.field, setup.rules.ball, bodies_of(setup)),
       referee_(setup.rules, largest_radius(setup), setup.opening ? &*setup.opening : nullptr),
       told_(setup.rules),
-      radio_{Radio(setup.robots[0].radio, setup.disturbances[0], roster_.team_size, setup.seed, Side::home),
-             Radio(setup.robots[1].radio, setup.disturbances[1], roster_.team_size, setup.seed, Side::away)},
+      trouble_{Trouble(setup.disturbances[0], setup.rules.field, roster_.team_size, setup.seed, Side::home),
+               Trouble(setup.disturbances[1], setup.rules.field, roster_.team_size, setup.seed, Side::away)},
+      radio_{Radio(setup.robots[0].radio, trouble_[0], roster_.team_size, setup.seed, Side::home),
+             Radio(setup.robots[1].radio, trouble_[1], roster_.team_size, setup.seed, Side::away)},
       metrics_(roster_.team_size, setup.roles) {
   if (observer.recording != nullptr) {
     *observer.recording = {setup.rules.field, setup.rules.ball, bodies_of(setup), {}, {}};
@@ -159,11 +166,11 @@ Course::Course(const Setup& setup, std::span<const mind::Think> home, std::span<
     const config::Robot& profile = setup.robots[index(side)];
     const int steps = steps_per_decision(profile);
     const int first = (2 * (number - 1) + static_cast<int>(index(side))) % steps;
-    robots_.emplace_back((side == Side::home ? home : away)[static_cast<std::size_t>(number - 1)], profile,
-                         Body(profile, setup.rules.ball.rolling_deceleration, setup.seed, side, number),
-                         Sensing(profile, setup.disturbances[index(side)], marks_[index(side)], roster_, id, setup.seed,
-                                 largest_radius(setup)),
-                         steps, first);
+    robots_.emplace_back(
+        (side == Side::home ? home : away)[static_cast<std::size_t>(number - 1)], profile,
+        Body(profile, setup.rules.ball.rolling_deceleration, setup.seed, side, number),
+        Sensing(profile, trouble_[index(side)], marks_[index(side)], roster_, id, setup.seed, largest_radius(setup)),
+        steps, first);
   }
 }
 
@@ -186,6 +193,9 @@ Result Course::run() {
   judge(-1);
   while (referee_.state().ended == Ended::no) {
     if (limit && time_ >= *limit - physics_step / 2.0) break;
+    for (const Side side : both_sides) {
+      if (trouble_[index(side)].update(time_)) suffer(side);
+    }
     for (int id = 0; id < roster_.count(); ++id) {
       if (robot(id).next_decision == tick_) decide(id);
     }
@@ -205,13 +215,37 @@ Result Course::run() {
       digest_.value()};
 }
 
+// What the troubles of a side mean to its bodies; radio and sensing ask for themselves.
+void Course::suffer(Side side) {
+  for (int number = 1; number <= roster_.team_size; ++number) {
+    const Affliction& affliction = trouble_[index(side)].of(number);
+    const int id = roster_.id(side, number);
+    Body& body = robot(id).body;
+    body.set_speed(affliction.speed);
+    if (affliction.crashed == contains(crashed_, id)) continue;
+    crashed_ ^= only(id);
+    if (affliction.crashed) {
+      body.freeze(time_);
+      metrics_.decided(side, number, -1, {}, referee_.state());  // plays no role any more
+    } else {
+      body.thaw(time_);
+    }
+  }
+}
+
 void Course::decide(int id) {
   Robot& robot = this->robot(id);
   robot.next_decision += static_cast<std::uint32_t>(robot.steps_between);
-  acted_ |= only(id);
   const Side side = roster_.side(id);
   const int number = roster_.number(id);
   const GameState& state = referee_.state();
+  if (contains(crashed_, id)) {
+    robot.touches = -1;
+    heard_.clear();
+    radio_[index(side)].deliver(number, time_, tick_, heard_);  // and nobody listens
+    return;
+  }
+  acted_ |= only(id);
 
   mind::Percepts& percepts = robot.percepts;
   percepts.time = time_;
@@ -246,7 +280,7 @@ void Course::decide(int id) {
   }
   // Before the radio reuses the memory of what was heard.
   if (observer_.decision) observer_.decision({time_, side, number, percepts, heard_, outcome});
-  if (outcome.send) {
+  if (outcome.send && !percepts.penalised && !trouble_[index(side)].of(number).silent) {
     const int charged = state.packets[index(side)];
     const bool in_the_air = referee_.packet(side, outcome.packet.size());
     if (state.packets[index(side)] != charged) metrics_.sent(side, outcome.send_reason);
@@ -406,6 +440,7 @@ void Course::follow(const Calls& calls) {
       const Side side = roster_.side(id);
       Chance chance(setup_.seed, Purpose::whistle, side, roster_.number(id), 0, tick_);
       if (!chance.bernoulli(setup_.robots[index(side)].hearing.whistle_probability)) continue;
+      if (contains(crashed_, id)) continue;
       robot(id).whistle = true;
       told_.whistle(id, time_);
     }

@@ -49,8 +49,7 @@ std::span<const Offender> OffenceWatch::watch(const Scene& scene, const GameStat
 }
 
 bool OffenceWatch::guards_its_goal(const Scene& scene, const GameState& state, int id) const {
-  return roster_.number(id) == 1 &&
-         in_penalty_area(rules_.field, -attack(roster_.side(id), state.half), at(scene, id));
+  return roster_.number(id) == 1 && in_penalty_area(rules_.field, -attack(roster_.side(id), state.half), at(scene, id));
 }
 
 void OffenceWatch::watch_bodies(const Scene& scene, const GameState& state, RobotSet playing, double passed) {

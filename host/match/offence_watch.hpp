@@ -39,7 +39,7 @@ class OffenceWatch {
 
  private:
   struct Watched {
-    double lies = 0.0, idle = 0.0, holds = 0.0, at_wall = 0.0, pushes = 0.0;  // s of each
+    double lies = 0.0, idle = 0.0, holds = 0.0, at_wall = 0.0, pushes = 0.0;      // s of each
     double touched = -1.0, pushed = -1.0, was_pushed = -1.0, was_at_wall = -1.0;  // when last
     int victim = -1, pusher = -1;
     double pushed_in = -1.0;  // into the own goal area, since when

@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "match/radio.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "match/chance.hpp"
 
 namespace regista::match {
+namespace {
 
-Radio::Radio(const config::Radio& profile, const config::Disturbance& disturbance, int team_size, std::uint64_t seed,
-             Side side)
-    : profile_(profile), team_size_(team_size), seed_(seed), side_(side) {
-  profile_.delay += disturbance.extra_delay;
-  // Lost by either of two independent causes.
-  profile_.loss = 1.0 - (1.0 - profile.loss) * (1.0 - disturbance.extra_packet_loss);
+// Lost by either of two independent causes.
+double either(double a, double b) { return 1.0 - (1.0 - a) * (1.0 - b); }
+
+}  // namespace
+
+Radio::Radio(const config::Radio& profile, const Trouble& trouble, int team_size, std::uint64_t seed, Side side)
+    : profile_(profile), trouble_(&trouble), team_size_(team_size), seed_(seed), side_(side) {
+  const config::Disturbance::Radio& disturbance = trouble.disturbance().radio;
+  profile_.delay += disturbance.delay;
+  profile_.jitter += disturbance.jitter;
+  profile_.loss = either(profile.loss, disturbance.loss);
   // More than are ever in the air at once, so that none has to be made while the game goes on.
   constexpr std::size_t longest = 512, per_robot = 8;
   packets_.resize(per_robot * static_cast<std::size_t>(team_size));
@@ -25,6 +32,8 @@ Radio::Radio(const config::Radio& profile, const config::Disturbance& disturbanc
 }
 
 void Radio::send(int sender, std::span<const std::uint8_t> bytes, double time, std::uint32_t tick) {
+  const Affliction& here = trouble_->of(sender);
+  if (here.silent) return;
   if (free_.empty()) {
     free_.push_back(packets_.size());
     packets_.emplace_back();
@@ -34,12 +43,16 @@ void Radio::send(int sender, std::span<const std::uint8_t> bytes, double time, s
   packet.waiting = 0;
   for (int number = 1; number <= team_size_; ++number) {
     if (number == sender) continue;
-    if (profile_.loss > 0.0) {
+    const Affliction& there = trouble_->of(number);
+    if (there.silent) continue;
+    if (const double lost = either(profile_.loss, there.loss); lost > 0.0) {
       Chance loss(seed_, Purpose::radio_loss, side_, number, sender, tick);
-      if (loss.bernoulli(profile_.loss)) continue;
+      if (loss.bernoulli(lost)) continue;
     }
-    Chance delay(seed_, Purpose::radio_delay, side_, number, sender, tick);
-    packet.heard[static_cast<std::size_t>(number - 1)] = time + profile_.delay + profile_.jitter * delay.uniform();
+    Chance chance(seed_, Purpose::radio_delay, side_, number, sender, tick);
+    const double delay = profile_.delay + std::max(here.delay, there.delay);
+    const double jitter = profile_.jitter + std::max(here.jitter, there.jitter);
+    packet.heard[static_cast<std::size_t>(number - 1)] = time + delay + jitter * chance.uniform();
     packet.waiting |= 1u << (number - 1);
   }
   if (packet.waiting == 0) return;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The air between the robots of one team: a broadcast with a fixed delay, jitter by a uniform law, and loss, each drawn
 // per receiver. Whether a packet may be sent and what it costs is the referee's business.
+//
+// What goes wrong with it besides: a packet is late by the worse of what ails its sender and its receiver, is lost by
+// what ails its receiver, and does not exist where either is silent.
 #pragma once
 
 #include <array>
@@ -8,17 +11,17 @@
 #include <span>
 #include <vector>
 
-#include "config/disturbance.hpp"
 #include "config/robot.hpp"
 #include "match/side.hpp"
+#include "match/trouble.hpp"
 #include "mind/percepts.hpp"
 
 namespace regista::match {
 
 class Radio {
  public:
-  Radio(const config::Radio& profile, const config::Disturbance& disturbance, int team_size, std::uint64_t seed,
-        Side side);
+  // trouble: of this side; the caller's, and must live as long.
+  Radio(const config::Radio& profile, const Trouble& trouble, int team_size, std::uint64_t seed, Side side);
 
   // Robot `sender` (number) sends; the bytes are copied.
   void send(int sender, std::span<const std::uint8_t> bytes, double time, std::uint32_t tick);
@@ -36,7 +39,8 @@ class Radio {
     std::array<double, largest_team> heard{};
   };
 
-  config::Radio profile_;
+  config::Radio profile_;  // with what disturbs all robots all the time
+  const Trouble* trouble_;
   int team_size_;
   std::uint64_t seed_;
   Side side_;

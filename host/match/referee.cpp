@@ -15,9 +15,9 @@ namespace {
 using mind::Phase;
 using mind::SetPlay;
 
-constexpr double initial_lasts = 1.0;   // s; see the head of referee.hpp
-constexpr double clearance = 0.05;      // m between bodies when something is put down
-constexpr double moved = 0.25;          // m: the game is not stuck
+constexpr double initial_lasts = 1.0;  // s; see the head of referee.hpp
+constexpr double clearance = 0.05;     // m between bodies when something is put down
+constexpr double moved = 0.25;         // m: the game is not stuck
 
 EventKind event_of(SetPlay kind) {
   switch (kind) {
@@ -122,7 +122,7 @@ const Calls& Referee::update(const Scene& scene) {
     case Phase::ready:
       watch_offences(scene);
       if (since(state_.phase_began, state_.set_play == SetPlay::penalty_kick ? rules_.durations.penalty_kick_ready
-                                                                              : rules_.durations.ready)) {
+                                                                             : rules_.durations.ready)) {
         begin_set();
       }
       break;

@@ -114,8 +114,8 @@ class Referee {
   double robot_radius_;
   GameState state_;
   Calls calls_;
-  std::vector<Event> pending_;   // of packets, told with the next update
-  std::vector<Vector> where_;    // robots by id, as they will be after the calls so far
+  std::vector<Event> pending_;  // of packets, told with the next update
+  std::vector<Vector> where_;   // robots by id, as they will be after the calls so far
   IndirectKick indirect_;
   OffenceWatch watch_;
   PenaltyBox box_;
@@ -125,7 +125,7 @@ class Referee {
   bool touched_since_kick_off_ = false;
   Vector anchor_;  // the ball has not moved away from here
   double anchored_ = 0.0;
-  RobotSet was_near_ = 0;       // ids that stood too near when the set play was called
+  RobotSet was_near_ = 0;  // ids that stood too near when the set play was called
   bool began_ = false;
 };
 

@@ -48,13 +48,12 @@ Marks::Marks(const config::FieldSize& field, const config::Camera& camera) : kin
   }
 }
 
-Sensing::Sensing(const config::Robot& profile, const config::Disturbance& disturbance, const Marks& marks,
-                 Roster roster, int id, std::uint64_t seed, double robot_radius)
+Sensing::Sensing(const config::Robot& profile, const Trouble& trouble, const Marks& marks, Roster roster, int id,
+                 std::uint64_t seed, double robot_radius)
     : profile_(profile),
-      disturbance_(disturbance),
+      trouble_(trouble),
       marks_(marks),
       roster_(roster),
-
       seed_(seed),
       side_(roster.side(id)),
       number_(roster.number(id)),
@@ -68,20 +67,59 @@ Sensing::Sensing(const config::Robot& profile, const config::Disturbance& distur
 }
 
 void Sensing::put_down(const mind::Pose& world, double direction, std::uint32_t tick) {
-  const config::Odometry& odometry = profile_.odometry;
-  Chance chance(seed_, Purpose::placing, side_, number_, 0, tick);
-  mind::Pose pose = in_field_frame(world, direction);
-  pose.x += odometry.placing_noise * chance.normal();
-  pose.y += odometry.placing_noise * chance.normal();
-  pose.heading = wrapped(pose.heading + odometry.placing_turn_noise * chance.normal());
-  placed_ = mind::PlacedPose{pose, odometry.placing_noise, odometry.placing_turn_noise};
+  direction_ = direction;
+  mirrored_ = false;
+  tell_pose(world, Purpose::placing, tick);
   lifted_ = true;
+}
+
+// What it is told to be its pose, by people or by a localisation that has gone astray.
+void Sensing::tell_pose(const mind::Pose& world, Purpose purpose, std::uint32_t tick) {
+  const config::Odometry& odometry = profile_.odometry;
+  Chance chance(seed_, purpose, side_, number_, 0, tick);
+  mind::Pose pose = in_field_frame(world, mirrored_ ? -direction_ : direction_);
+  const mind::Pose& bias = bias_;
+  const double sign = mirrored_ ? -1.0 : 1.0;
+  pose.x += sign * bias.x + odometry.placing_noise * chance.normal();
+  pose.y += sign * bias.y + odometry.placing_noise * chance.normal();
+  pose.heading = wrapped(pose.heading + bias.heading + odometry.placing_turn_noise * chance.normal());
+  placed_ = mind::PlacedPose{pose, odometry.placing_noise, odometry.placing_turn_noise};
+}
+
+// Begins and ends what its trouble makes it believe of its pose.
+void Sensing::be_misled(const BodyState& own, std::uint32_t tick) {
+  const Affliction& now = trouble_.of(number_);
+  const bool bias_changes = now.bias.x != bias_.x || now.bias.y != bias_.y || now.bias.heading != bias_.heading;
+  const bool mirrored = now.flipped && (mirrored_ || now.flips != flips_);
+  flips_ = now.flips;
+  if (!bias_changes && mirrored == mirrored_) return;
+  bias_ = now.bias;
+  biased_ = bias_.x != 0.0 || bias_.y != 0.0 || bias_.heading != 0.0;
+  mirrored_ = mirrored;
+  tell_pose({own.x, own.y, own.heading}, Purpose::misplacing, tick);
+}
+
+// The landmarks where they would have to be for the robot to see what it sees: from its biased pose it would see the
+// true ones just so.
+const Points& Sensing::landmarks(const BodyState& own) {
+  if (!biased_) return marks_.points;
+  const Vector here{own.x, own.y}, believed = here + direction_ * Vector{bias_.x, bias_.y};
+  const double cosine = std::cos(bias_.heading), sine = std::sin(bias_.heading);
+  misplaced_marks_.count = marks_.points.count;
+  for (std::size_t i = 0; i < marks_.points.count; ++i) {
+    const Vector mark{marks_.points.x[i], marks_.points.y[i]};
+    const Vector seen = here + turned(mark - believed, cosine, -sine);
+    misplaced_marks_.x[i] = static_cast<float>(seen.x);
+    misplaced_marks_.y[i] = static_cast<float>(seen.y);
+  }
+  return misplaced_marks_;
 }
 
 void Sensing::look(double yaw) { wanted_head_ = std::clamp(yaw, -profile_.camera.head_yaw, profile_.camera.head_yaw); }
 
 void Sensing::sense(const Truth& truth, double time, std::uint32_t tick, bool able, mind::Percepts& out) {
   const BodyState& own = truth.own;
+  be_misled(own, tick);
   out.placed.reset();
   placed_.swap(out.placed);
   measure_motion(own, tick, out);
@@ -91,7 +129,7 @@ void Sensing::sense(const Truth& truth, double time, std::uint32_t tick, bool ab
   out.landmarks.clear();
   out.camera = able;
   out.view = {head_, profile_.camera.half_angle, profile_.camera.ball_range, profile_.camera.robot_range};
-  if (!able) return;
+  if (!able || trouble_.of(number_).blind) return;
 
   const Vector axis = turned({own.cosine, own.sine}, head_cosine_, head_sine_);
   sector_ = {own.x, own.y, static_cast<float>(axis.x), static_cast<float>(axis.y), sector_.cosine};
@@ -139,23 +177,30 @@ void Sensing::Candidates::add(Purpose purpose, std::size_t object, float offset_
   ++count;
 }
 
+void Sensing::see_ball(Purpose purpose, std::size_t object, Vector ball) {
+  const float x = static_cast<float>(ball.x) - sector_.x, y = static_cast<float>(ball.y) - sector_.y;
+  const float squared = x * x + y * y, ahead = x * sector_.axis_x + y * sector_.axis_y;
+  if (squared <= squared_ball_range_ && signed_square(ahead) >= signed_square(sector_.cosine) * squared &&
+      !hidden(x, y, robots_, squared_radius_)) {
+    candidates_.add(purpose, object, x, y, profile_.camera.ball_probability);
+  }
+}
+
 // What the camera might see: in its sector, in range, and not behind a robot.
 void Sensing::find_candidates(const Truth& truth) {
   const config::Camera& camera = profile_.camera;
   candidates_.count = 0;
-  const float x = static_cast<float>(truth.ball.x) - sector_.x, y = static_cast<float>(truth.ball.y) - sector_.y;
-  const float squared = x * x + y * y, ahead = x * sector_.axis_x + y * sector_.axis_y;
-  if (squared <= squared_ball_range_ && signed_square(ahead) >= signed_square(sector_.cosine) * squared &&
-      !hidden(x, y, robots_, squared_radius_)) {
-    candidates_.add(Purpose::ball, 0, x, y, camera.ball_probability);
-  }
+  see_ball(Purpose::ball, 0, truth.ball);
   for (std::uint64_t set = inside(robots_, sector_, squared_robot_range_); set != 0; set &= set - 1) {
     const std::size_t i = static_cast<std::size_t>(std::countr_zero(set));
     if (hidden(robots_.x[i], robots_.y[i], robots_, squared_radius_)) continue;
     candidates_.add(Purpose::robot, i, robots_.x[i], robots_.y[i], camera.robot_probability);
   }
+  const Affliction& trouble = trouble_.of(number_);
+  for (std::size_t i = 0; i < trouble.ghost_count; ++i)
+    see_ball(Purpose::ghost_ball, i, direction_ * trouble.ghosts[i]);
   Offsets marks;
-  offsets(marks_.points, sector_, marks);
+  offsets(landmarks(truth.own), sector_, marks);
   for (std::uint64_t set = inside(marks, sector_, marks_.squared_range); set != 0; set &= set - 1) {
     const std::size_t i = static_cast<std::size_t>(std::countr_zero(set));
     if (hidden(marks.x[i], marks.y[i], robots_, squared_radius_)) continue;
@@ -183,6 +228,9 @@ void Sensing::see(const Truth& truth, std::uint32_t tick, mind::Percepts& out) {
       case Purpose::ball:
         if (!blinded(tick)) out.balls.push_back({position, along, across});
         break;
+      case Purpose::ghost_ball:
+        if (!blinded(tick)) insert_by_distance(out.balls, mind::BallSighting{position, along, across});
+        break;
       case Purpose::robot:
         insert_by_distance(out.robots, mind::RobotSighting{position, along, across, roster_.side(object) == side_});
         break;
@@ -194,17 +242,20 @@ void Sensing::see(const Truth& truth, std::uint32_t tick, mind::Percepts& out) {
 }
 
 bool Sensing::blinded(std::uint32_t tick) const {
-  if (disturbance_.ball_blindness <= 0.0) return false;
+  const double probability = trouble_.disturbance().camera.ball_blindness;
+  if (probability <= 0.0) return false;
   Chance chance(seed_, Purpose::ball_blindness, side_, number_, 0, tick);
-  return chance.bernoulli(disturbance_.ball_blindness);
+  return chance.bernoulli(probability);
 }
 
 // A false ball, anywhere in the sector with equal density.
 void Sensing::imagine_ball(std::uint32_t tick, mind::Percepts& out) const {
   const config::Camera& camera = profile_.camera;
-  if (camera.false_balls_per_frame <= 0.0) return;
+  const double probability =
+      camera.false_balls_per_frame + trouble_.disturbance().camera.ghost_balls * profile_.decision_period;
+  if (probability <= 0.0) return;
   Chance chance(seed_, Purpose::false_ball, side_, number_, 0, tick);
-  if (!chance.bernoulli(camera.false_balls_per_frame)) return;
+  if (!chance.bernoulli(probability)) return;
   const double distance = camera.ball_range * std::sqrt(chance.uniform());
   const double bearing = head_ + camera.half_angle * (2.0 * chance.uniform() - 1.0);
   insert_by_distance(out.balls, mind::BallSighting{{distance * std::cos(bearing), distance * std::sin(bearing)},

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What one robot's body measures and its camera sees, made from the truth at the instant of a decision: a sector with
-// ranges, occlusion by robots in between, misses, noise, false balls, odometry that drifts.
+// ranges, occlusion by robots in between, misses, noise, false balls, odometry that drifts; and what its troubles make
+// of that (see trouble.hpp):
+// - Pose bias: landmarks are seen from the biased pose, and the robot is told that it stands there as if it had been
+// put
+//   down by hand, so that its localisation settles there at once. Told again when the bias ends.
+// - Mirror flip: told once that it stands at the pose turned by half a turn around the centre. Landmarks stay as they
+//   are, for the field looks the same from there. Who is put down by hand knows better; else it is told at the end.
+// - Ghost balls are seen, missed and hidden like the ball. A blind camera gives images in which nothing is recognised.
 //
 // Sightings are sorted by measured distance, so that their order tells nothing about who or which they are.
 // Objects are numbered for the streams of chance: robots by id, landmarks by their place in the list, the ball 0.
@@ -12,13 +19,13 @@
 #include <span>
 #include <vector>
 
-#include "config/disturbance.hpp"
 #include "config/robot.hpp"
 #include "config/rules.hpp"
 #include "match/arena.hpp"
 #include "match/noise.hpp"
 #include "match/sector.hpp"
 #include "match/side.hpp"
+#include "match/trouble.hpp"
 #include "mind/percepts.hpp"
 
 namespace regista::match {
@@ -34,9 +41,10 @@ struct Marks {
 
 class Sensing {
  public:
-  // Profiles and marks are the caller's and must live as long. robot_radius: that hides what is behind.
-  Sensing(const config::Robot& profile, const config::Disturbance& disturbance, const Marks& marks, Roster roster,
-          int id, std::uint64_t seed, double robot_radius);
+  // Profile, trouble of its side and marks are the caller's and must live as long. robot_radius: that hides what is
+  // behind.
+  Sensing(const config::Robot& profile, const Trouble& trouble, const Marks& marks, Roster roster, int id,
+          std::uint64_t seed, double robot_radius);
 
   // The robot has been put down at `world`; `direction`: the way its side attacks. Told with the next percepts.
   void put_down(const mind::Pose& world, double direction, std::uint32_t tick);
@@ -61,15 +69,19 @@ class Sensing {
     std::size_t count = 0;
     void add(Purpose purpose, std::size_t object, float offset_x, float offset_y, double seen);
   };
+  void tell_pose(const mind::Pose& world, Purpose purpose, std::uint32_t tick);
+  void be_misled(const BodyState& own, std::uint32_t tick);
   void measure_motion(const BodyState& own, std::uint32_t tick, mind::Percepts& out);
   void turn_head(double time);
+  const Points& landmarks(const BodyState& own);
   void find_candidates(const Truth& truth);
+  void see_ball(Purpose purpose, std::size_t object, Vector ball);
   void see(const Truth& truth, std::uint32_t tick, mind::Percepts& out);
   bool blinded(std::uint32_t tick) const;
   void imagine_ball(std::uint32_t tick, mind::Percepts& out) const;
 
   const config::Robot& profile_;
-  const config::Disturbance& disturbance_;
+  const Trouble& trouble_;
   const Marks& marks_;
   Roster roster_;
   std::uint64_t seed_;
@@ -82,7 +94,14 @@ class Sensing {
   Vector last_position_;
   double last_heading_ = 0.0, last_cosine_ = 1.0, last_sine_ = 0.0;
   std::optional<mind::PlacedPose> placed_;
-  bool lifted_ = true;  // put down since the last decision: no odometry
+  bool lifted_ = true;      // put down since the last decision: no odometry
+  double direction_ = 1.0;  // the way its side attacks
+  // As they were at the last decision:
+  mind::Pose bias_;
+  int flips_ = 0;
+  bool mirrored_ = false;  // by a flip, since when nobody has put it down
+  bool biased_ = false;
+  Points misplaced_marks_;
 
   double head_ = 0.0, wanted_head_ = 0.0, head_time_ = 0.0;
   double head_cosine_ = 1.0, head_sine_ = 0.0;

@@ -71,9 +71,8 @@ RobotSet illegal_in_set(const config::Rules& rules, const GameState& state, Rost
   // Too many in the own goal area: those nearest to its border.
   for (const Side side : both_sides) {
     const double end = -attack(side, state.half);
-    RobotSet inside = those(playing & ~out, [&](int id) {
-      return roster.side(id) == side && in_goal_area(field, end, at(id));
-    });
+    RobotSet inside =
+        those(playing & ~out, [&](int id) { return roster.side(id) == side && in_goal_area(field, end, at(id)); });
     while (std::popcount(inside) > rules.offences.most_in_own_goal_area) {
       const int first = least(inside, [&](int id) {
         return std::min(end * at(id).x - (field.length / 2.0 - field.goal_area_length),

@@ -6,7 +6,7 @@ import unittest
 
 import program
 
-OPTIONS = ("--help, --seed, --rules, --robot, --disturbance, --opening, --set, --limit, --from, --row, --plugins, --json, --decisions, --record, --force, "
+OPTIONS = ("--help, --seed, --rules, --robot, --disturbance, --home-disturbance, --away-disturbance, --opening, --set, --limit, --from, --row, --plugins, --json, --decisions, --record, --force, "
            "--quiet, --verbose")
 
 

@@ -81,9 +81,20 @@ class Match(program.Case):
                                    "--set", "robot.walk.turn_deg=90")["state_hash"], base)
         hashes = {base}
         for override in ("home.tasks.offset.at_most=0", "away.tasks.offset.at_most=0", "tasks.offset.at_most=0",
-                         "rules.durations.ready=4", "robot.walk.forward=0.2", "disturbance.extra_packet_loss=0.5"):
+                         "rules.durations.ready=4", "robot.walk.forward=0.2", "disturbance.radio.loss=0.5",
+                         "home_disturbance.radio.loss=0.5", "away_disturbance.radio.loss=0.5"):
             hashes.add(self.play("--set", override)["state_hash"])
-        self.assertEqual(len(hashes), 7)
+        self.assertEqual(len(hashes), 9)
+
+    def test_disturbances_by_side(self):
+        profiles = program.SOURCE / "configs" / "disturbances"
+        none, lossy = profiles / "none.yaml", profiles / "lossy_radio.yaml"
+        both = self.play("--disturbance", lossy)["state_hash"]
+        home = self.play("--home-disturbance", lossy)["state_hash"]
+        away = self.play("--away-disturbance", lossy)["state_hash"]
+        self.assertEqual(len({self.play()["state_hash"], both, home, away}), 4)
+        self.assertEqual(self.play("--home-disturbance", lossy, "--away-disturbance", lossy)["state_hash"], both)
+        self.assertEqual(self.play("--disturbance", lossy, "--away-disturbance", none)["state_hash"], home)
 
     def test_version_and_help(self):
         self.assertRegex(self.succeed("--version"), r"^regista \d+\.\d+\.\d+ \(plugin interface 1\.\d+, .+\)\n$")

@@ -46,6 +46,10 @@ TEST(CommonInputs, KnowEveryValueOfTheProfiles) {
               ElementsAre("rules spl2023 has changed"));
   EXPECT_THAT(changed([](match::Setup& s) { s.robots[0].decision_period = 0.2; }),
               ElementsAre("robot nao has changed"));
+  EXPECT_THAT(changed([](match::Setup& s) { s.disturbances[0].radio.loss = 0.1; }),
+              ElementsAre("home disturbance none has changed"));
+  EXPECT_THAT(changed([](match::Setup& s) { s.disturbances[1].incidents.emplace_back().at = {5.0}; }),
+              ElementsAre("away disturbance none has changed"));
   EXPECT_THAT(changed([](match::Setup& s) { s.limit = 10.0; }), ElementsAre("limit has changed"));
   EXPECT_THAT(changed([](match::Setup& s) { s.seed = 2; }), IsEmpty());
 }

@@ -10,13 +10,15 @@ using List = config::Overrides;
 
 TEST(SortedOverrides, GoWhereTheirFirstPartSays) {
   const SortedOverrides sorted({"home.team=a", "away.team=b", "rules.team_size=5", "robot.walk.forward=1",
-                                "disturbance.extra_delay=1", "opening.length=20", "sender.params.reserve=3",
+                                "disturbance.radio.delay=1", "away_disturbance.radio.loss=0.5",
+                                "home_disturbance.radio.delay=2", "opening.length=20", "sender.params.reserve=3",
                                 "roles.playing=[]"});
   EXPECT_EQ(sorted.of("home"), (List{"team=a", "sender.params.reserve=3", "roles.playing=[]"}));
   EXPECT_EQ(sorted.of("away"), (List{"team=b", "sender.params.reserve=3", "roles.playing=[]"}));
   EXPECT_EQ(sorted.of("rules"), List{"team_size=5"});
   EXPECT_EQ(sorted.of("robot"), List{"walk.forward=1"});
-  EXPECT_EQ(sorted.of("disturbance"), List{"extra_delay=1"});
+  EXPECT_EQ(sorted.of("home_disturbance"), (List{"radio.delay=1", "radio.delay=2"}));
+  EXPECT_EQ(sorted.of("away_disturbance"), (List{"radio.delay=1", "radio.loss=0.5"}));
   EXPECT_EQ(sorted.of("opening"), List{"length=20"});
 }
 

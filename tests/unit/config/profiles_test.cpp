@@ -131,13 +131,10 @@ TEST(Profiles, WhatIsRefused) {
        "line_width, "
        "goal_width, goal_depth, post_diameter, goal_area_length, goal_area_width, penalty_area_length, "
        "penalty_area_width, penalty_mark_distance, centre_circle_diameter"},
-      {"disturbance: a\nextra_dealy: 1\n",
-       "t.yaml:2:1: unknown key \"extra_dealy\"; nearest: \"extra_delay\"; known: disturbance, extra_packet_loss, "
-       "extra_delay, ball_blindness"},
-      {"disturbance: a\nwind: 1\n",
-       "t.yaml:2:1: unknown key \"wind\"; known: disturbance, extra_packet_loss, extra_delay, ball_blindness"},
-      {"disturbance: a\nextra_delay: 1\nextra_delay: 1\n",
-       "t.yaml:3:1: duplicate key \"extra_delay\"; first in line 2"},
+      {"disturbance: a\nradio:\n  dealy: 1\n",
+       "t.yaml:3:3: unknown key \"dealy\" in radio; nearest: \"delay\"; known: loss, delay, jitter, burst, silence"},
+      {"disturbance: a\nwind: 1\n", "t.yaml:2:1: unknown key \"wind\"; known: disturbance, radio, camera, incidents"},
+      {"disturbance: a\ncamera: {}\ncamera: {}\n", "t.yaml:3:1: duplicate key \"camera\"; first in line 2"},
       {"rules: a\nfield: 9 x 6\n", "t.yaml:2:8: field: \"9 x 6\"; a map is wanted"},
       {"rules: a\nfield:\n", "t.yaml:2:1: field: nothing; a map is wanted"},
       {"rules: a\nfield: [9, 6]\n", "t.yaml:2:8: field: a list; a map is wanted"},

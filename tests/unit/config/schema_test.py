@@ -81,7 +81,9 @@ broken = {
         (["kicks"], []), (["kicks", 0, "name"], None), (["kicks", 0, "power"], 1), (["kicks", 0, "impact"], -1),
         (["walk", "turn"], 1.5), (["camera", "ball_probability"], 1.5), (["decision_period"], 0.01),
     ],
-    "disturbance": [(["extra_packet_loss"], 1.1), (["extra_loss"], 0.1), (["disturbance"], None)],
+    "disturbance": [(["radio", "loss"], 1.1), (["radio", "los"], 0.1), (["disturbance"], None), (["incidents"], [{"kind": "crash"}]),
+                    (["incidents"], [{"kind": "crash", "at": -1}]), (["incidents"], [{"kind": "crush", "at": 1}]),
+                    (["incidents"], [{"kind": "crash", "at": 1, "robots": 0}])],
     "opening": [
         (["opening"], None), (["length"], None), (["length"], 0), (["summary"], "two\nlines"), (["summary"], 7),
         (["ball"], None), (["ball", "at"], None), (["ball", "at"], [0]), (["ball", "velocity"], [0, 30]),

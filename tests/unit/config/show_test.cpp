@@ -15,18 +15,30 @@ namespace {
 Node text(std::string_view yaml) { return parse_text(yaml, "t.yaml"); }
 
 TEST(Show, SaysUnitMeaningAndOrigin) {
-  EXPECT_EQ(show(override_with(text("disturbance: d\nextra_delay: 1.50\n"), {"ball_blindness=0.25"})),
+  EXPECT_EQ(show(override_with(text("disturbance: d\nradio:\n  delay: 1.50\n"), {"camera.ball_blindness=0.25"})),
             "disturbance: d                                # name of this disturbance; t.yaml:1:14\n"
-            "extra_packet_loss: 0                          # probability per packet and receiver; default\n"
-            "extra_delay: 1.5                              # s, of every packet; t.yaml:2:14\n"
-            "ball_blindness: 0.25                          # probability that a sighting of the ball is lost; --set "
-            "ball_blindness=0.25\n");
+            "radio:                                        # of all robots, all the time\n"
+            "  loss: 0                                     # probability per packet and receiver; default\n"
+            "  delay: 1.5                                  # s, of every packet; t.yaml:3:10\n"
+            "  jitter: 0                                   # s, width of a uniform law on top of the delay; default\n"
+            "  burst:                                      # loss in bursts, of each receiver by itself\n"
+            "    mean_good: 10                             # s, mean time between two bursts; default\n"
+            "    mean_bad: 1                               # s, mean length of a burst; default\n"
+            "    loss: 0                                   # probability per packet and receiver within a burst; 0 is "
+            "off; default\n"
+            "  silence: false                              # no packet reaches anybody; default\n"
+            "camera:                                       # of all robots, all the time\n"
+            "  ball_blindness: 0.25                        # probability that a sighting of the ball is lost; --set "
+            "camera.ball_blindness=0.25\n"
+            "  ghost_balls: 0                              # 1/s, false balls of each robot, anywhere in its view; "
+            "default\n"
+            "incidents: []                                 # what strikes some robots at some time; default\n");
 }
 
 TEST(Show, ACommentStaysInItsLine) {
-  const std::string page = show(override_with(text("disturbance: d\n"), {"extra_delay=\n  1"}));
-  EXPECT_NE(page.find("; --set extra_delay=\\n  1\n"), std::string::npos) << page;
-  EXPECT_EQ(parse_text(page, "shown.yaml")["extra_delay"].text(), "1");
+  const std::string page = show(override_with(text("disturbance: d\n"), {"radio.delay=\n  1"}));
+  EXPECT_NE(page.find("; --set radio.delay=\\n  1\n"), std::string::npos) << page;
+  EXPECT_EQ(parse_text(page, "shown.yaml")["radio"]["delay"].text(), "1");
 }
 
 TEST(Show, ATeamReadsBackTheSame) {

@@ -14,9 +14,15 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
+Trouble none(int team_size) {
+  static const config::Disturbance disturbance;
+  return Trouble(disturbance, {}, team_size, 1, Side::home);
+}
+
 TEST(Radio, DelaysWithinItsBoundsAndSparesTheSender) {
   const config::Radio profile{0.05, 0.1, 0.0};
-  Radio radio(profile, {}, 5, 1, Side::home);
+  const Trouble trouble = none(5);
+  Radio radio(profile, trouble, 5, 1, Side::home);
   std::vector<mind::HeardPacket> heard;
   double least = 1.0, largest = 0.0;
   int count = 0;
@@ -50,9 +56,10 @@ TEST(Radio, DelaysWithinItsBoundsAndSparesTheSender) {
 
 TEST(Radio, LosesByBothCauses) {
   config::Disturbance disturbance;
-  disturbance.extra_packet_loss = 0.5;
-  disturbance.extra_delay = 0.2;
-  Radio radio({0.05, 0.0, 0.2}, disturbance, 3, 1, Side::away);
+  disturbance.radio.loss = 0.5;
+  disturbance.radio.delay = 0.2;
+  const Trouble trouble(disturbance, {}, 3, 1, Side::away);
+  Radio radio({0.05, 0.0, 0.2}, trouble, 3, 1, Side::away);
   std::vector<mind::HeardPacket> heard;
   int first = 0, both = 0;
   constexpr int packets = 20000;
@@ -74,7 +81,8 @@ TEST(Radio, LosesByBothCauses) {
 }
 
 TEST(Radio, OrdersByTimeHeardThenSender) {
-  Radio radio({0.1, 0.0, 0.0}, {}, 4, 1, Side::home);
+  const Trouble trouble = none(4);
+  Radio radio({0.1, 0.0, 0.0}, trouble, 4, 1, Side::home);
   radio.send(4, Bytes{4}, 0.0, 0);
   radio.send(2, Bytes{2}, 0.0, 0);
   radio.send(3, Bytes{3}, 0.02, 1);
@@ -91,7 +99,8 @@ TEST(Radio, OrdersByTimeHeardThenSender) {
 }
 
 TEST(Radio, NothingIsHeardInTheTickOfSending) {
-  Radio radio({0.0, 0.0, 0.0}, {}, 2, 1, Side::home);
+  const Trouble trouble = none(2);
+  Radio radio({0.0, 0.0, 0.0}, trouble, 2, 1, Side::home);
   radio.send(1, Bytes{1}, 0.0, 0);
   std::vector<mind::HeardPacket> heard;
   radio.deliver(2, 0.0, 0, heard);

@@ -32,6 +32,7 @@ struct Scene {
   config::Disturbance disturbance;
   config::FieldSize field;
   Roster roster{2};
+  Trouble trouble{disturbance, field, roster.team_size, 1, Side::home};
   Points robots;
   BodyState own = standing(0.0, 0.0, 0.0);
   Vector ball{100.0, 0.0};
@@ -52,7 +53,7 @@ struct Scene {
   template <class Each>
   Counts look(int frames, Each each, double head = 0.0) {
     const Marks marks(field, profile.camera);
-    Sensing sensing(profile, disturbance, marks, roster, 0, 1, 0.15);
+    Sensing sensing(profile, trouble, marks, roster, 0, 1, 0.15);
     put(0, own.x, own.y);
     sensing.look(head);
     Counts counts;
@@ -75,7 +76,7 @@ TEST(Sensing, SeesTheBallWithItsProbability) {
   Scene scene;
   scene.ball = {2.0, 0.5};
   EXPECT_NEAR(scene.look(20000).balls / 20000.0, 0.9, 0.011);
-  scene.disturbance.ball_blindness = 0.5;
+  scene.disturbance.camera.ball_blindness = 0.5;
   EXPECT_NEAR(scene.look(20000).balls / 20000.0, 0.45, 0.018);
 }
 
@@ -206,7 +207,7 @@ TEST(Sensing, FalseBallsComeAtTheirRateAndInsideTheSector) {
 TEST(Sensing, TheHeadTurnsAtItsSpeedAndNoFarther) {
   Scene scene;
   const Marks marks(scene.field, scene.profile.camera);
-  Sensing sensing(scene.profile, scene.disturbance, marks, scene.roster, 0, 1, 0.15);
+  Sensing sensing(scene.profile, scene.trouble, marks, scene.roster, 0, 1, 0.15);
   sensing.sense({scene.own, scene.ball, scene.robots}, 1.0, 0, true, scene.percepts);
   EXPECT_EQ(scene.percepts.view.heading, 0.0);
   sensing.look(9.0);
@@ -220,7 +221,7 @@ TEST(Sensing, ABlindRobotSeesNothing) {
   Scene scene;
   scene.ball = {1.0, 0.0};
   const Marks marks(scene.field, scene.profile.camera);
-  Sensing sensing(scene.profile, scene.disturbance, marks, scene.roster, 0, 1, 0.15);
+  Sensing sensing(scene.profile, scene.trouble, marks, scene.roster, 0, 1, 0.15);
   for (std::uint32_t tick = 0; tick < 50; ++tick) {
     sensing.sense({scene.own, scene.ball, scene.robots}, tick, tick, false, scene.percepts);
     EXPECT_FALSE(scene.percepts.camera);
@@ -256,7 +257,7 @@ TEST(Sensing, OdometryIsTheTrueMotionWithItsNoise) {
   Scene scene;
   scene.profile.odometry.scale_bias = 0.0;
   const Marks marks(scene.field, scene.profile.camera);
-  Sensing sensing(scene.profile, scene.disturbance, marks, scene.roster, 0, 1, 0.15);
+  Sensing sensing(scene.profile, scene.trouble, marks, scene.roster, 0, 1, 0.15);
   const auto sense = [&](double x, double y, double heading, std::uint32_t tick) {
     scene.own = standing(x, y, heading);
     sensing.sense({scene.own, scene.ball, scene.robots}, tick, tick, false, scene.percepts);
@@ -290,7 +291,7 @@ TEST(Sensing, TheScaleBiasIsDrawnOncePerRobot) {
     Scene scene;
     scene.profile.odometry.distance_noise = 0.0;
     const Marks marks(scene.field, scene.profile.camera);
-    Sensing sensing(scene.profile, scene.disturbance, marks, scene.roster, 0, static_cast<std::uint64_t>(seed), 0.15);
+    Sensing sensing(scene.profile, scene.trouble, marks, scene.roster, 0, static_cast<std::uint64_t>(seed), 0.15);
     double first = 0.0;
     for (std::uint32_t tick = 0; tick < 4; ++tick) {
       scene.own = standing(tick, 0.0, 0.0);
@@ -308,7 +309,7 @@ TEST(Sensing, TheScaleBiasIsDrawnOncePerRobot) {
 TEST(Sensing, APlacedRobotKnowsWhereInItsOwnFieldFrame) {
   Scene scene;
   const Marks marks(scene.field, scene.profile.camera);
-  Sensing sensing(scene.profile, scene.disturbance, marks, scene.roster, 0, 1, 0.15);
+  Sensing sensing(scene.profile, scene.trouble, marks, scene.roster, 0, 1, 0.15);
   double squares = 0.0;
   constexpr int count = 4000;
   for (std::uint32_t tick = 0; tick < count; ++tick) {

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "match/trouble.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "match/arena.hpp"
+#include "match/chance.hpp"
+
+namespace regista::match {
+namespace {
+
+using Kind = config::Incident::Kind;
+using Choice = config::Incident::Whom::Choice;
+
+constexpr double instant = physics_step / 2.0;  // moments are met at the nearest physics step
+
+double exponential(Chance& chance, double mean) { return -mean * std::log(1.0 - chance.uniform()); }
+
+// Lost by either of two independent causes.
+double either(double a, double b) { return 1.0 - (1.0 - a) * (1.0 - b); }
+
+// What holds all the time, as an incident of all robots.
+config::Incident standing(const config::Burst& burst) {
+  config::Incident incident;
+  incident.kind = Kind::burst_loss;
+  incident.at = {0.0};
+  incident.mean_good = burst.mean_good;
+  incident.mean_bad = burst.mean_bad;
+  incident.loss = burst.loss;
+  return incident;
+}
+
+}  // namespace
+
+Trouble::Trouble(const config::Disturbance& disturbance, const config::FieldSize& field, int team_size,
+                 std::uint64_t seed, Side side)
+    : disturbance_(&disturbance),
+      field_(field),
+      team_size_(team_size),
+      seed_(seed),
+      side_(side),
+      now_(static_cast<std::size_t>(team_size)) {
+  const auto add = [&](const config::Incident& incident, int object) {
+    courses_.push_back({incident, object, never, 0, std::vector<Victim>(now_.size())});
+    schedule(courses_.back(), 0.0);
+  };
+  const config::Burst& burst = disturbance.radio.burst;
+  if (burst.loss > 0.0) add(standing(burst), 0);
+  for (std::size_t i = 0; i < disturbance.incidents.size(); ++i) {
+    add(disturbance.incidents[i], static_cast<int>(i) + 1);
+  }
+  if (courses_.empty() && !disturbance.radio.silence) next_ = never;
+}
+
+// When the next occurrence begins.
+void Trouble::schedule(Course& course, double after) const {
+  const config::Incident& incident = course.incident;
+  if (!incident.per_hour) {
+    course.next = course.occurrence < incident.at.size() ? incident.at[course.occurrence] : never;
+    return;
+  }
+  if (*incident.per_hour <= 0.0) return;
+  Chance chance(seed_, Purpose::incident_time, side_, 0, course.object, course.occurrence);
+  course.next = after + exponential(chance, 3600.0 / *incident.per_hour);
+}
+
+void Trouble::strike(Course& course, double time) const {
+  const config::Incident& incident = course.incident;
+  Vector ghost;
+  if (incident.kind == Kind::ghost_ball) {
+    if (incident.x) {
+      ghost = {*incident.x, *incident.y};
+    } else {
+      Chance chance(seed_, Purpose::incident_place, side_, 0, course.object, course.occurrence);
+      ghost.x = field_.length * (chance.uniform() - 0.5);
+      ghost.y = field_.width * (chance.uniform() - 0.5);
+    }
+  }
+  int drawn = 0;
+  if (incident.robots.choice == Choice::any) {
+    Chance chance(seed_, Purpose::incident_robot, side_, 0, course.object, course.occurrence);
+    drawn = 1 + static_cast<int>(chance.uniform() * team_size_);
+  }
+  for (int number = 1; number <= team_size_; ++number) {
+    const bool listed = std::ranges::find(incident.robots.numbers, number) != incident.robots.numbers.end();
+    if (incident.robots.choice != Choice::all && number != drawn && !listed) continue;
+    strike(course, course.victims[static_cast<std::size_t>(number - 1)], number, ghost, time);
+  }
+}
+
+void Trouble::strike(Course& course, Victim& victim, int number, Vector ghost, double time) const {
+  const bool was_over = victim.until <= time;
+  victim.until = course.incident.duration ? time + *course.incident.duration : never;
+  victim.ghost = ghost;
+  ++victim.strikes;
+  if (course.incident.kind != Kind::burst_loss || !was_over) return;
+  // In the middle of its course, as if it had been so for long.
+  const config::Burst usual;
+  const double bad = course.incident.mean_bad.value_or(usual.mean_bad);
+  const double good = course.incident.mean_good.value_or(usual.mean_good);
+  Chance chance(seed_, Purpose::burst, side_, number, course.object, victim.drawn++);
+  victim.bad = !chance.bernoulli(bad / (bad + good));
+  switch_channel(course, victim, number, time);
+}
+
+void Trouble::switch_channel(const Course& course, Victim& victim, int number, double time) const {
+  const config::Burst usual;
+  victim.bad = !victim.bad;
+  const double mean = victim.bad ? course.incident.mean_bad.value_or(usual.mean_bad)
+                                 : course.incident.mean_good.value_or(usual.mean_good);
+  Chance chance(seed_, Purpose::burst, side_, number, course.object, victim.drawn++);
+  victim.switches = time + exponential(chance, mean);
+}
+
+void Trouble::afflict(const Course& course, const Victim& victim, Affliction& out) const {
+  const config::Incident& incident = course.incident;
+  switch (incident.kind) {
+    case Kind::pose_bias:
+      out.bias.x += incident.x.value_or(0.0);
+      out.bias.y += incident.y.value_or(0.0);
+      out.bias.heading += incident.heading.value_or(0.0);
+      break;
+    case Kind::mirror_flip:
+      out.flipped = true;
+      break;
+    case Kind::ghost_ball:
+      if (out.ghost_count < Affliction::most_ghosts) out.ghosts[out.ghost_count++] = victim.ghost;
+      break;
+    case Kind::blind_camera:
+      out.blind = true;
+      break;
+    case Kind::radio_delay:
+      out.delay += *incident.delay;
+      break;
+    case Kind::radio_jitter:
+      out.jitter += *incident.jitter;
+      break;
+    case Kind::burst_loss:
+      if (victim.bad) out.loss = either(out.loss, incident.loss.value_or(1.0));
+      break;
+    case Kind::radio_silence:
+      out.silent = true;
+      break;
+    case Kind::crash:
+      out.crashed = true;
+      break;
+    case Kind::slow_robot:
+      out.speed *= *incident.speed;
+      break;
+  }
+}
+
+bool Trouble::update(double time) {
+  if (time < next_ - instant) return false;
+  next_ = never;
+  for (Affliction& each : now_) {
+    each = {};
+    each.silent = disturbance_->radio.silence;
+  }
+  for (Course& course : courses_) {
+    while (time >= course.next - instant) {
+      strike(course, time);
+      const double began = course.next;
+      ++course.occurrence;
+      schedule(course, began);
+    }
+    next_ = std::min(next_, course.next);
+    for (int number = 1; number <= team_size_; ++number) {
+      Victim& victim = course.victims[static_cast<std::size_t>(number - 1)];
+      Affliction& affliction = now_[static_cast<std::size_t>(number - 1)];
+      if (course.incident.kind == Kind::mirror_flip) affliction.flips += victim.strikes;
+      if (time >= victim.until - instant) {
+        victim.until = -never;
+        continue;
+      }
+      next_ = std::min(next_, victim.until);
+      if (course.incident.kind == Kind::burst_loss) {
+        while (time >= victim.switches - instant) switch_channel(course, victim, number, victim.switches);
+        next_ = std::min(next_, victim.switches);
+      }
+      afflict(course, victim, affliction);
+    }
+  }
+  return true;
+}
+
+}  // namespace regista::match
