@@ -27,8 +27,7 @@ Vector2d at_kick_off(const Situation& situation, Vector2d point) {
   }
   point.x() = std::min(point.x(), line);
   if (game.own_kick == 0) {
-    const double circle =
-        situation.rules.field.centre_circle_diameter / 2.0 + situation.robot.body.radius + margin;
+    const double circle = situation.rules.field.centre_circle_diameter / 2.0 + situation.robot.body.radius + margin;
     point = outside_circle(point, {0.0, 0.0}, circle);
     point.x() = std::min(point.x(), line);
   }

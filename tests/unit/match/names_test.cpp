@@ -46,4 +46,3 @@ TEST(Words, OfOffencesAreOne) {
 
 }  // namespace
 }  // namespace regista::match
-
