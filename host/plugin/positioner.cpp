@@ -47,6 +47,7 @@ void Positioner::place(const regista_frame& frame, Placement& out) {
   check_edges(raw.edge_count, raw.point_count);
   check_cells(raw.cell_count, raw.vertex_count);
   const auto take = [](auto& to, const auto& from, std::uint32_t count) {
+    to.reserve(from.size());  // at the first call, so that none allocates later
     to.assign(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(count));
   };
   take(out.points, buffers_.points, raw.point_count);
