@@ -90,4 +90,14 @@ void check(const Robot& robot, const Node& document) {
   }
 }
 
+void check(const Robot& robot, const Rules& rules, const Node& document) {
+  const double touching = robot.body.radius + rules.ball.diameter / 2.0;
+  if (robot.body.reach < touching) {
+    refuse(document, {"body.reach", "body.radius"},
+           fmt::format("body.reach ({} m from the centre) ends before the ball of the rules '{}': torso and ball touch "
+                       "at {} m, so it could never be kicked",
+                       real_text(robot.body.reach), rules.name, real_text(touching)));
+  }
+}
+
 }  // namespace regista::config

@@ -12,5 +12,6 @@ namespace regista::config {
 // Each throws Error at the value of the document that does not fit, with the reason.
 void check(const Rules& rules, const Node& document);
 void check(const Robot& robot, const Node& document);
+void check(const Robot& robot, const Rules& rules, const Node& document);  // of the robot
 
 }  // namespace regista::config
