@@ -13,6 +13,7 @@ namespace {
 // A contact that was there so recently still is: solvers let bodies part for a step.
 constexpr double contact_lasts = 0.2;  // s
 constexpr double still = 1e-3;         // m/s
+constexpr double dribbled = 0.25;      // m: who moves the ball so far does not hold it
 
 bool longer(double seconds, double limit) { return seconds > limit - 1e-6; }
 
@@ -75,6 +76,10 @@ void OffenceWatch::watch_bodies(const Scene& scene, const GameState& state, Robo
     if (contains(scene.touching, id)) robot.touched = time_;
     const bool holds = play && state.in_play() && !lies && !contains(scene.kicking, id) && robot.touched >= 0.0 &&
                        time_ - robot.touched <= contact_lasts;
+    if (squared_length(scene.ball - robot.held_at) > dribbled * dribbled) {
+      robot.held_at = scene.ball;
+      robot.holds = 0.0;
+    }
     robot.holds = holds ? robot.holds + passed : std::max(0.0, robot.holds - passed);
     const double limit = guards_its_goal(scene, state, id) ? limits.goalkeeper_holds_ball : limits.hold_ball;
     if (holds && longer(robot.holds, limit)) call(id, Offence::ball_holding);

@@ -6,7 +6,8 @@
 // - Pushing: the legs carry a robot against an opponent that does not itself press back, for some time or until the
 //   opponent falls; legs that pass by at more than 60 degrees are a side contact. Not for who kicks, lies, or is the
 //   goalkeeper in its own penalty area.
-// - Holding: the ball stays in touch. Time without it counts back at the same rate.
+// - Holding: the ball stays in touch and where it is; who moves it on dribbles. Time out of touch counts back at the
+//   same rate.
 // - A robot is in its goal area when its centre is.
 // - Arms, hands and a wide stance are none of this simulation; being picked up neither.
 #pragma once
@@ -42,6 +43,7 @@ class OffenceWatch {
     double lies = 0.0, idle = 0.0, holds = 0.0, at_wall = 0.0, pushes = 0.0;      // s of each
     double touched = -1.0, pushed = -1.0, was_pushed = -1.0, was_at_wall = -1.0;  // when last
     int victim = -1, pusher = -1;
+    Vector held_at;           // where the ball was when the time of holding it began
     double pushed_in = -1.0;  // into the own goal area, since when
     bool lay = false, in_goal_area = false;
   };

@@ -120,7 +120,7 @@ class Overrides(BadInput):
         self.assert_match_refused(
             ("--set", "rules.durations.haf=3"),
             '--set rules.durations.haf=3: unknown key "haf" in durations; nearest: "half"; known: half, halves, ready, '
-            "set, kick_off_free_after, set_play, state_delay, game_stuck")
+            "set, kick_off_free_after, set_play, penalty_kick_ready, penalty_kick, state_delay, game_stuck")
         self.assert_match_refused(
             ("--set", "utility.terms.near.params.scael=3"),
             '--set utility.terms.near.params.scael=3: home team: unknown parameter "scael" in plugin nearness; nearest: "scale"; '

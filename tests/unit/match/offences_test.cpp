@@ -151,6 +151,16 @@ TEST_F(Offences, HoldingTheBallIsTimedAndReleasingCountsBack) {
   EXPECT_EQ(penalty(Side::home, 4), Offence::ball_holding);
 }
 
+TEST_F(Offences, DribblingIsNotHolding) {
+  play();
+  touching = only(id(Side::home, 4));
+  for (int i = 0; i < 400; ++i) {
+    ball.x += 0.002;
+    step();
+  }
+  EXPECT_EQ(penalty(Side::home, 4), Offence::none);
+}
+
 TEST_F(Offences, TheGoalkeeperMayHoldItLongerInItsArea) {
   play();
   robot(Side::home, 1) = {-4.0, 0.0};
