@@ -51,7 +51,8 @@ TEST(MirrorFlip, TurnsTheBeliefRoundAndItStaysSo) {
         right += b.error() < 0.5 && b.heading_error() < 0.5 ? 1 : 0;
       }
     });
-    printf("robot %d: before %d during %d mirrored %d after %d right %d others %d/%d\n", robot, before, during, mirrored, after, right, others_right, others);
+    printf("robot %d: before %d during %d mirrored %d after %d right %d others %d/%d\n", robot, before, during,
+           mirrored, after, right, others_right, others);
   }
 }
 

@@ -77,6 +77,7 @@ TEST(BurstLoss, LosesItsShareWithinABurst) {
   for (std::uint32_t tick = 1; tick <= 20000; ++tick) {
     trouble.update(tick * physics_step);
     radio.send(1, packet, tick * physics_step, tick);
+    radio.deliver(2, (tick + 1) * physics_step, tick + 1, heard);
     heard.clear();
     radio.deliver(3, (tick + 1) * physics_step, tick + 1, heard);
     arrived += static_cast<int>(heard.size());
@@ -193,9 +194,11 @@ std::uint64_t percepts_of(Side side, const Setup& setup, std::span<const mind::T
     const mind::Pose& odometry = decision.percepts.odometry;
     const std::array values{decision.time, odometry.x, odometry.y, odometry.heading};
     digest.add(std::as_bytes(std::span(values)));
-    for (const mind::BallSighting& ball : decision.percepts.balls) digest.add(std::as_bytes(std::span(ball.position.data(), 2)));
+    for (const mind::BallSighting& ball : decision.percepts.balls)
+      digest.add(std::as_bytes(std::span(ball.position.data(), 2)));
     for (const auto& robot : decision.percepts.robots) digest.add(std::as_bytes(std::span(robot.position.data(), 2)));
-    for (const auto& landmark : decision.percepts.landmarks) digest.add(std::as_bytes(std::span(landmark.position.data(), 2)));
+    for (const auto& landmark : decision.percepts.landmarks)
+      digest.add(std::as_bytes(std::span(landmark.position.data(), 2)));
     for (const mind::HeardPacket& heard : decision.heard) digest.add(std::as_bytes(heard.bytes));
   };
   play(setup, home, away, &observer);
@@ -203,7 +206,7 @@ std::uint64_t percepts_of(Side side, const Setup& setup, std::span<const mind::T
 }
 
 Setup with_all_troubles_of_home(double at) {
-  Setup setup = scripted::setup(11, 5);
+  match::Setup setup = scripted::setup(11, 5);
   setup.limit = 90.0;
   Disturbance& disturbance = setup.disturbances[0];
   for (std::size_t kind = 0; kind < config::incident_kinds().size(); ++kind) {
@@ -219,10 +222,12 @@ Setup with_all_troubles_of_home(double at) {
 }
 
 TEST(Luck, OfASideDoesNotHangOnTheTroublesOfTheOther) {
-  Setup setup = with_all_troubles_of_home(5.0);
+  match::Setup setup = with_all_troubles_of_home(5.0);
   setup.disturbances[0].radio.loss = 0.5;
   setup.disturbances[0].camera = {0.5, 1.0};
-  Setup undisturbed = setup;
+  // A crash can be seen: the referee takes the robot out.
+  std::erase_if(setup.disturbances[0].incidents, [](const Incident& each) { return each.kind == Kind::crash; });
+  match::Setup undisturbed = setup;
   undisturbed.disturbances[0] = {};
   // Home stands still, so that what befalls it has no way to the others but through chance.
   const auto home = statues(5);
@@ -233,10 +238,10 @@ TEST(Luck, OfASideDoesNotHangOnTheTroublesOfTheOther) {
 }
 
 TEST(Off, IsTheSameMatchToTheLastByte) {
-  Setup none = scripted::setup(11, 5);
+  match::Setup none = scripted::setup(11, 5);
   none.limit = 90.0;
   const std::uint64_t hash = play(none, chasers(5, 10), chasers(5, 10)).hash;
-  Setup later = with_all_troubles_of_home(90.0);  // when it is over
+  match::Setup later = with_all_troubles_of_home(90.0);  // when it is over
   later.disturbances[1] = later.disturbances[0];
   later.disturbances[0].radio.burst = {1.0, 1.0, 0.0};
   Incident never = incident(Kind::crash, 0.0);
@@ -244,12 +249,12 @@ TEST(Off, IsTheSameMatchToTheLastByte) {
   never.per_hour = 0.0;
   later.disturbances[0].incidents.push_back(never);
   EXPECT_EQ(play(later, chasers(5, 10), chasers(5, 10)).hash, hash);
-  Setup disturbed = with_all_troubles_of_home(5.0);
+  match::Setup disturbed = with_all_troubles_of_home(5.0);
   EXPECT_NE(play(disturbed, chasers(5, 10), chasers(5, 10)).hash, hash);
 }
 
 TEST(Off, NobodyStrikesARobotThatIsNotThere) {
-  Setup setup = scripted::setup(1, 3);
+  match::Setup setup = scripted::setup(1, 3);
   setup.disturbances[1].incidents = {incident(Kind::crash, 0.0, {4})};
   EXPECT_THROW(play(setup, statues(3), statues(3)), std::exception);
 }
@@ -264,7 +269,7 @@ mind::Think walker() {
 }
 
 Setup in_play(int team_size) {
-  Setup setup = scripted::setup(1, team_size);
+  match::Setup setup = scripted::setup(1, team_size);
   config::Opening opening;
   opening.name = "apart";
   opening.ball.at = {0.0, 2.5};
@@ -279,7 +284,7 @@ Setup in_play(int team_size) {
 }
 
 TEST(Crash, NothingIsDecidedSentOrHeardUntilItsEnd) {
-  Setup setup = in_play(2);
+  match::Setup setup = in_play(2);
   setup.limit = 9.0;  // less than it takes to be penalised for being inactive
   setup.disturbances[0].incidents = {incident(Kind::crash, 2.0, {1})};
   setup.disturbances[0].incidents[0].duration = 4.0;
@@ -314,7 +319,7 @@ TEST(Crash, NothingIsDecidedSentOrHeardUntilItsEnd) {
 }
 
 TEST(Crash, IsPenalisedAsInactiveAndComesBack) {
-  Setup setup = in_play(2);
+  match::Setup setup = in_play(2);
   setup.limit = 150.0;
   setup.disturbances[0].incidents = {incident(Kind::crash, 2.0, {2})};
   setup.disturbances[0].incidents[0].duration = 60.0;
@@ -323,8 +328,10 @@ TEST(Crash, IsPenalisedAsInactiveAndComesBack) {
   Observer observer;
   observer.event = [&](double time, const Event& event, const GameState&) {
     if (event.kind != EventKind::penalty || event.side != Side::home || event.number != 2) return;
+    if (penalties.empty()) {
+      EXPECT_EQ(event.offence, Offence::inactive);
+    }
     penalties.push_back(time);
-    EXPECT_EQ(event.offence, Offence::inactive);
   };
   observer.decision = [&](const Decision& decision) {
     if (decision.side == Side::home && decision.number == 2 && decision.time > 130.0) ++late_decisions;
@@ -337,7 +344,7 @@ TEST(Crash, IsPenalisedAsInactiveAndComesBack) {
 }
 
 double distance_walked(double speed) {
-  Setup setup = in_play(1);
+  match::Setup setup = in_play(1);
   if (speed < 1.0) {
     setup.disturbances[0].incidents = {incident(Kind::slow_robot, 0.0)};
     setup.disturbances[0].incidents[0].speed = speed;
