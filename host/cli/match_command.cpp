@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "campaign/engine.hpp"
 #include "campaign/inputs.hpp"
@@ -23,6 +24,7 @@
 #include "cli/output.hpp"
 #include "cli/own_kind.hpp"
 #include "cli/plugin_folders.hpp"
+#include "cli/replaced_file.hpp"
 #include "cli/shell.hpp"
 #include "cli/test_options.hpp"
 #include "cli/tournament_files.hpp"
@@ -42,6 +44,7 @@ constexpr auto examples = R"(Examples:
   regista match a.yaml a.yaml --set home.utility.terms.distance.weight=0.5
   regista match a.yaml b.yaml --limit 60 --decisions decisions.jsonl
   regista match a.yaml b.yaml --record match.mcap
+  regista match a.yaml b.yaml --metrics numbers.csv
   regista match a.yaml b.yaml --opening configs/openings/counter_three_on_two.yaml
   regista match --from tournament.db --row 12
 
@@ -55,7 +58,7 @@ defect of Regista.)";
 
 struct Options : MatchRequest {
   std::vector<std::string> plugins;
-  std::string decisions, record, from, row;
+  std::string decisions, record, metrics, from, row;
   bool force = false, json = false, quiet = false, verbose = false;
 };
 
@@ -75,6 +78,10 @@ void refuse_to_overwrite(const Options& options, const char* option, const std::
       throw BadInput(fmt::format("{} {}: is a file that this match reads", option, written));
     }
   }
+}
+
+std::filesystem::path place_of(const std::string& file) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
 }
 
 // The stored match that is to be played again.
@@ -172,19 +179,35 @@ int compare(const Options& options, const campaign::Decided& stored, const match
   return exit_done;
 }
 
+// The table of metrics is written after the match: what can be known before is refused before.
+void check_metrics_file(const Options& options) {
+  if (options.metrics.empty()) return;
+  refuse_to_overwrite(options, "--metrics", options.metrics);
+  refuse_other_kinds("--metrics", options.metrics, metrics_csv_head, "table of metrics");
+  std::error_code none;
+  const std::filesystem::path folder = std::filesystem::absolute(options.metrics).parent_path();
+  if (std::filesystem::is_directory(options.metrics, none) || !std::filesystem::is_directory(folder, none)) {
+    throw BadInput(fmt::format("--metrics {}: cannot be written there", options.metrics));
+  }
+}
+
 void check_what_is_written(const Options& options) {
   if (!options.decisions.empty()) {
     refuse_to_overwrite(options, "--decisions", options.decisions);
     refuse_other_kinds("--decisions", options.decisions, decision_log_begin, "log of decisions");
   }
+  check_metrics_file(options);
+  const bool both = !options.metrics.empty() && !options.decisions.empty();
+  if (both && place_of(options.metrics) == place_of(options.decisions)) {
+    throw BadInput(fmt::format("--metrics and --decisions: both name {}", options.metrics));
+  }
   if (options.record.empty()) return;
   refuse_to_overwrite(options, "--record", options.record);
   refuse_other_kinds("--record", options.record, mcap::magic.substr(0, mcap::version_in_magic), "recording");
-  const auto place = [](const std::string& file) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
-  };
-  if (!options.decisions.empty() && place(options.record) == place(options.decisions)) {
-    throw BadInput(fmt::format("--record and --decisions: both name {}", options.record));
+  for (const auto& [option, file] : {std::pair{"--decisions", &options.decisions}, {"--metrics", &options.metrics}}) {
+    if (!file->empty() && place_of(options.record) == place_of(*file)) {
+      throw BadInput(fmt::format("--record and {}: both name {}", option, options.record));
+    }
   }
   std::error_code none;
   if (!options.force && std::filesystem::exists(options.record, none)) {
@@ -203,7 +226,7 @@ std::unique_ptr<report::MatchRecording> begin_recording(const Options& options, 
 
 int play(Options options, const Invocation& invocation) {
   // Before stored_match() goes elsewhere.
-  for (std::string* written : {&options.decisions, &options.record}) {
+  for (std::string* written : {&options.decisions, &options.record, &options.metrics}) {
     if (!options.from.empty() && !written->empty()) *written = std::filesystem::absolute(*written).string();
   }
   if (options.force && options.record.empty()) throw BadInput("--force: belongs to --record, which is not given");
@@ -219,7 +242,11 @@ int play(Options options, const Invocation& invocation) {
   tell_what_is_not_used(catalogue, folders);
   if (stored) require_unchanged(options, stored->job, prepared, catalogue, invocation);
   check_what_is_written(options);
-  if (stored && stored->decided.failure) return play_forfeit(options, *stored);
+  if (stored && stored->decided.failure) {
+    if (!options.metrics.empty())
+      throw BadInput(fmt::format("--metrics: row {} was forfeited, which has none", options.row));
+    return play_forfeit(options, *stored);
+  }
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
   std::vector<std::string> words = invocation.arguments;
   if (!options.record.empty() && !options.force) words.push_back("--force");  // for there is a recording now
@@ -280,6 +307,7 @@ int play(Options options, const Invocation& invocation) {
   played.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   live.clear();
   if (log) log->close();
+  if (!options.metrics.empty()) write_whole(options.metrics, metrics_csv(played), Existing::replaced);
   print(options.json ? summary_json(played) : summary_text(played));
   return stored ? compare(options, stored->decided, played.result) : exit_done;
 }
@@ -311,6 +339,7 @@ Command add_match(CLI::App& parent, const Invocation& invocation) {
       ->type_name("FILE");
   app.add_option("--record", options->record, "write the match as an MCAP file, for `regista view` and others")
       ->type_name("FILE");
+  app.add_option("--metrics", options->metrics, "write all numbers of the match as a table (CSV)")->type_name("FILE");
   app.add_flag("--force", options->force, "let --record replace a file")->disable_flag_override();
   app.add_flag("--quiet", options->quiet, "no live line on the terminal")->disable_flag_override();
   app.add_flag("--verbose", options->verbose, "a line on standard error for each goal")->disable_flag_override();

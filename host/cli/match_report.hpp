@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "match/match.hpp"
@@ -26,5 +27,10 @@ std::string summary_text(const PlayedMatch& match);
 
 // One JSON object with a newline.
 std::string summary_json(const PlayedMatch& match);
+
+// All its numbers as a long table with a head: a line for each number, home's, away's, and without a side those of the
+// match. Paths are those of study/metric.hpp; elements of a list are counted from 1.
+std::string metrics_csv(const PlayedMatch& match);
+inline constexpr std::string_view metrics_csv_head = "side,metric,value\n";
 
 }  // namespace regista::cli

@@ -48,11 +48,21 @@ std::string table(const match::TeamMetrics& team, const std::vector<std::string>
   std::string out =
       fmt::format("  {:<{}}  {:>9}  {:>11}  {:>8}\n", "role", width, "overlap s", "uncovered s", "switches");
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const match::RoleMetrics& role = team.roles[i];
+    const match::RoleMetrics::Counts& role = team.coordination.roles[i].all;
     out += fmt::format("  {:<{}}  {:>9.1f}  {:>11.1f}  {:>8}\n", names[i], width, role.overlap_seconds,
                        role.uncovered_seconds, role.switches);
   }
   return out;
+}
+
+// Errors of what robots believe; without a belief there is nothing to say.
+std::string world_model(const match::WorldModelMetrics& model) {
+  if (!model.self.rmse_metres) return "";
+  const auto metres = [](const std::optional<double>& error) { return error ? fmt::format("{:.2f} m", *error) : "–"; };
+  return fmt::format("  errors: ball {}, teammates {}, self {}, opponents {} (OSPA); ball seen {:.0f} % of the time\n",
+                     metres(model.ball.rmse_metres), metres(model.teammates.rmse_metres),
+                     metres(model.self.rmse_metres), metres(model.ospa_metres),
+                     100.0 * model.ball_seen_share.value_or(0.0));
 }
 
 }  // namespace
@@ -66,16 +76,22 @@ std::string summary_text(const PlayedMatch& match) {
   out += fmt::format("state hash  {}\n", match::hash_text(result.hash));
   out += fmt::format("wall time   {:.2f} s, {:.0f} times faster than the game\n", match.wall_seconds,
                      share(result.simulated_seconds, match.wall_seconds));
-  const double possessed = result.metrics.teams[0].possession_seconds + result.metrics.teams[1].possession_seconds;
   for (const match::Side side : match::both_sides) {
     const std::size_t i = match::index(side);
     const match::TeamMetrics& team = result.metrics.teams[i];
     out += fmt::format("\n{} ({})\n", match.teams[i], match::name(side));
     out += table(team, match.role_names[i]);
     out += packets(team, result.packets[i], match.budget);
+    if (const double silent = team.coordination.silent_seconds; silent > 0.0) {
+      out += fmt::format("  silent for the last {:.0f} s of play\n", silent);
+    }
+    const match::PlayMetrics& play = team.play;
     out += fmt::format("  possession {:.0f} %, agreement {:.1f} %, falls {}, penalties {}, kicks {}\n",
-                       100.0 * share(team.possession_seconds, possessed), 100.0 * team.agreement, team.falls,
+                       100.0 * play.possession_share.value_or(0.0), 100.0 * team.coordination.agreement, team.falls,
                        team.penalties, team.kicks);
+    out += fmt::format("  shots {}, {} of them saved; passes {}, interceptions {}; walked {:.0f} m\n", play.shots,
+                       play.shots_saved, play.passes, play.interceptions, play.distance_walked_metres);
+    out += world_model(team.world_model);
   }
   return out;
 }

@@ -45,8 +45,8 @@ constexpr std::size_t piece = std::size_t{1} << 20;
 // Adds what a match has and is not there yet: teams differ in the names of their roles.
 void add_columns(std::vector<std::string>& columns, const campaign::Decided& decided) {
   for (const int side : {0, 1}) {
-    for (const study::NamedValue& each : study::metric_values(decided.metrics, side)) {
-      if (std::ranges::find(columns, each.path) == columns.end()) columns.push_back(each.path);
+    for (const std::string& path : study::metric_names(decided.metrics, side)) {
+      if (std::ranges::find(columns, path) == columns.end()) columns.push_back(path);
     }
   }
 }

@@ -152,7 +152,9 @@ void label_teams(std::vector<study::Entrant>& teams) {
 std::vector<std::string> metric_paths_of(const mind::TeamPlan& team) {
   PlayedMatch played;
   played.role_names[0] = played.role_names[1] = match::role_names(match::roles(team));
-  for (match::TeamMetrics& metrics : played.result.metrics.teams) metrics.roles.resize(played.role_names[0].size());
+  for (match::TeamMetrics& metrics : played.result.metrics.teams) {
+    metrics.coordination.roles.resize(played.role_names[0].size());
+  }
   return study::metric_paths(summary_json(played), 0);
 }
 

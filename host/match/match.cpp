@@ -23,6 +23,7 @@ namespace regista::match {
 namespace {
 
 constexpr std::uint32_t steps_per_sample = 5;  // of the metrics: 10 Hz
+constexpr double sighting_error = 1.0;         // m: what is seen farther from the ball is none
 
 int steps_per_decision(const config::Robot& robot) {
   const double steps = robot.decision_period / physics_step;
@@ -96,13 +97,15 @@ struct Robot {
 class Course {
  public:
   Course(const Setup& setup, std::span<const mind::Think> home, std::span<const mind::Think> away,
-         const Observer& observer);
+         const Observer& observer, const Beliefs& beliefs);
   Result run();
 
  private:
   void suffer(Side side);
   void decide(int id);
   void feel_contact(int id, Robot& robot);
+  bool sees_ball(int id) const;
+  void ask(int id);
   void check_outcome(int id, const Robot& robot) const;
   void digest_outcome(const mind::Outcome& outcome);
   int move_bodies();
@@ -117,6 +120,7 @@ class Course {
 
   const Setup& setup_;
   const Observer& observer_;
+  const Beliefs& beliefs_;
   Roster roster_;
   std::array<Marks, 2> marks_;  // as either side's cameras see them
   Arena arena_;
@@ -125,6 +129,7 @@ class Course {
   std::array<Trouble, 2> trouble_;
   std::array<Radio, 2> radio_;
   Metrics metrics_;
+  Belief belief_;
   Digest digest_;
   std::vector<Robot> robots_;
   std::vector<mind::HeardPacket> heard_;
@@ -138,9 +143,10 @@ class Course {
 };
 
 Course::Course(const Setup& setup, std::span<const mind::Think> home, std::span<const mind::Think> away,
-               const Observer& observer)
+               const Observer& observer, const Beliefs& beliefs)
     : setup_(setup),
       observer_(observer),
+      beliefs_(beliefs),
       roster_{setup.rules.team_size},
       marks_{Marks(setup.rules.field, setup.robots[0].camera), Marks(setup.rules.field, setup.robots[1].camera)},
       arena_(setup.rules.field, setup.rules.ball, bodies_of(setup)),
@@ -150,7 +156,7 @@ Course::Course(const Setup& setup, std::span<const mind::Think> home, std::span<
                Trouble(setup.disturbances[1], setup.rules.field, roster_.team_size, setup.seed, Side::away)},
       radio_{Radio(setup.robots[0].radio, trouble_[0], roster_.team_size, setup.seed, Side::home),
              Radio(setup.robots[1].radio, trouble_[1], roster_.team_size, setup.seed, Side::away)},
-      metrics_(roster_.team_size, setup.roles) {
+      metrics_(setup.rules, setup.roles) {
   if (observer.recording != nullptr) {
     *observer.recording = {setup.rules.field, setup.rules.ball, bodies_of(setup), {}, {}};
     arena_.record(observer.recording);
@@ -206,13 +212,16 @@ Result Course::run() {
     time_ = tick_ * physics_step;
     judge(kicker);
     digest_.add(std::as_bytes(arena_.states()));
-    if (tick_ % steps_per_sample == 0) metrics_.sample(referee_.state());
+    if (tick_ % steps_per_sample == 0) metrics_.sample(referee_.state(), arena_.states());
     observe();
   }
   const GameState& state = referee_.state();
-  return {
-      state.goals,    state.ended == Ended::no ? Ended::limit : state.ended, time_, state.packets, metrics_.result(),
-      digest_.value()};
+  return {state.goals,
+          state.ended == Ended::no ? Ended::limit : state.ended,
+          time_,
+          state.packets,
+          metrics_.result(state, time_),
+          digest_.value()};
 }
 
 // What the troubles of a side mean to its bodies; radio and sensing ask for themselves.
@@ -226,7 +235,7 @@ void Course::suffer(Side side) {
     crashed_ ^= only(id);
     if (affliction.crashed) {
       body.freeze(time_);
-      metrics_.decided(side, number, -1, {}, referee_.state());  // plays no role any more
+      metrics_.decided(side, number, -1, {}, false, referee_.state());  // plays no role any more
     } else {
       body.thaw(time_);
     }
@@ -273,7 +282,8 @@ void Course::decide(int id) {
   check_outcome(id, robot);
 
   digest_outcome(outcome);
-  metrics_.decided(side, number, outcome.role, outcome.assignment, state);
+  metrics_.decided(side, number, outcome.role, outcome.assignment, sees_ball(id), state);
+  ask(id);
   robot.sensing.look(outcome.command.head_yaw);
   if (!percepts.penalised) {
     robot.body.command(outcome.command, time_, outcome.command.kick ? ball_distance(id) : 0.0);
@@ -283,7 +293,7 @@ void Course::decide(int id) {
   if (outcome.send && !percepts.penalised && !trouble_[index(side)].of(number).silent) {
     const int charged = state.packets[index(side)];
     const bool in_the_air = referee_.packet(side, outcome.packet.size());
-    if (state.packets[index(side)] != charged) metrics_.sent(side, outcome.send_reason);
+    if (state.packets[index(side)] != charged) metrics_.sent(side, outcome.send_reason, time_);
     if (in_the_air) radio_[index(side)].send(number, outcome.packet, time_, tick_);
   }
 }
@@ -297,6 +307,27 @@ void Course::feel_contact(int id, Robot& robot) {
   const BodyState &own = arena_.robot(id), &touched = arena_.robot(other);
   const Vector way = turned({touched.x - own.x, touched.y - own.y}, own.cosine, -own.sine);
   robot.percepts.contact = std::atan2(way.y, way.x);
+}
+
+// In the image that it has just decided on: the ball, not something that is taken for it.
+bool Course::sees_ball(int id) const {
+  const Robot& robot = robots_[static_cast<std::size_t>(id)];
+  if (robot.percepts.balls.empty()) return false;
+  const BodyState& body = arena_.robot(id);
+  const Vector ball = turned(arena_.ball_position() - Vector{body.x, body.y}, body.cosine, -body.sine);
+  return std::ranges::any_of(robot.percepts.balls, [ball](const mind::BallSighting& each) {
+    return squared_length(Vector{each.position.x(), each.position.y()} - ball) < sighting_error * sighting_error;
+  });
+}
+
+// Once a second, at its first decision in it, what a robot in play believes.
+void Course::ask(int id) {
+  const GameState& state = referee_.state();
+  const auto first_ones = static_cast<std::uint32_t>(robots_[static_cast<std::size_t>(id)].steps_between);
+  if (!beliefs_ || state.phase != mind::Phase::playing || contains(out_of_play_, id)) return;
+  if (tick_ % physics_steps_per_second >= first_ones) return;
+  beliefs_(side_of(id), roster_.number(id), belief_);
+  metrics_.believes(side_of(id), roster_.number(id), belief_, arena_.states(), state);
 }
 
 void Course::check_outcome(int id, const Robot& robot) const {
@@ -388,7 +419,7 @@ void Course::judge(int kicker) {
   }
   const Contacts& contacts = arena_.contacts();
   const int touched_by = contacts.hardest_on_ball >= 0 ? contacts.hardest_on_ball : kicker;
-  if (touched_by >= 0) metrics_.touched(roster_.side(touched_by));
+  metrics_.stepped(arena_.ball(), touched_by, referee_.state());
   follow(referee_.update({.time = time_,
                           .ball = arena_.ball_position(),
                           .touched_by = touched_by,
@@ -449,8 +480,10 @@ void Course::follow(const Calls& calls) {
     digest_.add(static_cast<std::uint8_t>(event.kind));
     digest_.add(static_cast<std::int32_t>(index(event.side)));
     digest_.add(event.number);
+    if (event.kind == EventKind::goal) metrics_.scored(event.side);
     if (observer_.event) observer_.event(time_, event, state);
   }
+  if (calls.ball) metrics_.ball_placed();
 }
 
 void Course::observe() {
@@ -473,10 +506,10 @@ const char* name(Ended ended) {
 }
 
 Result play(const Setup& setup, std::span<const mind::Think> home, std::span<const mind::Think> away,
-            const Observer* observer) {
+            const Observer* observer, const Beliefs& beliefs) {
   check(setup, home.size(), away.size());
   static const Observer nobody;
-  return Course(setup, home, away, observer != nullptr ? *observer : nobody).run();
+  return Course(setup, home, away, observer != nullptr ? *observer : nobody, beliefs).run();
 }
 
 int most_goal_difference(const Setup& setup) {

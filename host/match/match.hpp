@@ -84,8 +84,9 @@ struct Observer {
 
 // Plays. home, away: a mind for each robot, number n at n - 1. Throws std::invalid_argument when the setup cannot be
 // played, std::runtime_error naming the robot when an outcome is not sound (not finite, no such kick or role or
-// reason); what a mind throws passes through.
+// reason); what a mind throws passes through. beliefs: asks the minds what they believe, for the metrics; without it
+// these say nothing of it.
 Result play(const Setup& setup, std::span<const mind::Think> home, std::span<const mind::Think> away,
-            const Observer* observer = nullptr);
+            const Observer* observer = nullptr, const Beliefs& beliefs = {});
 
 }  // namespace regista::match

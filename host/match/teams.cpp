@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "match/mind_belief.hpp"
+
 namespace regista::match {
 
 std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed, plugin::CallNote* note) {
@@ -47,7 +49,10 @@ Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, cons
       });
     }
   }
-  return play(setup, think[0], think[1], observer);
+  const Beliefs beliefs = [&all](Side side, int number, Belief& out) {
+    belief_of(all[index(side)][static_cast<std::size_t>(number - 1)], out);
+  };
+  return play(setup, think[0], think[1], observer, beliefs);
 }
 
 }  // namespace regista::match

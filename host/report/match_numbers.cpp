@@ -10,7 +10,7 @@
 namespace regista::report {
 namespace {
 
-constexpr std::size_t most_numbers = 400;  // of a team
+constexpr std::size_t most_numbers = 600;  // of a team
 constexpr double alpha = 0.05;
 
 // Numbers come in the same order match after match: where the last one was found, the next one follows.

@@ -39,7 +39,7 @@ class MatchNumbers {
   // JSON.
   void take(const study::Fixture& fixture, const campaign::Decided& decided);
 
-  // In the order in which they came up; the first four hundred.
+  // In the order in which they came up; the first six hundred.
   const std::vector<TeamNumber>& of_team(std::size_t team) const { return teams_[team]; }
   // Nothing where there are more than two teams.
   const std::vector<PairedNumber>& of_pairs() const { return pairs_; }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <optional>
 
 #include "report/csv_text.hpp"
 #include "report/tournament.hpp"
@@ -40,9 +43,14 @@ std::string csv_line(const TournamentView& view, std::uint64_t index, const camp
       out += ',';
       if (value) out += fmt::format("{}", *value);
     };
+    std::array<std::vector<study::NamedValue>, 2> values;
+    for (const std::size_t side : {0u, 1u}) {
+      if (!decided.metrics.empty()) values[side] = study::metric_values(decided.metrics, static_cast<int>(side));
+    }
     for (const std::string& each : metrics) {
-      for (const int side : {0, 1}) {
-        write(decided.metrics.empty() ? std::nullopt : study::metric(decided.metrics, side, each));
+      for (const std::vector<study::NamedValue>& of_side : values) {
+        const auto found = std::ranges::find(of_side, each, &study::NamedValue::path);
+        write(found == of_side.end() ? std::nullopt : std::optional(found->value));
       }
     }
   }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace regista::study {
 namespace {
@@ -27,17 +28,33 @@ const Json& of_side(const Json& member, int side) {
   return member.is_array() && member.size() == 2 ? member[static_cast<std::size_t>(side)] : nothing;
 }
 
-void collect(const Json& value, const std::string& path, std::vector<NamedValue>& out) {
-  if (value.is_number()) out.push_back({path, value.get<double>()});
+// A path, and what a match has there: a number, or null where there is none this time.
+struct Place {
+  std::string path;
+  const Json* value;
+};
+
+void collect(const Json& value, const std::string& path, std::vector<Place>& out) {
+  if (value.is_number() || value.is_null()) out.push_back({path, &value});
   if (!value.is_object()) return;
   for (const auto& [name, member] : value.items()) collect(member, path.empty() ? name : path + '.' + name, out);
 }
 
-std::vector<NamedValue> values(const Json& metrics, int side) {
-  std::vector<NamedValue> out;
+std::vector<Place> places(const Json& metrics, int side) {
+  std::vector<Place> out;
   if (!metrics.is_object()) return out;
   for (const auto& [name, member] : metrics.items()) {
-    collect(of_side(member, side), name == roles ? std::string() : name, out);
+    if (member.is_array() && member.size() == 2) {
+      collect(member[static_cast<std::size_t>(side)], name == roles ? std::string() : name, out);
+    }
+  }
+  return out;
+}
+
+std::vector<NamedValue> values(const Json& metrics, int side) {
+  std::vector<NamedValue> out;
+  for (Place& each : places(metrics, side)) {
+    if (each.value->is_number()) out.push_back({std::move(each.path), each.value->get<double>()});
   }
   return out;
 }
@@ -79,8 +96,17 @@ std::optional<double> metric(const std::string& metrics, int side, const std::st
 }
 
 std::vector<std::string> metric_paths(const std::string& metrics, int side) {
+  std::vector<std::string> out = metric_names(metrics, side);
+  for (NamedValue& sum : sums_over_roles(parsed(metrics), side)) {
+    if (std::ranges::find(out, sum.path) == out.end()) out.push_back(std::move(sum.path));
+  }
+  return out;
+}
+
+std::vector<std::string> metric_names(const std::string& metrics, int side) {
+  const Json json = parsed(metrics);
   std::vector<std::string> out;
-  for (const NamedValue& each : all(parsed(metrics), side)) out.push_back(each.path);
+  for (Place& each : places(json, side)) out.push_back(std::move(each.path));
   return out;
 }
 

@@ -15,8 +15,12 @@ namespace regista::study {
 // no JSON.
 std::optional<double> metric(const std::string& metrics, int side, const std::string& path);
 
-// All paths of a side, in the order in which they stand, the sums over roles last.
+// All paths of a side, in the order in which they stand, the sums over roles last; also those that have no number in
+// this match (null).
 std::vector<std::string> metric_paths(const std::string& metrics, int side);
+
+// The same without the sums.
+std::vector<std::string> metric_names(const std::string& metrics, int side);
 
 // All numbers of a side under the paths that name them in full.
 struct NamedValue {

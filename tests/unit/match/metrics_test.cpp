@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The measures on courses that can be counted by hand.
+// What the measures are fed with, on courses that can be counted by hand.
 #include "match/metrics.hpp"
 
 #include <gtest/gtest.h>
@@ -9,114 +9,132 @@
 namespace regista::match {
 namespace {
 
-const std::vector<Role> table{{"goalkeeper", "playing", 0, 1},
-                              {"striker", "playing", 1, 0},
-                              {"supporter", "playing", 2, 0},
-                              {"libero", "playing", 3, 0},
-                              {"searcher", "searching", 0, 0}};
+const std::vector<Role> table{{"goalkeeper", "playing", 0, 1}, {"striker", "playing", 1, 0}};
+
+config::Rules rules_of_three() {
+  config::Rules rules;
+  rules.team_size = 3;
+  return rules;
+}
 
 struct Course : testing::Test {
-  Metrics metrics{3, {table, {}}};
+  Metrics metrics{rules_of_three(), {table, {}}};
   GameState state;
+  std::vector<BodyState> bodies = std::vector<BodyState>(7, BodyState{});
   Course() { state.phase = mind::Phase::playing; }
 
-  void decide(int number, int role, std::vector<int> assignment = {}) {
-    metrics.decided(Side::home, number, role, assignment, state);
-  }
   void sample(int times) {
-    for (int i = 0; i < times; ++i) metrics.sample(state);
+    for (int i = 0; i < times; ++i) metrics.sample(state, bodies);
   }
-  const RoleMetrics& role(std::size_t row) {
-    result = metrics.result();
-    return result.teams[0].roles[row];
-  }
-  MatchMetrics result;
+  void touch(int id) { metrics.stepped(bodies.back(), id, state); }
+  MatchMetrics result(double end = 0.0) const { return metrics.result(state, end); }
 };
-
-TEST_F(Course, CountsOverlapAndWhatIsUncovered) {
-  decide(1, 0);
-  decide(2, 1);
-  decide(3, 1);
-  sample(10);
-  EXPECT_NEAR(role(1).overlap_seconds, 1.0, 1e-9);
-  EXPECT_NEAR(role(2).uncovered_seconds, 1.0, 1e-9);
-  EXPECT_EQ(role(3).uncovered_seconds, 0.0) << "three robots need not cover a fourth role";
-  EXPECT_EQ(role(4).uncovered_seconds, 0.0) << "of a list that is not in force";
-  EXPECT_NEAR(role(1).robot_seconds[1], 1.0, 1e-9);
-  EXPECT_NEAR(role(1).robot_seconds[2], 1.0, 1e-9);
-  EXPECT_EQ(role(1).robot_seconds[0], 0.0);
-  decide(3, 2);
-  sample(5);
-  EXPECT_NEAR(role(1).overlap_seconds, 1.0, 1e-9);
-  EXPECT_NEAR(role(2).uncovered_seconds, 1.0, 1e-9);
-}
-
-TEST_F(Course, PenalisedRobotsHoldNothingAndWantNothing) {
-  decide(1, 0);
-  decide(2, 1);
-  decide(3, 1);
-  state.penalised[0] = 0b001;
-  sample(10);
-  EXPECT_EQ(role(0).uncovered_seconds, 0.0) << "bound to a robot that cannot take it";
-  EXPECT_EQ(role(2).uncovered_seconds, 0.0) << "only two robots";
-  state.penalised[0] = 0b110;
-  sample(10);
-  EXPECT_NEAR(role(1).overlap_seconds, 1.0, 1e-9);
-}
 
 TEST_F(Course, CountsOnlyWhilePlaying) {
   state.phase = mind::Phase::ready;
-  decide(2, 1);
-  decide(3, 1);
+  metrics.decided(Side::home, 2, 1, {}, true, state);
+  metrics.decided(Side::home, 3, 1, {}, true, state);
   sample(10);
-  EXPECT_EQ(role(1).overlap_seconds, 0.0);
-  EXPECT_EQ(role(1).switches, 0);
-  EXPECT_EQ(result.playing_seconds, 0.0);
-}
-
-TEST_F(Course, CountsRolesTaken) {
-  decide(2, 1);
-  decide(2, 1);
-  decide(2, 2);
-  decide(2, 1);
-  decide(2, -1);
-  decide(2, 1);
-  EXPECT_EQ(role(1).switches, 3);
-  EXPECT_EQ(role(2).switches, 1);
-}
-
-TEST_F(Course, AgreementIsTheShareOfEqualAssignments) {
-  for (int number = 1; number <= 3; ++number) decide(number, -1, {0, 1, 2});
-  sample(6);
-  decide(3, -1, {0, 2, 1});
-  sample(2);
-  EXPECT_NEAR(metrics.result().teams[0].agreement, 6.0 / 8.0, 1e-12);
-  state.penalised[0] = 0b100;
-  sample(2);
-  EXPECT_NEAR(metrics.result().teams[0].agreement, 8.0 / 10.0, 1e-12);
+  const MatchMetrics all = result();
+  EXPECT_EQ(all.teams[0].coordination.roles[1].all.overlap_seconds, 0.0);
+  EXPECT_EQ(all.teams[0].coordination.roles[1].all.switches, 0);
+  EXPECT_EQ(all.teams[0].world_model.ball_seen_share, std::nullopt);
+  EXPECT_EQ(all.playing_seconds, 0.0);
 }
 
 TEST_F(Course, PossessionGoesToTheLastTouchWhileTheBallIsInPlay) {
   sample(10);
-  metrics.touched(Side::away);
+  touch(3);
   sample(20);
   state.set_play = mind::SetPlay::kick_in;
   sample(30);
-  const MatchMetrics all = metrics.result();
-  EXPECT_NEAR(all.playing_seconds, 6.0, 1e-9);
-  EXPECT_NEAR(all.in_play_seconds, 3.0, 1e-9);
-  EXPECT_NEAR(all.teams[1].possession_seconds, 2.0, 1e-9);
-  EXPECT_EQ(all.teams[0].possession_seconds, 0.0);
+  const MatchMetrics all = result();
+  EXPECT_EQ(all.playing_seconds, 6.0);
+  EXPECT_EQ(all.in_play_seconds, 3.0);
+  EXPECT_EQ(all.teams[1].play.possession_seconds, 2.0);
+  EXPECT_EQ(all.teams[0].play.possession_seconds, 0.0);
+  EXPECT_EQ(all.teams[1].touches, 1);
 }
 
 TEST_F(Course, AccountsPacketsByReason) {
-  metrics.sent(Side::home, 0);
-  metrics.sent(Side::home, 5);
-  metrics.sent(Side::home, 5);
-  const TeamMetrics team = metrics.result().teams[0];
+  metrics.sent(Side::home, 0, 1.0);
+  metrics.sent(Side::home, 5, 2.0);
+  metrics.sent(Side::home, 5, 3.0);
+  const TeamMetrics team = result().teams[0];
   EXPECT_EQ(team.packets, 3);
   EXPECT_EQ(team.packets_by_reason[0], 1);
   EXPECT_EQ(team.packets_by_reason[5], 2);
+}
+
+TEST_F(Course, SilenceIsOfOneTeam) {
+  metrics.decided(Side::home, 2, 1, {}, false, state);
+  metrics.decided(Side::home, 3, 1, {}, false, state);
+  sample(300);
+  metrics.sent(Side::home, 0, 30.0);
+  sample(500);
+  metrics.sent(Side::away, 0, 79.0);
+  const MatchMetrics all = result(80.0);
+  EXPECT_EQ(all.teams[0].coordination.silent_seconds, 50.0);
+  EXPECT_EQ(all.teams[1].coordination.silent_seconds, 0.0);
+  EXPECT_EQ(all.teams[0].coordination.roles[1].after_silence.overlap_seconds, 50.0);
+}
+
+// Two halves of ten minutes; a packet of home every ten seconds of the clock.
+TEST_F(Course, TheBudgetCurveHasAPointForEachMinuteOfTheClock) {
+  state.packets_left = {1200, 1200};
+  for (state.half = 1; state.half <= 2; ++state.half) {
+    for (int tenths = 0; tenths <= 6000; ++tenths) {
+      state.clock = 0.1 * tenths;
+      if (tenths > 0 && tenths % 100 == 0) --state.packets_left[0];
+      // The last one ends the match, and is not sampled.
+      if (state.half < 2 || tenths < 6000) metrics.sample(state, bodies);
+    }
+  }
+  state.half = 2;
+  state.clock = 600.0;
+  const MatchMetrics all = result();
+  ASSERT_EQ(all.teams[0].budget_curve.size(), 20u);
+  for (int minute = 1; minute <= 20; ++minute) {
+    EXPECT_EQ(all.teams[0].budget_curve[static_cast<std::size_t>(minute - 1)], 1200 - 6 * minute);
+    EXPECT_EQ(all.teams[1].budget_curve[static_cast<std::size_t>(minute - 1)], 1200);
+  }
+}
+
+// Beliefs are in the frame of the side, which is turned about in the second half and for away.
+TEST_F(Course, BeliefsMeetTheTruthInTheirOwnFrame) {
+  const auto put = [this](std::size_t id, double x, double y) {
+    bodies[id].x = static_cast<float>(x);
+    bodies[id].y = static_cast<float>(y);
+  };
+  put(3, 3.0, 0.5);
+  put(4, 1.0, -0.5);
+  put(5, 8.0, 8.0);
+  put(0, -2.0, 0.25);
+  put(1, 0.5, 0.5);
+  put(2, 8.0, -8.0);
+  put(6, 1.5, 0.75);
+  state.penalised = {0b100, 0b100};
+  Belief belief;
+  belief.self = {true, {-3.0, -0.5}, 1.0, 0.0, 1.0};
+  belief.ball = {true, {-1.5, -0.75}, 1.0, 0.0, 1.0};
+  belief.teammates = {{}, {true, {-1.0, 0.5}, 1.0, 0.0, 1.0}, {}};
+  belief.opponents = {{-0.5, -0.5}, {2.0, -0.25}};
+  metrics.believes(Side::away, 1, belief, bodies, state);
+  const auto check = [this](std::size_t side) {
+    const WorldModelMetrics model = result().teams[side].world_model;
+    EXPECT_EQ(model.self.rmse_metres, 0.0);
+    EXPECT_EQ(model.ball.rmse_metres, 0.0);
+    EXPECT_EQ(model.teammates.rmse_metres, 0.0);
+    EXPECT_EQ(model.teammates.known_share, 1.0) << "the third one is off the field";
+    EXPECT_EQ(model.ospa_metres, 0.0) << "their third one, too";
+  };
+  check(1);
+  EXPECT_EQ(result().teams[0].world_model.self.rmse_metres, std::nullopt);
+  // In the second half home attacks where away did.
+  state.half = 2;
+  std::swap_ranges(bodies.begin(), bodies.begin() + 3, bodies.begin() + 3);
+  metrics.believes(Side::home, 1, belief, bodies, state);
+  check(0);
 }
 
 }  // namespace

@@ -30,7 +30,10 @@ TEST(Metric, PathsOfASide) {
                           "playing.striker.switches", "striker.overlap_seconds", "packets", "packets_by_reason.period",
                           "packets_by_reason.offer", "agreement", "switches", "overlap_seconds"));
   EXPECT_THAT(metric_paths(metrics, 1), ElementsAre("goalkeeper.overlap_seconds", "packets", "packets_by_reason.period",
-                                                    "switches", "overlap_seconds"));
+                                                    "agreement", "switches", "overlap_seconds"))
+      << "agreement has no number this time";
+  EXPECT_THAT(metric_names(metrics, 1), ElementsAre("goalkeeper.overlap_seconds", "packets", "packets_by_reason.period",
+                                                    "agreement", "switches"));
 }
 
 TEST(Metric, Values) {
@@ -81,6 +84,7 @@ TEST(Metric, RefusesWhatIsNoJson) {
     EXPECT_THROW(metric(text, 0, "packets"), std::invalid_argument) << text;
     EXPECT_THROW(metric_values(text, 0), std::invalid_argument) << text;
     EXPECT_THROW(metric_paths(text, 0), std::invalid_argument) << text;
+    EXPECT_THROW(metric_names(text, 0), std::invalid_argument) << text;
   }
 }
 

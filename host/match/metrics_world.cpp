@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "match/metrics_world.hpp"
+
+#include <cmath>
+
+namespace regista::match {
+namespace {
+
+// Quantile 0.95 of the chi-square law with two degrees of freedom: -2 ln 0.05.
+constexpr double chi_square_95 = 5.991464547107981;
+
+std::optional<double> mean(double sum, int count) { return count > 0 ? std::optional(sum / count) : std::nullopt; }
+
+}  // namespace
+
+WorldMeasures::WorldMeasures(int team_size)
+    : ospa_(ospa_cutoff, static_cast<std::size_t>(team_size)), sees_ball_(static_cast<std::size_t>(team_size), 0) {}
+
+void WorldMeasures::Errors::add(const Estimate& estimate, Vector truth) {
+  ++asked;
+  if (!estimate.known) return;
+  ++known;
+  const Vector error = estimate.at - truth;
+  squared += squared_length(error);
+  const double determinant = estimate.xx * estimate.yy - estimate.xy * estimate.xy;
+  if (!(estimate.xx > 0.0 && determinant > 0.0)) return;
+  const double normal =
+      (estimate.yy * error.x * error.x - 2.0 * estimate.xy * error.x * error.y + estimate.xx * error.y * error.y) /
+      determinant;
+  ++with_covariance;
+  normalised += normal;
+  if (normal <= chi_square_95) ++covered;
+}
+
+EstimateMetrics WorldMeasures::Errors::result() const {
+  EstimateMetrics out{mean(known, asked), mean(squared, known), mean(normalised, with_covariance),
+                      mean(covered, with_covariance)};
+  if (out.rmse_metres) out.rmse_metres = std::sqrt(*out.rmse_metres);
+  return out;
+}
+
+void WorldMeasures::sample(std::uint32_t active) {
+  ++samples_;
+  for (std::size_t i = 0; i < sees_ball_.size(); ++i) {
+    if (sees_ball_[i] == 0 || (active >> i & 1u) == 0) continue;
+    ++seen_;
+    return;
+  }
+}
+
+void WorldMeasures::compare(int number, const Belief& belief, const Truth& truth) {
+  ball_.add(belief.ball, truth.ball);
+  for (std::size_t i = 0; i < truth.own.size(); ++i) {
+    if ((truth.active >> i & 1u) == 0) continue;
+    if (static_cast<int>(i) == number - 1) {
+      self_.add(belief.self, truth.own[i]);
+    } else {
+      teammates_.add(belief.teammates[i], truth.own[i]);
+    }
+  }
+  const OspaParts parts = ospa_(belief.opponents, truth.opponents);
+  ++compared_;
+  location_ += parts.location;
+  cardinality_ += parts.cardinality;
+}
+
+WorldModelMetrics WorldMeasures::result() const {
+  WorldModelMetrics out;
+  out.ball = ball_.result();
+  out.self = self_.result();
+  out.teammates = teammates_.result();
+  out.ospa_metres = mean(location_ + cardinality_, compared_);
+  out.ospa_location_metres = mean(location_, compared_);
+  out.ospa_cardinality_metres = mean(cardinality_, compared_);
+  out.ball_seen_share = mean(seen_, samples_);
+  return out;
+}
+
+}  // namespace regista::match
