@@ -11,9 +11,12 @@ static Map declare(Body& body) {
       real("mass", body.mass, {0.1, 500}, "kg", "of the robot"),
       real("reach", body.reach, {0.02, 3}, "m", "centre of the robot to centre of the ball, to kick it"),
       degrees("reach_angle_deg", body.reach_angle, {1, 180}, "deg", "to either side of the heading, to kick the ball"),
-      real("get_up", body.get_up, {0, 120}, "s", "from the ground to walking"),
+      real("get_up", body.get_up, {0, 120}, "s", "an attempt to get up from the ground"),
+      real("get_up_failure", body.get_up_failure, {0, 0.95}, "1", "probability that an attempt fails; another follows"),
       real("contact_felt", body.contact_felt, {0, 1}, "1", "probability per decision that it feels a robot in contact"),
       real("falls_per_contact_second", body.falls_per_contact_second, {0, 10}, "1/s", "rate while pushed"),
+      real("falls_per_walking_minute", body.falls_per_walking_minute, {0, 60}, "1/min",
+           "rate while walking, without anybody's help"),
   }};
 }
 

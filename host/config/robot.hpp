@@ -37,7 +37,9 @@ struct Body {
   double reach = 0.22;                             // centre to ball centre within which it can kick, m
   double reach_angle = 60.0 * radians_per_degree;  // to either side of the heading, within which it can kick, rad
   double get_up = 5.0;                             // s
+  double get_up_failure = 0.1;                     // probability that an attempt fails and another follows; assumption
   double falls_per_contact_second = 0.02;          // assumption: no published rate
+  double falls_per_walking_minute = 0.05;          // without anybody's help; assumption: no published rate
   double contact_felt = 0.8;                       // probability per decision that it feels a robot in contact
 };
 

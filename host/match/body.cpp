@@ -33,7 +33,9 @@ double speed_for_distance(double distance, double rolling_deceleration) {
 }
 
 Body::Body(const config::Robot& profile, double rolling_deceleration, std::uint64_t seed, Side side, int number)
-    : profile_(profile), rolling_deceleration_(rolling_deceleration), seed_(seed), side_(side), number_(number) {}
+    : profile_(profile), rolling_deceleration_(rolling_deceleration), seed_(seed), side_(side), number_(number) {
+  draw_walk();
+}
 
 void Body::command(const mind::Command& command, double time, double ball_distance) {
   if (kick_ || fallen(time)) return;
@@ -59,6 +61,12 @@ Body::Motion Body::move(double time, std::uint32_t tick, double ball_distance) {
     walk_ = {};
   }
   if (at_step) walk_ = within_limits(commanded_, profile_.walk);
+  if (walk_.forward == 0.0 && walk_.sideways == 0.0 && walk_.turn == 0.0) return motion;
+  walk_left_ -= physics_step;
+  if (walk_left_ <= 0.0) {
+    fall(time);
+    return motion;
+  }
   motion.walk = {speed_ * walk_.forward, speed_ * walk_.sideways, speed_ * walk_.turn};
   return motion;
 }
@@ -77,9 +85,40 @@ void Body::jostled(double time, std::uint32_t tick) {
   if (fallen(time)) return;
   Chance chance(seed_, Purpose::fall, side_, number_, 0, tick);
   if (!chance.bernoulli(profile_.body.falls_per_contact_second * physics_step)) return;
+  fall(time);
+}
+
+void Body::fall(double time) {
   put_down();
-  up_at_ = frozen_ ? never : time + profile_.body.get_up;
   ++falls_;
+  draw_walk();
+  if (frozen_) {
+    up_at_ = never;
+  } else {
+    lie(time);
+  }
+}
+
+// It gets up from now on, with as many attempts as it takes.
+void Body::lie(double time) {
+  Chance chance(seed_, Purpose::get_up, side_, number_, 0, static_cast<std::uint32_t>(falls_));
+  up_at_ = time + profile_.body.get_up;
+  while (chance.bernoulli(profile_.body.get_up_failure)) up_at_ += profile_.body.get_up;
+}
+
+// Exponential law: as likely in each second.
+void Body::draw_walk() {
+  walk_left_ = never;
+  const double rate = profile_.body.falls_per_walking_minute / 60.0;
+  if (rate <= 0.0) return;
+  Chance chance(seed_, Purpose::stumble, side_, number_, 0, static_cast<std::uint32_t>(falls_));
+  walk_left_ = -std::log(1.0 - chance.uniform()) / rate;
+}
+
+double Body::time_until_up(double time) const {
+  if (!fallen(time)) return 0.0;
+  const double left = std::fmod(up_at_ - time, profile_.body.get_up);
+  return left > 0.0 ? left : profile_.body.get_up;
 }
 
 void Body::freeze(double time) {
@@ -91,7 +130,7 @@ void Body::freeze(double time) {
 
 void Body::thaw(double time) {
   frozen_ = false;
-  if (up_at_ == never) up_at_ = time + profile_.body.get_up;
+  if (up_at_ == never) lie(time);
 }
 
 void Body::put_down() {

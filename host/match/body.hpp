@@ -5,7 +5,8 @@
 // Walk: a command takes effect at the next step. Speeds ahead, sideways and of turning share one ellipsoid of limits.
 // Kick: begins at once if the ball is in reach, hits `impact` later if it is in reach then, and the robot stands until
 // it is over. The ball rolls a distance with triangular relative noise, in a direction with normal noise.
-// Fall: a rate per second of contact with other robots.
+// Fall: a rate per second of contact with other robots, and one per minute of walking. When it will fall by itself is
+// drawn ahead, as seconds of walking. Each attempt to get up may fail.
 #pragma once
 
 #include <cstdint>
@@ -53,7 +54,8 @@ class Body {
   void thaw(double time);
 
   bool fallen(double time) const { return time < up_at_; }
-  double time_until_up(double time) const { return fallen(time) ? up_at_ - time : 0.0; }
+  // As far as it knows: that the present attempt to get up will fail, it does not.
+  double time_until_up(double time) const;
   bool kicking() const { return kick_.has_value(); }
   int falls() const { return falls_; }
 
@@ -63,6 +65,9 @@ class Body {
     double began;
     bool hit = false;  // the moment of impact is over
   };
+  void fall(double time);
+  void lie(double time);
+  void draw_walk();
   Vector launch(const mind::KickRequest& request, std::uint32_t tick) const;
 
   const config::Robot& profile_;
@@ -76,6 +81,7 @@ class Body {
   double next_step_ = 0.0;
   std::optional<Kick> kick_;
   double up_at_ = -1.0;
+  double walk_left_ = 0.0;  // s of walking until it falls by itself
   int falls_ = 0;
 };
 

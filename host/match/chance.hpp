@@ -37,6 +37,8 @@ enum class Purpose : std::uint32_t {
   burst,
   ghost_ball,
   misplacing,
+  stumble,
+  get_up,
 };
 
 // A stream: 2^32 blocks of four words. Cheap to make (nothing is drawn until it is asked for).

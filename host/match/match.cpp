@@ -376,7 +376,9 @@ int Course::move_bodies() {
     if (contains(out_of_play_, id)) continue;
     Robot& robot = this->robot(id);
     const BodyState& now = arena_.robot(id);
+    const int falls = robot.body.falls();
     const Body::Motion motion = robot.body.move(time_, tick_, robot.body.kicking() ? ball_distance(id) : 0.0);
+    if (robot.body.falls() != falls) metrics_.fell(roster_.side(id));
     const config::Walk& limits = robot.profile.walk;
     Vector& legs = legs_[static_cast<std::size_t>(id)];
     legs = turned({motion.walk.forward, motion.walk.sideways}, now.cosine, now.sine);

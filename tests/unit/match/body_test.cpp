@@ -158,7 +158,81 @@ TEST(Fall, ComesAtItsRateAndEndsAfterGettingUp) {
   }
   const double expected = standing * robot.body.falls_per_contact_second;
   EXPECT_NEAR(body.falls(), expected, 5.0 * std::sqrt(expected));
-  EXPECT_NEAR(down / body.falls(), 5.0, 0.03);
+  // Attempts follow a geometric law.
+  const double fails = robot.body.get_up_failure, attempts = 1.0 / (1.0 - fails);
+  EXPECT_NEAR(down / body.falls(), 5.0 * attempts, 4.0 * 5.0 * attempts * std::sqrt(fails / body.falls()) + 0.03);
+}
+
+TEST(Fall, ComesByItselfWhileWalkingAlone) {
+  config::Robot robot = profile();
+  robot.body.falls_per_walking_minute = 6.0;
+  robot.body.get_up_failure = 0.0;
+  double walking = 0.0;
+  int falls = 0, early = 0;
+  for (const std::uint64_t seed : {1u, 2u}) {
+    Body body(robot, 0.32, seed, Side::away, 3);
+    double since = 0.0;
+    for (std::uint32_t tick = 0; tick < 2000000; ++tick) {
+      const double time = tick * physics_step;
+      const bool walks = tick / 500 % 2 == 0;  // 10 s of walking, 10 s of standing
+      mind::Command command;
+      if (walks) command.walk = {0.0, 0.0, 0.5};
+      body.command(command, time, 1.0);
+      const int before = body.falls();
+      const bool moves = body.move(time, tick, 1.0).walk.turn != 0.0;
+      if (body.falls() != before) {
+        ++falls;
+        early += since < 10.0 ? 1 : 0;
+        since = 0.0;
+      }
+      if (moves) walking += physics_step, since += physics_step;
+    }
+  }
+  const double expected = walking / 10.0, e = 1.0 - std::exp(-1.0);
+  EXPECT_GT(falls, 2000);
+  EXPECT_NEAR(falls, expected, 4.0 * std::sqrt(expected));
+  EXPECT_NEAR(early / double(falls), e, 4.0 * std::sqrt(e * (1.0 - e) / falls)) << "as likely in each second";
+}
+
+TEST(Fall, AnAttemptToGetUpDoesNotKnowThatItWillFail) {
+  config::Robot robot = profile();
+  robot.body.get_up_failure = 0.5;
+  robot.body.falls_per_contact_second = 10.0;
+  Body body(robot, 0.32, 1, Side::home, 1);
+  double longest = 0.0;
+  for (std::uint32_t tick = 0, down = 0; tick < 400000; ++tick) {
+    const double time = tick * physics_step;
+    if (!body.fallen(time)) {
+      down = 0;
+      body.jostled(time, tick);
+      continue;
+    }
+    const double lying = ++down * physics_step;
+    longest = std::fmax(longest, lying);
+    ASSERT_NEAR(std::remainder(body.time_until_up(time) + lying, 5.0), 0.0, 1e-6);
+    ASSERT_LE(body.time_until_up(time), 5.0 + 1e-9);
+    ASSERT_GT(body.time_until_up(time), 0.0);
+  }
+  EXPECT_GT(longest, 19.0);
+}
+
+TEST(Freeze, WhatLiesGetsUpOnlyAfterIt) {
+  config::Robot robot = profile();
+  robot.body.falls_per_contact_second = 50.0;
+  robot.body.get_up_failure = 0.0;
+  Body body(robot, 0.32, 1, Side::home, 1);
+  mind::Command walk;
+  walk.walk = {0.2, 0.0, 0.0};
+  body.command(walk, 0.0, 1.0);
+  EXPECT_GT(body.move(0.0, 0, 1.0).walk.forward, 0.0);
+  body.freeze(0.02);
+  EXPECT_EQ(body.move(0.02, 1, 1.0).walk.forward, 0.0);
+  EXPECT_FALSE(body.fallen(0.02));
+  body.jostled(1.0, 50);
+  EXPECT_TRUE(body.fallen(1000.0));
+  body.thaw(1000.0);
+  EXPECT_NEAR(body.time_until_up(1000.0), 5.0, 1e-9);
+  EXPECT_FALSE(body.fallen(1005.01));
 }
 
 }  // namespace
