@@ -56,6 +56,9 @@ std::vector<std::string> roles_of(const study::ExperimentPlan& plan) {
   return out;
 }
 
+// "playing.goalkeeper" is told from that of another list by its path; in a picture the role is enough.
+std::string short_name(const std::string& role) { return role.substr(role.rfind('.') + 1); }
+
 std::string colour(std::size_t arm) { return std::string(colours[arm % colours.size()]); }
 
 // So many names of arms stand beside each other.
@@ -68,23 +71,19 @@ int key_columns(const study::ExperimentPlan& plan) {
 
 // Bars of all arms for each role, the first arm's on top, with their intervals as whiskers.
 std::string panel_commands(const ExperimentView& view, std::size_t first_column, const char* title,
-                           const std::string& tics, double most, bool key) {
+                           const std::string& tics, double most) {
   const std::size_t arms = view.plan.arms.size();
   const double height = 0.8 / static_cast<double>(arms);
   std::string out = fmt::format("set title '{}'\nset xrange [0:{:.6g}]\nset xtics {}\n{}", title,
                                 most > 0.0 ? 1.05 * most : 1.0, tic_step(most, 5), tics);
-  out += key ? fmt::format("set key at screen 0.5, screen 0.985 center top horizontal maxcols {}\n",
-                           key_columns(view.plan))
-             : "unset key\n";
   std::string plot = "plot ";
   for (std::size_t arm = 0; arm < arms; ++arm) {
     const std::size_t column = first_column + 3 * arm;
     const double centre = 0.4 - (static_cast<double>(arm) + 0.5) * height;
     plot += fmt::format(
         "'roles.csv' using {0}:(-$0{1:+.4f}):(0):{0}:(-$0{2:+.4f}):(-$0{3:+.4f}) with boxxyerror lc rgb "
-        "'{4}' fs solid noborder {5}, \\\n     ",
-        column, centre, centre - 0.46 * height, centre + 0.46 * height, colour(arm),
-        key ? "title " + gnuplot_text(view.plan.arms[arm].name) : std::string("notitle"));
+        "'{4}' fs solid noborder notitle, \\\n     ",
+        column, centre, centre - 0.46 * height, centre + 0.46 * height, colour(arm));
   }
   for (std::size_t arm = 0; arm < arms; ++arm) {
     const std::size_t column = first_column + 3 * arm;
@@ -95,10 +94,23 @@ std::string panel_commands(const ExperimentView& view, std::size_t first_column,
   return out + plot;
 }
 
+// Names and colours of the arms over the whole width, as a plot of nothing.
+std::string key_commands(const study::ExperimentPlan& plan, int height, int top) {
+  std::string out = fmt::format(
+      "set lmargin at screen 0.01\nset rmargin at screen 0.99\nset tmargin at screen 0.995\n"
+      "set bmargin at screen {:.4f}\nunset border\nunset tics\nset key center center horizontal maxcols {}\nplot ",
+      1.0 - static_cast<double>(top - 30) / height, key_columns(plan));
+  for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+    out += fmt::format("NaN with boxes lc rgb '{}' fs solid noborder title {}{}", colour(arm),
+                       gnuplot_text(plan.arms[arm].name), arm + 1 < plan.arms.size() ? ", \\\n     " : "\n");
+  }
+  return out + "unset key\nset border 3\nset xtics nomirror\nset bmargin 2.5\n";
+}
+
 std::string name_tics(const std::vector<std::string>& names, bool shown) {
   std::string out = "set ytics scale 0 (";
   for (std::size_t i = 0; i < names.size(); ++i) {
-    std::string each = shown ? names[i] : std::string();
+    std::string each = shown ? short_name(names[i]) : std::string();
     std::ranges::replace(each, '_', ' ');
     out += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_mark(each), -static_cast<int>(i));
   }
@@ -140,7 +152,7 @@ std::optional<Figure> roles(const ExperimentView& view) {
     out.csv += '\n';
   }
   std::size_t widest = 0;
-  for (const std::string& role : names) widest = std::max(widest, gnuplot_mark(role).size() - 2);
+  for (const std::string& role : names) widest = std::max(widest, gnuplot_mark(short_name(role)).size() - 2);
   const auto rows = static_cast<double>(names.size());
   out.width = 1130;
   const int columns = key_columns(plan), key_rows = (static_cast<int>(plan.arms.size()) + columns - 1) / columns;
@@ -148,8 +160,10 @@ std::optional<Figure> roles(const ExperimentView& view) {
   out.height = 50 + top + static_cast<int>(rows * std::max(24.0, 10.0 * static_cast<double>(plan.arms.size())));
   out.commands = fmt::format(
       "set grid noytics\nset grid xtics lt 1 lc rgb '{}' lw 0.7\nset yrange [{:.1f}:0.6]\n"
-      "set bmargin 2.5\nset tmargin at screen {:.4f}\nset style fill solid noborder\nset bars 0.4\nset multiplot\n",
-      grid_colour, -rows + 0.4, 1.0 - static_cast<double>(top) / out.height);
+      "set style fill solid noborder\nset bars 0.4\nset multiplot\n",
+      grid_colour, -rows + 0.4);
+  out.commands += key_commands(plan, out.height, top);
+  out.commands += fmt::format("set tmargin at screen {:.4f}\n", 1.0 - static_cast<double>(top) / out.height);
   const double left = (8.2 * static_cast<double>(widest) + 16.0) / out.width;
   const double panel_width = (1.01 - left) / static_cast<double>(panels.size());
   for (std::size_t i = 0; i < panels.size(); ++i) {
@@ -157,7 +171,7 @@ std::optional<Figure> roles(const ExperimentView& view) {
     out.commands +=
         fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n", begin, begin + panel_width - 0.03);
     out.commands +=
-        panel_commands(view, 2 + 3 * plan.arms.size() * i, panels[i].title, name_tics(names, i == 0), most[i], i == 0);
+        panel_commands(view, 2 + 3 * plan.arms.size() * i, panels[i].title, name_tics(names, i == 0), most[i]);
   }
   out.commands += "unset multiplot\n";
   return out;

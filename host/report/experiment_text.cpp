@@ -98,6 +98,11 @@ std::string with_sign(const MeanEstimate& estimate) {
   return text.starts_with('-') ? text : '+' + text;
 }
 
+// Not of a single role, but for the primary one: a terminal has room for these.
+bool is_headline(const study::ExperimentPlan& plan, const std::string& measure) {
+  return measure == plan.primary || measure.find('.') == std::string::npos;
+}
+
 std::string differences_table(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   TextTable table;
@@ -107,6 +112,7 @@ std::string differences_table(const ExperimentView& view) {
   }
   table.row(head);
   for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) {
+    if (!is_headline(plan, plan.measures[measure])) continue;
     std::vector<std::string> cells{with_unit(plan.measures[measure])};
     for (const study::Comparison& each : plan.comparisons) {
       const MeanEstimate difference = view.course.difference(each, measure);
@@ -199,7 +205,8 @@ std::string experiment_text(const ExperimentView& view) {
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < plan.measures.size(); ++i) all.push_back(i);
     out += arms_table(view, all);
-    if (!plan.comparisons.empty()) out += "\nDifferences, pair by pair:\n\n" + differences_table(view);
+    if (!plan.comparisons.empty())
+      out += "\nDifferences, pair by pair (of single roles: --json, or the page):\n\n" + differences_table(view);
     out += '\n';
   }
   for (const std::string& sentence : finding_sentences(view)) out += sentence + '\n';
