@@ -22,6 +22,7 @@ namespace {
 constexpr auto examples = R"(Examples:
   regista match configs/teams/paper.yaml configs/teams/fixed_rate.yaml --seed 1
   regista tournament --team configs/teams/paper.yaml --team configs/teams/fixed_rate.yaml --pairs 100
+  regista experiment configs/studies/role_overlap.yaml
   regista plugin list
   regista config check configs/teams/paper.yaml
 
@@ -133,9 +134,13 @@ int run(const Invocation& invocation) {
   root.footer(examples);
   // At most one command, so that what follows it is never taken for another.
   root.require_subcommand(0, 1);
-  std::vector<Command> commands{add_match(root, invocation),      add_view(root, invocation),
-                                add_tournament(root, invocation), add_report(root, invocation),
-                                add_sprt(root, invocation),       add_evaluate_predictor(root, invocation),
+  std::vector<Command> commands{add_match(root, invocation),
+                                add_view(root, invocation),
+                                add_tournament(root, invocation),
+                                add_experiment(root, invocation),
+                                add_report(root, invocation),
+                                add_sprt(root, invocation),
+                                add_evaluate_predictor(root, invocation),
                                 add_play_one(root, invocation)};
   CLI::App& plugin = *root.add_subcommand("plugin", "the plugins that there are");
   plugin.require_subcommand(0, 1);

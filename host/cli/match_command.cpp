@@ -25,9 +25,9 @@
 #include "cli/own_kind.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/replaced_file.hpp"
+#include "cli/results_file.hpp"
 #include "cli/shell.hpp"
 #include "cli/test_options.hpp"
-#include "cli/tournament_files.hpp"
 #include "config/text.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
@@ -48,8 +48,8 @@ constexpr auto examples = R"(Examples:
   regista match a.yaml b.yaml --opening configs/openings/counter_three_on_two.yaml
   regista match --from tournament.db --row 12
 
---from plays a match of a tournament again: the same teams, plugins, profiles and seed, or it says what has changed; and
-compares the hashes; one that was forfeited is played under the limits of the tournament. Rows are those of
+--from plays a match of a tournament or an experiment again: the same teams, plugins, profiles and seed, or it says what has changed; and
+compares the hashes; one that was forfeited is played under the limits of that study. Rows are those of
 `regista report --csv`.
 A path of --set begins with home, away, rules, robot, disturbance (of both teams), home_disturbance, away_disturbance or
 opening; without one of these it goes to both teams.
@@ -105,28 +105,26 @@ std::optional<Stored> stored_match(const Options& options) {
                     !options.away_disturbance.empty() || !options.overrides.empty() || !options.opening.empty() ||
                     !options.limit.empty() || !options.plugins.empty() || options.seed != unset.seed;
   if (more) throw BadInput("--from: the file says what is played; teams and options that change it cannot be given");
-  const StoredTournament results = read_results(options.from);
-  const study::Calendar calendar(results.plan);
-  const std::uint64_t row = parse_whole("--row", options.row, 1, calendar.matches());
-  const study::Fixture fixture = calendar.at(row - 1);
+  const StoredStudy results = read_results(options.from);
+  const std::uint64_t row = parse_whole("--row", options.row, 1, matches(results.plan));
   Stored out;
-  out.job = study::job(results.plan, fixture);
-  out.limits = results.plan.limits;
+  out.job = job(results.plan, row - 1);
+  out.limits = limits(results.plan);
   try {
     const std::string key = campaign::fixture_key(out.job.home_inputs, out.job.away_inputs, out.job.common_inputs);
     const std::int64_t number = results.store.numbers(std::span(&key, 1)).front();
     const auto decided =
-        results.store.find(static_cast<std::int64_t>(row), {number, fixture.seed}, campaign::Metrics::left_out);
+        results.store.find(static_cast<std::int64_t>(row), {number, out.job.seed}, campaign::Metrics::left_out);
     if (!decided) throw BadInput(fmt::format("--row {}: this match of {} has not been played", row, options.from));
     out.decided = *decided;
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
   }
   std::error_code error;
-  std::filesystem::current_path(results.plan.folder, error);
+  std::filesystem::current_path(folder(results.plan), error);
   if (error) {
     throw BadInput(fmt::format("--from {}: the folder it was begun in, {}, cannot be entered: {}", options.from,
-                               results.plan.folder, error.message()));
+                               folder(results.plan), error.message()));
   }
   return out;
 }

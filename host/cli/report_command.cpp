@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `regista report`: what the stored results of a tournament say, without playing any; while it is still played, too.
+// `regista report`: what the stored results of a study say, without playing any match; while it is still played, too.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -10,10 +10,11 @@
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/output.hpp"
+#include "cli/report_experiment.hpp"
+#include "cli/results_file.hpp"
 #include "cli/results_page.hpp"
-#include "cli/shell.hpp"
 #include "cli/stored_course.hpp"
-#include "cli/tournament_files.hpp"
+#include "cli/study_run.hpp"
 #include "config/text.hpp"
 #include "report/tournament.hpp"
 #include "study/metric.hpp"
@@ -30,8 +31,9 @@ constexpr auto examples = R"(Examples:
   regista report tournament.db --figures figures --png
 
 -o writes one page that needs nothing else, --figures each of its figures as NAME.svg, its data as NAME.csv, and
-NAME.gnuplot, which draws the one from the other. What is told is what `regista tournament` told at its end; of a
-tournament that is not at its end, as far as its matches have been played without a gap.
+NAME.gnuplot, which draws the one from the other. What is told is what `regista tournament` or `regista experiment`
+told at its end; of a study that is not at its end, as far as its matches have been played without a gap. The table of
+an experiment has a row for each number of each match.
 Exit codes: 0 done; 1 the report could not be written; 2 bad input; 3 a defect of Regista.)";
 
 struct Options {
@@ -52,7 +54,8 @@ void add_columns(std::vector<std::string>& columns, const campaign::Decided& dec
 }
 
 void refuse_what_does_not_go_together(const Options& options) {
-  if (options.file.empty()) throw BadInput("report: which results? Name a file that `regista tournament` wrote");
+  if (options.file.empty())
+    throw BadInput("report: which results? Name a file that `regista tournament` or `regista experiment` wrote");
   if (options.csv && options.json) throw BadInput("report: --csv and --json: one of them");
   if (options.metrics && !options.csv) throw BadInput("report: --metrics adds columns to --csv, which is not given");
   const bool files = !options.page.empty() || !options.figures.empty();
@@ -81,14 +84,11 @@ std::vector<std::string> metric_columns(const StoredCourse& stored, const study:
   return columns;
 }
 
-int tell(const Options& options, const StoredTournament& results, const Invocation& invocation) {
-  const study::TournamentPlan& plan = results.plan;
+int tell(const Options& options, const StoredStudy& results, const study::TournamentPlan& plan,
+         const Invocation& invocation) {
   study::Tournament course(plan);
   const report::TournamentView view{plan, course, [&plan, &course, &invocation](std::uint64_t index) {
-                                      auto words =
-                                          campaign::match_arguments(study::job(plan, course.calendar().at(index)));
-                                      words.insert(words.begin(), invocation.arguments.front());
-                                      return shell_line(words);
+                                      return play_again(study::job(plan, course.calendar().at(index)), invocation);
                                     }};
   try {
     const StoredCourse stored(results.store, plan);
@@ -105,8 +105,8 @@ int tell(const Options& options, const StoredTournament& results, const Invocati
                   csv.clear();
                 });
     if (!course.complete()) {
-      complain(fmt::format("{} holds {} of {} matches without a gap: the tournament is not at its end", options.file,
-                           course.matches(), course.calendar().matches()));
+      complain(not_at_its_end({options.file, results.store, results.plan}, "tournament", course.matches(),
+                              course.calendar().matches()));
     }
     if (options.csv)
       print(csv);
@@ -122,8 +122,14 @@ int tell(const Options& options, const StoredTournament& results, const Invocati
 
 int run(const Options& options, const Invocation& invocation) {
   refuse_what_does_not_go_together(options);
-  const StoredTournament results = read_results(options.file);
-  if (options.page.empty() && options.figures.empty()) return tell(options, results, invocation);
+  const StoredStudy results = read_results(options.file);
+  if (options.page.empty() && options.figures.empty()) {
+    if (const auto* const tournament = std::get_if<study::TournamentPlan>(&results.plan)) {
+      return tell(options, results, *tournament, invocation);
+    }
+    const ExperimentWishes wishes{options.json, options.csv, options.metrics};
+    return tell_experiment({options.file, results.store, results.plan}, wishes, invocation);
+  }
   PageWishes wishes;
   if (!options.page.empty()) wishes.page = options.page;
   if (!options.figures.empty()) wishes.figures = options.figures;
@@ -138,9 +144,10 @@ int run(const Options& options, const Invocation& invocation) {
 Command add_report(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("report", "what stored results say");
   const auto options = std::make_shared<Options>();
-  app.add_option("results", options->file, "file that a tournament wrote")->type_name("RESULTS.db");
+  app.add_option("results", options->file, "file that a tournament or an experiment wrote")->type_name("RESULTS.db");
   app.add_flag("--json", options->json, "write the report as JSON")->disable_flag_override();
-  app.add_flag("--csv", options->csv, "write a table with a row for each match")->disable_flag_override();
+  app.add_flag("--csv", options->csv, "write a table with a row for each match, of an experiment for each number")
+      ->disable_flag_override();
   app.add_flag("--metrics", options->metrics, "with --csv: all numbers of the matches, too")->disable_flag_override();
   app.add_option("-o,--output", options->page, "write the report as a page that needs nothing else")
       ->type_name("PAGE.html");

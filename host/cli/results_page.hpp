@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The page of a tournament (report/tournament_page.hpp) from its file of results, and its figures as files.
+// The page of a study from its file of results, and its figures as files.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
 
-#include "campaign/store.hpp"
 #include "cli/replaced_file.hpp"
-#include "study/tournament_plan.hpp"
+#include "cli/told_study.hpp"
 
 namespace regista::cli {
-
-struct StoredResults {
-  std::filesystem::path file;
-  const campaign::Store& store;
-  const study::TournamentPlan& plan;
-};
 
 struct PageWishes {
   std::optional<std::filesystem::path> page;     // the file
@@ -28,9 +21,10 @@ struct PageWishes {
 // Complains in one line where figures cannot be drawn, or results are missing. Throws BadInput and WriteError.
 void write_page(const StoredResults& results, const PageWishes& wishes);
 
-// After a tournament: its page beside the results (study/recording_place.hpp), in the place of an older page of ours,
+// After a study: its page beside the results (study/recording_place.hpp), in the place of an older page of ours,
 // never of another file. What goes wrong is a complaint in one line and no more: the results are safe. Returns where it
 // stands; nothing where it does not.
-std::optional<std::filesystem::path> write_page_beside(const StoredResults& results);
+// figures: also as files, in the folder NAME.figures.
+std::optional<std::filesystem::path> write_page_beside(const StoredResults& results, bool figures);
 
 }  // namespace regista::cli

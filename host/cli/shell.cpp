@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/shell.hpp"
 
+#include <vector>
+
 #include <algorithm>
 #include <string_view>
 
@@ -34,6 +36,12 @@ std::string shell_line(std::span<const std::string> words) {
     line += quoted(word);
   }
   return line;
+}
+
+std::string command_line(std::span<const std::string> words) {
+  std::vector<std::string> line{"regista"};
+  line.insert(line.end(), words.begin(), words.end());
+  return shell_line(line);
 }
 
 }  // namespace regista::cli

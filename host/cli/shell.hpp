@@ -9,4 +9,8 @@ namespace regista::cli {
 
 std::string shell_line(std::span<const std::string> words);
 
+// The same after "regista", by the program's name and not by the path that was typed this time: the same results make
+// the same page.
+std::string command_line(std::span<const std::string> words);
+
 }  // namespace regista::cli

@@ -4,25 +4,22 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
-#include <stdexcept>
-#include <system_error>
+#include <optional>
 
-#include "campaign/engine.hpp"
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/interruption.hpp"
 #include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
+#include "cli/results_file.hpp"
 #include "cli/results_page.hpp"
-#include "cli/shell.hpp"
+#include "cli/study_progress.hpp"
+#include "cli/study_run.hpp"
 #include "cli/terminal.hpp"
-#include "cli/tournament_files.hpp"
 #include "cli/tournament_options.hpp"
-#include "cli/tournament_progress.hpp"
 #include "config/text.hpp"
 #include "report/tournament.hpp"
-#include "study/recording_place.hpp"
 #include "study/tournament.hpp"
 
 namespace regista::cli {
@@ -52,47 +49,18 @@ class Played {
   Played(const TournamentOptions& options, const Invocation& invocation, PlannedTournament planned)
       : options_(options),
         invocation_(invocation),
-        workers_(number_of_workers(options)),
-        record_every_(record_every(options)),
         plan_(std::move(planned.plan)),
         documents_(std::move(planned.documents)),
         course_(plan_),
-        view_{plan_, course_, [this](std::uint64_t index) { return again(job(index)); }} {}
+        view_{plan_, course_, [this](std::uint64_t index) { return play_again(job(index), invocation_); }} {}
   Played(const Played&) = delete;
   Played& operator=(const Played&) = delete;
 
   int play() {
     campaign::Store store = open_results(options_.results, options_.resume, plan_, documents_);
-    const Interruption interruption(fmt::format("regista: interrupted; to go on: {}\n", resume_line()));
-    TournamentProgress progress(view_, !options_.quiet);
-    progress.begin();
-    try {
-      numbers_ = store.add(study::fixtures(plan_));
-      const campaign::Schedule schedule = schedule_with(progress, interruption);
-      const campaign::Finish finish = campaign::run(schedule, store, workers_, plan_.limits);
-      progress.clear();
-      if (finish == campaign::Finish::interrupted) {
-        progress.stopped();
-        throw Interrupted(fmt::format("interrupted after {} of {} matches; to go on: {}", course_.matches(),
-                                      schedule.matches, resume_line()));
-      }
-    } catch (const campaign::CampaignError& error) {
-      progress.clear();
-      if (error.kind() == campaign::CampaignError::Kind::input) {
-        throw BadInput(fmt::format("while the tournament was played: {}", error.what()));
-      }
-      throw WriteError(fmt::format("{}; to go on: {}", error.what(), resume_line()));
-    } catch (const campaign::StoreError& error) {
-      progress.clear();
-      throw WriteError(fmt::format("{}; to go on: {}", error.what(), resume_line()));
-    } catch (const std::invalid_argument& error) {
-      progress.clear();
-      throw BadInput(damaged_metrics(options_.results, error));
-    } catch (const std::system_error& error) {
-      progress.clear();
-      throw WriteError(fmt::format("{}; to go on: {}", error.what(), resume_line()));
-    }
-    progress.finish();
+    StudyProgress progress(words(), !options_.quiet);
+    tell_of_equal_teams(progress);
+    cli::play(run(), options_, invocation_, store, progress);
     print(options_.json ? report::tournament_json(view_) : report::tournament_text(view_));
     if (!options_.no_page) write_page(store);
     return exit_done;
@@ -100,72 +68,72 @@ class Played {
 
  private:
   void write_page(const campaign::Store& store) const {
-    const auto page = write_page_beside({options_.results, store, plan_});
+    const StudyPlan plan = plan_;
+    const auto page = write_page_beside({options_.results, store, plan}, false);
     if (page && !options_.quiet) say(fmt::format("page: {}\n", config::one_line(page->string())));
   }
 
-  campaign::Schedule schedule_with(TournamentProgress& progress, const Interruption& interruption) {
-    campaign::Schedule out;
+  StudyRun run() {
+    StudyRun out;
+    out.what = "tournament";
     out.matches = course_.calendar().matches();
-    out.at = [this](std::uint64_t index) -> std::optional<campaign::MatchKey> {
+    out.fixtures = study::fixtures(plan_);
+    out.at = [this](std::uint64_t index) -> std::optional<StudyRun::Place> {
       if (!course_.wanted(index)) return std::nullopt;
       const study::Fixture fixture = course_.calendar().at(index);
-      return campaign::MatchKey{numbers_[fixture.number], fixture.seed};
+      return StudyRun::Place{fixture.number, fixture.seed};
     };
-    out.job = [this](std::uint64_t index) {
-      campaign::Job match = job(index);
-      if (record_every_ > 0 && index % record_every_ == 0) match.record = recording(index);
-      return match;
-    };
-    out.record_failure = [this](std::uint64_t index) { return recording(index); };
-    out.not_recorded = [this, &progress](const campaign::Job& job, const std::string& why) {
-      progress.tell(
-          fmt::format("a match was not recorded: {}; it can be played again with --record: {}", why, again(job)));
-    };
-    out.take = [this, &progress](std::uint64_t index, const campaign::Decided* decided, bool fresh) {
-      const bool more = course_.take(decided);
-      progress.match(index, decided, fresh);
-      return more;
-    };
+    out.job = [this](std::uint64_t index) { return job(index); };
+    out.take = [this](std::uint64_t, const campaign::Decided* decided) { return course_.take(decided); };
     out.metrics = course_.needs_metrics() ? campaign::Metrics::wanted : campaign::Metrics::left_out;
-    out.accident = [this, &progress](const campaign::Job& job, const campaign::End& death) {
-      progress.tell(
-          fmt::format("a worker died ({}), but not when its match was played again: {}", death.text, again(job)));
-    };
-    out.asked_to_stop = [&interruption] { return interruption.requested(); };
+    out.counted = [this] { return course_.matches(); };
     return out;
+  }
+
+  StudyWords words() const {
+    StudyWords out;
+    out.matches = course_.calendar().matches();
+    out.taken = [this] { return course_.taken(); };
+    out.standing = [this] { return fmt::format("{}\n{}", report::title(view_), report::standing_text(view_)); };
+    out.whole = [this] { return course_.matches() > 0 ? report::tournament_text(view_) : std::string(); };
+    out.match = [this](std::uint64_t index, const campaign::Decided& decided) { return match_text(index, decided); };
+    return out;
+  }
+
+  std::string match_text(std::uint64_t index, const campaign::Decided& decided) const {
+    const study::Fixture fixture = course_.calendar().at(index);
+    const std::string scene = plan_.openings.empty()
+                                  ? ""
+                                  : ", " + std::filesystem::path(plan_.openings[fixture.opening].file).stem().string();
+    std::string line = fmt::format("seed {}{}: {} {}:{} {}", fixture.seed, scene, plan_.teams[fixture.home].label,
+                                   decided.score[0], decided.score[1], plan_.teams[fixture.away].label);
+    if (decided.failure) {
+      const std::size_t loser = decided.failure->side == 0 ? fixture.home : fixture.away;
+      line += ", " + report::forfeit_text(plan_.teams[loser].label, *decided.failure);
+    }
+    return line;
+  }
+
+  void tell_of_equal_teams(StudyProgress& progress) const {
+    for (const study::Pairing& pairing : course_.calendar().pairings()) {
+      if (!study::equal_teams(plan_, pairing)) continue;
+      progress.note(fmt::format("A/A: {} and {} are equal, so every pair is a draw by construction",
+                                plan_.teams[pairing.first].label, plan_.teams[pairing.second].label));
+    }
   }
 
   campaign::Job job(std::uint64_t index) const { return study::job(plan_, course_.calendar().at(index)); }
 
-  std::string recording(std::uint64_t index) const {
-    return study::recording_file(options_.results, static_cast<std::int64_t>(index) + 1).string();
-  }
-
-  std::string again(const campaign::Job& job) const {
-    std::vector<std::string> words = campaign::match_arguments(job);
-    words.insert(words.begin(), invocation_.arguments.front());
-    return shell_line(words);
-  }
-
-  std::string resume_line() const {
-    std::vector<std::string> words = invocation_.arguments;
-    if (!options_.resume) words.push_back("--resume");
-    return shell_line(words);
-  }
-
   const TournamentOptions& options_;
   const Invocation& invocation_;
-  int workers_;
-  std::uint64_t record_every_;
   study::TournamentPlan plan_;
   std::vector<std::string> documents_;  // of the teams
   study::Tournament course_;
   report::TournamentView view_;
-  std::vector<std::int64_t> numbers_;  // of the fixtures, in the store
 };
 
 int tournament(const TournamentOptions& options, const Invocation& invocation) {
+  check(options);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   PlannedTournament planned = planned_tournament(options, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
@@ -200,8 +168,6 @@ Command add_tournament(CLI::App& parent, const Invocation& invocation) {
       ->type_name("PATH")
       ->allow_extra_args(false);
   app.add_option("--seed", options->seed, "of the first pair; default 1")->type_name("N");
-  app.add_option("--workers", options->workers, "matches at the same time; default: one for each processor core")
-      ->type_name("N");
   app.add_option("--limit", options->limit, "end each match after so many simulated seconds")->type_name("SECONDS");
   app.add_option("--rules", options->rules, "rules profile; default: spl2023, built in")->type_name("FILE");
   app.add_option("--robot", options->robot, "robot profile of all teams; default: nao, built in")->type_name("FILE");
@@ -209,25 +175,10 @@ Command add_tournament(CLI::App& parent, const Invocation& invocation) {
   app.add_option("--set", options->overrides, "a value laid over a document; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
-  add_plugin_folders(app, options->plugins);
-  app.add_option("--results", options->results, "file the results are kept in; default: tournament.db")
-      ->type_name("FILE");
-  app.add_option("--record-every", options->record_every,
-                 "record every N-th match, beside the results in NAME.recordings/ROW.mcap; those that fail always are")
-      ->type_name("N");
-  app.add_flag("--resume", options->resume, "go on with what the file of results was begun with")
-      ->disable_flag_override();
   app.add_option("--failures-in-a-row", options->failures_in_a_row,
                  "set a team aside after so many forfeits by the same plugin; default 10; 0: never")
       ->type_name("N");
-  app.add_option("--processor-seconds", options->processor_seconds,
-                 "processor time of one call of a plugin; default 10")
-      ->type_name("SECONDS");
-  app.add_option("--memory", options->memory, "address space of a match; default 2048")->type_name("MIB");
-  app.add_flag("--no-page", options->no_page, "write no page NAME.html beside the results NAME.db at the end")
-      ->disable_flag_override();
-  app.add_flag("--json", options->json, "write the report as JSON")->disable_flag_override();
-  app.add_flag("--quiet", options->quiet, "no progress on standard error")->disable_flag_override();
+  add_campaign_options(app, *options, options->results);
   app.footer(examples);
   return {&app, [options, &invocation] { return tournament(*options, invocation); }};
 }

@@ -6,24 +6,18 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <optional>
-#include <system_error>
-#include <thread>
 
 #include "campaign/inputs.hpp"
 #include "campaign/mathematics.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/job_setup.hpp"
-#include "cli/match_report.hpp"
 #include "cli/match_setup.hpp"
+#include "cli/study_inputs.hpp"
 #include "cli/test_options.hpp"
 #include "config/documents.hpp"
 #include "config/text.hpp"
 #include "match/match.hpp"
-#include "match/names.hpp"
-#include "match/teams.hpp"
 #include "plugin/declarations.hpp"
-#include "study/metric.hpp"
 
 namespace regista::cli {
 namespace {
@@ -88,27 +82,6 @@ void check_overrides(const TournamentOptions& options) {
   }
 }
 
-// Files as they are; of a folder all that end in .yaml, by name.
-std::vector<std::string> opening_files(const std::vector<std::string>& typed) {
-  std::vector<std::string> out;
-  for (const std::string& each : typed) {
-    std::error_code error;
-    if (!std::filesystem::is_directory(each, error)) {
-      out.push_back(each);
-      continue;
-    }
-    std::vector<std::string> found;
-    for (const auto& entry : std::filesystem::directory_iterator(each, error)) {
-      if (entry.path().extension() == ".yaml") found.push_back(entry.path().string());
-    }
-    if (error) throw BadInput(fmt::format("--openings {}: {}", each, error.message()));
-    if (found.empty()) throw BadInput(fmt::format("--openings {}: there is no .yaml file in this folder", each));
-    std::ranges::sort(found);
-    out.insert(out.end(), found.begin(), found.end());
-  }
-  return out;
-}
-
 // A match of the plan, set up; errors name teams as they were typed.
 MatchSetup setup_of(const study::TournamentPlan& plan, const study::Fixture& fixture,
                     const plugin::Catalogue& catalogue) {
@@ -123,12 +96,6 @@ MatchSetup setup_of(const study::TournamentPlan& plan, const study::Fixture& fix
     }
     throw BadInput(text);
   }
-}
-
-// What both teams share whatever the scene is.
-match::Setup without_opening(match::Setup setup) {
-  setup.opening.reset();
-  return setup;
 }
 
 // What teams are called: their names; where these are the same, with their files; where these are too, with letters.
@@ -146,16 +113,6 @@ void label_teams(std::vector<study::Entrant>& teams) {
   distinguish([&](std::size_t i) {
     return same_files(teams[i]) ? (i < 26 ? study::letter(i) : std::to_string(i + 1)) : teams[i].file;
   });
-}
-
-// Every path of a team's metrics, from a match that was not played.
-std::vector<std::string> metric_paths_of(const mind::TeamPlan& team) {
-  PlayedMatch played;
-  played.role_names[0] = played.role_names[1] = match::role_names(match::roles(team));
-  for (match::TeamMetrics& metrics : played.result.metrics.teams) {
-    metrics.coordination.roles.resize(played.role_names[0].size());
-  }
-  return study::metric_paths(summary_json(played), 0);
 }
 
 void require_metric(const study::Objective& objective, const mind::TeamPlan& team) {
@@ -231,7 +188,7 @@ PlannedTournament planned_tournament(const TournamentOptions& options, const plu
   for (const std::string& file : options.teams) plan.teams.push_back({file, file, {}});
 
   const std::string program = campaign::program_hash(), mathematics = campaign::mathematics_fingerprint();
-  const std::vector<std::string> openings = opening_files(options.openings);
+  const std::vector<std::string> openings = opening_files(options.openings, "--openings");
   if (!openings.empty()) plan.openings = {{openings.front(), {}}};
   for (std::size_t team = 0; team < plan.teams.size(); ++team) {
     study::Fixture fixture;
@@ -255,39 +212,13 @@ PlannedTournament planned_tournament(const TournamentOptions& options, const plu
     fixture.away = 1;
     const MatchSetup prepared = setup_of(with, fixture, catalogue);
     plan.most_goals = std::max(plan.most_goals, match::most_goal_difference(prepared.setup));
-    scenes.push_back({file, campaign::opening_input(*prepared.setup.opening)});
-    const auto same = std::ranges::find(scenes, scenes.back().input.name,
-                                        [](const study::Opening& scene) { return scene.input.name; });
-    if (same->file != file || &*same != &scenes.back()) {
-      const bool twice = same->file == file;
-      throw BadInput(twice ? fmt::format("--openings: {} is given twice", file)
-                           : fmt::format("--openings: {} and {} have the same name, {}", same->file, file,
-                                         prepared.setup.opening->name));
-    }
+    add_scene(scenes, {file, campaign::opening_input(*prepared.setup.opening)}, prepared.setup.opening->name,
+              "--openings");
   }
   plan.openings = std::move(scenes);
   refuse_what_never_ends(options, plan);
   refuse_too_many(plan);
   return out;
-}
-
-int number_of_workers(const TournamentOptions& options) {
-  if (options.workers.empty()) return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 1024u));
-  return static_cast<int>(parse_whole("--workers", options.workers, 1, 1024));
-}
-
-std::uint64_t record_every(const TournamentOptions& options) {
-  return options.record_every.empty() ? 0 : parse_whole("--record-every", options.record_every, 1, UINT64_MAX);
-}
-
-campaign::Limits limits(const TournamentOptions& options) {
-  campaign::Limits limits;
-  limits.processor_seconds =
-      static_cast<int>(parse_whole("--processor-seconds", options.processor_seconds, 1, 1'000'000));
-  limits.memory = parse_whole("--memory", options.memory, 64, std::uint64_t{1} << 24) << 20;
-  // A machine may have much else to do: only a plugin that sleeps comes here.
-  limits.wall_seconds = 10.0 * limits.processor_seconds + 100.0;
-  return limits;
 }
 
 }  // namespace regista::cli

@@ -15,7 +15,8 @@
 namespace regista::config {
 namespace {
 
-constexpr std::array<std::string_view, 6> kinds{"rules", "robot", "disturbance", "opening", "team", "predictor_study"};
+constexpr std::array<std::string_view, 7> kinds{"rules", "robot",           "disturbance", "opening",
+                                                "team",  "predictor_study", "experiment"};
 
 // Calls use(value, declaration) for a read document of the kind it says, checked.
 template <class Use>
@@ -41,6 +42,10 @@ auto visit(const Node& document, Use use) {
       PredictorStudy study = read_predictor_study(document);
       return use(declare(study));
     }
+    case DocumentKind::experiment: {
+      Experiment experiment = read_experiment(document);
+      return use(declare(experiment));
+    }
     case DocumentKind::team:
       break;
   }
@@ -54,17 +59,22 @@ auto visit(const Node& document, Use use) {
 std::string_view name_of(DocumentKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
 
 DocumentKind kind_of(const Node& document) {
-  // A team has a key `roles` and may one day have one of the others: its own key comes first.
-  if (document["team"]) return DocumentKind::team;
+  // An experiment names a team, rules and more; a team has a key `roles` and may one day have one of the others.
+  for (const DocumentKind kind : {DocumentKind::experiment, DocumentKind::team}) {
+    if (document[name_of(kind)]) return kind;
+  }
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (document[kinds[i]]) return static_cast<DocumentKind>(i);
   }
-  throw Error(document.where(),
-              "no key says what this is: rules, robot, disturbance, opening, team or predictor_study, with its name");
+  throw Error(
+      document.where(),
+      "no key says what this is: rules, robot, disturbance, opening, team, predictor_study or experiment, with its "
+      "name");
 }
 
 static std::string with_article(DocumentKind kind) {
-  return fmt::format("{} {}", kind == DocumentKind::opening ? "an" : "a", name_of(kind));
+  return fmt::format("{} {}", kind == DocumentKind::opening || kind == DocumentKind::experiment ? "an" : "a",
+                     name_of(kind));
 }
 
 void require_kind(const Node& document, DocumentKind kind) {
@@ -113,6 +123,14 @@ PredictorStudy read_predictor_study(const Node& document) {
   return study;
 }
 
+Experiment read_experiment(const Node& document) {
+  require_kind(document, DocumentKind::experiment);
+  Experiment experiment;
+  read(declare(experiment), document);
+  check(experiment, document);
+  return experiment;
+}
+
 Rules read_rules(const std::filesystem::path& file, const Overrides& overrides) {
   return read_rules(load(file, overrides));
 }
@@ -130,6 +148,9 @@ Team read_team(const std::filesystem::path& file, const Overrides& overrides) {
 }
 PredictorStudy read_predictor_study(const std::filesystem::path& file, const Overrides& overrides) {
   return read_predictor_study(load(file, overrides));
+}
+Experiment read_experiment(const std::filesystem::path& file, const Overrides& overrides) {
+  return read_experiment(load(file, overrides));
 }
 
 DocumentKind check(const std::filesystem::path& file, const Overrides& overrides) {
@@ -169,6 +190,10 @@ std::string schema(DocumentKind kind, std::span<const PluginDeclaration> plugins
     case DocumentKind::predictor_study: {
       PredictorStudy study;
       return schema(declare(study), title, plugins);
+    }
+    case DocumentKind::experiment: {
+      Experiment experiment;
+      return schema(declare(experiment), title, plugins);
     }
     case DocumentKind::team:
       break;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The six kinds of document: read, shown, described. A document says its kind by the key that holds its name
+// The seven kinds of document: read, shown, described. A document says its kind by the key that holds its name
 // (`rules: spl2023`, `robot: nao`, `disturbance: none`, `opening: overload`, `team: paper`, `predictor_study:
-// ssl_ball`).
+// ssl_ball`, `experiment: role_overlap`).
 #pragma once
 
 #include <filesystem>
@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "config/disturbance.hpp"
+#include "config/experiment.hpp"
 #include "config/load.hpp"
 #include "config/node.hpp"
 #include "config/opening.hpp"
@@ -30,6 +31,7 @@ Disturbance read_disturbance(const std::filesystem::path& file, const Overrides&
 Opening read_opening(const std::filesystem::path& file, const Overrides& overrides = {});
 Team read_team(const std::filesystem::path& file, const Overrides& overrides = {});
 PredictorStudy read_predictor_study(const std::filesystem::path& file, const Overrides& overrides = {});
+Experiment read_experiment(const std::filesystem::path& file, const Overrides& overrides = {});
 
 // The same from a loaded document.
 Rules read_rules(const Node& document);
@@ -38,10 +40,11 @@ Disturbance read_disturbance(const Node& document);
 Opening read_opening(const Node& document);
 Team read_team(const Node& document);
 PredictorStudy read_predictor_study(const Node& document);
+Experiment read_experiment(const Node& document);
 
-enum class DocumentKind { rules, robot, disturbance, opening, team, predictor_study };
+enum class DocumentKind { rules, robot, disturbance, opening, team, predictor_study, experiment };
 
-// "rules", "robot", "disturbance", "opening", "team", "predictor_study"
+// "rules", "robot", "disturbance", "opening", "team", "predictor_study", "experiment"
 std::string_view name_of(DocumentKind kind);
 
 // Throws Error at the document when it says no kind.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/line.hpp"
 #include "config/place.hpp"
 #include "config/scalar.hpp"
 
@@ -71,20 +72,10 @@ static Map declare(Opening::Player& player) {
   }};
 }
 
-static Field summary_of(std::string& summary) {
-  return {"summary", "what is going on, in one line",
-          Own{"line",
-              [&summary](const Node& node, const std::string& what) {
-                summary = to_text(node, what);
-                if (summary.find('\n') != std::string::npos) throw Error(node.where(), what + ": one line is wanted");
-              },
-              [&summary] { return summary.empty() ? Node() : Node::scalar(summary, true, {}); }}};
-}
-
 Map declare(Opening& opening) {
   return {{
       required(name("opening", opening.name, "name of this opening")),
-      summary_of(opening.summary),
+      line("summary", opening.summary, "what is going on, in one line"),
       required(real("length", opening.length, {0.1, 3600}, "s", "of play, then the game ends")),
       required(section("ball", opening.ball, "the ball; world frame, in which home attacks along x")),
       required(

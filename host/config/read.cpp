@@ -153,13 +153,14 @@ void read(const Map& map, const Node& node, const std::string& what) {
     }
   }
   if (!map.exactly_one.empty()) {
+    const std::string before = what.empty() ? "" : what + ": ";
     std::size_t present = 0;
     for (const std::string& key : map.exactly_one) {
       if (node[key] && ++present == 2) {
-        throw Error(node[key].where(), fmt::format("{}: exactly one of {} is wanted", what, join(map.exactly_one)));
+        throw Error(node[key].where(), fmt::format("{}exactly one of {} is wanted", before, join(map.exactly_one)));
       }
     }
-    if (present == 0) throw Error(node.where(), fmt::format("{}: one of {} is wanted", what, join(map.exactly_one)));
+    if (present == 0) throw Error(node.where(), fmt::format("{}one of {} is wanted", before, join(map.exactly_one)));
   }
   for (const auto& [key, other] : map.needs) {
     if (node[key] && !node[other]) {

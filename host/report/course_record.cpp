@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "report/course_record.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
-#include "plugin/content_hash.hpp"
 #include "report/standing.hpp"
 #include "report/verdict_interval.hpp"
 #include "statistics/bradley_terry.hpp"
@@ -52,10 +49,7 @@ void CourseRecord::take(const campaign::Decided* decided) {
     count(goals_[fixture.home], difference, decided->failure.has_value());
     count(goals_[fixture.away], -difference, decided->failure.has_value());
     numbers_.take(fixture, *decided);
-    std::string line =
-        fmt::format("{} {} {}:{} {}", fingerprint_, index, decided->score[0], decided->score[1], decided->hash);
-    if (decided->failure) line += campaign::to_json(*decided->failure);
-    fingerprint_ = plugin::content_hash(line);
+    fingerprint_.take(index, *decided);
     if (std::ranges::binary_search(wanted_, index)) {
       ++recorded_count_;
       if (recorded_.size() < most_recorded) {

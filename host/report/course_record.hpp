@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "campaign/job.hpp"
+#include "report/fingerprint.hpp"
 #include "report/match_numbers.hpp"
 #include "report/thinned.hpp"
 #include "statistics/interval.hpp"
@@ -68,7 +69,7 @@ class CourseRecord {
   const std::vector<RecordedRow>& recorded() const { return recorded_; }
   std::uint64_t recorded_matches() const { return recorded_count_; }
   // 32 hexadecimal digits over scores, state hashes and forfeits in order: equal where the same matches were played.
-  const std::string& fingerprint() const { return fingerprint_; }
+  const std::string& fingerprint() const { return fingerprint_.text(); }
 
  private:
   PairPoint pair_point() const;
@@ -83,7 +84,7 @@ class CourseRecord {
   std::vector<std::uint64_t> wanted_;
   std::vector<RecordedRow> recorded_;
   std::uint64_t recorded_count_ = 0, matches_ = 0;
-  std::string fingerprint_;
+  Fingerprint fingerprint_;
 };
 
 }  // namespace regista::report

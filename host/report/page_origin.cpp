@@ -4,62 +4,17 @@
 
 #include <algorithm>
 
-#include "config/node.hpp"
-#include "report/configuration_difference.hpp"
 #include "report/html_table.hpp"
 #include "report/page_sections.hpp"
 
 namespace regista::report {
 namespace {
 
-constexpr std::size_t most_compared = 8;    // teams whose documents stand beside each other
-constexpr std::size_t most_documents = 40;  // that are shown in full
-constexpr std::size_t most_rows = 1000;
-
-Html code(std::string_view words) {
-  Html out = "<code>"_html;
-  return out << text(words) << "</code>"_html;
-}
-
-Html block(std::string_view content) {
-  Html out = "<pre>"_html;
-  return out << lines(content) << "</pre>\n"_html;
-}
-
-Html differences_table(const PageSource& source, std::span<const std::string> documents) {
-  const std::vector<DifferingValue> rows = differing_values(documents);
-  if (rows.empty()) return "<p>The resolved documents are the same.</p>\n"_html;
-  std::vector<Heading> headings{{"Value"_html, Column::words}};
-  for (std::size_t team = 0; team < documents.size(); ++team)
-    headings.push_back({team_name(source, team), Column::words});
-  HtmlTable table(headings);
-  for (std::size_t i = 0; i < std::min(rows.size(), most_rows); ++i) {
-    std::vector<Html> cells{code(rows[i].path)};
-    for (const auto& value : rows[i].values) cells.push_back(value ? code(*value) : Html("–"_html));
-    table.row(cells);
-  }
-  Html out = "<div class=\"values\">"_html;
-  out << table.html() << "</div>\n"_html;
-  if (rows.size() > most_rows) out << text(fmt::format("{} more values differ.", rows.size() - most_rows));
+std::vector<campaign::Input> all_inputs(const study::TournamentPlan& plan) {
+  std::vector<campaign::Input> out = plan.common_inputs;
+  for (const study::Entrant& team : plan.teams) out.insert(out.end(), team.inputs.begin(), team.inputs.end());
+  for (const study::Opening& opening : plan.openings) out.push_back(opening.input);
   return out;
-}
-
-Html hashes_table(const PageSource& source) {
-  HtmlTable table({{"Input"_html, Column::words}, {"Hash of its content"_html, Column::words}});
-  const auto add = [&](const campaign::Input& input) { table.row({text(input.name), code(input.hash)}); };
-  const study::TournamentPlan& plan = source.view.plan;
-  std::vector<campaign::Input> known;
-  const auto add_all = [&](const std::vector<campaign::Input>& inputs) {
-    for (const campaign::Input& input : inputs) {
-      if (std::ranges::find(known, input) != known.end()) continue;
-      known.push_back(input);
-      add(input);
-    }
-  };
-  add_all(plan.common_inputs);
-  for (const study::Entrant& team : plan.teams) add_all(team.inputs);
-  for (const study::Opening& opening : plan.openings) add_all({opening.input});
-  return table.html();
 }
 
 }  // namespace
@@ -137,20 +92,9 @@ Html configuration_section(const PageSource& source) {
         "configuration", "Where the teams differ"_html,
         "<p>These results do not hold the teams' documents: they were begun by an older Regista.</p>\n"_html);
   }
-  const std::size_t compared = std::min(documents.size(), most_compared);
-  Html out;
-  try {
-    out = differences_table(source, std::span(documents).first(compared));
-  } catch (const config::Error& error) {
-    out << "<p>The documents cannot be compared: "_html << text(error.what()) << "</p>\n"_html;
-  }
-  if (compared < documents.size()) {
-    out << "<p class=\"note\">"_html << text(fmt::format("Of the first {} teams.", compared)) << "</p>\n"_html;
-  }
-  for (std::size_t team = 0; team < std::min(documents.size(), most_documents); ++team) {
-    out << "<details><summary>All of "_html << team_name(source, team) << "</summary>\n"_html << block(documents[team])
-        << "</details>\n"_html;
-  }
+  std::vector<std::string> names;
+  for (const study::Entrant& team : source.view.plan.teams) names.push_back(team.label);
+  const Html out = differing_documents(names, documents);
   return section("configuration", "Where the teams differ"_html, out);
 }
 
@@ -161,7 +105,7 @@ Html reproduction_section(const PageSource& source) {
       << " began these results. Fingerprint of all matches, equal where the same were played with the same course: "_html
       << code(source.record.fingerprint().empty() ? "–" : source.record.fingerprint())
       << "</p>\n<details><summary>Hashes of everything the matches are a function of</summary>\n"_html
-      << hashes_table(source) << "</details>\n"_html;
+      << hashes_table(all_inputs(source.view.plan)) << "</details>\n"_html;
   return section("reproduction", "Playing it again"_html, out);
 }
 

@@ -23,8 +23,7 @@ Html reproduction_section(const PageSource& source);   // versions, hashes, comm
 
 // What they share.
 Html team_name(const PageSource& source, std::size_t team);
-Html section(std::string_view id, Markup title, const Html& content);  // empty for no content
-Html figure(const PageSource& source, std::string_view figure_name);   // empty where there is no such figure
-Html table_link(std::string_view file_name, std::string_view csv);     // to take a table away
+// Empty where there is no such figure.
+inline Html figure(const PageSource& source, std::string_view name) { return figure(source.figures, name); }
 
 }  // namespace regista::report

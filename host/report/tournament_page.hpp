@@ -9,17 +9,11 @@
 #include <vector>
 
 #include "report/course_record.hpp"
-#include "report/figure.hpp"
+#include "report/page_parts.hpp"
 #include "report/page_recordings.hpp"
 #include "report/tournament.hpp"
 
 namespace regista::report {
-
-struct PageFigure {
-  Figure figure;
-  std::string svg;      // of svg_for_page(); empty: there is none
-  std::string why_not;  // then
-};
 
 // Where a recorded match is found, as seen from the page.
 struct RecordingLink {
@@ -39,9 +33,5 @@ struct PageSource {
 };
 
 std::string tournament_page(const PageSource& source);
-
-// Whether a file that begins so was written by tournament_page().
-bool is_our_page(std::string_view beginning);
-inline constexpr std::size_t page_beginning = 512;  // bytes that are enough to tell
 
 }  // namespace regista::report

@@ -23,7 +23,53 @@ std::vector<double> binomial(Count n) {
   return out;
 }
 
+constexpr std::size_t most_enumerated = 32;
+
+// Sums of these values with all signs, ascending.
+std::vector<double> signed_sums(std::span<const double> values) {
+  std::vector<double> out{0.0};
+  for (const double value : values) {
+    const std::size_t before = out.size();
+    for (std::size_t i = 0; i < before; ++i) {
+      out.push_back(out[i] + value);
+      out[i] -= value;
+    }
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 }  // namespace
+
+double sign_flip_p(std::span<const double> values) {
+  std::vector<double> decided;
+  double sum = 0.0, squares = 0.0, sizes = 0.0;
+  for (const double value : values) {
+    if (value == 0.0) continue;
+    decided.push_back(value);
+    sum += value;
+    squares += value * value;
+    sizes += std::abs(value);
+  }
+  if (decided.empty()) return 1.0;
+  if (decided.size() > most_enumerated) {
+    return std::min(1.0, std::erfc(std::abs(sum) / std::sqrt(squares) / std::numbers::sqrt2));
+  }
+  // Every signed sum is one of the first half plus one of the second: how many of the latter are far enough is found
+  // by walking through them once. What differs from the observed sum by rounding alone is as far as that.
+  const std::span<const double> all(decided);
+  const std::vector<double> first = signed_sums(all.first(all.size() / 2));
+  const std::vector<double> second = signed_sums(all.subspan(all.size() / 2));
+  const double far = std::abs(sum) - 1e-12 * sizes;
+  double beyond = 0.0;
+  std::size_t from = second.size();  // the first of the second half that reaches `far`
+  for (const double part : first) {
+    while (from > 0 && part + second[from - 1] >= far) --from;
+    beyond += static_cast<double>(second.size() - from);
+  }
+  const double of = static_cast<double>(first.size()) * static_cast<double>(second.size());
+  return far <= 0.0 ? 1.0 : std::min(1.0, 2.0 * beyond / of);
+}
 
 double sign_flip_p(const PairCounts& pairs) {
   // In quarters of a point above 1/2: -2, -1, 0, 1, 2.

@@ -112,4 +112,13 @@ std::vector<std::string> metric_names(const std::string& metrics, int side) {
 
 std::vector<NamedValue> metric_values(const std::string& metrics, int side) { return values(parsed(metrics), side); }
 
+std::vector<NamedValue> all_metric_values(const std::string& metrics, int side) { return all(parsed(metrics), side); }
+
+std::optional<double> match_number(const std::string& metrics, const std::string& name) {
+  const Json json = parsed(metrics);
+  const auto found = json.find(name);
+  if (found == json.end() || !found->is_number()) return std::nullopt;
+  return found->get<double>();
+}
+
 }  // namespace regista::study

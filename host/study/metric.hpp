@@ -29,4 +29,10 @@ struct NamedValue {
 };
 std::vector<NamedValue> metric_values(const std::string& metrics, int side);
 
+// All that metric() knows of a side, read once.
+std::vector<NamedValue> all_metric_values(const std::string& metrics, int side);
+
+// A number of the whole match, such as "playing_seconds".
+std::optional<double> match_number(const std::string& metrics, const std::string& name);
+
 }  // namespace regista::study

@@ -11,7 +11,6 @@
 namespace regista::study {
 namespace {
 
-constexpr std::size_t most_listed = 100;
 constexpr double usual_alpha = 0.05;
 // Of the grid of mean goal differences: 0.005 goals apart where a match can end with a difference of ten.
 constexpr int goal_steps = 4000;
@@ -73,7 +72,7 @@ Meeting::Meeting(const TournamentPlan& plan, const Pairing& who)
 }
 
 Tournament::Tournament(const TournamentPlan& plan)
-    : plan_(plan), calendar_(plan), failures_(plan.teams.size(), 0), rows_(plan.teams.size()) {
+    : plan_(plan), calendar_(plan), forfeits_(plan.teams.size()), rows_(plan.teams.size()) {
   for (const Pairing& pairing : calendar_.pairings()) meetings_.emplace_back(plan, pairing);
 }
 
@@ -111,7 +110,9 @@ void Tournament::add(Meeting& meeting, const Fixture& fixture, const campaign::D
   const int goals = goals_of(decided, first_at_home);
   meeting.games.add(outcome(goals));
   meeting.goals_of_matches.add(std::clamp(goals, -plan_.most_goals, plan_.most_goals));
-  if (decided.failure) list(fixture, *decided.failure);
+  if (decided.failure) {
+    forfeits_.add(decided.failure->side == 0 ? fixture.home : fixture.away, *decided.failure, next_ - 1);
+  }
   count_row(fixture, decided);
   if (first_at_home) {
     first_of_pair_ = decided;
@@ -150,22 +151,6 @@ void Tournament::finish_pair(Meeting& meeting, const campaign::Decided& second) 
     meeting.metric->add((*a1 + *a2) / 2.0, (*b1 + *b2) / 2.0);
   else
     ++meeting.pairs_without_metric;
-}
-
-void Tournament::list(const Fixture& fixture, const campaign::Failure& failure) {
-  const std::size_t team = failure.side == 0 ? fixture.home : fixture.away;
-  ++failures_[team];
-  const auto known = std::ranges::find_if(forfeits_, [&](const Forfeits& each) {
-    return each.team == team && each.failure.plugin == failure.plugin && each.failure.call == failure.call &&
-           each.failure.what == failure.what;
-  });
-  if (known != forfeits_.end()) {
-    ++known->count;
-  } else if (forfeits_.size() < most_listed) {
-    forfeits_.push_back({team, failure, next_ - 1, 1});
-  } else {
-    ++unlisted_;
-  }
 }
 
 // A team that forfeits against itself has both its matches counted in the same row.

@@ -16,16 +16,10 @@
 #include "statistics/counts.hpp"
 #include "statistics/moments.hpp"
 #include "statistics/sequential_test.hpp"
+#include "study/forfeits.hpp"
 #include "study/tournament_plan.hpp"
 
 namespace regista::study {
-
-// Forfeits for the same reason: the first match, and how many.
-struct Forfeits {
-  std::size_t team = 0;
-  campaign::Failure failure;
-  std::uint64_t first_match = 0, count = 0;
-};
 
 // The difference of a metric between two teams: first less second.
 class MetricDifference {
@@ -99,9 +93,9 @@ class Tournament {
   bool complete() const { return next_ == calendar_.matches() || over(); }
   std::uint64_t matches() const;  // that counted
   const std::vector<Meeting>& meetings() const { return meetings_; }
-  const std::vector<Forfeits>& forfeits() const { return forfeits_; }  // by first match; all but place and time differ
-  std::uint64_t unlisted_forfeits() const { return unlisted_; }        // of kinds beyond the first hundred
-  const std::vector<std::uint64_t>& failures() const { return failures_; }  // by team
+  const std::vector<Forfeits>& forfeits() const { return forfeits_.listed(); }
+  std::uint64_t unlisted_forfeits() const { return forfeits_.unlisted(); }
+  const std::vector<std::uint64_t>& failures() const { return forfeits_.of_team(); }  // by team
   const std::vector<SetAside>& set_aside() const { return set_aside_; }
   Verdict verdict() const;
   // Of a test on a value: whether the first team's is the larger.
@@ -115,7 +109,6 @@ class Tournament {
   bool is_set_aside(std::size_t team) const;
   void add(Meeting& meeting, const Fixture& fixture, const campaign::Decided& decided);
   void finish_pair(Meeting& meeting, const campaign::Decided& second);
-  void list(const Fixture& fixture, const campaign::Failure& failure);
   void count_row(const Fixture& fixture, const campaign::Decided& decided);
   bool over() const;
 
@@ -123,11 +116,10 @@ class Tournament {
   Calendar calendar_;
   std::vector<Meeting> meetings_;
   std::optional<campaign::Decided> first_of_pair_;
-  std::vector<Forfeits> forfeits_;
-  std::vector<std::uint64_t> failures_;
+  ForfeitList forfeits_;
   std::vector<Row> rows_;  // by team
   std::vector<SetAside> set_aside_;
-  std::uint64_t unlisted_ = 0, next_ = 0;
+  std::uint64_t next_ = 0;
 };
 
 }  // namespace regista::study

@@ -11,6 +11,7 @@
 
 #include "campaign/inputs.hpp"
 #include "match/side.hpp"
+#include "study/plan_json.hpp"
 
 namespace regista::study {
 namespace {
@@ -31,9 +32,6 @@ Value named(const Json& json, Value first, Value second) {
 }
 
 bool is_rate(double rate) { return rate > 0.0 && rate < 1.0; }
-
-Json json_of(const std::vector<campaign::Input>& inputs) { return Json::parse(campaign::to_json(inputs)); }
-std::vector<campaign::Input> inputs_of(const Json& json) { return campaign::inputs_from_json(json.dump()); }
 
 Json json_of(const Objective& objective) {
   if (const auto* score = std::get_if<ScoreTest>(&objective)) {
@@ -200,18 +198,15 @@ bool equal_teams(const TournamentPlan& plan, const Pairing& pairing) {
 }
 
 std::string to_json(const TournamentPlan& plan) {
-  Json teams = Json::array(), openings = Json::array();
+  Json teams = Json::array();
   for (const Entrant& team : plan.teams) {
     teams.push_back({{"label", team.label}, {"file", team.file}, {"inputs", json_of(team.inputs)}});
   }
-  for (const Opening& opening : plan.openings) {
-    openings.push_back({{"file", opening.file}, {"input", json_of(std::vector<campaign::Input>{opening.input})}});
-  }
-  return Json{{"study", "tournament"},
+  return Json{{"study", tournament_study},
               {"version", plan_version},
               {"teams", teams},
               {"format", name(plan.format)},
-              {"openings", openings},
+              {"openings", json_of(plan.openings)},
               {"pairs", plan.pairs},
               {"first_seed", plan.first_seed},
               {"objective", json_of(plan.objective)},
@@ -227,10 +222,7 @@ std::string to_json(const TournamentPlan& plan) {
 }
 
 TournamentPlan tournament_plan_from_json(const std::string& text) {
-  try {
-    const Json json = Json::parse(text);
-    if (json.at("study") != "tournament") throw std::invalid_argument("these are results of another study");
-    if (json.at("version") != plan_version) throw std::invalid_argument("its plan is of another version");
+  return read_plan(text, tournament_study, plan_version, [](const Json& json) {
     TournamentPlan plan;
     for (const Json& each : json.at("teams")) {
       plan.teams.push_back(
@@ -238,27 +230,19 @@ TournamentPlan tournament_plan_from_json(const std::string& text) {
     }
     if (plan.teams.size() < 2) throw std::invalid_argument("its plan has fewer than two teams");
     plan.format = named(json.at("format"), Format::round_robin, Format::gauntlet);
-    for (const Json& each : json.at("openings")) {
-      plan.openings.push_back({each.at("file").get<std::string>(), inputs_of(each.at("input")).at(0)});
-    }
+    plan.openings = openings_of(json.at("openings"));
     json.at("pairs").get_to(plan.pairs);
     json.at("first_seed").get_to(plan.first_seed);
     plan.objective = objective_of(json.at("objective"));
     json.at("most_goals").get_to(plan.most_goals);
     json.at("failures_in_a_row").get_to(plan.failures_in_a_row);
-    json.at("processor_seconds").get_to(plan.limits.processor_seconds);
-    json.at("memory").get_to(plan.limits.memory);
-    json.at("wall_seconds").get_to(plan.limits.wall_seconds);
+    plan.limits = limits_of(json);
     json.at("folder").get_to(plan.folder);
     plan.common = campaign::job_from_json(json.at("common").dump());
     plan.common_inputs = inputs_of(json.at("common_inputs"));
     if (!sound(plan)) throw std::out_of_range("a number that no tournament has");
     return plan;
-  } catch (const Json::exception& error) {
-    throw std::invalid_argument(fmt::format("its plan is damaged: {}", error.what()));
-  } catch (const std::out_of_range&) {
-    throw std::invalid_argument("its plan is damaged");
-  }
+  });
 }
 
 std::vector<std::string> differences(const TournamentPlan& before, const TournamentPlan& now) {

@@ -20,6 +20,7 @@
 #include "campaign/store.hpp"
 #include "campaign/worker.hpp"
 #include "statistics/sequential_test.hpp"
+#include "study/opening.hpp"
 
 namespace regista::study {
 
@@ -49,11 +50,6 @@ inline constexpr const char* goals_value = "goals";
 struct Entrant {
   std::string label, file;
   std::vector<campaign::Input> inputs;  // campaign::team_inputs
-};
-
-struct Opening {
-  std::string file;
-  campaign::Input input;
 };
 
 struct Pairing {

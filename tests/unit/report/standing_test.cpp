@@ -135,7 +135,7 @@ TEST(PValues, AreThoseOfTheSignsOfPairsByHolm) {
   const PValues p = p_values(*course.tournament);
   EXPECT_LT(p.single[1], p.single[0]);
   EXPECT_EQ(p.single[2], 1.0);
-  EXPECT_EQ(p.single[0], statistics::sign_flip_p({{2, 3, 5, 6, 4}}));
+  EXPECT_EQ(p.single[0], statistics::sign_flip_p(statistics::PairCounts{{2, 3, 5, 6, 4}}));
   EXPECT_THAT(p.adjusted, ElementsAre(testing::DoubleEq(std::min(1.0, 2.0 * p.single[0])),
                                       testing::DoubleEq(3.0 * p.single[1]), 1.0));
   EXPECT_THAT(p_values(*Course({"a", "b", "c"}).tournament).adjusted, ElementsAre(1.0, 1.0, 1.0));

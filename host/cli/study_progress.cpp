@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "cli/tournament_progress.hpp"
+#include "cli/study_progress.hpp"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <utility>
 
 #include "cli/end_of_program.hpp"
 #include "cli/terminal.hpp"
@@ -49,12 +49,12 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-TournamentProgress::TournamentProgress(const report::TournamentView& view, bool wanted)
-    : view_(view), wanted_(wanted), rewrite_(wanted && can_rewrite()) {}
+StudyProgress::StudyProgress(StudyWords words, bool wanted)
+    : words_(std::move(words)), wanted_(wanted), rewrite_(wanted && can_rewrite()) {}
 
-TournamentProgress::~TournamentProgress() { clear(); }
+StudyProgress::~StudyProgress() { clear(); }
 
-void TournamentProgress::match(std::uint64_t index, const campaign::Decided* decided, bool fresh) {
+void StudyProgress::match(std::uint64_t index, const campaign::Decided* decided, bool fresh) {
   if (decided == nullptr) return;
   ++(fresh ? played_ : stored_);
   if (!wanted_) return;
@@ -63,30 +63,18 @@ void TournamentProgress::match(std::uint64_t index, const campaign::Decided* dec
     return;
   }
   if (!fresh) return;
-  const study::Fixture fixture = view_.course.calendar().at(index);
-  const auto& teams = view_.plan.teams;
-  const auto& openings = view_.plan.openings;
-  const std::string scene =
-      openings.empty() ? "" : ", " + std::filesystem::path(openings[fixture.opening].file).stem().string();
-  std::string line =
-      fmt::format("match {} of {}, seed {}{}: {} {}:{} {}", index + 1, view_.course.calendar().matches(), fixture.seed,
-                  scene, teams[fixture.home].label, decided->score[0], decided->score[1], teams[fixture.away].label);
-  if (decided->failure) {
-    const std::size_t loser = decided->failure->side == 0 ? fixture.home : fixture.away;
-    line += ", " + report::forfeit_text(teams[loser].label, *decided->failure);
-  }
-  say(line + '\n');
+  say(fmt::format("match {} of {}, {}\n", index + 1, words_.matches, words_.match(index, *decided)));
   if ((index + 1) % between_standings == 0) say(block());
 }
 
-std::string TournamentProgress::rate_text() const {
+std::string StudyProgress::rate_text() const {
   const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
   return fmt::format("{:.2f} matches/s", static_cast<double>(played_) / std::max(seconds, 1e-3));
 }
 
-std::string TournamentProgress::block() const {
-  const std::uint64_t matches = view_.course.calendar().matches(), done = view_.course.taken();
-  std::string text = fmt::format("{}\n{}", report::title(view_), report::standing_text(view_));
+std::string StudyProgress::block() const {
+  const std::uint64_t matches = words_.matches, done = words_.taken();
+  std::string text = words_.standing();
   text += fmt::format("{} of {} matches, {}", done, matches, rate_text());
   if (played_ > 0) {
     const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
@@ -96,7 +84,7 @@ std::string TournamentProgress::block() const {
   return text + '\n';
 }
 
-void TournamentProgress::draw() {
+void StudyProgress::draw() {
   drawn_ = Clock::now();
   const winsize size = terminal();
   const std::string text = cut(block(), size.ws_col - std::size_t{1}, std::max<std::size_t>(size.ws_row, 2) - 1);
@@ -105,27 +93,22 @@ void TournamentProgress::draw() {
   say(text);
 }
 
-void TournamentProgress::begin() {
-  if (!wanted_) return;
-  for (const study::Pairing& pairing : view_.course.calendar().pairings()) {
-    if (!study::equal_teams(view_.plan, pairing)) continue;
-    say(fmt::format("A/A: {} and {} are equal, so every pair is a draw by construction\n",
-                    view_.plan.teams[pairing.first].label, view_.plan.teams[pairing.second].label));
-  }
-}
-
-void TournamentProgress::tell(std::string_view line) {
+void StudyProgress::tell(std::string_view line) {
   clear();
   complain(line);
 }
 
-void TournamentProgress::clear() {
+void StudyProgress::note(const std::string& line) {
+  if (wanted_) say(line + '\n');
+}
+
+void StudyProgress::clear() {
   if (lines_ == 0) return;
   say(fmt::format("\x1b[{}F\x1b[J", lines_));
   lines_ = 0;
 }
 
-void TournamentProgress::finish() {
+void StudyProgress::finish() {
   if (!wanted_) return;
   const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
   std::string out = fmt::format("{} matches played in {}", played_, duration(seconds));
@@ -134,8 +117,8 @@ void TournamentProgress::finish() {
   say(out + '\n');
 }
 
-void TournamentProgress::stopped() {
-  if (wanted_ && view_.course.matches() > 0) say(report::tournament_text(view_));
+void StudyProgress::stopped() {
+  if (wanted_) say(words_.whole());
 }
 
 }  // namespace regista::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/tournament_files.hpp"
+#include "cli/results_file.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 
 #include "cli/end_of_program.hpp"
 #include "config/text.hpp"
+#include "study/plan_json.hpp"
 
 namespace regista::cli {
 namespace {
@@ -17,12 +18,29 @@ namespace {
 constexpr auto schedule = "schedule";
 constexpr auto teams_documents = "documents";
 
-study::TournamentPlan plan_of(const std::string& file, const std::string& stored) {
+StudyPlan plan_of(const std::string& file, const std::string& stored) {
   try {
+    if (study::study_of(stored) == study::experiment_study) return study::experiment_plan_from_json(stored);
     return study::tournament_plan_from_json(stored);
   } catch (const std::invalid_argument& error) {
     throw BadInput(fmt::format("{}: {}", file, error.what()));
   }
+}
+
+const char* kind_of(const StudyPlan& plan) {
+  return std::holds_alternative<study::TournamentPlan>(plan) ? study::tournament_study : study::experiment_study;
+}
+
+std::vector<std::string> differences(const StudyPlan& before, const StudyPlan& now) {
+  if (before.index() != now.index()) return {fmt::format("it was a {}, now {}", kind_of(before), kind_of(now))};
+  if (const auto* const tournament = std::get_if<study::TournamentPlan>(&now)) {
+    return study::differences(std::get<study::TournamentPlan>(before), *tournament);
+  }
+  return study::differences(std::get<study::ExperimentPlan>(before), std::get<study::ExperimentPlan>(now));
+}
+
+std::string json_of(const StudyPlan& plan) {
+  return std::visit([](const auto& each) { return study::to_json(each); }, plan);
 }
 
 template <class Open>
@@ -38,7 +56,7 @@ auto opening(Open open) {
 
 }  // namespace
 
-campaign::Store open_results(const std::string& file, bool resume, const study::TournamentPlan& plan,
+campaign::Store open_results(const std::string& file, bool resume, const StudyPlan& plan,
                              const std::vector<std::string>& documents) {
   return opening([&] {
     campaign::Store store(file, resume ? campaign::Store::Mode::open : campaign::Store::Mode::create, REGISTA_VERSION);
@@ -46,10 +64,10 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
     if (stored.empty()) {  // new, or killed before there was one
       using Json = nlohmann::json;
       store.set_meta(teams_documents, Json(documents).dump(-1, ' ', false, Json::error_handler_t::replace));
-      store.set_meta(schedule, study::to_json(plan));
+      store.set_meta(schedule, json_of(plan));
       return store;
     }
-    const std::vector<std::string> changed = study::differences(plan_of(file, stored), plan);
+    const std::vector<std::string> changed = differences(plan_of(file, stored), plan);
     if (changed.empty()) return store;
     throw BadInput(
         fmt::format("--resume: {} was begun with something else: {}; its matches would be mixed with others; "
@@ -68,16 +86,36 @@ std::vector<std::string> stored_documents(const campaign::Store& store) {
   }
 }
 
+std::uint64_t matches(const StudyPlan& plan) {
+  return std::visit([](const auto& each) { return each.matches(); }, plan);
+}
+
+campaign::Job job(const StudyPlan& plan, std::uint64_t index) {
+  if (const auto* const tournament = std::get_if<study::TournamentPlan>(&plan)) {
+    return study::job(*tournament, study::Calendar(*tournament).at(index));
+  }
+  const auto& experiment = std::get<study::ExperimentPlan>(plan);
+  return study::job(experiment, study::trial(experiment, index));
+}
+
+const std::string& folder(const StudyPlan& plan) {
+  return std::visit([](const auto& each) -> const std::string& { return each.folder; }, plan);
+}
+
+const campaign::Limits& limits(const StudyPlan& plan) {
+  return std::visit([](const auto& each) -> const campaign::Limits& { return each.limits; }, plan);
+}
+
 std::string damaged_metrics(const std::string& file, const std::invalid_argument& error) {
   return fmt::format("results in {} are damaged: metrics: {}", file, error.what());
 }
 
-StoredTournament read_results(const std::string& file) {
+StoredStudy read_results(const std::string& file) {
   return opening([&] {
     campaign::Store store(file, campaign::Store::Mode::read, REGISTA_VERSION);
     const std::string stored = store.meta(schedule);
-    if (stored.empty()) throw BadInput(fmt::format("{}: holds no tournament yet", file));
-    return StoredTournament{std::move(store), plan_of(file, stored)};
+    if (stored.empty()) throw BadInput(fmt::format("{}: holds no study yet", file));
+    return StoredStudy{std::move(store), plan_of(file, stored)};
   });
 }
 

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "cli/experiment_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "config/flow.hpp"
+#include "config/nearest.hpp"
+#include "config/text.hpp"
+#include "match/side.hpp"
+
+namespace regista::cli {
+namespace {
+
+// What stands before the first dot, where it says which document is meant.
+constexpr std::array<std::string_view, 3> of_both{"rules", "robot", "disturbance"};
+constexpr std::string_view opponent = "opponent";
+
+std::string_view first_part(std::string_view path) { return path.substr(0, path.find('.')); }
+
+std::string side_name(std::size_t side) {
+  return std::string(match::name(side == 0 ? match::Side::home : match::Side::away));
+}
+
+void add(const config::Node& map, const std::string& what, std::vector<Setting>& out) {
+  for (const config::Node::Entry& entry : map.entries()) {
+    const std::string_view document = first_part(entry.key);
+    if (document == "home" || document == "away") {
+      throw config::Error(entry.key_where,
+                          fmt::format("{}: {}: each arm plays at home and away; a path without that is of its team, "
+                                      "one that begins with opponent of the other",
+                                      what, entry.key));
+    }
+    if (document == "opening") {
+      throw config::Error(entry.key_where, fmt::format("{}: {}: scenes are the same for all arms", what, entry.key));
+    }
+    out.push_back({entry.key, config::flow(entry.value), entry.key_where, entry.value.where()});
+  }
+}
+
+// The nearest of the known paths, best first.
+std::vector<std::string> nearest(const std::string& asked, std::vector<std::string> known) {
+  constexpr std::size_t shown = 3;
+  std::ranges::stable_sort(known, {}, [&](const std::string& each) { return config::edit_distance(asked, each); });
+  known.erase(std::unique(known.begin(), known.end()), known.end());
+  if (known.size() > shown) known.resize(shown);
+  return known;
+}
+
+}  // namespace
+
+std::vector<Setting> settings_of(const config::Experiment& experiment, const config::Node& document, std::size_t arm,
+                                 std::size_t value) {
+  std::vector<Setting> out;
+  add(experiment.set, "set", out);
+  const std::size_t common = out.size();
+  add(experiment.arms[arm].set, fmt::format("arm {}", config::in_quotes(experiment.arms[arm].name)), out);
+  if (!experiment.sweep) return out;
+  const std::string& path = experiment.sweep->path;
+  const config::Location where = document["sweep"]["path"].where();
+  for (std::size_t i = common; i < out.size(); ++i) {
+    if (out[i].path != path) continue;
+    throw config::Error(out[i].path_where, fmt::format("{}: the sweep sets this path in every arm", path));
+  }
+  const config::Node& node = experiment.sweep->values[value];
+  add(config::Node::map({{path, where, node}}, where), "sweep", out);
+  return out;
+}
+
+std::string override_of(const Setting& setting, std::size_t side) {
+  const std::string_view document = first_part(setting.path);
+  std::string path = setting.path;
+  if (document == opponent) {
+    path = side_name(1 - side) + path.substr(opponent.size());
+  } else if (std::ranges::find(of_both, document) == of_both.end()) {
+    path = fmt::format("{}.{}", side_name(side), path);
+  }
+  return fmt::format("{}={}", path, setting.value);
+}
+
+config::Error told_at_its_place(const config::Error& error, const std::vector<Setting>& settings, std::size_t side,
+                                const std::function<std::vector<std::string>()>& known) {
+  const auto meant = std::ranges::find_if(settings.rbegin(), settings.rend(), [&](const Setting& each) {
+    return error.where().file == "--set " + override_of(each, side);
+  });
+  if (meant == settings.rend()) return error;
+  std::string message = std::string(error.what()).substr(config::to_string(error.where()).size() + 2);
+  const std::vector<std::string> paths = known();
+  if (paths.empty() || std::ranges::find(paths, meant->path) != paths.end()) {
+    return {meant->value_where, fmt::format("{}: {}", meant->path, message)};
+  }
+  return {meant->path_where,
+          fmt::format("{}: {}; nearest paths: {}", meant->path, message, config::join(nearest(meant->path, paths)))};
+}
+
+}  // namespace regista::cli

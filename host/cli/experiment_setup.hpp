@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// From an experiment's document to its plan: every arm at every value of the sweep is set up and checked before the
+// first match, so that nothing is found out after a night of playing.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/campaign_options.hpp"
+#include "config/experiment.hpp"
+#include "plugin/catalogue.hpp"
+#include "study/experiment_plan.hpp"
+
+namespace regista::cli {
+
+struct ExperimentOptions : CampaignOptions {
+  std::string file;
+  std::vector<std::string> overrides;  // of the experiment's document
+  std::string minutes, matches;        // instead of what it says; empty: as it says
+  std::string csv, summary;            // files; empty: none
+};
+
+// Throws BadInput and config::Error, at the place in the experiment's document that asks for what is not there.
+study::ExperimentPlan planned_experiment(const ExperimentOptions& options, const plugin::Catalogue& catalogue);
+
+}  // namespace regista::cli

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Plays the matches of a study to its end: what was stored is not played again, progress is shown, Ctrl-C stops it
+// cleanly, and every end but a good one says how to go on.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/engine.hpp"
+#include "campaign/store.hpp"
+#include "cli/campaign_options.hpp"
+#include "cli/command.hpp"
+#include "cli/study_progress.hpp"
+
+namespace regista::cli {
+
+struct StudyRun {
+  std::string what;  // "tournament"
+  std::uint64_t matches = 0;
+  std::vector<campaign::Store::Fixture> fixtures;
+  // See campaign::Schedule; `fixture` is an index of the above.
+  struct Place {
+    std::size_t fixture;
+    std::uint64_t seed;
+  };
+  std::function<std::optional<Place>(std::uint64_t index)> at;
+  std::function<campaign::Job(std::uint64_t index)> job;
+  std::function<bool(std::uint64_t index, const campaign::Decided* decided)> take;
+  campaign::Metrics metrics = campaign::Metrics::left_out;
+  std::function<std::uint64_t()> counted;  // matches that were taken and count
+};
+
+// options.results names the file that `store` holds. Throws what end_of_program.hpp explains; what was stored stays.
+void play(const StudyRun& run, const CampaignOptions& options, const Invocation& invocation, campaign::Store& store,
+          StudyProgress& progress);
+
+// The command that plays a match by itself, by the name the program was called by.
+std::string play_again(const campaign::Job& job, const Invocation& invocation);
+
+}  // namespace regista::cli

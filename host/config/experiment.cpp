@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "config/experiment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "config/file.hpp"
+#include "config/line.hpp"
+#include "config/read.hpp"
+#include "config/scalar.hpp"
+#include "config/text.hpp"
+
+namespace regista::config {
+namespace {
+
+std::span<const Node> elements_of(const Node& node, const std::string& what, const char* wanted) {
+  if (node.kind() != Node::Kind::sequence) refuse_kind(node, what, wanted);
+  if (node.elements().empty()) throw Error(node.where(), what + ": the list is empty");
+  return node.elements();
+}
+
+Node sequence_of(const std::vector<Node>& elements) { return elements.empty() ? Node() : Node::sequence(elements, {}); }
+
+Field values(std::string key, std::vector<Node>& values, std::string doc) {
+  return {std::move(key), std::move(doc),
+          Own{"values",
+              [&values](const Node& node, const std::string& what) {
+                const auto elements = elements_of(node, what, "a list of values");
+                values.assign(elements.begin(), elements.end());
+                for (std::size_t i = 0; i < values.size(); ++i) {
+                  if (values[i].kind() == Node::Kind::null) refuse_kind(values[i], what, "a value");
+                  for (std::size_t j = 0; j < i; ++j) {
+                    if (!same(values[i], values[j])) continue;
+                    throw Error(values[i].where(), what + ": the same value a second time");
+                  }
+                }
+              },
+              [&values] { return sequence_of(values); }}};
+}
+
+Field lines(std::string key, std::vector<Node>& texts, std::string doc) {
+  return {std::move(key), std::move(doc),
+          Own{"lines",
+              [&texts](const Node& node, const std::string& what) {
+                const auto elements = elements_of(node, what, "a list of texts");
+                for (const Node& each : elements) to_line(each, what);
+                texts.assign(elements.begin(), elements.end());
+              },
+              [&texts] { return sequence_of(texts); }}};
+}
+
+Field pairs(std::string key, std::vector<Node>& pairs, std::string doc) {
+  return {std::move(key), std::move(doc),
+          Own{"pairs",
+              [&pairs](const Node& node, const std::string& what) {
+                const auto elements = elements_of(node, what, "a list of pairs");
+                for (const Node& each : elements) {
+                  if (each.kind() != Node::Kind::sequence || each.elements().size() != 2) {
+                    refuse_kind(each, what, "a list of two names");
+                  }
+                  for (const Node& name : each.elements()) to_line(name, what);
+                }
+                pairs.assign(elements.begin(), elements.end());
+              },
+              [&pairs] { return sequence_of(pairs); }}};
+}
+
+Field paths(std::string key, std::vector<Experiment::Path>& paths, std::string doc) {
+  return {
+      std::move(key), std::move(doc),
+      Own{"paths",
+          [&paths](const Node& node, const std::string& what) {
+            const bool one = node.kind() == Node::Kind::scalar;
+            const std::vector<Node> single{node};
+            for (const Node& each : one ? std::span<const Node>(single) : elements_of(node, what, "a list of paths")) {
+              const std::filesystem::path path = named_file(each, what);
+              std::error_code none;
+              if (!std::filesystem::is_directory(path, none)) existing_file(each, what);
+              paths.push_back({std::filesystem::absolute(path).lexically_normal().string(), each.where()});
+            }
+          },
+          [&paths] {
+            std::vector<Node> out;
+            for (const Experiment::Path& each : paths) out.push_back(Node::scalar(each.path, true, {}));
+            return sequence_of(out);
+          }}};
+}
+
+void require_arm(const Experiment& experiment, const Node& name) {
+  std::vector<std::string> known;
+  for (const Experiment::Arm& arm : experiment.arms) known.push_back(arm.name);
+  if (std::ranges::find(known, name.text()) != known.end()) return;
+  throw Error(name.where(), "primary.compare: " + unknown("arm", name.text(), "", known));
+}
+
+}  // namespace
+
+static Map declare(Experiment::Arm& arm) {
+  return {.fields =
+              {
+                  required(line("name", arm.name, "what it is called in every table")),
+                  file("team", arm.team, "the team that plays; without it that of the experiment"),
+                  free("set", arm.set, "settings", "values laid over documents, by path"),
+              },
+          .where = &arm.where};
+}
+
+static Map declare(Experiment::Sweep& sweep) {
+  return {.fields =
+              {
+                  required(line("path", sweep.path, "of the value that is varied")),
+                  required(values("values", sweep.values, "that it takes, each with every arm")),
+              },
+          .where = &sweep.where};
+}
+
+static Map declare(Experiment::Primary& primary) {
+  return {.fields =
+              {
+                  required(line("measure", primary.measure, "number of a match that the test is about")),
+                  pairs("compare", primary.compare, "arms, two by two; without it every two of them"),
+                  choice("test", primary.test, {"paired_t", "sign_flip"}, "of the differences, seed by seed"),
+              },
+          .where = &primary.where};
+}
+
+Map declare(Experiment& experiment) {
+  return {
+      .fields =
+          {
+              required(name("experiment", experiment.name, "name of this experiment")),
+              line("question", experiment.question, "what it is to answer"),
+              required(list("arms", experiment.arms, 1, 32, "what is compared")),
+              file("team", experiment.team, "of arms that name none"),
+              required(file("opponent", experiment.opponent, "the team that every arm plays against")),
+              real("minutes", experiment.minutes, {0.01, 1e6}, "min", "of play for each arm, at least"),
+              integer("matches", experiment.matches, {2, 1000000}, "1",
+                      "for each arm, an even number: half at home, half away"),
+              integer("seed", experiment.seed, {0, 2147483647}, "1", "of the first pair of matches"),
+              file("rules", experiment.rules, "rules profile; without it spl2023, built in"),
+              file("robot", experiment.robot, "robot profile of all; without it nao, built in"),
+              file("disturbance", experiment.disturbance, "disturbance of the arm's team; without it none"),
+              file("opponent_disturbance", experiment.opponent_disturbance, "of the opponent; without it none"),
+              paths("openings", experiment.openings, "scenes that matches start from: files, or folders of them"),
+              real("limit", experiment.limit, {0.1, 1e6}, "s", "after which each match ends"),
+              free("set", experiment.set, "settings", "values laid over documents in all arms, by path"),
+              section("sweep", experiment.sweep, "a value that is varied"),
+              lines("measures", experiment.measures, "numbers of a match that are shown; without it the usual ones"),
+              section("primary", experiment.primary, "what is tested"),
+              real("confidence", experiment.confidence, {0.5, 0.9999}, "1", "of every interval, and of the test"),
+          },
+      .exactly_one = {"minutes", "matches"}};
+}
+
+void check(const Experiment& experiment, const Node& document) {
+  for (const Experiment::Arm& arm : experiment.arms) {
+    if (arm.name.empty()) throw Error(arm.where, "arms: a name is wanted");
+    if (arm.team.empty() && experiment.team.empty()) {
+      throw Error(arm.where,
+                  fmt::format("arm {}: which team? Name it here, or for all arms by `team`", in_quotes(arm.name)));
+    }
+  }
+  if (experiment.matches && *experiment.matches % 2 != 0) {
+    refuse(document, {"matches"},
+           fmt::format("matches: {} is odd; half of them are played at home, half away", *experiment.matches));
+  }
+  if (!experiment.primary) return;
+  for (const Node& pair : experiment.primary->compare) {
+    for (const Node& arm : pair.elements()) require_arm(experiment, arm);
+    if (pair.elements()[0].text() == pair.elements()[1].text()) {
+      throw Error(pair.where(), "primary.compare: an arm is compared with itself");
+    }
+  }
+}
+
+}  // namespace regista::config

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// An experiment as its YAML page says it: teams ("arms") that differ in what is asked about, one common opponent, how
+// much is played, what is measured, and which test decides. Values only; nothing is opened or played here. The form is
+// that of section 4 of Affinita et al., "Multi-Agent Coordination for a Partially Observable and Dynamic Robot Soccer
+// Environment with Limited Communication", 2023: arms x 60 minutes of play.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/declaration.hpp"
+
+namespace regista::config {
+
+struct Experiment {
+  struct Arm {
+    std::string name;
+    std::string team;  // file; empty: that of the experiment
+    Node set;          // map from paths to values, or absent
+    Location where;
+  };
+
+  // Every arm is played at every value.
+  struct Sweep {
+    std::string path;
+    std::vector<Node> values;
+    Location where;
+  };
+
+  enum class Test {
+    paired_t,   // Student's t on the differences of pairs
+    sign_flip,  // all signs that the differences of pairs could as well have had
+  };
+
+  // What the experiment decides on; all else is described, not tested.
+  struct Primary {
+    std::string measure;
+    std::vector<Node> compare;  // each a list of two names of arms; empty: every two arms
+    Test test = Test::paired_t;
+    Location where;
+  };
+
+  struct Path {
+    std::string path;  // file or folder
+    Location where;
+  };
+
+  std::string name, question;
+  std::vector<Arm> arms;
+  std::string team, opponent;     // files; team: of arms that name none
+  std::optional<double> minutes;  // of play for each arm and value, at least
+  std::optional<int> matches;     // for each arm and value, even
+  int seed = 1;
+  std::string rules, robot;                       // files; empty: the built-in values
+  std::string disturbance, opponent_disturbance;  // of the arm's team, of its opponent
+  std::vector<Path> openings;
+  std::optional<double> limit;  // s of a match
+  Node set;                     // for all arms; map or absent
+  std::optional<Sweep> sweep;
+  std::vector<Node> measures;  // paths of numbers of a match; empty: the usual ones
+  std::optional<Primary> primary;
+  double confidence = 0.95;
+};
+
+Map declare(Experiment& experiment);
+
+// Throws Error at values of the document that are sound one by one, but not together.
+void check(const Experiment& experiment, const Node& document);
+
+}  // namespace regista::config

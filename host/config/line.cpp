@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "config/line.hpp"
+
+#include "config/scalar.hpp"
+
+namespace regista::config {
+
+std::string to_line(const Node& node, const std::string& what) {
+  std::string text = to_text(node, what);
+  if (text.find('\n') != std::string::npos) throw Error(node.where(), what + ": one line is wanted");
+  return text;
+}
+
+Field line(std::string key, std::string& text, std::string doc) {
+  return {std::move(key), std::move(doc),
+          Own{"line", [&text](const Node& node, const std::string& what) { text = to_line(node, what); },
+              [&text] { return text.empty() ? Node() : Node::scalar(text, true, {}); }}};
+}
+
+}  // namespace regista::config

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// What is said about an experiment: a function of its plan and its results in order, equal to the byte however often it
+// was stopped and by however many workers it was played. It says what was found, whatever that is: nothing here knows
+// what anybody expects.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "campaign/job.hpp"
+#include "study/experiment.hpp"
+#include "study/experiment_plan.hpp"
+
+namespace regista::report {
+
+struct ExperimentView {
+  const study::ExperimentPlan& plan;
+  const study::Experiment& course;
+  // The command that plays a match of the schedule by itself.
+  std::function<std::string(std::uint64_t match)> again;
+};
+
+// "role_overlap: 3 arms against spqr2023, 36 matches each"
+std::string experiment_title(const ExperimentView& view);
+
+// What a live display shows: the first measures, or the primary one first. Lines, each ended.
+std::string experiment_standing(const ExperimentView& view);
+
+// The whole page: title, table, differences, findings, failures.
+std::string experiment_text(const ExperimentView& view);
+
+// One JSON object with a newline.
+std::string experiment_json(const ExperimentView& view);
+
+// What was found, a sentence each: the order of the arms in the primary measure, then each comparison.
+std::vector<std::string> finding_sentences(const ExperimentView& view);
+
+// A table with a row for each number of each match of an arm's team (RFC 4180, but lines end with \n).
+enum class CsvMeasures { shown, all };
+std::string experiment_csv_head(const study::ExperimentPlan& plan);
+std::string experiment_csv_lines(const study::ExperimentPlan& plan, std::uint64_t index,
+                                 const campaign::Decided& decided, CsvMeasures measures);
+
+// A table with a row for each measure of each condition: what experiment_text shows, in full precision.
+std::string experiment_summary_csv(const ExperimentView& view);
+
+// A number with as many digits as its margin makes sensible, without exponent: "12.3", "0.045".
+std::string rounded(double value, double margin);
+
+// "3.21 +/- 0.40"; "3.21" without an interval, "-" without pairs.
+std::string estimate_text(const study::MeanEstimate& estimate, const char* margin = "+/-");
+
+}  // namespace regista::report

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "report/experiment.hpp"
+
+namespace regista::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
+
+Json json_of(const study::MeanEstimate& estimate) {
+  const bool any = estimate.pairs > 0;
+  return {
+      {"pairs", estimate.pairs},
+      {"mean", any ? Json(estimate.mean) : Json(nullptr)},
+      {"standard_deviation", estimate.pairs > 1 ? Json(estimate.standard_deviation) : Json(nullptr)},
+      {"interval", estimate.interval ? Json::array({estimate.interval->low, estimate.interval->high}) : Json(nullptr)}};
+}
+
+Json condition(const study::ExperimentPlan& plan, std::size_t index) {
+  const study::Condition& each = plan.conditions[index];
+  Json out{{"arm", plan.arms[each.arm].name}};
+  if (plan.swept()) out["value"] = plan.values[each.value];
+  return out;
+}
+
+Json measure_json(const ExperimentView& view, std::size_t measure) {
+  const study::ExperimentPlan& plan = view.plan;
+  Json conditions = Json::array(), differences = Json::array();
+  for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
+    Json each = condition(plan, i);
+    each.update(json_of(view.course.mean(i, measure)));
+    const study::MeanEstimate per_match = study::mean_of(view.course.per_match(i, measure), plan.confidence);
+    each["per_match"] = per_match.pairs > 0 ? Json(per_match.mean) : Json(nullptr);
+    conditions.push_back(each);
+  }
+  for (const study::Comparison& comparison : plan.comparisons) {
+    Json each{{"first", condition(plan, comparison.first)}, {"second", condition(plan, comparison.second)}};
+    each.update(json_of(view.course.difference(comparison, measure)));
+    differences.push_back(each);
+  }
+  return {{"measure", plan.measures[measure]},
+          {"unit", study::unit_of(plan.measures[measure])},
+          {"conditions", conditions},
+          {"differences", differences}};
+}
+
+Json primary_json(const ExperimentView& view) {
+  const study::ExperimentPlan& plan = view.plan;
+  if (plan.primary.empty()) return nullptr;
+  Json comparisons = Json::array();
+  for (const study::Finding& finding : study::findings(plan, view.course)) {
+    Json each{{"first", condition(plan, finding.comparison.first)},
+              {"second", condition(plan, finding.comparison.second)}};
+    each.update(json_of(finding.difference));
+    each["p"] = or_null(finding.p);
+    each["p_holm"] = or_null(finding.adjusted);
+    each["found"] = finding.found;
+    each["equal_by_construction"] = study::equal_conditions(plan, finding.comparison);
+    comparisons.push_back(each);
+  }
+  return {{"measure", plan.primary}, {"test", name(plan.test)}, {"comparisons", comparisons}};
+}
+
+}  // namespace
+
+std::string experiment_json(const ExperimentView& view) {
+  const study::ExperimentPlan& plan = view.plan;
+  Json out;
+  out["experiment"] = plan.name;
+  out["question"] = plan.question;
+  Json arms = Json::array();
+  for (const study::Arm& arm : plan.arms) {
+    arms.push_back({{"name", arm.name}, {"team", arm.file}, {"set", arm.settings}});
+  }
+  out["arms"] = arms;
+  out["opponent"] = plan.opponent;
+  out["sweep"] = plan.swept() ? Json{{"path", plan.sweep}, {"values", plan.values}} : Json(nullptr);
+  out["pairs"] = plan.pairs;
+  out["first_seed"] = plan.first_seed;
+  out["openings"] = plan.openings.size();
+  out["matches"] = view.course.taken();
+  out["planned_matches"] = plan.matches();
+  out["complete"] = view.course.complete();
+  out["confidence"] = plan.confidence;
+  Json played = Json::array();
+  for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
+    Json each = condition(plan, i);
+    each["playing_seconds"] = view.course.playing_seconds(i);
+    each["forfeits"] = view.course.forfeits().of_team()[i];
+    played.push_back(each);
+  }
+  out["conditions"] = played;
+  Json measures = Json::array();
+  for (std::size_t i = 0; i < plan.measures.size(); ++i) measures.push_back(measure_json(view, i));
+  out["measures"] = measures;
+  out["primary"] = primary_json(view);
+  out["findings"] = finding_sentences(view);
+  Json forfeits = Json::array();
+  for (const study::Forfeits& each : view.course.forfeits().listed()) {
+    const bool opponent = each.team == plan.conditions.size();
+    forfeits.push_back({{"by", opponent ? std::string("opponent") : label(plan, each.team)},
+                        {"plugin", each.failure.plugin},
+                        {"call", each.failure.call},
+                        {"what", each.failure.what},
+                        {"matches", each.count},
+                        {"again", view.again(each.first_match)}});
+  }
+  out["forfeits"] = forfeits;
+  return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace regista::report

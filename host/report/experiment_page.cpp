@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "report/experiment_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/html_table.hpp"
+#include "report/number.hpp"
+
+namespace regista::report {
+namespace {
+
+Html head(const ExperimentView& view, const std::vector<std::string>& sentences) {
+  const study::ExperimentPlan& plan = view.plan;
+  Html out = "<header>\n<p class=\"kicker\">Experiment: "_html;
+  out << text(experiment_title(view)) << "</p>\n<h1 id=\"verdict\">"_html
+      << text(plan.question.empty() ? plan.name : plan.question) << "</h1>\n<p class=\"beside\">"_html;
+  if (!view.course.complete()) {
+    out << text(
+        fmt::format("Not at its end: {} of {} matches, so nothing is tested. ", view.course.taken(), plan.matches()));
+  }
+  if (!sentences.empty()) out << text(sentences.front());
+  return out << "</p>\n</header>\n"_html;
+}
+
+Html tiles(const ExperimentView& view) {
+  const study::ExperimentPlan& plan = view.plan;
+  const auto [least, most] = [&] {
+    double low = view.course.playing_seconds(0), high = low;
+    for (std::size_t i = 1; i < plan.conditions.size(); ++i) {
+      low = std::min(low, view.course.playing_seconds(i));
+      high = std::max(high, view.course.playing_seconds(i));
+    }
+    return std::pair(low / 60.0, high / 60.0);
+  }();
+  Html out = "<div class=\"tiles\">\n"_html;
+  out << tile(text(fmt::format("{}", plan.arms.size())), text(plan.arms.size() == 1 ? "arm" : "arms"));
+  if (plan.swept()) out << tile(text(fmt::format("{}", plan.values.size())), text("values of the sweep"));
+  out << tile(text(fmt::format("{}", plan.pairs)), text("pairs of matches each: same seed, both sides"));
+  out << tile(text(least == most ? fmt::format("{:.0f}", least) : fmt::format("{:.0f} – {:.0f}", least, most)),
+              text("minutes of play each"));
+  out << tile(text(fmt::format("{}", view.course.taken())), text(fmt::format("matches of {} planned", plan.matches())));
+  return out << "</div>\n"_html;
+}
+
+Html findings_section(const std::vector<std::string>& sentences) {
+  if (sentences.empty()) return {};
+  Html out = "<ul>\n"_html;
+  for (const std::string& each : sentences) out << "<li>"_html << text(each) << "</li>\n"_html;
+  return section("findings", "What was found"_html, out << "</ul>\n"_html);
+}
+
+Html figures_section(const ExperimentPageSource& source) {
+  Html out;
+  for (const PageFigure& each : source.figures) out << figure(source.figures, each.figure.name);
+  return section("figures", "Figures"_html, out);
+}
+
+Html measure_cell(const std::string& measure) {
+  Html out = code(measure);
+  if (study::is_time(measure)) out << ", "_html << text(study::unit_of(measure));
+  return out;
+}
+
+Html means_section(const ExperimentView& view) {
+  const study::ExperimentPlan& plan = view.plan;
+  std::vector<Heading> headings{{"Measure"_html, Column::words}};
+  if (plan.swept()) headings.push_back({code(plan.sweep), Column::number});
+  for (const study::Arm& arm : plan.arms) headings.push_back({name(arm.name), Column::number});
+  HtmlTable table(headings);
+  for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) {
+    for (std::size_t value = 0; value < plan.values.size(); ++value) {
+      std::vector<Html> cells{measure_cell(plan.measures[measure])};
+      if (plan.swept()) cells.push_back(text(plan.values[value]));
+      for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+        cells.push_back(text(estimate_text(view.course.mean(plan.condition(arm, value), measure), "±")));
+      }
+      table.row(cells);
+    }
+  }
+  Html out = "<p class=\"note\">"_html;
+  out << text(fmt::format("Times are minutes in 60 minutes of play, all else is the mean of a match; ± what holds with "
+                          "{:.4g} % by Student's t, the pair of matches as the unit.",
+                          100.0 * plan.confidence))
+      << " "_html << table_link("means.csv", experiment_summary_csv(view)) << "</p>\n<div class=\"values\">"_html
+      << table.html() << "</div>\n"_html;
+  return section("means", "Means"_html, out);
+}
+
+std::string difference_text(const study::MeanEstimate& difference) {
+  if (difference.pairs == 0) return "–";
+  if (!difference.interval) return rounded(difference.mean, 0.0);
+  const double margin = (difference.interval->high - difference.interval->low) / 2.0;
+  return fmt::format("{} [{}, {}]", rounded(difference.mean, margin), rounded(difference.interval->low, margin),
+                     rounded(difference.interval->high, margin));
+}
+
+Html differences_section(const ExperimentView& view) {
+  const study::ExperimentPlan& plan = view.plan;
+  if (plan.comparisons.empty()) return {};
+  HtmlTable table({{"Measure"_html, Column::words},
+                   {"First"_html, Column::words},
+                   {"Less second"_html, Column::words},
+                   {"Pairs"_html},
+                   {"Difference"_html}});
+  for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) {
+    for (const study::Comparison& each : plan.comparisons) {
+      const study::MeanEstimate difference = view.course.difference(each, measure);
+      table.row({measure_cell(plan.measures[measure]), name(label(plan, each.first)), name(label(plan, each.second)),
+                 text(fmt::format("{}", difference.pairs)), text(difference_text(difference))});
+    }
+  }
+  Html out =
+      "<p class=\"note\">Pair by pair, with intervals that hold for each by itself: only the primary measure was "
+      "tested, and corrected for the number of comparisons.</p>\n<details><summary>All differences</summary>\n"
+      "<div class=\"values\">"_html;
+  out << table.html() << "</div>\n</details>\n"_html;
+  return section("differences", "Differences"_html, out);
+}
+
+Html failures_section(const ExperimentView& view) {
+  const study::ExperimentPlan& plan = view.plan;
+  if (view.course.forfeits().listed().empty()) return {};
+  HtmlTable table({{"By"_html, Column::words},
+                   {"Matches"_html},
+                   {"Plugin"_html, Column::words},
+                   {"Call"_html, Column::words},
+                   {"Reason"_html, Column::words},
+                   {"Plays the first of them again"_html, Column::words}});
+  for (const study::Forfeits& each : view.course.forfeits().listed()) {
+    const bool opponent = each.team == plan.conditions.size();
+    table.row({opponent ? text("the opponent") : name(label(plan, each.team)), text(fmt::format("{}", each.count)),
+               text(each.failure.plugin), text(each.failure.call), text(each.failure.what),
+               code(view.again(each.first_match))});
+  }
+  Html out = "<p>Their pairs are left out of every number.</p>\n<div class=\"values\">"_html;
+  return section("failures", "Forfeits"_html, out << table.html() << "</div>\n"_html);
+}
+
+Html configuration_section(const study::ExperimentPlan& plan) {
+  std::vector<std::string> names;
+  for (const study::Arm& arm : plan.arms) names.push_back(arm.name);
+  names.emplace_back("opponent");
+  return section("configuration", "Where the teams differ"_html, differing_documents(names, plan.documents));
+}
+
+std::vector<campaign::Input> all_inputs(const study::ExperimentPlan& plan) {
+  std::vector<campaign::Input> out;
+  for (const study::Condition& condition : plan.conditions) {
+    const campaign::Job& job = condition.jobs[0];
+    for (const auto* inputs : {&job.common_inputs, &job.home_inputs, &job.away_inputs}) {
+      out.insert(out.end(), inputs->begin(), inputs->end());
+    }
+  }
+  for (const study::Opening& opening : plan.openings) out.push_back(opening.input);
+  return out;
+}
+
+Html reproduction_section(const ExperimentPageSource& source, const std::string& command) {
+  const study::ExperimentPlan& plan = source.view.plan;
+  Html out = "<p>In the folder "_html;
+  out << code(plan.folder) << ", with the program and the files that have these hashes:</p>\n"_html << block(command)
+      << "<p class=\"note\">Regista "_html << text(source.program)
+      << " began these results; seeds, number of matches, test and hashes were fixed and stored before the first "
+         "match. "
+         "Fingerprint of all matches, equal where the same were played with the same course: "_html
+      << code(source.fingerprint.empty() ? "–" : source.fingerprint)
+      << "</p>\n<details><summary>Hashes of everything the matches are a function of</summary>\n"_html
+      << hashes_table(all_inputs(plan)) << "</details>\n"_html;
+  return section("reproduction", "Playing it again"_html, out);
+}
+
+}  // namespace
+
+std::vector<std::string> experiment_arguments(const study::ExperimentPlan& plan) {
+  std::vector<std::string> words{"experiment", plan.file};
+  for (const std::string& each : plan.overrides) words.insert(words.end(), {"--set", each});
+  for (const std::string& each : plan.conditions.front().jobs[0].plugins) {
+    words.insert(words.end(), {"--plugins", each});
+  }
+  words.insert(words.end(), {"--processor-seconds", std::to_string(plan.limits.processor_seconds), "--memory",
+                             std::to_string(plan.limits.memory >> 20)});
+  return words;
+}
+
+std::string experiment_page(const ExperimentPageSource& source) {
+  const ExperimentView& view = source.view;
+  const std::vector<std::string> sentences = finding_sentences(view);
+  Html page = page_begin(experiment_title(view));
+  page << head(view, sentences) << tiles(view) << findings_section(sentences) << figures_section(source)
+       << means_section(view) << differences_section(view) << failures_section(view) << configuration_section(view.plan)
+       << reproduction_section(source, source.command) << page_end();
+  return page.str();
+}
+
+}  // namespace regista::report

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "report/experiment.hpp"
+#include "report/number.hpp"
+#include "report/tournament.hpp"
+#include "report/visible_text.hpp"
+
+namespace regista::report {
+namespace {
+
+using study::MeanEstimate;
+
+// Columns that are as wide as their widest cell; the first stands at the left, all others at the right.
+class TextTable {
+ public:
+  void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+
+  std::string text() const {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows_) {
+      widths.resize(std::max(widths.size(), row.size()), 0);
+      for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], characters(row[i]));
+    }
+    std::string out;
+    for (const auto& row : rows_) {
+      std::string line;
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        const std::string room(widths[i] - characters(row[i]), ' ');
+        line += i == 0 ? row[i] + room : "  " + room + row[i];
+      }
+      line.erase(line.find_last_not_of(' ') + 1);
+      out += line + '\n';
+    }
+    return out;
+  }
+
+ private:
+  static std::size_t characters(const std::string& text) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  }
+  std::vector<std::vector<std::string>> rows_;
+};
+
+std::string with_unit(const std::string& measure) {
+  return study::is_time(measure) ? fmt::format("{} [{}]", measure, study::unit_of(measure)) : measure;
+}
+
+// Measures in rows, arms in columns.
+std::string arms_table(const ExperimentView& view, const std::vector<std::size_t>& measures) {
+  const study::ExperimentPlan& plan = view.plan;
+  TextTable table;
+  std::vector<std::string> head{"measure"};
+  for (const study::Arm& arm : plan.arms) head.push_back(visible(arm.name));
+  table.row(head);
+  for (const std::size_t measure : measures) {
+    std::vector<std::string> cells{with_unit(plan.measures[measure])};
+    for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+      cells.push_back(estimate_text(view.course.mean(arm, measure)));
+    }
+    table.row(cells);
+  }
+  return table.text();
+}
+
+// One measure: values of the sweep in rows, arms in columns.
+std::string sweep_table(const ExperimentView& view, std::size_t measure) {
+  const study::ExperimentPlan& plan = view.plan;
+  TextTable table;
+  std::vector<std::string> head{visible(plan.sweep)};
+  for (const study::Arm& arm : plan.arms) head.push_back(visible(arm.name));
+  table.row(head);
+  for (std::size_t value = 0; value < plan.values.size(); ++value) {
+    std::vector<std::string> cells{visible(plan.values[value])};
+    for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+      cells.push_back(estimate_text(view.course.mean(plan.condition(arm, value), measure)));
+    }
+    table.row(cells);
+  }
+  return with_unit(plan.measures[measure]) + '\n' + table.text();
+}
+
+std::string interval_text(const MeanEstimate& estimate) {
+  if (!estimate.interval) return "no interval";
+  const double margin = (estimate.interval->high - estimate.interval->low) / 2.0;
+  return fmt::format("[{}, {}]", rounded(estimate.interval->low, margin), rounded(estimate.interval->high, margin));
+}
+
+std::string with_sign(const MeanEstimate& estimate) {
+  const double margin =
+      estimate.interval ? (estimate.interval->high - estimate.interval->low) / 2.0 : std::abs(estimate.mean) / 100.0;
+  const std::string text = rounded(estimate.mean, margin);
+  return text.starts_with('-') ? text : '+' + text;
+}
+
+// Not of a single role, but for the primary one: a terminal has room for these.
+bool is_headline(const study::ExperimentPlan& plan, const std::string& measure) {
+  return measure == plan.primary || measure.find('.') == std::string::npos;
+}
+
+std::string differences_table(const ExperimentView& view) {
+  const study::ExperimentPlan& plan = view.plan;
+  TextTable table;
+  std::vector<std::string> head{"measure"};
+  for (const study::Comparison& each : plan.comparisons) {
+    head.push_back(fmt::format("{} less {}", visible(label(plan, each.first)), visible(label(plan, each.second))));
+  }
+  table.row(head);
+  for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) {
+    if (!is_headline(plan, plan.measures[measure])) continue;
+    std::vector<std::string> cells{with_unit(plan.measures[measure])};
+    for (const study::Comparison& each : plan.comparisons) {
+      const MeanEstimate difference = view.course.difference(each, measure);
+      cells.push_back(difference.pairs == 0
+                          ? "-"
+                          : fmt::format("{} {}", with_sign(difference),
+                                        difference.interval ? interval_text(difference) : std::string()));
+    }
+    table.row(cells);
+  }
+  return table.text();
+}
+
+std::string failures_text(const ExperimentView& view) {
+  std::string out;
+  const study::ForfeitList& forfeits = view.course.forfeits();
+  for (const study::Forfeits& each : forfeits.listed()) {
+    const bool opponent = each.team == view.plan.conditions.size();
+    out += fmt::format("{} {} {}; the first again: {}\n", each.count, each.count == 1 ? "match" : "matches",
+                       forfeit_text(opponent ? std::string("the opponent") : label(view.plan, each.team), each.failure),
+                       view.again(each.first_match));
+  }
+  if (forfeits.unlisted() > 0) out += fmt::format("{} more were forfeited for other reasons\n", forfeits.unlisted());
+  if (!out.empty()) out = "\nForfeits, whose pairs are left out of every number:\n" + out;
+  return out;
+}
+
+std::string pairs_text(const ExperimentView& view) {
+  const study::ExperimentPlan& plan = view.plan;
+  const std::uint64_t pairs = view.course.taken() / 2 / plan.conditions.size();
+  return fmt::format(
+      "Means of a match{}, +/- what holds with {:.4g} % by Student's t over {} {} of matches (same seed, both sides)\n",
+      std::ranges::any_of(plan.measures, [](const auto& each) { return study::is_time(each); })
+          ? ", times in minutes of 60 minutes of play"
+          : "",
+      100.0 * plan.confidence, pairs, pairs == 1 ? "pair" : "pairs");
+}
+
+}  // namespace
+
+std::string rounded(double value, double margin) {
+  const double size = margin > 0.0 ? margin : std::abs(value) / 10.0;
+  const int digits = size > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(size))), 0, 6) : 2;
+  return fixed(value, digits);
+}
+
+std::string estimate_text(const MeanEstimate& estimate, const char* between) {
+  if (estimate.pairs == 0) return "-";
+  if (!estimate.interval) return rounded(estimate.mean, 0.0);
+  const double margin = (estimate.interval->high - estimate.interval->low) / 2.0;
+  return fmt::format("{} {} {}", rounded(estimate.mean, margin), between, rounded(margin, margin));
+}
+
+std::string experiment_title(const ExperimentView& view) {
+  const study::ExperimentPlan& plan = view.plan;
+  std::string out =
+      fmt::format("{}: {} {}", visible(plan.name), plan.arms.size(), plan.arms.size() == 1 ? "arm" : "arms");
+  if (plan.swept()) out += fmt::format(" at {} values of {}", plan.values.size(), visible(plan.sweep));
+  out += fmt::format(" against {}, {} matches each", visible(std::filesystem::path(plan.opponent).stem().string()),
+                     2 * plan.pairs);
+  if (!plan.openings.empty()) {
+    out += fmt::format(" from {} {}", plan.openings.size(), plan.openings.size() == 1 ? "opening" : "openings");
+  }
+  return out;
+}
+
+std::string experiment_standing(const ExperimentView& view) {
+  constexpr std::size_t shown = 6;
+  const study::ExperimentPlan& plan = view.plan;
+  std::vector<std::size_t> measures;
+  if (const auto primary = study::primary_measure(plan)) measures.push_back(*primary);
+  for (std::size_t i = 0; i < plan.measures.size() && measures.size() < shown; ++i) {
+    if (std::ranges::find(measures, i) == measures.end()) measures.push_back(i);
+  }
+  std::string out = experiment_title(view) + '\n';
+  return out + (plan.swept() ? sweep_table(view, measures.front()) : arms_table(view, measures));
+}
+
+std::string experiment_text(const ExperimentView& view) {
+  const study::ExperimentPlan& plan = view.plan;
+  std::string out = experiment_title(view) + '\n';
+  if (!plan.question.empty()) out += visible(plan.question) + '\n';
+  if (!view.course.complete()) {
+    out += fmt::format("Not at its end: {} of {} matches. No test.\n", view.course.taken(), plan.matches());
+  }
+  out += '\n' + pairs_text(view) + '\n';
+  if (plan.swept()) {
+    for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) out += sweep_table(view, measure) + '\n';
+  } else {
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < plan.measures.size(); ++i) all.push_back(i);
+    out += arms_table(view, all);
+    if (!plan.comparisons.empty())
+      out += "\nDifferences, pair by pair (of single roles: --json, or the page):\n\n" + differences_table(view);
+    out += '\n';
+  }
+  for (const std::string& sentence : finding_sentences(view)) out += sentence + '\n';
+  return out + failures_text(view);
+}
+
+}  // namespace regista::report

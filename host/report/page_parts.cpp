@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "report/page_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "config/node.hpp"
+#include "report/configuration_difference.hpp"
+#include "report/html_table.hpp"
+#include "report/page_style.hpp"
+
+namespace regista::report {
+namespace {
+
+// What a file begins with that may be replaced by one of ours.
+constexpr Markup ours = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="generator" content="Regista )"_html;
+
+constexpr Markup head = R"(page of results">
+<meta name="viewport" content="width=device-width">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src data:">
+)"_html;
+
+constexpr std::size_t most_compared = 8;    // documents that stand beside each other
+constexpr std::size_t most_documents = 40;  // that are shown in full
+constexpr std::size_t most_rows = 1000;
+
+Html differences_table(std::span<const std::string> names, std::span<const std::string> documents) {
+  const std::vector<DifferingValue> rows = differing_values(documents);
+  if (rows.empty()) return "<p>The resolved documents are the same.</p>\n"_html;
+  std::vector<Heading> headings{{"Value"_html, Column::words}};
+  for (std::size_t i = 0; i < documents.size(); ++i) headings.push_back({name(names[i]), Column::words});
+  HtmlTable table(headings);
+  for (std::size_t i = 0; i < std::min(rows.size(), most_rows); ++i) {
+    std::vector<Html> cells{code(rows[i].path)};
+    for (const auto& value : rows[i].values) cells.push_back(value ? code(*value) : Html("–"_html));
+    table.row(cells);
+  }
+  Html out = "<div class=\"values\">"_html;
+  out << table.html() << "</div>\n"_html;
+  if (rows.size() > most_rows) out << text(fmt::format("{} more values differ.", rows.size() - most_rows));
+  return out;
+}
+
+}  // namespace
+
+Html page_begin(std::string_view title) {
+  Html page = ours;
+  return page << head << "<title>"_html << text(title) << "</title>\n<style>"_html << page_style
+              << "</style>\n</head>\n<body>\n<main>\n"_html;
+}
+
+Html page_end() {
+  return "<footer>Written by <code>regista report</code> from the stored results alone.</footer>\n"
+         "</main>\n</body>\n</html>\n"_html;
+}
+
+bool is_our_page(std::string_view beginning) { return beginning.starts_with(ours.view()); }
+
+Html section(std::string_view id, Markup title, const Html& content) {
+  if (content.empty()) return {};
+  Html out = "<section id=\""_html;
+  return out << text(id) << "\">\n<h2>"_html << title << "</h2>\n"_html << content << "</section>\n"_html;
+}
+
+Html table_link(std::string_view file_name, std::string_view csv) {
+  Html out = "<a class=\"take\" download=\""_html;
+  return out << text(file_name) << "\" href=\""_html << data_address("text/csv", csv) << "\">data as CSV</a>"_html;
+}
+
+Html figure(std::span<const PageFigure> figures, std::string_view figure_name) {
+  const auto found = std::ranges::find(figures, figure_name,
+                                       [](const PageFigure& each) { return std::string_view(each.figure.name); });
+  if (found == figures.end()) return {};
+  const Figure& figure = found->figure;
+  Html out = "<figure>\n"_html;
+  if (found->svg.empty()) {
+    out << "<p class=\"missing\">Here a figure is missing: "_html << text(found->why_not)
+        << ". Its data are there.</p>\n"_html;
+  } else {
+    out << Html::made_by_us(found->svg);  // svg.cpp has let through what it knows, and nothing else
+  }
+  return out << "<figcaption><b>"_html << text(figure.title) << ".</b> "_html << text(figure.description) << " "_html
+             << table_link(figure.name + ".csv", figure.csv) << "</figcaption>\n</figure>\n"_html;
+}
+
+Html tile(const Html& number, const Html& what) {
+  Html out = "<div class=\"tile\"><b>"_html;
+  return out << number << "</b><span>"_html << what << "</span></div>\n"_html;
+}
+
+Html code(std::string_view words) {
+  Html out = "<code>"_html;
+  return out << text(words) << "</code>"_html;
+}
+
+Html block(std::string_view content) {
+  Html out = "<pre>"_html;
+  return out << lines(content) << "</pre>\n"_html;
+}
+
+Html differing_documents(std::span<const std::string> names, std::span<const std::string> documents) {
+  const std::size_t compared = std::min(documents.size(), most_compared);
+  Html out;
+  try {
+    out = differences_table(names, documents.first(compared));
+  } catch (const config::Error& error) {
+    out << "<p>The documents cannot be compared: "_html << text(error.what()) << "</p>\n"_html;
+  }
+  if (compared < documents.size()) {
+    out << "<p class=\"note\">"_html << text(fmt::format("Of the first {} teams.", compared)) << "</p>\n"_html;
+  }
+  for (std::size_t i = 0; i < std::min(documents.size(), most_documents); ++i) {
+    out << "<details><summary>All of "_html << name(names[i]) << "</summary>\n"_html << block(documents[i])
+        << "</details>\n"_html;
+  }
+  return out;
+}
+
+Html hashes_table(std::span<const campaign::Input> inputs) {
+  HtmlTable table({{"Input"_html, Column::words}, {"Hash of its content"_html, Column::words}});
+  for (auto input = inputs.begin(); input != inputs.end(); ++input) {
+    if (std::find(inputs.begin(), input, *input) == input) table.row({text(input->name), code(input->hash)});
+  }
+  return table.html();
+}
+
+}  // namespace regista::report

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What the pages of all studies are made of: one file of HTML each that needs nothing else, no network, no script.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "campaign/input.hpp"
+#include "report/figure.hpp"
+#include "report/html_text.hpp"
+
+namespace regista::report {
+
+struct PageFigure {
+  Figure figure;
+  std::string svg;      // of svg_for_page(); empty: there is none
+  std::string why_not;  // then
+};
+
+// From the doctype to the beginning of the content, with this title; and the end of the file.
+Html page_begin(std::string_view title);
+Html page_end();
+
+// Whether a file that begins so was written with page_begin().
+bool is_our_page(std::string_view beginning);
+inline constexpr std::size_t page_beginning = 512;  // bytes that are enough to tell
+
+Html section(std::string_view id, Markup title, const Html& content);  // empty for no content
+Html table_link(std::string_view file_name, std::string_view csv);     // to take a table away
+// Empty where there is no such figure.
+Html figure(std::span<const PageFigure> figures, std::string_view name);
+Html tile(const Html& number, const Html& what);
+
+Html code(std::string_view words);
+Html block(std::string_view content);  // lines as they are
+
+// Where documents (config::show without remarks) differ, a column for each; then each in full. names: of the documents.
+Html differing_documents(std::span<const std::string> names, std::span<const std::string> documents);
+
+// Each input once, in this order.
+Html hashes_table(std::span<const campaign::Input> inputs);
+
+}  // namespace regista::report

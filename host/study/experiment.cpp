@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "study/experiment.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+#include "statistics/multiplicity.hpp"
+
+namespace regista::study {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+double value_of(const std::optional<MatchMeasures>& match, const std::string& measure) {
+  return match ? match->value(measure).value_or(nothing) : nothing;
+}
+
+}  // namespace
+
+Experiment::Experiment(const ExperimentPlan& plan)
+    : plan_(plan),
+      values_(plan.conditions.size() * plan.measures.size()),
+      playing_seconds_(plan.conditions.size(), 0.0),
+      forfeits_(plan.conditions.size() + 1) {}
+
+void Experiment::take(const campaign::Decided& decided) {
+  assert(next_ < plan_.matches());
+  const Trial trial = study::trial(plan_, next_);
+  std::optional<MatchMeasures> played;
+  if (decided.failure) {
+    const bool own = static_cast<std::size_t>(decided.failure->side) == trial.side;
+    forfeits_.add(own ? trial.condition : plan_.conditions.size(), *decided.failure, next_);
+  } else {
+    played.emplace(decided, static_cast<int>(trial.side));
+    playing_seconds_[trial.condition] += played->playing_seconds();
+  }
+  ++next_;
+  if (trial.side == 0) {
+    at_home_ = std::move(played);
+    return;
+  }
+  const double seconds = at_home_ && played ? at_home_->playing_seconds() + played->playing_seconds() : 0.0;
+  for (std::size_t measure = 0; measure < plan_.measures.size(); ++measure) {
+    const std::string& path = plan_.measures[measure];
+    const double sum = value_of(at_home_, path) + value_of(played, path), mean = sum / 2.0;
+    double in_unit = mean;
+    if (is_time(path)) in_unit = seconds > 0.0 ? 60.0 * sum / seconds : nothing;
+    Values& values = values_[trial.condition * plan_.measures.size() + measure];
+    values.in_unit.push_back(in_unit);
+    values.per_match.push_back(mean);
+  }
+  at_home_.reset();
+}
+
+const Experiment::Values& Experiment::at(std::size_t condition, std::size_t measure) const {
+  return values_[condition * plan_.measures.size() + measure];
+}
+
+std::span<const double> Experiment::values(std::size_t condition, std::size_t measure) const {
+  return at(condition, measure).in_unit;
+}
+
+std::span<const double> Experiment::per_match(std::size_t condition, std::size_t measure) const {
+  return at(condition, measure).per_match;
+}
+
+MeanEstimate Experiment::mean(std::size_t condition, std::size_t measure) const {
+  return mean_of(values(condition, measure), plan_.confidence);
+}
+
+MeanEstimate Experiment::difference(const Comparison& comparison, std::size_t measure) const {
+  return difference_of(values(comparison.first, measure), values(comparison.second, measure), plan_.confidence);
+}
+
+std::optional<std::size_t> primary_measure(const ExperimentPlan& plan) {
+  const auto found = std::ranges::find(plan.measures, plan.primary);
+  if (plan.primary.empty() || found == plan.measures.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - plan.measures.begin());
+}
+
+std::vector<Finding> findings(const ExperimentPlan& plan, const Experiment& course) {
+  const std::optional<std::size_t> measure = primary_measure(plan);
+  std::vector<Finding> out;
+  if (!measure) return out;
+  std::vector<double> tested;
+  for (const Comparison& each : plan.comparisons) {
+    Finding& finding = out.emplace_back(Finding{each, course.difference(each, *measure), {}, {}, false});
+    if (!course.complete()) continue;
+    finding.p = p_of_difference(course.values(each.first, *measure), course.values(each.second, *measure), plan.test);
+    if (finding.p) tested.push_back(*finding.p);
+  }
+  const std::vector<double> adjusted = statistics::holm(tested);
+  std::size_t next = 0;
+  for (Finding& each : out) {
+    if (!each.p) continue;
+    each.adjusted = adjusted[next++];
+    each.found = *each.adjusted <= 1.0 - plan.confidence;
+  }
+  return out;
+}
+
+}  // namespace regista::study

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// The course of an experiment: takes the results in the order of the schedule and keeps, for every condition and
+// measure, one value per pair of matches: of a time its minutes in 60 minutes of play, summed over both matches; of
+// everything else the mean of the two. A pair with a forfeited match has no values: what a match would have shown is
+// not known.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "campaign/job.hpp"
+#include "study/experiment_plan.hpp"
+#include "study/forfeits.hpp"
+#include "study/measure.hpp"
+#include "study/paired_estimates.hpp"
+
+namespace regista::study {
+
+class Experiment {
+ public:
+  explicit Experiment(const ExperimentPlan& plan);
+
+  // Precondition: match 0, then 1, ... Throws std::invalid_argument for metrics that are no JSON.
+  void take(const campaign::Decided& decided);
+
+  std::uint64_t taken() const { return next_; }
+  bool complete() const { return next_ == plan_.matches(); }
+
+  // By pair, in the unit of the measure; no number where it is missing. measure: index into the plan's measures.
+  std::span<const double> values(std::size_t condition, std::size_t measure) const;
+  // The mean of the matches of a pair as they stand: times in seconds.
+  std::span<const double> per_match(std::size_t condition, std::size_t measure) const;
+
+  MeanEstimate mean(std::size_t condition, std::size_t measure) const;
+  MeanEstimate difference(const Comparison& comparison, std::size_t measure) const;
+
+  double playing_seconds(std::size_t condition) const { return playing_seconds_[condition]; }  // of all matches
+  const ForfeitList& forfeits() const { return forfeits_; }  // by condition; last: the opponent
+
+ private:
+  struct Values {
+    std::vector<double> in_unit, per_match;  // by pair
+  };
+  const Values& at(std::size_t condition, std::size_t measure) const;
+
+  const ExperimentPlan& plan_;
+  std::vector<Values> values_;  // by condition, then measure
+  std::vector<double> playing_seconds_;
+  std::optional<MatchMeasures> at_home_;  // of the pair under way
+  ForfeitList forfeits_;
+  std::uint64_t next_ = 0;
+};
+
+// What the test says about one comparison of the primary measure.
+struct Finding {
+  Comparison comparison;
+  MeanEstimate difference;
+  std::optional<double> p, adjusted;  // adjusted: by Holm, for all comparisons that have a p
+  bool found = false;                 // adjusted <= 1 - confidence
+};
+
+// Of all comparisons, in the plan's order; empty without a primary measure. p and adjusted only of an experiment that
+// was played to its end: its number of matches was fixed beforehand, that of one that was stopped was not.
+std::vector<Finding> findings(const ExperimentPlan& plan, const Experiment& course);
+
+// Index of the primary measure; nothing where there is none.
+std::optional<std::size_t> primary_measure(const ExperimentPlan& plan);
+
+}  // namespace regista::study

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The measures of an experiment: numbers of one team in one match. "goals", "goals_against", "goal_difference" and
+// "points" (1 for a match won, 1/2 for one drawn) come from the score; all others are paths of the match's metrics, see
+// study/metric.hpp. Times are told as minutes in 60 minutes of play, so that matches of any length compare; everything
+// else per match, as it stands.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "campaign/job.hpp"
+#include "study/metric.hpp"
+
+namespace regista::study {
+
+inline constexpr std::array<const char*, 4> measures_of_score{"goals", "goals_against", "goal_difference", "points"};
+
+// Its name says that it is a time: "striker.overlap_seconds".
+constexpr bool is_time(std::string_view measure) { return measure.ends_with("_seconds"); }
+
+// "min per 60 min" or "per match"
+constexpr const char* unit_of(std::string_view measure) { return is_time(measure) ? "min per 60 min" : "per match"; }
+
+// What a team did in a match that was played to its end.
+class MatchMeasures {
+ public:
+  // side: of the team. Throws std::invalid_argument for metrics that are no JSON.
+  MatchMeasures(const campaign::Decided& decided, int side);
+
+  // As the match has it, times in seconds; nothing where it has none.
+  std::optional<double> value(const std::string& measure) const;
+  const std::vector<NamedValue>& all() const { return values_; }  // those of the score first
+  double playing_seconds() const { return playing_seconds_; }
+
+ private:
+  std::vector<NamedValue> values_;
+  double playing_seconds_;
+};
+
+}  // namespace regista::study

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "study/paired_estimates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "statistics/moments.hpp"
+#include "statistics/paired_t.hpp"
+#include "statistics/sign_flip.hpp"
+
+namespace regista::study {
+namespace {
+
+std::vector<double> differences(std::span<const double> first, std::span<const double> second) {
+  std::vector<double> out;
+  for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i) {
+    const double difference = first[i] - second[i];
+    if (!std::isnan(difference)) out.push_back(difference);
+  }
+  return out;
+}
+
+MeanEstimate estimate_of(const std::vector<double>& known, double confidence) {
+  const statistics::Moments moments(known);
+  MeanEstimate out{moments.count(), moments.mean(), moments.standard_deviation(), std::nullopt};
+  if (const auto t = statistics::paired_t(known, confidence)) out.interval = t->interval;
+  return out;
+}
+
+}  // namespace
+
+MeanEstimate mean_of(std::span<const double> values, double confidence) {
+  std::vector<double> known(values.begin(), values.end());
+  std::erase_if(known, [](double value) { return std::isnan(value); });
+  return estimate_of(known, confidence);
+}
+
+MeanEstimate difference_of(std::span<const double> first, std::span<const double> second, double confidence) {
+  return estimate_of(differences(first, second), confidence);
+}
+
+std::optional<double> p_of_difference(std::span<const double> first, std::span<const double> second, PairTest test) {
+  const std::vector<double> known = differences(first, second);
+  if (known.size() < 2) return std::nullopt;
+  if (std::ranges::all_of(known, [](double each) { return each == 0.0; })) return 1.0;
+  if (test == PairTest::sign_flip) return statistics::sign_flip_p(known);
+  const auto t = statistics::paired_t(known);
+  return t ? std::optional(t->p) : std::nullopt;
+}
+
+}  // namespace regista::study

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// What plans of studies have in common as JSON: which study they are of, openings, limits; and what is said of a text
+// that no plan was written as.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "campaign/job.hpp"
+#include "campaign/worker.hpp"
+#include "study/opening.hpp"
+
+namespace regista::study {
+
+inline constexpr const char* tournament_study = "tournament";
+inline constexpr const char* experiment_study = "experiment";
+
+inline nlohmann::ordered_json json_of(const std::vector<campaign::Input>& inputs) {
+  return nlohmann::ordered_json::parse(campaign::to_json(inputs));
+}
+inline std::vector<campaign::Input> inputs_of(const nlohmann::ordered_json& json) {
+  return campaign::inputs_from_json(json.dump());
+}
+
+inline nlohmann::ordered_json json_of(const std::vector<Opening>& openings) {
+  auto out = nlohmann::ordered_json::array();
+  for (const Opening& each : openings) {
+    out.push_back({{"file", each.file}, {"input", json_of(std::vector<campaign::Input>{each.input})}});
+  }
+  return out;
+}
+inline std::vector<Opening> openings_of(const nlohmann::ordered_json& json) {
+  std::vector<Opening> out;
+  for (const auto& each : json) out.push_back({each.at("file").get<std::string>(), inputs_of(each.at("input")).at(0)});
+  return out;
+}
+
+inline nlohmann::ordered_json json_of(const campaign::Limits& limits) {
+  return {{"processor_seconds", limits.processor_seconds},
+          {"memory", limits.memory},
+          {"wall_seconds", limits.wall_seconds}};
+}
+inline campaign::Limits limits_of(const nlohmann::ordered_json& json) {
+  campaign::Limits out;
+  json.at("processor_seconds").get_to(out.processor_seconds);
+  json.at("memory").get_to(out.memory);
+  json.at("wall_seconds").get_to(out.wall_seconds);
+  return out;
+}
+
+// The study that a plan is of; empty where that is not told.
+inline std::string study_of(const std::string& text) {
+  const auto json = nlohmann::ordered_json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("study") || !json["study"].is_string()) return {};
+  return json["study"].get<std::string>();
+}
+
+// read(json), or std::invalid_argument with the reason.
+template <class Read>
+auto read_plan(const std::string& text, const char* study, int version, Read read) {
+  using Json = nlohmann::ordered_json;
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("study") != study) throw std::invalid_argument("these are results of another study");
+    if (json.at("version") != version) throw std::invalid_argument("its plan is of another version");
+    return read(json);
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument(fmt::format("its plan is damaged: {}", error.what()));
+  } catch (const std::out_of_range&) {
+    throw std::invalid_argument("its plan is damaged");
+  }
+}
+
+}  // namespace regista::study
