@@ -39,20 +39,20 @@ TEST(SignFlip, IsTheShareOfAllWays) {
 
 // Three pairs cannot say more than one in four, however they went.
 TEST(SignFlip, FewPairsSayLittle) {
-  EXPECT_DOUBLE_EQ(sign_flip_p({{0, 0, 0, 0, 3}}), 0.25);
-  EXPECT_DOUBLE_EQ(sign_flip_p({{0, 0, 0, 1, 2}}), 0.25);
-  EXPECT_DOUBLE_EQ(sign_flip_p({{0, 0, 9, 0, 0}}), 1.0);
-  EXPECT_DOUBLE_EQ(sign_flip_p({}), 1.0);
+  EXPECT_DOUBLE_EQ(sign_flip_p(PairCounts{{0, 0, 0, 0, 3}}), 0.25);
+  EXPECT_DOUBLE_EQ(sign_flip_p(PairCounts{{0, 0, 0, 1, 2}}), 0.25);
+  EXPECT_DOUBLE_EQ(sign_flip_p(PairCounts{{0, 0, 9, 0, 0}}), 1.0);
+  EXPECT_DOUBLE_EQ(sign_flip_p(PairCounts{}), 1.0);
 }
 
 // Where counting gives way to the normal law, both say the same.
 TEST(SignFlip, ManyPairs) {
   for (const Count ahead : {20, 100, 200}) {
-    const double exact = sign_flip_p({{0, 2000 - ahead / 2, 0, 2000 + ahead / 2, 0}});
-    const double normal = sign_flip_p({{0, 2001 - ahead / 2, 0, 2001 + ahead / 2, 0}});
+    const double exact = sign_flip_p(PairCounts{{0, 2000 - ahead / 2, 0, 2000 + ahead / 2, 0}});
+    const double normal = sign_flip_p(PairCounts{{0, 2001 - ahead / 2, 0, 2001 + ahead / 2, 0}});
     EXPECT_NEAR(normal / exact, 1.0, 0.02) << ahead;
   }
-  EXPECT_LT(sign_flip_p({{10'000'000, 0, 0, 0, 20'000'000}}), 1e-300);
+  EXPECT_LT(sign_flip_p(PairCounts{{10'000'000, 0, 0, 0, 20'000'000}}), 1e-300);
 }
 
 }  // namespace
