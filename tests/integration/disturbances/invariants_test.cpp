@@ -159,7 +159,7 @@ config::Disturbance random_disturbance(Dice& dice, int team_size) {
 struct Fixture {
   match::Setup setup;
   std::array<std::string, 2> teams;
-  std::array<bool, 2> spendthrift{};
+  std::array<bool, 2> spendthrift{}, fidgets{};
 };
 
 Fixture random_fixture(int number) {
@@ -187,17 +187,19 @@ Fixture random_fixture(int number) {
     out.teams[i] = dice.one_of(teams);
     setup.disturbances[i] = random_disturbance(dice, setup.rules.team_size);
     out.spendthrift[i] = dice.chance(0.1);
+    out.fidgets[i] = dice.chance(0.2);
     if (dice.chance(0.3)) setup.robots[i].body.falls_per_contact_second = 0.5;
     if (dice.chance(0.3)) setup.robots[i].body.falls_per_walking_minute = 5.0;
   }
   return out;
 }
 
-// Thinks, and tries to act where it must not; a spendthrift sends whenever it can.
-mind::Think rogue(mind::Mind& mind, bool spendthrift) {
-  return [&mind, spendthrift](const mind::Percepts& percepts, std::span<const mind::HeardPacket> heard,
-                              mind::Outcome& out) {
+// Thinks, and tries to act where it must not; a spendthrift sends whenever it can, who fidgets moves in Set.
+mind::Think rogue(mind::Mind& mind, bool spendthrift, bool fidgets) {
+  return [&mind, spendthrift, fidgets](const mind::Percepts& percepts, std::span<const mind::HeardPacket> heard,
+                                       mind::Outcome& out) {
     mind.think(percepts, heard, out);
+    if (fidgets && percepts.game.phase == Phase::set) out.command.walk = {0.2, 0.0, 0.0};
     if (spendthrift && !out.send) {
       out.send = true;
       out.packet.assign(20, 1);
@@ -389,7 +391,7 @@ TEST(Invariants, HoldWhateverGoesWrong) {
       plans[i] = shipped::plan(fixture.teams[i], setup.rules, setup.robots[i]);
       setup.roles[i] = match::roles(*plans[i]);
       minds[i] = match::minds(*plans[i], side, setup.seed);
-      for (mind::Mind& each : minds[i]) think[i].push_back(rogue(each, fixture.spendthrift[i]));
+      for (mind::Mind& each : minds[i]) think[i].push_back(rogue(each, fixture.spendthrift[i], fixture.fidgets[i]));
     }
     Watch watch(setup);
     match::play(setup, think[0], think[1], &watch.observer);
