@@ -16,6 +16,9 @@ struct Settings {
   double period = 8.0;       // s, > 0
   double fast_period = 4.0;  // s, > 0, of the robot with the fast role
   int reserve = 0;           // packets that are left unspent, >= 0
+  // Who takes the fast role is due by the fast period at once, that is, it tells of its new role soon; false: its next
+  // packet is due as it was when the last one was sent.
+  bool at_once = true;
 };
 
 // By how much periods have to be longer, >= 1, so that what is left lasts to the end. packets_left: without the
@@ -39,7 +42,8 @@ class Schedule {
   // which only the reserve is left. Call once per decision; in between another schedule may have been in force (another
   // context of the team), whose packets count like its own.
   bool decide(const Settings& settings, double time, double since_own, bool fast, int packets_left) {
-    const double period = fast ? settings.fast_period : settings.period;
+    const bool by_fast_period = settings.at_once ? fast : was_fast_;
+    const double period = by_fast_period ? settings.fast_period : settings.period;
     const double sent = time - since_own;
     if (!started_) {
       started_ = true;
@@ -51,6 +55,7 @@ class Schedule {
     }
     if (time < last_due_ + period - rounding) return false;
     if (packets_left <= settings.reserve) return false;
+    was_fast_ = fast;
     last_due_ += period;
     if (last_due_ + period < time) last_due_ = time;  // was out of play, or silent: does not make up for it
     last_sent_ = time;
@@ -61,7 +66,7 @@ class Schedule {
   static constexpr double rounding = 1e-9;     // s
   static constexpr double same_packet = 0.05;  // s; no two packets of a robot are nearer than that
   double phase_ = 1.0, last_due_ = 0.0, last_sent_ = 0.0;
-  bool started_ = false;
+  bool started_ = false, was_fast_ = false;  // had the fast role at its last packet
 };
 
 }  // namespace fixed_rate

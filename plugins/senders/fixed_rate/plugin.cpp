@@ -12,11 +12,11 @@
 namespace {
 
 struct FixedRate {
-  static constexpr auto id = "fixed_rate", version = "1.1.0", summary = "A packet every so many seconds";
+  static constexpr auto id = "fixed_rate", version = "1.2.0", summary = "A packet every so many seconds";
   double period = 8.0, fast_period = 4.0;
   std::string fast_role = "striker";
   int reserve = 0;
-  bool lasts = true;
+  bool lasts = true, at_once = true;
   static constexpr std::tuple parameters{
       regista::real("period", &FixedRate::period, {0.5, 120.0}, "s", "Time between two packets of a robot; SPQR: 8")
           .tunable(),
@@ -29,7 +29,10 @@ struct FixedRate {
       regista::boolean(
           "lasts", &FixedRate::lasts,
           "Longer periods when less than an even share of the budget is left, so that it lasts to the end; "
-          "our choice")};
+          "our choice"),
+      regista::boolean("at_once", &FixedRate::at_once,
+                       "Who takes the fast role is due by the fast period at once, as in SPQR's released code; false: "
+                       "after its next packet, so that a change of role is no event")};
 
   int team_size = 1;
 
@@ -55,7 +58,7 @@ struct FixedRate {
     const regista::Budget& budget = query.budget;
     const double longer =
         lasts ? fixed_rate::stretch(budget.packets_left - reserve, budget.line - reserve, team_size) : 1.0;
-    if (!schedule.decide({longer * period, longer * fast_period, reserve}, frame.time(), budget.since_own, fast,
+    if (!schedule.decide({longer * period, longer * fast_period, reserve, at_once}, frame.time(), budget.since_own, fast,
                          budget.packets_left)) {
       return std::nullopt;
     }

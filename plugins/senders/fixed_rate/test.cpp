@@ -192,6 +192,20 @@ TEST(FixedRate, BecomingStrikerShortensTheWait) {
   EXPECT_TRUE(robot.decides(8.0, true));
 }
 
+TEST(FixedRate, ANewRoleNeedNotBeAnEvent) {
+  const Settings settings{.period = 8.0, .fast_period = 4.0, .reserve = 0, .at_once = false};
+  Schedule schedule(1, 1);
+  std::vector<double> sent;
+  for (int tick = 0; tick <= 300; ++tick) {
+    const double time = 0.1 * tick;
+    const double since = sent.empty() ? time : time - sent.back();
+    if (schedule.decide(settings, time, since, time > 5.0, 1200)) sent.push_back(time);
+  }
+  // Striker since 5 s, but due at 12 s as when the packet of 4 s was sent; every 4 s from then on.
+  ASSERT_EQ(sent.size(), 6u);
+  for (std::size_t i = 0; i < sent.size(); ++i) EXPECT_NEAR(sent[i], i == 0 ? 4.0 : 8.0 + 4.0 * static_cast<double>(i), 1e-6);
+}
+
 TEST(FixedRate, AnotherContextsPacketsCount) {
   Robot robot;
   robot.schedules = {Schedule(1, 1), Schedule(1, 1)};
