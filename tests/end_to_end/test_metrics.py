@@ -110,6 +110,20 @@ class Metrics(program.Case):
                     self.assertEqual(result["agreement_after_silence"][side] is None, high == 0.0)
                     self.assertEqual(result["agreement_before_silence"][side] is None, low == 1.0)
 
+    def test_all_of_them_can_be_tested_in_a_tournament(self):
+        """Also those that a match that was not played has no number of."""
+        self.write("other.yaml", program.TEAM.format(name="other").replace("scale: 2", "scale: 3"))
+        play = ("tournament", "--team", "small.yaml", "--team", "other.yaml", "--pairs", "2", "--limit", "10",
+                *program.PLAY_SOON, "--quiet")
+        for i, metric in enumerate(("world_model.ball.rmse_metres", "agreement_after_silence", "shots",
+                                    "striker.overlap_before_silence_seconds", "packets_by_reason.period",
+                                    "unplayed_seconds")):
+            with self.subTest(metric):
+                done = self.run_program(*play, "--metric", metric, "--results", f"{i}.db")
+                self.assertIn(done.returncode, (0, 1), done.stderr)
+                self.assertIn(f"{metric}: ", done.stdout)
+        self.assertIn('nearest: "shots"', self.refused(*play, "--metric", "shotts", "--results", "none.db"))
+
     def test_what_may_be_replaced(self):
         self.succeed(*MATCH[:4], "1", *MATCH[5:], "--metrics", "numbers.csv")
         ask = lambda *words: self.refused(*MATCH[:4], "1", *MATCH[5:], *words)
