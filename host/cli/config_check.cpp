@@ -10,6 +10,7 @@
 
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
+#include "cli/experiment_setup.hpp"
 #include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
@@ -48,7 +49,8 @@ Profiles profiles(const Options& options) {
 }
 
 // Its kind. Throws config::Error for what is not sound.
-std::string_view check(const std::string& file, const Profiles& by, const plugin::Catalogue& catalogue) {
+std::string_view check(const std::string& file, const Profiles& by, const plugin::Catalogue& catalogue,
+                       const std::vector<std::string>& plugins) {
   const config::DocumentKind kind = config::check(file);
   if (kind == config::DocumentKind::team) {
     const mind::TeamPlan plan(config::read_team(file), {}, {}, catalogue);  // finds what is wrong with plugins
@@ -57,6 +59,12 @@ std::string_view check(const std::string& file, const Profiles& by, const plugin
   if (kind == config::DocumentKind::predictor_study) {
     const config::PredictorStudy study = config::read_predictor_study(file);
     const study::Forecaster forecaster(study, catalogue);  // the same for its predictor
+  }
+  if (kind == config::DocumentKind::experiment) {
+    ExperimentOptions experiment;
+    experiment.file = file;
+    experiment.plugins = plugins;
+    planned_experiment(experiment, catalogue);  // every arm at every value
   }
   if (kind == config::DocumentKind::opening) {
     const config::Node document = config::load(file);
@@ -74,8 +82,11 @@ int check(const Options& options, const Invocation& invocation) {
   bool sound = true;
   for (const std::string& file : options.files) {
     try {
-      print(fmt::format("{}: {}, sound\n", file, check(file, by, catalogue)));
+      print(fmt::format("{}: {}, sound\n", file, check(file, by, catalogue, options.plugins)));
     } catch (const config::Error& error) {
+      complain(error.what());
+      sound = false;
+    } catch (const BadInput& error) {
       complain(error.what());
       sound = false;
     } catch (const plugin::Failure& failure) {

@@ -15,8 +15,7 @@ namespace regista::cli {
 namespace {
 
 // What stands before the first dot, where it says which document is meant.
-constexpr std::array<std::string_view, 3> of_both{"rules", "robot", "disturbance"};
-constexpr std::string_view opponent = "opponent";
+constexpr std::array<std::string_view, 2> of_both{"rules", "robot"};
 
 std::string_view first_part(std::string_view path) { return path.substr(0, path.find('.')); }
 
@@ -27,7 +26,7 @@ std::string side_name(std::size_t side) {
 void add(const config::Node& map, const std::string& what, std::vector<Setting>& out) {
   for (const config::Node::Entry& entry : map.entries()) {
     const std::string_view document = first_part(entry.key);
-    if (document == "home" || document == "away") {
+    if (document == "home" || document == "away" || document == "home_disturbance" || document == "away_disturbance") {
       throw config::Error(entry.key_where,
                           fmt::format("{}: {}: each arm plays at home and away; a path without that is of its team, "
                                       "one that begins with opponent of the other",
@@ -71,11 +70,16 @@ std::vector<Setting> settings_of(const config::Experiment& experiment, const con
 
 std::string override_of(const Setting& setting, std::size_t side) {
   const std::string_view document = first_part(setting.path);
-  std::string path = setting.path;
-  if (document == opponent) {
-    path = side_name(1 - side) + path.substr(opponent.size());
+  const std::string own = side_name(side), other = side_name(1 - side);
+  std::string path = setting.path, rest = path.substr(document.size());
+  if (document == "opponent") {
+    path = other + rest;
+  } else if (document == "disturbance") {
+    path = own + "_disturbance" + rest;
+  } else if (document == "opponent_disturbance") {
+    path = other + "_disturbance" + rest;
   } else if (std::ranges::find(of_both, document) == of_both.end()) {
-    path = fmt::format("{}.{}", side_name(side), path);
+    path = fmt::format("{}.{}", own, path);
   }
   return fmt::format("{}={}", path, setting.value);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The values that an experiment lays over documents: of all arms, of one, of the sweep. A path is one of the arm's team
-// unless it begins with opponent, rules, robot or disturbance.
+// unless it begins with opponent, rules,
+// robot, disturbance (of the arm's team) or opponent_disturbance.
 #pragma once
 
 #include <functional>

@@ -58,7 +58,9 @@ campaign::Job job_of(const Reading& reading, std::size_t arm, std::size_t side, 
   out.teams[1 - side] = from_here(experiment.opponent);
   out.rules = from_here(experiment.rules);
   out.robot = from_here(experiment.robot);
-  out.disturbance = from_here(experiment.disturbance);
+  const std::string own = from_here(experiment.disturbance), other = from_here(experiment.opponent_disturbance);
+  out.home_disturbance = side == 0 ? own : other;
+  out.away_disturbance = side == 0 ? other : own;
   for (const Setting& each : settings) out.overrides.push_back(override_of(each, side));
   out.plugins = reading.plugins;
   if (experiment.limit) out.limit = config::real_text(*experiment.limit);
@@ -81,6 +83,7 @@ std::vector<std::string> known_paths(const Reading& reading, std::size_t arm) {
   add("rules.", profile(config::declare(bare.setup.rules)));
   add("robot.", profile(config::declare(bare.setup.robots[0])));
   add("disturbance.", profile(config::declare(bare.setup.disturbances[0])));
+  add("opponent_disturbance.", profile(config::declare(bare.setup.disturbances[1])));
   add("opponent.", team(1));
   return out;
 }

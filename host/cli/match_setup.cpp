@@ -105,12 +105,11 @@ MatchSetup match_setup(const MatchRequest& request, const plugin::Catalogue& cat
   using config::Node;
   out.setup.rules = read(DocumentKind::rules, config::Rules{}.name, request.rules,
                          [](const Node& document) { return config::read_rules(document); });
-  const config::Robot robot =
-      read(DocumentKind::robot, config::Robot{}.name, request.robot, [&](const Node& document) {
-        config::Robot profile = config::read_robot(document);
-        config::check(profile, out.setup.rules, document);
-        return profile;
-      });
+  const config::Robot robot = read(DocumentKind::robot, config::Robot{}.name, request.robot, [&](const Node& document) {
+    config::Robot profile = config::read_robot(document);
+    config::check(profile, out.setup.rules, document);
+    return profile;
+  });
   out.setup.robots = {robot, robot};
   for (const match::Side side : match::both_sides) {
     const std::string& own = side == match::Side::home ? request.home_disturbance : request.away_disturbance;

@@ -27,12 +27,12 @@ StudyPlan plan_of(const std::string& file, const std::string& stored) {
   }
 }
 
-const char* kind_of(const StudyPlan& plan) {
-  return std::holds_alternative<study::TournamentPlan>(plan) ? study::tournament_study : study::experiment_study;
+const char* with_article(const StudyPlan& plan) {
+  return std::holds_alternative<study::TournamentPlan>(plan) ? "a tournament" : "an experiment";
 }
 
 std::vector<std::string> differences(const StudyPlan& before, const StudyPlan& now) {
-  if (before.index() != now.index()) return {fmt::format("it was a {}, now {}", kind_of(before), kind_of(now))};
+  if (before.index() != now.index()) return {fmt::format("it was {}, now {}", with_article(before), with_article(now))};
   if (const auto* const tournament = std::get_if<study::TournamentPlan>(&now)) {
     return study::differences(std::get<study::TournamentPlan>(before), *tournament);
   }

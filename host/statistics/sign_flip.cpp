@@ -41,7 +41,7 @@ std::vector<double> signed_sums(std::span<const double> values) {
 
 }  // namespace
 
-double sign_flip_p(std::span<const double> values) {
+double sign_flip_p_of_values(std::span<const double> values) {
   std::vector<double> decided;
   double sum = 0.0, squares = 0.0, sizes = 0.0;
   for (const double value : values) {

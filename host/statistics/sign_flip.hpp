@@ -16,6 +16,6 @@ double sign_flip_p(const PairCounts& pairs);
 
 // The same for one finite value per pair, such as the difference of two teams: of their sum, over all signs that the
 // values other than 0 could have. Exact for up to 32 of these, beyond by the normal law.
-double sign_flip_p(std::span<const double> values);
+double sign_flip_p_of_values(std::span<const double> values);
 
 }  // namespace regista::statistics

@@ -44,7 +44,7 @@ std::optional<double> p_of_difference(std::span<const double> first, std::span<c
   const std::vector<double> known = differences(first, second);
   if (known.size() < 2) return std::nullopt;
   if (std::ranges::all_of(known, [](double each) { return each == 0.0; })) return 1.0;
-  if (test == PairTest::sign_flip) return statistics::sign_flip_p(known);
+  if (test == PairTest::sign_flip) return statistics::sign_flip_p_of_values(known);
   const auto t = statistics::paired_t(known);
   return t ? std::optional(t->p) : std::nullopt;
 }

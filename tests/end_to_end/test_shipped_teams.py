@@ -25,6 +25,18 @@ class ShippedTeams(program.Case):
         self.assertTrue(files)
         self.assertEqual(self.succeed("config", "check", *files), "".join(f"{file}: team, sound\n" for file in files))
 
+    def test_every_study_is_sound(self):
+        """For experiments that means every arm at every value of the sweep."""
+        files = sorted((TEAMS.parent / "studies").glob("*.yaml"))
+        kinds = [line.removeprefix(f"{file}: ") for file, line in
+                 zip(files, self.succeed("config", "check", *files).splitlines(), strict=True)]
+        self.assertEqual(set(kinds), {"experiment, sound", "predictor_study, sound"})
+        for file, kind in zip(files, kinds):
+            text = file.read_text()
+            self.assertTrue(text.startswith("#"), file)
+            if kind.startswith("experiment"):
+                self.assertRegex(text, r"\nquestion: .*\?\n", file)
+
     def test_reference_of_plugins_is_up_to_date(self):
         written = (program.SOURCE / "docs" / "plugin-reference.md").read_text()
         self.assertEqual(self.succeed("plugin", "reference"), written,

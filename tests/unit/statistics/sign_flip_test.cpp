@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <span>
 #include <vector>
 
 namespace regista::statistics {
@@ -53,6 +54,38 @@ TEST(SignFlip, ManyPairs) {
     EXPECT_NEAR(normal / exact, 1.0, 0.02) << ahead;
   }
   EXPECT_LT(sign_flip_p(PairCounts{{10'000'000, 0, 0, 0, 20'000'000}}), 1e-300);
+}
+
+// The same for any values, against all signs one by one; a value of 0 says nothing.
+TEST(SignFlip, OfValuesIsTheShareOfAllSigns) {
+  const std::vector<double> values{0.31, -1.7, 2.25, 0.0, 0.9, -0.44, 3.1, 1.05, -0.02, 0.6, 0.61, -2.0, 0.33};
+  for (std::size_t count = 0; count <= values.size(); ++count) {
+    const std::span<const double> used = std::span(values).first(count);
+    double seen = 0.0;
+    for (const double value : used) seen += value;
+    int as_far = 0;
+    for (unsigned signs = 0; signs < 1u << count; ++signs) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < count; ++i) sum += (signs >> i & 1u) != 0 ? used[i] : -used[i];
+      as_far += std::abs(sum) >= std::abs(seen) - 1e-9 ? 1 : 0;
+    }
+    EXPECT_NEAR(sign_flip_p_of_values(used), as_far / std::pow(2.0, static_cast<double>(count)), 1e-12) << count;
+  }
+}
+
+TEST(SignFlip, OfEqualValuesIsThatOfCoins) {
+  for (const std::size_t count : {1u, 2u, 5u, 31u, 32u}) {
+    const std::vector<double> values(count, 0.1);
+    EXPECT_NEAR(sign_flip_p_of_values(values) / std::pow(2.0, 1.0 - static_cast<double>(count)), 1.0, 1e-9) << count;
+  }
+}
+
+TEST(SignFlip, OfManyValuesIsNearlyThatOfFewer) {
+  std::vector<double> values;
+  for (int i = 0; i < 32; ++i) values.push_back((i % 3 == 0 ? -1.0 : 1.0) + 0.01 * i);
+  const double exact = sign_flip_p_of_values(values);
+  values.push_back(1e-9);  // now by the normal law
+  EXPECT_NEAR(sign_flip_p_of_values(values), exact, 0.1 * exact);
 }
 
 }  // namespace

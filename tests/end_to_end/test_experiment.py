@@ -1,0 +1,270 @@
+# SPDX-License-Identifier: MIT
+"""`regista experiment`: arms against one opponent, pair by pair."""
+
+import json
+import math
+import statistics
+import time
+import unittest
+
+import experiment
+
+
+class Played(experiment.Experiment):
+    def test_report_does_not_depend_on_workers_or_interruptions(self):
+        once = self.succeed(*self.arguments("--quiet", "--json", "--workers", 1, "--results", "one.db"))
+        twice = self.succeed(*self.arguments("--quiet", "--json", "--workers", 2, "--results", "two.db"))
+        self.assertEqual(once, twice)
+        self.assertEqual(self.rows("one.db"), self.rows("two.db"))
+        self.assertEqual(len(self.rows("one.db")), 8)
+        self.kill_when(lambda: self.count("three.db") >= 2, *self.arguments("--quiet", "--results", "three.db"))
+        resumed = self.succeed(*self.arguments("--quiet", "--json", "--results", "three.db", "--resume"))
+        self.assertEqual(resumed, once)
+        self.assertEqual(self.rows("three.db"), self.rows("one.db"))
+        self.assertEqual(self.succeed("report", "one.db", "--json"), once)
+        self.assertEqual(self.succeed("report", "one.db"), self.succeed("report", "three.db"))
+
+    def test_report_and_tables_agree(self):
+        report = self.experiment("--csv", "long.csv", "--summary", "short.csv")
+        self.assertTrue(report["complete"])
+        self.assertEqual((report["matches"], report["pairs"]), (8, 2))
+        rows = self.long_table("long.csv")
+        self.assertEqual(rows[:0], [])
+        values = {(row["arm"], int(row["seed"]), row["side"], row["measure"]): float(row["value"]) for row in rows}
+        for measure in report["measures"]:
+            name = measure["measure"]
+            of_arm = {}
+            for condition in measure["conditions"]:
+                arm, pairs = condition["arm"], []
+                for seed in (3, 4):
+                    both = [values[arm, seed, side, name] for side in ("home", "away")]
+                    if measure["unit"] == "min per 60 min":
+                        played = sum(values[arm, seed, side, "playing_seconds"] for side in ("home", "away"))
+                        pairs.append(60 * sum(both) / played)
+                    else:
+                        pairs.append(sum(both) / 2)
+                of_arm[arm] = pairs
+                self.assertAlmostEqual(condition["mean"], statistics.mean(pairs), places=9, msg=name)
+                self.assertEqual(condition["pairs"], 2)
+                if pairs[0] == pairs[1]:
+                    self.assertIsNone(condition["interval"])
+                else:  # Student's t of one degree of freedom: tan(0.475 pi)
+                    half = math.tan(0.475 * math.pi) * statistics.stdev(pairs) / math.sqrt(2)
+                    self.assertAlmostEqual(condition["interval"][1] - condition["mean"], half, places=6, msg=name)
+            difference, = measure["differences"]
+            by_pair = [a - b for a, b in zip(of_arm["at the ball"], of_arm["beside it"])]
+            self.assertAlmostEqual(difference["mean"], statistics.mean(by_pair), places=9, msg=name)
+        summary = {(row["measure"], row["arm"]): row for row in self.long_table("short.csv")}
+        for measure in report["measures"]:
+            for condition in measure["conditions"]:
+                row = summary[measure["measure"], condition["arm"]]
+                self.assertAlmostEqual(float(row["mean"]), condition["mean"], places=12)
+        stored = {(row["arm"], int(row["seed"]), row["side"], row["measure"]): float(row["value"])
+                  for row in self.table_of("--metrics")}
+        self.assertEqual(stored, values)
+
+    def test_an_arm_against_itself_shows_no_difference(self):
+        self.document(experiment.PRIMARY, [("other.yaml", "small.yaml")])
+        done = self.run_program(*self.arguments("--json"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("at the ball and beside it are equal", done.stderr)
+        report = json.loads(done.stdout)
+        for measure in report["measures"]:
+            difference, = measure["differences"]
+            self.assertEqual(difference["mean"], 0)
+        comparison, = report["primary"]["comparisons"]
+        self.assertTrue(comparison["equal_by_construction"])
+        self.assertFalse(comparison["found"])
+
+    def test_an_arm_may_be_a_value_of_the_same_team(self):
+        self.document("team: small.yaml\n" + experiment.PRIMARY, [
+            ("team: small.yaml}", "set: {utility.terms.near.params.scale: 2}}"),
+            ("team: other.yaml}", "set: {sender: ~, sender: {plugin: every_second}, roles.playing.striker.target.shift: "
+                                  "[-0.15, 0]}}".replace("sender: ~, ", "")),
+        ])
+        report = self.experiment()
+        self.assertEqual([arm["team"] for arm in report["arms"]], ["small.yaml", "small.yaml"])
+        self.assertIn("roles.playing.striker.target.shift=[-0.15, 0]", report["arms"][1]["set"])
+        # The same as a team of its own, to the byte.
+        self.document(experiment.PRIMARY, name="teams.yaml")
+        other = self.experiment("--results", "teams.db", file="teams.yaml")
+        self.assertEqual(report["measures"], other["measures"])
+
+    def test_a_sweep_plays_every_arm_at_every_value(self):
+        self.document("sweep: {path: disturbance.radio.loss, values: [0, 1]}\nmeasures: [packets, agreement]\n",
+                      [("matches: 4", "matches: 2")])
+        report = self.experiment()
+        self.assertEqual(report["planned_matches"], 8)
+        self.assertEqual([(each["arm"], each["value"]) for each in self.measure(report, "packets")["conditions"]],
+                         [("at the ball", "0"), ("beside it", "0"), ("at the ball", "1"), ("beside it", "1")])
+        self.assertEqual({row["disturbance.radio.loss"] for row in self.table_of()}, {"0", "1"})
+        self.succeed("report", "trial.db", "--figures", "figures")
+        self.assertTrue((self.folder / "figures" / "sweep_1.svg").read_text().startswith("<?xml"))
+
+    def test_disturbances_follow_the_arm(self):
+        self.write("deaf.yaml", "disturbance: deaf\nradio: {silence: true}\n")
+        self.document("disturbance: deaf.yaml\n")
+        self.experiment()
+        jobs = [json.loads(job) for job, in self.stored("SELECT job FROM fixtures ORDER BY id", "trial.db")]
+        for job in jobs:
+            own = 0 if job["teams"][1] == "worse.yaml" else 1
+            self.assertEqual([job["home_disturbance"], job["away_disturbance"]][own], "deaf.yaml")
+            self.assertEqual([job["home_disturbance"], job["away_disturbance"]][1 - own], "")
+
+    def test_any_row_is_played_again(self):
+        self.experiment()
+        for row in (1, 4):
+            done = self.run_program("match", "--from", "trial.db", "--row", row, "--json")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(f"the same match as row {row}", done.stderr)
+
+    def test_plan_is_stored_before_the_first_match(self):
+        self.kill_when(lambda: self.count("trial.db") >= 1, *self.arguments("--quiet"))
+        plan = json.loads(self.stored("SELECT value FROM meta WHERE name = 'schedule'", "trial.db")[0][0])
+        self.assertEqual((plan["study"], plan["pairs"], plan["first_seed"], plan["test"]),
+                         ("experiment", 2, 3, "paired_t"))
+        for condition in plan["conditions"]:
+            self.assertTrue(condition["home"]["home_inputs"] and condition["home"]["common_inputs"])
+
+    def test_minutes_of_play_make_pairs(self):
+        self.document(changes=[("matches: 4", "minutes: 0.5")])  # 30 s of play, 12 a match, in pairs
+        self.assertEqual(self.experiment()["pairs"], 2)
+
+    def test_interrupted_cleanly(self):
+        self.document(changes=[("matches: 4", "matches: 400")])
+        with self.start(*self.arguments("--results", "long.db"), stdout=-1, stderr=-1) as process:
+            self.wait_for(lambda: self.count("long.db") >= 2)
+            process.send_signal(2)
+            out, err = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, out), (1, ""))
+        self.assertIn("to go on:", err)
+        self.assertIn("--resume", err.splitlines()[-1])
+        self.assertGreaterEqual(self.count("long.db"), 2)
+
+
+class Page(experiment.Experiment):
+    pages = True
+
+    def test_page_and_figures_stand_beside_the_results(self):
+        report = self.experiment("--results", "night.db")
+        page = (self.folder / "night.html").read_text()
+        self.assertIn("Does it matter where the striker stands?", page)
+        self.assertIn("<svg", page)
+        self.assertNotIn("http://", page.replace("http://www.w3.org", ""))
+        figures = self.folder / "night.figures"
+        self.assertTrue((figures / "roles.png").read_bytes().startswith(b"\x89PNG"))
+        self.assertIn("<svg", (figures / "roles.svg").read_text())
+        # What is drawn is what is told.
+        for row in self.long_table("night.figures/roles.csv"):
+            for arm in ("at the ball", "beside it"):
+                for last in ("overlap_seconds", "uncovered_seconds", "switches"):
+                    mean = next(each for each in self.measure(report, f"{row['role']}.{last}")["conditions"]
+                                if each["arm"] == arm)
+                    self.assertAlmostEqual(float(row[f"{arm} {last}"]), mean["mean"], places=9)
+                    low = mean["interval"][0] if mean["interval"] else mean["mean"]
+                    self.assertAlmostEqual(float(row[f"{arm} {last} low"]), low, places=9)
+
+    def test_page_is_a_function_of_the_results(self):
+        self.experiment("--results", "one.db", "--workers", 1)
+        before = (self.folder / "one.html").read_bytes()
+        self.succeed("report", "one.db", "-o", "again.html")
+        self.assertEqual((self.folder / "again.html").read_bytes(), before)
+
+
+class BadInput(experiment.Experiment):
+    def refusal(self, more="", changes=(), arguments=()):
+        self.document(more, changes)
+        began = time.monotonic()
+        line = self.refused(*self.arguments("--quiet", *arguments))
+        self.assertLess(time.monotonic() - began, 20)
+        self.assertFalse((self.folder / "trial.db").exists(), "nothing is played")
+        return line
+
+    def test_paths_that_are_unknown(self):
+        line = self.refusal("sweep: {path: disturbance.radio.los, values: [0, 1]}\n")
+        self.assertRegex(line, r"e\.yaml:\d+:\d+: disturbance\.radio\.los: .*nearest paths: disturbance\.radio\.loss")
+        line = self.refusal(changes=[("team: other.yaml}", "team: other.yaml, set: {utility.terms.near.wieght: 1}}")])
+        self.assertRegex(line, r"e\.yaml:5:\d+: utility\.terms\.near\.wieght: .*nearest paths: utility\.terms\.near\.weight")
+        line = self.refusal("sweep: {path: opponent.utility.terms.near.weigth, values: [1]}\n")
+        self.assertIn("nearest paths: opponent.utility.terms.near.weight", line)
+
+    def test_values_that_do_not_fit(self):
+        line = self.refusal("sweep: {path: rules.messages.budget, values: [100, -5]}\n")
+        self.assertRegex(line, r"e\.yaml:\d+:\d+: rules\.messages\.budget: .*-5")
+        line = self.refusal(changes=[("team: other.yaml}", "team: other.yaml, set: {assigner.plugin: gredy}}")])
+        self.assertRegex(line, r"^e\.yaml:5:\d+: ")
+
+    def test_documents_that_are_no_experiments(self):
+        for more, changes, expected in (
+            ("", [("arms:", "armes:")], r'e\.yaml:3:1: unknown key "armes"; nearest: "arms"'),
+            ("", [("beside it", "at the ball")], r"e\.yaml:5:12: .*second element named"),
+            ("", [("matches: 4", "matches: 3")], r"e\.yaml:\d+:\d+: matches: 3 is odd"),
+            ("minutes: 5\n", [], r"e\.yaml:\d+:\d+: exactly one of minutes, matches"),
+            ("", [("matches: 4\n", "")], r"e\.yaml:1:1: one of minutes, matches is wanted"),
+            ("", [("team: other.yaml", "team: none.yaml")], r"e\.yaml:5:\d+: .*none\.yaml: no such file"),
+            ("", [(", team: small.yaml", "")], r"e\.yaml:4:\d+: arm \"at the ball\": which team"),
+            ("measures: [striker.overlap_second]\n", [], r"e\.yaml:\d+:\d+: unknown measure .*nearest: \"striker.overlap_seconds\""),
+            ("primary: {measure: goal}\n", [], r"e\.yaml:\d+:\d+: unknown measure .*nearest: \"goals\""),
+            ("primary: {measure: goals, compare: [[at the ball, beside]]}\n", [],
+             r"e\.yaml:\d+:\d+: .*unknown arm \"beside\""),
+            ("primary: {measure: goals, compare: [[beside it, beside it]]}\n", [], r"compared with itself"),
+            ("sweep: {path: rules.messages.budget, values: [1, 1]}\n", [], r"the same value a second time"),
+            ("sweep: {path: rules.messages.budget, values: []}\n", [], r"e\.yaml:\d+:\d+: .*the list is empty"),
+            ("sweep: {path: home.sender, values: [1]}\n", [], r"each arm plays at home and away"),
+            ("confidence: 1\n", [], r"confidence: \"1\" is outside"),
+            ("openings: scenes/nothing\n", [], r"e\.yaml:\d+:\d+: openings: .*no such file"),
+        ):
+            with self.subTest(expected):
+                self.assertRegex(self.refusal(more, changes), expected)
+
+    def test_no_arms(self):
+        text = experiment.EXPERIMENT.format(more="")
+        begin, end = text.index("  - {"), text.index("opponent:")
+        self.write("e.yaml", text[:begin].replace("arms:\n", "arms: []\n") + text[end:])
+        self.assertRegex(self.refused(*self.arguments()), r"e\.yaml:3:7: arms: 0 elements")
+
+    def test_command_lines(self):
+        self.assertIn("which one?", self.refused("experiment"))
+        self.assertIn("no such file", self.refused("experiment", "nothing.yaml"))
+        self.assertIn("this is a team document", self.refused("experiment", "small.yaml"))
+        self.assertIn("--workers", self.refused(*self.arguments("--workers", 0)))
+        self.assertIn("one of them", self.refused(*self.arguments("--minutes", 5, "--matches", 4)))
+        self.assertIn("is odd", self.refused(*self.arguments("--matches", 3)))
+
+    def test_resumed_with_something_else(self):
+        self.experiment()
+        self.assertIn("exists", self.refused(*self.arguments("--quiet")))
+        self.document(experiment.PRIMARY, [("seed: 3", "seed: 4"), ("matches: 4", "matches: 6")])
+        line = self.refused(*self.arguments("--quiet", "--resume"))
+        self.assertIn("the number of matches for each arm was 4, now 6", line)
+        self.assertIn("the first seed was 3, now 4", line)
+        self.document(experiment.PRIMARY)
+        self.write("other.yaml", (self.folder / "other.yaml").read_text().replace("weight: 1", "weight: 0.5"))
+        line = self.refused(*self.arguments("--quiet", "--resume"))
+        self.assertIn("beside it: team", line)
+        self.assertIn("has changed", line)
+        line = self.refused(*super().arguments("--quiet", "--resume", "--results", "trial.db"))
+        self.assertNotEqual(line, "")
+
+    def test_a_tournament_is_not_continued_as_an_experiment(self):
+        self.succeed("tournament", "--team", "small.yaml", "--team", "other.yaml", "--pairs", 1, "--limit", 5, "--quiet",
+                     "--no-page")
+        line = self.refused(*self.arguments("--quiet", "--resume", "--results", "tournament.db"))
+        self.assertIn("it was a tournament, now an experiment", line)
+
+
+class Documents(experiment.Experiment):
+    def test_config_knows_experiments(self):
+        self.assertEqual(self.succeed("config", "check", "e.yaml"), "e.yaml: experiment, sound\n")
+        shown = self.succeed("config", "show", "e.yaml")
+        self.assertIn("experiment: trial", shown)
+        self.write("shown.yaml", shown)
+        self.assertEqual(self.succeed("config", "check", "shown.yaml"), "shown.yaml: experiment, sound\n")
+        schema = json.loads(self.succeed("config", "schema", "experiment"))
+        self.assertIn("arms", schema["$defs"]["document"]["properties"])
+        self.document("sweep: {path: rules.messages.budgett, values: [1]}\n")
+        self.assertIn("nearest paths", self.refused("config", "check", "e.yaml"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "study/experiment_plan.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+
+#include "experiment_fixture.hpp"
+
+namespace regista::study {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// The same seeds and scenes for every condition, each once at home and once away; whoever stops early has played all
+// conditions equally often.
+TEST(ExperimentPlan, EveryConditionPlaysTheSameSeedsAndScenesOnBothSides) {
+  ExperimentPlan plan = experiment_of(3, 4, 5);
+  plan.openings = {{"a.yaml", {"a", "1"}}, {"b.yaml", {"b", "2"}}};
+  std::map<std::size_t, std::set<std::tuple<std::uint64_t, std::size_t, std::size_t>>> of_condition;
+  for (std::uint64_t index = 0; index < plan.matches(); ++index) {
+    const Trial each = trial(plan, index);
+    EXPECT_EQ(each.seed, plan.first_seed + each.pair);
+    EXPECT_EQ(each.pair, index / (2 * plan.conditions.size()));
+    EXPECT_TRUE(of_condition[each.condition].emplace(each.seed, each.side, each.opening).second);
+  }
+  ASSERT_EQ(of_condition.size(), plan.conditions.size());
+  for (const auto& [condition, played] : of_condition) EXPECT_EQ(played, of_condition[0]) << condition;
+  EXPECT_EQ(of_condition[0].size(), 2 * plan.pairs);
+}
+
+TEST(ExperimentPlan, MatchesOfATrialAreThoseOfItsCondition) {
+  ExperimentPlan plan = experiment_of(2, 1, 3);
+  plan.openings = {{"scene.yaml", {"scene", "hash"}}};
+  for (std::uint64_t index = 0; index < plan.matches(); ++index) {
+    const Trial each = trial(plan, index);
+    const campaign::Job made = job(plan, each);
+    EXPECT_EQ(made.teams[each.side], plan.arms[plan.conditions[each.condition].arm].file);
+    EXPECT_EQ(made.teams[1 - each.side], plan.opponent);
+    EXPECT_EQ(made.seed, each.seed);
+    EXPECT_EQ(made.opening, "scene.yaml");
+    EXPECT_EQ(made.common_inputs.back().name, "scene");
+    EXPECT_EQ(fixtures(plan).at(each.number).job.teams, made.teams);
+  }
+}
+
+TEST(ExperimentPlan, IsReadAsItWasWritten) {
+  ExperimentPlan plan = experiment_of(2, 3, 4);
+  plan.question = "Is it?";
+  plan.arms[1].settings = {"sender.params.reserve=60"};
+  plan.openings = {{"scene.yaml", {"scene", "hash"}}};
+  plan.test = PairTest::sign_flip;
+  plan.confidence = 0.9;
+  plan.limits.processor_seconds = 3;
+  plan.folder = "/tmp";
+  plan.documents = {"team: a", "team: b", "team: c"};
+  plan.conditions[0].jobs[0].home_disturbance = "d.yaml";
+  const ExperimentPlan read = experiment_plan_from_json(to_json(plan));
+  EXPECT_EQ(to_json(read), to_json(plan));
+  EXPECT_THAT(differences(plan, read), ElementsAre());
+  EXPECT_EQ(read.conditions[0].jobs[0], plan.conditions[0].jobs[0]);
+}
+
+TEST(ExperimentPlan, WhatIsNoPlanIsRefused) {
+  const std::string sound = to_json(experiment_of(2, 1, 2));
+  EXPECT_THROW(experiment_plan_from_json(""), std::invalid_argument);
+  EXPECT_THROW(experiment_plan_from_json("[]"), std::invalid_argument);
+  EXPECT_THROW(experiment_plan_from_json(R"({"study": "tournament", "version": 1})"), std::invalid_argument);
+  const auto with = [&](const std::string& what, const std::string& instead) {
+    std::string text = sound;
+    const std::size_t at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    return text.replace(at, what.size(), instead);
+  };
+  EXPECT_NO_THROW(experiment_plan_from_json(with(R"("pairs":2)", R"("pairs":3)")));
+  for (const auto& [what, instead] : {std::pair{R"("pairs":2)", R"("pairs":0)"},
+                                      {R"("pairs":2)", R"("pairs":18446744073709551615)"},
+                                      {R"("confidence":0.95)", R"("confidence":1.5)"},
+                                      {R"("comparisons":[[0,1]])", R"("comparisons":[[0,2]])"},
+                                      {R"({"arm":1,"value":0)", R"({"arm":7,"value":0)"},
+                                      {R"("version":1)", R"("version":2)"}}) {
+    EXPECT_THROW(experiment_plan_from_json(with(what, instead)), std::invalid_argument) << instead;
+  }
+}
+
+TEST(ExperimentPlan, EveryDifferenceIsNamed) {
+  const ExperimentPlan plan = experiment_of(2, 1, 2);
+  const auto changed = [&](auto change) {
+    ExperimentPlan now = plan;
+    change(now);
+    return differences(plan, now);
+  };
+  EXPECT_THAT(changed([](auto& now) { now.pairs = 3; }),
+              ElementsAre("the number of matches for each arm was 4, now 6"));
+  EXPECT_THAT(changed([](auto& now) { now.first_seed = 8; }), ElementsAre("the first seed was 7, now 8"));
+  EXPECT_THAT(changed([](auto& now) { now.arms[1].name = "other"; }), testing::Contains(HasSubstr("the arms was")));
+  EXPECT_THAT(changed([](auto& now) { now.test = PairTest::sign_flip; }), ElementsAre(HasSubstr("the test")));
+  EXPECT_THAT(changed([](auto& now) { now.confidence = 0.9; }), ElementsAre(HasSubstr("the confidence")));
+  EXPECT_THAT(changed([](auto& now) { now.measures.pop_back(); }), ElementsAre(HasSubstr("the measures")));
+  EXPECT_THAT(changed([](auto& now) {
+                for (const std::size_t side : {0u, 1u}) {
+                  auto& job = now.conditions[1].jobs[side];
+                  (side == 0 ? job.home_inputs : job.away_inputs)[0].hash = "new";
+                }
+              }),
+              ElementsAre("arm 1: team has changed"));
+  EXPECT_THAT(changed([](auto& now) {
+                now.openings = {{"s.yaml", {"opening s", "1"}}};
+              }),
+              ElementsAre(HasSubstr("opening s")));
+}
+
+TEST(ExperimentPlan, EqualConditionsAreKnown) {
+  ExperimentPlan plan = experiment_of(2, 1, 2);
+  EXPECT_FALSE(equal_conditions(plan, {0, 1}));
+  EXPECT_TRUE(equal_conditions(plan, {1, 1}));
+  plan.conditions[1].jobs = plan.conditions[0].jobs;
+  EXPECT_TRUE(equal_conditions(plan, {0, 1}));
+}
+
+}  // namespace
+}  // namespace regista::study
