@@ -61,12 +61,12 @@ struct Offences {
   double fallen = 15.0;                // lies longer
   double inactive = 10.0;              // does nothing longer
   double hold_ball = 3.0, goalkeeper_holds_ball = 10.0;
-  double walk_into_goal = 5.0;       // or into the border
-  double notice_set = 1.0;           // to come to rest in Set
-  double pushing_speed = 0.1;        // m/s of the walk against an opponent
-  double pushing_lasts = 1.0;        // s of it
-  double pushing_near_ball = 0.5;    // m: nearer to the ball it costs a free kick or a penalty kick
-  double stuck_near_ball = 0.5;      // m: who stands so near is why the game is stuck
+  double walk_into_goal = 5.0;     // or into the border
+  double notice_set = 1.0;         // to come to rest in Set
+  double pushing_speed = 0.1;      // m/s of the walk against an opponent
+  double pushing_lasts = 1.0;      // s of it
+  double pushing_near_ball = 0.5;  // m: nearer to the ball it costs a free kick or a penalty kick
+  double stuck_near_ball = 0.5;    // m: who stands so near is why the game is stuck
 };
 
 struct Rules {

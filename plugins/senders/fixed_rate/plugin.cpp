@@ -58,8 +58,8 @@ struct FixedRate {
     const regista::Budget& budget = query.budget;
     const double longer =
         lasts ? fixed_rate::stretch(budget.packets_left - reserve, budget.line - reserve, team_size) : 1.0;
-    if (!schedule.decide({longer * period, longer * fast_period, reserve, at_once}, frame.time(), budget.since_own, fast,
-                         budget.packets_left)) {
+    if (!schedule.decide({longer * period, longer * fast_period, reserve, at_once}, frame.time(), budget.since_own,
+                         fast, budget.packets_left)) {
       return std::nullopt;
     }
     offers.clear();

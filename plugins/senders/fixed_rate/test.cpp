@@ -203,7 +203,8 @@ TEST(FixedRate, ANewRoleNeedNotBeAnEvent) {
   }
   // Striker since 5 s, but due at 12 s as when the packet of 4 s was sent; every 4 s from then on.
   ASSERT_EQ(sent.size(), 6u);
-  for (std::size_t i = 0; i < sent.size(); ++i) EXPECT_NEAR(sent[i], i == 0 ? 4.0 : 8.0 + 4.0 * static_cast<double>(i), 1e-6);
+  for (std::size_t i = 0; i < sent.size(); ++i)
+    EXPECT_NEAR(sent[i], i == 0 ? 4.0 : 8.0 + 4.0 * static_cast<double>(i), 1e-6);
 }
 
 TEST(FixedRate, AnotherContextsPacketsCount) {
