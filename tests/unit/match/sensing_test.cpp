@@ -326,5 +326,113 @@ TEST(Sensing, APlacedRobotKnowsWhereInItsOwnFieldFrame) {
   EXPECT_FALSE(scene.percepts.placed);
 }
 
+// --- Troubles --------------------------------------------------------------------------------------------------------
+
+config::Disturbance from_the_start(config::Incident incident) {
+  incident.at = {0.0};
+  config::Disturbance out;
+  out.incidents = {incident};
+  return out;
+}
+
+// Robot 0 stands at `own` and looks `frames` times.
+template <class Each>
+void look_disturbed(const config::Disturbance& disturbance, const BodyState& own, double direction, int frames,
+                    Each each) {
+  Scene scene;
+  const Marks marks(scene.field, scene.profile.camera);
+  Trouble trouble(disturbance, scene.field, scene.roster.team_size, 1, Side::home);
+  trouble.update(0.0);
+  Sensing sensing(scene.profile, trouble, marks, scene.roster, 0, 1, 0.15);
+  sensing.put_down({own.x, own.y, own.heading}, direction, 0);
+  scene.ball = {0.0, 2.0};
+  for (int i = 0; i < frames; ++i) {
+    sensing.sense({own, scene.ball, scene.robots}, 100.0 + i, static_cast<std::uint32_t>(i), true, scene.percepts);
+    each(scene.percepts);
+  }
+}
+
+TEST(GhostBall, IsSeenAtItsPlaceAsOftenAsTheBallWouldBe) {
+  config::Incident ghost;
+  ghost.kind = config::Incident::Kind::ghost_ball;
+  ghost.x = 2.0;
+  ghost.y = 0.5;
+  constexpr int frames = 4000;
+  for (const double direction : {1.0, -1.0}) {  // in either half it lies at the same place of the team's field frame
+    int seen = 0;
+    Vector sum;
+    // Looks at it from a place that is the same in the team's frame.
+    const BodyState own = standing(direction * 1.0, direction * 0.5, direction > 0.0 ? 0.0 : std::numbers::pi);
+    look_disturbed(from_the_start(ghost), own, direction, frames, [&](const mind::Percepts& percepts) {
+      for (const auto& ball : percepts.balls) {
+        ++seen;
+        sum = sum + Vector{ball.position.x(), ball.position.y()};
+      }
+    });
+    EXPECT_NEAR(seen / double(frames), 0.9, 4.0 * std::sqrt(0.09 / frames));
+    EXPECT_NEAR(sum.x / seen, 1.0, 0.005);
+    EXPECT_NEAR(sum.y / seen, 0.0, 0.005);
+  }
+}
+
+TEST(BlindCamera, GivesImagesWithNothingInThem) {
+  config::Incident blind;
+  blind.kind = config::Incident::Kind::blind_camera;
+  config::Incident ghost;
+  ghost.kind = config::Incident::Kind::ghost_ball;
+  ghost.x = 2.0;
+  ghost.y = 0.0;
+  config::Disturbance disturbance = from_the_start(blind);
+  ghost.at = {0.0};
+  disturbance.incidents.push_back(ghost);
+  disturbance.camera.ghost_balls = 10.0;
+  look_disturbed(disturbance, standing(0.0, 0.0, 0.0), 1.0, 100, [&](const mind::Percepts& percepts) {
+    EXPECT_TRUE(percepts.camera);
+    EXPECT_TRUE(percepts.balls.empty() && percepts.robots.empty() && percepts.landmarks.empty());
+  });
+}
+
+// The landmarks of a robot with a biased pose are those of an undisturbed one that stands there.
+TEST(PoseBias, ShowsLandmarksAsFromTheBiasedPose) {
+  config::Incident bias;
+  bias.kind = config::Incident::Kind::pose_bias;
+  bias.x = 0.4;
+  bias.y = -0.3;
+  bias.heading = 0.2;
+  for (const double direction : {1.0, -1.0}) {
+    const BodyState own = standing(2.0, 0.5, 0.1);
+    const BodyState there = standing(2.0 + direction * 0.4, 0.5 - direction * 0.3, 0.3);
+    std::vector<mind::LandmarkSighting> expected, seen;
+    std::vector<mind::PlacedPose> told;
+    look_disturbed({}, there, direction, 200, [&](const mind::Percepts& percepts) {
+      expected.insert(expected.end(), percepts.landmarks.begin(), percepts.landmarks.end());
+    });
+    look_disturbed(from_the_start(bias), own, direction, 200, [&](const mind::Percepts& percepts) {
+      seen.insert(seen.end(), percepts.landmarks.begin(), percepts.landmarks.end());
+      if (percepts.placed) told.push_back(*percepts.placed);
+    });
+    ASSERT_GT(expected.size(), 100u);
+    ASSERT_EQ(seen.size(), expected.size());
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      EXPECT_EQ(seen[i].kind, expected[i].kind);
+      EXPECT_NEAR((seen[i].position - expected[i].position).norm(), 0.0, 1e-5);
+    }
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_NEAR(told[0].pose.x, direction * there.x, 0.2);
+    EXPECT_NEAR(told[0].pose.y, direction * there.y, 0.2);
+  }
+}
+
+TEST(BallBlindness, HidesGhostsToo) {
+  config::Incident ghost;
+  ghost.kind = config::Incident::Kind::ghost_ball;
+  ghost.x = 2.0;
+  ghost.y = 0.0;
+  config::Disturbance disturbance = from_the_start(ghost);
+  disturbance.camera.ball_blindness = 1.0;
+  look_disturbed(disturbance, standing(0.0, 0.0, 0.0), 1.0, 100,
+                 [&](const mind::Percepts& percepts) { EXPECT_TRUE(percepts.balls.empty()); });
+}
+
 }  // namespace
 }  // namespace regista::match
