@@ -167,7 +167,13 @@ class Planner {
     try {
       return match_setup(request_of(job), reading_.catalogue);
     } catch (const config::Error& error) {
-      throw told_at_its_place(error, settings, side, [&] { return known_paths(reading_, arm); });
+      throw told_at_its_place(error, settings, side, [&] {
+        try {
+          return known_paths(reading_, arm);
+        } catch (const config::Error&) {  // of documents that are sound only with what is set
+          return std::vector<std::string>();
+        }
+      });
     }
   }
 
