@@ -167,7 +167,13 @@ class Planner {
     try {
       return match_setup(request_of(job), reading_.catalogue);
     } catch (const config::Error& error) {
-      throw told_at_its_place(error, settings, side, [&] { return known_paths(reading_, arm); });
+      throw told_at_its_place(error, settings, side, [&] {
+        try {
+          return known_paths(reading_, arm);
+        } catch (const config::Error&) {  // of documents that are sound only with what is set
+          return std::vector<std::string>();
+        }
+      });
     }
   }
 
@@ -299,8 +305,8 @@ class Planner {
                                                                                   : study::PairTest::paired_t;
   }
 
-  // What all roles sum up to, then each role by itself (of a sweep only the sums: each becomes a curve), then how the
-  // team knew and did.
+  // What all roles sum up to, then what the paper shows of each role by itself (of a sweep only the sums: each becomes
+  // a curve), then how the team knew and did.
   std::vector<std::string> usual_measures(const std::vector<std::string>& known) const {
     std::vector<std::string> roles;
     for (const auto& of_team : roles_) {
@@ -316,14 +322,15 @@ class Planner {
     }
     out = sums;
     if (!plan_.swept()) {
-      for (const std::string& sum : sums) {
+      for (const char* of_each : {"overlap_seconds", "uncovered_seconds", "switches"}) {
         for (const std::string& role : roles) {
-          const std::string path = role + '.' + sum;
+          const std::string path = role + '.' + of_each;
           if (std::ranges::find(known, path) != known.end()) out.push_back(path);
         }
       }
     }
-    for (const char* each : {"agreement", "goals", "goals_against", "points", "packets"}) {
+    for (const char* each : {"agreement", "agreement_before_silence", "agreement_after_silence", "goals",
+                             "goals_against", "points", "packets"}) {
       if (std::ranges::find(known, each) != known.end()) out.push_back(each);
     }
     return out;

@@ -187,6 +187,20 @@ std::optional<double> number_of(const std::string& text) {
   return std::nullopt;
 }
 
+// From the least value to the largest; by powers of ten where these are far apart.
+std::string x_axis(const study::ExperimentPlan& plan) {
+  double least = *number_of(plan.values.front()), most = least;
+  for (const std::string& each : plan.values) {
+    least = std::min(least, *number_of(each));
+    most = std::max(most, *number_of(each));
+  }
+  if (!(most > least)) return {};
+  const bool logarithmic = least > 0.0 && most / least >= 50.0;
+  const double room = logarithmic ? 1.0 : 0.02 * (most - least);
+  return fmt::format("{}set xrange [{:.6g}:{:.6g}]\n", logarithmic ? "set logscale x\n" : "",
+                     logarithmic ? least / 1.1 : least - room, logarithmic ? most * 1.1 : most + room);
+}
+
 // Values that are numbers stand where they belong; others one beside the other, in their order.
 std::optional<Figure> curve(const ExperimentView& view, std::size_t measure, std::size_t number) {
   const study::ExperimentPlan& plan = view.plan;
@@ -217,11 +231,12 @@ std::optional<Figure> curve(const ExperimentView& view, std::size_t measure, std
   if (!any) return std::nullopt;
   out.height = 330;
   out.commands = fmt::format(
-      "set key outside top center horizontal\nset xlabel {}\nset ylabel '{}'\nset offsets graph 0.02, "
-      "graph 0.02, graph 0.05, graph 0.02\n",
+      "set key outside top center horizontal\nset xlabel {}\nset ylabel '{}'\nset offsets 0, 0, graph 0.05, graph "
+      "0.02\n",
       gnuplot_text(plan.sweep), study::unit_of(path));
+  if (numbers) out.commands += x_axis(plan);
   if (!numbers) {
-    out.commands += "set xtics (";
+    out.commands += fmt::format("set xrange [-0.5:{}.5]\nset xtics (", plan.values.size() - 1);
     for (std::size_t i = 0; i < plan.values.size(); ++i) {
       out.commands += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_mark(plan.values[i]), i);
     }

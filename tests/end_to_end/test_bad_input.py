@@ -6,7 +6,7 @@ import unittest
 
 import program
 
-OPTIONS = ("--help, --seed, --rules, --robot, --disturbance, --home-disturbance, --away-disturbance, --opening, --set, --limit, --from, --row, --plugins, --json, --decisions, --record, --force, "
+OPTIONS = ("--help, --seed, --rules, --robot, --disturbance, --home-disturbance, --away-disturbance, --opening, --set, --limit, --from, --row, --plugins, --json, --decisions, --record, --metrics, --force, "
            "--quiet, --verbose")
 
 
@@ -52,7 +52,7 @@ class CommandLine(BadInput):
         self.assert_refused(("plugin", "lits"),
                             'unknown command "lits" in regista plugin; nearest: "list"; known: list, info, reference')
         # Planned, not there: no nearest name that misleads.
-        self.assert_refused(("experiment",), 'unknown command "experiment" in regista; known: match, view, tournament, experiment, report, sprt, evaluate-predictor, plugin, config')
+        self.assert_refused(("season",), 'unknown command "season" in regista; known: match, view, tournament, experiment, report, sprt, evaluate-predictor, plugin, config')
 
     def test_unknown_option(self):
         self.assert_match_refused(("--sede", "3"),
