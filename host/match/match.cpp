@@ -12,6 +12,7 @@
 #include "match/body.hpp"
 #include "match/chance.hpp"
 #include "match/digest.hpp"
+#include "match/outcome.hpp"
 #include "match/placement.hpp"
 #include "match/radio.hpp"
 #include "match/referee.hpp"
@@ -106,8 +107,6 @@ class Course {
   void feel_contact(int id, Robot& robot);
   bool sees_ball(int id) const;
   void ask(int id);
-  void check_outcome(int id, const Robot& robot) const;
-  void digest_outcome(const mind::Outcome& outcome);
   int move_bodies();
   void jostle();
   void judge(int kicker);
@@ -279,9 +278,11 @@ void Course::decide(int id) {
   outcome.role = -1;
   outcome.assignment.clear();
   robot.think(percepts, heard_, outcome);
-  check_outcome(id, robot);
+  if (const std::string why = unsound(outcome, robot.profile, setup_.roles[index(side)].size()); !why.empty()) {
+    refuse(id, why);
+  }
 
-  digest_outcome(outcome);
+  add(digest_, outcome);
   metrics_.decided(side, number, outcome.role, outcome.assignment, sees_ball(id), state);
   ask(id);
   robot.sensing.look(outcome.command.head_yaw);
@@ -328,44 +329,6 @@ void Course::ask(int id) {
   if (tick_ % physics_steps_per_second >= first_ones) return;
   beliefs_(side_of(id), roster_.number(id), belief_);
   metrics_.believes(side_of(id), roster_.number(id), belief_, arena_.states(), state);
-}
-
-void Course::check_outcome(int id, const Robot& robot) const {
-  const mind::Outcome& outcome = robot.outcome;
-  const mind::Command& command = outcome.command;
-  if (!std::isfinite(command.walk.forward) || !std::isfinite(command.walk.sideways) ||
-      !std::isfinite(command.walk.turn)) {
-    refuse(id, "walk command is not finite");
-  }
-  if (!std::isfinite(command.head_yaw)) refuse(id, "head yaw is not finite");
-  if (command.kick) {
-    const mind::KickRequest& kick = *command.kick;
-    const int kinds = static_cast<int>(robot.profile.kicks.size());
-    if (kick.kind < 0 || kick.kind >= kinds) {
-      refuse(id, "kick " + std::to_string(kick.kind) + ", but the profile '" + robot.profile.name + "' has " +
-                     std::to_string(kinds));
-    }
-    if (!std::isfinite(kick.direction) || !std::isfinite(kick.distance)) refuse(id, "kick is not finite");
-  }
-  const int roles = static_cast<int>(setup_.roles[index(roster_.side(id))].size());
-  if (outcome.role < -1 || outcome.role >= roles) {
-    refuse(id, "role " + std::to_string(outcome.role) + ", but the table of roles has " + std::to_string(roles));
-  }
-  if (outcome.send && (outcome.send_reason < 0 || outcome.send_reason >= REGISTA_EVENT_COUNT)) {
-    refuse(id, "no reason to send has number " + std::to_string(outcome.send_reason));
-  }
-}
-
-void Course::digest_outcome(const mind::Outcome& outcome) {
-  const mind::Command& command = outcome.command;
-  const mind::KickRequest kick = command.kick.value_or(mind::KickRequest{-1, 0.0, 0.0});
-  const std::array<double, 6> values{command.walk.forward, command.walk.sideways, command.walk.turn,
-                                     command.head_yaw,     kick.direction,        kick.distance};
-  const std::array<std::int32_t, 4> choices{kick.kind, outcome.role, outcome.send ? outcome.send_reason : -1,
-                                            static_cast<std::int32_t>(outcome.packet.size())};
-  digest_.add(std::as_bytes(std::span(values)));
-  digest_.add(std::as_bytes(std::span(choices)));
-  digest_.add(std::as_bytes(std::span(outcome.packet)));
 }
 
 // Returns the robot that kicked the ball in this step, or -1.

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "match/outcome.hpp"
+
+#include <regista/abi.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+namespace regista::match {
+
+std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, std::size_t roles) {
+  const mind::Command& command = outcome.command;
+  if (!std::isfinite(command.walk.forward) || !std::isfinite(command.walk.sideways) ||
+      !std::isfinite(command.walk.turn)) {
+    return "walk command is not finite";
+  }
+  if (!std::isfinite(command.head_yaw)) return "head yaw is not finite";
+  if (command.kick) {
+    const mind::KickRequest& kick = *command.kick;
+    const int kinds = static_cast<int>(robot.kicks.size());
+    if (kick.kind < 0 || kick.kind >= kinds) {
+      return "kick " + std::to_string(kick.kind) + ", but the profile '" + robot.name + "' has " +
+             std::to_string(kinds);
+    }
+    if (!std::isfinite(kick.direction) || !std::isfinite(kick.distance)) return "kick is not finite";
+  }
+  if (outcome.role < -1 || outcome.role >= static_cast<int>(roles)) {
+    return "role " + std::to_string(outcome.role) + ", but the table of roles has " + std::to_string(roles);
+  }
+  if (outcome.send && (outcome.send_reason < 0 || outcome.send_reason >= REGISTA_EVENT_COUNT)) {
+    return "no reason to send has number " + std::to_string(outcome.send_reason);
+  }
+  return {};
+}
+
+void add(Digest& digest, const mind::Outcome& outcome) {
+  const mind::Command& command = outcome.command;
+  const mind::KickRequest kick = command.kick.value_or(mind::KickRequest{-1, 0.0, 0.0});
+  const std::array<double, 6> values{command.walk.forward, command.walk.sideways, command.walk.turn,
+                                     command.head_yaw,     kick.direction,        kick.distance};
+  const std::array<std::int32_t, 4> choices{kick.kind, outcome.role, outcome.send ? outcome.send_reason : -1,
+                                            static_cast<std::int32_t>(outcome.packet.size())};
+  digest.add(std::as_bytes(std::span(values)));
+  digest.add(std::as_bytes(std::span(choices)));
+  digest.add(std::as_bytes(std::span(outcome.packet)));
+}
+
+}  // namespace regista::match
