@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "match/areas.hpp"
 #include "match/placement.hpp"
-#include "match/set_positions.hpp"
 
 namespace regista::match {
 namespace {
@@ -16,8 +13,6 @@ using mind::Phase;
 using mind::SetPlay;
 
 constexpr double initial_lasts = 1.0;  // s; see the head of referee.hpp
-constexpr double clearance = 0.05;     // m between bodies when something is put down
-constexpr double moved = 0.25;         // m: the game is not stuck
 
 EventKind event_of(SetPlay kind) {
   switch (kind) {
@@ -360,147 +355,6 @@ void Referee::free_ball() {
   announce();
   calls_.ball_came_free = was_whistled;
   note(EventKind::ball_free, state_.kicking);
-}
-
-void Referee::watch_set_play() {
-  if (state_.set_play == SetPlay::penalty_kick) {
-    const RobotSet intruders = intruders_at_penalty_kick(rules_, state_, roster_, where_, playing());
-    for (int id = 0; id < roster_.count(); ++id) {
-      if (contains(intruders, id)) penalise(id, Offence::illegal_position);
-    }
-    return;
-  }
-  const bool at_kick_off = state_.set_play == SetPlay::kick_off;
-  const double near = at_kick_off ? rules_.field.centre_circle_diameter / 2.0 : rules_.set_play_distance;
-  const bool time_to_leave = !at_kick_off && !since(state_.phase_began, rules_.offences.leave_free_kick);
-  const Side defender = opposite(state_.kicking);
-  for (int number = 1; number <= rules_.team_size; ++number) {
-    const int id = roster_.id(defender, number);
-    if (squared_length(where(id) - state_.spot) >= near * near) {
-      was_near_ &= ~only(id);
-    } else if (plays(id) && !(time_to_leave && contains(was_near_, id))) {
-      penalise(id, Offence::illegal_position);
-    }
-  }
-}
-
-void Referee::watch_offences(const Scene& scene) {
-  for (const Offender& offender : watch_.watch(scene, state_, playing())) {
-    if (!plays(offender.robot)) continue;
-    if (offender.offence == Offence::pushing) {
-      pushed(offender);
-    } else {
-      penalise(offender.robot, offender.offence);
-    }
-  }
-}
-
-// Near the ball it costs more than a robot. During a set play nothing but the robot is taken.
-void Referee::pushed(const Offender& offender) {
-  const Side side = roster_.side(offender.robot);
-  const double near = rules_.offences.pushing_near_ball;
-  const bool near_ball = squared_length(where(offender.robot) - ball_) <= near * near;
-  const bool in_own_area = in_penalty_area(rules_.field, -direction(side), where(offender.victim));
-  const bool open_play = state_.in_play();
-  penalise(offender.robot, Offence::pushing);
-  if (!near_ball || !open_play) return;
-  if (in_own_area) {
-    begin_ready(SetPlay::penalty_kick, opposite(side), penalty_mark(rules_.field, -direction(side)), false);
-  } else {
-    set_play(SetPlay::pushing_free_kick, opposite(side), ball_);
-  }
-}
-
-void Referee::watch_progress() {
-  if (squared_length(ball_ - anchor_) > moved * moved) {
-    anchor_ = ball_;
-    anchored_ = time_;
-  }
-  if (!since(anchored_, rules_.durations.game_stuck)) return;
-  int nearest = -1;
-  for (int id = 0; id < roster_.count(); ++id) {
-    if (!plays(id)) continue;
-    if (nearest < 0 || squared_length(where(id) - ball_) < squared_length(where(nearest) - ball_)) nearest = id;
-  }
-  if (nearest < 0) return;
-  const double near = rules_.offences.stuck_near_ball;
-  if (squared_length(where(nearest) - ball_) <= near * near) {
-    anchored_ = time_;
-    penalise(nearest, Offence::local_game_stuck);
-  } else if (touched_since_kick_off_) {
-    note(EventKind::game_stuck, roster_.side(nearest));
-    begin_ready(SetPlay::kick_off, roster_.side(nearest), {}, false);
-  }
-}
-
-// Nobody stands where the ball is put: the kicking side steps back a little, the other side to where it must be.
-void Referee::clear_spot(Vector spot) {
-  const double touching = robot_radius_ + rules_.ball.diameter / 2.0 + clearance / 2.0;
-  for (int id = 0; id < roster_.count(); ++id) {
-    if (!plays(id)) continue;
-    const Side side = roster_.side(id);
-    const Vector from_ball = where_[static_cast<std::size_t>(id)] - spot;
-    if (squared_length(from_ball) >= touching * touching) continue;
-    const double back = side == state_.kicking ? touching + clearance : rules_.set_play_distance + clearance;
-    // Towards the inside of the field and the own goal, where there is always room.
-    const Vector inside = Vector{-direction(side) * rules_.field.length / 4.0, 0.0} - spot;
-    const Vector target = spot + back / std::max(length(inside), clearance) * inside;
-    put_down(id, {target.x, target.y, std::atan2(-inside.y, -inside.x)});
-  }
-}
-
-void Referee::remove_illegal_in_set() {
-  const RobotSet illegal = illegal_in_set(rules_, state_, roster_, where_, playing(), robot_radius_);
-  for (int id = 0; id < roster_.count(); ++id) {
-    if (contains(illegal, id)) penalise(id, Offence::illegal_position_in_set);
-  }
-}
-
-// Before a penalty kick the goalkeeper stands on its line or outside its penalty area.
-void Referee::put_goalkeeper_on_line() {
-  const Side side = opposite(state_.kicking);
-  const int id = roster_.id(side, 1);
-  const double end = -direction(side), line = end * rules_.field.length / 2.0;
-  if (!plays(id) || !in_penalty_area(rules_.field, end, where(id)) || std::fabs(where(id).x - line) <= robot_radius_) {
-    return;
-  }
-  const double between = rules_.field.goal_width / 2.0 - robot_radius_;
-  put_down(id, {line, std::clamp(where(id).y, -between, between), direction(side) > 0.0 ? 0.0 : std::numbers::pi});
-  note(EventKind::put_back, side, 1);
-}
-
-void Referee::put_down(int id, const mind::Pose& wanted) {
-  const double robot_gap = 2.0 * robot_radius_ + clearance;
-  const double ball_gap = robot_radius_ + rules_.ball.diameter / 2.0 + clearance;
-  const Vector ball = calls_.ball ? *calls_.ball : state_.phase == Phase::playing ? ball_ : state_.spot;
-  const Vector spot = free_spot(rules_.field, {wanted.x, wanted.y}, id, where_, robot_gap, ball, ball_gap);
-  where_[static_cast<std::size_t>(id)] = spot;
-  watch_.forget(id);
-  calls_.placements.push_back({id, {spot.x, spot.y, wanted.heading}});
-}
-
-void Referee::penalise(int id, Offence offence) {
-  const Side side = roster_.side(id);
-  box_.send(id, offence);
-  watch_.forget(id);
-  state_.penalised[index(side)] |= 1u << (roster_.number(id) - 1);
-  if (on_the_spot(offence)) {
-    calls_.frozen |= only(id);
-  } else {
-    calls_.removed.push_back(id);
-  }
-  note(EventKind::penalty, side, roster_.number(id), offence);
-}
-
-void Referee::let_back_in() {
-  for (int id = 0; id < roster_.count(); ++id) {
-    if (plays(id) || !box_.served(id) || contains(calls_.frozen, id)) continue;
-    const Side side = roster_.side(id);
-    box_.release(id);
-    state_.penalised[index(side)] &= ~(1u << (roster_.number(id) - 1));
-    if (!on_the_spot(box_.offence(id))) put_down(id, re_entry_pose(rules_.field, direction(side), ball_));
-    note(EventKind::returned, side, roster_.number(id));
-  }
 }
 
 void Referee::sanction(Side side, EventKind why) {

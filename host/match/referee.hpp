@@ -105,6 +105,7 @@ class Referee {
   bool plays(int id) const { return !contains(box_.inside(), id); }
   RobotSet playing() const;
   bool since(double moment, double duration) const;
+  bool on_goal_line(int id) const;
   double direction(Side side) const { return attack(side, state_.half); }
   Vector where(int id) const { return where_[static_cast<std::size_t>(id)]; }
 

@@ -260,6 +260,16 @@ TEST_F(PenaltyKick, TheGoalkeeperIsPutBackOnItsLine) {
   EXPECT_FALSE(state().is_penalised(Side::home, 1));
 }
 
+TEST_F(PenaltyKick, TheGoalkeeperStaysOnItsLineUntilTheTouch) {
+  until(Phase::playing);
+  robot(Side::home, 1) = {-4.35, 0.0};
+  step();
+  EXPECT_EQ(penalty(Side::home, 1), Offence::none) << "still in touch with the line";
+  robot(Side::home, 1) = {-4.2, 0.0};
+  step();
+  EXPECT_EQ(penalty(Side::home, 1), Offence::illegal_position);
+}
+
 TEST_F(PenaltyKick, ScoresWithOneTouch) {
   until(Phase::playing);
   kick(Side::away, 2);
