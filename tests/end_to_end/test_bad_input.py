@@ -115,6 +115,27 @@ class BuiltInProfiles(BadInput):
         self.assertEqual(done.returncode, 0, done.stderr)
 
 
+class UnplayableRules(BadInput):
+    def refusal(self, text):
+        self.write("rules.yaml", "rules: odd\n" + text)
+        done = self.run_program("match", "small.yaml", "small.yaml", "--rules", "rules.yaml")
+        self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), done.stderr)
+        return done.stderr
+
+    def test_are_refused_with_line_and_reason(self):
+        for text, place, reason in (
+                ("durations: {half: -1}\n", "rules.yaml:2:", "durations.half"),
+                ("team_size: 0\n", "rules.yaml:2:", "team_size"),
+                ("messages:\n  budget: -5\n", "rules.yaml:3:", "budget"),
+                ("field:\n  goal_width: 7\n", "rules.yaml:3:", "wider than the field"),
+                ("ball:\n  diameter: 0.3\n", "regista: built-in robot nao", "could never be kicked"),
+                ("penalties: {removal: .nan}\n", "rules.yaml:2:", "removal")):
+            with self.subTest(text):
+                said = self.refusal(text)
+                self.assertIn(place, said)
+                self.assertIn(reason, said)
+
+
 class Overrides(BadInput):
     def test_path_that_is_not_there(self):
         self.assert_match_refused(
