@@ -98,6 +98,21 @@ void check(const Robot& robot, const Rules& rules, const Node& document) {
                        "at {} m, so it could never be kicked",
                        real_text(robot.body.reach), rules.name, real_text(touching)));
   }
+  const FieldSize& field = rules.field;
+  if (field.border_strip < 2.0 * robot.body.radius) {
+    refuse(document, {"body.radius"},
+           fmt::format("body.radius: a robot of {} m does not fit on the border strip of the rules '{}' ({} m), beside the "
+                       "lines on which it begins",
+                       real_text(2.0 * robot.body.radius), rules.name, real_text(field.border_strip)));
+  }
+  // Half of the field at most may be robots.
+  const double taken = 2.0 * rules.team_size * 4.0 * robot.body.radius * robot.body.radius;
+  if (taken > field.length * field.width / 2.0) {
+    refuse(document, {"body.radius"},
+           fmt::format("body.radius: {} robots of {} m have no room on the field of the rules '{}' ({} m x {} m)",
+                       2 * rules.team_size, real_text(2.0 * robot.body.radius), rules.name, real_text(field.length),
+                       real_text(field.width)));
+  }
 }
 
 }  // namespace regista::config

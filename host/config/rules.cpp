@@ -50,7 +50,6 @@ static Map declare(Durations& durations) {
 static Map declare(Messages& messages) {
   return {{
       integer("budget", messages.budget, {0, 1000000}, "packets", "of a team in a match"),
-      integer("extra_per_minute", messages.extra_per_minute, {0, 100000}, "packets", "for each minute of added time"),
       integer("size", messages.size, {64, 1024}, "bytes", "largest packet"),
   }};
 }

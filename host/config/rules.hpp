@@ -42,7 +42,6 @@ struct Durations {
 
 struct Messages {
   int budget = 1200;          // packets per team and match
-  int extra_per_minute = 60;  // of added time
   int size = 128;             // bytes
 };
 

@@ -135,6 +135,7 @@ class Course {
   std::vector<Vector> positions_, legs_;  // by id: where robots are, and where their legs carry them, m/s
   Points in_view_;                        // the same, but who is out of play is nowhere
   RobotSet out_of_play_ = 0;              // penalised, off the field
+  RobotSet turning_ = 0;                  // since the referee last looked
   RobotSet acted_ = 0;                    // decided since the referee last looked
   RobotSet crashed_ = 0;
   std::uint32_t tick_ = 0;
@@ -343,6 +344,7 @@ int Course::move_bodies() {
     const Body::Motion motion = robot.body.move(time_, tick_, robot.body.kicking() ? ball_distance(id) : 0.0);
     if (robot.body.falls() != falls) metrics_.fell(roster_.side(id));
     const config::Walk& limits = robot.profile.walk;
+    if (motion.walk.turn != 0.0) turning_ |= only(id);
     Vector& legs = legs_[static_cast<std::size_t>(id)];
     legs = turned({motion.walk.forward, motion.walk.sideways}, now.cosine, now.sine);
     arena_.drive(id, legs, motion.walk.turn, limits.acceleration, limits.turn_acceleration);
@@ -391,6 +393,7 @@ void Course::judge(int kicker) {
                           .kicked = kicker >= 0 && kicker == touched_by,
                           .robots = positions_,
                           .steps = legs_,
+                          .turning = std::exchange(turning_, 0),
                           .touching = contacts.robots_on_ball,
                           .fallen = fallen,
                           .kicking = kicking,

@@ -63,13 +63,13 @@ void OffenceWatch::watch_bodies(const Scene& scene, const GameState& state, Robo
     const bool lies = contains(scene.fallen, id);
     robot.lies = lies ? robot.lies + passed : 0.0;
     robot.idle = contains(scene.acted, id) ? 0.0 : robot.idle + passed;
-    if (longer(robot.lies, limits.fallen)) call(id, Offence::fallen);
+    if (lies && longer(robot.lies, limits.fallen)) call(id, Offence::fallen);
     if (longer(robot.idle, limits.inactive)) call(id, Offence::inactive);
-    if (must_stand && !lies && squared_length(steps_of(scene, id)) > still * still) call(id, Offence::motion_in_set);
+    const bool walks = squared_length(steps_of(scene, id)) > still * still;
+    if (must_stand && !lies && (walks || contains(scene.turning, id))) call(id, Offence::motion_in_set);
 
     if (contains(scene.at_walls, id)) robot.was_at_wall = time_;
-    const bool walks_on = time_ - robot.was_at_wall <= contact_lasts && robot.was_at_wall >= 0.0 &&
-                          squared_length(steps_of(scene, id)) > still * still;
+    const bool walks_on = time_ - robot.was_at_wall <= contact_lasts && robot.was_at_wall >= 0.0 && walks;
     robot.at_wall = walks_on ? robot.at_wall + passed : 0.0;
     if (longer(robot.at_wall, limits.walk_into_goal) && walks_on) call(id, Offence::leaving_the_field);
 

@@ -21,10 +21,25 @@ mind::Pose start_pose(const config::FieldSize& field, double direction, int numb
   return {-direction * (deepest - step * place), touch_line, -sign(touch_line) * std::numbers::pi / 2.0};
 }
 
-mind::Pose re_entry_pose(const config::FieldSize& field, double direction, Vector ball) {
+mind::Pose re_entry_pose(const config::FieldSize& field, double direction, Vector ball, int self,
+                         std::span<const Vector> robots, double gap) {
   const double touch_line = -sign(ball.y) * field.width / 2.0;
-  return {-direction * (field.length / 2.0 - field.penalty_mark_distance), touch_line,
-          -sign(touch_line) * std::numbers::pi / 2.0};
+  const double mark = -direction * (field.length / 2.0 - field.penalty_mark_distance);
+  const auto is_free = [&](double x) {
+    for (std::size_t id = 0; id < robots.size(); ++id) {
+      if (static_cast<int>(id) != self && squared_length(robots[id] - Vector{x, touch_line}) < gap * gap) return false;
+    }
+    return true;
+  };
+  const double away = mark >= ball.x ? 1.0 : -1.0;
+  const auto in_own_half = [&](double x) { return x * direction <= 0.0 && std::fabs(x) <= field.length / 2.0; };
+  double x = mark;
+  for (int k = 1; !is_free(x) && k <= 100; ++k) {
+    // Away, towards the ball, farther away, ...
+    const double beside = mark + (k % 2 == 1 ? away : -away) * gap * ((k + 1) / 2);
+    if (in_own_half(beside)) x = beside;
+  }
+  return {x, touch_line, -sign(touch_line) * std::numbers::pi / 2.0};
 }
 
 mind::Pose waiting_pose(const config::FieldSize& field, int id, double robot_radius) {

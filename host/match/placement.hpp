@@ -14,8 +14,10 @@ namespace regista::match {
 // On a touch line of the own half, facing into the field: odd numbers at the left of the side, even ones at its right.
 mind::Pose start_pose(const config::FieldSize& field, double direction, int number, int team_size);
 
-// Back from a penalty: own half, level with the penalty mark, on the touch line far from the ball.
-mind::Pose re_entry_pose(const config::FieldSize& field, double direction, Vector ball);
+// Back from a penalty: own half, level with the penalty mark, on the touch line far from the ball; where somebody
+// stands there, beside that along the line, rather away from the ball. robots, self, gap: as for free_spot.
+mind::Pose re_entry_pose(const config::FieldSize& field, double direction, Vector ball, int self,
+                         std::span<const Vector> robots, double gap);
 
 // Out of play: robot `id` waits beyond the border, out of everybody's way.
 mind::Pose waiting_pose(const config::FieldSize& field, int id, double robot_radius);

@@ -43,10 +43,6 @@ void Calls::clear() {
   events.clear();
 }
 
-int Referee::allowance(const config::Messages& messages, double added) {
-  return messages.budget + messages.extra_per_minute * static_cast<int>(added / 60.0);
-}
-
 Referee::Referee(const config::Rules& rules, double robot_radius, const config::Opening* opening)
     : rules_(rules),
       opening_(opening),
@@ -56,11 +52,12 @@ Referee::Referee(const config::Rules& rules, double robot_radius, const config::
       watch_(rules, roster_),
       box_(rules.penalties, roster_) {
   where_.resize(static_cast<std::size_t>(roster_.count()));
+  leave_by_.resize(where_.size());
   calls_.removed.reserve(where_.size());
   calls_.placements.reserve(where_.size());
   calls_.events.reserve(64);
   pending_.reserve(64);
-  state_.packets_left.fill(allowance(rules_.messages, 0.0));
+  state_.packets_left.fill(rules_.messages.budget);
 }
 
 RobotSet Referee::playing() const {
@@ -207,7 +204,7 @@ void Referee::whistle_play() {
   state_.phase_began = time_;
   calls_.ball = state_.spot;
   remove_illegal_in_set();
-  was_near_ = 0;
+  std::ranges::fill(leave_by_, 0.0);
   last_touch_ = -1;
   touched_since_kick_off_ = false;
   anchor_ = state_.spot;
@@ -251,10 +248,10 @@ void Referee::touch(const Scene& scene) {
       touched_too_early(robot);
       return;
     }
-    if (state_.set_play == SetPlay::penalty_kick) indirect_.penalty_kick(side, state_.spot);
+    if (state_.set_play == SetPlay::penalty_kick) indirect_.penalty_kick(side);
     free_ball();
   }
-  indirect_.touched(robot, side, scene.kicked, time_);
+  indirect_.touched(robot, side, scene.kicked, ball_, time_);
   last_touch_ = robot;
   touched_since_kick_off_ = true;
 }
@@ -323,7 +320,8 @@ void Referee::goal(Side scorer) {
     note(EventKind::goal_not_counted, scorer);
   } else {
     ++state_.goals[index(scorer)];
-    note(EventKind::goal, scorer, last_touch_ >= 0 ? roster_.number(last_touch_) : 0);
+    const bool own_goal = last_touch_ < 0 || roster_.side(last_touch_) != scorer;
+    note(EventKind::goal, scorer, own_goal ? 0 : roster_.number(last_touch_));
   }
   calls_.whistle = true;
   begin_ready(SetPlay::kick_off, opposite(scorer), {}, true);
@@ -334,13 +332,12 @@ void Referee::set_play(SetPlay kind, Side kicking, Vector spot) {
   state_.kicking = kicking;
   state_.phase_began = time_;
   state_.spot = spot;
-  indirect_.free_kick(kicking, spot);
+  indirect_.free_kick(kicking);
   calls_.ball = spot;
   clear_spot(spot);
-  was_near_ = 0;
-  const double near = rules_.set_play_distance;
   for (int id = 0; id < roster_.count(); ++id) {
-    if (squared_length(where(id) - spot) < near * near) was_near_ |= only(id);
+    const bool near = squared_length(where(id) - spot) < rules_.set_play_distance * rules_.set_play_distance;
+    leave_by_[static_cast<std::size_t>(id)] = near ? time_ + rules_.offences.leave_free_kick : 0.0;
   }
   announce();
   note(event_of(kind), kicking);

@@ -12,12 +12,13 @@
 // - Whoever stands on the very spot where the ball of a set play is put is moved aside by hand.
 // - A free kick is taken, and the kick-off's ball in play, with the first touch by the kicking side. A ball that the
 //   others touch before lies where it was, and who touched it is removed.
-// - A deliberate play, which makes an indirect kick whole, is a kick; whom the ball hits has not played it. The same
-//   robot may play it again after it has left the circle.
-// - In a penalty kick the taker's touches count as one until the ball was free of it for half a second.
+// - A deliberate play, which makes an indirect kick whole, is a kick or a dribble (touches for 0.3 s); whom the ball
+// hits
+//   has not played it. In a penalty kick the taker's touches count as one until the ball was free of it for half a
+//   second.
 // - The game is stuck when the ball has not moved by a quarter of a metre for the time that the rules give. Somebody
 //   near it is removed (local); with nobody near, who is nearer kicks off (global), if the ball was touched before.
-// - The clock never stops within a half, so there is no added time and no extra allowance of packets from it.
+// - The clock never stops within a half, so there is no added time, and no packets for it.
 #pragma once
 
 #include <array>
@@ -70,9 +71,6 @@ class Referee {
   // The events that follow come with the next update.
   bool packet(Side side, std::size_t bytes);
 
-  // Packets a team may send when `added` seconds were added to the halves.
-  static int allowance(const config::Messages& messages, double added);
-
  private:
   void begin_half();
   void begin_in_play(const config::Opening& opening);
@@ -98,6 +96,7 @@ class Referee {
   void put_goalkeeper_on_line();
   void put_down(int id, const mind::Pose& wanted);
   void penalise(int id, Offence offence);
+  void come_back(int id);
   void let_back_in();
   void sanction(Side side, EventKind why);
   void announce(bool late = false);
@@ -126,7 +125,7 @@ class Referee {
   bool touched_since_kick_off_ = false;
   Vector anchor_;  // the ball has not moved away from here
   double anchored_ = 0.0;
-  RobotSet was_near_ = 0;  // ids that stood too near when the set play was called
+  std::vector<double> leave_by_;  // by id: until when who stands too near in a free kick may do so; 0: it may not
   bool began_ = false;
 };
 

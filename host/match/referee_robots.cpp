@@ -39,15 +39,21 @@ void Referee::watch_set_play() {
     }
     return;
   }
-  const bool at_kick_off = state_.set_play == SetPlay::kick_off;
-  const double near = at_kick_off ? rules_.field.centre_circle_diameter / 2.0 : rules_.set_play_distance;
-  const bool time_to_leave = !at_kick_off && !since(state_.phase_began, rules_.offences.leave_free_kick);
+  if (state_.set_play == SetPlay::kick_off) {
+    const RobotSet intruders = intruders_at_kick_off(rules_, state_, roster_, where_, playing());
+    for (int id = 0; id < roster_.count(); ++id) {
+      if (contains(intruders, id)) penalise(id, Offence::illegal_position);
+    }
+    return;
+  }
+  const double near = rules_.set_play_distance;
   const Side defender = opposite(state_.kicking);
   for (int number = 1; number <= rules_.team_size; ++number) {
     const int id = roster_.id(defender, number);
+    double& leave_by = leave_by_[static_cast<std::size_t>(id)];
     if (squared_length(where(id) - state_.spot) >= near * near) {
-      was_near_ &= ~only(id);
-    } else if (plays(id) && !(time_to_leave && contains(was_near_, id))) {
+      leave_by = 0.0;
+    } else if (plays(id) && since(leave_by, 0.0)) {
       penalise(id, Offence::illegal_position);
     }
   }
@@ -106,7 +112,7 @@ void Referee::watch_progress() {
 void Referee::clear_spot(Vector spot) {
   const double touching = robot_radius_ + rules_.ball.diameter / 2.0 + clearance / 2.0;
   for (int id = 0; id < roster_.count(); ++id) {
-    if (!plays(id)) continue;
+    if (!plays(id) && !on_the_spot(box_.offence(id))) continue;  // off the field
     const Side side = roster_.side(id);
     const Vector from_ball = where_[static_cast<std::size_t>(id)] - spot;
     if (squared_length(from_ball) >= touching * touching) continue;
@@ -131,7 +137,7 @@ void Referee::put_goalkeeper_on_line() {
   const int id = roster_.id(side, 1);
   const double end = -direction(side), line = end * rules_.field.length / 2.0;
   if (!plays(id) || !in_penalty_area(rules_.field, end, where(id)) || on_goal_line(id)) return;
-  const double between = rules_.field.goal_width / 2.0 - robot_radius_;
+  const double between = std::max(0.0, rules_.field.goal_width / 2.0 - robot_radius_);
   put_down(id, {line, std::clamp(where(id).y, -between, between), direction(side) > 0.0 ? 0.0 : std::numbers::pi});
   note(EventKind::put_back, side, 1);
 }
@@ -159,13 +165,25 @@ void Referee::penalise(int id, Offence offence) {
   note(EventKind::penalty, side, roster_.number(id), offence);
 }
 
+void Referee::come_back(int id) {
+  const mind::Pose pose =
+      re_entry_pose(rules_.field, direction(roster_.side(id)), ball_, id, where_, 2.0 * robot_radius_ + clearance);
+  where_[static_cast<std::size_t>(id)] = {pose.x, pose.y};
+  watch_.forget(id);
+  calls_.placements.push_back({id, pose});
+}
+
 void Referee::let_back_in() {
   for (int id = 0; id < roster_.count(); ++id) {
     if (plays(id) || !box_.served(id) || contains(calls_.frozen, id)) continue;
     const Side side = roster_.side(id);
     box_.release(id);
     state_.penalised[index(side)] &= ~(1u << (roster_.number(id) - 1));
-    if (!on_the_spot(box_.offence(id))) put_down(id, re_entry_pose(rules_.field, direction(side), ball_));
+    if (on_the_spot(box_.offence(id))) {
+      leave_by_[static_cast<std::size_t>(id)] = time_ + rules_.offences.leave_free_kick;
+    } else {
+      come_back(id);
+    }
     note(EventKind::returned, side, roster_.number(id));
   }
 }

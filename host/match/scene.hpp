@@ -20,6 +20,7 @@ struct Scene {
   bool kicked = false;               // it did so with a kick
   std::span<const Vector> robots{};  // where they stand
   std::span<const Vector> steps{};   // where their legs carry them, m/s; empty: nobody walks
+  RobotSet turning = 0;              // on their feet, whether or not they walk
   RobotSet touching = 0;             // the ball
   RobotSet fallen = 0, kicking = 0;  // lies or gets up; a kick is under way
   RobotSet acted = ~RobotSet{0};     // has decided something since the last call, or need not have

@@ -37,6 +37,19 @@ int least(RobotSet among, Value value) {
 
 }  // namespace
 
+RobotSet intruders_at_kick_off(const config::Rules& rules, const GameState& state, Roster roster,
+                               std::span<const Vector> robots, RobotSet playing) {
+  const config::FieldSize& field = rules.field;
+  const auto at = [&](int id) { return robots[static_cast<std::size_t>(id)]; };
+  const auto in_own_half = [&](int id) { return at(id).x * attack(roster.side(id), state.half) <= 0.0; };
+  const RobotSet kicking = those(playing, [&](int id) { return roster.side(id) == state.kicking; });
+  const RobotSet beyond = those(playing, [&](int id) { return !in_own_half(id); });
+  const RobotSet may = those(beyond & kicking, [&](int id) { return in_centre_circle(field, at(id)); });
+  const int taker = least(may, [&](int id) { return squared_length(at(id) - state.spot); });
+  const RobotSet in_circle = those(playing & ~kicking, [&](int id) { return in_centre_circle(field, at(id)); });
+  return (taker >= 0 ? beyond & ~only(taker) : beyond) | in_circle;
+}
+
 RobotSet intruders_at_penalty_kick(const config::Rules& rules, const GameState& state, Roster roster,
                                    std::span<const Vector> robots, RobotSet playing) {
   const auto at = [&](int id) { return robots[static_cast<std::size_t>(id)]; };
@@ -59,14 +72,7 @@ RobotSet illegal_in_set(const config::Rules& rules, const GameState& state, Rost
   if (state.set_play == mind::SetPlay::penalty_kick) {
     out |= intruders_at_penalty_kick(rules, state, roster, robots, playing);
   } else {
-    const auto in_own_half = [&](int id) { return at(id).x * attack(roster.side(id), state.half) <= 0.0; };
-    const RobotSet kicking = those(playing, [&](int id) { return roster.side(id) == state.kicking; });
-    const RobotSet beyond = those(playing, [&](int id) { return !in_own_half(id); });
-    // One robot of the side that kicks off may stand beyond the halfway line, in the circle.
-    const RobotSet may = those(beyond & kicking, [&](int id) { return in_centre_circle(field, at(id)); });
-    const int taker = least(may, [&](int id) { return squared_length(at(id) - state.spot); });
-    out |= taker >= 0 ? beyond & ~only(taker) : beyond;
-    out |= those(playing & ~kicking, [&](int id) { return in_centre_circle(field, at(id)); });
+    out |= intruders_at_kick_off(rules, state, roster, robots, playing);
   }
   // Too many in the own goal area: those nearest to its border.
   for (const Side side : both_sides) {

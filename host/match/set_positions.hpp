@@ -15,6 +15,11 @@ namespace regista::match {
 RobotSet illegal_in_set(const config::Rules& rules, const GameState& state, Roster roster,
                         std::span<const Vector> robots, RobotSet playing, double robot_radius);
 
+// Those of `playing` that are in the other side's part of the field at a kick-off: beyond the halfway line, defenders
+// also in the circle. One robot of the side that kicks off may be beyond the line within the circle.
+RobotSet intruders_at_kick_off(const config::Rules& rules, const GameState& state, Roster roster,
+                               std::span<const Vector> robots, RobotSet playing);
+
 // Those of `playing` that are in the penalty area of a penalty kick and must not be: all but the goalkeeper of the
 // defending side and the attacker that is nearest to the ball.
 RobotSet intruders_at_penalty_kick(const config::Rules& rules, const GameState& state, Roster roster,

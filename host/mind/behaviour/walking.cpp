@@ -95,9 +95,40 @@ Vector2d way_around(const Vector2d& from, const Vector2d& to, std::span<const Ob
   return first->position + left * (side * first->radius * 1.1);
 }
 
+Vector2d around_goals(const config::FieldSize& field, double radius, const Vector2d& from, const Vector2d& to) {
+  const double line = field.length / 2.0, post = (field.goal_width + field.post_diameter) / 2.0;
+  const double room = radius + field.post_diameter / 2.0 + 2.0 * post_space;
+  const double mouth = std::max(0.0, post - radius - post_space);  // half of it, for a robot's centre
+  const auto beyond = [&](const Vector2d& point) { return std::abs(point.x()) > line; };
+  const auto in_goal = [&](const Vector2d& point) { return beyond(point) && std::abs(point.y()) < post; };
+  const auto in_mouth = [&](double y) { return std::clamp(y, -mouth, mouth); };
+  // Beside the outside of the goal, or in it, but not in its side.
+  Vector2d target = to;
+  if (in_goal(to)) {
+    const double deepest = line + std::max(0.0, field.goal_depth - radius - post_space);
+    target = {std::clamp(to.x(), -deepest, deepest), in_mouth(to.y())};
+  }
+  if (beyond(to) && !in_goal(to)) target.y() = std::copysign(std::max(post + room, std::abs(to.y())), to.y());
+  const bool same_end = from.x() * target.x() > 0.0;
+  const double end = beyond(from) ? from.x() : target.x();
+  const double before = std::copysign(line - room, end);  // in front of that goal line
+  if (in_goal(from)) return in_goal(target) && same_end ? target : Vector2d(before, in_mouth(from.y()));
+  if (beyond(from)) {
+    const bool same_side = beyond(target) && !in_goal(target) && same_end && from.y() * target.y() > 0.0;
+    const bool goal_between = beyond(target) || std::abs(target.y()) < post + room;
+    return !same_side && goal_between ? Vector2d(before, std::copysign(post + room, from.y())) : target;
+  }
+  if (in_goal(target) && std::abs(from.y()) > mouth + 0.01) return {before, in_mouth(from.y())};
+  if (beyond(target) && !in_goal(target) && std::abs(from.y()) < post + room - 0.01) {
+    return {before, std::copysign(post + room, target.y())};
+  }
+  return target;
+}
+
 Walk walk_to(const Situation& situation, const Pose& target, std::span<const Obstacle> obstacles, bool brisk) {
   const config::Walk& walk = situation.robot.walk;
-  const Vector2d goal(target.x, target.y);
+  const Vector2d goal =
+      around_goals(situation.rules.field, situation.robot.body.radius, situation.frame.origin(), {target.x, target.y});
   const double distance = (goal - situation.frame.origin()).norm();
   if (distance < arrived && !brisk) {
     const double turn = wrap(target.heading - situation.pose.heading);

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "config/robot.hpp"
+#include "config/rules.hpp"
 #include "mind/behaviour/situation.hpp"
 #include "mind/command.hpp"
 #include "mind/geometry.hpp"
@@ -37,6 +38,10 @@ Obstacles obstacles_around(const Situation& situation);
 
 // The point to walk to next on the way from `from` to `to`: `to` itself, or beside the first obstacle in the way.
 Vector2d way_around(const Vector2d& from, const Vector2d& to, std::span<const Obstacle> obstacles);
+
+// The point to walk to first on the way from `from` to `to`, so that nobody walks against the side of a goal: into it
+// and out of it leads its mouth, behind the line beside it a way around the post. `radius`: of the robot.
+Vector2d around_goals(const config::FieldSize& field, double radius, const Vector2d& from, const Vector2d& to);
 
 // Velocity towards a pose. `brisk`: do not slow down to arrive.
 Walk walk_to(const Situation& situation, const Pose& target, std::span<const Obstacle> obstacles, bool brisk = false);

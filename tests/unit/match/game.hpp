@@ -28,7 +28,7 @@ struct Game : testing::Test {
   std::vector<Event> events;
   // Of every scene from now on:
   std::vector<Vector> legs = std::vector<Vector>(14);
-  RobotSet fallen = 0, asleep = 0, at_walls = 0, touching = 0, kicking = 0;
+  RobotSet turning = 0, fallen = 0, asleep = 0, at_walls = 0, touching = 0, kicking = 0;
   std::vector<std::array<std::int8_t, 2>> contacts;
 
   Game() { referee_step(-1, false); }
@@ -49,6 +49,7 @@ struct Game : testing::Test {
                                          .kicked = kicked,
                                          .robots = robots,
                                          .steps = legs,
+                                         .turning = turning,
                                          .touching = touching,
                                          .fallen = fallen,
                                          .kicking = kicking,

@@ -103,6 +103,63 @@ TEST_F(Offences, MotionInSetFreezesOnTheSpotForFifteenSeconds) {
   EXPECT_EQ(robot(Side::away, 6), where);
 }
 
+TEST_F(Offences, TurningInSetIsMotionToo) {
+  until(Phase::set);
+  turning = only(id(Side::away, 6));
+  wait(1.2);
+  EXPECT_EQ(penalty(Side::away, 6), Offence::motion_in_set);
+}
+
+TEST_F(Offences, WhoMayMoveAgainHasTimeToLeaveAFreeKick) {
+  until(Phase::set);
+  turning = only(id(Side::away, 6));
+  wait(1.2);
+  turning = 0;
+  ASSERT_EQ(penalty(Side::away, 6), Offence::motion_in_set);
+  until(Phase::playing);
+  kick(Side::home, 2);
+  wait(1.0);
+  robot(Side::away, 6) = {1.5, 2.6};
+  ball = {1.5, 3.2};
+  step(id(Side::away, 4));  // kick-in for home, next to who must not move
+  ASSERT_EQ(state().set_play, SetPlay::kick_in);
+  while (state().is_penalised(Side::away, 6)) step();
+  step();
+  EXPECT_FALSE(state().is_penalised(Side::away, 6));
+  wait(9.0);
+  EXPECT_FALSE(state().is_penalised(Side::away, 6));
+  wait(1.2);
+  EXPECT_TRUE(state().is_penalised(Side::away, 6));
+}
+
+TEST_F(Offences, WithoutPatienceForTheFallenWhoStandsIsSafe) {
+  rules.offences.fallen = 0.0;
+  restart();
+  play();
+  EXPECT_EQ(state().penalised, (std::array<std::uint32_t, 2>{}));
+}
+
+TEST_F(Offences, WhoComesBackStandsBesideWhoIsThere) {
+  play();
+  ball = {1.0, 1.0};
+  for (int number = 1; number <= 7; ++number) robot(Side::home, number) = {-1.0, 0.5 * (number - 4)};
+  fallen = only(id(Side::home, 4)) | only(id(Side::home, 5));
+  for (int i = 0; i < 760; ++i) {
+    ball.x = i % 200 < 100 ? 1.3 : 0.7;
+    step();
+  }
+  fallen = 0;
+  ASSERT_TRUE(state().is_penalised(Side::home, 4) && state().is_penalised(Side::home, 5));
+  for (int i = 0; i < 2300; ++i) {
+    ball.x = i % 200 < 100 ? 1.3 : 0.7;
+    step();
+  }
+  EXPECT_FALSE(state().is_penalised(Side::home, 4) || state().is_penalised(Side::home, 5));
+  EXPECT_EQ(robot(Side::home, 4), (Vector{-3.2, -3.0}));
+  EXPECT_EQ(robot(Side::home, 5).y, -3.0) << "on the line too";
+  EXPECT_LT(robot(Side::home, 5).x, -3.2) << "away from the ball";
+}
+
 TEST_F(Offences, AFourthInTheOwnGoalAreaIsOneTooMany) {
   play();
   for (const int number : {1, 2, 3}) robot(Side::home, number) = {-4.2, 0.5 * (number - 2)};

@@ -197,12 +197,5 @@ TEST_F(Game, AnOverlongPacketIsNotSentAndSanctioned) {
   EXPECT_FALSE(state().sanctioned[1]);
 }
 
-TEST(Allowance, GrowsWithAddedMinutes) {
-  const config::Messages messages;
-  EXPECT_EQ(Referee::allowance(messages, 0.0), 1200);
-  EXPECT_EQ(Referee::allowance(messages, 59.0), 1200);
-  EXPECT_EQ(Referee::allowance(messages, 150.0), 1320);
-}
-
 }  // namespace
 }  // namespace regista::match

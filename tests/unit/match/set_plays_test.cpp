@@ -76,6 +76,31 @@ TEST_F(SetPlays, ADeflectionIsNoSecondPlay) {
   EXPECT_EQ(state().set_play, SetPlay::goal_kick);
 }
 
+TEST_F(SetPlays, ADribbleOfAnotherIsASecondPlay) {
+  play();
+  ball = {0.0, 3.2};
+  step(id(Side::away, 4));
+  kick(Side::home, 2);
+  for (int i = 0; i < 20; ++i) step(id(Side::home, 3));  // 0.4 s
+  ball = {4.6, 0.0};
+  step();
+  EXPECT_EQ(state().goals[0], 1);
+}
+
+TEST_F(SetPlays, DribblingOnIsNoSelfPass) {
+  play();
+  ball = {0.0, 3.2};
+  step(id(Side::away, 4));
+  for (int i = 0; i < 60; ++i) {  // 1.2 m in touch with the ball
+    ball = {0.02 * i, 2.9};
+    step(id(Side::home, 2));
+  }
+  kick(Side::home, 2);
+  ball = {4.6, 0.0};
+  step();
+  EXPECT_EQ(state().goals[0], 0);
+}
+
 TEST_F(SetPlays, AnOwnGoalNeedsNoSecondPlay) {
   play();
   ball = {-4.6, 2.0};
@@ -119,6 +144,39 @@ TEST_F(SetPlays, WhoEntersTheCircleBeforeTheKickOffIsRemoved) {
   EXPECT_EQ(calls.removed, std::vector{id(Side::away, 3)});
   EXPECT_TRUE(state().is_penalised(Side::away, 3));
   EXPECT_FALSE(state().is_penalised(Side::home, 3));
+}
+
+TEST_F(SetPlays, UntilTheKickOffIsTakenEverybodyStaysAtHome) {
+  until(Phase::playing);
+  robot(Side::away, 3) = {-0.3, 2.0};  // beyond the halfway line
+  robot(Side::home, 3) = {0.3, 2.0};   // so, and not in the circle
+  robot(Side::home, 2) = {0.3, 0.2};   // may take it
+  step();
+  EXPECT_EQ(penalty(Side::away, 3), Offence::illegal_position);
+  EXPECT_EQ(penalty(Side::home, 3), Offence::illegal_position);
+  EXPECT_EQ(penalty(Side::home, 2), Offence::none);
+  kick(Side::home, 2);
+  robot(Side::away, 4) = {-0.3, 2.0};
+  step();
+  EXPECT_EQ(penalty(Side::away, 4), Offence::none);
+}
+
+TEST_F(SetPlays, AHalfEndsInAPenaltyKickToo) {
+  rules.durations.half = 60.0;
+  restart();
+  play();
+  robot(Side::home, 5) = {-3.7, 1.0};
+  robot(Side::away, 5) = {-3.4, 1.0};
+  ball = {-3.7, 1.3};
+  legs_of(Side::home, 5) = {0.2, 0.0};
+  in_contact(Side::home, 5, Side::away, 5);
+  wait(1.2);
+  legs_of(Side::home, 5) = {};
+  contacts.clear();
+  ASSERT_EQ(state().set_play, SetPlay::penalty_kick);
+  wait(60.0);
+  EXPECT_EQ(state().half, 2);
+  EXPECT_NE(state().set_play, SetPlay::penalty_kick);
 }
 
 TEST_F(SetPlays, WhoStoodNearHasTenSecondsToLeaveAndWhoComesNearNone) {
