@@ -34,11 +34,11 @@ mind::Pose re_entry_pose(const config::FieldSize& field, double direction, Vecto
   const double away = mark >= ball.x ? 1.0 : -1.0;
   const auto in_own_half = [&](double x) { return x * direction <= 0.0 && std::fabs(x) <= field.length / 2.0; };
   double x = mark;
-  for (int k = 1; !is_free(x) && k <= 100; ++k) {
+  for (int k = 1; k <= 100 && !(in_own_half(x) && is_free(x)); ++k) {
     // Away, towards the ball, farther away, ...
-    const double beside = mark + (k % 2 == 1 ? away : -away) * gap * ((k + 1) / 2);
-    if (in_own_half(beside)) x = beside;
+    x = mark + (k % 2 == 1 ? away : -away) * gap * ((k + 1) / 2);
   }
+  if (!in_own_half(x)) x = mark;
   return {x, touch_line, -sign(touch_line) * std::numbers::pi / 2.0};
 }
 

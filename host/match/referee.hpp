@@ -96,7 +96,6 @@ class Referee {
   void put_goalkeeper_on_line();
   void put_down(int id, const mind::Pose& wanted);
   void penalise(int id, Offence offence);
-  void come_back(int id);
   void let_back_in();
   void sanction(Side side, EventKind why);
   void announce(bool late = false);

@@ -165,14 +165,6 @@ void Referee::penalise(int id, Offence offence) {
   note(EventKind::penalty, side, roster_.number(id), offence);
 }
 
-void Referee::come_back(int id) {
-  const mind::Pose pose =
-      re_entry_pose(rules_.field, direction(roster_.side(id)), ball_, id, where_, 2.0 * robot_radius_ + clearance);
-  where_[static_cast<std::size_t>(id)] = {pose.x, pose.y};
-  watch_.forget(id);
-  calls_.placements.push_back({id, pose});
-}
-
 void Referee::let_back_in() {
   for (int id = 0; id < roster_.count(); ++id) {
     if (plays(id) || !box_.served(id) || contains(calls_.frozen, id)) continue;
@@ -182,7 +174,8 @@ void Referee::let_back_in() {
     if (on_the_spot(box_.offence(id))) {
       leave_by_[static_cast<std::size_t>(id)] = time_ + rules_.offences.leave_free_kick;
     } else {
-      come_back(id);
+      // Where the line is full, as near to it as there is room.
+      put_down(id, re_entry_pose(rules_.field, direction(side), ball_, id, where_, 2.0 * robot_radius_ + clearance));
     }
     note(EventKind::returned, side, roster_.number(id));
   }

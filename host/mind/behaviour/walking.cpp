@@ -110,19 +110,25 @@ Vector2d around_goals(const config::FieldSize& field, double radius, const Vecto
   }
   if (beyond(to) && !in_goal(to)) target.y() = std::copysign(std::max(post + room, std::abs(to.y())), to.y());
   const bool same_end = from.x() * target.x() > 0.0;
-  const double end = beyond(from) ? from.x() : target.x();
+  const double end = std::abs(from.x()) > line - room ? from.x() : target.x();
   const double before = std::copysign(line - room, end);  // in front of that goal line
   if (in_goal(from)) return in_goal(target) && same_end ? target : Vector2d(before, in_mouth(from.y()));
-  if (beyond(from)) {
-    const bool same_side = beyond(target) && !in_goal(target) && same_end && from.y() * target.y() > 0.0;
-    const bool goal_between = beyond(target) || std::abs(target.y()) < post + room;
-    return !same_side && goal_between ? Vector2d(before, std::copysign(post + room, from.y())) : target;
+  const auto at_line = [&](const Vector2d& point) { return std::abs(point.x()) > line - room + 0.01; };
+  if (at_line(from) && std::abs(from.y()) >= post) {
+    const bool same_side = at_line(target) && same_end && from.y() * target.y() > 0.0 && std::abs(target.y()) >= post;
+    const bool goal_between = at_line(target) || std::abs(target.y()) < post + room || from.y() * target.y() < 0.0;
+    const double y = std::copysign(std::max(post + room, beyond(from) ? 0.0 : std::abs(from.y())), from.y());
+    return !same_side && goal_between ? Vector2d(before, y) : target;
   }
-  if (in_goal(target) && std::abs(from.y()) > mouth + 0.01) return {before, in_mouth(from.y())};
-  if (beyond(target) && !in_goal(target) && std::abs(from.y()) < post + room - 0.01) {
-    return {before, std::copysign(post + room, target.y())};
-  }
-  return target;
+  if (at_line(from) && std::abs(target.y()) >= post && !(at_line(target) && same_end))
+    return {before, in_mouth(from.y())};
+  // In front of the line: past the posts at some distance, before going on.
+  if (!at_line(target)) return target;
+  const double edge = in_goal(target) ? mouth : beyond(target) ? post + room - 0.02 : post;
+  const auto outside = [&](double y) { return std::abs(y) > edge + 0.01; };
+  const bool other_side = outside(from.y()) && outside(target.y()) && from.y() * target.y() < 0.0;
+  if (outside(from.y()) == outside(target.y()) && !other_side) return target;
+  return {before, same_end && at_line(from) ? from.y() : target.y()};
 }
 
 Walk walk_to(const Situation& situation, const Pose& target, std::span<const Obstacle> obstacles, bool brisk) {
