@@ -88,11 +88,20 @@ std::vector<std::string> known_paths(const Reading& reading, std::size_t arm) {
   return out;
 }
 
-// Of a match without set plays and stoppages: what the clock of the game says at its end.
-double play_seconds(const match::Setup& setup) {
+// What the clock of the game says at the end of a match that no difference of goals ends, of all halves together; the
+// clock runs on in the Ready and Set that follow a goal, so Playing is less. It stands before each half's kick-off,
+// which counts for the limit alone.
+double clock_seconds(const match::Setup& setup) {
+  constexpr double initial = 1.0;  // s; match/referee.hpp
   const config::Durations& durations = setup.rules.durations;
-  double seconds = setup.opening ? setup.opening->length : durations.half * durations.halves;
-  if (setup.limit) seconds = std::min(seconds, *setup.limit);
+  if (setup.opening) return setup.limit.value_or(setup.opening->length);
+  double seconds = 0.0, left = setup.limit.value_or(HUGE_VAL);
+  for (int half = 0; half < durations.halves; ++half) {
+    left -= initial + durations.ready + durations.set;
+    const double played = std::clamp(left, 0.0, durations.half);
+    seconds += played;
+    left -= played;
+  }
   return seconds;
 }
 
@@ -245,11 +254,15 @@ class Planner {
     } else {
       double shortest = HUGE_VAL;
       for (match::Setup setup : setups_) {
-        if (scenes_.empty()) shortest = std::min(shortest, play_seconds(setup));
+        if (scenes_.empty()) shortest = std::min(shortest, clock_seconds(setup));
         for (const config::Opening& scene : scenes_) {
           setup.opening = scene;
-          shortest = std::min(shortest, play_seconds(setup));
+          shortest = std::min(shortest, clock_seconds(setup));
         }
+      }
+      if (!(shortest > 0.0)) {
+        config::refuse(document_, {"limit", "minutes"},
+                       "limit: matches would end before their first kick-off, so they make no minutes of the clock");
       }
       plan_.pairs = static_cast<std::uint64_t>(std::ceil(*experiment_.minutes * 60.0 / (2.0 * shortest) - 1e-9));
     }

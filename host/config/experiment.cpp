@@ -135,7 +135,7 @@ Map declare(Experiment& experiment) {
               required(list("arms", experiment.arms, 1, 32, "what is compared")),
               file("team", experiment.team, "of arms that name none"),
               required(file("opponent", experiment.opponent, "the team that every arm plays against")),
-              real("minutes", experiment.minutes, {0.01, 1e6}, "min", "of play for each arm, at least"),
+              real("minutes", experiment.minutes, {0.01, 1e6}, "min", "of the game's clock for each arm (Playing is less)"),
               integer("matches", experiment.matches, {2, 1000000}, "1",
                       "for each arm, an even number: half at home, half away"),
               integer("seed", experiment.seed, {0, 2147483647}, "1", "of the first pair of matches"),

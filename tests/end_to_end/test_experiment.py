@@ -138,9 +138,35 @@ class Played(experiment.Experiment):
         for condition in plan["conditions"]:
             self.assertTrue(condition["home"]["home_inputs"] and condition["home"]["common_inputs"])
 
-    def test_minutes_of_play_make_pairs(self):
-        self.document(changes=[("matches: 4", "minutes: 0.5")])  # 30 s of play, 12 a match, in pairs
-        self.assertEqual(self.experiment()["pairs"], 2)
+    def test_minutes_of_the_clock_make_pairs(self):
+        # Initial 1 s, Ready 3 s and Set 1 s are no time of the clock: 7 s of the 12 are. 30 s are five such matches.
+        self.document(changes=[("matches: 4", "minutes: 0.5")])
+        report = self.experiment()
+        self.assertEqual(report["pairs"], 3)
+        for condition in report["conditions"]:  # counted ten times a second, first and last moment both
+            self.assertLess(condition["playing_minutes_of_a_match"], 7.15 / 60)
+            self.assertGreater(condition["playing_minutes_of_a_match"], 0)
+            self.assertAlmostEqual(condition["playing_minutes_of_a_match"], condition["playing_seconds"] / 60 / 6)
+        self.assertIn("Mean minutes of a match in the phase Playing: at the ball 0.1, beside it 0.1.",
+                      self.succeed("report", "trial.db"))
+        self.document(changes=[("matches: 4", "minutes: 0.5"), ("limit: 12", "limit: 5")])
+        self.assertRegex(self.refused(*self.arguments("--results", "none.db")),
+                         r"e\.yaml:\d+:\d+: limit: .*before their first kick-off")
+
+    def test_rules_that_are_varied_are_the_opponents_too(self):
+        sentence = "Rules and robot are the opponent's, too"
+        self.document("sweep: {path: rules.messages.budget, values: [100, 200]}\n", [("matches: 4", "matches: 2")])
+        swept = self.experiment()
+        self.assertTrue(any(sentence in each and "rules.messages.budget" in each for each in swept["notes"]))
+        self.assertIn(sentence, self.succeed("report", "trial.db"))
+        self.succeed("report", "trial.db", "-o", "page.html")
+        self.assertIn("the same at all values of", (self.folder / "page.html").read_text())
+        self.document(changes=[("matches: 4", "matches: 2"),
+                               ("team: other.yaml}", "team: other.yaml, set: {robot.walk.forward: 0.2}}")])
+        armed = self.experiment("--results", "armed.db")
+        self.assertTrue(any(sentence in each and "robot.walk.forward" in each for each in armed["notes"]))
+        self.document("sweep: {path: disturbance.radio.loss, values: [0, 0.5]}\n", [("matches: 4", "matches: 2")])
+        self.assertFalse(any(sentence in each for each in self.experiment("--results", "own.db")["notes"]))
 
     def test_interrupted_cleanly(self):
         self.document(changes=[("matches: 4", "matches: 400")])
