@@ -291,19 +291,13 @@ class Planner {
     throw config::Error(where, config::unknown("measure", measure, what, known));
   }
 
-  // A path may be written with "roles." before it; it is one measure all the same.
-  static std::string short_name(const std::string& measure) {
-    const std::string_view prefix = "roles.";
-    return measure.starts_with(prefix) ? measure.substr(prefix.size()) : measure;
-  }
-
   void choose_measures() {
     const std::vector<std::string> known = known_measures();
     const auto add = [&](const std::string& measure) {
       if (std::ranges::find(plan_.measures, measure) == plan_.measures.end()) plan_.measures.push_back(measure);
     };
     for (const config::Node& each : experiment_.measures) {
-      const std::string measure = short_name(each.text());
+      const std::string measure = study::without_roles(each.text());
       require_measure(measure, each.where(), "measures", known);
       add(measure);
     }
@@ -311,7 +305,7 @@ class Planner {
       for (const std::string& each : usual_measures(known)) add(each);
     }
     if (!experiment_.primary) return;
-    plan_.primary = short_name(experiment_.primary->measure);
+    plan_.primary = study::without_roles(experiment_.primary->measure);
     require_measure(plan_.primary, document_["primary"]["measure"].where(), "primary", known);
     add(plan_.primary);
     plan_.test = experiment_.primary->test == config::Experiment::Test::sign_flip ? study::PairTest::sign_flip

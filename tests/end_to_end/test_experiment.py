@@ -3,6 +3,7 @@
 
 import json
 import math
+import shlex
 import statistics
 import time
 import unittest
@@ -202,6 +203,20 @@ class Page(experiment.Experiment):
                     low = mean["interval"][0] if mean["interval"] else mean["mean"]
                     self.assertAlmostEqual(float(row[f"{arm} {last} low"]), low, places=9)
 
+    def test_figures_of_an_earlier_experiment_do_not_stay(self):
+        sweep = "sweep: {path: disturbance.radio.loss, values: [0, 0.5]}\nmeasures: [goals]\n"
+        self.document(sweep, [("matches: 4", "matches: 2")])
+        self.experiment("--results", "night.db")
+        figures = self.folder / "night.figures"
+        self.assertTrue((figures / "sweep_1.csv").exists())
+        for kept in ("sweep_1.txt", "sweep_x.csv", "mine.svg"):
+            (figures / kept).write_text("of the user")
+        (self.folder / "night.db").unlink()
+        self.document(changes=[("matches: 4", "matches: 2")])
+        self.experiment("--results", "night.db")
+        self.assertEqual({each.name for each in figures.iterdir()},
+                         {"roles.csv", "roles.gnuplot", "roles.svg", "roles.png", "sweep_1.txt", "sweep_x.csv", "mine.svg"})
+
     def test_page_is_a_function_of_the_results(self):
         self.experiment("--results", "one.db", "--workers", 1)
         before = (self.folder / "one.html").read_bytes()
@@ -225,6 +240,9 @@ class BadInput(experiment.Experiment):
         self.assertRegex(line, r"e\.yaml:5:\d+: utility\.terms\.near\.wieght: .*nearest paths: utility\.terms\.near\.weight")
         line = self.refusal("sweep: {path: opponent.utility.terms.near.weigth, values: [1]}\n")
         self.assertIn("nearest paths: opponent.utility.terms.near.weight", line)
+        line = self.refusal(changes=[("team: other.yaml}", "team: other.yaml, set: {utility.terms.naer.weight: 1}}")])
+        self.assertRegex(line, r"e\.yaml:5:\d+: utility\.terms\.naer\.weight: no such path: .*nearest paths: "
+                               r"utility\.terms\.near\.weight")
 
     def test_values_that_do_not_fit(self):
         line = self.refusal("sweep: {path: rules.messages.budget, values: [100, -5]}\n")
@@ -247,6 +265,19 @@ class BadInput(experiment.Experiment):
              r"e\.yaml:\d+:\d+: .*unknown arm \"beside\""),
             ("primary: {measure: goals, compare: [[beside it, beside it]]}\n", [], r"compared with itself"),
             ("sweep: {path: rules.messages.budget, values: [1, 1]}\n", [], r"the same value a second time"),
+            ("sweep: {path: disturbance.radio.loss, values: [0.1, 1e-1]}\n", [], r"the same value a second time"),
+            ("sweep: {path: disturbance.radio.loss, values: [0, 0.10, 0.1]}\n", [], r"the same value a second time"),
+            ("sweep: {path: roles.playing.striker.target.shift, values: [[1, 0], [1.0, 0]]}\n", [],
+             r"the same value a second time"),
+            ("primary: {measure: goals, compare: [[at the ball, beside it], [beside it, at the ball]]}\n", [],
+             r"e\.yaml:\d+:\d+: primary\.compare: the same two arms a second time"),
+            ("sweep: {path: disturbance.radio.loss, values: [0, 0.5]}\n",
+             [("team: other.yaml}", "team: other.yaml, set: {disturbance.radio: {loss: 0.1}}}")],
+             r"e\.yaml:5:\d+: disturbance\.radio: the sweep sets disturbance\.radio\.loss in every arm"),
+            ("sweep: {path: opponent, values: [worse.yaml, small.yaml]}\n", [],
+             r"e\.yaml:\d+:\d+: sweep: opponent: a path inside it is wanted, as in `opponent\.sender\.plugin`"),
+            ("set: {rules: hsl2026}\n", [("set: {rules.durations.ready: 3, rules.durations.set: 1}\n", "")],
+             r"set: rules: a path inside it is wanted"),
             ("sweep: {path: rules.messages.budget, values: []}\n", [], r"e\.yaml:\d+:\d+: .*the list is empty"),
             ("sweep: {path: home.sender, values: [1]}\n", [], r"each arm plays at home and away"),
             ("confidence: 1\n", [], r"confidence: \"1\" is outside"),
@@ -268,6 +299,15 @@ class BadInput(experiment.Experiment):
         self.assertIn("--workers", self.refused(*self.arguments("--workers", 0)))
         self.assertIn("one of them", self.refused(*self.arguments("--minutes", 5, "--matches", 4)))
         self.assertIn("is odd", self.refused(*self.arguments("--matches", 3)))
+
+    def test_the_second_example_of_the_help(self):
+        example = next(line for line in self.succeed("experiment", "--help").splitlines() if "yaml --set " in line)
+        override = shlex.split(example)[-1]
+        self.assertEqual(override, "arms.events.set={sender.params.reserve: 60}")
+
+    def test_nothing_to_resume(self):
+        line = self.refused(*self.arguments("--quiet", "--resume"))
+        self.assertEqual(line, "--resume: trial.db: no such file; without --resume it is begun")
 
     def test_resumed_with_something_else(self):
         self.experiment()
