@@ -29,7 +29,7 @@ namespace {
 constexpr auto examples = R"(Examples:
   regista experiment configs/studies/role_overlap.yaml
   regista experiment configs/studies/role_overlap.yaml --matches 4 --csv matches.csv
-  regista experiment configs/studies/role_overlap.yaml --set arms.events.set={sender.params.reserve: 60}
+  regista experiment configs/studies/role_overlap.yaml --set arms.events.set='{sender.params.reserve: 60}'
   regista experiment configs/studies/packet_loss.yaml --results night.db
   regista experiment configs/studies/packet_loss.yaml --results night.db --resume
   regista report night.db --json
@@ -164,7 +164,7 @@ Command add_experiment(CLI::App& parent, const Invocation& invocation) {
   app.add_option("--set", options->overrides, "a value laid over that document; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--minutes", options->minutes, "play so much for each arm, whatever the document says")
+  app.add_option("--minutes", options->minutes, "play so much of the game's clock for each arm, whatever the document says")
       ->type_name("N");
   app.add_option("--matches", options->matches, "play so many matches for each arm, whatever the document says")
       ->type_name("N");

@@ -17,10 +17,27 @@ namespace {
 // What stands before the first dot, where it says which document is meant.
 constexpr std::array<std::string_view, 2> of_both{"rules", "robot"};
 
+// Those that are not the arm's team.
+constexpr std::array<std::string_view, 5> documents{"opponent", "rules", "robot", "disturbance",
+                                                    "opponent_disturbance"};
+
+std::string example(std::string_view document) {
+  const std::string_view inside = document == "opponent" ? "sender.plugin"
+                                  : document == "rules"  ? "messages.budget"
+                                  : document == "robot"  ? "walk.forward"
+                                                         : "radio.loss";
+  return fmt::format("{}.{}", document, inside);
+}
+
 std::string_view first_part(std::string_view path) { return path.substr(0, path.find('.')); }
 
 std::string side_name(std::size_t side) {
   return std::string(match::name(side == 0 ? match::Side::home : match::Side::away));
+}
+
+// sender.params.period is inside sender.
+bool is_inside(std::string_view path, std::string_view whole) {
+  return path.size() > whole.size() && path.starts_with(whole) && path[whole.size()] == '.';
 }
 
 void add(const config::Node& map, const std::string& what, std::vector<Setting>& out) {
@@ -34,6 +51,12 @@ void add(const config::Node& map, const std::string& what, std::vector<Setting>&
     }
     if (document == "opening") {
       throw config::Error(entry.key_where, fmt::format("{}: {}: scenes are the same for all arms", what, entry.key));
+    }
+    if (document == entry.key && std::ranges::find(documents, document) != documents.end()) {
+      throw config::Error(entry.key_where,
+                          fmt::format("{}: {}: a path inside it is wanted, as in `{}`; the whole of it is named by a "
+                                      "file, `{}:` of the experiment",
+                                      what, entry.key, example(document), entry.key));
     }
     out.push_back({entry.key, config::flow(entry.value), entry.key_where, entry.value.where()});
   }
@@ -60,8 +83,15 @@ std::vector<Setting> settings_of(const config::Experiment& experiment, const con
   const std::string& path = experiment.sweep->path;
   const config::Location where = document["sweep"]["path"].where();
   for (std::size_t i = common; i < out.size(); ++i) {
-    if (out[i].path != path) continue;
-    throw config::Error(out[i].path_where, fmt::format("{}: the sweep sets this path in every arm", path));
+    if (out[i].path == path) {
+      throw config::Error(out[i].path_where, fmt::format("{}: the sweep sets this path in every arm", path));
+    }
+    if (is_inside(out[i].path, path) || is_inside(path, out[i].path)) {
+      throw config::Error(out[i].path_where,
+                          fmt::format("{}: the sweep sets {} in every arm, and one of them is a part of the other; "
+                                      "name the other parts one by one",
+                                      out[i].path, path));
+    }
   }
   const config::Node& node = experiment.sweep->values[value];
   add(config::Node::map({{path, where, node}}, where), "sweep", out);
@@ -95,8 +125,8 @@ config::Error told_at_its_place(const config::Error& error, const std::vector<Se
   if (paths.empty() || std::ranges::find(paths, meant->path) != paths.end()) {
     return {meant->value_where, fmt::format("{}: {}", meant->path, message)};
   }
-  return {meant->path_where,
-          fmt::format("{}: {}; nearest paths: {}", meant->path, message, config::join(nearest(meant->path, paths)))};
+  return {meant->path_where, fmt::format("{}: no such path: {}; nearest paths: {}", meant->path, message,
+                                         config::join(nearest(meant->path, paths)))};
 }
 
 }  // namespace regista::cli

@@ -88,11 +88,20 @@ std::vector<std::string> known_paths(const Reading& reading, std::size_t arm) {
   return out;
 }
 
-// Of a match without set plays and stoppages: what the clock of the game says at its end.
-double play_seconds(const match::Setup& setup) {
+// What the clock of the game says at the end of a match that no difference of goals ends, of all halves together; the
+// clock runs on in the Ready and Set that follow a goal, so Playing is less. It stands before each half's kick-off,
+// which counts for the limit alone.
+double clock_seconds(const match::Setup& setup) {
+  constexpr double initial = 1.0;  // s; match/referee.hpp
   const config::Durations& durations = setup.rules.durations;
-  double seconds = setup.opening ? setup.opening->length : durations.half * durations.halves;
-  if (setup.limit) seconds = std::min(seconds, *setup.limit);
+  if (setup.opening) return setup.limit.value_or(setup.opening->length);
+  double seconds = 0.0, left = setup.limit.value_or(HUGE_VAL);
+  for (int half = 0; half < durations.halves; ++half) {
+    left -= initial + durations.ready + durations.set;
+    const double played = std::clamp(left, 0.0, durations.half);
+    seconds += played;
+    left -= played;
+  }
   return seconds;
 }
 
@@ -245,11 +254,15 @@ class Planner {
     } else {
       double shortest = HUGE_VAL;
       for (match::Setup setup : setups_) {
-        if (scenes_.empty()) shortest = std::min(shortest, play_seconds(setup));
+        if (scenes_.empty()) shortest = std::min(shortest, clock_seconds(setup));
         for (const config::Opening& scene : scenes_) {
           setup.opening = scene;
-          shortest = std::min(shortest, play_seconds(setup));
+          shortest = std::min(shortest, clock_seconds(setup));
         }
+      }
+      if (!(shortest > 0.0)) {
+        config::refuse(document_, {"limit", "minutes"},
+                       "limit: matches would end before their first kick-off, so they make no minutes of the clock");
       }
       plan_.pairs = static_cast<std::uint64_t>(std::ceil(*experiment_.minutes * 60.0 / (2.0 * shortest) - 1e-9));
     }
@@ -278,19 +291,13 @@ class Planner {
     throw config::Error(where, config::unknown("measure", measure, what, known));
   }
 
-  // A path may be written with "roles." before it; it is one measure all the same.
-  static std::string short_name(const std::string& measure) {
-    const std::string_view prefix = "roles.";
-    return measure.starts_with(prefix) ? measure.substr(prefix.size()) : measure;
-  }
-
   void choose_measures() {
     const std::vector<std::string> known = known_measures();
     const auto add = [&](const std::string& measure) {
       if (std::ranges::find(plan_.measures, measure) == plan_.measures.end()) plan_.measures.push_back(measure);
     };
     for (const config::Node& each : experiment_.measures) {
-      const std::string measure = short_name(each.text());
+      const std::string measure = study::without_roles(each.text());
       require_measure(measure, each.where(), "measures", known);
       add(measure);
     }
@@ -298,7 +305,7 @@ class Planner {
       for (const std::string& each : usual_measures(known)) add(each);
     }
     if (!experiment_.primary) return;
-    plan_.primary = short_name(experiment_.primary->measure);
+    plan_.primary = study::without_roles(experiment_.primary->measure);
     require_measure(plan_.primary, document_["primary"]["measure"].where(), "primary", known);
     add(plan_.primary);
     plan_.test = experiment_.primary->test == config::Experiment::Test::sign_flip ? study::PairTest::sign_flip

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 
 #include "cli/end_of_program.hpp"
 #include "config/text.hpp"
@@ -58,6 +60,10 @@ auto opening(Open open) {
 
 campaign::Store open_results(const std::string& file, bool resume, const StudyPlan& plan,
                              const std::vector<std::string>& documents) {
+  std::error_code error;
+  if (resume && std::filesystem::status(file, error).type() == std::filesystem::file_type::not_found) {
+    throw BadInput(fmt::format("--resume: {}: no such file; without --resume it is begun", config::one_line(file)));
+  }
   return opening([&] {
     campaign::Store store(file, resume ? campaign::Store::Mode::open : campaign::Store::Mode::create, REGISTA_VERSION);
     const std::string stored = store.meta(schedule);

@@ -3,13 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "cli/end_of_program.hpp"
 #include "cli/output.hpp"
+#include "report/experiment_figures.hpp"
 #include "report/gnuplot.hpp"
 #include "report/page_parts.hpp"
 #include "report/svg.hpp"
@@ -20,15 +24,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::array<std::string_view, 4> figure_endings{".csv", ".gnuplot", ".svg", ".png"};
+
 void write_figure(const fs::path& folder, const report::Drawing& drawn, const std::string& svg, Existing existing) {
   const report::Figure& figure = drawn.figure;
-  const auto write = [&](const char* end, std::string_view bytes) {
-    if (!bytes.empty()) write_whole(folder / (figure.name + end), bytes, existing);
+  const auto write = [&](std::string_view end, std::string_view bytes) {
+    if (!bytes.empty()) write_whole(folder / (figure.name + std::string(end)), bytes, existing);
   };
-  write(".csv", figure.csv);
-  write(".gnuplot", report::gnuplot_script(figure, report::Picture::svg));
-  write(".svg", svg);
-  write(".png", drawn.png);
+  write(figure_endings[0], figure.csv);
+  write(figure_endings[1], report::gnuplot_script(figure, report::Picture::svg));
+  write(figure_endings[2], svg);
+  write(figure_endings[3], drawn.png);
 }
 
 // Draws what there is to draw; complains once for all that cannot be drawn.
@@ -75,6 +81,20 @@ void make_folder(const fs::path& folder) {
                              error ? error.message() : std::string("there is a file of this name")));
 }
 
+// Files of the names that an experiment's figures have, and no others. What cannot be removed stays.
+void remove_experiment_figures(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (const fs::directory_entry& each : fs::directory_iterator(folder, error)) {
+    const fs::path& file = each.path();
+    std::error_code unknown;
+    if (!fs::is_regular_file(each.symlink_status(unknown))) continue;
+    const bool ours = std::ranges::find(figure_endings, file.extension().string()) != figure_endings.end();
+    if (ours && report::is_experiment_figure(file.stem().string())) found.push_back(file);
+  }
+  for (const fs::path& each : found) fs::remove(each, error);
+}
+
 // Before work begins, for what is known by then.
 void refuse_existing(const fs::path& file, Existing existing) {
   std::error_code error;
@@ -104,6 +124,7 @@ void write_page(const StoredResults& results, const PageWishes& wishes) {
     const ToldStudy told = told_study(results);
     if (!told.incomplete.empty()) complain(told.incomplete);
     if (wishes.figures) make_folder(*wishes.figures);
+    if (wishes.figures && wishes.only_these) remove_experiment_figures(*wishes.figures);
     std::vector<report::PageFigure> figures = drawn_figures(told, wishes);
     if (wishes.page) write_whole(*wishes.page, told.page(*wishes.page, std::move(figures)), wishes.existing);
   } catch (const campaign::StoreError& error) {
@@ -129,6 +150,7 @@ std::optional<fs::path> write_page_beside(const StoredResults& results, bool fig
       wishes.figures = study::figure_folder(results.file);
       wishes.png = true;
       wishes.existing = Existing::replaced;
+      wishes.only_these = true;
     }
     write_page(results, wishes);
     return page;

@@ -16,6 +16,7 @@ struct PageWishes {
   std::optional<std::filesystem::path> figures;  // a folder, which is made where it is missing
   bool png = false;
   Existing existing = Existing::refused;
+  bool only_these = false;  // figures of an earlier experiment are removed from the folder first
 };
 
 // Complains in one line where figures cannot be drawn, or results are missing. Throws BadInput and WriteError.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "config/file.hpp"
 #include "config/line.hpp"
@@ -23,6 +24,23 @@ std::span<const Node> elements_of(const Node& node, const std::string& what, con
 
 Node sequence_of(const std::vector<Node>& elements) { return elements.empty() ? Node() : Node::sequence(elements, {}); }
 
+std::optional<double> number_of(const Node& node) {
+  if (node.kind() != Node::Kind::scalar || node.quoted()) return std::nullopt;
+  try {
+    return to_real(node, "");
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+// However it is written: 0.1 and 1e-1 are one value.
+bool same_value(const Node& a, const Node& b) {
+  const auto number = number_of(a), other = number_of(b);
+  if (number && other) return *number == *other;
+  if (a.kind() != Node::Kind::sequence || b.kind() != Node::Kind::sequence) return same(a, b);
+  return std::ranges::equal(a.elements(), b.elements(), same_value);
+}
+
 Field values(std::string key, std::vector<Node>& values, std::string doc) {
   return {std::move(key), std::move(doc),
           Own{"values",
@@ -32,7 +50,7 @@ Field values(std::string key, std::vector<Node>& values, std::string doc) {
                 for (std::size_t i = 0; i < values.size(); ++i) {
                   if (values[i].kind() == Node::Kind::null) refuse_kind(values[i], what, "a value");
                   for (std::size_t j = 0; j < i; ++j) {
-                    if (!same(values[i], values[j])) continue;
+                    if (!same_value(values[i], values[j])) continue;
                     throw Error(values[i].where(), what + ": the same value a second time");
                   }
                 }
@@ -135,7 +153,8 @@ Map declare(Experiment& experiment) {
               required(list("arms", experiment.arms, 1, 32, "what is compared")),
               file("team", experiment.team, "of arms that name none"),
               required(file("opponent", experiment.opponent, "the team that every arm plays against")),
-              real("minutes", experiment.minutes, {0.01, 1e6}, "min", "of play for each arm, at least"),
+              real("minutes", experiment.minutes, {0.01, 1e6}, "min",
+                   "of the game's clock for each arm (Playing is less)"),
               integer("matches", experiment.matches, {2, 1000000}, "1",
                       "for each arm, an even number: half at home, half away"),
               integer("seed", experiment.seed, {0, 2147483647}, "1", "of the first pair of matches"),
@@ -167,10 +186,18 @@ void check(const Experiment& experiment, const Node& document) {
            fmt::format("matches: {} is odd; half of them are played at home, half away", *experiment.matches));
   }
   if (!experiment.primary) return;
-  for (const Node& pair : experiment.primary->compare) {
+  const std::vector<Node>& compared = experiment.primary->compare;
+  for (std::size_t i = 0; i < compared.size(); ++i) {
+    const Node& pair = compared[i];
     for (const Node& arm : pair.elements()) require_arm(experiment, arm);
     if (pair.elements()[0].text() == pair.elements()[1].text()) {
       throw Error(pair.where(), "primary.compare: an arm is compared with itself");
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto arms = pair.elements(), others = compared[j].elements();
+      if (std::ranges::is_permutation(arms, others, {}, &Node::text, &Node::text)) {
+        throw Error(pair.where(), "primary.compare: the same two arms a second time");
+      }
     }
   }
 }

@@ -50,7 +50,7 @@ struct Experiment {
   std::string name, question;
   std::vector<Arm> arms;
   std::string team, opponent;     // files; team: of arms that name none
-  std::optional<double> minutes;  // of play for each arm and value, at least
+  std::optional<double> minutes;  // of the game's clock for each arm and value
   std::optional<int> matches;     // for each arm and value, even
   int seed = 1;
   std::string rules, robot;                       // files; empty: the built-in values

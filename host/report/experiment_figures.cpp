@@ -264,6 +264,14 @@ std::optional<Figure> curve(const ExperimentView& view, std::size_t measure, std
 
 }  // namespace
 
+bool is_experiment_figure(std::string_view name) {
+  if (name == "roles") return true;
+  const std::string_view prefix = "sweep_";
+  if (!name.starts_with(prefix)) return false;
+  const std::string_view number = name.substr(prefix.size());
+  return !number.empty() && number.size() <= 3 && number.find_first_not_of("0123456789") == number.npos;
+}
+
 std::vector<Figure> experiment_figures(const ExperimentView& view) {
   std::vector<Figure> out;
   if (!view.plan.swept()) {

@@ -19,6 +19,18 @@ double margin_of(const study::MeanEstimate& estimate) {
 
 std::string p_text(double p) { return p < 0.0001 ? "p < 0.0001" : fmt::format("p = {:.2g}", p); }
 
+const char* by_text(study::PairMethod by) {
+  switch (by) {
+    case study::PairMethod::student_t:
+      break;
+    case study::PairMethod::sign_flip:
+      return " (all signs, exact)";
+    case study::PairMethod::sign_flip_normal_law:
+      return " (all signs, by the normal law)";
+  }
+  return "";
+}
+
 // "fixed rate 3.2 > events 2.1 > paper 1.0"
 std::string order_text(const ExperimentView& view, std::size_t measure, std::size_t value) {
   const study::ExperimentPlan& plan = view.plan;
@@ -52,8 +64,8 @@ std::string comparison_text(const ExperimentView& view, const Finding& finding) 
                                            : fmt::format("{} has {} {} than {}", first, rounded(size, margin),
                                                          difference.mean > 0.0 ? "more" : "less", second);
   if (difference.interval) {
-    out += fmt::format(" (difference {} to {})", rounded(difference.interval->low, margin),
-                       rounded(difference.interval->high, margin));
+    out += fmt::format(" (difference {} to {}, {:.4g} % by itself)", rounded(difference.interval->low, margin),
+                       rounded(difference.interval->high, margin), 100.0 * plan.confidence);
   }
   out += fmt::format(", {} {}", difference.pairs, difference.pairs == 1 ? "pair" : "pairs");
   if (study::equal_conditions(plan, finding.comparison)) {
@@ -61,7 +73,10 @@ std::string comparison_text(const ExperimentView& view, const Finding& finding) 
   }
   if (!view.course.complete()) return out + ".";
   if (!finding.adjusted) return out + ": too few pairs for a test.";
-  out += fmt::format("; {}, {} after Holm", p_text(*finding.p), p_text(*finding.adjusted));
+  if (plan.test == study::PairTest::paired_t && finding.by != study::PairMethod::student_t) {
+    out += "; every pair differs by as much, and without spread Student's t is not defined";
+  }
+  out += fmt::format("; {}{}, {} after Holm", p_text(*finding.p), by_text(finding.by), p_text(*finding.adjusted));
   return out + (finding.found ? ": a difference was found."
                               : ": no difference was found, which does not prove that "
                                 "there is none.");

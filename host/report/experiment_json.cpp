@@ -56,6 +56,7 @@ Json primary_json(const ExperimentView& view) {
               {"second", condition(plan, finding.comparison.second)}};
     each.update(json_of(finding.difference));
     each["p"] = or_null(finding.p);
+    each["p_by"] = finding.p ? Json(study::name(finding.by)) : Json(nullptr);
     each["p_holm"] = or_null(finding.adjusted);
     each["found"] = finding.found;
     each["equal_by_construction"] = study::equal_conditions(plan, finding.comparison);
@@ -89,6 +90,8 @@ std::string experiment_json(const ExperimentView& view) {
   for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
     Json each = condition(plan, i);
     each["playing_seconds"] = view.course.playing_seconds(i);
+    const auto of_a_match = view.course.playing_seconds_of_a_match(i);
+    each["playing_minutes_of_a_match"] = of_a_match ? Json(*of_a_match / 60.0) : Json(nullptr);
     each["forfeits"] = view.course.forfeits().of_team()[i];
     played.push_back(each);
   }
@@ -98,6 +101,7 @@ std::string experiment_json(const ExperimentView& view) {
   out["measures"] = measures;
   out["primary"] = primary_json(view);
   out["findings"] = finding_sentences(view);
+  out["notes"] = experiment_notes(view);
   Json forfeits = Json::array();
   for (const study::Forfeits& each : view.course.forfeits().listed()) {
     const bool opponent = each.team == plan.conditions.size();

@@ -39,7 +39,7 @@ Html tiles(const ExperimentView& view) {
   if (plan.swept()) out << tile(text(fmt::format("{}", plan.values.size())), text("values of the sweep"));
   out << tile(text(fmt::format("{}", plan.pairs)), text("pairs of matches each: same seed, both sides"));
   out << tile(text(least == most ? fmt::format("{:.0f}", least) : fmt::format("{:.0f} – {:.0f}", least, most)),
-              text("minutes of play each"));
+              text("minutes in Playing each"));
   out << tile(text(fmt::format("{}", view.course.taken())), text(fmt::format("matches of {} planned", plan.matches())));
   return out << "</div>\n"_html;
 }
@@ -79,7 +79,11 @@ Html means_section(const ExperimentView& view) {
       table.row(cells);
     }
   }
-  Html out = "<p class=\"note\">"_html;
+  Html out;
+  for (const std::string& each : experiment_notes(view)) {
+    out << "<p class=\"note\">"_html << text(each) << "</p>\n"_html;
+  }
+  out << "<p class=\"note\">"_html;
   out << text(fmt::format("Times are minutes in 60 minutes of play, all else is the mean of a match; ± what holds with "
                           "{:.4g} % by Student's t, the pair of matches as the unit.",
                           100.0 * plan.confidence))

@@ -209,6 +209,9 @@ std::string experiment_text(const ExperimentView& view) {
       out += "\nDifferences, pair by pair (of single roles: --json, or the page):\n\n" + differences_table(view);
     out += '\n';
   }
+  const std::vector<std::string> notes = experiment_notes(view);
+  for (const std::string& sentence : notes) out += sentence + '\n';
+  if (!notes.empty()) out += '\n';
   for (const std::string& sentence : finding_sentences(view)) out += sentence + '\n';
   return out + failures_text(view);
 }

@@ -71,6 +71,11 @@ double sign_flip_p_of_values(std::span<const double> values) {
   return far <= 0.0 ? 1.0 : std::min(1.0, 2.0 * beyond / of);
 }
 
+bool sign_flip_of_values_is_exact(std::span<const double> values) {
+  const auto zeros = static_cast<std::size_t>(std::count(values.begin(), values.end(), 0.0));
+  return values.size() - zeros <= most_enumerated;
+}
+
 double sign_flip_p(const PairCounts& pairs) {
   // In quarters of a point above 1/2: -2, -1, 0, 1, 2.
   const Count ones = pairs.seen[1] + pairs.seen[3], twos = pairs.seen[0] + pairs.seen[4];

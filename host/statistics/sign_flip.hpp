@@ -15,7 +15,8 @@ namespace regista::statistics {
 double sign_flip_p(const PairCounts& pairs);
 
 // The same for one finite value per pair, such as the difference of two teams: of their sum, over all signs that the
-// values other than 0 could have. Exact for up to 32 of these, beyond by the normal law.
+// values other than 0 could have. Exact for up to 32 of these, beyond by the normal law without continuity correction.
 double sign_flip_p_of_values(std::span<const double> values);
+bool sign_flip_of_values_is_exact(std::span<const double> values);
 
 }  // namespace regista::statistics

@@ -22,6 +22,7 @@ Experiment::Experiment(const ExperimentPlan& plan)
     : plan_(plan),
       values_(plan.conditions.size() * plan.measures.size()),
       playing_seconds_(plan.conditions.size(), 0.0),
+      played_(plan.conditions.size(), 0),
       forfeits_(plan.conditions.size() + 1) {}
 
 void Experiment::take(const campaign::Decided& decided) {
@@ -34,6 +35,7 @@ void Experiment::take(const campaign::Decided& decided) {
   } else {
     played.emplace(decided, static_cast<int>(trial.side));
     playing_seconds_[trial.condition] += played->playing_seconds();
+    ++played_[trial.condition];
   }
   ++next_;
   if (trial.side == 0) {
@@ -65,6 +67,11 @@ std::span<const double> Experiment::per_match(std::size_t condition, std::size_t
   return at(condition, measure).per_match;
 }
 
+std::optional<double> Experiment::playing_seconds_of_a_match(std::size_t condition) const {
+  if (played_[condition] == 0) return std::nullopt;
+  return playing_seconds_[condition] / static_cast<double>(played_[condition]);
+}
+
 MeanEstimate Experiment::mean(std::size_t condition, std::size_t measure) const {
   return mean_of(values(condition, measure), plan_.confidence);
 }
@@ -85,16 +92,23 @@ std::vector<Finding> findings(const ExperimentPlan& plan, const Experiment& cour
   if (!measure) return out;
   std::vector<double> tested;
   for (const Comparison& each : plan.comparisons) {
-    Finding& finding = out.emplace_back(Finding{each, course.difference(each, *measure), {}, {}, false});
+    Finding& finding = out.emplace_back(Finding{each, course.difference(each, *measure), {}, {}, {}, false});
     if (!course.complete()) continue;
-    finding.p = p_of_difference(course.values(each.first, *measure), course.values(each.second, *measure), plan.test);
-    if (finding.p) tested.push_back(*finding.p);
+    const auto p =
+        p_of_difference(course.values(each.first, *measure), course.values(each.second, *measure), plan.test);
+    if (p) {
+      finding.p = p->p;
+      finding.by = p->by;
+    }
+    // How many comparisons there are was fixed beforehand: one without a p is none that was never asked for.
+    tested.push_back(finding.p.value_or(1.0));
   }
+  if (tested.empty()) return out;
   const std::vector<double> adjusted = statistics::holm(tested);
-  std::size_t next = 0;
-  for (Finding& each : out) {
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    Finding& each = out[i];
     if (!each.p) continue;
-    each.adjusted = adjusted[next++];
+    each.adjusted = adjusted[i];
     each.found = *each.adjusted <= 1.0 - plan.confidence;
   }
   return out;

@@ -36,7 +36,9 @@ class Experiment {
   MeanEstimate mean(std::size_t condition, std::size_t measure) const;
   MeanEstimate difference(const Comparison& comparison, std::size_t measure) const;
 
-  double playing_seconds(std::size_t condition) const { return playing_seconds_[condition]; }  // of all matches
+  // In the phase Playing: of all matches that were not forfeited; nothing before the first of them.
+  double playing_seconds(std::size_t condition) const { return playing_seconds_[condition]; }
+  std::optional<double> playing_seconds_of_a_match(std::size_t condition) const;
   const ForfeitList& forfeits() const { return forfeits_; }  // by condition; last: the opponent
 
  private:
@@ -48,6 +50,7 @@ class Experiment {
   const ExperimentPlan& plan_;
   std::vector<Values> values_;  // by condition, then measure
   std::vector<double> playing_seconds_;
+  std::vector<std::uint64_t> played_;     // matches that were not forfeited, by condition
   std::optional<MatchMeasures> at_home_;  // of the pair under way
   ForfeitList forfeits_;
   std::uint64_t next_ = 0;
@@ -57,8 +60,9 @@ class Experiment {
 struct Finding {
   Comparison comparison;
   MeanEstimate difference;
-  std::optional<double> p, adjusted;  // adjusted: by Holm, for all comparisons that have a p
-  bool found = false;                 // adjusted <= 1 - confidence
+  std::optional<double> p, adjusted;  // adjusted: by Holm, for all comparisons of the plan
+  PairMethod by = PairMethod::student_t;
+  bool found = false;  // adjusted <= 1 - confidence
 };
 
 // Of all comparisons, in the plan's order; empty without a primary measure. p and adjusted only of an experiment that

@@ -188,8 +188,12 @@ ExperimentPlan experiment_plan_from_json(const std::string& text) {
 
 std::vector<std::string> differences(const ExperimentPlan& before, const ExperimentPlan& now) {
   std::vector<std::string> out;
-  const auto note = [&](const std::string& what, const auto& then, const auto& today) {
-    if (then != today) out.push_back(fmt::format("{} was {}, now {}", what, then, today));
+  const auto note = [&](const std::string& what, const auto& then, const auto& today, const char* verb = "was") {
+    if (then != today) out.push_back(fmt::format("{} {} {}, now {}", what, verb, then, today));
+  };
+  const auto lists = [&](const std::string& what, const std::vector<std::string>& then,
+                         const std::vector<std::string>& today) {
+    note(what, fmt::format("{}", fmt::join(then, ", ")), fmt::format("{}", fmt::join(today, ", ")), "were");
   };
   const auto names = [](const ExperimentPlan& plan) {
     std::vector<std::string> all;
@@ -197,13 +201,12 @@ std::vector<std::string> differences(const ExperimentPlan& before, const Experim
     return all;
   };
   note("the experiment", before.name, now.name);
-  note("the arms", fmt::format("{}", fmt::join(names(before), ", ")), fmt::format("{}", fmt::join(names(now), ", ")));
+  lists("the arms", names(before), names(now));
   note("the path of the sweep", before.sweep, now.sweep);
-  note("the sweep", fmt::format("{}", fmt::join(before.values, ", ")), fmt::format("{}", fmt::join(now.values, ", ")));
+  lists("the values of the sweep", before.values, now.values);
   note("the number of matches for each arm", 2 * before.pairs, 2 * now.pairs);
   note("the first seed", before.first_seed, now.first_seed);
-  note("the measures", fmt::format("{}", fmt::join(before.measures, ", ")),
-       fmt::format("{}", fmt::join(now.measures, ", ")));
+  lists("the measures", before.measures, now.measures);
   note("the test", in_words(before), in_words(now));
   note("what it compares", in_words(before, before.comparisons), in_words(now, now.comparisons));
   note("the confidence", before.confidence, now.confidence);

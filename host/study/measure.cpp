@@ -19,9 +19,7 @@ MatchMeasures::MatchMeasures(const campaign::Decided& decided, int side)
 }
 
 std::optional<double> MatchMeasures::value(const std::string& measure) const {
-  const std::string_view prefix = "roles.";
-  const std::string wanted = measure.starts_with(prefix) ? measure.substr(prefix.size()) : measure;
-  const auto found = std::ranges::find(values_, wanted, &NamedValue::path);
+  const auto found = std::ranges::find(values_, without_roles(measure), &NamedValue::path);
   return found == values_.end() ? std::nullopt : std::optional(found->value);
 }
 

@@ -87,9 +87,13 @@ std::vector<NamedValue> all(const Json& metrics, int side) {
 
 }  // namespace
 
-std::optional<double> metric(const std::string& metrics, int side, const std::string& path) {
+std::string without_roles(const std::string& path) {
   const std::string_view prefix = "roles.";
-  const std::string wanted = path.starts_with(prefix) ? path.substr(prefix.size()) : path;
+  return path.starts_with(prefix) ? path.substr(prefix.size()) : path;
+}
+
+std::optional<double> metric(const std::string& metrics, int side, const std::string& path) {
+  const std::string wanted = without_roles(path);
   const std::vector<NamedValue> known = all(parsed(metrics), side);
   const auto found = std::ranges::find(known, wanted, &NamedValue::path);
   return found == known.end() ? std::nullopt : std::optional(found->value);

@@ -11,6 +11,9 @@
 
 namespace regista::study {
 
+// A path of a role may be written with "roles." before it; it is one path all the same: this one, without.
+std::string without_roles(const std::string& path);
+
 // Nothing when the side has no such number. metrics: as a result has them. Throws std::invalid_argument when they are
 // no JSON.
 std::optional<double> metric(const std::string& metrics, int side, const std::string& path);

@@ -2,6 +2,7 @@
 #include "study/paired_estimates.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -40,13 +41,21 @@ MeanEstimate difference_of(std::span<const double> first, std::span<const double
   return estimate_of(differences(first, second), confidence);
 }
 
-std::optional<double> p_of_difference(std::span<const double> first, std::span<const double> second, PairTest test) {
+const char* name(PairMethod method) {
+  constexpr std::array names{"student_t", "sign_flip", "sign_flip_normal_law"};
+  return names[static_cast<std::size_t>(method)];
+}
+
+std::optional<PairP> p_of_difference(std::span<const double> first, std::span<const double> second, PairTest test) {
   const std::vector<double> known = differences(first, second);
   if (known.size() < 2) return std::nullopt;
-  if (std::ranges::all_of(known, [](double each) { return each == 0.0; })) return 1.0;
-  if (test == PairTest::sign_flip) return statistics::sign_flip_p_of_values(known);
-  const auto t = statistics::paired_t(known);
-  return t ? std::optional(t->p) : std::nullopt;
+  if (test == PairTest::paired_t) {
+    if (std::ranges::all_of(known, [](double each) { return each == 0.0; })) return PairP{1.0, PairMethod::student_t};
+    if (const auto t = statistics::paired_t(known)) return PairP{t->p, PairMethod::student_t};
+  }
+  return PairP{statistics::sign_flip_p_of_values(known), statistics::sign_flip_of_values_is_exact(known)
+                                                             ? PairMethod::sign_flip
+                                                             : PairMethod::sign_flip_normal_law};
 }
 
 }  // namespace regista::study

@@ -25,8 +25,21 @@ MeanEstimate mean_of(std::span<const double> values, double confidence);
 // first less second, pair by pair. As many values in both, or what the shorter one has.
 MeanEstimate difference_of(std::span<const double> first, std::span<const double> second, double confidence);
 
-// Two-sided p of "no difference"; nothing where fewer than two pairs have both values, or where the test is Student's
-// and nothing but chance of rounding spreads them. 1 where all differences are 0.
-std::optional<double> p_of_difference(std::span<const double> first, std::span<const double> second, PairTest test);
+// What a p was worked out by.
+enum class PairMethod {
+  student_t,
+  sign_flip,             // all signs, each counted
+  sign_flip_normal_law,  // of too many differences to count all signs of; without continuity correction
+};
+const char* name(PairMethod method);
+
+struct PairP {
+  double p;  // two-sided, of "no difference"
+  PairMethod by;
+};
+
+// Nothing where fewer than two pairs have both values. 1 where all differences are 0. All differences equal, and not 0,
+// have no spread, so Student's t is not defined: then by signs, whatever the test.
+std::optional<PairP> p_of_difference(std::span<const double> first, std::span<const double> second, PairTest test);
 
 }  // namespace regista::study

@@ -3,6 +3,7 @@
 
 import json
 import math
+import shlex
 import statistics
 import time
 import unittest
@@ -138,9 +139,35 @@ class Played(experiment.Experiment):
         for condition in plan["conditions"]:
             self.assertTrue(condition["home"]["home_inputs"] and condition["home"]["common_inputs"])
 
-    def test_minutes_of_play_make_pairs(self):
-        self.document(changes=[("matches: 4", "minutes: 0.5")])  # 30 s of play, 12 a match, in pairs
-        self.assertEqual(self.experiment()["pairs"], 2)
+    def test_minutes_of_the_clock_make_pairs(self):
+        # Initial 1 s, Ready 3 s and Set 1 s are no time of the clock: 7 s of the 12 are. 30 s are five such matches.
+        self.document(changes=[("matches: 4", "minutes: 0.5")])
+        report = self.experiment()
+        self.assertEqual(report["pairs"], 3)
+        for condition in report["conditions"]:  # counted ten times a second, first and last moment both
+            self.assertLess(condition["playing_minutes_of_a_match"], 7.15 / 60)
+            self.assertGreater(condition["playing_minutes_of_a_match"], 0)
+            self.assertAlmostEqual(condition["playing_minutes_of_a_match"], condition["playing_seconds"] / 60 / 6)
+        self.assertIn("Mean minutes of a match in the phase Playing: at the ball 0.1, beside it 0.1.",
+                      self.succeed("report", "trial.db"))
+        self.document(changes=[("matches: 4", "minutes: 0.5"), ("limit: 12", "limit: 5")])
+        self.assertRegex(self.refused(*self.arguments("--results", "none.db")),
+                         r"e\.yaml:\d+:\d+: limit: .*before their first kick-off")
+
+    def test_rules_that_are_varied_are_the_opponents_too(self):
+        sentence = "Rules and robot are the opponent's, too"
+        self.document("sweep: {path: rules.messages.budget, values: [100, 200]}\n", [("matches: 4", "matches: 2")])
+        swept = self.experiment()
+        self.assertTrue(any(sentence in each and "rules.messages.budget" in each for each in swept["notes"]))
+        self.assertIn(sentence, self.succeed("report", "trial.db"))
+        self.succeed("report", "trial.db", "-o", "page.html")
+        self.assertIn("the same at all values of", (self.folder / "page.html").read_text())
+        self.document(changes=[("matches: 4", "matches: 2"),
+                               ("team: other.yaml}", "team: other.yaml, set: {robot.walk.forward: 0.2}}")])
+        armed = self.experiment("--results", "armed.db")
+        self.assertTrue(any(sentence in each and "robot.walk.forward" in each for each in armed["notes"]))
+        self.document("sweep: {path: disturbance.radio.loss, values: [0, 0.5]}\n", [("matches: 4", "matches: 2")])
+        self.assertFalse(any(sentence in each for each in self.experiment("--results", "own.db")["notes"]))
 
     def test_interrupted_cleanly(self):
         self.document(changes=[("matches: 4", "matches: 400")])
@@ -176,6 +203,20 @@ class Page(experiment.Experiment):
                     low = mean["interval"][0] if mean["interval"] else mean["mean"]
                     self.assertAlmostEqual(float(row[f"{arm} {last} low"]), low, places=9)
 
+    def test_figures_of_an_earlier_experiment_do_not_stay(self):
+        sweep = "sweep: {path: disturbance.radio.loss, values: [0, 0.5]}\nmeasures: [goals]\n"
+        self.document(sweep, [("matches: 4", "matches: 2")])
+        self.experiment("--results", "night.db")
+        figures = self.folder / "night.figures"
+        self.assertTrue((figures / "sweep_1.csv").exists())
+        for kept in ("sweep_1.txt", "sweep_x.csv", "mine.svg"):
+            (figures / kept).write_text("of the user")
+        (self.folder / "night.db").unlink()
+        self.document(changes=[("matches: 4", "matches: 2")])
+        self.experiment("--results", "night.db")
+        self.assertEqual({each.name for each in figures.iterdir()},
+                         {"roles.csv", "roles.gnuplot", "roles.svg", "roles.png", "sweep_1.txt", "sweep_x.csv", "mine.svg"})
+
     def test_page_is_a_function_of_the_results(self):
         self.experiment("--results", "one.db", "--workers", 1)
         before = (self.folder / "one.html").read_bytes()
@@ -199,6 +240,9 @@ class BadInput(experiment.Experiment):
         self.assertRegex(line, r"e\.yaml:5:\d+: utility\.terms\.near\.wieght: .*nearest paths: utility\.terms\.near\.weight")
         line = self.refusal("sweep: {path: opponent.utility.terms.near.weigth, values: [1]}\n")
         self.assertIn("nearest paths: opponent.utility.terms.near.weight", line)
+        line = self.refusal(changes=[("team: other.yaml}", "team: other.yaml, set: {utility.terms.naer.weight: 1}}")])
+        self.assertRegex(line, r"e\.yaml:5:\d+: utility\.terms\.naer\.weight: no such path: .*nearest paths: "
+                               r"utility\.terms\.near\.weight")
 
     def test_values_that_do_not_fit(self):
         line = self.refusal("sweep: {path: rules.messages.budget, values: [100, -5]}\n")
@@ -221,6 +265,19 @@ class BadInput(experiment.Experiment):
              r"e\.yaml:\d+:\d+: .*unknown arm \"beside\""),
             ("primary: {measure: goals, compare: [[beside it, beside it]]}\n", [], r"compared with itself"),
             ("sweep: {path: rules.messages.budget, values: [1, 1]}\n", [], r"the same value a second time"),
+            ("sweep: {path: disturbance.radio.loss, values: [0.1, 1e-1]}\n", [], r"the same value a second time"),
+            ("sweep: {path: disturbance.radio.loss, values: [0, 0.10, 0.1]}\n", [], r"the same value a second time"),
+            ("sweep: {path: roles.playing.striker.target.shift, values: [[1, 0], [1.0, 0]]}\n", [],
+             r"the same value a second time"),
+            ("primary: {measure: goals, compare: [[at the ball, beside it], [beside it, at the ball]]}\n", [],
+             r"e\.yaml:\d+:\d+: primary\.compare: the same two arms a second time"),
+            ("sweep: {path: disturbance.radio.loss, values: [0, 0.5]}\n",
+             [("team: other.yaml}", "team: other.yaml, set: {disturbance.radio: {loss: 0.1}}}")],
+             r"e\.yaml:5:\d+: disturbance\.radio: the sweep sets disturbance\.radio\.loss in every arm"),
+            ("sweep: {path: opponent, values: [worse.yaml, small.yaml]}\n", [],
+             r"e\.yaml:\d+:\d+: sweep: opponent: a path inside it is wanted, as in `opponent\.sender\.plugin`"),
+            ("set: {rules: hsl2026}\n", [("set: {rules.durations.ready: 3, rules.durations.set: 1}\n", "")],
+             r"set: rules: a path inside it is wanted"),
             ("sweep: {path: rules.messages.budget, values: []}\n", [], r"e\.yaml:\d+:\d+: .*the list is empty"),
             ("sweep: {path: home.sender, values: [1]}\n", [], r"each arm plays at home and away"),
             ("confidence: 1\n", [], r"confidence: \"1\" is outside"),
@@ -242,6 +299,15 @@ class BadInput(experiment.Experiment):
         self.assertIn("--workers", self.refused(*self.arguments("--workers", 0)))
         self.assertIn("one of them", self.refused(*self.arguments("--minutes", 5, "--matches", 4)))
         self.assertIn("is odd", self.refused(*self.arguments("--matches", 3)))
+
+    def test_the_second_example_of_the_help(self):
+        example = next(line for line in self.succeed("experiment", "--help").splitlines() if "yaml --set " in line)
+        override = shlex.split(example)[-1]
+        self.assertEqual(override, "arms.events.set={sender.params.reserve: 60}")
+
+    def test_nothing_to_resume(self):
+        line = self.refused(*self.arguments("--quiet", "--resume"))
+        self.assertEqual(line, "--resume: trial.db: no such file; without --resume it is begun")
 
     def test_resumed_with_something_else(self):
         self.experiment()

@@ -27,7 +27,7 @@ TEST(PairedEstimates, MeanAndIntervalAreThoseOfTheTables) {
   ASSERT_TRUE(difference.interval);
   EXPECT_NEAR(difference.interval->low, 0.7001, 1e-4);
   EXPECT_NEAR(difference.interval->high, 2.4599, 1e-4);
-  EXPECT_NEAR(p_of_difference(first, second, PairTest::paired_t).value(), 0.002833, 1e-6);
+  EXPECT_NEAR(p_of_difference(first, second, PairTest::paired_t)->p, 0.002833, 1e-6);
   const MeanEstimate back = difference_of(second, first, 0.95);
   EXPECT_DOUBLE_EQ(back.mean, -difference.mean);
   EXPECT_DOUBLE_EQ(back.interval->low, -difference.interval->high);
@@ -47,9 +47,30 @@ TEST(PairedEstimates, WithoutSpreadThereIsNoInterval) {
   EXPECT_EQ(mean_of({}, 0.95).pairs, 0);
   const std::vector<double> one{1.0}, ones{1.0, 1.0}, twos{2.0, 2.0};
   EXPECT_FALSE(p_of_difference(one, one, PairTest::paired_t));
-  EXPECT_DOUBLE_EQ(p_of_difference(ones, ones, PairTest::paired_t).value(), 1.0);
-  EXPECT_FALSE(p_of_difference(twos, ones, PairTest::paired_t));
-  EXPECT_DOUBLE_EQ(p_of_difference(twos, ones, PairTest::sign_flip).value(), 0.5);
+  EXPECT_FALSE(difference_of(twos, ones, 0.95).interval);
+}
+
+// Of N equal differences two of the 2^N assignments of signs have a sum as far from 0.
+TEST(PairedEstimates, WithoutSpreadSignsAreCountedInsteadOfStudentsT) {
+  for (const std::size_t pairs : {2u, 8u, 32u, 33u}) {
+    const std::vector<double> ones(pairs, 1.0), threes(pairs, 3.0);
+    const auto none = p_of_difference(ones, ones, PairTest::paired_t);
+    ASSERT_TRUE(none);
+    EXPECT_EQ(none->p, 1.0);
+    const auto t = p_of_difference(threes, ones, PairTest::paired_t);
+    const auto signs = p_of_difference(threes, ones, PairTest::sign_flip);
+    ASSERT_TRUE(t && signs);
+    EXPECT_EQ(t->p, signs->p);
+    EXPECT_EQ(t->by, signs->by);
+    const auto count = static_cast<double>(pairs);
+    if (pairs <= 32) {
+      EXPECT_EQ(t->by, PairMethod::sign_flip);
+      EXPECT_DOUBLE_EQ(t->p, std::pow(2.0, 1.0 - count));
+    } else {
+      EXPECT_EQ(t->by, PairMethod::sign_flip_normal_law);
+      EXPECT_NEAR(t->p / std::erfc(std::sqrt(count / 2.0)), 1.0, 1e-12);
+    }
+  }
 }
 
 // Everything again by hand: minutes in 60 minutes of play over both matches of a pair, means of what is no time.
@@ -137,6 +158,33 @@ TEST(Experiment, ComparisonsAreTestedAtTheEndAloneAndCorrected) {
     EXPECT_EQ(found[at].found, before <= 1.0 - plan.confidence);
   }
   for (const Finding& each : found) EXPECT_EQ(each.found, each.comparison.second == 2);
+}
+
+// Arm 1 has 2 more than arm 0 in every pair; arm 2 has no pair with values, and is one of three comparisons all the
+// same.
+TEST(Experiment, EveryComparisonOfThePlanCountsForHolm) {
+  const ExperimentPlan plan = experiment_of(3, 1, 6);
+  Experiment course(plan);
+  for (std::uint64_t index = 0; index < plan.matches(); ++index) {
+    const Trial each = trial(plan, index);
+    if (each.condition == 2) {
+      course.take(campaign::forfeit({static_cast<int>(each.side), "greedy", "assign", 3, 417, "hangs"}, 1.0));
+    } else {
+      course.take(played(each.side, each.condition == 0 ? 10.0 : 30.0, 1, 0, 0));
+    }
+  }
+  for (const Finding& each : findings(plan, course)) {
+    const bool both = each.comparison.first != 2 && each.comparison.second != 2;
+    ASSERT_EQ(each.p.has_value(), both);
+    ASSERT_EQ(each.adjusted.has_value(), both);
+    if (!both) continue;
+    EXPECT_EQ(each.by, PairMethod::sign_flip);
+    EXPECT_DOUBLE_EQ(*each.p, 2.0 / 64.0);
+    EXPECT_DOUBLE_EQ(*each.adjusted, 3.0 * 2.0 / 64.0);
+    EXPECT_FALSE(each.found);
+  }
+  EXPECT_DOUBLE_EQ(course.playing_seconds_of_a_match(0).value(), 600.0);
+  EXPECT_FALSE(course.playing_seconds_of_a_match(2));
 }
 
 TEST(Experiment, MetricsThatAreNoJsonAreRefused) {

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// What is to be known to read the tables of an experiment.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "report/experiment.hpp"
+#include "report/number.hpp"
+#include "report/visible_text.hpp"
+
+namespace regista::report {
+namespace {
+
+std::string minutes(double seconds) { return fixed(seconds / 60.0, 1); }
+
+// By arm; of a sweep from the least to the most.
+std::string playing_note(const ExperimentView& view) {
+  const study::ExperimentPlan& plan = view.plan;
+  std::vector<double> seconds;
+  std::vector<std::string> by_arm;
+  for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
+    const auto each = view.course.playing_seconds_of_a_match(i);
+    if (!each) continue;
+    seconds.push_back(*each);
+    by_arm.push_back(fmt::format("{} {}", visible(label(plan, i)), minutes(*each)));
+  }
+  if (seconds.empty()) return {};
+  const std::string least = minutes(*std::ranges::min_element(seconds));
+  const std::string most = minutes(*std::ranges::max_element(seconds));
+  const std::string told = !plan.swept()   ? fmt::format("{}", fmt::join(by_arm, ", "))
+                           : least == most ? least
+                                           : fmt::format("{} to {}", least, most);
+  return fmt::format("Mean minutes of a match in the phase Playing: {}.", told);
+}
+
+bool of_both_teams(std::string_view path) {
+  const std::string_view document = path.substr(0, path.find('.'));
+  return document == "rules" || document == "robot";
+}
+
+std::string opponent_note(const study::ExperimentPlan& plan) {
+  std::vector<std::string> paths;
+  const auto add = [&](std::string_view path) {
+    if (!of_both_teams(path)) return;
+    const std::string shown = visible(path);
+    if (std::ranges::find(paths, shown) == paths.end()) paths.push_back(shown);
+  };
+  add(plan.sweep);
+  for (const study::Arm& arm : plan.arms) {
+    for (const std::string& setting : arm.settings) add(std::string_view(setting).substr(0, setting.find('=')));
+  }
+  if (paths.empty()) return {};
+  return fmt::format("Rules and robot are the opponent's, too: it is not the same at all values of {}.",
+                     fmt::join(paths, ", "));
+}
+
+std::string interval_note(const study::ExperimentPlan& plan) {
+  if (plan.primary.empty() || plan.comparisons.size() < 2) return {};
+  return fmt::format(
+      "Each interval holds with {:.4g} % by itself, p after Holm for all {} comparisons together: an interval without "
+      "0 "
+      "and no difference found do not contradict each other.",
+      100.0 * plan.confidence, plan.comparisons.size());
+}
+
+}  // namespace
+
+std::vector<std::string> experiment_notes(const ExperimentView& view) {
+  std::vector<std::string> out{playing_note(view), opponent_note(view.plan), interval_note(view.plan)};
+  std::erase(out, "");
+  return out;
+}
+
+}  // namespace regista::report
