@@ -78,9 +78,8 @@ void recorded_match(benchmark::State& state) {
       observer.event = [&](double time, const match::Event& event, const match::GameState& now) {
         recording.event(time, event, now);
       };
-      const auto after = [&](match::Side side, const mind::Mind& mind, const mind::Percepts& percepts,
-                             std::span<const mind::HeardPacket> packets, const mind::Outcome& outcome) {
-        recording.decided(side, mind, percepts, packets, outcome);
+      const auto after = [&](const mind::Mind& mind, const match::Decision& decision) {
+        recording.decided(mind, decision);
       };
       if (match::play(teams.setup, both, &observer, after).hash != hash) state.SkipWithError("another match");
       recording.close();

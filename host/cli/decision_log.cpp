@@ -74,13 +74,13 @@ DecisionLog::DecisionLog(const std::filesystem::path& file, const std::array<con
       {{"kind", "match"}, {"time", 0.0}, {"teams", {plans[0]->team().name, plans[1]->team().name}}, {"seed", seed}}));
 }
 
-void DecisionLog::decided(match::Side side, const mind::Mind& mind, const mind::Percepts& percepts,
-                          const mind::Outcome& outcome) {
+void DecisionLog::decided(const mind::Mind& mind, const match::Decision& turn) {
+  const match::Side side = turn.side;
   const std::size_t i = match::index(side);
   Last& last = last_[i][static_cast<std::size_t>(mind.number() - 1)];
   const mind::Decision& decision = mind.decision();
   const bool kept_same = std::ranges::equal(last.kept, decision.columns, {}, {}, &regista_task::id);
-  if (!outcome.send && kept_same && last.context == decision.context && last.role == decision.own_role &&
+  if (!turn.packet_charged && kept_same && last.context == decision.context && last.role == decision.own_role &&
       last.assignment == decision.role_of) {
     return;
   }
@@ -92,9 +92,8 @@ void DecisionLog::decided(match::Side side, const mind::Mind& mind, const mind::
 
   const std::vector<std::string>& names = role_names_[i];
   const mind::Pose own = mind.world().local().pose();
-  Json out{
-      {"kind", "decision"},     {"time", rounded(percepts.time, millimetres)}, {"side", match::name(side)},
-      {"robot", mind.number()}, {"pose", pose(own.x, own.y, own.heading)},     {"ball", ball(mind.world().mine())}};
+  Json out{{"kind", "decision"},     {"time", rounded(turn.time, millimetres)}, {"side", match::name(side)},
+           {"robot", mind.number()}, {"pose", pose(own.x, own.y, own.heading)}, {"ball", ball(mind.world().mine())}};
   const auto& contexts = plans_[i]->team().contexts;
   out["context"] =
       decision.context < 0 ? Json(nullptr) : Json(contexts[static_cast<std::size_t>(decision.context)].name);
@@ -109,7 +108,7 @@ void DecisionLog::decided(match::Side side, const mind::Mind& mind, const mind::
   Json& assignment = out["assignment"] = Json::array();
   for (const std::int32_t role : decision.role_of) assignment.push_back(role_name(names, role));
   out["utility"] = utilities(*plans_[i], mind, names);
-  out["packet"] = outcome.send ? Json(match::reason_name(outcome.send_reason)) : Json(nullptr);
+  out["packet"] = turn.packet_charged ? Json(match::reason_name(turn.outcome.send_reason)) : Json(nullptr);
   file_.write(line(out));
 }
 

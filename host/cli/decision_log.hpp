@@ -3,7 +3,8 @@
 // played. Every line has `kind` and `time` (s since the start of the match):
 //   match     the first line: teams, seed
 //   decision  of a robot, when context, kept tasks, assignment or own role changed or a packet was sent: what it
-//             believed, what it chose, what it sent. In the field frame of its own team.
+//             believed, what it chose, what it sent (a packet that was charged, not one that it may not or cannot
+//             send). In the field frame of its own team.
 //   event     of the referee
 //   truth     once a second: all robots ([x, y, heading]), the ball, the score. In the field frame of the home team; a
 //             half turn about the centre leads to that of the away team.
@@ -33,7 +34,7 @@ class DecisionLog {
   DecisionLog(const std::filesystem::path& file, const std::array<const mind::TeamPlan*, 2>& plans, std::uint64_t seed);
 
   // To be called as match::play calls its observers. All throw WriteError.
-  void decided(match::Side side, const mind::Mind& mind, const mind::Percepts& percepts, const mind::Outcome& outcome);
+  void decided(const mind::Mind& mind, const match::Decision& turn);
   void event(double time, const match::Event& event, const match::GameState& state);
   void stepped(const match::Snapshot& snapshot);
   void close();

@@ -286,10 +286,9 @@ int play(Options options, const Invocation& invocation) {
       if (log) log->stepped(snapshot);
       if (recording) recording->stepped(snapshot);
     };
-    after = [&](match::Side side, const mind::Mind& mind, const mind::Percepts& percepts,
-                std::span<const mind::HeardPacket> packets, const mind::Outcome& outcome) {
-      if (log) log->decided(side, mind, percepts, outcome);
-      if (recording) recording->decided(side, mind, percepts, packets, outcome);
+    after = [&](const mind::Mind& mind, const match::Decision& decision) {
+      if (log) log->decided(mind, decision);
+      if (recording) recording->decided(mind, decision);
     };
   }
 

@@ -115,7 +115,7 @@ std::string summary_json(const PlayedMatch& match) {
   using match::TeamMetrics;
   out["budget_curve"] = both([](const TeamMetrics& team) { return team.budget_curve; });
   out["silent_seconds"] = both([](const TeamMetrics& team) { return team.coordination.silent_seconds; });
-  out["agreement"] = both([](const TeamMetrics& team) { return rounded(team.coordination.agreement); });
+  out["agreement"] = both([](const TeamMetrics& team) { return number(team.coordination.agreement); });
   out["agreement_before_silence"] =
       both([](const TeamMetrics& team) { return number(team.coordination.agreement_before_silence); });
   out["agreement_after_silence"] =

@@ -86,9 +86,11 @@ std::string summary_text(const PlayedMatch& match) {
       out += fmt::format("  silent for the last {:.0f} s of play\n", silent);
     }
     const match::PlayMetrics& play = team.play;
-    out += fmt::format("  possession {:.0f} %, agreement {:.1f} %, falls {}, penalties {}, kicks {}\n",
-                       100.0 * play.possession_share.value_or(0.0), 100.0 * team.coordination.agreement, team.falls,
-                       team.penalties, team.kicks);
+    const std::optional<double>& agreement = team.coordination.agreement;
+    out += fmt::format("  possession {:.0f} %, agreement {}, falls {}, penalties {}, kicks {}\n",
+                       100.0 * play.possession_share.value_or(0.0),
+                       agreement ? fmt::format("{:.1f} %", 100.0 * *agreement) : "-", team.falls, team.penalties,
+                       team.kicks);
     out += fmt::format("  shots {}, {} of them saved; passes {}, interceptions {}; walked {:.0f} m\n", play.shots,
                        play.shots_saved, play.passes, play.interceptions, play.distance_walked_metres);
     out += world_model(team.world_model);

@@ -91,9 +91,8 @@ class Recording {
     observer_.event = [this](double time, const match::Event& event, const match::GameState& state) {
       write([&] { file_->event(time, event, state); });
     };
-    after_ = [this](match::Side side, const mind::Mind& mind, const mind::Percepts& percepts,
-                    std::span<const mind::HeardPacket> packets, const mind::Outcome& outcome) {
-      write([&] { file_->decided(side, mind, percepts, packets, outcome); });
+    after_ = [this](const mind::Mind& mind, const match::Decision& decision) {
+      write([&] { file_->decided(mind, decision); });
     };
   }
   Recording(const Recording&) = delete;

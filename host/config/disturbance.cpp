@@ -244,6 +244,19 @@ void check(const Disturbance& disturbance, const Rules& rules, const Node& docum
                          path_of(disturbance, i), number, rules.team_size));
     }
   }
+  for (int number = 1; number <= rules.team_size; ++number) {
+    int ghosts = 0;
+    for (std::size_t i = 0; i < disturbance.incidents.size(); ++i) {
+      const Incident& incident = disturbance.incidents[i];
+      const bool listed = std::ranges::find(incident.robots.numbers, number) != incident.robots.numbers.end();
+      if (incident.kind != Kind::ghost_ball) continue;
+      if (incident.robots.choice == Incident::Whom::Choice::listed && !listed) continue;
+      if (++ghosts <= most_ghost_balls) continue;
+      refuse(document, {fmt::format("incidents.{}", i)},
+             fmt::format("disturbance {}: {} is one more than the {} ghost balls that can strike robot {}",
+                         disturbance.name, path_of(disturbance, i), most_ghost_balls, number));
+    }
+  }
 }
 
 }  // namespace regista::config

@@ -76,13 +76,17 @@ struct Disturbance {
 
 const std::vector<std::string>& incident_kinds();
 
+// So many incidents can show a ghost ball to one robot at a time, at the most.
+inline constexpr int most_ghost_balls = 8;
+
 // "incidents.flip", or "incidents.0" where it has no name: how `--set` and messages address it.
 std::string path_of(const Disturbance& disturbance, std::size_t incident);
 
 // Throws Error at the value of the document that makes no sense for the kind of its incident, or is missing.
 void check(const Disturbance& disturbance, const Node& document);
 
-// Throws Error where an incident strikes a robot that a team of these rules does not have.
+// Throws Error where an incident strikes a robot that a team of these rules does not have, and at the ghost ball that
+// is one too many for a robot.
 void check(const Disturbance& disturbance, const Rules& rules, const Node& document);
 
 }  // namespace regista::config

@@ -21,6 +21,7 @@ namespace regista::match {
 
 constexpr double physics_step = 0.02;  // s
 constexpr int physics_steps_per_second = 50;
+constexpr double instant = physics_step / 2.0;  // s: moments are met at the nearest physics step
 
 // heading is not wrapped; cosine and sine belong to it. turn: rad/s.
 struct BodyState {

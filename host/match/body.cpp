@@ -12,7 +12,6 @@ namespace regista::match {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double instant = physics_step / 2.0;  // moments are met at the nearest physics step
 
 }  // namespace
 

@@ -16,6 +16,7 @@
 #include "match/placement.hpp"
 #include "match/radio.hpp"
 #include "match/referee.hpp"
+#include "match/sampling.hpp"
 #include "match/sensing.hpp"
 #include "match/told.hpp"
 #include "match/trouble.hpp"
@@ -23,8 +24,7 @@
 namespace regista::match {
 namespace {
 
-constexpr std::uint32_t steps_per_sample = 5;  // of the metrics: 10 Hz
-constexpr double sighting_error = 1.0;         // m: what is seen farther from the ball is none
+constexpr double sighting_error = 1.0;  // m: what is seen farther from the ball is none
 
 int steps_per_decision(const config::Robot& robot) {
   const double steps = robot.decision_period / physics_step;
@@ -290,14 +290,14 @@ void Course::decide(int id) {
   if (!percepts.penalised) {
     robot.body.command(outcome.command, time_, outcome.command.kick ? ball_distance(id) : 0.0);
   }
+  const int packets = state.packets[index(side)];
+  const bool leaves = outcome.send && !percepts.penalised && !trouble_[index(side)].of(number).silent;
+  const bool in_the_air = leaves && referee_.packet(side, outcome.packet.size());
+  const bool charged = state.packets[index(side)] != packets;
+  if (charged) metrics_.sent(side, outcome.send_reason, time_);
   // Before the radio reuses the memory of what was heard.
-  if (observer_.decision) observer_.decision({time_, side, number, percepts, heard_, outcome});
-  if (outcome.send && !percepts.penalised && !trouble_[index(side)].of(number).silent) {
-    const int charged = state.packets[index(side)];
-    const bool in_the_air = referee_.packet(side, outcome.packet.size());
-    if (state.packets[index(side)] != charged) metrics_.sent(side, outcome.send_reason, time_);
-    if (in_the_air) radio_[index(side)].send(number, outcome.packet, time_, tick_);
-  }
+  if (observer_.decision) observer_.decision({time_, side, number, percepts, heard_, outcome, charged});
+  if (in_the_air) radio_[index(side)].send(number, outcome.packet, time_, tick_);
 }
 
 void Course::feel_contact(int id, Robot& robot) {

@@ -71,6 +71,9 @@ struct Decision {
   const mind::Percepts& percepts;
   std::span<const mind::HeardPacket> heard;
   const mind::Outcome& outcome;
+  // The packet of the outcome has left the robot and counts as sent: nobody's that may not send, whose radio is silent,
+  // or outside of Ready, Set and Playing. One that is too long is charged, and heard by nobody.
+  bool packet_charged;
 };
 
 // Whoever wants to watch. It cannot change the match. Empty functions are not called.

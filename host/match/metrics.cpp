@@ -3,10 +3,11 @@
 
 #include <regista/abi.h>
 
+#include "match/sampling.hpp"
+
 namespace regista::match {
 namespace {
 
-constexpr double samples_per_second = 10.0;
 constexpr double minute = 60.0;  // s
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -93,8 +94,8 @@ void Metrics::add_minutes(const GameState& state, std::array<std::vector<int>*, 
 MatchMetrics Metrics::result(const GameState& state, double end) const {
   MatchMetrics out = result_;
   add_minutes(state, {&out.teams[0].budget_curve, &out.teams[1].budget_curve});
-  out.playing_seconds = samples_ / samples_per_second;
-  out.in_play_seconds = in_play_ / samples_per_second;
+  out.playing_seconds = static_cast<double>(samples_) / samples_per_second;
+  out.in_play_seconds = static_cast<double>(in_play_) / samples_per_second;
   for (const Side side : both_sides) {
     TeamMetrics& team = out.teams[index(side)];
     team.coordination = roles_[index(side)].result(end);

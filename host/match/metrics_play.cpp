@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "match/sampling.hpp"
+
 namespace regista::match {
 namespace {
-
-constexpr int samples_per_second = 10;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 

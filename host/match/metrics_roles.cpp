@@ -4,16 +4,18 @@
 #include <algorithm>
 #include <bit>
 
+#include "match/sampling.hpp"
+
 namespace regista::match {
 namespace {
-
-constexpr double samples_per_second = 10.0;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 std::optional<double> share(int part, int whole) {
   return whole > 0 ? std::optional(static_cast<double>(part) / whole) : std::nullopt;
 }
+
+double seconds(int samples) { return static_cast<double>(samples) / samples_per_second; }
 
 }  // namespace
 
@@ -52,7 +54,12 @@ void RoleMeasures::sent(double time) {
 
 void RoleMeasures::sample(std::uint32_t active) {
   ++now_.samples;
-  if (agree(active)) ++now_.agreed;
+  const int robots = std::popcount(active);
+  // Who is alone agrees with nobody.
+  if (robots >= 2) {
+    ++now_.compared;
+    if (agree(active)) ++now_.agreed;
+  }
   if (roles_.empty()) return;
   std::ranges::fill(holders_, 0);
   std::ranges::fill(list_holders_, 0);
@@ -64,7 +71,6 @@ void RoleMeasures::sample(std::uint32_t active) {
     ++robot_samples_[at(role * team_size_ + robot)];
   }
   count_votes(active);
-  const int robots = std::popcount(active);
   const auto most = std::ranges::max_element(list_holders_);
   const int in_force = *most > 0 ? static_cast<int>(most - list_holders_.begin()) : -1;
   for (std::size_t role = 0; role < roles_.size(); ++role) {
@@ -106,9 +112,8 @@ void RoleMeasures::count_votes(std::uint32_t active) {
 }
 
 RoleMetrics::Counts RoleMeasures::told(const Count& all, const Count& without) {
-  return {(all.overlap - without.overlap) / samples_per_second,
-          (all.uncovered - without.uncovered) / samples_per_second,
-          (all.unplayed - without.unplayed) / samples_per_second, all.switches - without.switches};
+  return {seconds(all.overlap - without.overlap), seconds(all.uncovered - without.uncovered),
+          seconds(all.unplayed - without.unplayed), all.switches - without.switches};
 }
 
 CoordinationMetrics RoleMeasures::result(double end) const {
@@ -124,13 +129,13 @@ CoordinationMetrics RoleMeasures::result(double end) const {
     metrics.before_silence = told(before.roles[role], {});
     metrics.after_silence = told(all, before.roles[role]);
     for (int robot = 0; robot < team_size_; ++robot) {
-      metrics.robot_seconds.push_back(robot_samples_[role * at(team_size_) + at(robot)] / samples_per_second);
+      metrics.robot_seconds.push_back(seconds(robot_samples_[role * at(team_size_) + at(robot)]));
     }
   }
-  out.agreement = share(now_.agreed, now_.samples).value_or(1.0);
-  out.agreement_before_silence = share(before.agreed, before.samples);
-  out.agreement_after_silence = share(now_.agreed - before.agreed, now_.samples - before.samples);
-  out.silent_seconds = (now_.samples - before.samples) / samples_per_second;
+  out.agreement = share(now_.agreed, now_.compared);
+  out.agreement_before_silence = share(before.agreed, before.compared);
+  out.agreement_after_silence = share(now_.agreed - before.agreed, now_.compared - before.compared);
+  out.silent_seconds = seconds(now_.samples - before.samples);
   return out;
 }
 

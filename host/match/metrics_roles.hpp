@@ -11,7 +11,7 @@
 //   first in the table); while no robot holds any role, no list is in force and nothing is uncovered.
 // - unplayed: no active robot holds the role although more than half of the active robots last decided that somebody
 //   does. Other than `uncovered` it says the same of teams that filter their tasks.
-// - agreement: all active robots last decided on the same assignment of the whole team.
+// - agreement: all active robots, two or more of them, last decided on the same assignment of the whole team.
 // Switches count each time a robot takes a role that it did not hold at its last decision in play.
 //
 // The silence of a team begins with its last packet of the match, if no other follows for more than silence_after until
@@ -52,9 +52,9 @@ struct RoleMetrics {
 
 struct CoordinationMetrics {
   std::vector<RoleMetrics> roles;  // as in the table
-  double agreement = 1.0;          // share of the samples; 1 where there are none
-  std::optional<double> agreement_before_silence, agreement_after_silence;  // nothing where there are no samples
-  double silent_seconds = 0.0;                                              // of Playing, after the last packet
+  // Shares of the samples with two active robots or more; nothing where there are none.
+  std::optional<double> agreement, agreement_before_silence, agreement_after_silence;
+  double silent_seconds = 0.0;  // of Playing, after the last packet
 };
 
 class RoleMeasures {
@@ -77,7 +77,7 @@ class RoleMeasures {
   };
   // Everything that is split by the silence.
   struct Sums {
-    int samples = 0, agreed = 0;
+    int samples = 0, compared = 0, agreed = 0;  // compared: with two active robots or more
     std::vector<Count> roles;
   };
   static RoleMetrics::Counts told(const Count& all, const Count& without);

@@ -7,12 +7,6 @@
 #include "match/chance.hpp"
 
 namespace regista::match {
-namespace {
-
-// Lost by either of two independent causes.
-double either(double a, double b) { return 1.0 - (1.0 - a) * (1.0 - b); }
-
-}  // namespace
 
 Radio::Radio(const config::Radio& profile, const Trouble& trouble, int team_size, std::uint64_t seed, Side side)
     : profile_(profile), trouble_(&trouble), team_size_(team_size), seed_(seed), side_(side) {
@@ -66,6 +60,7 @@ void Radio::send(int sender, std::span<const std::uint8_t> bytes, double time, s
 void Radio::deliver(int receiver, double time, std::uint32_t tick, std::vector<mind::HeardPacket>& out) {
   if (in_flight_.empty()) return;
   const std::uint32_t bit = 1u << (receiver - 1);
+  const bool deaf = trouble_->of(receiver).silent;
   const std::size_t first = out.size();
   senders_.clear();
   std::size_t kept = 0;
@@ -74,9 +69,11 @@ void Radio::deliver(int receiver, double time, std::uint32_t tick, std::vector<m
     const double heard = packet.heard[static_cast<std::size_t>(receiver - 1)];
     if ((packet.waiting & bit) != 0 && heard <= time && packet.tick != tick) {
       packet.waiting &= ~bit;
-      out.push_back({heard, packet.bytes});
-      senders_.push_back(packet.sender);
-      for (std::size_t i = senders_.size() - 1; i > 0; --i) {
+      if (!deaf) {
+        out.push_back({heard, packet.bytes});
+        senders_.push_back(packet.sender);
+      }
+      for (std::size_t i = senders_.size(); i-- > 1;) {
         mind::HeardPacket &before = out[first + i - 1], &after = out[first + i];
         if (std::pair(before.time_heard, senders_[i - 1]) <= std::pair(after.time_heard, senders_[i])) break;
         std::swap(before, after);

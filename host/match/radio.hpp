@@ -2,8 +2,9 @@
 // The air between the robots of one team: a broadcast with a fixed delay, jitter by a uniform law, and loss, each drawn
 // per receiver. Whether a packet may be sent and what it costs is the referee's business.
 //
-// What goes wrong with it besides: a packet is late by the worse of what ails its sender and its receiver, is lost by
-// what ails its receiver, and does not exist where either is silent.
+// What goes wrong with it besides: a packet is late by the worse of what ails its sender and its receiver, and is lost
+// by what ails its receiver. It does not exist where either is silent when it is sent, and passes by a receiver that is
+// silent at the decision at which it would hear it.
 #pragma once
 
 #include <array>

@@ -37,22 +37,20 @@ Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, cons
     setup.roles[index(side)] = roles(plan);
     all[index(side)] = minds(plan, side, setup.seed, note);
     for (mind::Mind& each : all[index(side)]) {
-      if (!after) {
-        think[index(side)].push_back([&each](const mind::Percepts& percepts, std::span<const mind::HeardPacket> heard,
-                                             mind::Outcome& out) { each.think(percepts, heard, out); });
-        continue;
-      }
-      think[index(side)].push_back([&each, &after, side](const mind::Percepts& percepts,
-                                                         std::span<const mind::HeardPacket> heard, mind::Outcome& out) {
-        each.think(percepts, heard, out);
-        after(side, each, percepts, heard, out);
-      });
+      think[index(side)].push_back([&each](const mind::Percepts& percepts, std::span<const mind::HeardPacket> heard,
+                                           mind::Outcome& out) { each.think(percepts, heard, out); });
     }
   }
   const Beliefs beliefs = [&all](Side side, int number, Belief& out) {
     belief_of(all[index(side)][static_cast<std::size_t>(number - 1)], out);
   };
-  return play(setup, think[0], think[1], observer, beliefs);
+  if (!after) return play(setup, think[0], think[1], observer, beliefs);
+  Observer both = observer != nullptr ? *observer : Observer{};
+  both.decision = [&all, &after, observer](const Decision& decision) {
+    if (observer != nullptr && observer->decision) observer->decision(decision);
+    after(all[index(decision.side)][static_cast<std::size_t>(decision.number - 1)], decision);
+  };
+  return play(setup, think[0], think[1], &both, beliefs);
 }
 
 }  // namespace regista::match

@@ -22,9 +22,8 @@ std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64
 // The team's table of roles, for the metrics.
 std::vector<Role> roles(const mind::TeamPlan& plan);
 
-// Called after each decision of a mind; it cannot change it.
-using AfterDecision = std::function<void(Side, const mind::Mind&, const mind::Percepts&,
-                                         std::span<const mind::HeardPacket>, const mind::Outcome&)>;
+// Called after each decision of a mind, when it is known what became of its packet; it cannot change it.
+using AfterDecision = std::function<void(const mind::Mind&, const Decision&)>;
 
 // Plays `setup` (its `roles` are taken from the plans). Throws as play() and Mind do.
 Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, const Observer* observer = nullptr,

@@ -27,7 +27,8 @@ class Told {
   // Robot `id` has heard the referee's whistle.
   void whistle(int id, double time);
 
-  // What robot `id` knows of the game at `time`. Clock, penalties and budget are those of `state`, which is the truth.
+  // What robot `id` knows of the game at `time`. Penalties and budget are those
+  // of `state`, which is the truth; the clock runs on from the latest announcement that it knows.
   void tell(int id, const GameState& state, double time, mind::GameTold& out);
 
  private:

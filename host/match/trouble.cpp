@@ -13,12 +13,7 @@ namespace {
 using Kind = config::Incident::Kind;
 using Choice = config::Incident::Whom::Choice;
 
-constexpr double instant = physics_step / 2.0;  // moments are met at the nearest physics step
-
 double exponential(Chance& chance, double mean) { return -mean * std::log(1.0 - chance.uniform()); }
-
-// Lost by either of two independent causes.
-double either(double a, double b) { return 1.0 - (1.0 - a) * (1.0 - b); }
 
 // What holds all the time, as an incident of all robots.
 config::Incident standing(const config::Burst& burst) {

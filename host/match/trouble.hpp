@@ -20,9 +20,12 @@
 
 namespace regista::match {
 
+// Probability that something is lost by either of two independent causes.
+constexpr double either(double a, double b) { return 1.0 - (1.0 - a) * (1.0 - b); }
+
 // What is wrong with one robot now.
 struct Affliction {
-  static constexpr std::size_t most_ghosts = 8;
+  static constexpr auto most_ghosts = static_cast<std::size_t>(config::most_ghost_balls);
 
   bool crashed = false;
   bool blind = false;                      // the camera recognises nothing

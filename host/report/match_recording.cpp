@@ -285,13 +285,14 @@ MatchRecording::~MatchRecording() {
   }
 }
 
-void MatchRecording::decided(match::Side side, const mind::Mind& mind, const mind::Percepts& percepts,
-                             std::span<const mind::HeardPacket> packets, const mind::Outcome& outcome) {
+void MatchRecording::decided(const mind::Mind& mind, const match::Decision& turn) {
+  const match::Side side = turn.side;
+  const double time = turn.time;
   Parts& parts = *parts_;
   Parts::Last& last = parts.last[match::index(side)][static_cast<std::size_t>(mind.number() - 1)];
   const mind::Decision& decision = mind.decision();
   const bool role_changed = last.role != decision.own_role;
-  for (const mind::HeardPacket& packet : packets) {
+  for (const mind::HeardPacket& packet : turn.heard) {
     const auto report = mind::decode(packet.bytes, parts.limits[match::index(side)], parts.segments);
     if (!report) continue;
     parts.begin(packet.time_heard);
@@ -299,12 +300,12 @@ void MatchRecording::decided(match::Side side, const mind::Mind& mind, const min
     parts.json.key("sender").integer(report->sender).key("sent").number(report->time_sent).close('}');
     parts.write(parts.heard, packet.time_heard, parts.heard_count);
   }
-  if (outcome.send) {
-    parts.begin(percepts.time);
+  if (turn.packet_charged) {
+    parts.begin(time);
     parts.json.key("side").word(match::name(side)).key("robot").integer(mind.number());
-    parts.json.key("reason").word(match::reason_name(outcome.send_reason));
-    parts.json.key("bytes").integer(static_cast<std::int64_t>(outcome.packet.size())).close('}');
-    parts.write(parts.packets, percepts.time, parts.packet_count);
+    parts.json.key("reason").word(match::reason_name(turn.outcome.send_reason));
+    parts.json.key("bytes").integer(static_cast<std::int64_t>(turn.outcome.packet.size())).close('}');
+    parts.write(parts.packets, time, parts.packet_count);
   }
   const bool kept_same = std::ranges::equal(last.kept, decision.columns, {}, {}, &regista_task::id);
   const bool changed =
@@ -313,19 +314,19 @@ void MatchRecording::decided(match::Side side, const mind::Mind& mind, const min
     // What did those compute who hold the role? Their next decision tells.
     for (Parts::Last& other : parts.last[match::index(side)]) other.shares |= other.role == decision.own_role;
   }
-  if (changed || last.shares || percepts.time - last.decision >= decision_period - 1e-9) {
+  if (changed || last.shares || time - last.decision >= decision_period - 1e-9) {
     last.shares = false;
-    last.decision = percepts.time;
+    last.decision = time;
     last.context = decision.context;
     last.role = decision.own_role;
     last.assignment = decision.role_of;
     last.kept.clear();
     for (const regista_task& task : decision.columns) last.kept.push_back(task.id);
-    parts.write_decision(last, side, mind, percepts.time);
+    parts.write_decision(last, side, mind, time);
   }
-  if (role_changed || last.belief < 0.0 || percepts.time - last.belief >= belief_period - 1e-9) {
-    last.belief = percepts.time;
-    parts.write_belief(last, side, mind, percepts.time);
+  if (role_changed || last.belief < 0.0 || time - last.belief >= belief_period - 1e-9) {
+    last.belief = time;
+    parts.write_belief(last, side, mind, time);
   }
 }
 

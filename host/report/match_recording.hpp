@@ -3,8 +3,9 @@
 // Foxglove and the other readers of MCAP open it; messages are JSON with a schema. docs/recordings.md says what is in
 // them.
 //
-//   /game                  ten times a second: clock, phase, score, penalties, packets left, and where everything truly
-//   is /event                 of the referee, when it happens /packet                when it is sent, by whom and why
+//   /game                  ten times a second: clock, phase, score, penalties, packets left, where everything truly is
+//   /event                 of the referee, when it happens
+//   /packet                when it is sent and charged, by whom and why
 //   /heard                 when a robot hears a packet of another
 //   /decision/<side>/<n>   of a robot, when its context, kept tasks, assignment or role changed,
 //                          when another robot has taken the same role or play begins, and after 5 s without any of
@@ -39,8 +40,7 @@ class MatchRecording {
   MatchRecording& operator=(const MatchRecording&) = delete;
 
   // To be called as match::play calls its observers.
-  void decided(match::Side side, const mind::Mind& mind, const mind::Percepts& percepts,
-               std::span<const mind::HeardPacket> packets, const mind::Outcome& outcome);
+  void decided(const mind::Mind& mind, const match::Decision& turn);
   void event(double time, const match::Event& event, const match::GameState& state);
   void stepped(const match::Snapshot& snapshot);
   void close();

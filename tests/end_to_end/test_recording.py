@@ -240,6 +240,18 @@ class WhatStandsInIt(Recording):
                     self.assertAlmostEqual(0.1 * overlap[row], stored[role["name"]]["overlap_seconds"], 6)
                     self.assertAlmostEqual(0.1 * uncovered[row], stored[role["name"]]["uncovered_seconds"], 6)
 
+    def test_packets_that_a_silent_radio_never_sends_are_not_told(self):
+        self.write("silent.yaml", "disturbance: silent\nradio: {silence: true}\n")
+        result = json.loads(self.succeed(*BOTH_HALVES, "--json", "--home-disturbance", "silent.yaml", "--record",
+                                         "silent.mcap", "--decisions", "silent.jsonl"))
+        lines = map(json.loads, (self.folder / "silent.jsonl").read_text().splitlines())
+        logged = collections.Counter(line["side"] for line in lines if line.get("packet") is not None)
+        told = collections.Counter(packet["side"] for packet in self.recording("silent.mcap").of("/packet"))
+        self.assertEqual(result["packets"][0], 0)
+        self.assertGreater(result["packets"][1], 0)
+        self.assertEqual(logged, {"away": result["packets"][1]})
+        self.assertEqual(told, logged)
+
     def test_same_match_same_bytes(self):
         before = (self.folder / "a.mcap").read_bytes()
         os.symlink(self.program, self.folder / "bin" / "another-name")

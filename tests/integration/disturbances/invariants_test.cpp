@@ -225,7 +225,8 @@ class Watch {
     observer.step = [this](const match::Snapshot& now) { step(now); };
     observer.event = [this](double time, const match::Event& event, const match::GameState&) { heard(time, event); };
     observer.decision = [this](const match::Decision& decision) {
-      if (decision.outcome.send && !decision.percepts.penalised) ++may_send_[match::index(decision.side)];
+      if (decision.packet_charged) ++charged_[match::index(decision.side)];
+      if (decision.packet_charged && decision.percepts.penalised) note(decision.time, "a penalised robot has sent");
       if (decision.outcome.send && decision.percepts.penalised) ++sends_refused;
     };
   }
@@ -355,13 +356,14 @@ class Watch {
       const int left = now.state.packets_left[i], sent = now.state.packets[i];
       if (left < 0) note(now.time, "negative budget");
       if (left != std::max(0, setup_.rules.messages.budget - sent)) note(now.time, "the budget does not add up");
-      if (sent - last_.packets[i] > may_send_[i]) note(now.time, "a packet of nobody who may send");
+      if (sent - last_.packets[i] != charged_[i])
+        note(now.time, "the decisions do not tell which packets were charged");
       if (sent > setup_.rules.messages.budget && !now.state.sanctioned[i] && sanction_due_[i]) {
         note(now.time, "over the budget without a sanction");
       }
       sanction_due_[i] = sent > setup_.rules.messages.budget;
       sanctioned = sanctioned || now.state.sanctioned[i];
-      may_send_[i] = 0;
+      charged_[i] = 0;
     }
   }
 
@@ -369,7 +371,7 @@ class Watch {
   match::Roster roster_;
   std::set<std::pair<State, State>> legal_;
   std::vector<double> deep_since_, penalised_since_;
-  std::array<int, 2> may_send_{};
+  std::array<int, 2> charged_{};
   std::array<bool, 2> sanction_due_{};
   bool kick_off_since_goal_ = true, began_ = false;
   match::GameState last_;

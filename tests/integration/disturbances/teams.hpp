@@ -53,15 +53,13 @@ inline match::Result play(const match::Setup& setup, const std::array<const mind
     half = now.state.half;
   };
   const match::Roster roster{setup.rules.team_size};
-  return match::play(
-      setup, teams, &observer,
-      [&](match::Side side, const mind::Mind& mind, const mind::Percepts& percepts, std::span<const mind::HeardPacket>,
-          const mind::Outcome&) {
-        if (bodies.empty()) return;
-        const auto& body = bodies[static_cast<std::size_t>(roster.id(side, mind.number()))];
-        const mind::Pose truth = match::in_field_frame({body.x, body.y, body.heading}, match::attack(side, half));
-        each({percepts.time, side, mind.number(), mind.world().local().pose(), truth, percepts});
-      });
+  return match::play(setup, teams, &observer, [&](const mind::Mind& mind, const match::Decision& decision) {
+    if (bodies.empty()) return;
+    const match::Side side = decision.side;
+    const auto& body = bodies[static_cast<std::size_t>(roster.id(side, mind.number()))];
+    const mind::Pose truth = match::in_field_frame({body.x, body.y, body.heading}, match::attack(side, half));
+    each({decision.time, side, mind.number(), mind.world().local().pose(), truth, decision.percepts});
+  });
 }
 
 }  // namespace regista::shipped

@@ -80,9 +80,12 @@ TEST_F(Coordination, AgreementIsTheShareOfEqualAssignments) {
   sample(6);
   decide(3, -1, {0, 2, 1});
   sample(2);
-  EXPECT_DOUBLE_EQ(measures.result(0.8).agreement, 6.0 / 8.0);
+  EXPECT_DOUBLE_EQ(measures.result(0.8).agreement.value(), 6.0 / 8.0);
   sample(2, 0b011);
-  EXPECT_DOUBLE_EQ(measures.result(1.0).agreement, 8.0 / 10.0);
+  EXPECT_DOUBLE_EQ(measures.result(1.0).agreement.value(), 8.0 / 10.0);
+  sample(5, 0b100);
+  sample(5, 0);
+  EXPECT_DOUBLE_EQ(measures.result(2.0).agreement.value(), 8.0 / 10.0) << "one robot has nobody to agree with";
 }
 
 TEST_F(Coordination, ARoleIsUnplayedWhenMostBelieveThatSomebodyElsePlaysIt) {
@@ -200,7 +203,12 @@ TEST(CoordinationOfNobody, HasNoRolesAndNoDisagreement) {
   const auto result = measures.result(0.1);
   EXPECT_TRUE(result.roles.empty());
   EXPECT_EQ(result.agreement, 1.0);
-  EXPECT_EQ(RoleMeasures(3, table).result(0.0).agreement, 1.0);
+  EXPECT_EQ(RoleMeasures(3, table).result(0.0).agreement, std::nullopt) << "no samples";
+  RoleMeasures alone(3, table);
+  alone.sample(0b010);
+  EXPECT_EQ(alone.result(0.1).agreement, std::nullopt);
+  EXPECT_EQ(alone.result(0.1).agreement_after_silence, std::nullopt);
+  EXPECT_EQ(alone.result(0.1).silent_seconds, 0.0);
 }
 
 }  // namespace

@@ -153,6 +153,41 @@ TEST(Silence, IsTotalForWhomItStrikes) {
   EXPECT_EQ(heard[0].bytes[0], 1);
 }
 
+TEST(Silence, ReachesWhatIsUnderWay) {
+  Disturbance disturbance;
+  disturbance.incidents = {incident(Kind::radio_silence, 1.0, {2})};
+  disturbance.incidents[0].duration = 5.0;
+  Trouble trouble(disturbance, {}, 3, 1, Side::home);
+  trouble.update(0.0);
+  Radio radio({2.0, 0.0, 0.0}, trouble, 3, 1, Side::home);
+  radio.send(1, std::vector<std::uint8_t>{1}, 0.0, 0);
+  trouble.update(1.0);
+  std::vector<mind::HeardPacket> heard;
+  radio.deliver(2, 3.0, 150, heard);
+  EXPECT_TRUE(heard.empty()) << "silent when it arrives";
+  radio.deliver(3, 3.0, 150, heard);
+  EXPECT_EQ(heard.size(), 1u);
+  heard.clear();
+  trouble.update(6.0);
+  radio.deliver(2, 7.0, 350, heard);
+  EXPECT_TRUE(heard.empty()) << "what has passed by does not come again";
+  radio.send(1, std::vector<std::uint8_t>{2}, 7.0, 350);
+  radio.deliver(2, 9.1, 455, heard);
+  ASSERT_EQ(heard.size(), 1u);
+  EXPECT_EQ(heard[0].bytes[0], 2);
+}
+
+TEST(Ghosts, MoreThanARobotCanSeeAreRefused) {
+  Disturbance disturbance;
+  for (int i = 0; i < config::most_ghost_balls; ++i) {
+    disturbance.incidents.push_back(incident(Kind::ghost_ball, 1.0, {2}));
+  }
+  disturbance.incidents.push_back(incident(Kind::ghost_ball, 1.0, {3}));
+  EXPECT_NO_THROW(config::check(disturbance, config::Rules{}, {}));
+  disturbance.incidents.push_back(incident(Kind::ghost_ball, 1.0));
+  EXPECT_THROW(config::check(disturbance, config::Rules{}, {}), config::Error);
+}
+
 TEST(DelayAndJitter, CountOnceForAPacketBetweenTwoThatSuffer) {
   Disturbance disturbance;
   disturbance.incidents = {incident(Kind::radio_delay, 0.0, {1, 2}), incident(Kind::radio_jitter, 0.0, {2})};
