@@ -164,7 +164,8 @@ Command add_experiment(CLI::App& parent, const Invocation& invocation) {
   app.add_option("--set", options->overrides, "a value laid over that document; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--minutes", options->minutes, "play so much of the game's clock for each arm, whatever the document says")
+  app.add_option("--minutes", options->minutes,
+                 "play so much of the game's clock for each arm, whatever the document says")
       ->type_name("N");
   app.add_option("--matches", options->matches, "play so many matches for each arm, whatever the document says")
       ->type_name("N");

@@ -101,9 +101,10 @@ void check(const Robot& robot, const Rules& rules, const Node& document) {
   const FieldSize& field = rules.field;
   if (field.border_strip < 2.0 * robot.body.radius) {
     refuse(document, {"body.radius"},
-           fmt::format("body.radius: a robot of {} m does not fit on the border strip of the rules '{}' ({} m), beside the "
-                       "lines on which it begins",
-                       real_text(2.0 * robot.body.radius), rules.name, real_text(field.border_strip)));
+           fmt::format(
+               "body.radius: a robot of {} m does not fit on the border strip of the rules '{}' ({} m), beside the "
+               "lines on which it begins",
+               real_text(2.0 * robot.body.radius), rules.name, real_text(field.border_strip)));
   }
   // Half of the field at most may be robots.
   const double taken = 2.0 * rules.team_size * 4.0 * robot.body.radius * robot.body.radius;

@@ -41,8 +41,8 @@ struct Durations {
 };
 
 struct Messages {
-  int budget = 1200;          // packets per team and match
-  int size = 128;             // bytes
+  int budget = 1200;  // packets per team and match
+  int size = 128;     // bytes
 };
 
 // What offences cost, in seconds of Ready and Playing.

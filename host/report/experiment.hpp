@@ -37,8 +37,8 @@ std::string experiment_json(const ExperimentView& view);
 // What was found, a sentence each: the order of the arms in the primary measure, then each comparison.
 std::vector<std::string> finding_sentences(const ExperimentView& view);
 
-// What is to be known to read the tables, a sentence each: how long was played, what a setting changes besides the arms,
-// what intervals hold for.
+// What is to be known to read the tables, a sentence each: how long was played, what a setting changes besides the
+// arms, what intervals hold for.
 std::vector<std::string> experiment_notes(const ExperimentView& view);
 
 // A table with a row for each number of each match of an arm's team (RFC 4180, but lines end with \n).
