@@ -193,7 +193,7 @@ class BadInput(tournament.Tournament):
 
     def test_files_of_results(self):
         ask = lambda *more: self.refused(*self.arguments("--quiet", *more))
-        self.assertIn("No such file", ask("--resume"))
+        self.assertIn("tournament.db: no such file; without --resume it is begun", ask("--resume"))
         self.assertIn("No such file", ask("--results", "no/such/folder.db"))
         self.play()
         self.assertIn("exists already; --resume continues it", ask())
