@@ -308,8 +308,8 @@ class Planner {
     plan_.primary = study::without_roles(experiment_.primary->measure);
     require_measure(plan_.primary, document_["primary"]["measure"].where(), "primary", known);
     add(plan_.primary);
-    plan_.test = experiment_.primary->test == config::Experiment::Test::sign_flip ? study::PairTest::sign_flip
-                                                                                  : study::PairTest::paired_t;
+    plan_.test = experiment_.primary->test == config::PairedTest::sign_flip ? study::PairTest::sign_flip
+                                                                            : study::PairTest::paired_t;
   }
 
   // What all roles sum up to, then what the paper shows of each role by itself (of a sweep only the sums: each becomes

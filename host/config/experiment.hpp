@@ -14,6 +14,19 @@
 
 namespace regista::config {
 
+enum class PairedTest {
+  paired_t,   // Student's t on the differences of pairs
+  sign_flip,  // all signs that the differences of pairs could as well have had
+};
+
+// What the experiment decides on; all else is described, not tested.
+struct ExperimentPrimary {
+  std::string measure;
+  std::vector<Node> compare;  // each a list of two names of arms; empty: every two arms
+  PairedTest test = PairedTest::paired_t;
+  Location where;
+};
+
 struct Experiment {
   struct Arm {
     std::string name;
@@ -29,18 +42,7 @@ struct Experiment {
     Location where;
   };
 
-  enum class Test {
-    paired_t,   // Student's t on the differences of pairs
-    sign_flip,  // all signs that the differences of pairs could as well have had
-  };
-
-  // What the experiment decides on; all else is described, not tested.
-  struct Primary {
-    std::string measure;
-    std::vector<Node> compare;  // each a list of two names of arms; empty: every two arms
-    Test test = Test::paired_t;
-    Location where;
-  };
+  using Primary = ExperimentPrimary;
 
   struct Path {
     std::string path;  // file or folder
