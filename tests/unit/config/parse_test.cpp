@@ -173,8 +173,10 @@ TEST(Parse, BillionLaughs) {
   EXPECT_EQ(said, "t.yaml:5:25: more than 50000 values (aliases count as what they stand for)");
 }
 
-// Texts of the largest size that are meant to be slow.
+// Texts of the largest size that are meant to be slow. What grows with the square of a text takes minutes; sanitizers
+// and busy machines cost a few seconds.
 TEST(Parse, LargeTextsTakeNoLong) {
+  constexpr double no_long = 10.0;  // s of processor time
   const std::string cases[] = {
       repeated("[", largest_file),
       repeated("[\n", largest_file / 2),
@@ -193,7 +195,7 @@ TEST(Parse, LargeTextsTakeNoLong) {
   };
   for (const std::string& text : cases) {
     ASSERT_LE(text.size(), largest_file);
-    EXPECT_LT(seconds_of([&] { message(text); }), 1.0) << text.substr(0, 20);
+    EXPECT_LT(seconds_of([&] { message(text); }), no_long) << text.substr(0, 20);
   }
 }
 
