@@ -84,52 +84,26 @@ void require_kind(const Node& document, DocumentKind kind) {
               fmt::format("this is {} document; {} document is wanted", with_article(found), with_article(kind)));
 }
 
-Rules read_rules(const Node& document) {
-  require_kind(document, DocumentKind::rules);
-  Rules rules;
-  read(declare(rules), document);
-  check(rules, document);
-  return rules;
+// Read, and found sound in itself.
+template <class Document>
+static Document read_sound(const Node& document, DocumentKind kind) {
+  require_kind(document, kind);
+  Document out;
+  read(declare(out), document);
+  if constexpr (requires { check(out, document); }) check(out, document);
+  return out;
 }
 
-Robot read_robot(const Node& document) {
-  require_kind(document, DocumentKind::robot);
-  Robot robot;
-  read(declare(robot), document);
-  check(robot, document);
-  return robot;
-}
-
+Rules read_rules(const Node& document) { return read_sound<Rules>(document, DocumentKind::rules); }
+Robot read_robot(const Node& document) { return read_sound<Robot>(document, DocumentKind::robot); }
 Disturbance read_disturbance(const Node& document) {
-  require_kind(document, DocumentKind::disturbance);
-  Disturbance disturbance;
-  read(declare(disturbance), document);
-  check(disturbance, document);
-  return disturbance;
+  return read_sound<Disturbance>(document, DocumentKind::disturbance);
 }
-
-Opening read_opening(const Node& document) {
-  require_kind(document, DocumentKind::opening);
-  Opening opening;
-  read(declare(opening), document);
-  return opening;
-}
-
+Opening read_opening(const Node& document) { return read_sound<Opening>(document, DocumentKind::opening); }
 PredictorStudy read_predictor_study(const Node& document) {
-  require_kind(document, DocumentKind::predictor_study);
-  PredictorStudy study;
-  read(declare(study), document);
-  check(study, document);
-  return study;
+  return read_sound<PredictorStudy>(document, DocumentKind::predictor_study);
 }
-
-Experiment read_experiment(const Node& document) {
-  require_kind(document, DocumentKind::experiment);
-  Experiment experiment;
-  read(declare(experiment), document);
-  check(experiment, document);
-  return experiment;
-}
+Experiment read_experiment(const Node& document) { return read_sound<Experiment>(document, DocumentKind::experiment); }
 
 Rules read_rules(const std::filesystem::path& file, const Overrides& overrides) {
   return read_rules(load(file, overrides));

@@ -83,11 +83,7 @@ Trial trial(const ExperimentPlan& plan, std::uint64_t index) {
 campaign::Job job(const ExperimentPlan& plan, const Trial& trial) {
   campaign::Job out = plan.conditions[trial.condition].jobs[trial.side];
   out.seed = trial.seed;
-  if (!plan.openings.empty()) {
-    const Opening& opening = plan.openings[trial.opening];
-    out.opening = opening.file;
-    out.common_inputs.push_back(opening.input);
-  }
+  if (!plan.openings.empty()) start_from(plan.openings[trial.opening], out);
   return out;
 }
 

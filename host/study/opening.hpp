@@ -5,6 +5,7 @@
 #include <string>
 
 #include "campaign/input.hpp"
+#include "campaign/job.hpp"
 
 namespace regista::study {
 
@@ -12,5 +13,11 @@ struct Opening {
   std::string file;
   campaign::Input input;
 };
+
+// The match starts from this scene.
+inline void start_from(const Opening& opening, campaign::Job& job) {
+  job.opening = opening.file;
+  job.common_inputs.push_back(opening.input);
+}
 
 }  // namespace regista::study

@@ -169,11 +169,7 @@ campaign::Job job(const TournamentPlan& plan, const Fixture& fixture) {
   out.home_inputs = plan.teams[fixture.home].inputs;
   out.away_inputs = plan.teams[fixture.away].inputs;
   out.common_inputs = plan.common_inputs;
-  if (!plan.openings.empty()) {
-    const Opening& opening = plan.openings[fixture.opening];
-    out.opening = opening.file;
-    out.common_inputs.push_back(opening.input);
-  }
+  if (!plan.openings.empty()) start_from(plan.openings[fixture.opening], out);
   return out;
 }
 

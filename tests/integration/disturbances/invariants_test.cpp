@@ -11,6 +11,7 @@
 #include <random>
 #include <set>
 
+#include "sanitized.hpp"
 #include "teams.hpp"
 
 namespace regista {
@@ -21,17 +22,7 @@ using match::Side;
 using mind::Phase;
 using mind::SetPlay;
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int matches = 6;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-constexpr int matches = 6;
-#else
-constexpr int matches = 50;
-#endif
-#else
-constexpr int matches = 50;
-#endif
+constexpr int matches = sanitized ? 6 : 50;
 
 // Two robots that meet sink in by what they approach each other in one physics step, for Box2D knows of the contact
 // only then: 0.02 s of the speeds of two robots that walk head-on. It pushes them apart again, down to b2_linearSlop.

@@ -7,22 +7,13 @@
 #include <algorithm>
 #include <array>
 
+#include "sanitized.hpp"
 #include "teams.hpp"
 
 namespace regista {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int matches = 1;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-constexpr int matches = 1;
-#else
-constexpr int matches = 8;
-#endif
-#else
-constexpr int matches = 8;
-#endif
+constexpr int matches = sanitized ? 1 : 8;
 
 struct Course {
   int goal_difference = 0;       // of home, over all matches
