@@ -24,7 +24,7 @@ constexpr auto examples = R"(Examples:
 constexpr std::array kinds{config::DocumentKind::rules,       config::DocumentKind::robot,
                            config::DocumentKind::disturbance, config::DocumentKind::opening,
                            config::DocumentKind::team,        config::DocumentKind::predictor_study,
-                           config::DocumentKind::experiment};
+                           config::DocumentKind::experiment,  config::DocumentKind::tuning};
 
 struct Options {
   std::vector<std::string> kinds, plugins;
@@ -42,7 +42,7 @@ config::DocumentKind kind_named(const std::string& name) {
 int schema(const Options& options, const Invocation& invocation) {
   if (options.kinds.size() != 1) {
     throw BadInput(
-        fmt::format("config schema: one of rules, robot, disturbance, opening, team, predictor_study and experiment is "
+        fmt::format("config schema: one of rules, robot, disturbance, opening, team, predictor_study, experiment and tuning is "
                     "wanted, {} given",
                     options.kinds.size()));
   }
@@ -57,7 +57,7 @@ int schema(const Options& options, const Invocation& invocation) {
 Command add_config_schema(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("schema", "write the JSON Schema of a kind of document");
   const auto options = std::make_shared<Options>();
-  app.add_option("kind", options->kinds, "rules, robot, disturbance, opening, team, predictor_study or experiment")
+  app.add_option("kind", options->kinds, "rules, robot, disturbance, opening, team, predictor_study, experiment or tuning")
       ->type_name("KIND");
   add_plugin_folders(app, options->plugins);
   app.footer(examples);

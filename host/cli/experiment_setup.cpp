@@ -231,7 +231,7 @@ class Planner {
 
   // Each scene must fit the rules and robots of every condition.
   void add_openings() {
-    for (const config::Experiment::Path& path : experiment_.openings) {
+    for (const config::NamedPath& path : experiment_.openings) {
       const std::string who = config::to_string(path.where) + ": openings";
       for (const std::string& file : opening_files({path.path}, who)) {
         const config::Node document = config::load(file);

@@ -15,8 +15,8 @@
 namespace regista::config {
 namespace {
 
-constexpr std::array<std::string_view, 7> kinds{"rules", "robot",           "disturbance", "opening",
-                                                "team",  "predictor_study", "experiment"};
+constexpr std::array<std::string_view, 8> kinds{"rules", "robot",           "disturbance", "opening",
+                                                "team",  "predictor_study", "experiment",  "tuning"};
 
 // Calls use(value, declaration) for a read document of the kind it says, checked.
 template <class Use>
@@ -46,6 +46,10 @@ auto visit(const Node& document, Use use) {
       Experiment experiment = read_experiment(document);
       return use(declare(experiment));
     }
+    case DocumentKind::tuning: {
+      Tuning tuning = read_tuning(document);
+      return use(declare(tuning));
+    }
     case DocumentKind::team:
       break;
   }
@@ -59,8 +63,8 @@ auto visit(const Node& document, Use use) {
 std::string_view name_of(DocumentKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
 
 DocumentKind kind_of(const Node& document) {
-  // An experiment names a team, rules and more; a team has a key `roles` and may one day have one of the others.
-  for (const DocumentKind kind : {DocumentKind::experiment, DocumentKind::team}) {
+  // Studies name a team, rules and more; a team has a key `roles` and may one day have one of the others.
+  for (const DocumentKind kind : {DocumentKind::experiment, DocumentKind::tuning, DocumentKind::team}) {
     if (document[name_of(kind)]) return kind;
   }
   for (std::size_t i = 0; i < kinds.size(); ++i) {
@@ -68,8 +72,8 @@ DocumentKind kind_of(const Node& document) {
   }
   throw Error(
       document.where(),
-      "no key says what this is: rules, robot, disturbance, opening, team, predictor_study or experiment, with its "
-      "name");
+      "no key says what this is: rules, robot, disturbance, opening, team, predictor_study, experiment or tuning, with "
+      "its name");
 }
 
 static std::string with_article(DocumentKind kind) {
@@ -104,6 +108,7 @@ PredictorStudy read_predictor_study(const Node& document) {
   return read_sound<PredictorStudy>(document, DocumentKind::predictor_study);
 }
 Experiment read_experiment(const Node& document) { return read_sound<Experiment>(document, DocumentKind::experiment); }
+Tuning read_tuning(const Node& document) { return read_sound<Tuning>(document, DocumentKind::tuning); }
 
 Rules read_rules(const std::filesystem::path& file, const Overrides& overrides) {
   return read_rules(load(file, overrides));
@@ -125,6 +130,9 @@ PredictorStudy read_predictor_study(const std::filesystem::path& file, const Ove
 }
 Experiment read_experiment(const std::filesystem::path& file, const Overrides& overrides) {
   return read_experiment(load(file, overrides));
+}
+Tuning read_tuning(const std::filesystem::path& file, const Overrides& overrides) {
+  return read_tuning(load(file, overrides));
 }
 
 DocumentKind check(const std::filesystem::path& file, const Overrides& overrides) {
@@ -168,6 +176,10 @@ std::string schema(DocumentKind kind, std::span<const PluginDeclaration> plugins
     case DocumentKind::experiment: {
       Experiment experiment;
       return schema(declare(experiment), title, plugins);
+    }
+    case DocumentKind::tuning: {
+      Tuning tuning;
+      return schema(declare(tuning), title, plugins);
     }
     case DocumentKind::team:
       break;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The seven kinds of document: read, shown, described. A document says its kind by the key that holds its name
+// The eight kinds of document: read, shown, described. A document says its kind by the key that holds its name
 // (`rules: spl2023`, `robot: nao`, `disturbance: none`, `opening: overload`, `team: paper`, `predictor_study:
-// ssl_ball`, `experiment: role_overlap`).
+// ssl_ball`, `experiment: role_overlap`, `tuning: weights`).
 #pragma once
 
 #include <filesystem>
@@ -20,6 +20,7 @@
 #include "config/rules.hpp"
 #include "config/show.hpp"
 #include "config/team.hpp"
+#include "config/tuning.hpp"
 
 namespace regista::config {
 
@@ -32,6 +33,7 @@ Opening read_opening(const std::filesystem::path& file, const Overrides& overrid
 Team read_team(const std::filesystem::path& file, const Overrides& overrides = {});
 PredictorStudy read_predictor_study(const std::filesystem::path& file, const Overrides& overrides = {});
 Experiment read_experiment(const std::filesystem::path& file, const Overrides& overrides = {});
+Tuning read_tuning(const std::filesystem::path& file, const Overrides& overrides = {});
 
 // The same from a loaded document.
 Rules read_rules(const Node& document);
@@ -41,10 +43,11 @@ Opening read_opening(const Node& document);
 Team read_team(const Node& document);
 PredictorStudy read_predictor_study(const Node& document);
 Experiment read_experiment(const Node& document);
+Tuning read_tuning(const Node& document);
 
-enum class DocumentKind { rules, robot, disturbance, opening, team, predictor_study, experiment };
+enum class DocumentKind { rules, robot, disturbance, opening, team, predictor_study, experiment, tuning };
 
-// "rules", "robot", "disturbance", "opening", "team", "predictor_study", "experiment"
+// "rules", "robot", "disturbance", "opening", "team", "predictor_study", "experiment", "tuning"
 std::string_view name_of(DocumentKind kind);
 
 // Throws Error at the document when it says no kind.

@@ -9,18 +9,13 @@
 
 #include "config/file.hpp"
 #include "config/line.hpp"
+#include "config/path_list.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
 #include "config/text.hpp"
 
 namespace regista::config {
 namespace {
-
-std::span<const Node> elements_of(const Node& node, const std::string& what, const char* wanted) {
-  if (node.kind() != Node::Kind::sequence) refuse_kind(node, what, wanted);
-  if (node.elements().empty()) throw Error(node.where(), what + ": the list is empty");
-  return node.elements();
-}
 
 Node sequence_of(const std::vector<Node>& elements) { return elements.empty() ? Node() : Node::sequence(elements, {}); }
 
@@ -83,27 +78,6 @@ Field pairs(std::string key, std::vector<Node>& pairs, std::string doc) {
                 pairs.assign(elements.begin(), elements.end());
               },
               [&pairs] { return sequence_of(pairs); }}};
-}
-
-Field paths(std::string key, std::vector<Experiment::Path>& paths, std::string doc) {
-  return {
-      std::move(key), std::move(doc),
-      Own{"paths",
-          [&paths](const Node& node, const std::string& what) {
-            const bool one = node.kind() == Node::Kind::scalar;
-            const std::vector<Node> single{node};
-            for (const Node& each : one ? std::span<const Node>(single) : elements_of(node, what, "a list of paths")) {
-              const std::filesystem::path path = named_file(each, what);
-              std::error_code none;
-              if (!std::filesystem::is_directory(path, none)) existing_file(each, what);
-              paths.push_back({std::filesystem::absolute(path).lexically_normal().string(), each.where()});
-            }
-          },
-          [&paths] {
-            std::vector<Node> out;
-            for (const Experiment::Path& each : paths) out.push_back(Node::scalar(each.path, true, {}));
-            return sequence_of(out);
-          }}};
 }
 
 void require_arm(const Experiment& experiment, const Node& name) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "config/declaration.hpp"
+#include "config/path_list.hpp"
 
 namespace regista::config {
 
@@ -44,11 +45,6 @@ struct Experiment {
 
   using Primary = ExperimentPrimary;
 
-  struct Path {
-    std::string path;  // file or folder
-    Location where;
-  };
-
   std::string name, question;
   std::vector<Arm> arms;
   std::string team, opponent;     // files; team: of arms that name none
@@ -57,7 +53,7 @@ struct Experiment {
   int seed = 1;
   std::string rules, robot;                       // files; empty: the built-in values
   std::string disturbance, opponent_disturbance;  // of the arm's team, of its opponent
-  std::vector<Path> openings;
+  std::vector<NamedPath> openings;
   std::optional<double> limit;  // s of a match
   Node set;                     // for all arms; map or absent
   std::optional<Sweep> sweep;

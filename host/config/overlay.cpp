@@ -40,6 +40,21 @@ std::string_view walked(std::string_view path, std::string_view rest) {
   return part.empty() ? "the document" : part;
 }
 
+// The first key of a path into a map. A key may itself contain dots (those of `use:` do): the longest that fits is
+// meant.
+std::string_view first_key(const Node& map, std::string_view path) {
+  std::string_view key = path.substr(0, path.find('.'));
+  bool there = false;
+  for (const Node::Entry& entry : map.entries()) {
+    const bool fits = path == entry.key || (path.starts_with(entry.key) && path[entry.key.size()] == '.');
+    if (fits && (!there || entry.key.size() > key.size())) {
+      key = path.substr(0, entry.key.size());
+      there = true;
+    }
+  }
+  return key;
+}
+
 struct Overlay {
   std::string_view path;
   const Node& value;
@@ -57,16 +72,7 @@ struct Overlay {
   }
 
   Node lay_map(const Node& map, std::string_view rest) const {
-    // A key may itself contain dots (those of `use:` do): the longest that fits is meant.
-    std::string_view key = rest.substr(0, rest.find('.'));
-    bool there = false;
-    for (const Node::Entry& entry : map.entries()) {
-      const bool fits = rest == entry.key || (rest.starts_with(entry.key) && rest[entry.key.size()] == '.');
-      if (fits && (!there || entry.key.size() > key.size())) {
-        key = rest.substr(0, entry.key.size());
-        there = true;
-      }
-    }
+    const std::string_view key = first_key(map, rest);
     if (key.empty()) throw Error(where, fmt::format("{}: empty name in the path", in_quotes(path)));
     const bool last = key.size() == rest.size();
     if (last) return merge(map, Node::map({{std::string(key), where, value}}, map.where()));
@@ -147,6 +153,19 @@ Node merge(const Node& base, const Node& over) {
 
 Node with(const Node& document, std::string_view path, const Node& value, const Location& where) {
   return Overlay{path, value, where}.lay(document, path);
+}
+
+Node value_at(const Node& document, std::string_view path) {
+  if (path.empty()) return document;
+  const bool map = document.kind() == Node::Kind::map;
+  const std::string_view first = map ? first_key(document, path) : path.substr(0, path.find('.'));
+  const std::string_view rest = path.substr(std::min(path.size(), first.size() + 1));
+  if (map) return value_at(document[first], rest);
+  for (std::size_t i = 0; i < document.elements().size(); ++i) {
+    const Node element = document.elements()[i], own = element["name"];
+    if ((own && own.text() == first) || std::to_string(i) == first) return value_at(element, rest);
+  }
+  return {};
 }
 
 }  // namespace regista::config

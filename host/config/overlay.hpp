@@ -19,4 +19,7 @@ Node merge(const Node& base, const Node& over);
 // for a path that leads through a value without parts, or to an element that is not there.
 Node with(const Node& document, std::string_view path, const Node& value, const Location& where);
 
+// What stands at a path as with() understands it; absent where there is nothing.
+Node value_at(const Node& document, std::string_view path);
+
 }  // namespace regista::config

@@ -19,7 +19,7 @@ struct PluginParameter {
   double initial = 0.0;                   // default: real, integer, boolean (0 or 1), choice (index)
   std::string initial_text = {};          // default: text; for a file empty = none
   std::vector<std::string> choices = {};  // choice only
-  bool tunable = false;
+  bool tunable = false, log_scale = false;
 };
 
 // One for each kind that a plugin implements.

@@ -152,6 +152,12 @@ void refuse_kind(const Node& node, std::string_view what, std::string_view wante
   throw Error(node.where(), fmt::format("{}: {}; {} is wanted", what, described(node), wanted));
 }
 
+std::span<const Node> elements_of(const Node& node, std::string_view what, std::string_view wanted) {
+  if (node.kind() != Node::Kind::sequence) refuse_kind(node, what, wanted);
+  if (node.elements().empty()) throw Error(node.where(), fmt::format("{}: the list is empty", what));
+  return node.elements();
+}
+
 std::string real_text(double value) { return fmt::format("{}", value); }
 
 }  // namespace regista::config

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -27,6 +28,9 @@ std::string described(const Node& node);
 
 // Throws Error at the node, "what: <described>; <wanted> is wanted".
 [[noreturn]] void refuse_kind(const Node& node, std::string_view what, std::string_view wanted);
+
+// Those of a list that has some. Throws Error at the node, as refuse_kind does, or for an empty list.
+std::span<const Node> elements_of(const Node& node, std::string_view what, std::string_view wanted);
 
 // The shortest text that to_real reads as exactly this number.
 std::string real_text(double value);

@@ -158,6 +158,17 @@ class Writer {
   bool variant_;
 };
 
+// `path`, or `{path: ..., range: [least, largest]}`.
+Json tuned_paths() {
+  const Json range{{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 2}};
+  const Json narrowed{{"type", "object"},
+                      {"properties", {{"path", {{"$ref", "#/$defs/line"}}}, {"range", range}}},
+                      {"required", {"path"}},
+                      {"additionalProperties", false}};
+  const Json path{{"anyOf", {{{"$ref", "#/$defs/line"}}, narrowed}}};
+  return {{"type", "array"}, {"items", path}, {"minItems", 1}};
+}
+
 // What Own and Free refer to.
 Json definitions() {
   const Json coordinate = number({-farthest_coordinate, farthest_coordinate});
@@ -187,6 +198,11 @@ Json definitions() {
              {{{"type", "string"}, {"minLength", 1}},
               {{"type", "array"}, {"items", {{"type", "string"}, {"minLength", 1}}}, {"minItems", 1}}}}}},
           {"settings", {{"type", "object"}}},
+          {"measured",
+           {{"anyOf",
+             {{{"$ref", "#/$defs/line"}},
+              {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}, {"minProperties", 1}}}}}},
+          {"tuned", tuned_paths()},
           {"params", {{"type", "object"}}},
           {"use",
            {{"type", "object"},

@@ -86,7 +86,6 @@ int role_list_named(const Node& value, const TeamPage& page, const std::string& 
 
 Context resolved(const ContextPage& written, const Node& document, const TeamPage& page, const std::string& what) {
   Context context;
-  Node values = coordination_of(document);
   for (const Node::Entry& entry : written.use.entries()) {
     const std::string first = entry.key.substr(0, entry.key.find('.'));
     if (std::count(usable_keys().begin(), usable_keys().end(), first) == 0) {
@@ -96,12 +95,10 @@ Context resolved(const ContextPage& written, const Node& document, const TeamPag
       context.role_list = role_list_named(entry.value, page, what + ".roles");
     } else if (first == "roles") {
       throw Error(entry.key_where, what + ": roles takes the name of a list and has no parts");
-    } else {
-      values = with(values, entry.key, entry.value, entry.key_where);
     }
   }
   Coordination coordination;
-  read(declare(coordination), values);
+  read(declare(coordination), in_context(document, written.use));
   context.name = written.name;
   context.priority = written.priority;
   context.use = written.plugin;
@@ -117,6 +114,14 @@ Context resolved(const ContextPage& written, const Node& document, const TeamPag
 }
 
 }  // namespace
+
+Node in_context(const Node& document, const Node& use) {
+  Node values = coordination_of(document);
+  for (const Node::Entry& entry : use.entries()) {
+    if (entry.key != "roles") values = with(values, entry.key, entry.value, entry.key_where);
+  }
+  return values;
+}
 
 TeamPage read_team_page(const Node& document) {
   TeamPage page;

@@ -40,6 +40,7 @@ config::PluginParameter declaration(const regista_parameter& declared) {
     out.choices.assign(declared.choices, declared.choices + declared.choice_count);
   }
   out.tunable = (declared.flags & REGISTA_PARAMETER_TUNABLE) != 0;
+  out.log_scale = (declared.flags & REGISTA_PARAMETER_LOG_SCALE) != 0;
   return out;
 }
 

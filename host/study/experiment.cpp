@@ -45,12 +45,10 @@ void Experiment::take(const campaign::Decided& decided) {
   const double seconds = at_home_ && played ? at_home_->playing_seconds() + played->playing_seconds() : 0.0;
   for (std::size_t measure = 0; measure < plan_.measures.size(); ++measure) {
     const std::string& path = plan_.measures[measure];
-    const double sum = value_of(at_home_, path) + value_of(played, path), mean = sum / 2.0;
-    double in_unit = mean;
-    if (is_time(path)) in_unit = seconds > 0.0 ? 60.0 * sum / seconds : nothing;
+    const double sum = value_of(at_home_, path) + value_of(played, path);
     Values& values = values_[trial.condition * plan_.measures.size() + measure];
-    values.in_unit.push_back(in_unit);
-    values.per_match.push_back(mean);
+    values.in_unit.push_back(pair_in_unit(path, sum, seconds));
+    values.per_match.push_back(sum / 2.0);
   }
   at_home_.reset();
 }

@@ -2,17 +2,29 @@
 #include "study/measure.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace regista::study {
 
-MatchMeasures::MatchMeasures(const campaign::Decided& decided, int side)
-    : playing_seconds_(match_number(decided.metrics, "playing_seconds").value_or(0.0)) {
+double pair_in_unit(std::string_view measure, double sum, double playing_seconds) {
+  if (!is_time(measure)) return sum / 2.0;
+  return playing_seconds > 0.0 ? 60.0 * sum / playing_seconds : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::optional<double> measure_of_score(std::string_view measure, const campaign::Decided& decided, int side) {
   const int own = decided.score[static_cast<std::size_t>(side)],
             other = decided.score[static_cast<std::size_t>(1 - side)];
   const double points = own > other ? 1.0 : own == other ? 0.5 : 0.0;
-  const std::array<double, measures_of_score.size()> of_score{static_cast<double>(own), static_cast<double>(other),
-                                                              static_cast<double>(own - other), points};
-  for (std::size_t i = 0; i < of_score.size(); ++i) values_.push_back({measures_of_score[i], of_score[i]});
+  const std::array<double, measures_of_score.size()> values{static_cast<double>(own), static_cast<double>(other),
+                                                            static_cast<double>(own - other), points};
+  const auto found = std::ranges::find(measures_of_score, measure);
+  if (found == measures_of_score.end()) return std::nullopt;
+  return values[static_cast<std::size_t>(found - measures_of_score.begin())];
+}
+
+MatchMeasures::MatchMeasures(const campaign::Decided& decided, int side)
+    : playing_seconds_(match_number(decided.metrics, "playing_seconds").value_or(0.0)) {
+  for (const char* const each : measures_of_score) values_.push_back({each, *measure_of_score(each, decided, side)});
   for (NamedValue& each : all_metric_values(decided.metrics, side)) {
     if (std::ranges::find(measures_of_score, each.path) == measures_of_score.end()) values_.push_back(std::move(each));
   }

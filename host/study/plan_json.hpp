@@ -18,6 +18,7 @@ namespace regista::study {
 
 inline constexpr const char* tournament_study = "tournament";
 inline constexpr const char* experiment_study = "experiment";
+inline constexpr const char* tuning_study = "tuning";
 
 inline nlohmann::ordered_json json_of(const std::vector<campaign::Input>& inputs) {
   return nlohmann::ordered_json::parse(campaign::to_json(inputs));

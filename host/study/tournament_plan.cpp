@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "study/tournament_plan.hpp"
 
-#include <Random123/philox.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -111,15 +110,6 @@ std::vector<std::string> overrides_of(const TournamentPlan& plan, const Fixture&
   return out;
 }
 
-// Which of so many openings a seed plays: Philox, J. K. Salmon et al., "Parallel Random Numbers: As Easy as 1, 2, 3",
-// 2011.
-std::size_t drawn(std::uint64_t seed, std::size_t openings) {
-  constexpr std::uint32_t purpose = 0x6f70656e;  // no other use of the seed draws these numbers
-  const r123::Philox4x32::ctr_type counter{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}};
-  const auto random = r123::Philox4x32()(counter, {{purpose, 0}});
-  return static_cast<std::size_t>((std::uint64_t{random[0]} << 32 | random[1]) % openings);
-}
-
 }  // namespace
 
 std::vector<Pairing> TournamentPlan::pairings() const {
@@ -154,7 +144,7 @@ Fixture Calendar::of_number(std::size_t number) const {
 Fixture Calendar::at(std::uint64_t index) const {
   const std::uint64_t pair = index / 2 / pairings_.size(), seed = first_seed_ + pair;
   const auto pairing = static_cast<std::size_t>(index / 2 % pairings_.size());
-  const std::size_t opening = drawn_ ? drawn(seed, openings_) : static_cast<std::size_t>(pair % openings_);
+  const std::size_t opening = drawn_ ? drawn_opening(seed, openings_) : static_cast<std::size_t>(pair % openings_);
   Fixture out = of_number((2 * pairing + index % 2) * openings_ + opening);
   out.pair = pair;
   out.seed = seed;

@@ -25,7 +25,8 @@ struct Question {
   std::uint64_t pairs = 0;
 };
 
-// As many values as there are points; larger is better; finite. What it throws ends the search and is thrown on.
+// As many values as there are points; larger is better; finite. None at all: enough, the search ends with what it has,
+// as when its budget is used up. What it throws ends the search and is thrown on.
 using Evaluate = std::function<std::vector<double>(const Question& question)>;
 
 struct SearchSettings {

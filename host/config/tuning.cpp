@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "config/tuning.hpp"
+
+#include <fmt/format.h>
+
+#include "config/line.hpp"
+#include "config/path_list.hpp"
+#include "config/read.hpp"
+#include "config/scalar.hpp"
+#include "config/text.hpp"
+
+namespace regista::config {
+namespace {
+
+constexpr Range any_number{-1e9, 1e9};
+constexpr Range shares{1e-6, 1e6};
+
+std::string text_of(const Node& node, const std::string& what) {
+  const std::string text = to_line(node, what);
+  if (text.empty()) throw Error(node.where(), what + ": a path is wanted");
+  return text;
+}
+
+TunedPath path_of(const Node& node, const std::string& what) {
+  TunedPath out;
+  out.where = node.where();
+  if (node.kind() != Node::Kind::map) {
+    out.pattern = text_of(node, what);
+    return out;
+  }
+  std::string line;
+  Map map{.fields = {
+              required(config::line("path", line, "of a value of the team; * and ? stand for any letters")),
+              numbers("range", out.range, any_number, "", "[least, largest]: inside of what is declared"),
+          }};
+  read(map, node, what);
+  out.pattern = text_of(node["path"], what + ".path");
+  out.where = node["path"].where();
+  if (!out.range) return out;
+  out.range_where = node["range"].where();
+  if ((*out.range)[0] > (*out.range)[1]) {
+    throw Error(out.range_where, fmt::format("{}.range: empty: {} is more than {}", what, real_text((*out.range)[0]),
+                                             real_text((*out.range)[1])));
+  }
+  return out;
+}
+
+Node written(const TunedPath& path) {
+  const Location nowhere;
+  const Node pattern = Node::scalar(path.pattern, true, nowhere);
+  if (!path.range) return pattern;
+  std::vector<Node> ends;
+  for (const double each : *path.range) ends.push_back(Node::scalar(real_text(each), false, nowhere));
+  const Node range = Node::sequence(std::move(ends), nowhere);
+  return Node::map({{"path", nowhere, pattern}, {"range", nowhere, range}}, nowhere);
+}
+
+Field tuned_paths(std::string key, std::vector<TunedPath>& paths, std::string doc) {
+  return {std::move(key), std::move(doc),
+          Own{"tuned",
+              [&paths](const Node& node, const std::string& what) {
+                const std::span<const Node> elements = elements_of(node, what, "a list of paths");
+                paths.clear();
+                for (std::size_t i = 0; i < elements.size(); ++i) {
+                  paths.push_back(path_of(elements[i], fmt::format("{}.{}", what, i)));
+                }
+              },
+              [&paths] {
+                std::vector<Node> out;
+                for (const TunedPath& each : paths) out.push_back(written(each));
+                return Node::sequence(std::move(out), {});
+              }}};
+}
+
+// `goal_difference`, or `{points: 10, overlap_seconds: -0.5}`.
+Field measured(std::string key, std::vector<TuningObjective::Term>& terms, std::string doc) {
+  const auto read_terms = [&terms](const Node& node, const std::string& what) {
+    terms.clear();
+    if (node.kind() != Node::Kind::map) {
+      terms.push_back({to_line(node, what), 1.0, node.where()});
+      return;
+    }
+    for (const Node::Entry& entry : node.entries()) {
+      const double weight = to_real(entry.value, what + '.' + entry.key);
+      if (weight == 0.0) throw Error(entry.value.where(), fmt::format("{}.{}: a weight of 0", what, entry.key));
+      terms.push_back({entry.key, weight, entry.key_where});
+    }
+    if (terms.empty()) throw Error(node.where(), what + ": a measure is wanted");
+  };
+  const auto write_terms = [&terms] {
+    const Location nowhere;
+    std::vector<Node::Entry> out;
+    for (const TuningObjective::Term& each : terms) {
+      out.push_back({each.measure, nowhere, Node::scalar(real_text(each.weight), false, nowhere)});
+    }
+    return out.empty() ? Node() : Node::map(std::move(out), nowhere);
+  };
+  return {std::move(key), std::move(doc), Own{"measured", read_terms, write_terms}};
+}
+
+}  // namespace
+
+static Map declare(Tuning::Opponent& opponent) {
+  return {.fields =
+              {
+                  required(file("team", opponent.team, "the team")),
+                  real("weight", opponent.weight, shares, "1", "of its matches in the objective; the sum is made 1"),
+              },
+          .where = &opponent.where};
+}
+
+static Map declare(TuningObjective& objective) {
+  return {.fields =
+              {
+                  measured("maximise", objective.maximise, "a measure, or measures with weights"),
+                  measured("minimise", objective.minimise, "the same, the other way round"),
+              },
+          .where = &objective.where,
+          .exactly_one = {"maximise", "minimise"}};
+}
+
+static Map declare(Tuning::Search& search) {
+  return {.fields =
+              {
+                  name("algorithm", search.algorithm, "see docs/tuning.md"),
+                  integer("matches", search.matches, {2, 10000000}, "1", "of the whole search, at most"),
+                  real("minutes", search.minutes, {0.01, 1e6}, "min", "of wall time, after which no point is begun"),
+                  integer("pairs", search.pairs, {1, 10000}, "1",
+                          "of matches with each opponent, for each point; without it what the algorithm wants"),
+                  integer("population", search.population, {4, 10000}, "1",
+                          "points of a generation; without it the algorithm's own"),
+              },
+          .where = &search.where};
+}
+
+static Map declare(Tuning::Selection& selection) {
+  return {.fields =
+              {
+                  integer("finalists", selection.finalists, {1, 64}, "1",
+                          "best points of the search that are played again, on other seeds"),
+                  integer("matches", selection.matches, {2, 1000000}, "1", "of all finalists together, at most"),
+              },
+          .where = &selection.where};
+}
+
+static Map declare(Tuning::Verification& verification) {
+  return {.fields =
+              {
+                  integer("candidates", verification.candidates, {1, 16}, "1",
+                          "best finalists that are compared with the base team, on seeds nobody has seen"),
+                  integer("matches", verification.matches, {4, 10000000}, "1",
+                          "of the candidates and the base team together, at most"),
+                  choice("against", verification.against, {"opponents", "base"},
+                         "whom candidate and base team play: the opponents, or each other"),
+                  real("confidence", verification.confidence, {0.5, 0.9999}, "1", "of the verdict"),
+              },
+          .where = &verification.where};
+}
+
+static Map declare(Tuning::Slices& slices) {
+  return {.fields =
+              {
+                  integer("points", slices.points, {0, 101}, "1",
+                          "of each parameter, over its range, the others as tuned; 0 is none"),
+                  integer("matches", slices.matches, {2, 1000000}, "1", "of all points together, at most"),
+              },
+          .where = &slices.where};
+}
+
+Map declare(Tuning& tuning) {
+  return {{
+      required(name("tuning", tuning.name, "name of this tuning")),
+      line("question", tuning.question, "what it is to answer"),
+      required(file("team", tuning.team, "the team that is tuned: the base")),
+      required(list("opponents", tuning.opponents, 1, 32, "that it plays against")),
+      required(tuned_paths("parameters", tuning.parameters, "values of the team that may change")),
+      section("objective", tuning.objective, "what counts as better; without it goal_difference is maximised"),
+      integer("seed", tuning.seed, {0, 2147483647}, "1", "of the search, and of the first matches"),
+      file("rules", tuning.rules, "rules profile; without it spl2023, built in"),
+      file("robot", tuning.robot, "robot profile of all; without it nao, built in"),
+      file("disturbance", tuning.disturbance, "disturbance of the tuned team; without it none"),
+      file("opponent_disturbance", tuning.opponent_disturbance, "of the opponents; without it none"),
+      paths("openings", tuning.openings, "scenes that matches start from: files, or folders of them"),
+      real("limit", tuning.limit, {0.1, 1e6}, "s", "after which each match ends"),
+      free("set", tuning.set, "settings", "values laid over documents, by path"),
+      section("search", tuning.search, "how the space is searched"),
+      section("selection", tuning.selection, "which of the points found are candidates"),
+      section("verification", tuning.verification, "whether they are better than the base team"),
+      section("slices", tuning.slices, "what each parameter does around the tuned point"),
+  }};
+}
+
+void check(const Tuning& tuning, const Node& document) {
+  if (tuning.verification.candidates > tuning.selection.finalists) {
+    refuse(document, {"verification.candidates", "selection.finalists"},
+           fmt::format("verification.candidates: {} of {} finalists", tuning.verification.candidates,
+                       tuning.selection.finalists));
+  }
+}
+
+}  // namespace regista::config

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// A tuning as it was fixed before its first match: what may change, who is played, what counts as better, by which
+// algorithm, how much, and which test decides. From it and the results of matches everything follows: which point is
+// tried next, which ones are candidates, and what is said about them.
+//
+// Unit of everything is the pair: a match with the tuned team at home, then the same with the sides swapped, against
+// every opponent. Pairs are numbered from 0 in each of four stages, whose seeds are disjoint:
+//   seed = stage * 2^50 + repeat * 2^40 + first seed + number of the pair.
+// Those of the verification begin at a number drawn from all that was chosen before, so that another choice is never
+// verified on seeds that an earlier one was seen to do well on.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/input.hpp"
+#include "campaign/job.hpp"
+#include "campaign/worker.hpp"
+#include "study/opening.hpp"
+#include "study/tuning/algorithm.hpp"
+#include "study/tuning/parameter.hpp"
+
+namespace regista::study {
+
+enum class TuningStage { search, selection, verification, slices };
+const char* name(TuningStage stage);
+
+struct ObjectiveTerm {
+  std::string measure;  // see study/measure.hpp
+  double weight = 1.0;
+  friend bool operator==(const ObjectiveTerm&, const ObjectiveTerm&) = default;
+};
+
+// Sum of weighted measures, in the unit of the measure where it is one alone.
+struct TuningObjective {
+  std::vector<ObjectiveTerm> terms;  // one or more
+  bool minimise = false;
+  friend bool operator==(const TuningObjective&, const TuningObjective&) = default;
+};
+
+// Somebody whom the tuned team plays.
+struct TuningOpponent {
+  std::string label, file;
+  double weight = 1.0;                // all of a plan sum up to 1
+  std::array<campaign::Job, 2> jobs;  // the tuned team at home, away; it as the base team; without seed and opening
+};
+
+struct TuningPlan {
+  std::string name, question;
+  std::string team;                   // file
+  std::string document;               // the team's, resolved, with every parameter in it, at its start
+  std::vector<std::string> settings;  // "path=value" of the team, laid over its file
+  std::vector<Parameter> parameters;
+  std::vector<TuningOpponent> opponents;
+  TuningOpponent base;  // the base team as it is, as an opponent
+  TuningObjective objective;
+  std::vector<Opening> openings;  // none: from kick-off
+  int most_goals = 0;             // largest goal difference that a match can end with; a forfeit counts as that much
+  std::uint64_t seed = 1;
+
+  Algorithm algorithm = Algorithm::sbplx;
+  std::uint64_t search_pairs = 0;     // against each opponent, of the whole search, at most
+  std::uint64_t pairs = 1;            // of them for each point, with an algorithm that wants replication
+  bool pairs_for_all = false;         // with every algorithm
+  std::optional<double> minutes;      // of wall time for the search
+  std::uint64_t population = 0;       // 0: the algorithm's own
+  std::uint64_t finalists = 4;        // at most
+  std::uint64_t selection_pairs = 0;  // of each finalist against each opponent
+  std::uint64_t candidates = 1;
+  bool head_to_head = false;             // candidates and base team are compared playing each other
+  std::uint64_t verification_pairs = 0;  // at most
+  double confidence = 0.95;
+  std::uint64_t slice_points = 0, slice_pairs = 0;  // 0 points: none
+
+  std::vector<Algorithm> compared;  // algorithms that are compared, each with the same budget; none: one is used
+  std::uint64_t repeats = 1;        // of each of them
+
+  campaign::Limits limits;             // of each match: they decide who forfeits
+  std::string folder;                  // in which it was begun, absolute: paths are relative to it
+  std::string file;                    // the tuning's document
+  std::vector<std::string> overrides;  // of that document, as typed
+
+  bool compares() const { return !compared.empty(); }
+  std::size_t free_parameters() const;
+  std::uint64_t pairs_of(Algorithm each) const { return pairs_for_all || wants_replication(each) ? pairs : 1; }
+  // Points that it can try, with the base team's.
+  std::uint64_t evaluations(Algorithm each) const { return search_pairs / pairs_of(each); }
+  // Matches of one pair against all opponents.
+  std::uint64_t matches_of_pair() const { return 2 * opponents.size(); }
+};
+
+// Values of all parameters, in the plan's order.
+using ParameterValues = std::vector<double>;
+
+ParameterValues start_values(const TuningPlan& plan);
+
+// The free parameters as a point of the unit cube, and back.
+Eigen::VectorXd point_of(const TuningPlan& plan, const ParameterValues& values);
+ParameterValues values_of(const TuningPlan& plan, const Eigen::VectorXd& point);
+
+// The base team's document with other values in it.
+class TunedDocument {
+ public:
+  // Throws std::invalid_argument for a plan that is damaged.
+  explicit TunedDocument(const TuningPlan& plan);
+  std::string with(const ParameterValues& values) const;
+
+ private:
+  struct Place {
+    std::size_t begin, length, parameter;
+  };
+  const TuningPlan& plan_;
+  std::vector<Place> places_;  // from the last to the first, so that those before stay where they are
+};
+
+// "path=value" for each parameter
+std::vector<std::string> settings_of(const TuningPlan& plan, const ParameterValues& values);
+
+// From the measures of a pair to one number: larger is better.
+double score_of(const TuningObjective& objective, double value);
+double value_of(const TuningObjective& objective, double score);
+// "goal_difference", "10 points - 0.5 overlap_seconds"
+std::string in_words(const TuningObjective& objective);
+
+// The scores that a pair can have, where its measures have bounds.
+struct ScoreBounds {
+  double low, high;
+};
+std::optional<ScoreBounds> score_bounds(const TuningPlan& plan);
+
+// How many matches each stage can take at most, and all of them.
+std::uint64_t most_matches(const TuningPlan& plan, TuningStage stage);
+std::uint64_t most_matches(const TuningPlan& plan);
+
+// JSON; reading throws std::invalid_argument for what writing did not make.
+std::string to_json(const TuningPlan& plan);
+TuningPlan tuning_plan_from_json(const std::string& text);
+
+// What differs between the plan of a file and the one that is asked for, in words; nothing when they are the same.
+std::vector<std::string> differences(const TuningPlan& before, const TuningPlan& now);
+
+}  // namespace regista::study
