@@ -18,8 +18,8 @@ namespace {
 
 // Of local searches, in sides of the cube.
 constexpr double first_step = 0.25;
-constexpr double later_step = 0.1;    // of a search that starts again from the best point
-constexpr double resolution = 0.005;  // a search with smaller steps has ended
+constexpr double later_step = 0.2;   // of a search that starts again from the best point
+constexpr double resolution = 0.01;  // a search with smaller steps has ended
 
 nlopt_algorithm of_nlopt(Algorithm algorithm) {
   switch (algorithm) {

@@ -18,7 +18,7 @@ SearchResult search(Algorithm algorithm, const SearchSettings& settings, const E
   Inquiry inquiry(evaluate, settings.evaluations);
   switch (algorithm) {
     case Algorithm::spsa:
-      return spsa(settings, inquiry);
+      return spsa(settings, inquiry, spsa_gains(settings.evaluations / 2));
     case Algorithm::sep_cma_es:
       return sep_cma_es(settings, inquiry);
     case Algorithm::random_search:

@@ -51,7 +51,7 @@ std::uint64_t least_sep_cma_es_population(std::size_t dimensions) {
 }
 
 std::uint64_t sep_cma_es_population(std::size_t dimensions, std::uint64_t evaluations) {
-  const auto root = static_cast<std::uint64_t>(1.5 * std::sqrt(static_cast<double>(evaluations)));
+  const auto root = static_cast<std::uint64_t>(2.0 * std::sqrt(static_cast<double>(evaluations)));
   const std::uint64_t wanted = std::max(root, least_sep_cma_es_population(dimensions));
   const std::uint64_t generations = std::max<std::uint64_t>(evaluations / wanted, 1);
   return std::max<std::uint64_t>(evaluations / generations, 2);  // little of the budget is left over
