@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// The chance of a search: a stream of Philox4x32-10 (J. K. Salmon et al., "Parallel Random Numbers: As Easy as 1, 2,
+// 3", 2011) named by the search's seed and by what it is used for. Laws of its own: those of <random> differ between
+// libraries. Two draws must not stand in one argument list.
+#pragma once
+
+#include <Random123/philox.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace regista::study {
+
+class Draws {
+ public:
+  // No two users of one seed share a stream.
+  enum class Use : std::uint32_t {
+    spsa = 0x73707361,
+    sep_cma_es = 0x636d6165,
+    random = 0x72616e64,
+    nlopt = 0x6e6c6f70
+  };
+
+  Draws(std::uint64_t seed, Use use)
+      : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}},
+        counter_{{0, 0, static_cast<std::uint32_t>(use), 0}} {}
+
+  std::uint32_t bits() {
+    if (used_ == 4) {
+      words_ = Generator{}(counter_, key_);
+      counter_.incr();
+      used_ = 0;
+    }
+    return words_[used_++];
+  }
+
+  // [0, 1), in steps of 2^-53.
+  double uniform() {
+    const std::uint64_t high = bits() >> 5;
+    const std::uint64_t low = bits() >> 6;
+    return static_cast<double>(high << 26 | low) * 0x1p-53;
+  }
+
+  // -1 or 1.
+  double sign() { return bits() >> 31 == 0 ? -1.0 : 1.0; }
+
+  // Standard normal law by the polar form of Box and Muller's method (Marsaglia and Bray, 1964).
+  double normal() {
+    if (spare_) {
+      spare_ = false;
+      return second_;
+    }
+    double x, y, squared;
+    do {
+      x = 2.0 * uniform() - 1.0;
+      y = 2.0 * uniform() - 1.0;
+      squared = x * x + y * y;
+    } while (squared >= 1.0 || squared == 0.0);
+    const double scale = std::sqrt(-2.0 * std::log(squared) / squared);
+    second_ = scale * y;
+    spare_ = true;
+    return scale * x;
+  }
+
+ private:
+  using Generator = r123::Philox4x32;  // ten rounds
+  Generator::key_type key_;
+  Generator::ctr_type counter_;
+  Generator::ctr_type words_;
+  unsigned used_ = 4;
+  bool spare_ = false;
+  double second_ = 0.0;
+};
+
+}  // namespace regista::study

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "study/tuning/nlopt_search.hpp"
+
+#include <nlopt.h>
+
+#include <algorithm>
+#include <cassert>
+#include <climits>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+
+#include "study/tuning/draws.hpp"
+#include "study/tuning/populations.hpp"
+
+namespace regista::study {
+namespace {
+
+// Of local searches, in sides of the cube.
+constexpr double first_step = 0.25;
+constexpr double later_step = 0.2;   // of a search that starts again from the best point
+constexpr double resolution = 0.01;  // a search with smaller steps has ended
+
+nlopt_algorithm of_nlopt(Algorithm algorithm) {
+  switch (algorithm) {
+    case Algorithm::sbplx:
+      return NLOPT_LN_SBPLX;
+    case Algorithm::bobyqa:
+      return NLOPT_LN_BOBYQA;
+    case Algorithm::nelder_mead:
+      return NLOPT_LN_NELDERMEAD;
+    case Algorithm::cobyla:
+      return NLOPT_LN_COBYLA;
+    case Algorithm::crs2_lm:
+      return NLOPT_GN_CRS2_LM;
+    case Algorithm::direct_l:
+      return NLOPT_GN_DIRECT_L;
+    case Algorithm::isres:
+      return NLOPT_GN_ISRES;
+    case Algorithm::esch:
+      return NLOPT_GN_ESCH;
+    default:
+      break;
+  }
+  throw std::logic_error("not an algorithm of NLopt");
+}
+
+bool local(Algorithm algorithm) {
+  return algorithm == Algorithm::sbplx || algorithm == Algorithm::bobyqa || algorithm == Algorithm::nelder_mead ||
+         algorithm == Algorithm::cobyla;
+}
+
+struct Destroy {
+  void operator()(nlopt_opt optimizer) const { nlopt_destroy(optimizer); }
+};
+
+// What a call of the objective knows. Nothing may be thrown through NLopt, which is C.
+struct Course {
+  Inquiry* inquiry;
+  nlopt_opt optimizer;
+  std::uint64_t first_pairs;       // of this run's first generation
+  std::uint64_t first_generation;  // points of it; 0: all questions are of number 0
+  std::uint64_t later_generation;
+  std::uint64_t asked = 0;
+  std::exception_ptr failure;
+  Point point;
+
+  std::uint64_t pairs() const {
+    if (first_generation == 0) return 0;
+    return asked < first_generation ? first_pairs : first_pairs + 1 + (asked - first_generation) / later_generation;
+  }
+
+  // To be minimised.
+  double value(std::span<const double> coordinates) {
+    if (failure || inquiry->left() == 0) {
+      nlopt_force_stop(optimizer);
+      return -inquiry->worst();
+    }
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+      // Rounding may leave the bounds; a model that broke down asks for no number at all.
+      if (!(coordinates[i] > -1.0 && coordinates[i] < 2.0)) return -inquiry->worst();
+      point[static_cast<Eigen::Index>(i)] = std::clamp(coordinates[i], 0.0, 1.0);
+    }
+    try {
+      const std::span<const double> answer = inquiry->ask({&point, 1}, pairs());
+      ++asked;
+      return -answer[0];
+    } catch (...) {
+      failure = std::current_exception();
+      nlopt_force_stop(optimizer);
+      return -inquiry->worst();
+    }
+  }
+};
+
+double objective(unsigned dimensions, const double* point, double*, void* course) {
+  return static_cast<Course*>(course)->value({point, dimensions});
+}
+
+}  // namespace
+
+SearchResult nlopt_search(Algorithm algorithm, const SearchSettings& settings, Inquiry& inquiry) {
+  const auto dimensions = static_cast<unsigned>(settings.start.size());
+  const bool generations = has_population(algorithm);
+  Draws draws(settings.seed, Draws::Use::nlopt);
+  Point start = settings.start;
+  std::uint64_t next_pairs = 0;
+  for (bool first = true; inquiry.left() > 0; first = false) {
+    const std::unique_ptr<nlopt_opt_s, Destroy> optimizer(nlopt_create(of_nlopt(algorithm), dimensions));
+    if (!optimizer) throw std::bad_alloc();
+    Course course{&inquiry, optimizer.get(), next_pairs, 0, 0, 0, nullptr, Point(start.size())};
+    nlopt_set_lower_bounds1(optimizer.get(), 0.0);
+    nlopt_set_upper_bounds1(optimizer.get(), 1.0);
+    nlopt_set_min_objective(optimizer.get(), objective, &course);
+    // Without it some of them never end; no time, as results must not depend on the clock.
+    nlopt_set_maxeval(optimizer.get(), static_cast<int>(std::min<std::uint64_t>(inquiry.left(), INT_MAX)));
+    if (generations) {
+      course.first_generation = first_generation(algorithm, dimensions, settings.population);
+      course.later_generation = later_generation(algorithm, dimensions, settings.population);
+      nlopt_set_population(optimizer.get(), static_cast<unsigned>(course.first_generation));
+    }
+    if (local(algorithm)) {
+      Point step = Point::Constant(start.size(), first ? first_step : later_step);
+      for (Eigen::Index i = 0; i < step.size(); ++i) {
+        if (start[i] + step[i] > 1.0) step[i] = -step[i];
+      }
+      nlopt_set_initial_step(optimizer.get(), step.data());
+      nlopt_set_xtol_abs1(optimizer.get(), resolution);
+    }
+    // Its random state belongs to the thread, and starts from the time of day.
+    nlopt_srand(draws.bits());
+    Point end = start;
+    double value = 0.0;
+    // What it returns says nothing: reached limits, forced stops and rounding all end a search, and the point may be
+    // any.
+    nlopt_optimize(optimizer.get(), end.data(), &value);
+    if (course.failure) std::rethrow_exception(course.failure);
+    if (course.asked == 0) break;
+    next_pairs = generations ? course.first_pairs + 1 +
+                                   (course.asked <= course.first_generation
+                                        ? 0
+                                        : (course.asked - course.first_generation - 1) / course.later_generation + 1)
+                             : 0;
+    start = inquiry.best(1).front();
+  }
+  return {inquiry.best(most_recommended), inquiry.left() == 0 ? "budget used up" : "no further step possible"};
+}
+
+}  // namespace regista::study

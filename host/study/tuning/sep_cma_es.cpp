@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "study/tuning/sep_cma_es.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+#include "study/tuning/draws.hpp"
+
+namespace regista::study {
+namespace {
+
+constexpr double first_deviation = 0.25;  // of a coordinate, in sides of the cube
+
+// Weights of the better half of a generation, best first, and the rates that follow from them.
+struct Constants {
+  Constants(std::size_t dimensions, std::uint64_t population) {
+    const auto n = static_cast<double>(dimensions);
+    const auto parents = static_cast<Eigen::Index>(std::max<std::uint64_t>(population / 2, 1));
+    weights.resize(parents);
+    for (Eigen::Index i = 0; i < parents; ++i) {
+      weights[i] = std::log(static_cast<double>(population + 1) / 2.0) - std::log(static_cast<double>(i + 1));
+    }
+    weights = (weights.array() > 0.0).select(weights, 1e-12).eval();
+    weights /= weights.sum();
+    effective = 1.0 / weights.squaredNorm();
+    path_rate = (effective + 2.0) / (n + effective + 5.0);
+    damping = 1.0 + 2.0 * std::max(0.0, std::sqrt((effective - 1.0) / (n + 1.0)) - 1.0) + path_rate;
+    rank_one_path_rate = (4.0 + effective / n) / (n + 4.0 + 2.0 * effective / n);
+    // A diagonal has n numbers to learn, not n^2: faster by (n + 2) / 3.
+    const double faster = (n + 2.0) / 3.0;
+    rank_one_rate = std::min(1.0, faster * 2.0 / ((n + 1.3) * (n + 1.3) + effective));
+    rank_mu_rate = std::min(1.0 - rank_one_rate,
+                            faster * 2.0 * (effective - 2.0 + 1.0 / effective) / ((n + 2.0) * (n + 2.0) + effective));
+    rank_mu_rate = std::max(rank_mu_rate, 0.0);
+    normal_length = std::sqrt(n) * (1.0 - 1.0 / (4.0 * n) + 1.0 / (21.0 * n * n));
+  }
+
+  Eigen::VectorXd weights;
+  double effective;  // number of parents that the weights are worth
+  double path_rate, damping, rank_one_path_rate, rank_one_rate, rank_mu_rate;
+  double normal_length;  // expected, of a standard normal vector
+};
+
+}  // namespace
+
+std::uint64_t least_sep_cma_es_population(std::size_t dimensions) {
+  return 4 + static_cast<std::uint64_t>(3.0 * std::log(static_cast<double>(dimensions)));
+}
+
+std::uint64_t sep_cma_es_population(std::size_t dimensions, std::uint64_t evaluations) {
+  const auto root = static_cast<std::uint64_t>(2.0 * std::sqrt(static_cast<double>(evaluations)));
+  const std::uint64_t wanted = std::max(root, least_sep_cma_es_population(dimensions));
+  const std::uint64_t generations = std::max<std::uint64_t>(evaluations / wanted, 1);
+  return std::max<std::uint64_t>(evaluations / generations, 2);  // little of the budget is left over
+}
+
+SearchResult sep_cma_es(const SearchSettings& settings, Inquiry& inquiry) {
+  const auto dimensions = static_cast<std::size_t>(settings.start.size());
+  const std::uint64_t population = settings.population != 0 ? std::max<std::uint64_t>(settings.population, 2)
+                                                            : sep_cma_es_population(dimensions, inquiry.left());
+  const std::uint64_t generations = inquiry.left() / population;
+  assert(generations > 0);
+  const Constants rates(dimensions, population);
+  Draws draws(settings.seed, Draws::Use::sep_cma_es);
+
+  Point mean = settings.start;
+  double sigma = first_deviation;
+  Eigen::ArrayXd variance = Eigen::ArrayXd::Ones(mean.size());
+  Eigen::ArrayXd path = Eigen::ArrayXd::Zero(mean.size()), rank_one_path = path;
+  std::vector<Point> points(population, mean), means;
+  std::vector<std::size_t> order(population);
+  for (std::uint64_t generation = 0; generation < generations; ++generation) {
+    const Eigen::ArrayXd deviation = sigma * variance.sqrt();
+    for (Point& point : points) {
+      for (Eigen::Index i = 0; i < mean.size(); ++i) {
+        point[i] = std::clamp(mean[i] + deviation[i] * draws.normal(), 0.0, 1.0);
+      }
+    }
+    const std::span<const double> values = inquiry.ask(points, generation);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] > values[b]; });
+
+    Eigen::ArrayXd step = Eigen::ArrayXd::Zero(mean.size()), spread = step;  // in sigma
+    for (Eigen::Index i = 0; i < rates.weights.size(); ++i) {
+      const Eigen::ArrayXd each = (points[order[static_cast<std::size_t>(i)]] - mean).array() / sigma;
+      step += rates.weights[i] * each;
+      spread += rates.weights[i] * each.square();
+    }
+    mean = (mean + sigma * step.matrix()).cwiseMax(0.0).cwiseMin(1.0);
+    path = (1.0 - rates.path_rate) * path +
+           std::sqrt(rates.path_rate * (2.0 - rates.path_rate) * rates.effective) * step / variance.sqrt();
+    const double length = path.matrix().norm() / rates.normal_length;
+    const double settled = 1.0 - std::pow(1.0 - rates.path_rate, 2.0 * static_cast<double>(generation + 1));
+    const auto n = static_cast<double>(dimensions);
+    const bool steady = length / std::sqrt(settled) < 1.4 + 2.0 / (n + 1.0);
+    rank_one_path *= 1.0 - rates.rank_one_path_rate;
+    if (steady) {
+      rank_one_path += std::sqrt(rates.rank_one_path_rate * (2.0 - rates.rank_one_path_rate) * rates.effective) * step;
+    }
+    const double kept =
+        1.0 - rates.rank_one_rate - rates.rank_mu_rate +
+        (steady ? 0.0 : rates.rank_one_rate * rates.rank_one_path_rate * (2.0 - rates.rank_one_path_rate));
+    variance = kept * variance + rates.rank_one_rate * rank_one_path.square() + rates.rank_mu_rate * spread;
+    sigma *= std::exp(std::min(1.0, rates.path_rate / rates.damping * (length - 1.0)));
+    // Steps neither vanish in the grid of doubles nor exceed the cube.
+    variance = variance.max(1e-12).min(1e12);
+    sigma = std::clamp(sigma, 1e-9, 0.5);
+    means.push_back(mean);
+  }
+  const auto late = [&](std::size_t part) {
+    const std::size_t number = (means.size() + part - 1) / part;
+    Point sum = Point::Zero(mean.size());
+    for (std::size_t i = means.size() - number; i < means.size(); ++i) sum += means[i];
+    return Point(sum / static_cast<double>(number));
+  };
+  const std::array<Point, 4> estimates{mean, late(4), late(2), settings.start};
+  return {distinct(estimates, most_recommended), "budget used up"};
+}
+
+}  // namespace regista::study

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "study/tuning/spsa.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "study/tuning/draws.hpp"
+
+namespace regista::study {
+namespace {
+
+constexpr double alpha = 0.602, gamma = 0.101;
+
+}  // namespace
+
+SpsaGains spsa_gains(std::uint64_t iterations) {
+  constexpr double c_end = 0.1, travel = 2.0, most = 0.5;  // `most`: for a handful of iterations
+  return {c_end, std::min(most, travel / (c_end * static_cast<double>(iterations)))};
+}
+
+double spsa_perturbation(double c, std::uint64_t k) { return c / std::pow(static_cast<double>(k) + 1.0, gamma); }
+
+SpsaSchedule::SpsaSchedule(const SpsaGains& gains, std::uint64_t iterations) {
+  const auto number = static_cast<double>(iterations);
+  stability_ = 0.1 * number;
+  first_c_ = gains.c_end * std::pow(number, gamma);
+  a_ = gains.r_end * gains.c_end * gains.c_end * std::pow(stability_ + number, alpha);
+}
+
+double SpsaSchedule::c(std::uint64_t k) const { return spsa_perturbation(first_c_, k); }
+
+double SpsaSchedule::r(std::uint64_t k) const {
+  const double perturbation = c(k);
+  return a_ / std::pow(stability_ + static_cast<double>(k) + 1.0, alpha) / (perturbation * perturbation);
+}
+
+double RunningScale::scaled(double difference) {
+  const double square = difference * difference;
+  if (number_ > 0.0 && squares_ > 0.0) {
+    const double limit = most * most * squares_ / number_;
+    squares_ += std::min(square, limit);
+  } else {
+    squares_ += square;
+  }
+  number_ += 1.0;
+  if (squares_ == 0.0) return 0.0;
+  return std::clamp(difference / std::sqrt(squares_ / number_), -most, most);
+}
+
+SearchResult spsa(const SearchSettings& settings, Inquiry& inquiry, const SpsaGains& gains) {
+  const std::uint64_t iterations = inquiry.left() / 2;
+  assert(iterations > 0);
+  const SpsaSchedule schedule(gains, iterations);
+  Draws draws(settings.seed, Draws::Use::spsa);
+  RunningScale scale;
+  Point theta = settings.start, flip(theta.size());
+  Point half = Point::Zero(theta.size()), quarter = half;
+  std::array<Point, 2> points;
+  for (std::uint64_t k = 0; k < iterations; ++k) {
+    const double c = std::min(schedule.c(k), 0.5), r = schedule.r(k);
+    for (double& each : flip) each = draws.sign();
+    // Both points stay in the cube and c apart from their middle, so that the difference stays one of slopes.
+    const Point middle = theta.cwiseMax(c).cwiseMin(1.0 - c);
+    points[0] = (middle + c * flip).cwiseMax(0.0).cwiseMin(1.0);
+    points[1] = (middle - c * flip).cwiseMax(0.0).cwiseMin(1.0);
+    const std::span<const double> values = inquiry.ask(points, k);
+    const double result = scale.scaled(values[0] - values[1]);
+    for (Eigen::Index i = 0; i < theta.size(); ++i) {
+      theta[i] = std::clamp(spsa_step(theta[i], r, c, result, flip[i]), 0.0, 1.0);
+    }
+    if (k >= iterations / 2) half += theta;
+    if (k >= iterations - (iterations + 3) / 4) quarter += theta;
+  }
+  half /= static_cast<double>(iterations - iterations / 2);
+  quarter /= static_cast<double>((iterations + 3) / 4);
+  const std::array<Point, 4> estimates{theta, half, quarter, settings.start};
+  return {distinct(estimates, most_recommended), "budget used up"};
+}
+
+}  // namespace regista::study
