@@ -81,8 +81,8 @@ class Collector {
     } else {
       out.refusal = "its term has no `tune: [least, largest]`";
     }
-    out.unit = "1";
-    out.doc = "weight of this term in the sum";
+    out.unit = std::string("1");
+    out.doc = std::string("weight of this term in the sum");
     out.said = said;
     found_.push_back(std::move(out));
   }
