@@ -124,7 +124,7 @@ class Engine {
     }
   }
 
-  static std::int64_t row(std::uint64_t index) { return static_cast<std::int64_t>(index) + 1; }
+  std::int64_t row(std::uint64_t index) const { return static_cast<std::int64_t>(schedule_.first_row + index) + 1; }
 
   void start(Run& run) {
     if (!run.forfeited) ++run.attempts;

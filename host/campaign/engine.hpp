@@ -21,6 +21,7 @@ namespace regista::campaign {
 
 struct Schedule {
   std::uint64_t matches = 0;
+  std::uint64_t first_row = 0;  // match `index` is kept in the row first_row + index + 1 of the store
   // What is to be played at this place, from 0 on; nothing when it is not wanted any more. Else a pure function.
   std::function<std::optional<MatchKey>(std::uint64_t index)> at;
   // The match itself; asked for only when it is to be played.

@@ -26,6 +26,7 @@ struct Command {
 
 Command add_match(CLI::App& parent, const Invocation& invocation);
 Command add_experiment(CLI::App& parent, const Invocation& invocation);
+Command add_tune(CLI::App& parent, const Invocation& invocation);
 Command add_evaluate_predictor(CLI::App& parent, const Invocation& invocation);
 Command add_play_one(CLI::App& parent, const Invocation& invocation);
 Command add_report(CLI::App& parent, const Invocation& invocation);

@@ -23,6 +23,7 @@ constexpr auto examples = R"(Examples:
   regista match configs/teams/paper.yaml configs/teams/fixed_rate.yaml --seed 1
   regista tournament --team configs/teams/paper.yaml --team configs/teams/fixed_rate.yaml --pairs 100
   regista experiment configs/studies/role_overlap.yaml
+  regista tune configs/studies/tune_paper.yaml
   regista plugin list
   regista config check configs/teams/paper.yaml
 
@@ -138,6 +139,7 @@ int run(const Invocation& invocation) {
                                 add_view(root, invocation),
                                 add_tournament(root, invocation),
                                 add_experiment(root, invocation),
+                                add_tune(root, invocation),
                                 add_report(root, invocation),
                                 add_sprt(root, invocation),
                                 add_evaluate_predictor(root, invocation),

@@ -13,6 +13,7 @@
 #include "cli/experiment_setup.hpp"
 #include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
+#include "cli/tune_setup.hpp"
 #include "config/documents.hpp"
 #include "config/read.hpp"
 #include "mind/mind.hpp"
@@ -65,6 +66,12 @@ std::string_view check(const std::string& file, const Profiles& by, const plugin
     experiment.file = file;
     experiment.plugins = plugins;
     planned_experiment(experiment, catalogue);  // every arm at every value
+  }
+  if (kind == config::DocumentKind::tuning) {
+    TuneOptions tuning;
+    tuning.file = file;
+    tuning.plugins = plugins;
+    planned_tuning(tuning, catalogue);  // team, opponents, parameters
   }
   if (kind == config::DocumentKind::opening) {
     const config::Node document = config::load(file);

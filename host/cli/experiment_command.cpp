@@ -63,7 +63,8 @@ class Played {
     }
     StudyProgress progress(words(), !options_.quiet);
     tell_of_equal_arms(progress);
-    cli::play(run(csv ? &*csv : nullptr), options_, invocation_, store, progress);
+    play_study({"experiment", plan_.matches(), [this] { return course_.taken(); }}, options_, invocation_, store, progress,
+               [&](const PlayRun& play) { play(run(csv ? &*csv : nullptr)); });
     if (csv) csv->close();
     if (!options_.summary.empty()) {
       OutputFile summary(options_.summary);
@@ -84,7 +85,6 @@ class Played {
 
   StudyRun run(OutputFile* csv) {
     StudyRun out;
-    out.what = "experiment";
     out.matches = plan_.matches();
     out.fixtures = study::fixtures(plan_);
     out.at = [this](std::uint64_t index) -> std::optional<StudyRun::Place> {
@@ -98,7 +98,6 @@ class Played {
       return true;
     };
     out.metrics = campaign::Metrics::wanted;
-    out.counted = [this] { return course_.taken(); };
     return out;
   }
 

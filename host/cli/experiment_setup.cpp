@@ -11,14 +11,11 @@
 #include "campaign/inputs.hpp"
 #include "campaign/mathematics.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/experiment_settings.hpp"
+#include "cli/document_settings.hpp"
 #include "cli/job_setup.hpp"
 #include "cli/study_inputs.hpp"
 #include "config/documents.hpp"
 #include "config/flow.hpp"
-#include "config/parse.hpp"
-#include "config/paths.hpp"
-#include "config/profiles.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
 #include "config/text.hpp"
@@ -35,13 +32,6 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t most_matches = 1'000'000;  // of all arms
 constexpr std::size_t most_conditions = 2000;
-
-// As it is seen from the folder the experiment is begun in, where it is inside.
-std::string from_here(const std::string& absolute) {
-  if (absolute.empty()) return absolute;
-  const fs::path relative = fs::path(absolute).lexically_relative(fs::current_path());
-  return relative.empty() || relative.native().starts_with("..") ? absolute : relative.string();
-}
 
 struct Reading {
   const config::Node& document;
@@ -64,27 +54,6 @@ campaign::Job job_of(const Reading& reading, std::size_t arm, std::size_t side, 
   for (const Setting& each : settings) out.overrides.push_back(override_of(each, side));
   out.plugins = reading.plugins;
   if (experiment.limit) out.limit = config::real_text(*experiment.limit);
-  return out;
-}
-
-// Every path that an experiment can set for an arm: of its resolved documents, as they are without any setting.
-std::vector<std::string> known_paths(const Reading& reading, std::size_t arm) {
-  MatchSetup bare = match_setup(request_of(job_of(reading, arm, 0, {})), reading.catalogue);
-  std::vector<std::string> out;
-  const auto add = [&](const std::string& before, const std::string& shown) {
-    for (const std::string& each : config::paths_of(config::parse_text(shown, before))) out.push_back(before + each);
-  };
-  const auto declarations = plugin::declarations(reading.catalogue.plugins());
-  const auto team = [&](std::size_t side) {
-    return config::show(bare.documents[side], declarations, config::Remarks::without);
-  };
-  const auto profile = [](const config::Map& map) { return config::show(map, {}, {}, config::Remarks::without); };
-  add("", team(0));
-  add("rules.", profile(config::declare(bare.setup.rules)));
-  add("robot.", profile(config::declare(bare.setup.robots[0])));
-  add("disturbance.", profile(config::declare(bare.setup.disturbances[0])));
-  add("opponent_disturbance.", profile(config::declare(bare.setup.disturbances[1])));
-  add("opponent.", team(1));
   return out;
 }
 
@@ -171,21 +140,6 @@ class Planner {
     }
   }
 
-  MatchSetup setup_of(const campaign::Job& job, std::size_t arm, std::size_t side,
-                      const std::vector<Setting>& settings) const {
-    try {
-      return match_setup(request_of(job), reading_.catalogue);
-    } catch (const config::Error& error) {
-      throw told_at_its_place(error, settings, side, [&] {
-        try {
-          return known_paths(reading_, arm);
-        } catch (const config::Error&) {  // of documents that are sound only with what is set
-          return std::vector<std::string>();
-        }
-      });
-    }
-  }
-
   void make_conditions() {
     const std::string program = campaign::program_hash(), mathematics = campaign::mathematics_fingerprint();
     const auto declarations = plugin::declarations(reading_.catalogue.plugins());
@@ -202,7 +156,7 @@ class Planner {
         for (const std::size_t side : {0u, 1u}) {
           campaign::Job& job = condition.jobs[side];
           job = job_of(reading_, arm, side, settings);
-          MatchSetup prepared = setup_of(job, arm, side, settings);
+          MatchSetup prepared = settled_match(job, side, settings, job_of(reading_, arm, 0, {}), reading_.catalogue);
           job.home_inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], reading_.catalogue);
           job.away_inputs = campaign::team_inputs(*prepared.plans[1], prepared.documents[1], reading_.catalogue);
           job.common_inputs = campaign::common_inputs(prepared.setup, program, mathematics);
@@ -231,20 +185,9 @@ class Planner {
 
   // Each scene must fit the rules and robots of every condition.
   void add_openings() {
-    for (const config::NamedPath& path : experiment_.openings) {
-      const std::string who = config::to_string(path.where) + ": openings";
-      for (const std::string& file : opening_files({path.path}, who)) {
-        const config::Node document = config::load(file);
-        const config::Opening opening = config::read_opening(document);
-        for (match::Setup& setup : setups_) {
-          if (const auto misfit = config::misfit(opening, setup.rules, setup.robots)) {
-            config::refuse(document, {misfit->path}, misfit->reason);
-          }
-        }
-        add_scene(plan_.openings, {from_here(file), campaign::opening_input(opening)}, opening.name, who);
-        scenes_.push_back(opening);
-      }
-    }
+    DocumentScenes found = document_scenes(experiment_.openings, setups_);
+    plan_.openings = std::move(found.openings);
+    scenes_ = std::move(found.read);
   }
 
   // The shortest match of any condition decides how many make the minutes.

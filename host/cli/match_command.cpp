@@ -108,15 +108,12 @@ std::optional<Stored> stored_match(const Options& options) {
   const StoredStudy results = read_results(options.from);
   const std::uint64_t row = parse_whole("--row", options.row, 1, matches(results.plan));
   Stored out;
-  out.job = job(results.plan, row - 1);
   out.limits = limits(results.plan);
   try {
-    const std::string key = campaign::fixture_key(out.job.home_inputs, out.job.away_inputs, out.job.common_inputs);
-    const std::int64_t number = results.store.numbers(std::span(&key, 1)).front();
-    const auto decided =
-        results.store.find(static_cast<std::int64_t>(row), {number, out.job.seed}, campaign::Metrics::left_out);
-    if (!decided) throw BadInput(fmt::format("--row {}: this match of {} has not been played", row, options.from));
-    out.decided = *decided;
+    const auto played = cli::stored_match(results, row);
+    if (!played) throw BadInput(fmt::format("--row {}: this match of {} has not been played", row, options.from));
+    out.job = played->job;
+    out.decided = played->decided;
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
   }

@@ -11,6 +11,7 @@
 #include "cli/end_of_program.hpp"
 #include "cli/output.hpp"
 #include "cli/report_experiment.hpp"
+#include "cli/report_tuning.hpp"
 #include "cli/results_file.hpp"
 #include "cli/results_page.hpp"
 #include "cli/stored_course.hpp"
@@ -31,9 +32,9 @@ constexpr auto examples = R"(Examples:
   regista report tournament.db --figures figures --png
 
 -o writes one page that needs nothing else, --figures each of its figures as NAME.svg, its data as NAME.csv, and
-NAME.gnuplot, which draws the one from the other. What is told is what `regista tournament` or `regista experiment`
+NAME.gnuplot, which draws the one from the other. What is told is what a tournament, an experiment or a tuning
 told at its end; of a study that is not at its end, as far as its matches have been played without a gap. The table of
-an experiment has a row for each number of each match.
+an experiment has a row for each number of each match, that of a tuning one for each point of its search.
 Exit codes: 0 done; 1 the report could not be written; 2 bad input; 3 a defect of Regista.)";
 
 struct Options {
@@ -55,7 +56,7 @@ void add_columns(std::vector<std::string>& columns, const campaign::Decided& dec
 
 void refuse_what_does_not_go_together(const Options& options) {
   if (options.file.empty())
-    throw BadInput("report: which results? Name a file that `regista tournament` or `regista experiment` wrote");
+    throw BadInput("report: which results? Name a file that `regista tournament`, `experiment` or `tune` wrote");
   if (options.csv && options.json) throw BadInput("report: --csv and --json: one of them");
   if (options.metrics && !options.csv) throw BadInput("report: --metrics adds columns to --csv, which is not given");
   const bool files = !options.page.empty() || !options.figures.empty();
@@ -127,6 +128,10 @@ int run(const Options& options, const Invocation& invocation) {
     if (const auto* const tournament = std::get_if<study::TournamentPlan>(&results.plan)) {
       return tell(options, results, *tournament, invocation);
     }
+    if (std::holds_alternative<study::TuningPlan>(results.plan)) {
+      if (options.metrics) throw BadInput("report: --metrics: the table of a tuning has a row for each point, not for each match");
+      return tell_tuning({options.file, results.store, results.plan}, {options.json, options.csv});
+    }
     const ExperimentWishes wishes{options.json, options.csv, options.metrics};
     return tell_experiment({options.file, results.store, results.plan}, wishes, invocation);
   }
@@ -144,9 +149,9 @@ int run(const Options& options, const Invocation& invocation) {
 Command add_report(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("report", "what stored results say");
   const auto options = std::make_shared<Options>();
-  app.add_option("results", options->file, "file that a tournament or an experiment wrote")->type_name("RESULTS.db");
+  app.add_option("results", options->file, "file that a tournament, an experiment or a tuning wrote")->type_name("RESULTS.db");
   app.add_flag("--json", options->json, "write the report as JSON")->disable_flag_override();
-  app.add_flag("--csv", options->csv, "write a table with a row for each match, of an experiment for each number")
+  app.add_flag("--csv", options->csv, "write a table with a row for each match, of an experiment for each number, of a tuning for each point")
       ->disable_flag_override();
   app.add_flag("--metrics", options->metrics, "with --csv: all numbers of the matches, too")->disable_flag_override();
   app.add_option("-o,--output", options->page, "write the report as a page that needs nothing else")

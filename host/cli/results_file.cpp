@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <stdexcept>
 #include <system_error>
+#include <type_traits>
+#include <utility>
 
+#include "campaign/inputs.hpp"
 #include "cli/end_of_program.hpp"
 #include "config/text.hpp"
 #include "study/plan_json.hpp"
@@ -23,6 +26,7 @@ constexpr auto teams_documents = "documents";
 StudyPlan plan_of(const std::string& file, const std::string& stored) {
   try {
     if (study::study_of(stored) == study::experiment_study) return study::experiment_plan_from_json(stored);
+    if (study::study_of(stored) == study::tuning_study) return study::tuning_plan_from_json(stored);
     return study::tournament_plan_from_json(stored);
   } catch (const std::invalid_argument& error) {
     throw BadInput(fmt::format("{}: {}", file, error.what()));
@@ -30,15 +34,14 @@ StudyPlan plan_of(const std::string& file, const std::string& stored) {
 }
 
 const char* with_article(const StudyPlan& plan) {
-  return std::holds_alternative<study::TournamentPlan>(plan) ? "a tournament" : "an experiment";
+  constexpr std::array names{"a tournament", "an experiment", "a tuning"};
+  return names[plan.index()];
 }
 
 std::vector<std::string> differences(const StudyPlan& before, const StudyPlan& now) {
   if (before.index() != now.index()) return {fmt::format("it was {}, now {}", with_article(before), with_article(now))};
-  if (const auto* const tournament = std::get_if<study::TournamentPlan>(&now)) {
-    return study::differences(std::get<study::TournamentPlan>(before), *tournament);
-  }
-  return study::differences(std::get<study::ExperimentPlan>(before), std::get<study::ExperimentPlan>(now));
+  return std::visit(
+      [&](const auto& plan) { return study::differences(std::get<std::decay_t<decltype(plan)>>(before), plan); }, now);
 }
 
 std::string json_of(const StudyPlan& plan) {
@@ -93,15 +96,28 @@ std::vector<std::string> stored_documents(const campaign::Store& store) {
 }
 
 std::uint64_t matches(const StudyPlan& plan) {
-  return std::visit([](const auto& each) { return each.matches(); }, plan);
+  if (const auto* const tuning = std::get_if<study::TuningPlan>(&plan)) return study::most_matches(*tuning);
+  if (const auto* const tournament = std::get_if<study::TournamentPlan>(&plan)) return tournament->matches();
+  return std::get<study::ExperimentPlan>(plan).matches();
 }
 
-campaign::Job job(const StudyPlan& plan, std::uint64_t index) {
-  if (const auto* const tournament = std::get_if<study::TournamentPlan>(&plan)) {
-    return study::job(*tournament, study::Calendar(*tournament).at(index));
+std::optional<campaign::Store::Row> stored_match(const StoredStudy& study, std::uint64_t row) {
+  const auto place = static_cast<std::int64_t>(row);
+  // What a tuning plays depends on what came before: the file alone knows.
+  if (std::holds_alternative<study::TuningPlan>(study.plan)) return study.store.row(place);
+  campaign::Job job;
+  if (const auto* const tournament = std::get_if<study::TournamentPlan>(&study.plan)) {
+    job = study::job(*tournament, study::Calendar(*tournament).at(row - 1));
+  } else {
+    const auto& experiment = std::get<study::ExperimentPlan>(study.plan);
+    job = study::job(experiment, study::trial(experiment, row - 1));
   }
-  const auto& experiment = std::get<study::ExperimentPlan>(plan);
-  return study::job(experiment, study::trial(experiment, index));
+  // Equal matches share a row.
+  const std::string key = campaign::fixture_key(job.home_inputs, job.away_inputs, job.common_inputs);
+  const std::int64_t number = study.store.numbers(std::span(&key, 1)).front();
+  const auto decided = study.store.find(place, {number, job.seed}, campaign::Metrics::left_out);
+  if (!decided) return std::nullopt;
+  return campaign::Store::Row{std::move(job), *decided};
 }
 
 const std::string& folder(const StudyPlan& plan) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -12,10 +13,11 @@
 #include "campaign/store.hpp"
 #include "study/experiment_plan.hpp"
 #include "study/tournament_plan.hpp"
+#include "study/tuning/tuning_plan.hpp"
 
 namespace regista::cli {
 
-using StudyPlan = std::variant<study::TournamentPlan, study::ExperimentPlan>;
+using StudyPlan = std::variant<study::TournamentPlan, study::ExperimentPlan, study::TuningPlan>;
 
 // Opens the file of results for this plan. documents: of the teams, resolved, which the file keeps for its readers.
 // Throws BadInput: it exists and is not to be continued, or the other way round, holds something else, or cannot be
@@ -35,9 +37,11 @@ StoredStudy read_results(const std::string& file);
 
 // What every plan has.
 std::uint64_t matches(const StudyPlan& plan);
-campaign::Job job(const StudyPlan& plan, std::uint64_t index);
 const std::string& folder(const StudyPlan& plan);
 const campaign::Limits& limits(const StudyPlan& plan);
+
+// The match in a row of the file, from 1; nothing when it has not been played. Throws campaign::StoreError.
+std::optional<campaign::Store::Row> stored_match(const StoredStudy& study, std::uint64_t row);
 
 // What is to be said when study::metric cannot read what is stored.
 std::string damaged_metrics(const std::string& file, const std::invalid_argument& error);

@@ -7,10 +7,18 @@
 #include <filesystem>
 #include <system_error>
 
+#include "campaign/inputs.hpp"
 #include "cli/end_of_program.hpp"
+#include "cli/job_setup.hpp"
 #include "cli/match_report.hpp"
+#include "config/documents.hpp"
+#include "config/parse.hpp"
+#include "config/paths.hpp"
+#include "config/profiles.hpp"
+#include "config/read.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
+#include "plugin/declarations.hpp"
 #include "study/metric.hpp"
 
 namespace regista::cli {
@@ -44,6 +52,51 @@ void add_scene(std::vector<study::Opening>& scenes, study::Opening scene, const 
                        : fmt::format("{}: {} and {} have the same name, {}", who, same->file, scene.file, name));
   }
   scenes.push_back(std::move(scene));
+}
+
+DocumentScenes document_scenes(const std::vector<config::NamedPath>& paths, std::span<match::Setup> setups) {
+  DocumentScenes out;
+  for (const config::NamedPath& path : paths) {
+    const std::string who = config::to_string(path.where) + ": openings";
+    for (const std::string& file : opening_files({path.path}, who)) {
+      const config::Node document = config::load(file);
+      const config::Opening opening = config::read_opening(document);
+      for (const match::Setup& setup : setups) {
+        if (const auto misfit = config::misfit(opening, setup.rules, setup.robots)) {
+          config::refuse(document, {misfit->path}, misfit->reason);
+        }
+      }
+      add_scene(out.openings, {from_here(file), campaign::opening_input(opening)}, opening.name, who);
+      out.read.push_back(opening);
+    }
+  }
+  return out;
+}
+
+std::string from_here(const std::string& absolute) {
+  if (absolute.empty()) return absolute;
+  const auto relative = std::filesystem::path(absolute).lexically_relative(std::filesystem::current_path());
+  return relative.empty() || relative.native().starts_with("..") ? absolute : relative.string();
+}
+
+std::vector<std::string> settable_paths(const campaign::Job& bare, const plugin::Catalogue& catalogue) {
+  MatchSetup prepared = match_setup(request_of(bare), catalogue);
+  std::vector<std::string> out;
+  const auto add = [&](const std::string& before, const std::string& shown) {
+    for (const std::string& each : config::paths_of(config::parse_text(shown, before))) out.push_back(before + each);
+  };
+  const auto declarations = plugin::declarations(catalogue.plugins());
+  const auto team = [&](std::size_t side) {
+    return config::show(prepared.documents[side], declarations, config::Remarks::without);
+  };
+  const auto profile = [](const config::Map& map) { return config::show(map, {}, {}, config::Remarks::without); };
+  add("", team(0));
+  add("rules.", profile(config::declare(prepared.setup.rules)));
+  add("robot.", profile(config::declare(prepared.setup.robots[0])));
+  add("disturbance.", profile(config::declare(prepared.setup.disturbances[0])));
+  add("opponent_disturbance.", profile(config::declare(prepared.setup.disturbances[1])));
+  add("opponent.", team(1));
+  return out;
 }
 
 match::Setup without_opening(match::Setup setup) {

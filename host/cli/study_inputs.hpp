@@ -2,11 +2,16 @@
 // What studies of many matches read from files before the first one: scenes, and which numbers matches will have.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
+#include "campaign/job.hpp"
+#include "config/opening.hpp"
+#include "config/path_list.hpp"
 #include "match/match.hpp"
 #include "mind/team_plan.hpp"
+#include "plugin/catalogue.hpp"
 #include "study/opening.hpp"
 
 namespace regista::cli {
@@ -17,6 +22,20 @@ std::vector<std::string> opening_files(const std::vector<std::string>& paths, co
 // Throws BadInput, which begins with `who`, for a second scene of the same name.
 void add_scene(std::vector<study::Opening>& scenes, study::Opening scene, const std::string& name,
                const std::string& who);
+
+// The scenes that a document names, as the study plays them and as they were read. Throws config::Error for one that the
+// rules and robots of a match do not go with.
+struct DocumentScenes {
+  std::vector<study::Opening> openings;
+  std::vector<config::Opening> read;
+};
+DocumentScenes document_scenes(const std::vector<config::NamedPath>& paths, std::span<match::Setup> setups);
+
+// A file as it is seen from the folder the study is begun in, where it is inside.
+std::string from_here(const std::string& absolute);
+
+// Every path that a study can set: of the resolved documents of a match whose first team is the study's own.
+std::vector<std::string> settable_paths(const campaign::Job& bare, const plugin::Catalogue& catalogue);
 
 // What both teams share whatever the scene is.
 match::Setup without_opening(match::Setup setup);

@@ -25,20 +25,22 @@ std::string resume_line(const CampaignOptions& options, const Invocation& invoca
 campaign::Schedule schedule_of(const StudyRun& run, const CampaignOptions& options, const Invocation& invocation,
                                StudyProgress& progress, const Interruption& interruption,
                                std::vector<std::int64_t> numbers) {
-  const auto recording = [&options](std::uint64_t index) {
-    return study::recording_file(options.results, static_cast<std::int64_t>(index) + 1).string();
+  const std::uint64_t first = run.first_row;
+  const auto recording = [&options, first](std::uint64_t index) {
+    return study::recording_file(options.results, static_cast<std::int64_t>(first + index) + 1).string();
   };
   const std::uint64_t every = record_every(options);
   campaign::Schedule out;
   out.matches = run.matches;
+  out.first_row = first;
   out.at = [&run, numbers = std::move(numbers)](std::uint64_t index) -> std::optional<campaign::MatchKey> {
     const std::optional<StudyRun::Place> place = run.at(index);
     if (!place) return std::nullopt;
     return campaign::MatchKey{numbers[place->fixture], place->seed};
   };
-  out.job = [&run, every, recording](std::uint64_t index) {
+  out.job = [&run, every, first, recording](std::uint64_t index) {
     campaign::Job match = run.job(index);
-    if (every > 0 && index % every == 0) match.record = recording(index);
+    if (every > 0 && (first + index) % every == 0) match.record = recording(index);
     return match;
   };
   out.record_failure = recording;
@@ -48,7 +50,7 @@ campaign::Schedule schedule_of(const StudyRun& run, const CampaignOptions& optio
   };
   out.take = [&run, &progress](std::uint64_t index, const campaign::Decided* decided, bool fresh) {
     const bool more = run.take(index, decided);
-    progress.match(index, decided, fresh);
+    progress.match(run.first_row + index, decided, fresh);
     return more;
   };
   out.metrics = run.metrics;
@@ -68,25 +70,29 @@ std::string play_again(const campaign::Job& job, const Invocation& invocation) {
   return shell_line(words);
 }
 
-void play(const StudyRun& run, const CampaignOptions& options, const Invocation& invocation, campaign::Store& store,
-          StudyProgress& progress) {
+void play_study(const StudyNature& nature, const CampaignOptions& options, const Invocation& invocation,
+                campaign::Store& store, StudyProgress& progress,
+                const std::function<void(const PlayRun& play)>& course) {
   const std::string resume = resume_line(options, invocation);
   const auto to_go_on = [&resume](const char* why) { return fmt::format("{}; to go on: {}", why, resume); };
   const Interruption interruption(fmt::format("regista: interrupted; to go on: {}\n", resume));
-  try {
+  const PlayRun play = [&](const StudyRun& run) {
     const campaign::Schedule schedule =
         schedule_of(run, options, invocation, progress, interruption, store.add(run.fixtures));
     const campaign::Finish finish = campaign::run(schedule, store, number_of_workers(options), limits(options));
+    if (finish != campaign::Finish::interrupted) return;
     progress.clear();
-    if (finish == campaign::Finish::interrupted) {
-      progress.stopped();
-      throw Interrupted(
-          fmt::format("interrupted after {} of {} matches; to go on: {}", run.counted(), run.matches, resume));
-    }
+    progress.stopped();
+    throw Interrupted(
+        fmt::format("interrupted after {} of {} matches; to go on: {}", nature.counted(), nature.matches, resume));
+  };
+  try {
+    course(play);
+    progress.clear();
   } catch (const campaign::CampaignError& error) {
     progress.clear();
     if (error.kind() == campaign::CampaignError::Kind::input) {
-      throw BadInput(fmt::format("while the {} was played: {}", run.what, error.what()));
+      throw BadInput(fmt::format("while the {} was played: {}", nature.what, error.what()));
     }
     throw WriteError(to_go_on(error.what()));
   } catch (const campaign::StoreError& error) {

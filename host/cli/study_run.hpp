@@ -18,8 +18,8 @@
 namespace regista::cli {
 
 struct StudyRun {
-  std::string what;  // "tournament"
   std::uint64_t matches = 0;
+  std::uint64_t first_row = 0;  // rows of the store that earlier runs of the study have taken
   std::vector<campaign::Store::Fixture> fixtures;
   // See campaign::Schedule; `fixture` is an index of the above.
   struct Place {
@@ -30,12 +30,22 @@ struct StudyRun {
   std::function<campaign::Job(std::uint64_t index)> job;
   std::function<bool(std::uint64_t index, const campaign::Decided* decided)> take;
   campaign::Metrics metrics = campaign::Metrics::left_out;
+};
+
+// What the study is, for messages.
+struct StudyNature {
+  std::string what;                        // "tournament"
+  std::uint64_t matches = 0;               // of all runs, at most
   std::function<std::uint64_t()> counted;  // matches that were taken and count
 };
 
-// options.results names the file that `store` holds. Throws what end_of_program.hpp explains; what was stored stays.
-void play(const StudyRun& run, const CampaignOptions& options, const Invocation& invocation, campaign::Store& store,
-          StudyProgress& progress);
+// Plays a run, or throws: Interrupted and others that are for play_study() alone.
+using PlayRun = std::function<void(const StudyRun& run)>;
+
+// A study in one run or in several, of which each may depend on those before: `course` plays them. options.results names
+// the file that `store` holds. Throws what end_of_program.hpp explains; what was stored stays.
+void play_study(const StudyNature& nature, const CampaignOptions& options, const Invocation& invocation,
+                campaign::Store& store, StudyProgress& progress, const std::function<void(const PlayRun& play)>& course);
 
 // The command that plays a match by itself, by the name the program was called by.
 std::string play_again(const campaign::Job& job, const Invocation& invocation);

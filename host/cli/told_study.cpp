@@ -6,6 +6,7 @@
 namespace regista::cli {
 
 ToldStudy told_study(const StoredResults& results) {
+  if (std::holds_alternative<study::TuningPlan>(results.plan)) return told_tuning(results);
   return std::holds_alternative<study::TournamentPlan>(results.plan) ? told_tournament(results)
                                                                      : told_experiment(results);
 }

@@ -31,6 +31,7 @@ struct ToldStudy {
 ToldStudy told_study(const StoredResults& results);
 ToldStudy told_tournament(const StoredResults& results);
 ToldStudy told_experiment(const StoredResults& results);
+ToldStudy told_tuning(const StoredResults& results);
 
 std::string not_at_its_end(const StoredResults& results, const char* study, std::uint64_t matches, std::uint64_t of);
 

@@ -60,7 +60,8 @@ class Played {
     campaign::Store store = open_results(options_.results, options_.resume, plan_, documents_);
     StudyProgress progress(words(), !options_.quiet);
     tell_of_equal_teams(progress);
-    cli::play(run(), options_, invocation_, store, progress);
+    play_study({"tournament", plan_.matches(), [this] { return course_.matches(); }}, options_, invocation_, store, progress,
+               [&](const PlayRun& play) { play(run()); });
     print(options_.json ? report::tournament_json(view_) : report::tournament_text(view_));
     if (!options_.no_page) write_page(store);
     return exit_done;
@@ -75,7 +76,6 @@ class Played {
 
   StudyRun run() {
     StudyRun out;
-    out.what = "tournament";
     out.matches = course_.calendar().matches();
     out.fixtures = study::fixtures(plan_);
     out.at = [this](std::uint64_t index) -> std::optional<StudyRun::Place> {
@@ -86,7 +86,6 @@ class Played {
     out.job = [this](std::uint64_t index) { return job(index); };
     out.take = [this](std::uint64_t, const campaign::Decided* decided) { return course_.take(decided); };
     out.metrics = course_.needs_metrics() ? campaign::Metrics::wanted : campaign::Metrics::left_out;
-    out.counted = [this] { return course_.matches(); };
     return out;
   }
 

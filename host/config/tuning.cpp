@@ -162,7 +162,7 @@ static Map declare(Tuning::Slices& slices) {
               {
                   integer("points", slices.points, {0, 101}, "1",
                           "of each parameter, over its range, the others as tuned; 0 is none"),
-                  integer("matches", slices.matches, {2, 1000000}, "1", "of all points together, at most"),
+                  integer("pairs", slices.pairs, {2, 10000}, "1", "of matches with each opponent, for each point"),
               },
           .where = &slices.where};
 }

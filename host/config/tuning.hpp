@@ -57,7 +57,7 @@ struct Tuning {
     Location where;
   };
   struct Slices {
-    int points = 5, matches = 200;  // of all points together
+    int points = 5, pairs = 4;  // of matches with each opponent, for each point
     Location where;
   };
 

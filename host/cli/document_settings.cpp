@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "cli/experiment_settings.hpp"
+#include "cli/document_settings.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
+#include "cli/job_setup.hpp"
+#include "cli/study_inputs.hpp"
 #include "config/flow.hpp"
 #include "config/nearest.hpp"
 #include "config/text.hpp"
@@ -40,7 +42,18 @@ bool is_inside(std::string_view path, std::string_view whole) {
   return path.size() > whole.size() && path.starts_with(whole) && path[whole.size()] == '.';
 }
 
-void add(const config::Node& map, const std::string& what, std::vector<Setting>& out) {
+// The nearest of the known paths, best first.
+std::vector<std::string> nearest(const std::string& asked, std::vector<std::string> known) {
+  constexpr std::size_t shown = 3;
+  std::ranges::stable_sort(known, {}, [&](const std::string& each) { return config::edit_distance(asked, each); });
+  known.erase(std::unique(known.begin(), known.end()), known.end());
+  if (known.size() > shown) known.resize(shown);
+  return known;
+}
+
+}  // namespace
+
+void add_settings(const config::Node& map, const std::string& what, std::vector<Setting>& out) {
   for (const config::Node::Entry& entry : map.entries()) {
     const std::string_view document = first_part(entry.key);
     if (document == "home" || document == "away" || document == "home_disturbance" || document == "away_disturbance") {
@@ -62,23 +75,12 @@ void add(const config::Node& map, const std::string& what, std::vector<Setting>&
   }
 }
 
-// The nearest of the known paths, best first.
-std::vector<std::string> nearest(const std::string& asked, std::vector<std::string> known) {
-  constexpr std::size_t shown = 3;
-  std::ranges::stable_sort(known, {}, [&](const std::string& each) { return config::edit_distance(asked, each); });
-  known.erase(std::unique(known.begin(), known.end()), known.end());
-  if (known.size() > shown) known.resize(shown);
-  return known;
-}
-
-}  // namespace
-
 std::vector<Setting> settings_of(const config::Experiment& experiment, const config::Node& document, std::size_t arm,
                                  std::size_t value) {
   std::vector<Setting> out;
-  add(experiment.set, "set", out);
+  add_settings(experiment.set, "set", out);
   const std::size_t common = out.size();
-  add(experiment.arms[arm].set, fmt::format("arm {}", config::in_quotes(experiment.arms[arm].name)), out);
+  add_settings(experiment.arms[arm].set, fmt::format("arm {}", config::in_quotes(experiment.arms[arm].name)), out);
   if (!experiment.sweep) return out;
   const std::string& path = experiment.sweep->path;
   const config::Location where = document["sweep"]["path"].where();
@@ -94,7 +96,7 @@ std::vector<Setting> settings_of(const config::Experiment& experiment, const con
     }
   }
   const config::Node& node = experiment.sweep->values[value];
-  add(config::Node::map({{path, where, node}}, where), "sweep", out);
+  add_settings(config::Node::map({{path, where, node}}, where), "sweep", out);
   return out;
 }
 
@@ -127,6 +129,21 @@ config::Error told_at_its_place(const config::Error& error, const std::vector<Se
   }
   return {meant->path_where, fmt::format("{}: no such path: {}; nearest paths: {}", meant->path, message,
                                          config::join(nearest(meant->path, paths)))};
+}
+
+MatchSetup settled_match(const campaign::Job& job, std::size_t side, const std::vector<Setting>& settings,
+                         const campaign::Job& bare, const plugin::Catalogue& catalogue) {
+  try {
+    return match_setup(request_of(job), catalogue);
+  } catch (const config::Error& error) {
+    throw told_at_its_place(error, settings, side, [&] {
+      try {
+        return settable_paths(bare, catalogue);
+      } catch (const config::Error&) {  // of documents that are sound only with what is set
+        return std::vector<std::string>();
+      }
+    });
+  }
 }
 
 }  // namespace regista::cli

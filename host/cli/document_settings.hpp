@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The values that an experiment lays over documents: of all arms, of one, of the sweep. A path is one of the arm's team
-// unless it begins with opponent, rules,
-// robot, disturbance (of the arm's team) or opponent_disturbance.
+// The values that a study lays over documents: of all arms, of one, of the sweep. A path is one of the study's own team (an
+// arm's, the tuned one) unless it begins with opponent, rules, robot, disturbance (of the own team) or
+// opponent_disturbance.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "campaign/job.hpp"
+#include "cli/match_setup.hpp"
 #include "config/experiment.hpp"
 #include "config/node.hpp"
+#include "plugin/catalogue.hpp"
 
 namespace regista::cli {
 
@@ -24,6 +27,9 @@ struct Setting {
 std::vector<Setting> settings_of(const config::Experiment& experiment, const config::Node& document, std::size_t arm,
                                  std::size_t value);
 
+// Those of one map of a document; what: its name for messages, "set".
+void add_settings(const config::Node& map, const std::string& what, std::vector<Setting>& out);
+
 // As `regista match --set` says it when the arm's team plays on this side.
 std::string override_of(const Setting& setting, std::size_t side);
 
@@ -31,5 +37,10 @@ std::string override_of(const Setting& setting, std::size_t side);
 // nearest of the paths that there are where its path is none of them; else as it is. known: called for that.
 config::Error told_at_its_place(const config::Error& error, const std::vector<Setting>& settings, std::size_t side,
                                 const std::function<std::vector<std::string>()>& known);
+
+// The match of a job in which the study's own team stands on `side`. Throws config::Error, told at its place. bare: the
+// job without any setting, that team at home.
+MatchSetup settled_match(const campaign::Job& job, std::size_t side, const std::vector<Setting>& settings,
+                         const campaign::Job& bare, const plugin::Catalogue& catalogue);
 
 }  // namespace regista::cli

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+#include "cli/tune_setup.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+
+#include "campaign/inputs.hpp"
+#include "campaign/mathematics.hpp"
+#include "cli/document_settings.hpp"
+#include "cli/end_of_program.hpp"
+#include "cli/study_inputs.hpp"
+#include "cli/test_options.hpp"
+#include "config/documents.hpp"
+#include "config/overlay.hpp"
+#include "config/parse.hpp"
+#include "config/read.hpp"
+#include "config/scalar.hpp"
+#include "config/text.hpp"
+#include "match/match.hpp"
+#include "plugin/declarations.hpp"
+#include "study/measure.hpp"
+#include "study/tuning/algorithm.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr std::uint64_t points_of_a_replicated_search = 200;  // statistics of the benchmark: benchmarks/README.md
+
+[[noreturn]] void refuse_algorithm(const std::string& name, const std::optional<config::Location>& where,
+                                   const std::string& option) {
+  const auto why = study::why_unsuitable(name);
+  const std::vector<std::string> known = study::algorithm_names();
+  const std::string message = why ? fmt::format("{}: {}; offered: {}", name, *why, config::join(known))
+                                  : config::unknown("algorithm", name, "", known);
+  if (where) throw config::Error(*where, "search.algorithm: " + message);
+  throw BadInput(fmt::format("{}: {}", option, message));
+}
+
+std::vector<study::Algorithm> compared_algorithms(const std::string& names) {
+  std::vector<study::Algorithm> out;
+  for (std::size_t begin = 0; begin <= names.size() && !names.empty();) {
+    const std::size_t end = std::min(names.find(',', begin), names.size());
+    const std::string name = names.substr(begin, end - begin);
+    const auto algorithm = study::algorithm_named(name);
+    if (!algorithm) refuse_algorithm(name, std::nullopt, "--compare");
+    if (std::ranges::find(out, *algorithm) != out.end()) throw BadInput("--compare: " + name + " is given twice");
+    out.push_back(*algorithm);
+    begin = end + 1;
+  }
+  return out;
+}
+
+std::string label_of(const std::string& file) { return std::filesystem::path(file).stem().string(); }
+
+class Planner {
+ public:
+  Planner(const TuneOptions& options, const plugin::Catalogue& catalogue)
+      : options_(options), overrides_(overrides_of(options)), document_(config::load(options.file, overrides_)),
+        tuning_(config::read_tuning(document_)), catalogue_(catalogue) {}
+
+  study::TuningPlan plan() {
+    describe();
+    choose_algorithms();
+    meet_opponents();
+    choose_parameters();
+    DocumentScenes scenes = document_scenes(tuning_.openings, setups_);
+    plan_.openings = std::move(scenes.openings);
+    count_goals(scenes.read);
+    choose_objective();
+    count_matches();
+    return std::move(plan_);
+  }
+
+ private:
+  static config::Overrides overrides_of(const TuneOptions& options) {
+    config::Overrides out = options.overrides;
+    if (!options.matches.empty()) out.push_back("search.matches=" + options.matches);
+    return out;
+  }
+
+  void describe() {
+    plan_.name = tuning_.name;
+    plan_.question = tuning_.question;
+    plan_.team = from_here(tuning_.team);
+    plan_.seed = static_cast<std::uint64_t>(tuning_.seed);
+    plan_.minutes = tuning_.search.minutes;
+    plan_.finalists = static_cast<std::uint64_t>(tuning_.selection.finalists);
+    plan_.candidates = static_cast<std::uint64_t>(tuning_.verification.candidates);
+    plan_.head_to_head = tuning_.verification.against == config::Tuning::Against::base;
+    plan_.confidence = tuning_.verification.confidence;
+    plan_.limits = limits(options_);
+    plan_.folder = std::filesystem::current_path().string();
+    plan_.file = options_.file;
+    plan_.overrides = overrides_;
+  }
+
+  void choose_algorithms() {
+    const config::Tuning::Search& search = tuning_.search;
+    const config::Location where = config::at(document_, "search.algorithm").where();
+    const auto algorithm = study::algorithm_named(search.algorithm);
+    if (!algorithm) refuse_algorithm(search.algorithm, where, "");
+    plan_.algorithm = *algorithm;
+    plan_.compared = compared_algorithms(options_.compare);
+    if (!options_.repeats.empty() && !plan_.compares()) {
+      throw BadInput("--repeats: belongs to --compare, which is not given");
+    }
+    if (plan_.compares()) {
+      plan_.repeats = parse_whole("--repeats", options_.repeats.empty() ? "5" : options_.repeats, 1, 1000);
+      if (plan_.minutes) {
+        config::refuse(document_, {"search.minutes"},
+                       "search.minutes: algorithms are compared with equal numbers of matches, not in equal time");
+      }
+    }
+    plan_.population = static_cast<std::uint64_t>(search.population.value_or(0));
+    if (search.population && !plan_.compares() && !study::has_population(plan_.algorithm)) {
+      config::refuse(document_, {"search.population"},
+                     fmt::format("search.population: {} has none", study::name(plan_.algorithm)));
+    }
+  }
+
+  // The match of the tuned team, on `side`, against another file; without values of parameters.
+  campaign::Job job_of(const std::string& opponent, std::size_t side) const {
+    campaign::Job out;
+    out.teams[side] = plan_.team;
+    out.teams[1 - side] = opponent;
+    out.rules = from_here(tuning_.rules);
+    out.robot = from_here(tuning_.robot);
+    const std::string own = from_here(tuning_.disturbance), other = from_here(tuning_.opponent_disturbance);
+    out.home_disturbance = side == 0 ? own : other;
+    out.away_disturbance = side == 0 ? other : own;
+    out.plugins = options_.plugins;
+    if (tuning_.limit) out.limit = config::real_text(*tuning_.limit);
+    return out;
+  }
+
+  study::TuningOpponent opponent_of(const std::string& file, double weight, const std::vector<Setting>& settings) {
+    study::TuningOpponent out;
+    out.file = file;
+    out.label = label_of(file);
+    out.weight = weight;
+    for (const std::size_t side : {0u, 1u}) {
+      campaign::Job& job = out.jobs[side];
+      job = job_of(file, side);
+      const campaign::Job bare = job_of(file, 0);
+      for (const Setting& each : settings) job.overrides.push_back(override_of(each, side));
+      MatchSetup prepared = settled_match(job, side, settings, bare, catalogue_);
+      job.home_inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue_);
+      job.away_inputs = campaign::team_inputs(*prepared.plans[1], prepared.documents[1], catalogue_);
+      job.common_inputs = campaign::common_inputs(prepared.setup, program_, mathematics_);
+      if (side == 1) continue;
+      if (!base_) base_ = prepared.documents[0];
+      paths_ = metric_paths_of(*prepared.plans[0]);
+      setups_.push_back(std::move(prepared.setup));
+    }
+    return out;
+  }
+
+  void meet_opponents() {
+    std::vector<Setting> settings;
+    add_settings(tuning_.set, "set", settings);
+    double sum = 0.0;
+    for (const config::Tuning::Opponent& each : tuning_.opponents) sum += each.weight;
+    for (const config::Tuning::Opponent& each : tuning_.opponents) {
+      study::TuningOpponent opponent = opponent_of(from_here(each.team), each.weight / sum, settings);
+      for (const study::TuningOpponent& other : plan_.opponents) {
+        if (other.file == opponent.file) {
+          throw config::Error(each.where, fmt::format("opponents: {} is given twice; `weight` says how much it counts",
+                                                      opponent.file));
+        }
+        if (other.label == opponent.label) opponent.label = opponent.file;
+      }
+      plan_.opponents.push_back(std::move(opponent));
+    }
+    for (const Setting& each : settings) {
+      // What is set for the tuned team alone goes with it into its file; as an opponent the base team has it, too.
+      if (!is_of_the_team(each)) continue;
+      plan_.settings.push_back(fmt::format("{}={}", each.path, each.value));
+    }
+    std::vector<Setting> of_both;
+    for (const Setting& each : settings) {
+      if (each.path.starts_with("opponent.")) continue;
+      of_both.push_back(each);
+      if (!is_of_the_team(each)) continue;
+      of_both.push_back(each);
+      of_both.back().path = "opponent." + each.path;
+    }
+    plan_.base = opponent_of(plan_.team, 1.0, of_both);
+    plan_.base.label = "the base team";
+  }
+
+  static bool is_of_the_team(const Setting& setting) {
+    constexpr std::array<std::string_view, 5> others{"opponent.", "rules.", "robot.", "disturbance.",
+                                                     "opponent_disturbance."};
+    return std::ranges::none_of(others, [&](std::string_view each) { return setting.path.starts_with(each); });
+  }
+
+  void choose_parameters() {
+    const auto declarations = plugin::declarations(catalogue_.plugins());
+    plan_.parameters = study::chosen_parameters(tuning_.parameters, study::tunables(*base_, declarations));
+    if (plan_.free_parameters() == 0) {
+      config::refuse(document_, {"parameters"}, "parameters: the range of each is one value: there is nothing to tune");
+    }
+    config::Node document = *base_;
+    for (const std::string& each : study::settings_of(plan_, study::start_values(plan_))) {
+      const config::Location where{"--set " + each, 0, 0};
+      const std::size_t equals = each.find('=');
+      document = config::with(document, each.substr(0, equals), config::parse_value(each.substr(equals + 1), where),
+                              where);
+    }
+    config::read_team(document);
+    plan_.document = config::show(document, declarations, config::Remarks::without);
+  }
+
+  void count_goals(const std::vector<config::Opening>& scenes) {
+    for (match::Setup setup : setups_) {
+      if (scenes.empty()) plan_.most_goals = std::max(plan_.most_goals, match::most_goal_difference(setup));
+      for (const config::Opening& scene : scenes) {
+        setup.opening = scene;
+        plan_.most_goals = std::max(plan_.most_goals, match::most_goal_difference(setup));
+      }
+    }
+  }
+
+  void choose_objective() {
+    const bool given = static_cast<bool>(document_["objective"]);
+    plan_.objective.minimise = !tuning_.objective.minimise.empty();
+    if (!given) {
+      plan_.objective.terms = {{"goal_difference", 1.0}};
+      return;
+    }
+    std::vector<std::string> known(study::measures_of_score.begin(), study::measures_of_score.end());
+    known.insert(known.end(), paths_.begin(), paths_.end());
+    for (const auto* const terms : {&tuning_.objective.maximise, &tuning_.objective.minimise}) {
+      for (const config::TuningObjective::Term& each : *terms) {
+        const std::string measure = study::without_roles(each.measure);
+        if (std::ranges::find(known, measure) == known.end()) {
+          throw config::Error(each.where, "objective: " + config::unknown("measure", measure, "", known));
+        }
+        plan_.objective.terms.push_back({measure, each.weight});
+      }
+    }
+  }
+
+  // What so many matches make, each pair of them needing so many.
+  static std::uint64_t pairs_in(int matches, std::uint64_t each) { return static_cast<std::uint64_t>(matches) / each; }
+
+  void require_matches(const char* path, std::uint64_t least, const std::string& why) const {
+    config::refuse(document_, {path},
+                   fmt::format("{}: {}: {} or more matches are wanted", path, why, least));
+  }
+
+  void count_matches() {
+    const std::uint64_t pair = plan_.matches_of_pair();
+    plan_.search_pairs = pairs_in(tuning_.search.matches, pair);
+    plan_.pairs_for_all = tuning_.search.pairs.has_value();
+    plan_.pairs = plan_.pairs_for_all
+                      ? static_cast<std::uint64_t>(*tuning_.search.pairs)
+                      : std::max<std::uint64_t>(1, (plan_.search_pairs + points_of_a_replicated_search / 2) /
+                                                       points_of_a_replicated_search);
+    const auto used = plan_.compares() ? plan_.compared : std::vector{plan_.algorithm};
+    for (const study::Algorithm each : used) {
+      // One more: the base team itself.
+      const std::uint64_t least =
+          1 + study::least_evaluations(each, plan_.free_parameters(), static_cast<std::size_t>(plan_.population));
+      if (plan_.evaluations(each) >= least) continue;
+      require_matches("search.matches", least * plan_.pairs_of(each) * pair,
+                      fmt::format("{} are too few for the first round of {}, {} points with {} matches each",
+                                  tuning_.search.matches, study::name(each), least, plan_.pairs_of(each) * pair));
+    }
+    const config::Tuning::Verification& verification = tuning_.verification;
+    if (plan_.compares()) {
+      const std::uint64_t points = plan_.compared.size() * plan_.repeats + 1;
+      plan_.verification_pairs = pairs_in(verification.matches, pair);
+      plan_.selection_pairs = 1;
+      plan_.slice_points = 0;
+      if (plan_.verification_pairs < 2) {
+        require_matches("verification.matches", 2 * pair,
+                        fmt::format("each of {} points is judged on as many", points));
+      }
+      return;
+    }
+    plan_.selection_pairs = pairs_in(tuning_.selection.matches, pair * plan_.finalists);
+    if (plan_.selection_pairs < 1) {
+      require_matches("selection.matches", pair * plan_.finalists,
+                      fmt::format("too few for {} finalists", plan_.finalists));
+    }
+    const std::uint64_t together = plan_.head_to_head ? 2 * plan_.candidates : pair * (plan_.candidates + 1);
+    plan_.verification_pairs = pairs_in(verification.matches, together);
+    if (plan_.verification_pairs < 2) {
+      require_matches("verification.matches", 2 * together,
+                      fmt::format("too few for {} candidates and the base team", plan_.candidates));
+    }
+    plan_.slice_points = static_cast<std::uint64_t>(tuning_.slices.points);
+    plan_.slice_pairs = plan_.slice_points == 0 ? 0 : static_cast<std::uint64_t>(tuning_.slices.pairs);
+  }
+
+  const TuneOptions& options_;
+  config::Overrides overrides_;
+  config::Node document_;
+  config::Tuning tuning_;
+  const plugin::Catalogue& catalogue_;
+  const std::string program_ = campaign::program_hash(), mathematics_ = campaign::mathematics_fingerprint();
+  study::TuningPlan plan_;
+  std::optional<config::Node> base_;  // the team's document
+  std::vector<std::string> paths_;    // of its metrics
+  std::vector<match::Setup> setups_;  // by opponent, then the base team
+};
+
+}  // namespace
+
+study::TuningPlan planned_tuning(const TuneOptions& options, const plugin::Catalogue& catalogue) {
+  return Planner(options, catalogue).plan();
+}
+
+std::vector<std::string> notes_on(const study::TuningPlan& plan) {
+  std::vector<std::string> out;
+  for (const study::TuningOpponent& each : plan.opponents) {
+    const campaign::Job& job = each.jobs[0];
+    if (job.home_inputs != job.away_inputs) continue;
+    out.push_back(fmt::format("{} is the base team itself: its own value against it is 0 goals by construction",
+                              each.label));
+  }
+  return out;
+}
+
+}  // namespace regista::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// From a tuning's document to its plan: everything that can be wrong is found before the first match.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/campaign_options.hpp"
+#include "plugin/catalogue.hpp"
+#include "study/tuning/tuning_plan.hpp"
+
+namespace regista::cli {
+
+struct TuneOptions : CampaignOptions {
+  std::string file;
+  std::vector<std::string> overrides;  // of the tuning's document
+  std::string matches;                 // of the search, instead of what the document says; empty: as it says
+  std::string compare, repeats;        // algorithms, divided by commas; empty: the document's alone
+  std::string trace, output;           // files; empty: none, beside the results
+};
+
+// Throws BadInput and config::Error, at the place in the tuning's document that asks for what is not there.
+study::TuningPlan planned_tuning(const TuneOptions& options, const plugin::Catalogue& catalogue);
+
+// What is unusual but allowed, a line each: an opponent that is the base team itself.
+std::vector<std::string> notes_on(const study::TuningPlan& plan);
+
+}  // namespace regista::cli

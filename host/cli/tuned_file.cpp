@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "cli/tuned_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "cli/end_of_program.hpp"
+#include "cli/replaced_file.hpp"
+#include "cli/shell.hpp"
+#include "config/text.hpp"
+#include "report/number.hpp"
+#include "report/tuning.hpp"
+#include "study/recording_place.hpp"
+#include "study/tuning/tuned_team.hpp"
+
+namespace regista::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view first_words = "# Tuned by Regista";
+
+std::string signed_number(double value) { return fmt::format("{:+.3g}", value); }
+
+// What the verification found, a line or two.
+std::string verdict(const study::TuningPlan& plan, const study::TuningRecord& record) {
+  const auto which = std::ranges::find(record.candidates, *record.tuned()) - record.candidates.begin();
+  const auto candidate = static_cast<std::size_t>(which);
+  const study::ScoreDifference& found = record.verification.of()[candidate];
+  const statistics::Estimate estimate = found.estimate();
+  const char* const words = record.finding(candidate) == study::VerifiedAs::better  ? "VERIFIED better than the base team"
+                            : record.finding(candidate) == study::VerifiedAs::worse ? "NOT VERIFIED: worse than the base team"
+                                                                                    : "NOT VERIFIED: no difference was found";
+  const double sign = study::value_of(plan.objective, 1.0);
+  const double low = sign > 0 ? estimate.interval.low : -estimate.interval.high,
+               high = sign > 0 ? estimate.interval.high : -estimate.interval.low;
+  return fmt::format("{}, on {} pairs of seeds nobody chose by:\n#   {} {} [{}, {}] at {:.4g} %, p = {:.2g} after Holm",
+                     words, record.verification.pairs(), study::in_words(plan.objective),
+                     signed_number(sign * estimate.value), signed_number(low), signed_number(high),
+                     100.0 * plan.confidence, record.verification.adjusted()[candidate]);
+}
+
+std::string header(const study::TuningPlan& plan, const study::TuningRecord& record, const std::string& fingerprint) {
+  std::vector<std::string> opponents;
+  for (const study::TuningOpponent& each : plan.opponents) {
+    opponents.push_back(fmt::format("{} ({:.3g})", config::one_line(each.file), each.weight));
+  }
+  const std::vector<std::string> words = report::tuning_arguments(plan);
+  return fmt::format(
+      "{} {} from {}; {}\n"
+      "# Objective: {} {}, against {}\n"
+      "# Search: {}, {} points, seed {}; results of all matches: {}\n"
+      "# Again, in {}:\n#   {}\n",
+      first_words, REGISTA_VERSION, config::one_line(plan.team), verdict(plan, record),
+      plan.objective.minimise ? "minimise" : "maximise", study::in_words(plan.objective), fmt::join(opponents, ", "),
+      study::name(plan.algorithm), record.trace.size(), plan.seed, fingerprint, config::one_line(plan.folder),
+      config::one_line(command_line(words)));
+}
+
+// The base team's file as the new one is to name it.
+std::string base_from(const fs::path& file, const std::string& base) {
+  const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
+  const fs::path relative = fs::absolute(base).lexically_normal().lexically_relative(folder);
+  return relative.empty() ? fs::absolute(base).string() : relative.string();
+}
+
+}  // namespace
+
+fs::path tuned_file_beside(const fs::path& results) { return study::beside(results, ".tuned.yaml"); }
+
+void refuse_other_file(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(fs::status(file, error))) return;
+  std::string beginning(first_words.size(), '\0');
+  if (fs::is_regular_file(file, error)) {
+    std::ifstream(file, std::ios::binary).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  }
+  if (beginning == first_words) return;
+  throw BadInput(fmt::format("{}: is there, and is no team that a tuning wrote; --output names another file",
+                             config::one_line(file.string())));
+}
+
+void write_tuned_file(const fs::path& file, const study::TuningPlan& plan, const study::TuningRecord& record,
+                      const std::string& fingerprint) {
+  const study::Finalist& tuned = record.finalists[*record.tuned()];
+  std::string name = plan.name + "_tuned";
+  if (name.size() > 64) name.resize(64);  // config::to_name
+  write_whole(file, header(plan, record, fingerprint) + study::tuned_team(plan, tuned.values, name, base_from(file, plan.team)),
+              Existing::replaced);
+}
+
+}  // namespace regista::cli

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The tuned team as a file: what differs from the base team, below a comment that says where it comes from.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "campaign/store.hpp"
+#include "study/tuning/tuning.hpp"
+
+namespace regista::cli {
+
+// Where it is written unless asked otherwise: NAME.tuned.yaml beside the results NAME.db.
+std::filesystem::path tuned_file_beside(const std::filesystem::path& results);
+
+// Throws BadInput for a file that is there and was not written by write_tuned_file(): before a match is played.
+void refuse_other_file(const std::filesystem::path& file);
+
+// Replaces an older one. fingerprint: of the results. record.tuned() has a value.
+void write_tuned_file(const std::filesystem::path& file, const study::TuningPlan& plan,
+                      const study::TuningRecord& record, const std::string& fingerprint);
+
+}  // namespace regista::cli
