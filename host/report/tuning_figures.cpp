@@ -81,17 +81,17 @@ struct Level {
   std::string_view colour;
 };
 
-// A verified value, over the whole width, with its band.
-std::string level_commands(const Level& level) {
-  std::string out;
-  if (level.value.interval) {
-    out = fmt::format(
-        ", \\\n  '' using 1:({:.9g}):({:.9g}) with filledcurves lc rgb '{}' fs transparent solid 0.18 "
-        "noborder notitle",
-        level.value.interval->low, level.value.interval->high, level.colour);
-  }
-  return out + fmt::format(", \\\n  {:.9g} with lines dt 2 lw 2 lc rgb '{}' title '{}'", level.value.mean, level.colour,
-                           level.words);
+// Of a verified value, over the whole width: its band, behind all else, and its line.
+std::string band_commands(const Level& level) {
+  if (!level.value.interval) return {};
+  return fmt::format(
+      "'convergence.csv' using 1:({:.9g}):({:.9g}) with filledcurves lc rgb '{}' fs transparent solid 0.18 noborder "
+      "notitle, \\\n  ",
+      level.value.interval->low, level.value.interval->high, level.colour);
+}
+std::string line_commands(const Level& level) {
+  return fmt::format(", \\\n  {:.9g} with lines dt 2 lw 2 lc rgb '{}' title '{}'", level.value.mean, level.colour,
+                     level.words);
 }
 
 std::vector<Level> verified_levels(const TuningView& view) {
@@ -146,15 +146,18 @@ std::optional<Figure> convergence(const TuningView& view) {
   out.commands = fmt::format(
       "set xlabel 'matches of the search'\nset xrange [0:{}]\nset xtics {}\nset ylabel {}\nset yrange {}\n"
       "set key outside top center horizontal maxrows 2\n"
-      "plot 'convergence.csv' using 1:3 with points pt 7 ps {} lc rgb '{}' title 'an evaluation', \\\n"
+      "plot ",
+      end, whole_tic_step(static_cast<double>(end), 8), value_label(objective), range.axis());
+  for (const Level& each : levels) out.commands += band_commands(each);
+  out.commands += fmt::format(
+      "'convergence.csv' using 1:3 with points pt 7 ps {} lc rgb '{}' title 'an evaluation', \\\n"
       "  '' using 1:4 with steps lw 2 lc rgb '{}' title 'best so far'",
-      end, whole_tic_step(static_cast<double>(end), 8), value_label(objective), range.axis(),
       steps.size() > 200 ? 0.25 : 0.45, colours[7], colours[0]);
   if (std::ranges::any_of(steps, [](const auto* each) { return each->played.failed; })) {
     out.commands +=
         fmt::format(", \\\n  '' using 1:5 with points pt 2 ps 0.6 lc rgb '{}' title 'forfeited'", colours[6]);
   }
-  for (const Level& each : levels) out.commands += level_commands(each);
+  for (const Level& each : levels) out.commands += line_commands(each);
   out.commands += '\n';
   return out;
 }

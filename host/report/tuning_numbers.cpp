@@ -41,17 +41,17 @@ RangeEnd end_of(const study::Parameter& parameter, double value) {
 }
 
 double margin_of(const std::optional<statistics::Interval>& interval) {
-  return interval && interval->bounded() ? (interval->high - interval->low) / 2.0 : 0.0;
+  return interval && has_width(*interval) ? (interval->high - interval->low) / 2.0 : 0.0;
 }
 
 // An end beside nought must not look as if it were nought.
 std::string end_text(double end, double margin) {
   const std::string text = rounded(end, margin);
-  return end != 0.0 && shows_nothing(end, text) ? rounded(end, 0.0) : text;
+  return end != 0.0 && shows_nothing(end, text) ? rounded(end, std::abs(end)) : text;
 }
 
 std::string ends_text(const std::optional<statistics::Interval>& interval) {
-  if (!interval || !interval->bounded()) return {};
+  if (!interval || !has_width(*interval)) return {};
   const double margin = margin_of(interval);
   return fmt::format(" [{}, {}]", end_text(interval->low, margin), end_text(interval->high, margin));
 }
@@ -180,6 +180,12 @@ std::vector<AlgorithmSummary> algorithm_summaries(const TuningView& view) {
     if (!differences.empty()) each.difference = statistics::quartiles(differences);
   }
   return out;
+}
+
+bool has_width(const statistics::Interval& interval) {
+  constexpr double rounding = 1e-9;
+  return interval.bounded() && interval.high - interval.low >
+                                   rounding * std::max(std::abs(interval.low), std::abs(interval.high));
 }
 
 std::string signed_text(double value, double margin) {

@@ -76,7 +76,10 @@ struct AlgorithmSummary {
 // In the plan's order; those without a run are there, too.
 std::vector<AlgorithmSummary> algorithm_summaries(const TuningView& view);
 
-// "0.85 [0.40, 1.30]"; "0.85" without an interval that has ends, "-" without a pair.
+// It has ends, and more between them than rounding makes of values that are all the same.
+bool has_width(const statistics::Interval& interval);
+
+// "0.85 [0.40, 1.30]"; "0.85" without an interval that has a width, "-" without a pair.
 std::string told_text(const study::MeanEstimate& estimate);
 std::string told_text(const statistics::Estimate& estimate);         // with a sign
 std::string difference_text(const study::MeanEstimate& difference);  // with a sign

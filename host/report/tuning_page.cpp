@@ -68,7 +68,7 @@ Html tiles(const TuningView& view) {
 
 Html findings_section(const TuningView& view, const TuningVerdict& verdict) {
   Html out = list(verdict.beside);
-  if (!view.tuned_file.empty()) {
+  if (!view.tuned_file.empty() && !view.plan.compares()) {
     out << "<p>The tuned team is in "_html << code(view.tuned_file)
         << (view.record.verified() ? ".</p>\n"_html : ", although it was not found better.</p>\n"_html);
   }

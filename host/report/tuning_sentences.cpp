@@ -112,8 +112,10 @@ std::string numbers_text(const TuningView& view, const CandidateVerdict& each, s
     out += " less the base team's in the same matches ";
   }
   out += told_text(each.difference);
-  out += each.difference.interval.bounded() ? fmt::format(" ({})", interval_words(plan, candidates))
-                                            : std::string(" (too few pairs for an interval)");
+  const statistics::Interval& interval = each.difference.interval;
+  out += has_width(interval)    ? fmt::format(" ({})", interval_words(plan, candidates))
+         : interval.bounded() ? std::string(" (every pair differs by as much)")
+                              : std::string(" (too few pairs for an interval)");
   out += fmt::format(", {}, {}", pairs_text(static_cast<std::uint64_t>(each.pairs)), p_text(each.p));
   if (candidates > 1) out += fmt::format(", {} after Holm", p_text(each.adjusted));
   return out;
@@ -166,6 +168,13 @@ std::string test_note(const TuningView& view) {
          "for any law; the interval is that of the mean difference, for many pairs.";
 }
 
+// Both corrections hold, but that of the intervals is the coarser one.
+std::string several_note(std::size_t candidates) {
+  if (candidates < 2) return {};
+  return "The intervals hold for all candidates together, and are wider than the test by Holm asks for: one that "
+         "contains 0 and a difference that was found do not contradict each other.";
+}
+
 bool base_came_first(const TuningView& view) {
   return !view.record.finalists.empty() && view.record.finalists.front().values == start_values(view.plan);
 }
@@ -212,7 +221,8 @@ std::string headline_of_comparison(const TuningView& view) {
   for (const AlgorithmSummary& each : placed) {
     parts.push_back(fmt::format("{} {}", name(each.algorithm), signed_text(each.difference->median, 0.0)));
   }
-  return fmt::format("Median difference from the base team, the best first: {}.", fmt::join(parts, ", "));
+  return fmt::format("{}, median difference from the base team, the best first: {}.",
+                     visible(in_words(view.plan.objective)), fmt::join(parts, ", "));
 }
 
 TuningVerdict comparison_verdict(const TuningView& view) {
@@ -325,7 +335,9 @@ TuningVerdict tuning_verdict(const TuningView& view) {
         "On the {} of the selection the base team came first, with {}.", pairs_text(view.plan.selection_pairs),
         told_text(told(view.plan.objective, view.record.finalists.front().selected.score))));
   }
-  if (const std::string note = test_note(view); !note.empty()) out.beside.push_back(note);
+  for (const std::string& note : {test_note(view), several_note(candidates.size())}) {
+    if (!note.empty()) out.beside.push_back(note);
+  }
   return out;
 }
 

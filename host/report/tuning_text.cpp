@@ -200,7 +200,7 @@ std::string tuning_text(const TuningView& view) {
   const TuningVerdict verdict = tuning_verdict(view);
   out += '\n' + verdict.headline + '\n';
   for (const std::string& each : verdict.beside) out += fmt::format("  {}\n", each);
-  if (!view.tuned_file.empty()) {
+  if (!view.tuned_file.empty() && !view.plan.compares()) {
     out += fmt::format("\nThe tuned team is in {}{}\n", visible(view.tuned_file),
                        view.record.verified() ? "." : ", although it was not found better.");
   }
