@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "report/experiment.hpp"
+#include "report/number.hpp"
 #include "report/visible_text.hpp"
 
 namespace regista::report {
@@ -16,8 +17,6 @@ using study::Finding;
 double margin_of(const study::MeanEstimate& estimate) {
   return estimate.interval ? (estimate.interval->high - estimate.interval->low) / 2.0 : 0.0;
 }
-
-std::string p_text(double p) { return p < 0.0001 ? "p < 0.0001" : fmt::format("p = {:.2g}", p); }
 
 const char* by_text(study::PairMethod by) {
   switch (by) {

@@ -27,4 +27,6 @@ inline std::string with_sign(double value, int digits) {
   return out;
 }
 
+inline std::string p_text(double p) { return p < 0.0001 ? "p < 0.0001" : fmt::format("p = {:.2g}", p); }
+
 }  // namespace regista::report

@@ -3,6 +3,7 @@
 // each of them came to.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "report/figure.hpp"
@@ -10,6 +11,11 @@
 
 namespace regista::report {
 
+// "convergence", "importance", "slice_1", ... in the order of importance; of a comparison "algorithms". One that has
+// nothing to show is left out.
 std::vector<Figure> tuning_figures(const TuningView& view);
+
+// Whether figures of some tuning are called so.
+bool is_tuning_figure(std::string_view name);
 
 }  // namespace regista::report

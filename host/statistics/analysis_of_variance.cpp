@@ -37,6 +37,15 @@ std::optional<TwoWayAnalysis> two_way_analysis(std::span<const std::vector<doubl
       residual += rest * rest;
     }
   }
+  // Of treatments that do nothing at all every value is the same as in the others, and only rounding is left.
+  constexpr double digits = 1e-12;
+  double largest = 0.0;
+  for (const std::vector<double>& row : values) {
+    for (const std::size_t block : blocks) largest = std::max(largest, std::abs(row[block]));
+  }
+  const double rounding = r * b * (digits * largest) * (digits * largest);
+  if (between <= rounding) between = 0.0;
+  if (residual <= rounding) residual = 0.0;
   const double row_degrees = r - 1.0, residual_degrees = (r - 1.0) * (b - 1.0);
   const double row_square = between / row_degrees, residual_square = residual / residual_degrees;
   TwoWayAnalysis out;

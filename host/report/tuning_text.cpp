@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/experiment.hpp"
+#include "report/number.hpp"
+#include "report/text_table.hpp"
+#include "report/tournament.hpp"
+#include "report/tuning_sentences.hpp"
+#include "report/visible_text.hpp"
+
+namespace regista::report {
+namespace {
+
+using study::TuningStage;
+
+std::string paragraph(const char* title, const std::vector<std::string>& sentences) {
+  if (sentences.empty()) return {};
+  std::string out = fmt::format("\n{}\n", title);
+  for (const std::string& each : sentences) out += fmt::format("  {}\n", each);
+  return out;
+}
+
+std::string indented(const std::string& lines) {
+  std::string out = "  ";
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    out += lines[i];
+    if (lines[i] == '\n' && i + 1 < lines.size()) out += "  ";
+  }
+  return out;
+}
+
+std::string parameters_table(const study::TuningPlan& plan) {
+  TextTable table;
+  table.row({"parameter", "start", "range", "scale"});
+  for (const study::Parameter& each : plan.parameters) {
+    table.row({visible(each.path), text_of(each, each.start), range_text(each), scale_text(each)});
+  }
+  return "\nParameters\n" + indented(table.text());
+}
+
+std::string finalists_table(const TuningView& view) {
+  const study::TuningRecord& record = view.record;
+  if (record.finalists.empty()) return {};
+  const study::ParameterValues base = start_values(view.plan);
+  TextTable table;
+  table.row({"finalist", "search's own value", "on the selection", "values"});
+  for (std::size_t i = 0; i < record.finalists.size(); ++i) {
+    const study::Finalist& each = record.finalists[i];
+    table.row({std::to_string(i + 1), each.seen ? told_text(told(view.plan.objective, each.seen->score)) : "not played",
+               each.selected.failed ? "forfeited" : told_text(told(view.plan.objective, each.selected.score)),
+               each.values == base ? "the base team's" : values_text(view.plan, each.values)});
+  }
+  return fmt::format("\nFinalists, with what holds with {:.4g} % for one look: the search's own value is optimistic\n",
+                     100.0 * view.plan.confidence) +
+         indented(table.text());
+}
+
+std::string tuned_table(const TuningView& view) {
+  const std::vector<TunedValue> values = tuned_values(view);
+  if (values.empty()) return {};
+  TextTable table;
+  table.row({"parameter", "base", "tuned", "range", ""});
+  for (const TunedValue& each : values) {
+    const study::Parameter& parameter = view.plan.parameters[each.parameter];
+    table.row({visible(parameter.path), text_of(parameter, each.base), text_of(parameter, each.tuned),
+               range_text(parameter), end_text(each.at)});
+  }
+  return fmt::format("\nValues of finalist {}{}\n", *view.record.tuned() + 1,
+                     view.record.verified() ? "" : ", which was not found better") +
+         indented(table.text());
+}
+
+std::string importance_table(const TuningView& view) {
+  if (view.record.slices.empty()) return {};
+  TextTable table;
+  table.row({"parameter", "importance", ""});
+  for (const study::Slice& each : view.record.slices) {
+    table.row(
+        {visible(view.plan.parameters[each.parameter].path), rounded(each.importance, 0.0), importance_text(each)});
+  }
+  return "\nImportance of the parameters\n" + indented(table.text()) + fmt::format("  {}\n", slices_note(view));
+}
+
+std::string quartiles_text(const std::optional<statistics::Quartiles>& of) {
+  if (!of) return "-";
+  const double margin = (of->upper - of->lower) / 2.0;
+  return fmt::format("{} [{}, {}]", signed_text(of->median, margin), signed_text(of->lower, margin),
+                     signed_text(of->upper, margin));
+}
+
+std::string algorithms_table(const TuningView& view) {
+  if (!view.plan.compares()) return {};
+  TextTable table;
+  table.row({"algorithm", "difference", "better", "evaluations", "matches", "runs"});
+  for (const AlgorithmSummary& each : algorithm_summaries(view)) {
+    table.row({name(each.algorithm), quartiles_text(each.difference),
+               each.judged == 0 ? "-" : fmt::format("{} of {}", each.better, each.judged),
+               each.runs.empty() ? "-" : fmt::format("{:.0f}", each.evaluations.median),
+               each.runs.empty() ? "-" : fmt::format("{:.0f}", each.matches.median), std::to_string(each.runs.size())});
+  }
+  return fmt::format(
+             "\nAlgorithms: difference of {} from the base team, median and quartiles over runs; runs whose mean is "
+             "better than the base team; evaluations and matches of a run, median\n",
+             objective_text(view.plan.objective)) +
+         indented(table.text());
+}
+
+std::string forfeits_text(const TuningView& view) {
+  std::string out;
+  for (const study::Forfeits& each : view.record.forfeits.listed()) {
+    out += fmt::format("  {} {}\n", each.count == 1 ? "1 match" : fmt::format("{} matches", each.count),
+                       visible(forfeit_text(forfeiter(view.plan, each.team), each.failure)));
+  }
+  const std::uint64_t more = view.record.forfeits.unlisted();
+  if (more > 0) out += fmt::format("  {} more {} forfeited for other reasons\n", more, more == 1 ? "was" : "were");
+  if (out.empty()) return out;
+  return "\nForfeits: those of the tuned team count as the worst there is, pairs with others' are left out\n" + out;
+}
+
+std::string matches_text(const TuningView& view) {
+  const MatchesByStage matches = matches_by_stage(view);
+  std::string out = fmt::format("\nMatches: search {}", matches.search);
+  if (!view.plan.compares()) out += fmt::format(", selection {}", matches.selection);
+  out += fmt::format(", verification {}", matches.verification);
+  if (!view.plan.compares()) out += fmt::format(", slices {}", matches.slices);
+  return out + fmt::format("; at most {}\n", most_matches(view.plan));
+}
+
+// One line for each of the best finalists, or candidates while they are verified.
+std::string finalists_in_short(const TuningView& view) {
+  constexpr std::size_t shown = 3;
+  std::string out;
+  if (view.record.stage == TuningStage::verification || !view.record.verification.of().empty()) {
+    const std::vector<CandidateVerdict> candidates = candidate_verdicts(view);
+    for (std::size_t i = 0; i < std::min(candidates.size(), shown); ++i) {
+      const CandidateVerdict& each = candidates[i];
+      if (each.pairs == 0) continue;
+      out += fmt::format("finalist {}: difference {}, {}, {}\n", each.finalist + 1, told_text(each.difference),
+                         p_text(each.adjusted), name(each.finding));
+    }
+    return out;
+  }
+  for (std::size_t i = 0; i < std::min(view.record.finalists.size(), shown); ++i) {
+    const study::Finalist& each = view.record.finalists[i];
+    out += fmt::format("finalist {}: {} on the selection, {} in the search (optimistic)\n", i + 1,
+                       told_text(told(view.plan.objective, each.selected.score)),
+                       each.seen ? told_text(told(view.plan.objective, each.seen->score)) : "not played");
+  }
+  return out;
+}
+
+std::string stage_line(const TuningView& view) {
+  const study::TuningPlan& plan = view.plan;
+  const study::TuningRecord& record = view.record;
+  if (!record.stage) return "all is done";
+  if (plan.compares()) {
+    return record.stage == TuningStage::verification
+               ? "judging the runs"
+               : fmt::format("run {} of {}", record.compared.size() + 1, plan.compared.size() * plan.repeats);
+  }
+  switch (*record.stage) {
+    case TuningStage::search:
+      return fmt::format("search, evaluation {} of at most {}", record.trace.size(), plan.evaluations(plan.algorithm));
+    case TuningStage::verification:
+      return fmt::format("verification, pair {} of at most {}", record.verification.pairs(), plan.verification_pairs);
+    case TuningStage::selection:
+    case TuningStage::slices:
+      break;
+  }
+  return name(*record.stage);
+}
+
+}  // namespace
+
+std::string tuning_standing(const TuningView& view) {
+  const study::TuningRecord& record = view.record;
+  std::string out = tuning_title(view) + '\n';
+  out += fmt::format("{}; matches asked for: {} of at most {}\n", stage_line(view), record.matches,
+                     most_matches(view.plan));
+  if (view.plan.compares()) {
+    if (record.compared.empty()) return out;
+    const study::ComparedRun& last = record.compared.back();
+    return out + fmt::format("last: {}, run {}: {} in its search (optimistic)\n", name(last.algorithm), last.repeat + 1,
+                             last.seen ? rounded(told(view.plan.objective, *last.seen), 0.0) : "not played");
+  }
+  if (const study::SearchStep* const best = best_step(record)) {
+    out += fmt::format("best so far: {} {} at evaluation {} (optimistic), the base team {}\n",
+                       visible(in_words(view.plan.objective)), told_text(told(view.plan.objective, best->played.score)),
+                       best->evaluation, told_text(told(view.plan.objective, record.trace.front().played.score)));
+  }
+  return out + finalists_in_short(view);
+}
+
+std::string tuning_text(const TuningView& view) {
+  std::string out = tuning_title(view) + '\n';
+  if (!view.plan.question.empty()) out += visible(view.plan.question) + '\n';
+  if (const std::string unfinished = unfinished_sentence(view); !unfinished.empty()) out += unfinished + '\n';
+  const TuningVerdict verdict = tuning_verdict(view);
+  out += '\n' + verdict.headline + '\n';
+  for (const std::string& each : verdict.beside) out += fmt::format("  {}\n", each);
+  if (!view.tuned_file.empty() && !view.plan.compares()) {
+    out += fmt::format("\nThe tuned team is in {}{}\n", visible(view.tuned_file),
+                       view.record.verified() ? "." : ", although it was not found better.");
+  }
+  out += algorithms_table(view) + tuned_table(view) + importance_table(view) + finalists_table(view);
+  out += paragraph("Search", search_sentences(view)) + paragraph("How it was tuned", setup_sentences(view));
+  return out + parameters_table(view.plan) + matches_text(view) + forfeits_text(view);
+}
+
+}  // namespace regista::report
