@@ -125,15 +125,14 @@ std::vector<Row> rows() {
   add(Algorithm::isres, {0.502, 0.466, 2.32});
   add(Algorithm::esch, {});
   add(Algorithm::spsa, {0.0215, 0.0043, 0.174});
-  for (const double r_end : {0.25, 1.0, 4.0}) {
-    const SpsaGains gains{SpsaGains{}.c_end, r_end * SpsaGains{}.r_end};
-    out.push_back({fmt::format("spsa, r_end {:.3g}", gains.r_end),
-                   false,
-                   [gains](const SearchSettings& settings, const Evaluate& evaluate) {
-                     Inquiry inquiry(evaluate, settings.evaluations);
-                     return spsa(settings, inquiry, gains);
-                   },
-                   {}});
+  for (const double factor : {0.5, 1.0, 2.0}) {
+    const auto run = [factor](const SearchSettings& settings, const Evaluate& evaluate) {
+      Inquiry inquiry(evaluate, settings.evaluations);
+      SpsaGains gains = spsa_gains(settings.evaluations / 2);
+      gains.r_end *= factor;
+      return spsa(settings, inquiry, gains);
+    };
+    out.push_back({fmt::format("spsa, r_end x {:g}", factor), false, run, {}});
   }
   add(Algorithm::sep_cma_es, {0.0173, 0.0259, 0.149});
   add(Algorithm::random_search, {2.68, 17.1, 2.96});
