@@ -10,8 +10,10 @@
 #include <memory>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "study/tuning/draws.hpp"
+#include "study/tuning/neighbours.hpp"
 #include "study/tuning/populations.hpp"
 
 namespace regista::study {
@@ -24,6 +26,9 @@ namespace {
 constexpr double first_step = 0.25;
 constexpr std::array<double, 4> later_steps{0.05, 0.1, 0.2, 0.4};
 constexpr double smallest_part = 0.05;
+
+// Of a search by generations, so many best points are looked at more closely in the end.
+constexpr std::size_t candidates = 200;
 
 nlopt_algorithm of_nlopt(Algorithm algorithm) {
   switch (algorithm) {
@@ -159,7 +164,12 @@ SearchResult nlopt_search(Algorithm algorithm, const SearchSettings& settings, I
                              : 0;
     start = inquiry.best(1).front();
   }
-  return {inquiry.best(most_recommended), inquiry.left() == 0 ? "budget used up" : "no further step possible"};
+  // Values on the same pairs, many matches each, are compared as they are; single ones, of ever other pairs, are not.
+  std::vector<Point> recommended = inquiry.best(generations ? candidates : most_recommended);
+  if (generations) {
+    recommended = best_by_neighbours(inquiry.points(), inquiry.values(), recommended, most_recommended);
+  }
+  return {std::move(recommended), inquiry.left() == 0 ? "budget used up" : "no further step possible"};
 }
 
 }  // namespace regista::study

@@ -139,9 +139,9 @@ TEST_P(EverySearch, NumbersItsPairs) {
   }
 }
 
-// Those who keep records recommend from them, the start among them when it is best.
+// Those who compare values as they are recommend the best they saw, the start among them.
 TEST_P(EverySearch, RecommendsTheStartWhenAllElseIsWorse) {
-  if (GetParam() == Algorithm::spsa || GetParam() == Algorithm::sep_cma_es) GTEST_SKIP() << "keeps an estimate";
+  if (!wants_replication(GetParam())) GTEST_SKIP() << "believes no single value";
   SearchSettings settings;
   settings.start = point({0.31, 0.77});
   settings.evaluations = 300;
@@ -149,8 +149,18 @@ TEST_P(EverySearch, RecommendsTheStartWhenAllElseIsWorse) {
   const SearchResult result = search(
       GetParam(), settings, recorded(record, [&](const Point& x) { return x == settings.start ? 1.0 : -x.norm(); }));
   EXPECT_EQ(result.recommended.front(), settings.start);
+}
+
+TEST_P(EverySearch, RecommendsPointsThatWereAskedUnlessItKeepsAnEstimate) {
+  if (GetParam() == Algorithm::spsa || GetParam() == Algorithm::sep_cma_es) GTEST_SKIP() << "keeps an estimate";
+  SearchSettings settings;
+  settings.start = point({0.31, 0.77});
+  settings.evaluations = 300;
+  std::vector<Asked> record;
+  const SearchResult result = search(GetParam(), settings, recorded(record, NoisySphere(point({0.6, 0.2}), 0.1, 1)));
   std::vector<Point> asked;
   for (const Asked& each : record) asked.insert(asked.end(), each.points.begin(), each.points.end());
+  EXPECT_EQ(result.recommended.size(), 8u);
   for (const Point& each : result.recommended) EXPECT_TRUE(contains(asked, each));
 }
 

@@ -62,21 +62,24 @@ TEST_P(AgainstObjectives, ASearchAfterOneThatFailedIsAsIfThatHadNotBeen) {
   EXPECT_EQ(course(), before);
 }
 
+// Now and then anywhere, and always in a part of the cube beside the optimum.
 TEST_P(AgainstObjectives, WhatIsNoNumberIsSurvived) {
   constexpr double none[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                              -std::numeric_limits<double>::infinity()};
   const Point optimum = point({0.6, 0.4});
   SearchSettings settings;
-  settings.start = uniform_point(2, 0.5);
+  settings.start = uniform_point(2, 0.3);
   settings.evaluations = 1000;
   int number = 0;
   std::vector<Asked> record;
   const SearchResult result = search(GetParam(), settings, recorded(record, [&](const Point& x) {
                                        ++number;
-                                       return number % 10 == 0 ? none[number / 10 % 3] : sphere(x, optimum);
+                                       const bool fails = number % 50 == 7 || x[0] > 0.8;
+                                       return fails ? none[number % 3] : sphere(x, optimum);
                                      }));
   EXPECT_LE(number_of_points(record), 1000u);
-  EXPECT_LT((result.recommended.front() - optimum).norm(), 0.1);
+  // ESCH draws whole coordinates anew and has no small steps.
+  EXPECT_LT((result.recommended.front() - optimum).norm(), GetParam() == Algorithm::esch ? 0.15 : 0.1);
 }
 
 TEST_P(AgainstObjectives, NothingButNoNumbers) {
