@@ -139,9 +139,9 @@ std::uint64_t least_evaluations(Algorithm algorithm, std::size_t dimensions, std
     case Algorithm::cobyla:
       return n + 2;  // a simplex, and one point beyond
     case Algorithm::bobyqa:
-      return 2 * n + 2;  // the points of its first model, and the model's own optimum
+      return 2 * n + 3;  // the start, the points of its first model, and the model's own optimum
     case Algorithm::direct_l:
-      return 2 * n + 1;  // the centre, and both sides of it in each dimension
+      return 2 * n + 2;  // the start, the centre, and both sides of it in each dimension
     case Algorithm::crs2_lm:
     case Algorithm::isres:
     case Algorithm::esch:

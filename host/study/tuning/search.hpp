@@ -37,13 +37,17 @@ struct SearchSettings {
 };
 
 struct SearchResult {
-  // What it thinks best, first; all different, one or more. A fixed rule of the algorithm: those of the best values
-  // that were seen, or, of one that keeps an estimate of the optimum, that estimate.
+  // What it thinks best, first; all different, one to eight. A fixed rule of the algorithm: of those that want
+  // replication, the points of the best mean values (of equal ones the earlier); of crs2_lm, isres and esch, those of
+  // the best 200 whose neighbours have the best mean value; of spsa and sep_cma_es, their last estimate, means of late
+  // ones, and the start.
   std::vector<Point> recommended;
   std::string ended;  // in a few words: "budget used up", "steps became too small"
 };
 
-// A function of its arguments and of the answers of `evaluate` alone.
+// A function of its arguments and of the answers of `evaluate` alone, also when several threads search at once. The
+// start is in the cube; at least least_evaluations() are allowed. One that ends before its budget starts again from the
+// best point. What `evaluate` answers that is not finite counts as worse than all that is.
 SearchResult search(Algorithm algorithm, const SearchSettings& settings, const Evaluate& evaluate);
 
 }  // namespace regista::study

@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <functional>
 
 #include "study/tuning/draws.hpp"
 
@@ -16,7 +17,7 @@ constexpr double alpha = 0.602, gamma = 0.101;
 }  // namespace
 
 SpsaGains spsa_gains(std::uint64_t iterations) {
-  constexpr double c_end = 0.1, travel = 2.0, most = 0.5;  // `most`: for a handful of iterations
+  constexpr double c_end = 0.1, travel = 2.5, most = 0.5;  // `most`: for a handful of iterations
   return {c_end, std::min(most, travel / (c_end * static_cast<double>(iterations)))};
 }
 
@@ -37,16 +38,20 @@ double SpsaSchedule::r(std::uint64_t k) const {
 }
 
 double RunningScale::scaled(double difference) {
-  const double square = difference * difference;
-  if (number_ > 0.0 && squares_ > 0.0) {
-    const double limit = most * most * squares_ / number_;
-    squares_ += std::min(square, limit);
-  } else {
-    squares_ += square;
+  // A square joins the largest and pushes the least of them out to the others: nothing is ever taken from the sum,
+  // which an outlier would have emptied of all digits.
+  largest_.push_back(difference * difference);
+  std::push_heap(largest_.begin(), largest_.end(), std::greater<>());
+  if (largest_.size() > 1 + (largest_.size() + others_) / 20) {
+    std::pop_heap(largest_.begin(), largest_.end(), std::greater<>());
+    squares_ += largest_.back();
+    largest_.pop_back();
+    ++others_;
   }
-  number_ += 1.0;
-  if (squares_ == 0.0) return 0.0;
-  return std::clamp(difference / std::sqrt(squares_ / number_), -most, most);
+  double scale = std::sqrt(squares_ / static_cast<double>(std::max<std::size_t>(others_, 1)));
+  // Few differences so far, or hardly any that is not zero.
+  if (scale == 0.0) scale = std::sqrt(*std::max_element(largest_.begin(), largest_.end()));
+  return scale == 0.0 ? 0.0 : std::clamp(difference / scale, -most, most);
 }
 
 SearchResult spsa(const SearchSettings& settings, Inquiry& inquiry, const SpsaGains& gains) {

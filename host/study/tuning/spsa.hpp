@@ -5,7 +5,9 @@
 // Aerospace and Electronic Systems 34(3), 1998, given by their last values, as testers of chess engines give them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "study/tuning/inquiry.hpp"
 
@@ -45,17 +47,19 @@ constexpr double spsa_step(double theta, double r, double c, double result, doub
   return theta + r * c * result * flip;
 }
 
-// Makes differences of values, of any scale and with outliers, into results of a size about 1: divides by their root
-// mean square so far, and lets none count for more than `most`.
+// Makes differences of values, of any scale and with outliers, into results of a size about 1: divides by the root mean
+// square of those so far without the largest twentieth, and lets none count for more than `most`.
 class RunningScale {
  public:
-  // The result; nothing is kept of a difference beyond `most` times the root mean square before it.
+  // The result; the difference itself is among those so far.
   double scaled(double difference);
 
   static constexpr double most = 3.0;
 
  private:
-  double squares_ = 0.0, number_ = 0.0;
+  std::vector<double> largest_;  // squares, a heap whose first is the least
+  double squares_ = 0.0;         // sum of the others
+  std::size_t others_ = 0;
 };
 
 // Both points of an iteration are one question with a set of pairs of its own. Where the perturbation would leave the
