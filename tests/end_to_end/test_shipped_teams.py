@@ -30,11 +30,11 @@ class ShippedTeams(program.Case):
         files = sorted((TEAMS.parent / "studies").glob("*.yaml"))
         kinds = [line.removeprefix(f"{file}: ") for file, line in
                  zip(files, self.succeed("config", "check", *files).splitlines(), strict=True)]
-        self.assertEqual(set(kinds), {"experiment, sound", "predictor_study, sound"})
+        self.assertEqual(set(kinds), {"experiment, sound", "predictor_study, sound", "tuning, sound"})
         for file, kind in zip(files, kinds):
             text = file.read_text()
             self.assertTrue(text.startswith("#"), file)
-            if kind.startswith("experiment"):
+            if kind.startswith(("experiment", "tuning")):
                 self.assertRegex(text, r"\nquestion: .*\?\n", file)
 
     def test_reference_of_plugins_is_up_to_date(self):

@@ -96,6 +96,17 @@ struct DiesOnce : Mortal<DiesOnce> {
   }
 };
 
+// Dies only where a tuner leads it.
+struct DiesOfDaring : Mortal<DiesOfDaring> {
+  static constexpr auto id = "dies_of_daring", summary = "Crashes when it dares more than half";
+  double daring = 0.2;
+  static constexpr std::tuple parameters{
+      regista::real("daring", &DiesOfDaring::daring, {0.0, 1.0}, "1", "Above a half it crashes").tunable()};
+  void die() {
+    if (daring > 0.5) std::abort();
+  }
+};
+
 struct DiesAtTheEnd {
   static constexpr auto id = "dies_at_the_end", version = "1.0.0", summary = "Crashes when it is destroyed";
   bool used = false;
@@ -109,4 +120,5 @@ REGISTA_PLUGINS(regista::Plugin<Crashes, regista::context>, regista::Plugin<Abor
                 regista::Plugin<Exits, regista::context>, regista::Plugin<Spins, regista::context>,
                 regista::Plugin<TakesMemory, regista::context>, regista::Plugin<OverflowsStack, regista::context>,
                 regista::Plugin<KillsItself, regista::context>, regista::Plugin<CorruptsAnswer, regista::context>,
-                regista::Plugin<DiesOnce, regista::context>, regista::Plugin<DiesAtTheEnd, regista::context>)
+                regista::Plugin<DiesOnce, regista::context>, regista::Plugin<DiesOfDaring, regista::context>,
+                regista::Plugin<DiesAtTheEnd, regista::context>)
