@@ -100,6 +100,10 @@ struct Course {
     }
     try {
       const std::span<const double> answer = inquiry->ask({&point, 1}, pairs());
+      if (answer.empty()) {
+        nlopt_force_stop(optimizer);
+        return -inquiry->worst();
+      }
       ++asked;
       return -answer[0];
     } catch (...) {
@@ -166,10 +170,11 @@ SearchResult nlopt_search(Algorithm algorithm, const SearchSettings& settings, I
   }
   // Values on the same pairs, many matches each, are compared as they are; single ones, of ever other pairs, are not.
   std::vector<Point> recommended = inquiry.best(generations ? candidates : most_recommended);
-  if (generations) {
+  if (generations && !recommended.empty()) {
     recommended = best_by_neighbours(inquiry.points(), inquiry.values(), recommended, most_recommended);
   }
-  return {std::move(recommended), inquiry.left() == 0 ? "budget used up" : "no further step possible"};
+  if (recommended.empty()) recommended.push_back(settings.start);
+  return {std::move(recommended), inquiry.left() == 0 ? inquiry.ended() : "no further step possible"};
 }
 
 }  // namespace regista::study
