@@ -17,7 +17,7 @@ constexpr double alpha = 0.602, gamma = 0.101;
 }  // namespace
 
 SpsaGains spsa_gains(std::uint64_t iterations) {
-  constexpr double c_end = 0.1, travel = 2.5, most = 0.5;  // `most`: for a handful of iterations
+  constexpr double c_end = 0.1, travel = 3.0, most = 0.5;  // `most`: for a handful of iterations
   return {c_end, std::min(most, travel / (c_end * static_cast<double>(iterations)))};
 }
 
