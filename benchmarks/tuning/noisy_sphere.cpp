@@ -5,7 +5,9 @@
 // average a 200th of the simulations in each evaluation; noise is never shared between evaluations. "kept": noise
 // belongs to the point, and comes again with it, as values on fixed pairs of matches do.
 //
-//   noisy_sphere [SEEDS [FIRST [ALGORITHM]]]     default: 51 seeds from 1 on, all algorithms
+//   noisy_sphere [SEEDS [FIRST [ALGORITHM [rough]]]]     default: 51 seeds from 1 on, all
+//
+// rough: instead, noise as large as what there is to win, as matches have it.
 //
 // A Markdown table: median [quartiles], beside the medians of others (r: replicated) where there are any; then what a
 // search itself costs.
@@ -22,6 +24,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "study/tuning/search.hpp"
@@ -38,6 +41,7 @@ struct Problem {
 };
 
 constexpr std::array<Problem, 3> problems{{{4, 1.0, 4000}, {8, 1.0, 20000}, {4, 10.0, 20000}}};
+constexpr std::array<Problem, 3> rough_problems{{{4, 30.0, 2000}, {4, 100.0, 4000}, {8, 100.0, 20000}}};
 constexpr std::uint64_t replicated_evaluations = 200;
 
 // One seed's optimum, start and noise.
@@ -159,7 +163,7 @@ std::vector<Row> rows() {
   add(Algorithm::random_search, {2.68, 17.1, 2.96});
   for (const Algorithm each : {Algorithm::sbplx, Algorithm::bobyqa, Algorithm::nelder_mead, Algorithm::cobyla}) {
     add(each, {});
-    out.back().name += ", kept";
+    out.back().name += " kept";
     out.back().kept = true;
   }
   return out;
@@ -190,23 +194,26 @@ double cost(const Row& row) {
 int main(int argc, char** argv) {
   const std::uint64_t seeds = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 51;
   const std::uint64_t first = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
-  const std::string only = argc > 3 ? argv[3] : "";
+  const std::string only = argc > 3 ? argv[3] : "all";
+  const bool rough = argc > 4 && std::string_view(argv[4]) == "rough";
   if (seeds < 1) {
-    fmt::print(stderr, "noisy_sphere [SEEDS [FIRST [ALGORITHM]]]: a number of seeds above 0 is wanted\n");
+    fmt::print(stderr, "noisy_sphere [SEEDS [FIRST [ALGORITHM [rough]]]]: a number of seeds above 0 is wanted\n");
     return 2;
   }
+  const auto& posed = rough ? rough_problems : problems;
   fmt::print("| algorithm |");
-  for (const Problem& each : problems) {
+  for (const Problem& each : posed) {
     fmt::print(" n={} sigma={:g}, {} | of others |", each.dimensions, each.sigma, each.simulations);
   }
   fmt::print(" us per evaluation |\n|---|---|---|---|---|---|---|---|\n");
   for (const Row& row : rows()) {
-    if (!only.empty() && !row.name.starts_with(only)) continue;
+    if (only != "all" && !row.name.starts_with(only)) continue;
     fmt::print("| {}{} |", row.name, row.replicated ? " r" : "");
-    for (std::size_t i = 0; i < problems.size(); ++i) {
-      const Spread spread = regrets(row, problems[i], first, seeds);
+    for (std::size_t i = 0; i < posed.size(); ++i) {
+      const std::optional<double> reference = rough ? std::nullopt : row.reference[i];
+      const Spread spread = regrets(row, posed[i], first, seeds);
       fmt::print(" {:.3g} [{:.3g}, {:.3g}] | {}{} |", spread.median, spread.lower, spread.upper,
-                 row.reference[i] ? fmt::format("{:g}", *row.reference[i]) : "", judged(spread, row.reference[i]));
+                 reference ? fmt::format("{:g}", *reference) : "", judged(spread, reference));
     }
     fmt::print(" {:.2f} |\n", cost(row));
     std::fflush(stdout);

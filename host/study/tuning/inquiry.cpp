@@ -23,6 +23,11 @@ std::span<const double> Inquiry::ask(std::span<const Point> points, std::uint64_
   assert(!points.empty() && points.size() <= left_);
   assert(std::all_of(points.begin(), points.end(), in_cube));
   const std::vector<double> answer = (*evaluate_)({points, pairs});
+  if (answer.empty()) {
+    left_ = 0;
+    stopped_ = true;
+    return {};
+  }
   assert(answer.size() == points.size());
   left_ -= points.size();
   for (const double value : answer) {
@@ -44,7 +49,6 @@ double Inquiry::worst() const {
 }
 
 std::vector<Point> Inquiry::best(std::size_t most) const {
-  assert(!points_.empty());
   std::vector<std::size_t> order(points_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -78,6 +82,14 @@ std::vector<Point> distinct(std::span<const Point> points, std::size_t most) {
     if (out.size() < most && std::find(out.begin(), out.end(), point) == out.end()) out.push_back(point);
   }
   return out;
+}
+
+Point mean_of_last(std::span<const Point> points, std::size_t part) {
+  assert(!points.empty() && part > 0);
+  const std::span<const Point> last = points.last((points.size() + part - 1) / part);
+  Point sum = Point::Zero(last.front().size());
+  for (const Point& point : last) sum += point;
+  return sum / static_cast<double>(last.size());
 }
 
 }  // namespace regista::study

@@ -20,8 +20,12 @@ class Inquiry {
   std::uint64_t left() const { return left_; }
 
   // Values of the points, larger is better, all finite: one that is not becomes worst(). At most left() points, each in
-  // the unit cube. Throws what `evaluate` throws. Valid until the next call.
+  // the unit cube. None when `evaluate` had enough: then nothing is left. Throws what `evaluate` throws. Valid until
+  // the next call.
   std::span<const double> ask(std::span<const Point> points, std::uint64_t pairs);
+
+  // Why nothing is left, in a few words.
+  const char* ended() const { return stopped_ ? "told to stop" : "budget used up"; }
 
   // As far below the least value seen as that is below the greatest: worse than all, and near enough to them for those
   // who fit models.
@@ -32,12 +36,13 @@ class Inquiry {
   const std::vector<double>& values() const { return values_; }
 
   // Of the points asked for, the best by the mean of their values, first; all different, at most so many; of equal
-  // means the one that was asked for earlier. One or more have been asked for.
+  // means the one that was asked for earlier. None when nothing was answered.
   std::vector<Point> best(std::size_t most) const;
 
  private:
   const Evaluate* evaluate_;
   std::uint64_t left_;
+  bool stopped_ = false;
   std::vector<Point> points_;
   std::vector<double> values_;
   bool seen_ = false;  // a finite value
@@ -46,6 +51,9 @@ class Inquiry {
 
 // The first of each kind of equal points, in their order, at most so many.
 std::vector<Point> distinct(std::span<const Point> points, std::size_t most);
+
+// Of the last of them, a half, a quarter and so on, rounded up. One or more.
+Point mean_of_last(std::span<const Point> points, std::size_t part);
 
 // How many points a search recommends at most.
 constexpr std::size_t most_recommended = 8;

@@ -2,6 +2,7 @@
 #include "study/tuning/random_search.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "study/tuning/draws.hpp"
 
@@ -20,7 +21,9 @@ SearchResult random_search(const SearchSettings& settings, Inquiry& inquiry) {
     inquiry.ask(points, 0);
     points.clear();
   }
-  return {inquiry.best(most_recommended), "budget used up"};
+  std::vector<Point> best = inquiry.best(most_recommended);
+  if (best.empty()) best.push_back(settings.start);
+  return {std::move(best), inquiry.ended()};
 }
 
 }  // namespace regista::study

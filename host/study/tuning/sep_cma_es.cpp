@@ -80,6 +80,7 @@ SearchResult sep_cma_es(const SearchSettings& settings, Inquiry& inquiry) {
       }
     }
     const std::span<const double> values = inquiry.ask(points, generation);
+    if (values.empty()) break;
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] > values[b]; });
 
@@ -110,14 +111,9 @@ SearchResult sep_cma_es(const SearchSettings& settings, Inquiry& inquiry) {
     sigma = std::clamp(sigma, 1e-9, 0.5);
     means.push_back(mean);
   }
-  const auto late = [&](std::size_t part) {
-    const std::size_t number = (means.size() + part - 1) / part;
-    Point sum = Point::Zero(mean.size());
-    for (std::size_t i = means.size() - number; i < means.size(); ++i) sum += means[i];
-    return Point(sum / static_cast<double>(number));
-  };
-  const std::array<Point, 4> estimates{mean, late(4), late(2), settings.start};
-  return {distinct(estimates, most_recommended), "budget used up"};
+  if (means.empty()) return {{settings.start}, inquiry.ended()};
+  const std::array<Point, 4> estimates{mean, mean_of_last(means, 4), mean_of_last(means, 2), settings.start};
+  return {distinct(estimates, most_recommended), inquiry.ended()};
 }
 
 }  // namespace regista::study

@@ -17,7 +17,7 @@ constexpr double alpha = 0.602, gamma = 0.101;
 }  // namespace
 
 SpsaGains spsa_gains(std::uint64_t iterations) {
-  constexpr double c_end = 0.1, travel = 2.5, most = 0.5;  // `most`: for a handful of iterations
+  constexpr double c_end = 0.1, travel = 3.0, most = 0.5;  // `most`: for a handful of iterations
   return {c_end, std::min(most, travel / (c_end * static_cast<double>(iterations)))};
 }
 
@@ -61,7 +61,7 @@ SearchResult spsa(const SearchSettings& settings, Inquiry& inquiry, const SpsaGa
   Draws draws(settings.seed, Draws::Use::spsa);
   RunningScale scale;
   Point theta = settings.start, flip(theta.size());
-  Point half = Point::Zero(theta.size()), quarter = half;
+  std::vector<Point> estimates;
   std::array<Point, 2> points;
   for (std::uint64_t k = 0; k < iterations; ++k) {
     const double c = std::min(schedule.c(k), 0.5), r = schedule.r(k);
@@ -71,17 +71,16 @@ SearchResult spsa(const SearchSettings& settings, Inquiry& inquiry, const SpsaGa
     points[0] = (middle + c * flip).cwiseMax(0.0).cwiseMin(1.0);
     points[1] = (middle - c * flip).cwiseMax(0.0).cwiseMin(1.0);
     const std::span<const double> values = inquiry.ask(points, k);
+    if (values.empty()) break;
     const double result = scale.scaled(values[0] - values[1]);
     for (Eigen::Index i = 0; i < theta.size(); ++i) {
       theta[i] = std::clamp(spsa_step(theta[i], r, c, result, flip[i]), 0.0, 1.0);
     }
-    if (k >= iterations / 2) half += theta;
-    if (k >= iterations - (iterations + 3) / 4) quarter += theta;
+    estimates.push_back(theta);
   }
-  half /= static_cast<double>(iterations - iterations / 2);
-  quarter /= static_cast<double>((iterations + 3) / 4);
-  const std::array<Point, 4> estimates{theta, half, quarter, settings.start};
-  return {distinct(estimates, most_recommended), "budget used up"};
+  if (estimates.empty()) return {{settings.start}, inquiry.ended()};
+  const std::array<Point, 4> best{theta, mean_of_last(estimates, 2), mean_of_last(estimates, 4), settings.start};
+  return {distinct(best, most_recommended), inquiry.ended()};
 }
 
 }  // namespace regista::study

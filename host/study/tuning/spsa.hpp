@@ -19,9 +19,9 @@ struct SpsaGains {
   double r_end;  // how far the estimate follows a result of 1, in c
 };
 
-// Measured on noisy spheres with 50 to 10000 iterations and noise of 1 % to 100 % of the slope across the cube
-// (benchmarks/tuning): what is best does not depend on the noise, as results are scaled, but r_end falls with the
-// number of iterations, so that results that all agree carry the estimate some three times across the cube. c_end: a
+// Measured on noisy spheres (benchmarks/tuning) with 50 to 10000 iterations: r_end falls with their number, so that
+// results of 1 that all agree would carry the estimate some five times across the cube. Half of it is as good where
+// noise is small, twice as much better where noise is as large as what there is to win in eight dimensions. c_end: a
 // tenth of the range; more is better yet on a sphere, whose slopes are the same on both sides, and worse where they are
 // not.
 SpsaGains spsa_gains(std::uint64_t iterations);

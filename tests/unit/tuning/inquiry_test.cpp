@@ -78,6 +78,12 @@ TEST(Inquiry, Distinct) {
   EXPECT_THAT(distinct(points, 2), ElementsAre(abc[0], abc[1]));
 }
 
+TEST(Inquiry, MeanOfTheLast) {
+  EXPECT_EQ(mean_of_last(abc, 3), abc[2]);
+  EXPECT_EQ(mean_of_last(abc, 2), (abc[1] + abc[2]) / 2.0) << "the half of three, rounded up";
+  EXPECT_EQ(mean_of_last(std::span(abc).first(1), 4), abc[0]);
+}
+
 // Bounds of six standard deviations.
 TEST(Draws, FollowTheirLaws) {
   constexpr int number = 200000;

@@ -62,6 +62,30 @@ TEST_P(AgainstObjectives, ASearchAfterOneThatFailedIsAsIfThatHadNotBeen) {
   EXPECT_EQ(course(), before);
 }
 
+TEST_P(AgainstObjectives, ThatHaveEnough) {
+  for (const int questions : {0, 1, 2, 7}) {
+    SCOPED_TRACE(questions);
+    SearchSettings settings;
+    settings.start = point({0.2, 0.7, 0.4});
+    settings.evaluations = 1000;
+    NoisySphere noisy(uniform_point(3, 0.6), 0.1, 1);
+    int asked = 0;
+    const SearchResult result = search(GetParam(), settings, [&](const Question& question) {
+      EXPECT_LE(asked, questions) << "asked again";
+      std::vector<double> out;
+      if (asked++ == questions) return out;
+      for (const Point& each : question.points) out.push_back(noisy(each));
+      return out;
+    });
+    EXPECT_EQ(asked, questions + 1);
+    EXPECT_EQ(result.ended, "told to stop");
+    ASSERT_FALSE(result.recommended.empty());
+    if (questions == 0) {
+      EXPECT_EQ(result.recommended, std::vector<Point>{settings.start});
+    }
+  }
+}
+
 // Now and then anywhere, and always in a part of the cube beside the optimum.
 TEST_P(AgainstObjectives, WhatIsNoNumberIsSurvived) {
   constexpr double none[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
