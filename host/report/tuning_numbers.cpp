@@ -184,8 +184,8 @@ std::vector<AlgorithmSummary> algorithm_summaries(const TuningView& view) {
 
 bool has_width(const statistics::Interval& interval) {
   constexpr double rounding = 1e-9;
-  return interval.bounded() && interval.high - interval.low >
-                                   rounding * std::max(std::abs(interval.low), std::abs(interval.high));
+  return interval.bounded() &&
+         interval.high - interval.low > rounding * std::max(std::abs(interval.low), std::abs(interval.high));
 }
 
 std::string signed_text(double value, double margin) {

@@ -194,11 +194,9 @@ Html finalists_section(const TuningView& view) {
   HtmlTable table(headings);
   for (std::size_t i = 0; i < view.record.finalists.size(); ++i) {
     const study::Finalist& each = view.record.finalists[i];
-    std::vector<Html> cells{
-        number(i + 1),
-        each.seen ? text(told_text(told(view.plan.objective, each.seen->score))) : Html("not played"_html),
-        each.selected.failed ? Html("forfeited"_html)
-                             : text(told_text(told(view.plan.objective, each.selected.score)))};
+    std::vector<Html> cells{number(i + 1), text(seen_text(view.plan, each)),
+                            each.selected.failed ? Html("forfeited"_html)
+                                                 : text(told_text(told(view.plan.objective, each.selected.score)))};
     for (std::size_t j = 0; j < view.plan.parameters.size(); ++j) {
       if (!view.plan.parameters[j].fixed()) cells.push_back(text(text_of(view.plan.parameters[j], each.values[j])));
     }
@@ -255,7 +253,8 @@ Html failures_section(const TuningView& view) {
                text(each.failure.call), text(each.failure.what), number(each.first_match + 1)});
   }
   Html out =
-      "<p>Those of the tuned team count as the worst there is; pairs in which others forfeited are left out.</p>\n"
+      "<p>Those of the team that is tuned count against it, in the search as the worst value there is; pairs in which "
+      "others forfeited are left out.</p>\n"
       "<div class=\"values\">"_html;
   out << table.html() << "</div>\n"_html;
   if (forfeits.unlisted() > 0) out << note(fmt::format("{} more for other reasons.", forfeits.unlisted()));

@@ -113,7 +113,7 @@ std::string numbers_text(const TuningView& view, const CandidateVerdict& each, s
   }
   out += told_text(each.difference);
   const statistics::Interval& interval = each.difference.interval;
-  out += has_width(interval)    ? fmt::format(" ({})", interval_words(plan, candidates))
+  out += has_width(interval)  ? fmt::format(" ({})", interval_words(plan, candidates))
          : interval.bounded() ? std::string(" (every pair differs by as much)")
                               : std::string(" (too few pairs for an interval)");
   out += fmt::format(", {}, {}", pairs_text(static_cast<std::uint64_t>(each.pairs)), p_text(each.p));
@@ -389,8 +389,13 @@ std::string values_text(const study::TuningPlan& plan, const study::ParameterVal
 }
 
 std::string forfeiter(const study::TuningPlan& plan, std::size_t team) {
-  if (team == 0) return "the tuned team";
+  if (team == 0) return "the team that is tuned";  // with whatever values, those of the base team among them
   return team <= plan.opponents.size() ? plan.opponents[team - 1].label : std::string("the base team");
+}
+
+std::string seen_text(const study::TuningPlan& plan, const study::Finalist& finalist) {
+  if (!finalist.seen) return "not played";
+  return finalist.seen->failed ? "forfeited" : told_text(told(plan.objective, finalist.seen->score));
 }
 
 std::string slices_note(const TuningView& view) {

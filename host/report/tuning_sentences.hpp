@@ -41,6 +41,7 @@ std::string importance_text(const study::Slice& slice);     // "no more than cha
 bool more_than_chance(const study::Slice& slice);
 std::string values_text(const study::TuningPlan& plan, const study::ParameterValues& values);  // "a=1, b=0.5"
 std::string forfeiter(const study::TuningPlan& plan, std::size_t team);  // of record.forfeits; not yet visible
+std::string seen_text(const study::TuningPlan& plan, const study::Finalist& finalist);  // "not played"
 std::string slices_note(const TuningView& view);
 
 }  // namespace regista::report

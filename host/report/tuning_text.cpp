@@ -48,7 +48,7 @@ std::string finalists_table(const TuningView& view) {
   table.row({"finalist", "search's own value", "on the selection", "values"});
   for (std::size_t i = 0; i < record.finalists.size(); ++i) {
     const study::Finalist& each = record.finalists[i];
-    table.row({std::to_string(i + 1), each.seen ? told_text(told(view.plan.objective, each.seen->score)) : "not played",
+    table.row({std::to_string(i + 1), seen_text(view.plan, each),
                each.selected.failed ? "forfeited" : told_text(told(view.plan.objective, each.selected.score)),
                each.values == base ? "the base team's" : values_text(view.plan, each.values)});
   }
@@ -116,7 +116,10 @@ std::string forfeits_text(const TuningView& view) {
   const std::uint64_t more = view.record.forfeits.unlisted();
   if (more > 0) out += fmt::format("  {} more {} forfeited for other reasons\n", more, more == 1 ? "was" : "were");
   if (out.empty()) return out;
-  return "\nForfeits: those of the tuned team count as the worst there is, pairs with others' are left out\n" + out;
+  return "\nForfeits: those of the team that is tuned count against it, in the search as the worst value there is; "
+         "pairs "
+         "with others' are left out\n" +
+         out;
 }
 
 std::string matches_text(const TuningView& view) {
@@ -128,25 +131,23 @@ std::string matches_text(const TuningView& view) {
   return out + fmt::format("; at most {}\n", most_matches(view.plan));
 }
 
-// One line for each of the best finalists, or candidates while they are verified.
+// One line for each of the best finalists, or of the candidates once pairs of theirs are verified.
 std::string finalists_in_short(const TuningView& view) {
   constexpr std::size_t shown = 3;
   std::string out;
-  if (view.record.stage == TuningStage::verification || !view.record.verification.of().empty()) {
-    const std::vector<CandidateVerdict> candidates = candidate_verdicts(view);
-    for (std::size_t i = 0; i < std::min(candidates.size(), shown); ++i) {
-      const CandidateVerdict& each = candidates[i];
-      if (each.pairs == 0) continue;
-      out += fmt::format("finalist {}: difference {}, {}, {}\n", each.finalist + 1, told_text(each.difference),
-                         p_text(each.adjusted), name(each.finding));
-    }
-    return out;
+  const std::vector<CandidateVerdict> candidates = candidate_verdicts(view);
+  for (std::size_t i = 0; i < std::min(candidates.size(), shown); ++i) {
+    const CandidateVerdict& each = candidates[i];
+    if (each.pairs == 0) continue;
+    out += fmt::format("finalist {}: difference {}, {}{}, {}\n", each.finalist + 1, told_text(each.difference),
+                       p_text(each.adjusted), candidates.size() > 1 ? " after Holm" : "", name(each.finding));
   }
+  if (!out.empty()) return out;
   for (std::size_t i = 0; i < std::min(view.record.finalists.size(), shown); ++i) {
     const study::Finalist& each = view.record.finalists[i];
-    out += fmt::format("finalist {}: {} on the selection, {} in the search (optimistic)\n", i + 1,
+    out += fmt::format("finalist {}: {} on the selection, {}\n", i + 1,
                        told_text(told(view.plan.objective, each.selected.score)),
-                       each.seen ? told_text(told(view.plan.objective, each.seen->score)) : "not played");
+                       seen_text(view.plan, each) + " in the search" + (each.seen ? " (optimistic)" : ""));
   }
   return out;
 }

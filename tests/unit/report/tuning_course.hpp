@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -59,7 +60,6 @@ using Quality = std::function<double(double distance, double bearing)>;
 inline double peak(double distance, double bearing) {  // at 2 and 4
   return 2.0 - 0.25 * std::abs(distance - 2.0) - 1.2 * std::abs(std::log(bearing / 4.0));
 }
-inline double level(double, double) { return 0.3; }
 
 // The value of "home.weights.bearing=4" in a match.
 inline double override_of(const campaign::Job& job, const std::string& path) {
