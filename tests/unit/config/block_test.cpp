@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <random>
 #include <set>
 #include <string>
@@ -20,15 +21,18 @@ const Location nowhere;
 Node scalar(const std::string& text, bool quoted = false) { return Node::scalar(text, quoted, nowhere); }
 
 // Texts that a writer of YAML can get wrong.
-const std::vector<std::string> awkward{"",      " ",       "~",       "null",     "Null",  "NULL",   "true",      "no",
-                                       "1e3",   "-0.5",    "-",       "--",       "---",   "...",    "?",         "? a",
-                                       ": ",    ":",       "a:",      "a: b",     "a:b",   "#",      "a #b",      "#b",
-                                       "'",     "it's",    "\"",      "\\",       "\\n",   "\n",     "a\nb",      "a\n\n b\n",
-                                       "\t",    " a",      "a ",      "- a",      "[",     "]",      "[]",        "{}",
-                                       "{a: b", "a, b",    "*a",      "&a",       "!a",    "!!str",  "|",         ">",
-                                       "%",     "%YAML",   "@a",      "`",        "<<",    "=",      "2026-01-02", "0x1f",
-                                       "1_000", ".5",      "+1",      ".nan",     "-.inf", "\x01",   "\x7f",      "\r",
-                                       "é",     "\u2028x", "\u0085x", "\ufeffx", "a.b.c", "sender.params.period", "\u00a0"};
+const std::vector<std::string> awkward{
+    "",      " ",    "~",       "null",      "Null",    "NULL",       "true",
+    "no",    "1e3",  "-0.5",    "-",         "--",      "---",        "...",
+    "?",     "? a",  ": ",      ":",         "a:",      "a: b",       "a:b",
+    "#",     "a #b", "#b",      "'",         "it's",    "\"",         "\\",
+    "\\n",   "\n",   "a\nb",    "a\n\n b\n", "\t",      " a",         "a ",
+    "- a",   "[",    "]",       "[]",        "{}",      "{a: b",      "a, b",
+    "*a",    "&a",   "!a",      "!!str",     "|",       ">",          "%",
+    "%YAML", "@a",   "`",       "<<",        "=",       "2026-01-02", "0x1f",
+    "1_000", ".5",   "+1",      ".nan",      "-.inf",   "\x01",       "\x7f",
+    "\r",    "é",    "\u2028x", "\u0085x",   "\ufeffx", "a.b.c",      "sender.params.period",
+    "\u00a0"};
 
 TEST(Block, ALineForEachValue) {
   const Node document = parse_text(
@@ -55,7 +59,7 @@ TEST(Block, AwkwardTextsReadBackTheSameAsKeysAndValues) {
       EXPECT_TRUE(same(back, document)) << written;
       // Also a text that looks like nothing stays a text.
       EXPECT_EQ(back["a"].kind(), Node::Kind::scalar) << written;
-      if (quoted) EXPECT_TRUE(back["a"].quoted()) << written;
+      EXPECT_TRUE(back["a"].quoted() || !quoted) << written;
     }
   }
 }
@@ -83,7 +87,8 @@ class Trees {
     static const std::vector<std::string> pieces{"a", "b", "key", ".", ":", " ", "\"", "'", "\\", "\n", "#", "-", "0",
                                                  "9", "e", "{",   "}", "[", "]", ",",  "~", "é",  "\t", "_", "?", "*"};
     std::string out;
-    for (int i = pick(6) + 1; i > 0; --i) out += pieces[static_cast<std::size_t>(pick(static_cast<int>(pieces.size())))];
+    for (int i = pick(6) + 1; i > 0; --i)
+      out += pieces[static_cast<std::size_t>(pick(static_cast<int>(pieces.size())))];
     return out;
   }
 
@@ -112,7 +117,8 @@ bool same_kinds(const Node& a, const Node& b) {
     if (!same_kinds(a.elements()[i], b.elements()[i])) return false;
   }
   for (std::size_t i = 0; i < a.entries().size(); ++i) {
-    if (a.entries()[i].key != b.entries()[i].key || !same_kinds(a.entries()[i].value, b.entries()[i].value)) return false;
+    if (a.entries()[i].key != b.entries()[i].key || !same_kinds(a.entries()[i].value, b.entries()[i].value))
+      return false;
   }
   return true;
 }
@@ -127,11 +133,13 @@ TEST(Block, RandomTreesReadBackTheSame) {
   }
 }
 
-// --- value_at ---------------------------------------------------------------------------------------------------------
+// --- value_at
+// ---------------------------------------------------------------------------------------------------------
 
 TEST(ValueAt, FollowsKeysNamesAndIndices) {
   const Node document = parse_text(
-      "a: {b: 1, c.d: 2, c: {e: 3}}\nl: [{name: x, v: 4}, {name: y, v: {w: 5}}, 6]\nn: ~\nuse: {s.p: {q: 7}, s: 8}\n", "t");
+      "a: {b: 1, c.d: 2, c: {e: 3}}\nl: [{name: x, v: 4}, {name: y, v: {w: 5}}, 6]\nn: ~\nuse: {s.p: {q: 7}, s: 8}\n",
+      "t");
   EXPECT_EQ(value_at(document, "a.b").text(), "1");
   EXPECT_EQ(value_at(document, "a.c.d").text(), "2");
   EXPECT_EQ(value_at(document, "a.c.e").text(), "3");
@@ -145,7 +153,6 @@ TEST(ValueAt, FollowsKeysNamesAndIndices) {
   EXPECT_TRUE(same(value_at(document, ""), document));
   for (const char* nothing : {"b", "a.b.c", "a.c.x", "l.z", "l.3", "l.x.w", "n.m", "use.s.p.r", "a.", ".a", ".", "l.-1",
                               "l.", "a..b", "l.99999999999999999999"}) {
-    if (std::string_view(nothing) == "a.") continue;  // what stands at a
     EXPECT_FALSE(value_at(document, nothing)) << nothing;
   }
 }
@@ -187,6 +194,8 @@ TEST(ValueAt, FindsWhatWithHasLaid) {
     if (document.kind() != Node::Kind::map) continue;
     std::string path;
     for (std::size_t i = pick(4) + 1; i > 0; --i) path += (path.empty() ? "" : ".") + keys[pick(10)];
+    // An element that is replaced as a whole loses its name.
+    if (value_at(document, path)["name"]) continue;
     Node changed;
     try {
       changed = with(document, path, scalar("laid"), nowhere);
@@ -194,7 +203,6 @@ TEST(ValueAt, FindsWhatWithHasLaid) {
       continue;
     }
     ++laid;
-    // An element may be renamed by its new name, or by a value in the place of the whole.
     ASSERT_EQ(value_at(changed, path).text(), "laid") << path << '\n' << block(document) << '\n' << block(changed);
   }
   EXPECT_GT(laid, 5000);
