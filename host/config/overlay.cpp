@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,20 @@ std::string_view first_key(const Node& map, std::string_view path) {
     }
   }
   return key;
+}
+
+// Which element of a list part of a path means: that of this name, else the one at this index, which need not exist.
+// Nothing: neither a name of one nor a number.
+std::optional<std::size_t> element_meant(const Node& sequence, std::string_view name) {
+  const std::span<const Node> elements = sequence.elements();
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const Node own = elements[i]["name"];
+    if (own && own.text() == name) return i;
+  }
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
+  const bool number = error == std::errc{} && end == name.data() + name.size();
+  return number ? std::optional(index) : std::nullopt;
 }
 
 struct Overlay {
@@ -105,18 +120,16 @@ struct Overlay {
 
   std::size_t element(const Node& sequence, std::string_view name, std::string_view rest) const {
     const std::span<const Node> elements = sequence.elements();
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      const Node own = elements[i]["name"];
-      if (own && own.text() == name) return i;
-      if (own) names.push_back(own.text());
+    const std::optional<std::size_t> meant = element_meant(sequence, name);
+    if (meant && *meant < elements.size()) return *meant;
+    if (meant) {
+      throw Error(where,
+                  fmt::format("{} has {} elements; there is no {}", walked(path, rest), elements.size(), *meant));
     }
-    std::size_t index = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
-    const bool number = error == std::errc{} && end == name.data() + name.size();
-    if (number && index < elements.size()) return index;
-    if (number) {
-      throw Error(where, fmt::format("{} has {} elements; there is no {}", walked(path, rest), elements.size(), index));
+    std::vector<std::string> names;
+    for (const Node& each : elements) {
+      const Node own = each["name"];
+      if (own) names.push_back(own.text());
     }
     throw Error(where, unknown("element", name, walked(path, rest), names));
   }
@@ -159,13 +172,11 @@ Node value_at(const Node& document, std::string_view path) {
   if (path.empty()) return document;
   const bool map = document.kind() == Node::Kind::map;
   const std::string_view first = map ? first_key(document, path) : path.substr(0, path.find('.'));
+  if (first.size() + 1 == path.size()) return {};  // ends in a dot
   const std::string_view rest = path.substr(std::min(path.size(), first.size() + 1));
   if (map) return value_at(document[first], rest);
-  for (std::size_t i = 0; i < document.elements().size(); ++i) {
-    const Node element = document.elements()[i], own = element["name"];
-    if ((own && own.text() == first) || std::to_string(i) == first) return value_at(element, rest);
-  }
-  return {};
+  const std::optional<std::size_t> meant = element_meant(document, first);
+  return meant && *meant < document.elements().size() ? value_at(document.elements()[*meant], rest) : Node();
 }
 
 }  // namespace regista::config

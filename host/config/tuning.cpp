@@ -72,25 +72,31 @@ Field tuned_paths(std::string key, std::vector<TunedPath>& paths, std::string do
               }}};
 }
 
-// `goal_difference`, or `{points: 10, overlap_seconds: -0.5}`.
-Field measured(std::string key, std::vector<TuningObjective::Term>& terms, std::string doc) {
+// `goal_difference`, or `{points: 10, overlap_seconds: -0.5}`. otherwise: what is in force where nothing is said.
+template <class Otherwise>
+Field measured(std::string key, std::vector<TuningObjective::Term>& terms, std::string doc, Otherwise otherwise) {
   const auto read_terms = [&terms](const Node& node, const std::string& what) {
+    const auto require_name = [&what](const std::string& measure, const Location& where) {
+      if (measure.empty()) throw Error(where, what + ": a measure is wanted");
+    };
     terms.clear();
     if (node.kind() != Node::Kind::map) {
       terms.push_back({to_line(node, what), 1.0, node.where()});
+      require_name(terms.front().measure, node.where());
       return;
     }
     for (const Node::Entry& entry : node.entries()) {
+      require_name(entry.key, entry.key_where);
       const double weight = to_real(entry.value, what + '.' + entry.key);
       if (weight == 0.0) throw Error(entry.value.where(), fmt::format("{}.{}: a weight of 0", what, entry.key));
       terms.push_back({entry.key, weight, entry.key_where});
     }
     if (terms.empty()) throw Error(node.where(), what + ": a measure is wanted");
   };
-  const auto write_terms = [&terms] {
+  const auto write_terms = [&terms, otherwise] {
     const Location nowhere;
     std::vector<Node::Entry> out;
-    for (const TuningObjective::Term& each : terms) {
+    for (const TuningObjective::Term& each : terms.empty() ? otherwise() : terms) {
       out.push_back({each.measure, nowhere, Node::scalar(real_text(each.weight), false, nowhere)});
     }
     return out.empty() ? Node() : Node::map(std::move(out), nowhere);
@@ -110,10 +116,14 @@ static Map declare(Tuning::Opponent& opponent) {
 }
 
 static Map declare(TuningObjective& objective) {
+  using Terms = std::vector<TuningObjective::Term>;
+  const auto usual = [&objective] {
+    return objective.minimise.empty() ? Terms{{"goal_difference", 1.0, {}}} : Terms{};
+  };
   return {.fields =
               {
-                  measured("maximise", objective.maximise, "a measure, or measures with weights"),
-                  measured("minimise", objective.minimise, "the same, the other way round"),
+                  measured("maximise", objective.maximise, "a measure, or measures with weights", usual),
+                  measured("minimise", objective.minimise, "the same, the other way round", [] { return Terms{}; }),
               },
           .where = &objective.where,
           .exactly_one = {"maximise", "minimise"}};

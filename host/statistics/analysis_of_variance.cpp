@@ -29,23 +29,19 @@ std::optional<TwoWayAnalysis> two_way_analysis(std::span<const std::vector<doubl
     }
     mean += of_row[i] / r;
   }
-  double between = 0.0, residual = 0.0;
+  double between = 0.0, residual = 0.0, largest = 0.0;
   for (std::size_t i = 0; i < rows; ++i) {
     between += b * (of_row[i] - mean) * (of_row[i] - mean);
     for (std::size_t j = 0; j < blocks.size(); ++j) {
       const double rest = values[i][blocks[j]] - of_row[i] - of_block[j] + mean;
       residual += rest * rest;
+      largest = std::max(largest, std::abs(values[i][blocks[j]]));
     }
   }
-  // Of treatments that do nothing at all every value is the same as in the others, and only rounding is left.
-  constexpr double digits = 1e-12;
-  double largest = 0.0;
-  for (const std::vector<double>& row : values) {
-    for (const std::size_t block : blocks) largest = std::max(largest, std::abs(row[block]));
-  }
-  const double rounding = r * b * (digits * largest) * (digits * largest);
-  if (between <= rounding) between = 0.0;
-  if (residual <= rounding) residual = 0.0;
+  // Equal values have means that differ in their last digits: what is no more than that is nothing.
+  const double rounding = std::numeric_limits<double>::epsilon() * largest * (r + b);
+  if (between <= r * b * rounding * rounding) between = 0.0;
+  if (residual <= r * b * rounding * rounding) residual = 0.0;
   const double row_degrees = r - 1.0, residual_degrees = (r - 1.0) * (b - 1.0);
   const double row_square = between / row_degrees, residual_square = residual / residual_degrees;
   TwoWayAnalysis out;

@@ -135,7 +135,9 @@ class Played(Tuning):
             (row, hashed), = self.stored(query, "trial.db")
             done = self.run_program("match", "--from", "trial.db", "--row", row, "--json")
             self.assertEqual(json.loads(done.stdout)["state_hash"], hashed)
-        self.assertIn("has not been played", self.refused("match", "--from", "trial.db", "--row", "100000"))
+        last, = self.stored("SELECT max(row) FROM matches", "trial.db")[0]
+        self.assertEqual(self.refused("match", "--from", "trial.db", "--row", last + 1),
+                         f"--row {last + 1}: this match of trial.db has not been played")
 
     def test_crashing_candidates_get_the_worst_value(self):
         deaths = program.TEST_PLUGINS / "deaths"

@@ -24,7 +24,7 @@ class Course {
 
   void search_and_verify() {
     const SearchResult found = search(plan_.algorithm, 0, true);
-    record_.ended = found.ended;
+    record_.ended = out_of_time_ ? "its time was up" : found.ended;
     enter(TuningStage::selection);
     select(found.recommended);
     enter(TuningStage::verification);
@@ -83,7 +83,10 @@ class Course {
     settings.population = static_cast<std::size_t>(plan_.population);
     assess({start}, 0, pairs, repeat);
     return study::search(algorithm, settings, [&](const Question& question) {
-      if (traced && hooks_.out_of_time && hooks_.out_of_time(steps_.size())) return std::vector<double>();
+      if (traced && hooks_.out_of_time && hooks_.out_of_time(steps_.size())) {
+        out_of_time_ = true;
+        return std::vector<double>();
+      }
       std::vector<ParameterValues> values;
       for (const Point& point : question.points) values.push_back(values_of(plan_, point));
       return assess(values, question.pairs, pairs, repeat);
@@ -296,7 +299,7 @@ class Course {
   TunedDocument document_;
   std::map<Key, Known> known_;
   std::vector<SearchStep> steps_;
-  bool traced_ = true;
+  bool traced_ = true, out_of_time_ = false;
   double worst_seen_ = HUGE_VAL;
 };
 

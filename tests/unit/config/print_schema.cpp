@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// print_config_schema rules|robot|disturbance|opening|team [plugins]: the schema, for the validator's test. With the
+// print_config_schema rules|robot|disturbance|opening|team|tuning [plugins]: the schema, for the validator's test. With the
 // word "plugins", the schema knows the plugins of the fixtures.
 #include <cstdio>
 #include <cstring>
@@ -41,7 +41,7 @@ int main(int count, char** arguments) {
   if (count < 2) return 2;
   const std::vector<PluginDeclaration> plugins = count > 2 ? fixture_plugins() : std::vector<PluginDeclaration>{};
   for (const DocumentKind kind : {DocumentKind::rules, DocumentKind::robot, DocumentKind::disturbance,
-                                  DocumentKind::opening, DocumentKind::team}) {
+                                  DocumentKind::opening, DocumentKind::team, DocumentKind::tuning}) {
     if (name_of(kind) == arguments[1]) {
       std::fputs(schema(kind, plugins).c_str(), stdout);
       return 0;

@@ -50,6 +50,7 @@ def changed(document, path, value):
 
 rules, robot, disturbance = validator("rules"), validator("robot"), validator("disturbance")
 opening = validator("opening")
+tuning = validator("tuning")
 team, team_with_plugins = validator("team"), validator("team", "plugins")
 documents = {
     "rules": load("configs/rules/spl2023.yaml"),
@@ -57,9 +58,10 @@ documents = {
     "disturbance": load("configs/disturbances/none.yaml"),
     "opening": load("configs/openings/cross_from_the_right.yaml"),
     "team": load("tests/fixtures/config/team.yaml"),
+    "tuning": load("configs/studies/tune_paper.yaml"),
 }
 schemas = {"rules": [rules], "robot": [robot], "disturbance": [disturbance], "opening": [opening],
-           "team": [team, team_with_plugins]}
+           "team": [team, team_with_plugins], "tuning": [tuning]}
 
 for kind, document in documents.items():
     for other, choices in schemas.items():
@@ -104,7 +106,28 @@ broken = {
         (["utility", "terms", "distance", "weight"], -0.1), (["utility", "terms", "distance", "tune"], [0]),
         (["tasks", "keep"], "some"), (["tasks", "offset"], 0.5), (["teammates_forgotten_after"], 0),
     ],
+    "tuning": [
+        (["team"], None), (["opponents"], None), (["opponents"], []), (["opponents", 0, "team"], None),
+        (["opponents", 0, "weight"], 0), (["parameters"], None), (["parameters"], []), (["parameters"], "a.b"),
+        (["parameters", 0], 1), (["parameters", 0], {"range": [0, 1]}), (["parameters", 0], {"path": "a", "range": [0]}),
+        (["parameters", 0], {"path": "a", "ranges": [0, 1]}), (["objective"], {}), (["objective"], "points"),
+        (["objective"], {"maximise": "a", "minimise": "b"}), (["objective"], {"maximise": {}}),
+        (["objective"], {"maximise": {"a": "b"}}), (["seed"], -1), (["search", "matches"], 1),
+        (["search", "algoritm"], "spsa"), (["selection", "finalists"], 0), (["verification", "candidates"], 0),
+        (["verification", "confidence"], 1), (["verification", "against"], "team"), (["slices"], {"points": -1}),
+        (["openings"], []), (["limit"], 0), (["set"], [1]),
+    ],
 }
+# What the reader accepts.
+for path, value in [
+    (["parameters"], ["a.b", {"path": "c.*", "range": [0.5, 2]}, {"path": "d"}]),
+    (["objective"], {"minimise": {"striker.overlap_seconds": 1, "packets": -0.01}}), (["objective"], None),
+    (["openings"], "scenes"), (["openings"], ["a", "b"]), (["limit"], 120.5), (["set"], {"tasks.keep": "all"}),
+    (["search"], {"algorithm": "spsa", "matches": 500, "minutes": 2.5, "pairs": 3, "population": 20}),
+    (["verification"], {"candidates": 2, "against": "base", "confidence": 0.99}), (["slices"], {"points": 0}),
+    (["opponents", 0, "weight"], 2.5), (["question"], None), (["extends"], "other.yaml"),
+]:
+    expect(True, tuning, changed(documents["tuning"], path, value), f"tuning with {path} = {value}")
 for kind, changes in broken.items():
     for path, value in changes:
         for schema in schemas[kind]:
