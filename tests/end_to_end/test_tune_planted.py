@@ -6,28 +6,8 @@ import unittest
 
 import program
 
-TEAMS = program.SOURCE / "configs" / "teams"
+STUDY = program.SOURCE / "configs" / "studies" / "tune_spoilt.yaml"
 SHIPPED = program.PROGRAM.parent.parent / "lib" / "regista" / "plugins"
-
-# Robots that go to what lies ahead of them, however far. The objective is the goal difference against the spoilt team
-# itself; a verified advantage is one over that team, playing it.
-PLANTED = """\
-tuning: planted
-question: Are weights found that make up for the spoilt ones?
-team: {teams}/paper.yaml
-set:
-  utility.terms.distance.weight: 0.02
-  utility.terms.bearing.weight: 1
-  opponent.utility.terms.distance.weight: 0.02
-  opponent.utility.terms.bearing.weight: 1
-opponents: [{{team: {teams}/paper.yaml}}]
-parameters: [utility.terms.distance.weight, utility.terms.bearing.weight]
-limit: 240
-search: {{matches: 160}}
-selection: {{finalists: 2, matches: 40}}
-verification: {{matches: 200, against: base}}
-slices: {{points: 0}}
-"""
 
 
 class Planted(program.Case):
@@ -40,15 +20,14 @@ class Planted(program.Case):
 
     @unittest.skipIf(program.SANITIZED, "four hundred matches take too long with sanitizers")
     def test_spoilt_weights_are_mended(self):
-        self.write("planted.yaml", PLANTED.format(teams=TEAMS))
-        report = json.loads(self.succeed("tune", "planted.yaml", "--quiet", "--no-page", "--json", timeout=280))
+        report = json.loads(self.succeed("tune", STUDY, "--quiet", "--no-page", "--json", timeout=280))
         matches = report["matches"]
         self.assertLessEqual(sum(matches[each] for each in ("search", "selection", "verification", "slices")), 400)
         candidate, = report["verification"]["candidates"]
         self.assertEqual(candidate["finding"], "better", candidate)
         self.assertLessEqual(candidate["p_holm"], 0.05)
         self.assertGreater(candidate["interval"][0], 0.0)
-        self.assertIn("VERIFIED better", (self.folder / "planted.tuned.yaml").read_text().splitlines()[0])
+        self.assertIn("VERIFIED better", (self.folder / "tune_spoilt.tuned.yaml").read_text().splitlines()[0])
 
 
 if __name__ == "__main__":
