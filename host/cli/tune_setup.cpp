@@ -130,14 +130,16 @@ class Planner {
     }
   }
 
-  // The match of the tuned team, on `side`, against another file; without values of parameters.
-  campaign::Job job_of(const std::string& opponent, std::size_t side) const {
+  // The match of the tuned team, on `side`, against another file; without values of parameters. What disturbs the tuned
+  // team disturbs the base team, too, when they are compared playing each other.
+  campaign::Job job_of(const std::string& opponent, std::size_t side, bool is_base) const {
     campaign::Job out;
     out.teams[side] = plan_.team;
     out.teams[1 - side] = opponent;
     out.rules = from_here(tuning_.rules);
     out.robot = from_here(tuning_.robot);
-    const std::string own = from_here(tuning_.disturbance), other = from_here(tuning_.opponent_disturbance);
+    const std::string own = from_here(tuning_.disturbance),
+                      other = is_base ? own : from_here(tuning_.opponent_disturbance);
     out.home_disturbance = side == 0 ? own : other;
     out.away_disturbance = side == 0 ? other : own;
     out.plugins = options_.plugins;
@@ -145,15 +147,16 @@ class Planner {
     return out;
   }
 
-  study::TuningOpponent opponent_of(const std::string& file, double weight, const std::vector<Setting>& settings) {
+  study::TuningOpponent opponent_of(const std::string& file, double weight, const std::vector<Setting>& settings,
+                                    bool is_base = false) {
     study::TuningOpponent out;
     out.file = file;
     out.label = label_of(file);
     out.weight = weight;
     for (const std::size_t side : {0u, 1u}) {
       campaign::Job& job = out.jobs[side];
-      job = job_of(file, side);
-      const campaign::Job bare = job_of(file, 0);
+      job = job_of(file, side, is_base);
+      const campaign::Job bare = job_of(file, 0, is_base);
       for (const Setting& each : settings) job.overrides.push_back(override_of(each, side));
       MatchSetup prepared = settled_match(job, side, settings, bare, catalogue_);
       job.home_inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue_);
@@ -196,7 +199,7 @@ class Planner {
       of_both.push_back(each);
       of_both.back().path = "opponent." + each.path;
     }
-    plan_.base = opponent_of(plan_.team, 1.0, of_both);
+    plan_.base = opponent_of(plan_.team, 1.0, of_both, true);
     plan_.base.label = "the base team";
   }
 
