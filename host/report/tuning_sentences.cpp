@@ -358,8 +358,10 @@ std::string scale_text(const study::Parameter& parameter) {
   return parameter.integer ? scale + ", whole numbers" : scale;
 }
 
+bool has_unit(const study::Parameter& parameter) { return !parameter.unit.empty() && parameter.unit != "1"; }
+
 std::string range_text(const study::Parameter& parameter) {
-  const std::string unit = parameter.unit.empty() ? std::string() : fmt::format(" {}", visible(parameter.unit));
+  const std::string unit = has_unit(parameter) ? fmt::format(" {}", visible(parameter.unit)) : std::string();
   if (parameter.fixed()) return fmt::format("fixed at {}{}", text_of(parameter, parameter.least), unit);
   return fmt::format("{} to {}{}", text_of(parameter, parameter.least), text_of(parameter, parameter.most), unit);
 }
@@ -373,6 +375,8 @@ std::string end_text(RangeEnd end) {
 bool more_than_chance(const study::Slice& slice) {
   return slice.importance > 0.0 && slice.p && *slice.p <= significance_level;
 }
+
+std::string importance_value(const study::Slice& slice) { return slice.p ? rounded(slice.importance, 0.0) : "-"; }
 
 std::string importance_text(const study::Slice& slice) {
   if (!slice.p) return "too few pairs";

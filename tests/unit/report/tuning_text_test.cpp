@@ -161,6 +161,15 @@ TEST(TuningText, ValuesAtTheEndOfTheirRangeAreMarked) {
   EXPECT_THAT(tuning_text(course.view()), HasSubstr("0 to 10 m  at the upper end"));
 }
 
+TEST(TuningText, ABareNumberHasNoUnit) {
+  study::Parameter parameter = tuning_plan().parameters[0];
+  EXPECT_EQ(range_text(parameter), "0 to 10 m");
+  parameter.unit = "1";
+  EXPECT_EQ(range_text(parameter), "0 to 10");
+  parameter.most = 0.0;
+  EXPECT_EQ(range_text(parameter), "fixed at 0");
+}
+
 TEST(TuningText, WithoutPairsOfTheVerificationNothingIsSaid) {
   study::TuningPlan plan = tuning_plan();
   plan.verification_pairs = 0;
