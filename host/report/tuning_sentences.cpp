@@ -217,12 +217,14 @@ std::string headline_of_comparison(const TuningView& view) {
   std::ranges::stable_sort(placed, std::greater(), [&](const AlgorithmSummary& each) {
     return study::score_of(view.plan.objective, each.difference->median);
   });
-  std::vector<std::string> parts;
-  for (const AlgorithmSummary& each : placed) {
-    parts.push_back(fmt::format("{} {}", name(each.algorithm), signed_text(each.difference->median, 0.0)));
+  std::string order;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const double median = placed[i].difference->median;
+    if (i > 0) order += median == placed[i - 1].difference->median ? " = " : ", ";
+    order += fmt::format("{} {}", name(placed[i].algorithm), signed_text(median, 0.0));
   }
   return fmt::format("{}, median difference from the base team, the best first: {}.",
-                     visible(in_words(view.plan.objective)), fmt::join(parts, ", "));
+                     visible(in_words(view.plan.objective)), order);
 }
 
 TuningVerdict comparison_verdict(const TuningView& view) {

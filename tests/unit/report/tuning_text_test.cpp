@@ -204,6 +204,11 @@ TEST(TuningText, AComparisonIsOrderedByMediansAndSaysThatItIsNoTest) {
                           HasSubstr(fmt::format("{} of 5", of[0].better)), HasSubstr("same 20 pairs")));
 }
 
+TEST(TuningText, AlgorithmsThatCameToTheSameAreEqual) {
+  const TunedCourse course(comparison(), [](double, double) { return 0.3; });
+  EXPECT_THAT(tuning_text(course.view()), HasSubstr("the best first: random_search +0.00 = spsa +0.00."));
+}
+
 // Stopped by Ctrl-C at any place: everything can be told, is told the same way twice, and says that it is not its end.
 TEST(TuningText, StoppedAnywhere) {
   study::TuningPlan single = tuning_plan(), several = comparison();
