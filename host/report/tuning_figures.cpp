@@ -240,8 +240,8 @@ std::optional<Figure> slice(const TuningView& view, const study::Slice& of, std:
       "  '' using ($5>0?1/0:$1):2:3:4 with yerrorbars pt 7 ps 0.6 lw 1.5 lc rgb '{8}', \\\n"
       "  '' using ($5>0?$1:1/0):2:3:4 with yerrorbars pt 9 ps 1.1 lw 1.5 lc rgb '{9}'\n",
       slice_axis(parameter), gnuplot_text(short_path(parameter.path)),
-      parameter.unit.empty() ? std::string() : ".', '." + gnuplot_text(parameter.unit), value_label(objective),
-      range.axis(), parameter.start, colours[1], out.name, colours[0], colours[2]);
+      has_unit(parameter) ? fmt::format(".', '.{}", gnuplot_text(parameter.unit)) : std::string(),
+      value_label(objective), range.axis(), parameter.start, colours[1], out.name, colours[0], colours[2]);
   return out;
 }
 

@@ -165,7 +165,7 @@ Json slices(const TuningView& view) {
                         {"difference", json_of(told(view.plan.objective, each.difference))}});
     }
     out.push_back({{"path", view.plan.parameters[slice.parameter].path},
-                   {"importance", slice.importance},
+                   {"importance", slice.p ? Json(slice.importance) : Json(nullptr)},
                    {"p", or_null(slice.p)},
                    {"more_than_chance", more_than_chance(slice)},
                    {"points", points}});

@@ -162,7 +162,7 @@ Html values_section(const TuningPage& page) {
         tuned = differs << tuned << "</span>"_html;
       }
       table.row({code(parameter.path), text(text_of(parameter, each.base)), tuned, text(range_text(parameter)),
-                 text(end_text(each.at)), known ? text(rounded(slice->importance, 0.0)) : Html("–"_html),
+                 text(end_text(each.at)), known ? text(importance_value(*slice)) : Html("–"_html),
                  known ? text(importance_text(*slice)) : Html("–"_html)});
     }
     out << note(fmt::format("Of finalist {}{}", *view.record.tuned() + 1,
@@ -201,7 +201,7 @@ Html finalists_section(const TuningView& view) {
       if (!view.plan.parameters[j].fixed()) cells.push_back(text(text_of(view.plan.parameters[j], each.values[j])));
     }
     const bool verified = std::ranges::find(view.record.candidates, i) != view.record.candidates.end();
-    cells.push_back(each.values == base ? Html("the base team"_html) : verified ? Html("verified"_html) : Html());
+    cells.push_back(each.values == base ? Html("the base team"_html) : verified ? Html("candidate"_html) : Html());
     table.row(cells);
   }
   Html out = note(fmt::format(

@@ -217,12 +217,14 @@ std::string headline_of_comparison(const TuningView& view) {
   std::ranges::stable_sort(placed, std::greater(), [&](const AlgorithmSummary& each) {
     return study::score_of(view.plan.objective, each.difference->median);
   });
-  std::vector<std::string> parts;
-  for (const AlgorithmSummary& each : placed) {
-    parts.push_back(fmt::format("{} {}", name(each.algorithm), signed_text(each.difference->median, 0.0)));
+  std::string order;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const double median = placed[i].difference->median;
+    if (i > 0) order += median == placed[i - 1].difference->median ? " = " : ", ";
+    order += fmt::format("{} {}", name(placed[i].algorithm), signed_text(median, 0.0));
   }
   return fmt::format("{}, median difference from the base team, the best first: {}.",
-                     visible(in_words(view.plan.objective)), fmt::join(parts, ", "));
+                     visible(in_words(view.plan.objective)), order);
 }
 
 TuningVerdict comparison_verdict(const TuningView& view) {
@@ -358,8 +360,10 @@ std::string scale_text(const study::Parameter& parameter) {
   return parameter.integer ? scale + ", whole numbers" : scale;
 }
 
+bool has_unit(const study::Parameter& parameter) { return !parameter.unit.empty() && parameter.unit != "1"; }
+
 std::string range_text(const study::Parameter& parameter) {
-  const std::string unit = parameter.unit.empty() ? std::string() : fmt::format(" {}", visible(parameter.unit));
+  const std::string unit = has_unit(parameter) ? fmt::format(" {}", visible(parameter.unit)) : std::string();
   if (parameter.fixed()) return fmt::format("fixed at {}{}", text_of(parameter, parameter.least), unit);
   return fmt::format("{} to {}{}", text_of(parameter, parameter.least), text_of(parameter, parameter.most), unit);
 }
@@ -373,6 +377,8 @@ std::string end_text(RangeEnd end) {
 bool more_than_chance(const study::Slice& slice) {
   return slice.importance > 0.0 && slice.p && *slice.p <= significance_level;
 }
+
+std::string importance_value(const study::Slice& slice) { return slice.p ? rounded(slice.importance, 0.0) : "-"; }
 
 std::string importance_text(const study::Slice& slice) {
   if (!slice.p) return "too few pairs";

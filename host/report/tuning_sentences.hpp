@@ -35,8 +35,10 @@ TuningVerdict tuning_verdict(const TuningView& view);
 // A table's words.
 const char* name(study::VerifiedAs finding);                // "undecided"
 std::string scale_text(const study::Parameter& parameter);  // "linear", "log", "whole numbers"
+bool has_unit(const study::Parameter& parameter);           // not a bare number, whose unit is "1"
 std::string range_text(const study::Parameter& parameter);  // "0.1 to 10 m"
 std::string end_text(RangeEnd end);                         // empty inside
+std::string importance_value(const study::Slice& slice);    // "0.64", "-" where unknown
 std::string importance_text(const study::Slice& slice);     // "no more than chance"
 bool more_than_chance(const study::Slice& slice);
 std::string values_text(const study::TuningPlan& plan, const study::ParameterValues& values);  // "a=1, b=0.5"

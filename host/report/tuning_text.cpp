@@ -45,15 +45,20 @@ std::string finalists_table(const TuningView& view) {
   if (record.finalists.empty()) return {};
   const study::ParameterValues base = start_values(view.plan);
   TextTable table;
-  table.row({"finalist", "search's own value", "on the selection", "values"});
+  table.row({"finalist", "search's own value", "on the selection", ""});
   for (std::size_t i = 0; i < record.finalists.size(); ++i) {
     const study::Finalist& each = record.finalists[i];
+    const bool candidate = std::ranges::find(record.candidates, i) != record.candidates.end();
     table.row({std::to_string(i + 1), seen_text(view.plan, each),
                each.selected.failed ? "forfeited" : told_text(told(view.plan.objective, each.selected.score)),
-               each.values == base ? "the base team's" : values_text(view.plan, each.values)});
+               each.values == base ? "the base team"
+               : candidate         ? "candidate"
+                                   : ""});
   }
-  return fmt::format("\nFinalists, with what holds with {:.4g} % for one look: the search's own value is optimistic\n",
-                     100.0 * view.plan.confidence) +
+  return fmt::format(
+             "\nFinalists, with what holds with {:.4g} % for one look: the search's own value is optimistic (values: "
+             "--json, or the page)\n",
+             100.0 * view.plan.confidence) +
          indented(table.text());
 }
 
@@ -77,8 +82,7 @@ std::string importance_table(const TuningView& view) {
   TextTable table;
   table.row({"parameter", "importance", ""});
   for (const study::Slice& each : view.record.slices) {
-    table.row(
-        {visible(view.plan.parameters[each.parameter].path), rounded(each.importance, 0.0), importance_text(each)});
+    table.row({visible(view.plan.parameters[each.parameter].path), importance_value(each), importance_text(each)});
   }
   return "\nImportance of the parameters\n" + indented(table.text()) + fmt::format("  {}\n", slices_note(view));
 }

@@ -161,6 +161,15 @@ TEST(TuningText, ValuesAtTheEndOfTheirRangeAreMarked) {
   EXPECT_THAT(tuning_text(course.view()), HasSubstr("0 to 10 m  at the upper end"));
 }
 
+TEST(TuningText, ABareNumberHasNoUnit) {
+  study::Parameter parameter = tuning_plan().parameters[0];
+  EXPECT_EQ(range_text(parameter), "0 to 10 m");
+  parameter.unit = "1";
+  EXPECT_EQ(range_text(parameter), "0 to 10");
+  parameter.most = 0.0;
+  EXPECT_EQ(range_text(parameter), "fixed at 0");
+}
+
 TEST(TuningText, WithoutPairsOfTheVerificationNothingIsSaid) {
   study::TuningPlan plan = tuning_plan();
   plan.verification_pairs = 0;
@@ -193,6 +202,11 @@ TEST(TuningText, AComparisonIsOrderedByMediansAndSaysThatItIsNoTest) {
   EXPECT_THAT(text, AllOf(HasSubstr(first ? "the best first: random_search +" : "the best first: spsa +"),
                           HasSubstr("with no test"), HasSubstr("All had the same budget, 96 matches"),
                           HasSubstr(fmt::format("{} of 5", of[0].better)), HasSubstr("same 20 pairs")));
+}
+
+TEST(TuningText, AlgorithmsThatCameToTheSameAreEqual) {
+  const TunedCourse course(comparison(), [](double, double) { return 0.3; });
+  EXPECT_THAT(tuning_text(course.view()), HasSubstr("the best first: random_search +0.00 = spsa +0.00."));
 }
 
 // Stopped by Ctrl-C at any place: everything can be told, is told the same way twice, and says that it is not its end.
