@@ -24,8 +24,9 @@ class Collector {
  public:
   explicit Collector(std::span<const config::PluginDeclaration> plugins) : plugins_(plugins) {}
 
-  // use: what stands there; asked: whether the document itself says so.
-  void plugin(const std::string& path, const char* kind, const Node& use, bool said) {
+  // use: what stands there; said: whether the document itself says so at a path below it.
+  template <class Said>
+  void plugin(const std::string& path, const char* kind, const Node& use, Said said) {
     if (!use["plugin"]) return;
     const auto declared = std::ranges::find_if(plugins_, [&](const config::PluginDeclaration& each) {
       return each.id == use["plugin"].text() && each.kind == kind;
@@ -43,7 +44,7 @@ class Collector {
       out.log_scale = each.log_scale;
       out.unit = each.unit;
       out.doc = each.doc;
-      out.said = said;
+      out.said = said("plugin") || said("params." + each.name);
       if (!number) {
         out.refusal = fmt::format("plugin {} declares it as something else than a number", declared->id);
       } else if (!each.tunable) {
@@ -55,16 +56,21 @@ class Collector {
 
   // before: "" or "contexts.search.use."; use: what the context itself says, absent for the team's own.
   void coordination(const std::string& before, const Node& values, const Node& use) {
-    const auto said = [&](const std::string& path) { return before.empty() || config::value_at(use, path); };
-    plugin(fmt::format("{}positioner", before), "positioner", values["positioner"], said("positioner"));
+    const auto below = [&](const std::string& path) {
+      return [&before, &use, path](const std::string& key) {
+        return before.empty() || config::value_at(use, fmt::format("{}.{}", path, key));
+      };
+    };
+    plugin(fmt::format("{}positioner", before), "positioner", values["positioner"], below("positioner"));
     for (const Node::Entry& term : values["utility"]["terms"].entries()) {
       const std::string path = fmt::format("utility.terms.{}", term.key);
       const std::string whole = fmt::format("{}{}", before, path);
-      weight(whole, term.value, said(path));
-      plugin(whole, "utility", term.value, said(path));
+      const auto said = below(path);
+      weight(whole, term.value, said("plugin") || said("weight") || said("tune"));
+      plugin(whole, "utility", term.value, said);
     }
-    plugin(fmt::format("{}assigner", before), "assigner", values["assigner"], said("assigner"));
-    plugin(fmt::format("{}sender", before), "sender", values["sender"], said("sender"));
+    plugin(fmt::format("{}assigner", before), "assigner", values["assigner"], below("assigner"));
+    plugin(fmt::format("{}sender", before), "sender", values["sender"], below("sender"));
   }
 
   std::vector<Tunable> take() { return std::move(found_); }
@@ -99,9 +105,9 @@ bool is_pattern(const std::string& path) { return path.find_first_of("*?[") != s
   for (const Tunable& each : all) {
     if (each.refusal.empty()) known.push_back(each.path);
   }
-  std::string message = fmt::format("parameters: {} {}", config::in_quotes(asked.pattern),
-                                    is_pattern(asked.pattern) ? "matches nothing that can be tuned"
-                                                              : "is no number of this team");
+  std::string message =
+      fmt::format("parameters: {} {}", config::in_quotes(asked.pattern),
+                  is_pattern(asked.pattern) ? "matches nothing that can be tuned" : "is no number of this team");
   if (known.empty()) {
     message += "; nothing of it can be: no term has a `tune`, no plugin declares a tunable parameter";
   } else {
@@ -119,9 +125,10 @@ void narrow(Parameter& parameter, const config::TunedPath& asked) {
     return fmt::format("{} to {}", config::real_text(low), config::real_text(high));
   };
   if (least < parameter.least || most > parameter.most) {
-    throw config::Error(asked.range_where,
-                        fmt::format("parameters: {}: {} is wider than what is declared, {}; a range can be narrowed only",
-                                    parameter.path, text(least, most), text(parameter.least, parameter.most)));
+    throw config::Error(
+        asked.range_where,
+        fmt::format("parameters: {}: {} is wider than what is declared, {}; a range can be narrowed only",
+                    parameter.path, text(least, most), text(parameter.least, parameter.most)));
   }
   parameter.least = parameter.integer ? std::ceil(least) : least;
   parameter.most = parameter.integer ? std::floor(most) : most;
@@ -139,9 +146,10 @@ void require_sound(const Parameter& parameter, const config::TunedPath& asked) {
                                            config::real_text(parameter.most)));
   }
   if (parameter.log_scale && !parameter.fixed() && parameter.least <= 0.0) {
-    throw config::Error(where, fmt::format("parameters: {}: its scale is logarithmic, so that its range cannot begin at "
-                                           "{}; `range` can narrow it",
-                                           parameter.path, config::real_text(parameter.least)));
+    throw config::Error(where,
+                        fmt::format("parameters: {}: its scale is logarithmic, so that its range cannot begin at "
+                                    "{}; `range` can narrow it",
+                                    parameter.path, config::real_text(parameter.least)));
   }
 }
 
@@ -149,13 +157,14 @@ void require_sound(const Parameter& parameter, const config::TunedPath& asked) {
 
 std::vector<Tunable> tunables(const Node& team, std::span<const config::PluginDeclaration> plugins) {
   Collector collector(plugins);
+  const auto all_said = [](const std::string&) { return true; };
   for (const Node::Entry& each : team["predictors"].entries()) {
-    collector.plugin(fmt::format("predictors.{}", each.key), "predictor", each.value, true);
+    collector.plugin(fmt::format("predictors.{}", each.key), "predictor", each.value, all_said);
   }
   collector.coordination("", team, {});
   for (const Node& context : team["contexts"].elements()) {
     const std::string path = fmt::format("contexts.{}", context["name"].text());
-    collector.plugin(path, "context", context, true);
+    collector.plugin(path, "context", context, all_said);
     collector.coordination(fmt::format("{}.use.", path), config::in_context(team, context["use"]), context["use"]);
   }
   return collector.take();
@@ -198,9 +207,14 @@ std::vector<Parameter> chosen_parameters(std::span<const config::TunedPath> path
 }
 
 double rounded(const Parameter& parameter, double value) {
-  const double digits = parameter.integer ? std::round(value)
-                                          : config::to_real(Node::scalar(fmt::format("{:.6g}", value), false, {}), "");
-  return std::clamp(digits, parameter.least, parameter.most);
+  if (parameter.integer) return std::clamp(std::round(value), parameter.least, parameter.most);
+  constexpr int most_digits = 17;
+  int digits = 6;
+  const double width = 10.0 * (parameter.most - parameter.least);
+  double size = std::max(std::abs(parameter.least), std::abs(parameter.most));
+  for (; digits < most_digits && size > width; size /= 10.0) ++digits;
+  const std::string text = fmt::format("{:.{}g}", value, digits);
+  return std::clamp(config::to_real(Node::scalar(text, false, {}), ""), parameter.least, parameter.most);
 }
 
 std::string text_of(const Parameter& parameter, double value) {
@@ -216,7 +230,8 @@ double share_of(const Parameter& parameter, double value) {
 }
 
 double value_at_share(const Parameter& parameter, double share) {
-  if (parameter.fixed()) return parameter.least;
+  if (parameter.fixed() || share <= 0.0) return parameter.least;
+  if (share >= 1.0) return parameter.most;
   const double value = parameter.log_scale ? parameter.least * std::pow(parameter.most / parameter.least, share)
                                            : parameter.least + share * (parameter.most - parameter.least);
   return rounded(parameter, value);

@@ -45,7 +45,8 @@ struct Parameter {
 // something that cannot be tuned, a range that is wider than declared or does not contain the team's own value.
 std::vector<Parameter> chosen_parameters(std::span<const config::TunedPath> paths, std::span<const Tunable> all);
 
-// A value that can be written in few digits (six, or a whole number), inside of the range.
+// A value that can be written in few digits (six, more in a range that is narrow for its size; or a whole number),
+// inside of the range.
 double rounded(const Parameter& parameter, double value);
 
 // As a document writes it; reads as exactly this value.
@@ -53,6 +54,6 @@ std::string text_of(const Parameter& parameter, double value);
 
 // Between a value and its share of the range, on the parameter's scale; 0 of a fixed one.
 double share_of(const Parameter& parameter, double value);
-double value_at_share(const Parameter& parameter, double share);  // rounded
+double value_at_share(const Parameter& parameter, double share);  // rounded, but for the ends
 
 }  // namespace regista::study

@@ -40,11 +40,14 @@ Node inserted(const Node& map, std::span<const std::string> path, const Node& va
   return Node::map(std::move(entries), nowhere);
 }
 
+// Of a document, what stands at some paths: laid over another one it makes these the same.
 class Overlay {
  public:
   // whole: the team's document as it shall be.
   explicit Overlay(Node whole) : whole_(std::move(whole)) {}
 
+  // What has become of a setting in the end: a later one may have replaced it, and a file that it names stands there as
+  // it is found from everywhere.
   void add(const std::string& setting) {
     const std::size_t equals = setting.find('=');
     const std::vector<std::string> parts = parts_of(setting.substr(0, equals));
@@ -56,7 +59,9 @@ class Overlay {
       }
       at = at[parts[i]];
     }
-    out_ = inserted(out_, parts, config::parse_value(std::string_view(setting).substr(equals + 1), nowhere));
+    const bool removes =
+        config::parse_value(std::string_view(setting).substr(equals + 1), nowhere).kind() == Node::Kind::null;
+    if (at || removes) out_ = inserted(out_, parts, at ? at : Node::null(nowhere));
   }
 
   std::string text() const { return config::block(out_); }
@@ -70,11 +75,13 @@ class Overlay {
 std::string tuned_team(const TuningPlan& plan, const ParameterValues& values, const std::string& name,
                        const std::string& base) {
   Overlay overlay(config::parse_text(TunedDocument(plan).with(values), plan.team));
-  for (const std::string& each : plan.settings) overlay.add(each);
+  for (const std::string& each : plan.settings) {
+    if (!each.starts_with("team=")) overlay.add(each);  // it has a name of its own
+  }
   for (const std::string& each : settings_of(plan, values)) overlay.add(each);
-  const Node head = Node::map({{"extends", nowhere, Node::scalar(base, true, nowhere)},
-                               {"team", nowhere, Node::scalar(name, false, nowhere)}},
-                              nowhere);
+  const Node head = Node::map(
+      {{"extends", nowhere, Node::scalar(base, true, nowhere)}, {"team", nowhere, Node::scalar(name, false, nowhere)}},
+      nowhere);
   return config::block(head) + '\n' + overlay.text();
 }
 

@@ -23,14 +23,8 @@ using Json = nlohmann::ordered_json;
 constexpr int plan_version = 1;
 
 Json json_of(const Parameter& each) {
-  return {{"path", each.path},
-          {"start", each.start},
-          {"least", each.least},
-          {"most", each.most},
-          {"integer", each.integer},
-          {"log_scale", each.log_scale},
-          {"unit", each.unit},
-          {"doc", each.doc}};
+  return {{"path", each.path},       {"start", each.start},         {"least", each.least}, {"most", each.most},
+          {"integer", each.integer}, {"log_scale", each.log_scale}, {"unit", each.unit},   {"doc", each.doc}};
 }
 
 Parameter parameter_of(const Json& json) {
@@ -180,8 +174,16 @@ ParameterValues values_of(const TuningPlan& plan, const Eigen::VectorXd& point) 
   return out;
 }
 
+static config::Node document_of(const TuningPlan& plan) {
+  try {
+    return config::parse_text(plan.document, plan.team);
+  } catch (const config::Error& error) {
+    throw std::invalid_argument(fmt::format("its plan is damaged: {}", error.what()));
+  }
+}
+
 TunedDocument::TunedDocument(const TuningPlan& plan) : plan_(plan) {
-  const config::Node document = config::parse_text(plan.document, plan.team);
+  const config::Node document = document_of(plan);
   std::vector<std::size_t> lines{0};  // where they begin
   for (std::size_t i = 0; i < plan.document.size(); ++i) {
     if (plan.document[i] == '\n') lines.push_back(i + 1);
@@ -190,10 +192,17 @@ TunedDocument::TunedDocument(const TuningPlan& plan) : plan_(plan) {
     const config::Node value = config::value_at(document, plan.parameters[i].path);
     if (value.kind() != config::Node::Kind::scalar) throw std::invalid_argument("its plan is damaged");
     const config::Location& where = value.where();
-    places_.push_back({lines[static_cast<std::size_t>(where.line - 1)] + static_cast<std::size_t>(where.column - 1),
-                       value.text().size(), i});
+    const std::size_t begin =
+        lines.at(static_cast<std::size_t>(where.line - 1)) + static_cast<std::size_t>(where.column - 1);
+    const std::string& text = value.text();
+    const bool as_it_stands = begin < plan.document.size() && plan.document.compare(begin, text.size(), text) == 0;
+    if (text.empty() || value.quoted() || !as_it_stands) throw std::invalid_argument("its plan is damaged");
+    places_.push_back({begin, text.size(), i});
   }
   std::ranges::sort(places_, std::greater(), &Place::begin);
+  if (std::ranges::adjacent_find(places_, {}, &Place::begin) != places_.end()) {
+    throw std::invalid_argument("its plan is damaged");
+  }
 }
 
 std::string TunedDocument::with(const ParameterValues& values) const {
@@ -257,9 +266,7 @@ std::uint64_t most_matches(const TuningPlan& plan, TuningStage stage) {
     case TuningStage::verification:
       return plan.verification_pairs * (plan.head_to_head ? 2 * plan.candidates : (plan.candidates + 1) * pair);
     case TuningStage::slices:
-      return plan.slice_points == 0
-                 ? 0
-                 : (plan.slice_points * plan.free_parameters() + 1) * plan.slice_pairs * pair;
+      return plan.slice_points == 0 ? 0 : (plan.slice_points * plan.free_parameters() + 1) * plan.slice_pairs * pair;
   }
   return 0;
 }
