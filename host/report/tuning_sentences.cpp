@@ -161,13 +161,6 @@ std::string candidate_sentence(const TuningView& view, const CandidateVerdict& e
   return optimism.empty() ? out : out + ' ' + optimism;
 }
 
-// A test of signs and an interval of the mean may differ.
-std::string test_note(const TuningView& view) {
-  if (score_bounds(view.plan) || view.record.verification.of().empty()) return {};
-  return "The objective has no bounds: the test counts in how many pairs the candidate was the better one, which holds "
-         "for any law; the interval is that of the mean difference, for many pairs.";
-}
-
 // Both corrections hold, but that of the intervals is the coarser one.
 std::string several_note(std::size_t candidates) {
   if (candidates < 2) return {};
@@ -337,9 +330,7 @@ TuningVerdict tuning_verdict(const TuningView& view) {
         "On the {} of the selection the base team came first, with {}.", pairs_text(view.plan.selection_pairs),
         told_text(told(view.plan.objective, view.record.finalists.front().selected.score))));
   }
-  for (const std::string& note : {test_note(view), several_note(candidates.size())}) {
-    if (!note.empty()) out.beside.push_back(note);
-  }
+  if (const std::string note = several_note(candidates.size()); !note.empty()) out.beside.push_back(note);
   return out;
 }
 

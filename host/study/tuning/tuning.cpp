@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -14,8 +13,6 @@
 
 namespace regista::study {
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 class Course {
  public:
@@ -203,6 +200,16 @@ class Course {
     }
   }
 
+  // Standard deviation of a finalist's score over the pairs of the selection; 1 where nothing varied.
+  double deviation_of_finalists() const {
+    double variance = 0.0;
+    for (const Finalist& each : record_.finalists) {
+      const double deviation = each.selected.score.standard_deviation;
+      variance += deviation * deviation / static_cast<double>(record_.finalists.size());
+    }
+    return variance > 0.0 ? std::sqrt(variance) : 1.0;
+  }
+
   // --- Verification --------------------------------------------------------------------------------------------------
 
   // Another choice is verified on other seeds.
@@ -215,7 +222,7 @@ class Course {
   void verify() {
     std::vector<ParameterValues> chosen;
     for (const std::size_t each : record_.candidates) chosen.push_back(record_.finalists[each].values);
-    record_.verification = Verification(plan_, chosen.size());
+    record_.verification = Verification(chosen.size(), plan_.confidence, deviation_of_finalists());
     record_.candidate_failed.assign(chosen.size(), false);
     if (chosen.empty() || plan_.verification_pairs == 0) return;
     const std::uint64_t first_seed = drawn_seed(chosen);

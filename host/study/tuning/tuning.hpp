@@ -58,7 +58,7 @@ struct ComparedRun {
 
 struct TuningRecord {
   explicit TuningRecord(const TuningPlan& plan)
-      : verification(plan, 0), forfeits(plan.opponents.size() + 2) {}
+      : verification(0, plan.confidence, 1.0), forfeits(plan.opponents.size() + 2) {}
 
   std::optional<TuningStage> stage = TuningStage::search;  // under way; nothing: all is done
   std::vector<SearchStep> trace;

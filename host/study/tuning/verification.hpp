@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Whether candidates are better than the base team, pair by pair on seeds that nobody has chosen by: a sequential test of
-// a mean difference of 0, valid however often one looks, adjusted by Holm for the number of candidates.
-//
-// Scores that have bounds (points, goal differences) are tested by betting on their mean; of those that have none the
-// signs are, which holds for any law.
+// a difference of 0, valid however often one looks (statistics/symmetric_test.hpp), adjusted by Holm for the number of
+// candidates.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
-#include <variant>
 #include <vector>
 
-#include "statistics/betting.hpp"
-#include "statistics/betting_grid.hpp"
 #include "statistics/interval.hpp"
 #include "statistics/moments.hpp"
-#include "study/metric_difference.hpp"
-#include "study/tuning/tuning_plan.hpp"
+#include "statistics/symmetric_test.hpp"
 
 namespace regista::study {
 
@@ -26,31 +19,30 @@ enum class VerifiedAs { undecided, better, worse };
 // One candidate's scores and the base team's.
 class ScoreDifference {
  public:
-  // alpha: of the test. several: so many candidates share the confidence of the interval.
-  ScoreDifference(const TuningPlan& plan, double alpha, std::size_t several);
+  // deviation: of a difference, expected. alpha: of the interval.
+  ScoreDifference(double deviation, double alpha) : test_(deviation, alpha) {}
 
   void add(double candidate, double base);
 
   const statistics::Moments& candidate() const { return candidate_; }
   const statistics::Moments& base() const { return base_; }
   const statistics::Moments& difference() const { return difference_; }
-  // Of the mean difference, at all times together, for all candidates together.
-  statistics::Estimate estimate() const;
-  double p() const;            // of "no difference", two-sided, valid at all times, not adjusted
-  bool candidate_more() const; // as the evidence points
+  statistics::Estimate estimate() const;        // of the mean difference, at all times together
+  double p() const { return test_.p(); }        // of "no difference", two-sided, valid at all times, not adjusted
+  bool candidate_more() const { return test_.above(); }  // as the strongest evidence pointed
 
  private:
-  struct OnMean {
-    statistics::BettingTest test;
-    statistics::BettingGrid sequence;
-  };
   statistics::Moments candidate_, base_, difference_;
-  std::variant<OnMean, MetricDifference> test_;
+  statistics::SymmetricTest test_;
 };
 
+// Its test is two-sided with a probability of 1 - confidence for any false finding at all; intervals hold for all
+// candidates together.
 class Verification {
  public:
-  Verification(const TuningPlan& plan, std::size_t candidates);
+  // deviation: what the standard deviation of a candidate's score over pairs is expected to be, above 0; from matches that
+  // decide nothing here.
+  Verification(std::size_t candidates, double confidence, double deviation);
 
   // Scores of a pair, of all candidates; not a number: its match has none, and the pair is left out for it. Head-to-head
   // these are differences already, and the base's are 0.
