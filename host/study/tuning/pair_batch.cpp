@@ -31,11 +31,11 @@ campaign::Job with_values(campaign::Job job, std::size_t side, const std::vector
 }  // namespace
 
 PairBatch::PairBatch(const TuningPlan& plan, const TunedDocument& document,
-                     const std::vector<ParameterValues>& candidates,
-                     const PairRange& pairs, bool head_to_head)
+                     const std::vector<ParameterValues>& candidates, const PairRange& pairs, bool head_to_head)
     : plan_(plan),
       opponents_(head_to_head ? std::span(&plan.base, 1) : std::span(plan.opponents)),
       head_to_head_(head_to_head),
+      bounds_(head_to_head ? std::nullopt : score_bounds(plan)),
       scores_(candidates.size()),
       failed_(candidates.size(), false) {
   const std::size_t scenes = std::max<std::size_t>(plan.openings.size(), 1);
@@ -70,8 +70,8 @@ void PairBatch::add_fixtures(const TunedDocument& document, const std::vector<Pa
           campaign::Store::Fixture& fixture = list_.fixtures.emplace_back();
           fixture.job = job;
           if (!plan_.openings.empty()) start_from(plan_.openings[scene], fixture.job);
-          fixture.key = campaign::fixture_key(fixture.job.home_inputs, fixture.job.away_inputs,
-                                              fixture.job.common_inputs);
+          fixture.key =
+              campaign::fixture_key(fixture.job.home_inputs, fixture.job.away_inputs, fixture.job.common_inputs);
         }
       }
     }
@@ -96,7 +96,8 @@ bool PairBatch::take(const campaign::Decided& decided, ForfeitList& forfeits) {
   const TuningOpponent& against = opponents_[opponent];
   sum_ += against.weight * (score(decided, false) - (head_to_head_ ? score(decided, true) : 0.0));
   if (opponent + 1 < opponents_.size()) return false;
-  scores_[candidate].push_back(sum_);
+  // Weights sum up to 1 only nearly.
+  scores_[candidate].push_back(bounds_ ? std::clamp(sum_, bounds_->low, bounds_->high) : sum_);
   sum_ = 0.0;
   if (candidate + 1 < scores_.size()) return false;
   ++pairs_done_;
@@ -114,7 +115,8 @@ double PairBatch::score(const campaign::Decided& away, bool of_opponent) const {
   std::optional<MatchMeasures> first, second;
   double sum = 0.0;
   for (const ObjectiveTerm& term : plan_.objective.terms) {
-    const auto a = measure_of_score(term.measure, home_, at_home), b = measure_of_score(term.measure, away, 1 - at_home);
+    const auto a = measure_of_score(term.measure, home_, at_home),
+               b = measure_of_score(term.measure, away, 1 - at_home);
     double value = nothing;
     if (a) {
       const double limit = term.measure == "goal_difference" ? plan_.most_goals : HUGE_VAL;

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -77,6 +78,7 @@ class PairBatch {
   const TuningPlan& plan_;
   std::span<const TuningOpponent> opponents_;
   bool head_to_head_;
+  std::optional<ScoreBounds> bounds_;  // of scores that are no differences
   MatchList list_;
   std::vector<std::vector<double>> scores_;  // by candidate
   std::vector<bool> failed_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -81,16 +82,42 @@ Algorithm algorithm_of(const Json& json) {
   return *found;
 }
 
-// What the course of a tuning relies on.
+bool sound(const Parameter& each) {
+  return each.least <= each.start && each.start <= each.most && (!each.log_scale || each.fixed() || each.least > 0.0);
+}
+
+// Its budget is enough for its first round, the base team's evaluation aside.
+bool can_search(const TuningPlan& plan, Algorithm algorithm) {
+  const std::uint64_t population = has_population(algorithm) ? plan.population : 0;
+  return plan.evaluations(algorithm) >
+         least_evaluations(algorithm, plan.free_parameters(), static_cast<std::size_t>(population));
+}
+
+bool sound_weights(const std::vector<TuningOpponent>& opponents) {
+  double sum = 0.0;
+  for (const TuningOpponent& each : opponents) {
+    if (!(each.weight > 0.0)) return false;
+    sum += each.weight;
+  }
+  return std::abs(sum - 1.0) < 1e-9;
+}
+
+// What the course of a tuning relies on; upper bounds are those of its document.
 bool sound(const TuningPlan& plan) {
-  constexpr std::uint64_t most = std::uint64_t{1} << 31;
-  const auto few = [](std::uint64_t count) { return count <= most; };
-  return plan.free_parameters() > 0 && !plan.opponents.empty() && !plan.objective.terms.empty() &&
-         plan.most_goals >= 1 && plan.pairs >= 1 && plan.search_pairs >= plan.pairs && plan.repeats >= 1 &&
-         plan.repeats <= 1024 && plan.candidates <= plan.finalists && plan.selection_pairs >= 1 && few(plan.seed) &&
-         few(plan.pairs) && few(plan.search_pairs) && few(plan.selection_pairs) && few(plan.verification_pairs) &&
-         few(plan.slice_pairs) && plan.confidence > 0.0 && plan.confidence < 1.0 &&
-         std::ranges::all_of(plan.parameters, [](const Parameter& each) { return each.least <= each.most; });
+  constexpr std::uint64_t most_seed = std::uint64_t{1} << 31, most_pairs = 10'000'000;
+  const auto within = [](std::uint64_t least, std::uint64_t count, std::uint64_t most) {
+    return least <= count && count <= most;
+  };
+  return plan.free_parameters() > 0 && !plan.objective.terms.empty() && sound_weights(plan.opponents) &&
+         plan.most_goals >= 1 && plan.seed < most_seed && within(1, plan.pairs, most_pairs) &&
+         within(plan.pairs, plan.search_pairs, most_pairs) && within(0, plan.population, 10'000) &&
+         within(1, plan.repeats, 1024) && within(1, plan.finalists, 64) && within(1, plan.candidates, plan.finalists) &&
+         within(1, plan.selection_pairs, most_pairs) && within(0, plan.verification_pairs, most_pairs) &&
+         within(0, plan.slice_points, 101) && within(0, plan.slice_pairs, 10'000) && plan.confidence > 0.0 &&
+         plan.confidence < 1.0 &&
+         std::ranges::all_of(plan.parameters, [](const Parameter& each) { return sound(each); }) &&
+         (plan.compares() ? std::ranges::all_of(plan.compared, [&](Algorithm each) { return can_search(plan, each); })
+                          : can_search(plan, plan.algorithm));
 }
 
 // Everything a plan says beside who plays, with the words for it: what a comparison of two plans goes through.
@@ -102,10 +129,11 @@ std::vector<std::pair<std::string, std::string>> said(const TuningPlan& plan) {
   };
   std::vector<std::string> paths, opponents, compared;
   for (const Parameter& each : plan.parameters) {
-    paths.push_back(fmt::format("{} {} to {}", each.path, each.least, each.most));
+    paths.push_back(fmt::format("{} {} to {} from {}{}{}", each.path, each.least, each.most, each.start,
+                                each.integer ? ", whole" : "", each.log_scale ? ", logarithmic" : ""));
   }
   for (const TuningOpponent& each : plan.opponents) {
-    opponents.push_back(fmt::format("{} ({:.3g})", each.label, each.weight));
+    opponents.push_back(fmt::format("{} ({})", each.label, each.weight));
   }
   for (const Algorithm each : plan.compared) compared.emplace_back(name(each));
   add("the tuning", plan.name);
@@ -383,6 +411,12 @@ std::vector<std::string> differences(const TuningPlan& before, const TuningPlan&
     add(now.opponents[i].label + ": ", old.away_inputs, fresh.away_inputs);
     add("", old.common_inputs, fresh.common_inputs);
     add("", before.opponents[i].jobs[1].common_inputs, now.opponents[i].jobs[1].common_inputs);
+  }
+  for (const std::size_t side : {0u, 1u}) {
+    const campaign::Job &old = before.base.jobs[side], &fresh = now.base.jobs[side];
+    add("the team: ", old.home_inputs, fresh.home_inputs);
+    add("the team: ", old.away_inputs, fresh.away_inputs);
+    add("", old.common_inputs, fresh.common_inputs);
   }
   const auto scenes = [](const TuningPlan& plan) {
     std::vector<campaign::Input> all;

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// Plans of tunings, made by hand, and somebody who plays their matches without playing: a goal difference that is a
+// known function of the parameters' values, with noise that is a function of the match.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "campaign/job.hpp"
+#include "plugin/content_hash.hpp"
+#include "study/tuning/tuning.hpp"
+
+namespace regista::study {
+
+// Parameters "p0", "p1", ... of [0, 1], at 0.5; opponents "opponent 0", ... of equal weight.
+inline TuningPlan tuning_of(std::size_t parameters, std::size_t opponents,
+                            Algorithm algorithm = Algorithm::random_search) {
+  TuningPlan plan;
+  plan.name = "trial";
+  plan.team = "base.yaml";
+  plan.document = "team: base\n";
+  for (std::size_t i = 0; i < parameters; ++i) {
+    plan.parameters.push_back({fmt::format("p{}", i), 0.5, 0.0, 1.0, false, false, "1", "what it does"});
+    plan.document += fmt::format("p{}: 0.5\n", i);
+  }
+  const auto against = [&](const std::string& label, double weight) {
+    TuningOpponent out;
+    out.label = label;
+    out.file = label + ".yaml";
+    out.weight = weight;
+    for (const std::size_t side : {0u, 1u}) {
+      campaign::Job& job = out.jobs[side];
+      job.teams[side] = plan.team;
+      job.teams[1 - side] = out.file;
+      std::vector<campaign::Input>&own = side == 0 ? job.home_inputs : job.away_inputs,
+      &other = side == 0 ? job.away_inputs : job.home_inputs;
+      own.push_back({"team base", plugin::content_hash(plan.document)});
+      own.push_back({"plugin x", "x"});
+      other.push_back({"team " + label, "hash of " + label});
+      job.common_inputs = {{"rules", "rules 1"}};
+    }
+    return out;
+  };
+  for (std::size_t i = 0; i < opponents; ++i) {
+    plan.opponents.push_back(against(fmt::format("opponent {}", i), 1.0 / static_cast<double>(opponents)));
+  }
+  plan.base = against("the base team", 1.0);
+  plan.objective.terms = {{"goal_difference", 1.0}};
+  plan.most_goals = 10;
+  plan.seed = 7;
+  plan.algorithm = algorithm;
+  plan.search_pairs = 40;
+  plan.finalists = 3;
+  plan.selection_pairs = 4;
+  plan.candidates = 1;
+  plan.verification_pairs = 30;
+  return plan;
+}
+
+// The values of the parameters that a match says for one side; those it does not say are at 0.5.
+inline ParameterValues said_values(const campaign::Job& job, std::size_t side, std::size_t parameters) {
+  ParameterValues out(parameters, 0.5);
+  const std::string own = side == 0 ? "home.p" : "away.p";
+  for (const std::string& each : job.overrides) {
+    if (!each.starts_with(own)) continue;
+    const std::size_t equals = each.find('=');
+    out.at(std::stoul(each.substr(own.size(), equals - own.size()))) = std::stod(each.substr(equals + 1));
+  }
+  return out;
+}
+
+// A number of [0, 1) that is a function of what it is asked for.
+inline double chance(std::uint64_t seed, std::uint64_t which) {
+  std::uint64_t x = seed * 0x9e3779b97f4a7c15ull + which * 0xd1b54a32d192ed03ull + 0x2545f4914f6cdd1dull;
+  for (int i = 0; i < 3; ++i) {
+    x ^= x >> 31;
+    x *= 0xbf58476d1ce4e5b9ull;
+  }
+  return static_cast<double>((x ^ (x >> 29)) >> 11) * 0x1p-53;
+}
+
+// Goals of a match whose home team is stronger by so much: their difference is on average that, and varies by `noise`.
+inline campaign::Decided goals(double stronger, double noise, std::uint64_t seed, std::uint64_t which) {
+  double sum = -6.0;  // a normal law, nearly
+  for (std::uint64_t i = 0; i < 12; ++i) sum += chance(seed, 100 * which + i);
+  const double wanted = stronger + noise * sum;
+  // Rounded up or down at random, so that the mean stays.
+  const double below = std::floor(wanted);
+  int difference = static_cast<int>(below) + (chance(seed, 100 * which + 50) < wanted - below ? 1 : 0);
+  difference = std::clamp(difference, -10, 10);
+  campaign::Decided out;
+  out.score = {std::max(difference, 0), std::max(-difference, 0)};
+  out.ended = "full_time";
+  out.hash = "h";
+  out.metrics = fmt::format(R"({{"playing_seconds": 600, "packets": [{}, {}]}})", 100 + difference, 100 - difference);
+  return out;
+}
+
+// Who plays: `strength` of a team's values; counts what is played.
+class FakeMatches {
+ public:
+  using Strength = std::function<double(const ParameterValues&)>;
+  using Judge = std::function<void(const campaign::Job&, campaign::Decided&)>;
+
+  FakeMatches(const TuningPlan& plan, Strength strength, double noise)
+      : parameters_(plan.parameters.size()), strength_(std::move(strength)), noise_(noise) {}
+
+  campaign::Decided play(const campaign::Job& job) const {
+    const double home = strength_(said_values(job, 0, parameters_)), away = strength_(said_values(job, 1, parameters_));
+    // The fixture counts too: different teams on one seed do not have the same luck.
+    const std::uint64_t which = std::stoull(
+        plugin::content_hash(job.teams[0] + job.teams[1] + fmt::format("{}{}", home, away)).substr(0, 6), nullptr, 16);
+    campaign::Decided out = goals(home - away, noise_, job.seed, which);
+    if (judge) judge(job, out);
+    return out;
+  }
+
+  // As TuningHooks wants it. Before each match `before` is asked, which may throw.
+  PlayMatches hook() {
+    return [this](const MatchList& list, const TakeMatch& take) {
+      for (std::uint64_t i = 0; i < list.matches.size(); ++i) {
+        const campaign::Job job = list.job(i);
+        const auto key = std::pair(list.fixtures[list.matches[i].fixture].key, job.seed);
+        if (!store.contains(key)) {
+          if (before) before(played);
+          ++played;
+          store.emplace(key, play(job));
+        }
+        rows.push_back(list.first_row + i);
+        ++taken;
+        if (!take(i, store.at(key))) return;
+      }
+    };
+  }
+
+  std::map<std::pair<std::string, std::uint64_t>, campaign::Decided> store;  // by fixture and seed
+  std::function<void(std::uint64_t)> before;
+  Judge judge;
+  std::vector<std::uint64_t> rows;
+  std::uint64_t played = 0, taken = 0;
+
+ private:
+  std::size_t parameters_;
+  Strength strength_;
+  double noise_;
+};
+
+// Everything a record says, in words: equal for equal courses.
+inline std::string told(const TuningRecord& record) {
+  std::string out = fmt::format("{} {}\n", record.ended, record.matches);
+  const auto values = [](const ParameterValues& all) {
+    std::string text;
+    for (const double each : all) text += fmt::format("{} ", each);
+    return text;
+  };
+  const auto played = [](const PlayedScore& each) {
+    return fmt::format("{} {} {} {} {}", each.score.pairs, each.score.mean, each.score.standard_deviation, each.failed,
+                       each.counted);
+  };
+  for (const SearchStep& each : record.trace) {
+    out += fmt::format("{} {} {}{} {} {} {}\n", each.evaluation, each.pairs_from, values(each.values),
+                       played(each.played), each.repeated, each.best, each.matches);
+  }
+  for (const Finalist& each : record.finalists) {
+    out += fmt::format("finalist {}{} {}\n", values(each.values), played(each.selected),
+                       each.seen ? played(*each.seen) : "");
+  }
+  for (const ScoreDifference& each : record.verification.of()) {
+    out += fmt::format("verified {} {} {} {}\n", record.verification.pairs(), each.p(), each.difference().mean(),
+                       each.estimate().interval.low);
+  }
+  for (const VerifiedAs each : record.verification.findings())
+    out += fmt::format("finding {}\n", static_cast<int>(each));
+  for (const Slice& each : record.slices) {
+    out += fmt::format("slice {} {} {}\n", each.parameter, each.importance, each.p.value_or(-1.0));
+    for (const SlicePoint& point : each.points)
+      out += fmt::format("  {} {} {}\n", point.value, point.score.mean, point.difference.mean);
+  }
+  for (const ComparedRun& each : record.compared) {
+    out += fmt::format("run {} {} {} {} {}{} {}\n", name(each.algorithm), each.repeat, each.evaluations, each.matches,
+                       values(each.values), each.judged.mean, each.ended);
+  }
+  for (const Forfeits& each : record.forfeits.listed())
+    out += fmt::format("forfeit {} {} {}\n", each.team, each.first_match, each.count);
+  return out;
+}
+
+}  // namespace regista::study
