@@ -135,14 +135,10 @@ int run(const Invocation& invocation) {
   root.footer(examples);
   // At most one command, so that what follows it is never taken for another.
   root.require_subcommand(0, 1);
-  std::vector<Command> commands{add_match(root, invocation),
-                                add_view(root, invocation),
-                                add_tournament(root, invocation),
-                                add_experiment(root, invocation),
-                                add_tune(root, invocation),
-                                add_report(root, invocation),
-                                add_sprt(root, invocation),
-                                add_evaluate_predictor(root, invocation),
+  std::vector<Command> commands{add_match(root, invocation),      add_view(root, invocation),
+                                add_tournament(root, invocation), add_experiment(root, invocation),
+                                add_tune(root, invocation),       add_report(root, invocation),
+                                add_sprt(root, invocation),       add_evaluate_predictor(root, invocation),
                                 add_play_one(root, invocation)};
   CLI::App& plugin = *root.add_subcommand("plugin", "the plugins that there are");
   plugin.require_subcommand(0, 1);

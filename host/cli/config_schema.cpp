@@ -41,10 +41,10 @@ config::DocumentKind kind_named(const std::string& name) {
 
 int schema(const Options& options, const Invocation& invocation) {
   if (options.kinds.size() != 1) {
-    throw BadInput(
-        fmt::format("config schema: one of rules, robot, disturbance, opening, team, predictor_study, experiment and tuning is "
-                    "wanted, {} given",
-                    options.kinds.size()));
+    throw BadInput(fmt::format(
+        "config schema: one of rules, robot, disturbance, opening, team, predictor_study, experiment and tuning is "
+        "wanted, {} given",
+        options.kinds.size()));
   }
   const config::DocumentKind kind = kind_named(options.kinds.front());
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
@@ -57,7 +57,8 @@ int schema(const Options& options, const Invocation& invocation) {
 Command add_config_schema(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("schema", "write the JSON Schema of a kind of document");
   const auto options = std::make_shared<Options>();
-  app.add_option("kind", options->kinds, "rules, robot, disturbance, opening, team, predictor_study, experiment or tuning")
+  app.add_option("kind", options->kinds,
+                 "rules, robot, disturbance, opening, team, predictor_study, experiment or tuning")
       ->type_name("KIND");
   add_plugin_folders(app, options->plugins);
   app.footer(examples);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The values that a study lays over documents: of all arms, of one, of the sweep. A path is one of the study's own team (an
-// arm's, the tuned one) unless it begins with opponent, rules, robot, disturbance (of the own team) or
+// The values that a study lays over documents: of all arms, of one, of the sweep. A path is one of the study's own team
+// (an arm's, the tuned one) unless it begins with opponent, rules, robot, disturbance (of the own team) or
 // opponent_disturbance.
 #pragma once
 

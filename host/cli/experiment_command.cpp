@@ -63,8 +63,8 @@ class Played {
     }
     StudyProgress progress(words(), !options_.quiet);
     tell_of_equal_arms(progress);
-    play_study({"experiment", plan_.matches(), [this] { return course_.taken(); }}, options_, invocation_, store, progress,
-               [&](const PlayRun& play) { play(run(csv ? &*csv : nullptr)); });
+    play_study({"experiment", plan_.matches(), [this] { return course_.taken(); }}, options_, invocation_, store,
+               progress, [&](const PlayRun& play) { play(run(csv ? &*csv : nullptr)); });
     if (csv) csv->close();
     if (!options_.summary.empty()) {
       OutputFile summary(options_.summary);

@@ -10,8 +10,8 @@
 
 #include "campaign/inputs.hpp"
 #include "campaign/mathematics.hpp"
-#include "cli/end_of_program.hpp"
 #include "cli/document_settings.hpp"
+#include "cli/end_of_program.hpp"
 #include "cli/job_setup.hpp"
 #include "cli/study_inputs.hpp"
 #include "config/documents.hpp"

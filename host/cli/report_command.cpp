@@ -129,7 +129,8 @@ int run(const Options& options, const Invocation& invocation) {
       return tell(options, results, *tournament, invocation);
     }
     if (std::holds_alternative<study::TuningPlan>(results.plan)) {
-      if (options.metrics) throw BadInput("report: --metrics: the table of a tuning has a row for each point, not for each match");
+      if (options.metrics)
+        throw BadInput("report: --metrics: the table of a tuning has a row for each point, not for each match");
       return tell_tuning({options.file, results.store, results.plan}, {options.json, options.csv});
     }
     const ExperimentWishes wishes{options.json, options.csv, options.metrics};
@@ -149,9 +150,11 @@ int run(const Options& options, const Invocation& invocation) {
 Command add_report(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("report", "what stored results say");
   const auto options = std::make_shared<Options>();
-  app.add_option("results", options->file, "file that a tournament, an experiment or a tuning wrote")->type_name("RESULTS.db");
+  app.add_option("results", options->file, "file that a tournament, an experiment or a tuning wrote")
+      ->type_name("RESULTS.db");
   app.add_flag("--json", options->json, "write the report as JSON")->disable_flag_override();
-  app.add_flag("--csv", options->csv, "write a table with a row for each match, of an experiment for each number, of a tuning for each point")
+  app.add_flag("--csv", options->csv,
+               "write a table with a row for each match, of an experiment for each number, of a tuning for each point")
       ->disable_flag_override();
   app.add_flag("--metrics", options->metrics, "with --csv: all numbers of the matches, too")->disable_flag_override();
   app.add_option("-o,--output", options->page, "write the report as a page that needs nothing else")

@@ -50,9 +50,7 @@ int tell_tuning(const StoredResults& results, const TuningWishes& wishes) {
     const std::string not_at_end = incomplete(results, *found);
     if (!not_at_end.empty()) complain(not_at_end);
     const report::TuningView view{plan, found->record, ""};
-    print(wishes.csv    ? report::tuning_csv(view)
-          : wishes.json ? report::tuning_json(view)
-                        : report::tuning_text(view));
+    print(wishes.csv ? report::tuning_csv(view) : wishes.json ? report::tuning_json(view) : report::tuning_text(view));
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
   } catch (const std::invalid_argument& error) {

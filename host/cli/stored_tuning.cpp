@@ -67,7 +67,8 @@ void stored_tuning(const campaign::Store& store, const study::TuningPlan& plan, 
     for (std::uint64_t i = 0; i < list.matches.size(); ++i) {
       const study::MatchList::Match& match = list.matches[i];
       const std::uint64_t row = list.first_row + i;
-      const auto decided = store.find(static_cast<std::int64_t>(row) + 1, {numbers[match.fixture], match.seed}, metrics);
+      const auto decided =
+          store.find(static_cast<std::int64_t>(row) + 1, {numbers[match.fixture], match.seed}, metrics);
       if (!decided) throw NotPlayed();
       if (each) each(row, *decided);
       if (!take(i, *decided)) return;

@@ -23,8 +23,8 @@ std::vector<std::string> opening_files(const std::vector<std::string>& paths, co
 void add_scene(std::vector<study::Opening>& scenes, study::Opening scene, const std::string& name,
                const std::string& who);
 
-// The scenes that a document names, as the study plays them and as they were read. Throws config::Error for one that the
-// rules and robots of a match do not go with.
+// The scenes that a document names, as the study plays them and as they were read. Throws config::Error for one that
+// the rules and robots of a match do not go with.
 struct DocumentScenes {
   std::vector<study::Opening> openings;
   std::vector<config::Opening> read;

@@ -42,10 +42,11 @@ struct StudyNature {
 // Plays a run, or throws: Interrupted and others that are for play_study() alone.
 using PlayRun = std::function<void(const StudyRun& run)>;
 
-// A study in one run or in several, of which each may depend on those before: `course` plays them. options.results names
-// the file that `store` holds. Throws what end_of_program.hpp explains; what was stored stays.
+// A study in one run or in several, of which each may depend on those before: `course` plays them. options.results
+// names the file that `store` holds. Throws what end_of_program.hpp explains; what was stored stays.
 void play_study(const StudyNature& nature, const CampaignOptions& options, const Invocation& invocation,
-                campaign::Store& store, StudyProgress& progress, const std::function<void(const PlayRun& play)>& course);
+                campaign::Store& store, StudyProgress& progress,
+                const std::function<void(const PlayRun& play)>& course);
 
 // The command that plays a match by itself, by the name the program was called by.
 std::string play_again(const campaign::Job& job, const Invocation& invocation);

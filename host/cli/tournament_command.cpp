@@ -60,8 +60,8 @@ class Played {
     campaign::Store store = open_results(options_.results, options_.resume, plan_, documents_);
     StudyProgress progress(words(), !options_.quiet);
     tell_of_equal_teams(progress);
-    play_study({"tournament", plan_.matches(), [this] { return course_.matches(); }}, options_, invocation_, store, progress,
-               [&](const PlayRun& play) { play(run()); });
+    play_study({"tournament", plan_.matches(), [this] { return course_.matches(); }}, options_, invocation_, store,
+               progress, [&](const PlayRun& play) { play(run()); });
     print(options_.json ? report::tournament_json(view_) : report::tournament_text(view_));
     if (!options_.no_page) write_page(store);
     return exit_done;

@@ -54,7 +54,8 @@ class Played {
         invocation_(invocation),
         plan_(std::move(plan)),
         record_(plan_),
-        tuned_file_(options.output.empty() ? tuned_file_beside(options.results) : std::filesystem::path(options.output)) {}
+        tuned_file_(options.output.empty() ? tuned_file_beside(options.results)
+                                           : std::filesystem::path(options.output)) {}
   Played(const Played&) = delete;
   Played& operator=(const Played&) = delete;
 

@@ -67,8 +67,11 @@ std::string label_of(const std::string& file) { return std::filesystem::path(fil
 class Planner {
  public:
   Planner(const TuneOptions& options, const plugin::Catalogue& catalogue)
-      : options_(options), overrides_(overrides_of(options)), document_(config::load(options.file, overrides_)),
-        tuning_(config::read_tuning(document_)), catalogue_(catalogue) {}
+      : options_(options),
+        overrides_(overrides_of(options)),
+        document_(config::load(options.file, overrides_)),
+        tuning_(config::read_tuning(document_)),
+        catalogue_(catalogue) {}
 
   study::TuningPlan plan() {
     describe();
@@ -179,8 +182,8 @@ class Planner {
       study::TuningOpponent opponent = opponent_of(from_here(each.team), each.weight / sum, settings);
       for (const study::TuningOpponent& other : plan_.opponents) {
         if (other.file == opponent.file) {
-          throw config::Error(each.where, fmt::format("opponents: {} is given twice; `weight` says how much it counts",
-                                                      opponent.file));
+          throw config::Error(
+              each.where, fmt::format("opponents: {} is given twice; `weight` says how much it counts", opponent.file));
         }
         if (other.label == opponent.label) opponent.label = opponent.file;
       }
@@ -219,8 +222,8 @@ class Planner {
     for (const std::string& each : study::settings_of(plan_, study::start_values(plan_))) {
       const config::Location where{"--set " + each, 0, 0};
       const std::size_t equals = each.find('=');
-      document = config::with(document, each.substr(0, equals), config::parse_value(each.substr(equals + 1), where),
-                              where);
+      document =
+          config::with(document, each.substr(0, equals), config::parse_value(each.substr(equals + 1), where), where);
     }
     config::read_team(document);
     plan_.document = config::show(document, declarations, config::Remarks::without);
@@ -260,17 +263,15 @@ class Planner {
   static std::uint64_t pairs_in(int matches, std::uint64_t each) { return static_cast<std::uint64_t>(matches) / each; }
 
   void require_matches(const char* path, std::uint64_t least, const std::string& why) const {
-    config::refuse(document_, {path},
-                   fmt::format("{}: {}: {} or more matches are wanted", path, why, least));
+    config::refuse(document_, {path}, fmt::format("{}: {}: {} or more matches are wanted", path, why, least));
   }
 
   void count_matches() {
     const std::uint64_t pair = plan_.matches_of_pair();
     plan_.search_pairs = pairs_in(tuning_.search.matches, pair);
     plan_.pairs_for_all = tuning_.search.pairs.has_value();
-    plan_.pairs = plan_.pairs_for_all
-                      ? static_cast<std::uint64_t>(*tuning_.search.pairs)
-                      : replicates(plan_.search_pairs, plan_.free_parameters());
+    plan_.pairs = plan_.pairs_for_all ? static_cast<std::uint64_t>(*tuning_.search.pairs)
+                                      : replicates(plan_.search_pairs, plan_.free_parameters());
     const auto used = plan_.compares() ? plan_.compared : std::vector{plan_.algorithm};
     for (const study::Algorithm each : used) {
       // One more: the base team itself.
@@ -331,8 +332,8 @@ std::vector<std::string> notes_on(const study::TuningPlan& plan) {
   for (const study::TuningOpponent& each : plan.opponents) {
     const campaign::Job& job = each.jobs[0];
     if (job.home_inputs != job.away_inputs) continue;
-    out.push_back(fmt::format("{} is the base team itself: its own value against it is 0 goals by construction",
-                              each.label));
+    out.push_back(
+        fmt::format("{} is the base team itself: its own value against it is 0 goals by construction", each.label));
   }
   return out;
 }

@@ -34,9 +34,10 @@ std::string verdict(const study::TuningPlan& plan, const study::TuningRecord& re
   const auto candidate = static_cast<std::size_t>(which);
   const study::ScoreDifference& found = record.verification.of()[candidate];
   const statistics::Estimate estimate = found.estimate();
-  const char* const words = record.finding(candidate) == study::VerifiedAs::better  ? "VERIFIED better than the base team"
-                            : record.finding(candidate) == study::VerifiedAs::worse ? "NOT VERIFIED: worse than the base team"
-                                                                                    : "NOT VERIFIED: no difference was found";
+  const char* const words =
+      record.finding(candidate) == study::VerifiedAs::better  ? "VERIFIED better than the base team"
+      : record.finding(candidate) == study::VerifiedAs::worse ? "NOT VERIFIED: worse than the base team"
+                                                              : "NOT VERIFIED: no difference was found";
   const double sign = study::value_of(plan.objective, 1.0);
   const double low = sign > 0 ? estimate.interval.low : -estimate.interval.high,
                high = sign > 0 ? estimate.interval.high : -estimate.interval.low;
@@ -91,8 +92,9 @@ void write_tuned_file(const fs::path& file, const study::TuningPlan& plan, const
   const study::Finalist& tuned = record.finalists[*record.tuned()];
   std::string name = plan.name + "_tuned";
   if (name.size() > 64) name.resize(64);  // config::to_name
-  write_whole(file, header(plan, record, fingerprint) + study::tuned_team(plan, tuned.values, name, base_from(file, plan.team)),
-              Existing::replaced);
+  write_whole(
+      file, header(plan, record, fingerprint) + study::tuned_team(plan, tuned.values, name, base_from(file, plan.team)),
+      Existing::replaced);
 }
 
 }  // namespace regista::cli

@@ -48,8 +48,8 @@ Map declare(Coordination& coordination);
 // The keys that may begin a path of `use:`.
 const std::vector<std::string>& usable_keys();
 
-// The values that a context's `use:` leaves in force: positioner, tasks, utility, assigner and sender of a document, with
-// those of `use` laid over.
+// The values that a context's `use:` leaves in force: positioner, tasks, utility, assigner and sender of a document,
+// with those of `use` laid over.
 Node in_context(const Node& document, const Node& use);
 
 // Reads and checks a page, and fills in what follows from other values (the behaviours of roles).

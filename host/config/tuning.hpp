@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tuning as its YAML page says it: a team, opponents, which of its numbers may change, what counts as better, how much
-// may be played. Values only; nothing is opened or played here.
+// A tuning as its YAML page says it: a team, opponents, which of its numbers may change, what counts as better, how
+// much may be played. Values only; nothing is opened or played here.
 #pragma once
 
 #include <array>

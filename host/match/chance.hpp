@@ -9,9 +9,9 @@
 
 #include <Random123/philox.h>
 
-#include <cmath>
 #include <cstdint>
 
+#include "match/normal_law.hpp"
 #include "match/side.hpp"
 
 namespace regista::match {
@@ -71,23 +71,8 @@ class Chance {
     return first - second;
   }
 
-  // Standard normal law by Box and Muller, "A Note on the Generation of Random Normal Deviates", 1958, in the polar
-  // form (Marsaglia and Bray, 1964), which needs no sine. Draws come in pairs, both are used.
   double normal() {
-    if (spare_) {
-      spare_ = false;
-      return second_normal_;
-    }
-    double x, y, squared;
-    do {
-      x = 2.0 * uniform() - 1.0;
-      y = 2.0 * uniform() - 1.0;
-      squared = x * x + y * y;
-    } while (squared >= 1.0 || squared == 0.0);
-    const double scale = std::sqrt(-2.0 * std::log(squared) / squared);
-    second_normal_ = scale * y;
-    spare_ = true;
-    return scale * x;
+    return normal_.draw([this] { return uniform(); });
   }
 
  private:
@@ -96,8 +81,7 @@ class Chance {
   Generator::ctr_type counter_;
   Generator::ctr_type words_;
   unsigned used_ = 4;
-  bool spare_ = false;
-  double second_normal_ = 0.0;
+  NormalLaw normal_;
 };
 
 }  // namespace regista::match

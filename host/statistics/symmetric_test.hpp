@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A sequential test of the centre of values that lie symmetrically around it, of any law and any bounds: if the centre is m,
-// exp(b S - b^2 Q / 2) is a nonnegative supermartingale for every b, with S the sum of value - m and Q the sum of their
-// squares (V. H. de la Pena, "A General Class of Exponential Inequalities for Martingales and Ratios", Annals of
+// A sequential test of the centre of values that lie symmetrically around it, of any law and any bounds: if the centre
+// is m, exp(b S - b^2 Q / 2) is a nonnegative supermartingale for every b, with S the sum of value - m and Q the sum of
+// their squares (V. H. de la Pena, "A General Class of Exponential Inequalities for Martingales and Ratios", Annals of
 // Probability 27, 1999). Mixed over b by a normal law of variance tau^2 around 0 it is
 //   exp(tau^2 S^2 / (2 (1 + tau^2 Q))) / sqrt(1 + tau^2 Q),
 // which exceeds 1/alpha at any time at all with probability alpha or less (J. Ville, 1939).
 //
-// The differences of two teams whose labels could as well be exchanged are symmetric. Those of teams that are merely equal
-// on average need not be; then it holds for many values, as Student's t does. It does not need to know the variance, and,
-// unlike betting on bounded values, loses nothing to bounds that are far away.
+// The differences of two teams whose labels could as well be exchanged are symmetric. Those of teams that are merely
+// equal on average need not be; then it holds for many values, as Student's t does. It does not need to know the
+// variance, and, unlike betting on bounded values, loses nothing to bounds that are far away.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ namespace regista::statistics {
 
 class SymmetricTest {
  public:
-  // deviation > 0: what the standard deviation of a value is expected to be, in the unit of the values. All promises hold
-  // whatever is expected; a good guess finds soonest. alpha in (0, 1): of the interval.
+  // deviation > 0: what the standard deviation of a value is expected to be, in the unit of the values. All promises
+  // hold whatever is expected; a good guess finds soonest. alpha in (0, 1): of the interval.
   SymmetricTest(double deviation, double alpha);
 
   void add(double value);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "campaign/inputs.hpp"
+#include "study/plan_differences.hpp"
 #include "study/plan_json.hpp"
 
 namespace regista::study {
@@ -209,31 +210,19 @@ std::vector<std::string> differences(const ExperimentPlan& before, const Experim
   note("--processor-seconds", before.limits.processor_seconds, now.limits.processor_seconds);
   note("--memory", before.limits.memory >> 20, now.limits.memory >> 20);
   if (!out.empty()) return out;  // else the same conditions, which can be compared one by one
-  const auto add = [&](const std::string& whose, std::span<const campaign::Input> then,
-                       std::span<const campaign::Input> today) {
-    for (const std::string& each : campaign::differences(then, today)) {
-      const std::string line = whose + each;
-      if (std::ranges::find(out, line) == out.end()) out.push_back(line);
-    }
-  };
+  InputDifferences inputs;
   for (std::size_t i = 0; i < now.conditions.size(); ++i) {
     for (const std::size_t side : {0u, 1u}) {
       const campaign::Job &then = before.conditions[i].jobs[side], &today = now.conditions[i].jobs[side];
       const std::string arm = fmt::format("{}: ", label(now, i));
-      add(arm, side == 0 ? then.home_inputs : then.away_inputs, side == 0 ? today.home_inputs : today.away_inputs);
-      add("the opponent: ", side == 0 ? then.away_inputs : then.home_inputs,
-          side == 0 ? today.away_inputs : today.home_inputs);
-      add("", then.common_inputs, today.common_inputs);
+      inputs.add(arm, side == 0 ? then.home_inputs : then.away_inputs,
+                 side == 0 ? today.home_inputs : today.away_inputs);
+      inputs.add("the opponent: ", side == 0 ? then.away_inputs : then.home_inputs,
+                 side == 0 ? today.away_inputs : today.home_inputs);
+      inputs.add("", then.common_inputs, today.common_inputs);
     }
   }
-  const auto scenes = [](const ExperimentPlan& plan) {
-    std::vector<campaign::Input> all;
-    for (const Opening& opening : plan.openings) all.push_back(opening.input);
-    return all;
-  };
-  add("", scenes(before), scenes(now));
-  if (out.empty() && scenes(before) != scenes(now)) out.push_back("the openings come in another order");
-  return out;
+  return std::move(inputs).with_openings(before.openings, now.openings);
 }
 
 }  // namespace regista::study

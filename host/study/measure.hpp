@@ -24,8 +24,8 @@ constexpr bool is_time(std::string_view measure) { return measure.ends_with("_se
 // "min per 60 min" or "per match"
 constexpr const char* unit_of(std::string_view measure) { return is_time(measure) ? "min per 60 min" : "per match"; }
 
-// Of a pair of matches, in that unit: from the sum over both, and the time that both were in the phase Playing, s. Not a
-// number for a time where nothing was played.
+// Of a pair of matches, in that unit: from the sum over both, and the time that both were in the phase Playing, s. Not
+// a number for a time where nothing was played.
 double pair_in_unit(std::string_view measure, double sum, double playing_seconds);
 
 // One of the measures of the score, for the team on this side; nothing for any other measure.

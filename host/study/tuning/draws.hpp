@@ -6,8 +6,9 @@
 
 #include <Random123/philox.h>
 
-#include <cmath>
 #include <cstdint>
+
+#include "match/normal_law.hpp"
 
 namespace regista::study {
 
@@ -44,22 +45,8 @@ class Draws {
   // -1 or 1.
   double sign() { return bits() >> 31 == 0 ? -1.0 : 1.0; }
 
-  // Standard normal law by the polar form of Box and Muller's method (Marsaglia and Bray, 1964).
   double normal() {
-    if (spare_) {
-      spare_ = false;
-      return second_;
-    }
-    double x, y, squared;
-    do {
-      x = 2.0 * uniform() - 1.0;
-      y = 2.0 * uniform() - 1.0;
-      squared = x * x + y * y;
-    } while (squared >= 1.0 || squared == 0.0);
-    const double scale = std::sqrt(-2.0 * std::log(squared) / squared);
-    second_ = scale * y;
-    spare_ = true;
-    return scale * x;
+    return normal_.draw([this] { return uniform(); });
   }
 
  private:
@@ -68,8 +55,7 @@ class Draws {
   Generator::ctr_type counter_;
   Generator::ctr_type words_;
   unsigned used_ = 4;
-  bool spare_ = false;
-  double second_ = 0.0;
+  match::NormalLaw normal_;
 };
 
 }  // namespace regista::study

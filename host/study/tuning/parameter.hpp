@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The numbers that a tuning may change: found in a team's document by what it and its plugins declare, chosen by path or
-// pattern, and mapped to the unit cube in which is searched.
+// The numbers that a tuning may change: found in a team's document by what it and its plugins declare, chosen by path
+// or pattern, and mapped to the unit cube in which is searched.
 #pragma once
 
 #include <span>
@@ -16,13 +16,13 @@ namespace regista::study {
 // A number of a team, with what is declared about it: a parameter of a plugin, or the weight of a term of the utility,
 // whose range is its `tune`.
 struct Tunable {
-  std::string path;                 // "sender.params.reserve", "contexts.search.use.assigner.params.depth"
-  double value = 0.0;               // in force
-  double least = 0.0, most = 0.0;   // closed
+  std::string path;                // "sender.params.reserve", "contexts.search.use.assigner.params.depth"
+  double value = 0.0;              // in force
+  double least = 0.0, most = 0.0;  // closed
   bool integer = false, log_scale = false;
   std::string unit, doc;
-  std::string refusal;    // why it cannot be tuned; empty: it can
-  bool said = true;       // the document has it at this path, or has its plugin there: a pattern may mean it
+  std::string refusal;  // why it cannot be tuned; empty: it can
+  bool said = true;     // the document has it at this path, or has its plugin there: a pattern may mean it
 };
 
 // All of them, in the order of the document; for contexts also those that a context does not set, but could.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What each parameter does by itself around the tuned point: a few values over its range, the others as tuned, all on the
-// same pairs; and from that, how much it matters.
+// What each parameter does by itself around the tuned point: a few values over its range, the others as tuned, all on
+// the same pairs; and from that, how much it matters.
 #pragma once
 
 #include <optional>

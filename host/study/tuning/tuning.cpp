@@ -228,8 +228,8 @@ class Course {
     const std::uint64_t first_seed = drawn_seed(chosen);
     const std::size_t candidates = chosen.size();
     if (!plan_.head_to_head) chosen.push_back(start_values(plan_));
-    PairBatch batch(plan_, document_, chosen,
-                    {TuningStage::verification, 0, first_seed, 0, plan_.verification_pairs}, plan_.head_to_head);
+    PairBatch batch(plan_, document_, chosen, {TuningStage::verification, 0, first_seed, 0, plan_.verification_pairs},
+                    plan_.head_to_head);
     play(batch, [&] {
       std::vector<double> scores;
       for (std::size_t i = 0; i < candidates; ++i) {
@@ -277,8 +277,7 @@ class Course {
     for (const ComparedRun& run : record_.compared) points.push_back(run.values);
     const std::uint64_t first_seed = drawn_seed(points);
     points.push_back(start_values(plan_));
-    PairBatch batch(plan_, document_, points,
-                    {TuningStage::verification, 0, first_seed, 0, plan_.verification_pairs});
+    PairBatch batch(plan_, document_, points, {TuningStage::verification, 0, first_seed, 0, plan_.verification_pairs});
     play(batch);
     const std::vector<double>& base = batch.scores(points.size() - 1);
     for (std::size_t i = 0; i < record_.compared.size(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The course of a tuning: search, selection of the best points on other seeds, verification against the base team on
-// seeds nobody has chosen by, slices around what was found. A function of the plan and of the results of matches: played
-// or read from a file, on one worker or many, it is the same.
+// seeds nobody has chosen by, slices around what was found. A function of the plan and of the results of matches:
+// played or read from a file, on one worker or many, it is the same.
 #pragma once
 
 #include <cstdint>
@@ -23,9 +23,9 @@ namespace regista::study {
 
 // What the matches of a stage said about some values. Scores: larger is better, whatever the objective.
 struct PlayedScore {
-  MeanEstimate score;   // over pairs
-  bool failed = false;  // its plugin forfeited a match
-  double counted = 0.0; // what the search was told: the mean, or of a failed one the worst there is
+  MeanEstimate score;    // over pairs
+  bool failed = false;   // its plugin forfeited a match
+  double counted = 0.0;  // what the search was told: the mean, or of a failed one the worst there is
 };
 
 // A point that the search tried. The first is the base team.
@@ -34,14 +34,15 @@ struct SearchStep {
   std::uint64_t pairs_from = 0;  // first pair of the search's that it played
   ParameterValues values;
   PlayedScore played;
-  bool repeated = false;       // the same values on the same pairs as before: nothing was played
-  double best = 0.0;           // the largest `counted` so far
-  std::uint64_t matches = 0;   // of the search so far, with its own
+  bool repeated = false;      // the same values on the same pairs as before: nothing was played
+  double best = 0.0;          // the largest `counted` so far
+  std::uint64_t matches = 0;  // of the search so far, with its own
 };
 
 struct Finalist {
   ParameterValues values;
-  std::optional<PlayedScore> seen;  // in the search, over all its pairs; nothing: never played there, as a mean of points
+  std::optional<PlayedScore>
+      seen;  // in the search, over all its pairs; nothing: never played there, as a mean of points
   PlayedScore selected;
 };
 
@@ -62,14 +63,14 @@ struct TuningRecord {
 
   std::optional<TuningStage> stage = TuningStage::search;  // under way; nothing: all is done
   std::vector<SearchStep> trace;
-  std::string ended;  // the search: why
-  std::vector<Finalist> finalists;  // best first, once the selection is done
-  Verification verification;        // of the first finalists
+  std::string ended;                    // the search: why
+  std::vector<Finalist> finalists;      // best first, once the selection is done
+  Verification verification;            // of the first finalists
   std::vector<std::size_t> candidates;  // finalists that are verified: the best ones, up to the base team itself
   std::vector<bool> candidate_failed;   // it forfeited a match of the verification
   std::vector<Slice> slices;            // largest importance first
   std::vector<ComparedRun> compared;
-  ForfeitList forfeits;  // 0: the tuned team; then the opponents; last: the base team as an opponent
+  ForfeitList forfeits;       // 0: the tuned team; then the opponents; last: the base team as an opponent
   std::uint64_t matches = 0;  // asked for so far
 
   // What the verification says so far about a candidate; one that forfeited a match of it is not better.

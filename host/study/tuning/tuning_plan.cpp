@@ -5,120 +5,17 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cassert>
+#include <array>
 #include <cmath>
-#include <limits>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "config/overlay.hpp"
 #include "config/parse.hpp"
-#include "config/scalar.hpp"
-#include "study/plan_json.hpp"
+#include "study/plan_differences.hpp"
 
 namespace regista::study {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr int plan_version = 1;
-
-Json json_of(const Parameter& each) {
-  return {{"path", each.path},       {"start", each.start},         {"least", each.least}, {"most", each.most},
-          {"integer", each.integer}, {"log_scale", each.log_scale}, {"unit", each.unit},   {"doc", each.doc}};
-}
-
-Parameter parameter_of(const Json& json) {
-  Parameter out;
-  json.at("path").get_to(out.path);
-  json.at("start").get_to(out.start);
-  json.at("least").get_to(out.least);
-  json.at("most").get_to(out.most);
-  json.at("integer").get_to(out.integer);
-  json.at("log_scale").get_to(out.log_scale);
-  json.at("unit").get_to(out.unit);
-  json.at("doc").get_to(out.doc);
-  return out;
-}
-
-Json json_of(const TuningOpponent& each) {
-  return {{"label", each.label},
-          {"file", each.file},
-          {"weight", each.weight},
-          {"home", Json::parse(campaign::to_json(each.jobs[0]))},
-          {"away", Json::parse(campaign::to_json(each.jobs[1]))}};
-}
-
-TuningOpponent opponent_of(const Json& json) {
-  TuningOpponent out;
-  json.at("label").get_to(out.label);
-  json.at("file").get_to(out.file);
-  json.at("weight").get_to(out.weight);
-  out.jobs[0] = campaign::job_from_json(json.at("home").dump());
-  out.jobs[1] = campaign::job_from_json(json.at("away").dump());
-  return out;
-}
-
-Json json_of(const TuningObjective& objective) {
-  Json terms = Json::array();
-  for (const ObjectiveTerm& each : objective.terms) {
-    terms.push_back({{"measure", each.measure}, {"weight", each.weight}});
-  }
-  return {{"minimise", objective.minimise}, {"terms", terms}};
-}
-
-TuningObjective objective_of(const Json& json) {
-  TuningObjective out;
-  json.at("minimise").get_to(out.minimise);
-  for (const Json& each : json.at("terms")) {
-    out.terms.push_back({each.at("measure").get<std::string>(), each.at("weight").get<double>()});
-  }
-  return out;
-}
-
-Algorithm algorithm_of(const Json& json) {
-  const auto found = algorithm_named(json.get<std::string>());
-  if (!found) throw std::out_of_range("algorithm");
-  return *found;
-}
-
-bool sound(const Parameter& each) {
-  return each.least <= each.start && each.start <= each.most && (!each.log_scale || each.fixed() || each.least > 0.0);
-}
-
-// Its budget is enough for its first round, the base team's evaluation aside.
-bool can_search(const TuningPlan& plan, Algorithm algorithm) {
-  const std::uint64_t population = has_population(algorithm) ? plan.population : 0;
-  return plan.evaluations(algorithm) >
-         least_evaluations(algorithm, plan.free_parameters(), static_cast<std::size_t>(population));
-}
-
-bool sound_weights(const std::vector<TuningOpponent>& opponents) {
-  double sum = 0.0;
-  for (const TuningOpponent& each : opponents) {
-    if (!(each.weight > 0.0)) return false;
-    sum += each.weight;
-  }
-  return std::abs(sum - 1.0) < 1e-9;
-}
-
-// What the course of a tuning relies on; upper bounds are those of its document.
-bool sound(const TuningPlan& plan) {
-  constexpr std::uint64_t most_seed = std::uint64_t{1} << 31, most_pairs = 10'000'000;
-  const auto within = [](std::uint64_t least, std::uint64_t count, std::uint64_t most) {
-    return least <= count && count <= most;
-  };
-  return plan.free_parameters() > 0 && !plan.objective.terms.empty() && sound_weights(plan.opponents) &&
-         plan.most_goals >= 1 && plan.seed < most_seed && within(1, plan.pairs, most_pairs) &&
-         within(plan.pairs, plan.search_pairs, most_pairs) && within(0, plan.population, 10'000) &&
-         within(1, plan.repeats, 1024) && within(1, plan.finalists, 64) && within(1, plan.candidates, plan.finalists) &&
-         within(1, plan.selection_pairs, most_pairs) && within(0, plan.verification_pairs, most_pairs) &&
-         within(0, plan.slice_points, 101) && within(0, plan.slice_pairs, 10'000) && plan.confidence > 0.0 &&
-         plan.confidence < 1.0 &&
-         std::ranges::all_of(plan.parameters, [](const Parameter& each) { return sound(each); }) &&
-         (plan.compares() ? std::ranges::all_of(plan.compared, [&](Algorithm each) { return can_search(plan, each); })
-                          : can_search(plan, plan.algorithm));
-}
 
 // Everything a plan says beside who plays, with the words for it: what a comparison of two plans goes through.
 std::vector<std::pair<std::string, std::string>> said(const TuningPlan& plan) {
@@ -308,88 +205,6 @@ std::uint64_t most_matches(const TuningPlan& plan) {
   return sum;
 }
 
-std::string to_json(const TuningPlan& plan) {
-  Json parameters = Json::array(), opponents = Json::array(), compared = Json::array();
-  for (const Parameter& each : plan.parameters) parameters.push_back(json_of(each));
-  for (const TuningOpponent& each : plan.opponents) opponents.push_back(json_of(each));
-  for (const Algorithm each : plan.compared) compared.push_back(name(each));
-  return Json{{"study", tuning_study},
-              {"version", plan_version},
-              {"name", plan.name},
-              {"question", plan.question},
-              {"team", plan.team},
-              {"document", plan.document},
-              {"settings", plan.settings},
-              {"parameters", parameters},
-              {"opponents", opponents},
-              {"base", json_of(plan.base)},
-              {"objective", json_of(plan.objective)},
-              {"openings", json_of(plan.openings)},
-              {"most_goals", plan.most_goals},
-              {"seed", plan.seed},
-              {"algorithm", name(plan.algorithm)},
-              {"search_pairs", plan.search_pairs},
-              {"pairs", plan.pairs},
-              {"pairs_for_all", plan.pairs_for_all},
-              {"minutes", plan.minutes ? Json(*plan.minutes) : Json()},
-              {"population", plan.population},
-              {"finalists", plan.finalists},
-              {"selection_pairs", plan.selection_pairs},
-              {"candidates", plan.candidates},
-              {"head_to_head", plan.head_to_head},
-              {"verification_pairs", plan.verification_pairs},
-              {"confidence", plan.confidence},
-              {"slice_points", plan.slice_points},
-              {"slice_pairs", plan.slice_pairs},
-              {"compared", compared},
-              {"repeats", plan.repeats},
-              {"limits", json_of(plan.limits)},
-              {"folder", plan.folder},
-              {"file", plan.file},
-              {"overrides", plan.overrides}}
-      .dump(-1, ' ', false, Json::error_handler_t::replace);  // names of files may be anything, JSON must be UTF-8
-}
-
-TuningPlan tuning_plan_from_json(const std::string& text) {
-  return read_plan(text, tuning_study, plan_version, [](const Json& json) {
-    TuningPlan plan;
-    json.at("name").get_to(plan.name);
-    json.at("question").get_to(plan.question);
-    json.at("team").get_to(plan.team);
-    json.at("document").get_to(plan.document);
-    json.at("settings").get_to(plan.settings);
-    for (const Json& each : json.at("parameters")) plan.parameters.push_back(parameter_of(each));
-    for (const Json& each : json.at("opponents")) plan.opponents.push_back(opponent_of(each));
-    plan.base = opponent_of(json.at("base"));
-    plan.objective = objective_of(json.at("objective"));
-    plan.openings = openings_of(json.at("openings"));
-    json.at("most_goals").get_to(plan.most_goals);
-    json.at("seed").get_to(plan.seed);
-    plan.algorithm = algorithm_of(json.at("algorithm"));
-    json.at("pairs").get_to(plan.pairs);
-    json.at("search_pairs").get_to(plan.search_pairs);
-    json.at("pairs_for_all").get_to(plan.pairs_for_all);
-    if (!json.at("minutes").is_null()) plan.minutes = json.at("minutes").get<double>();
-    json.at("population").get_to(plan.population);
-    json.at("finalists").get_to(plan.finalists);
-    json.at("selection_pairs").get_to(plan.selection_pairs);
-    json.at("candidates").get_to(plan.candidates);
-    json.at("head_to_head").get_to(plan.head_to_head);
-    json.at("verification_pairs").get_to(plan.verification_pairs);
-    json.at("confidence").get_to(plan.confidence);
-    json.at("slice_points").get_to(plan.slice_points);
-    json.at("slice_pairs").get_to(plan.slice_pairs);
-    for (const Json& each : json.at("compared")) plan.compared.push_back(algorithm_of(each));
-    json.at("repeats").get_to(plan.repeats);
-    plan.limits = limits_of(json.at("limits"));
-    json.at("folder").get_to(plan.folder);
-    json.at("file").get_to(plan.file);
-    json.at("overrides").get_to(plan.overrides);
-    if (!sound(plan)) throw std::out_of_range("a number that no tuning has");
-    return plan;
-  });
-}
-
 std::vector<std::string> differences(const TuningPlan& before, const TuningPlan& now) {
   std::vector<std::string> out;
   const auto then = said(before), today = said(now);
@@ -398,34 +213,21 @@ std::vector<std::string> differences(const TuningPlan& before, const TuningPlan&
     out.push_back(fmt::format("{}: was {}, now {}", today[i].first, then[i].second, today[i].second));
   }
   if (!out.empty()) return out;  // else the same opponents, which can be compared one by one
-  const auto add = [&](const std::string& whose, std::span<const campaign::Input> old,
-                       std::span<const campaign::Input> fresh) {
-    for (const std::string& each : campaign::differences(old, fresh)) {
-      const std::string line = whose + each;
-      if (std::ranges::find(out, line) == out.end()) out.push_back(line);
-    }
-  };
+  InputDifferences inputs;
   for (std::size_t i = 0; i < now.opponents.size(); ++i) {
     const campaign::Job &old = before.opponents[i].jobs[0], &fresh = now.opponents[i].jobs[0];
-    add("the team: ", old.home_inputs, fresh.home_inputs);
-    add(now.opponents[i].label + ": ", old.away_inputs, fresh.away_inputs);
-    add("", old.common_inputs, fresh.common_inputs);
-    add("", before.opponents[i].jobs[1].common_inputs, now.opponents[i].jobs[1].common_inputs);
+    inputs.add("the team: ", old.home_inputs, fresh.home_inputs);
+    inputs.add(now.opponents[i].label + ": ", old.away_inputs, fresh.away_inputs);
+    inputs.add("", old.common_inputs, fresh.common_inputs);
+    inputs.add("", before.opponents[i].jobs[1].common_inputs, now.opponents[i].jobs[1].common_inputs);
   }
   for (const std::size_t side : {0u, 1u}) {
     const campaign::Job &old = before.base.jobs[side], &fresh = now.base.jobs[side];
-    add("the team: ", old.home_inputs, fresh.home_inputs);
-    add("the team: ", old.away_inputs, fresh.away_inputs);
-    add("", old.common_inputs, fresh.common_inputs);
+    inputs.add("the team: ", old.home_inputs, fresh.home_inputs);
+    inputs.add("the team: ", old.away_inputs, fresh.away_inputs);
+    inputs.add("", old.common_inputs, fresh.common_inputs);
   }
-  const auto scenes = [](const TuningPlan& plan) {
-    std::vector<campaign::Input> all;
-    for (const Opening& opening : plan.openings) all.push_back(opening.input);
-    return all;
-  };
-  add("", scenes(before), scenes(now));
-  if (out.empty() && scenes(before) != scenes(now)) out.push_back("the openings come in another order");
-  return out;
+  return std::move(inputs).with_openings(before.openings, now.openings);
 }
 
 }  // namespace regista::study

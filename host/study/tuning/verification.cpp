@@ -43,9 +43,9 @@ std::vector<VerifiedAs> Verification::findings() const {
   std::vector<VerifiedAs> out;
   const std::vector<double> p = adjusted();
   for (std::size_t i = 0; i < of_.size(); ++i) {
-    out.push_back(p[i] > alpha_              ? VerifiedAs::undecided
+    out.push_back(p[i] > alpha_             ? VerifiedAs::undecided
                   : of_[i].candidate_more() ? VerifiedAs::better
-                                             : VerifiedAs::worse);
+                                            : VerifiedAs::worse);
   }
   return out;
 }

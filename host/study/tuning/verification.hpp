@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Whether candidates are better than the base team, pair by pair on seeds that nobody has chosen by: a sequential test of
-// a difference of 0, valid however often one looks (statistics/symmetric_test.hpp), adjusted by Holm for the number of
-// candidates.
+// Whether candidates are better than the base team, pair by pair on seeds that nobody has chosen by: a sequential test
+// of a difference of 0, valid however often one looks (statistics/symmetric_test.hpp), adjusted by Holm for the number
+// of candidates.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,8 @@ class ScoreDifference {
   const statistics::Moments& candidate() const { return candidate_; }
   const statistics::Moments& base() const { return base_; }
   const statistics::Moments& difference() const { return difference_; }
-  statistics::Estimate estimate() const;        // of the mean difference, at all times together
-  double p() const { return test_.p(); }        // of "no difference", two-sided, valid at all times, not adjusted
+  statistics::Estimate estimate() const;  // of the mean difference, at all times together
+  double p() const { return test_.p(); }  // of "no difference", two-sided, valid at all times, not adjusted
   bool candidate_more() const { return test_.above(); }  // as the strongest evidence pointed
 
  private:
@@ -40,12 +40,12 @@ class ScoreDifference {
 // candidates together.
 class Verification {
  public:
-  // deviation: what the standard deviation of a candidate's score over pairs is expected to be, above 0; from matches that
-  // decide nothing here.
+  // deviation: what the standard deviation of a candidate's score over pairs is expected to be, above 0; from matches
+  // that decide nothing here.
   Verification(std::size_t candidates, double confidence, double deviation);
 
-  // Scores of a pair, of all candidates; not a number: its match has none, and the pair is left out for it. Head-to-head
-  // these are differences already, and the base's are 0.
+  // Scores of a pair, of all candidates; not a number: its match has none, and the pair is left out for it.
+  // Head-to-head these are differences already, and the base's are 0.
   void add(double base, std::span<const double> candidates);
 
   std::uint64_t pairs() const { return pairs_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// print_config_schema rules|robot|disturbance|opening|team|tuning [plugins]: the schema, for the validator's test. With the
-// word "plugins", the schema knows the plugins of the fixtures.
+// print_config_schema rules|robot|disturbance|opening|team|tuning [plugins]: the schema, for the validator's test. With
+// the word "plugins", the schema knows the plugins of the fixtures.
 #include <cstdio>
 #include <cstring>
 #include <vector>
