@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The engine with results that are all there already: what it hands on, and that it plays none of them again. Workers
-// are tested with the program itself, in tests/end_to_end.
+// The engine with results that are all there already: what it hands on, and that it plays none of them again; and with
+// the workers of main.cpp, which play nothing. Real ones are tested with the program itself, in tests/end_to_end.
 #include "campaign/engine.hpp"
 
 #include <gtest/gtest.h>
@@ -73,6 +73,37 @@ TEST_F(EngineTest, HandsOnInTheOrderOfTheScheduleUntilItIsEnough) {
   for (std::uint64_t i = 0; i < order.size(); ++i) EXPECT_EQ(order[i], i);
   EXPECT_TRUE(missing.empty());
   EXPECT_EQ(store.rows(), 500);
+}
+
+// Several schedules of one study, each with its own part of the rows: what is played now, and what was before.
+TEST_F(EngineTest, RowsOfAScheduleBeginAfterItsFirst) {
+  Store store(file, Store::Mode::create, "1.0");
+  fill(store, 4);  // rows 1 to 4
+  Schedule schedule;
+  schedule.matches = 6;
+  schedule.first_row = 20;
+  schedule.at = [this](std::uint64_t index) { return std::optional(MatchKey{fixture, 50 + index}); };
+  schedule.job = [](std::uint64_t index) {
+    Job job;
+    job.seed = 50 + index;
+    return job;
+  };
+  int fresh_ones = 0;
+  schedule.take = [&](std::uint64_t index, const Decided* decided, bool fresh) {
+    EXPECT_EQ(decided->score[0], static_cast<int>(50 + index));
+    fresh_ones += fresh ? 1 : 0;
+    return true;
+  };
+  EXPECT_EQ(run(schedule, store, 2, {}), Finish::complete);
+  EXPECT_EQ(fresh_ones, 6);
+  EXPECT_EQ(store.rows(), 10);
+  EXPECT_FALSE(store.row(5));
+  for (std::int64_t row = 21; row <= 26; ++row) {
+    ASSERT_TRUE(store.row(row)) << row;
+    EXPECT_EQ(store.row(row)->decided.score[0], row - 21 + 50);
+  }
+  EXPECT_EQ(run(schedule, store, 2, {}), Finish::complete);
+  EXPECT_EQ(fresh_ones, 6);  // none is played again
 }
 
 TEST_F(EngineTest, HandsOnAllOfThem) {
