@@ -17,6 +17,7 @@
 #include "report/gnuplot.hpp"
 #include "report/page_parts.hpp"
 #include "report/svg.hpp"
+#include "report/tuning_figures.hpp"
 #include "study/recording_place.hpp"
 
 namespace regista::cli {
@@ -90,7 +91,8 @@ void remove_experiment_figures(const fs::path& folder) {
     std::error_code unknown;
     if (!fs::is_regular_file(each.symlink_status(unknown))) continue;
     const bool ours = std::ranges::find(figure_endings, file.extension().string()) != figure_endings.end();
-    if (ours && report::is_experiment_figure(file.stem().string())) found.push_back(file);
+    const std::string stem = file.stem().string();
+    if (ours && (report::is_experiment_figure(stem) || report::is_tuning_figure(stem))) found.push_back(file);
   }
   for (const fs::path& each : found) fs::remove(each, error);
 }

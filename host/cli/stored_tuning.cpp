@@ -14,7 +14,7 @@ namespace {
 
 // Their names in the file.
 constexpr auto end_of_search = "search ended after";
-constexpr auto seconds_of_search = "seconds of search";
+constexpr auto time_of_search = "time of search";
 
 // The file holds no more.
 struct NotPlayed {};
@@ -43,15 +43,17 @@ void store_end_of_search(campaign::Store& store, std::uint64_t evaluations) {
   store.set_meta(end_of_search, std::to_string(evaluations));
 }
 
-double stored_seconds_of_search(const campaign::Store& store) {
-  const std::string text = store.meta(seconds_of_search);
-  double out = 0.0;
-  std::from_chars(text.data(), text.data() + text.size(), out);
+SearchTime stored_time_of_search(const campaign::Store& store) {
+  const std::string text = store.meta(time_of_search);
+  SearchTime out;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, out.evaluations);
+  if (error == std::errc() && rest != end) std::from_chars(rest + 1, end, out.seconds);
   return out;
 }
 
-void store_seconds_of_search(campaign::Store& store, double seconds) {
-  store.set_meta(seconds_of_search, config::real_text(seconds));
+void store_time_of_search(campaign::Store& store, const SearchTime& time) {
+  store.set_meta(time_of_search, std::to_string(time.evaluations) + ' ' + config::real_text(time.seconds));
 }
 
 void stored_tuning(const campaign::Store& store, const study::TuningPlan& plan, study::TuningRecord& record,

@@ -17,9 +17,13 @@ campaign::Metrics metrics_wanted(const study::TuningPlan& plan);
 std::optional<std::uint64_t> stored_end_of_search(const campaign::Store& store);
 void store_end_of_search(campaign::Store& store, std::uint64_t evaluations);
 
-// Wall time that the search has taken so far, s.
-double stored_seconds_of_search(const campaign::Store& store);
-void store_seconds_of_search(campaign::Store& store, double seconds);
+// How far the search had come when it was last looked at, and the wall time that it had taken until then.
+struct SearchTime {
+  std::uint64_t evaluations = 0;
+  double seconds = 0.0;
+};
+SearchTime stored_time_of_search(const campaign::Store& store);  // zeros where there is none
+void store_time_of_search(campaign::Store& store, const SearchTime& time);
 
 // fingerprint: called for each match, in order. Throws campaign::StoreError, std::invalid_argument for damaged metrics.
 void stored_tuning(const campaign::Store& store, const study::TuningPlan& plan, study::TuningRecord& record,

@@ -4,9 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
@@ -61,6 +65,7 @@ class Played {
 
   int play() {
     if (!plan_.compares()) refuse_other_file(tuned_file_);
+    refuse_to_replace_inputs();
     std::optional<OutputFile> trace;
     campaign::Store store = open_results(options_.results, options_.resume, plan_, {});
     if (!options_.trace.empty()) trace.emplace(options_.trace);
@@ -77,16 +82,37 @@ class Played {
       trace->write(report::tuning_csv(view()));
       trace->close();
     }
+    std::exception_ptr not_written;
     if (!plan_.compares() && record_.tuned()) {
-      write_tuned_file(tuned_file_, plan_, record_, fingerprint_.text());
-      written_ = tuned_file_.string();
+      try {
+        write_tuned_file(tuned_file_, plan_, record_, fingerprint_.text());
+        written_ = tuned_file_.string();
+      } catch (...) {
+        not_written = std::current_exception();  // what was found is told all the same
+      }
     }
     print(options_.json ? report::tuning_json(view()) : report::tuning_text(view()));
     if (!options_.no_page) write_page(store);
+    if (not_written) std::rethrow_exception(not_written);
     return exit_done;
   }
 
  private:
+  // What is written must not replace what the tuning reads.
+  void refuse_to_replace_inputs() const {
+    std::vector<std::string> read{options_.file, plan_.team, options_.results};
+    for (const study::TuningOpponent& each : plan_.opponents) read.push_back(each.file);
+    for (const auto& [option, written] : {std::pair<const char*, std::filesystem::path>{"--output", tuned_file_},
+                                          {"--trace", options_.trace}}) {
+      for (const std::string& file : read) {
+        std::error_code none;
+        if (written.empty() || !std::filesystem::equivalent(written, file, none)) continue;
+        throw BadInput(fmt::format("{} {}: is a file that this tuning reads; another one is wanted", option,
+                                   config::one_line(written.string())));
+      }
+    }
+  }
+
   report::TuningView view() const { return {plan_, record_, written_}; }
 
   void write_page(const campaign::Store& store) const {
@@ -99,13 +125,15 @@ class Played {
     study::TuningHooks out;
     out.play = [this, &play](const study::MatchList& list, const study::TakeMatch& take) { play(run(list, take)); };
     const std::optional<std::uint64_t> ended = stored_end_of_search(store);
-    const double before = stored_seconds_of_search(store);
-    const Clock::time_point began = Clock::now();
-    out.out_of_time = [this, &store, ended, before, began](std::uint64_t evaluations) {
+    const SearchTime before = stored_time_of_search(store);
+    out.out_of_time = [this, &store, ended, before,
+                       began = std::optional<Clock::time_point>()](std::uint64_t evaluations) mutable {
       if (ended) return evaluations >= *ended;
-      if (!plan_.minutes) return false;
-      const double seconds = before + std::chrono::duration<double>(Clock::now() - began).count();
-      store_seconds_of_search(store, seconds);
+      // What an earlier run has come to is told, not played: it was in time, and takes none.
+      if (!plan_.minutes || evaluations < before.evaluations) return false;
+      if (!began) began = Clock::now();
+      const double seconds = before.seconds + std::chrono::duration<double>(Clock::now() - *began).count();
+      store_time_of_search(store, {evaluations, seconds});
       if (seconds < 60.0 * *plan_.minutes) return false;
       // From here on it is part of the results: however often they are read, the search ends here.
       store_end_of_search(store, evaluations);
@@ -146,8 +174,10 @@ class Played {
 
   std::string match_text(const campaign::Decided& decided) const {
     std::string out = record_.stage ? study::name(*record_.stage) : "";
-    out += fmt::format(", point {}, seed {}: {} {}:{} {}", record_.trace.size() + 1, last_.seed,
-                       std::filesystem::path(last_.teams[0]).stem().string(), decided.score[0], decided.score[1],
+    if (record_.stage == study::TuningStage::search && !plan_.compares()) {
+      out += fmt::format(" after {} points", record_.trace.size());
+    }
+    out += fmt::format(", seed {}: {} {}:{} {}", last_.seed, std::filesystem::path(last_.teams[0]).stem().string(), decided.score[0], decided.score[1],
                        std::filesystem::path(last_.teams[1]).stem().string());
     if (decided.failure) {
       const auto side = static_cast<std::size_t>(decided.failure->side);

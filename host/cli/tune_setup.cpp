@@ -102,6 +102,7 @@ class Planner {
     plan_.finalists = static_cast<std::uint64_t>(tuning_.selection.finalists);
     plan_.candidates = static_cast<std::uint64_t>(tuning_.verification.candidates);
     plan_.head_to_head = tuning_.verification.against == config::Tuning::Against::base;
+    plan_.symmetric = tuning_.verification.test == config::Tuning::Test::symmetric;
     plan_.confidence = tuning_.verification.confidence;
     plan_.limits = limits(options_);
     plan_.folder = std::filesystem::current_path().string();
@@ -121,6 +122,10 @@ class Planner {
     }
     if (plan_.compares()) {
       plan_.repeats = parse_whole("--repeats", options_.repeats.empty() ? "5" : options_.repeats, 1, 1000);
+      if (plan_.head_to_head) {
+        config::refuse(document_, {"verification.against"},
+                       "verification.against: what is compared is judged against the opponents; set it to opponents");
+      }
       if (plan_.minutes) {
         config::refuse(document_, {"search.minutes"},
                        "search.minutes: algorithms are compared with equal numbers of matches, not in equal time");
@@ -301,9 +306,11 @@ class Planner {
     }
     const std::uint64_t together = plan_.head_to_head ? 2 * plan_.candidates : pair * (plan_.candidates + 1);
     plan_.verification_pairs = pairs_in(verification.matches, together);
-    if (plan_.verification_pairs < 2) {
-      require_matches("verification.matches", 2 * together,
-                      fmt::format("too few for {} candidates and the base team", plan_.candidates));
+    const std::uint64_t least = study::least_verification_pairs(plan_);
+    if (plan_.verification_pairs < least) {
+      require_matches("verification.matches", least * together,
+                      fmt::format("{} pairs cannot show any difference with a confidence of {}, whatever they are",
+                                  plan_.verification_pairs, config::real_text(plan_.confidence)));
     }
     plan_.slice_points = static_cast<std::uint64_t>(tuning_.slices.points);
     plan_.slice_pairs = plan_.slice_points == 0 ? 0 : static_cast<std::uint64_t>(tuning_.slices.pairs);

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <string_view>
 #include <system_error>
@@ -41,10 +43,13 @@ std::string verdict(const study::TuningPlan& plan, const study::TuningRecord& re
   const double sign = study::value_of(plan.objective, 1.0);
   const double low = sign > 0 ? estimate.interval.low : -estimate.interval.high,
                high = sign > 0 ? estimate.interval.high : -estimate.interval.low;
-  return fmt::format("{}, on {} pairs of seeds nobody chose by:\n#   {} {} [{}, {}] at {:.4g} %, p = {:.2g} after Holm",
-                     words, record.verification.pairs(), study::in_words(plan.objective),
-                     signed_number(sign * estimate.value), signed_number(low), signed_number(high),
-                     100.0 * plan.confidence, record.verification.adjusted()[candidate]);
+  const std::string interval = estimate.interval.bounded()
+                                   ? fmt::format("[{}, {}] at {:.4g} %", signed_number(low), signed_number(high),
+                                                 100.0 * plan.confidence)
+                                   : std::string("(too few pairs for an interval)");
+  return fmt::format("{}, on {} pairs of seeds nobody chose by:\n#   {} {} {}, p = {:.2g} after Holm", words,
+                     record.verification.pairs(), study::in_words(plan.objective), signed_number(sign * estimate.value),
+                     interval, record.verification.adjusted()[candidate]);
 }
 
 std::string header(const study::TuningPlan& plan, const study::TuningRecord& record, const std::string& fingerprint) {
@@ -66,8 +71,10 @@ std::string header(const study::TuningPlan& plan, const study::TuningRecord& rec
 
 // The base team's file as the new one is to name it.
 std::string base_from(const fs::path& file, const std::string& base) {
-  const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
-  const fs::path relative = fs::absolute(base).lexically_normal().lexically_relative(folder);
+  // As links lead: the file may be opened from where its folder really is.
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(file).parent_path(), error);
+  const fs::path relative = fs::weakly_canonical(base, error).lexically_relative(folder);
   return relative.empty() ? fs::absolute(base).string() : relative.string();
 }
 
@@ -77,6 +84,11 @@ fs::path tuned_file_beside(const fs::path& results) { return study::beside(resul
 
 void refuse_other_file(const fs::path& file) {
   std::error_code error;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (access(folder.c_str(), W_OK) != 0) {
+    throw BadInput(fmt::format("{}: cannot be written: {}", config::one_line(file.string()),
+                               std::generic_category().message(errno)));
+  }
   if (!fs::exists(fs::status(file, error))) return;
   std::string beginning(first_words.size(), '\0');
   if (fs::is_regular_file(file, error)) {

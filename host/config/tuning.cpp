@@ -162,6 +162,8 @@ static Map declare(Tuning::Verification& verification) {
                           "of the candidates and the base team together, at most"),
                   choice("against", verification.against, {"opponents", "base"},
                          "whom candidate and base team play: the opponents, or each other"),
+                  choice("test", verification.test, {"betting", "symmetric"},
+                         "of the differences: betting holds for any law of an objective that has bounds"),
                   real("confidence", verification.confidence, {0.5, 0.9999}, "1", "of the verdict"),
               },
           .where = &verification.where};

@@ -13,7 +13,7 @@
 
 namespace regista::config {
 
-// `utility.terms.*.weight`, or `{path: sender.params.reserve, range: [10, 60]}`
+// `utility.terms.*.weight`, or `{path: sender.params.period, range: [5, 20]}`
 struct TunedPath {
   std::string pattern;  // '*' and '?' stand for any letters
   std::optional<std::array<double, 2>> range;
@@ -50,9 +50,11 @@ struct Tuning {
     Location where;
   };
   enum class Against { opponents, base };
+  enum class Test { betting, symmetric };
   struct Verification {
     int candidates = 1, matches = 400;  // at most, of all candidates and the base team together
     Against against = Against::opponents;
+    Test test = Test::betting;
     double confidence = 0.95;
     Location where;
   };

@@ -104,6 +104,12 @@ bool PairBatch::take(const campaign::Decided& decided, ForfeitList& forfeits) {
   return true;
 }
 
+// Of measures whose sum over both teams is the same in every match, half the difference between the teams is what one of
+// them has more than an equal one would.
+static double share_of_difference(const std::string& measure) {
+  return measure == "goal_difference" || measure == "points" ? 0.5 : 1.0;
+}
+
 double PairBatch::score(const campaign::Decided& away, bool of_opponent) const {
   const int at_home = of_opponent ? 1 : 0;  // this team's side in the first of the two matches
   // Whoever forfeits has lost, and what else it would have done is not known; that its opponent forfeits is no merit.
@@ -128,7 +134,7 @@ double PairBatch::score(const campaign::Decided& away, bool of_opponent) const {
                            first->value(term.measure).value_or(nothing) + second->value(term.measure).value_or(nothing),
                            first->playing_seconds() + second->playing_seconds());
     }
-    sum += term.weight * value;
+    sum += term.weight * value * (head_to_head_ ? share_of_difference(term.measure) : 1.0);
   }
   return score_of(plan_.objective, sum);
 }

@@ -16,7 +16,7 @@ namespace regista::study {
 // A number of a team, with what is declared about it: a parameter of a plugin, or the weight of a term of the utility,
 // whose range is its `tune`.
 struct Tunable {
-  std::string path;                // "sender.params.reserve", "contexts.search.use.assigner.params.depth"
+  std::string path;                // "sender.params.period", "contexts.search.use.assigner.params.depth"
   double value = 0.0;              // in force
   double least = 0.0, most = 0.0;  // closed
   bool integer = false, log_scale = false;

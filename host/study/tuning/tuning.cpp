@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "campaign/inputs.hpp"
 #include "config/text.hpp"
 #include "plugin/content_hash.hpp"
 
@@ -38,6 +39,7 @@ class Course {
         const std::uint64_t before = record_.matches;
         steps_.clear();
         known_.clear();
+        worst_seen_ = HUGE_VAL;
         const SearchResult found = search(algorithm, repeat, false);
         ComparedRun& run = record_.compared.emplace_back();
         run.algorithm = algorithm;
@@ -146,9 +148,13 @@ class Course {
       const std::optional<ScoreBounds> bounds = score_bounds(plan_);
       out.counted = bounds ? bounds->low : worst_seen_;
     } else if (out.score.pairs == 0) {
-      throw TuningError(fmt::format("no match of evaluation {} has a number for the objective, {}{}", evaluation,
-                                    in_words(plan_.objective),
-                                    record_.forfeits.listed().empty() ? "" : ": opponents forfeit: " + why_failed()));
+      if (evaluation == 1) {
+        throw TuningError(fmt::format("the base team's first matches have no number for the objective, {}{}",
+                                      in_words(plan_.objective),
+                                      record_.forfeits.listed().empty() ? "" : ": opponents forfeit: " + why_failed()));
+      }
+      // An opponent's crash, or a metric that these matches do not have: known is only that it is not known to be good.
+      out.counted = std::isfinite(worst_seen_) ? worst_seen_ : 0.0;
     } else {
       out.counted = out.score.mean;
     }
@@ -200,21 +206,33 @@ class Course {
     }
   }
 
-  // Standard deviation of a finalist's score over the pairs of the selection; 1 where nothing varied.
+  // Standard deviation of a finalist's score over the pairs of the selection; 1 where nothing ever varied.
   double deviation_of_finalists() const {
     double variance = 0.0;
     for (const Finalist& each : record_.finalists) {
       const double deviation = each.selected.score.standard_deviation;
       variance += deviation * deviation / static_cast<double>(record_.finalists.size());
     }
-    return variance > 0.0 ? std::sqrt(variance) : 1.0;
+    if (variance > 0.0) return std::sqrt(variance);
+    // Of one pair nothing varies: then of all pairs of the search.
+    statistics::Moments all;
+    for (const auto& [key, known] : known_) {
+      for (const double each : known.scores) {
+        if (!std::isnan(each)) all.add(each);
+      }
+    }
+    return all.variance() > 0.0 ? all.standard_deviation() : 1.0;
   }
 
   // --- Verification --------------------------------------------------------------------------------------------------
 
   // Another choice is verified on other seeds.
   std::uint64_t drawn_seed(const std::vector<ParameterValues>& chosen) const {
-    std::string all = fmt::format("{}\n", plan_.seed);
+    std::string all = fmt::format("{}\n{}\n{}\n", plan_.seed, in_words(plan_.objective), plan_.objective.minimise);
+    for (const TuningOpponent& each : plan_.opponents) {
+      all += fmt::format("{} {}\n", each.weight, campaign::fixture_key({}, each.jobs[0].away_inputs,
+                                                                        each.jobs[0].common_inputs));
+    }
     for (const ParameterValues& each : chosen) all += plugin::content_hash(document_.with(each)) + '\n';
     return std::stoull(plugin::content_hash(all).substr(0, 8), nullptr, 16) & 0x7fffffffu;
   }
@@ -222,13 +240,15 @@ class Course {
   void verify() {
     std::vector<ParameterValues> chosen;
     for (const std::size_t each : record_.candidates) chosen.push_back(record_.finalists[each].values);
-    record_.verification = Verification(chosen.size(), plan_.confidence, deviation_of_finalists());
+    record_.verification =
+        Verification(chosen.size(), plan_.confidence, deviation_of_finalists(), widest_difference(plan_));
     record_.candidate_failed.assign(chosen.size(), false);
-    if (chosen.empty() || plan_.verification_pairs == 0) return;
-    const std::uint64_t first_seed = drawn_seed(chosen);
     const std::size_t candidates = chosen.size();
+    const std::uint64_t pairs = verification_pairs_of(plan_, candidates);
+    if (pairs == 0) return;
+    const std::uint64_t first_seed = drawn_seed(chosen);
     if (!plan_.head_to_head) chosen.push_back(start_values(plan_));
-    PairBatch batch(plan_, document_, chosen, {TuningStage::verification, 0, first_seed, 0, plan_.verification_pairs},
+    PairBatch batch(plan_, document_, chosen, {TuningStage::verification, 0, first_seed, 0, pairs},
                     plan_.head_to_head);
     play(batch, [&] {
       std::vector<double> scores;

@@ -50,6 +50,7 @@ std::vector<std::pair<std::string, std::string>> said(const TuningPlan& plan) {
   add("the candidates", plan.candidates);
   add("pairs of the verification", plan.verification_pairs);
   add("verification.against", plan.head_to_head ? "base" : "opponents");
+  add("verification.test", plan.symmetric ? "symmetric" : "betting");
   add("the confidence", plan.confidence);
   add("points of the slices", plan.slice_points);
   add("pairs of the slices", plan.slice_pairs);
@@ -176,6 +177,32 @@ std::optional<ScoreBounds> score_bounds(const TuningPlan& plan) {
   return out;
 }
 
+std::optional<double> widest_difference(const TuningPlan& plan) {
+  const std::optional<ScoreBounds> bounds = score_bounds(plan);
+  if (plan.symmetric || !bounds) return std::nullopt;
+  return (bounds->high - bounds->low) * (plan.head_to_head ? 0.5 : 1.0);
+}
+
+std::uint64_t least_verification_pairs(const TuningPlan& plan) {
+  const double needed = -std::log1p(-plan.confidence);
+  // All differences equal, and as large as can be. A bet wins three quarters of a capital at most, and half is staked on
+  // either side; without bounds the differences are their own spread.
+  if (widest_difference(plan)) return static_cast<std::uint64_t>(std::ceil((needed + std::log(2.0)) / std::log(1.75)));
+  std::uint64_t pairs = 1;
+  while (0.5 * static_cast<double>(pairs - 1) - 0.5 * std::log(static_cast<double>(pairs)) < needed) ++pairs;
+  return pairs;
+}
+
+static std::uint64_t matches_of_verified_pair(const TuningPlan& plan, std::uint64_t candidates) {
+  return plan.head_to_head ? 2 * candidates : (candidates + 1) * plan.matches_of_pair();
+}
+
+std::uint64_t verification_pairs_of(const TuningPlan& plan, std::size_t candidates) {
+  if (candidates == 0) return 0;
+  return plan.verification_pairs * matches_of_verified_pair(plan, plan.candidates) /
+         matches_of_verified_pair(plan, candidates);
+}
+
 std::uint64_t most_matches(const TuningPlan& plan, TuningStage stage) {
   const std::uint64_t pair = plan.matches_of_pair();
   if (plan.compares()) {
@@ -189,7 +216,7 @@ std::uint64_t most_matches(const TuningPlan& plan, TuningStage stage) {
     case TuningStage::selection:
       return plan.finalists * plan.selection_pairs * pair;
     case TuningStage::verification:
-      return plan.verification_pairs * (plan.head_to_head ? 2 * plan.candidates : (plan.candidates + 1) * pair);
+      return plan.verification_pairs * matches_of_verified_pair(plan, plan.candidates);
     case TuningStage::slices:
       return plan.slice_points == 0 ? 0 : (plan.slice_points * plan.free_parameters() + 1) * plan.slice_pairs * pair;
   }

@@ -72,7 +72,8 @@ struct TuningPlan {
   std::uint64_t selection_pairs = 0;  // of each finalist against each opponent
   std::uint64_t candidates = 1;
   bool head_to_head = false;             // candidates and base team are compared playing each other
-  std::uint64_t verification_pairs = 0;  // at most
+  std::uint64_t verification_pairs = 0;  // at most, of as many candidates as there may be
+  bool symmetric = false;                // differences are taken to be symmetric, though the objective has bounds
   double confidence = 0.95;
   std::uint64_t slice_points = 0, slice_pairs = 0;  // 0 points: none
 
@@ -131,6 +132,15 @@ struct ScoreBounds {
   double low, high;
 };
 std::optional<ScoreBounds> score_bounds(const TuningPlan& plan);
+
+// The largest difference between candidate and base team that a pair can show, where betting is to test it.
+std::optional<double> widest_difference(const TuningPlan& plan);
+
+// Pairs without which a verification cannot find anything, whatever they show.
+std::uint64_t least_verification_pairs(const TuningPlan& plan);
+
+// At most, of so many candidates: what fewer of them leave over goes to these.
+std::uint64_t verification_pairs_of(const TuningPlan& plan, std::size_t candidates);
 
 // How many matches each stage can take at most, and all of them.
 std::uint64_t most_matches(const TuningPlan& plan, TuningStage stage);

@@ -145,6 +145,7 @@ std::string to_json(const TuningPlan& plan) {
               {"candidates", plan.candidates},
               {"head_to_head", plan.head_to_head},
               {"verification_pairs", plan.verification_pairs},
+              {"symmetric", plan.symmetric},
               {"confidence", plan.confidence},
               {"slice_points", plan.slice_points},
               {"slice_pairs", plan.slice_pairs},
@@ -183,6 +184,7 @@ TuningPlan tuning_plan_from_json(const std::string& text) {
     json.at("candidates").get_to(plan.candidates);
     json.at("head_to_head").get_to(plan.head_to_head);
     json.at("verification_pairs").get_to(plan.verification_pairs);
+    json.at("symmetric").get_to(plan.symmetric);
     json.at("confidence").get_to(plan.confidence);
     json.at("slice_points").get_to(plan.slice_points);
     json.at("slice_pairs").get_to(plan.slice_pairs);

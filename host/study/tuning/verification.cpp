@@ -9,20 +9,59 @@
 
 namespace regista::study {
 
+namespace {
+
+constexpr int steps = 4000;  // of the grid of mean differences
+
+}  // namespace
+
+ScoreDifference::ScoreDifference(double deviation, double alpha, std::size_t several, std::optional<double> widest)
+    : test_(statistics::SymmetricTest(deviation, alpha / static_cast<double>(several))) {
+  if (!widest) return;
+  statistics::BettingDesign design{-*widest, *widest, alpha, std::min(deviation, *widest)};
+  const statistics::BettingTest test(design, 0.0);
+  design.alpha = alpha / static_cast<double>(several);
+  test_ = OnMean{test, statistics::BettingGrid(design, steps)};
+}
+
 void ScoreDifference::add(double candidate, double base) {
   candidate_.add(candidate);
   base_.add(base);
-  difference_.add(candidate - base);
-  test_.add(candidate - base);
+  const double difference = candidate - base;
+  difference_.add(difference);
+  if (auto* const mean = std::get_if<OnMean>(&test_)) {
+    mean->test.add(difference);
+    mean->sequence.add(difference);
+  } else {
+    std::get<statistics::SymmetricTest>(test_).add(difference);
+  }
 }
 
-statistics::Estimate ScoreDifference::estimate() const { return {difference_.mean(), test_.interval()}; }
+statistics::Estimate ScoreDifference::estimate() const {
+  const auto* const mean = std::get_if<OnMean>(&test_);
+  return {difference_.mean(),
+          mean == nullptr ? std::get<statistics::SymmetricTest>(test_).interval() : mean->sequence.interval()};
+}
 
-Verification::Verification(std::size_t candidates, double confidence, double deviation) : alpha_(1.0 - confidence) {
+double ScoreDifference::p() const {
+  const auto* const mean = std::get_if<OnMean>(&test_);
+  return mean == nullptr ? std::get<statistics::SymmetricTest>(test_).p() : mean->test.p();
+}
+
+bool ScoreDifference::candidate_more() const {
+  const auto* const mean = std::get_if<OnMean>(&test_);
+  if (mean == nullptr) return std::get<statistics::SymmetricTest>(test_).above();
+  using enum statistics::BettingTest::Finding;
+  const auto found = mean->test.finding();
+  return found == none ? difference_.mean() > 0.0 : found == above;
+}
+
+Verification::Verification(std::size_t candidates, double confidence, double deviation, std::optional<double> widest)
+    : alpha_(1.0 - confidence) {
   // Of two scores that know nothing of each other.
   const double of_difference = std::sqrt(2.0) * deviation;
-  const double share = alpha_ / static_cast<double>(std::max<std::size_t>(candidates, 1));
-  of_.assign(candidates, ScoreDifference(of_difference, share));
+  of_.assign(candidates,
+             ScoreDifference(of_difference, alpha_, std::max<std::size_t>(candidates, 1), widest));
 }
 
 void Verification::add(double base, std::span<const double> candidates) {
