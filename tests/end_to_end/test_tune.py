@@ -23,7 +23,7 @@ openings: scenes
 seed: 7
 search: {{algorithm: {algorithm}, matches: {matches}{search}}}
 selection: {{finalists: 2, matches: 8}}
-verification: {{candidates: 1, matches: 24}}
+verification: {{candidates: 1, matches: 80}}
 slices: {{points: 2, pairs: 2}}
 {more}"""
 FREE = "[utility.terms.distance.weight, utility.terms.bearing.weight]"
@@ -118,6 +118,18 @@ class Played(Tuning):
         self.assertTrue(text.startswith("# Tuned by Regista"))
         self.assertIn("VERIFIED", text.splitlines()[0])
         self.assertIn('extends: "small.yaml"', text)
+        # A match of the verification that the tuned team played at home is the match of the file.
+        query = "SELECT seed, hash, job FROM matches JOIN fixtures ON fixture = id WHERE seed >> 50 = 2"
+        told, own = 0, [f"home.{each['path']}={each['tuned']!r}" for each in report["tuned"]["values"]]
+        for seed, hashed, job in self.stored(query, "trial.db"):
+            job = json.loads(job)
+            if told > 2 or not set(own) <= set(job["overrides"]):
+                continue
+            told += 1
+            match = json.loads(self.succeed("match", file.name, job["teams"][1], "--opening", job["opening"], "--seed",
+                                            seed, "--json"))
+            self.assertEqual(match["state_hash"], hashed)
+        self.assertGreater(told, 0)
         # The file, and the values as settings, make the same robots do the same.
         settings = [f"home.{each['path']}={each['tuned']!r}" for each in report["tuned"]["values"]]
         words = [word for each in settings for word in ("--set", each)]
@@ -171,6 +183,31 @@ class Played(Tuning):
         again = self.tune("--trace", "again.csv", "--resume")
         self.assertEqual(first, again)
         self.assertEqual(self.trace("first.csv"), self.trace("again.csv"))
+
+    def test_time_is_not_counted_while_stored_points_are_told(self):
+        self.document(matches=120, search=", minutes: 60")
+        self.kill_when(lambda: self.count("trial.db") >= 60, *self.arguments("--quiet"))
+        # As if it had taken almost an hour.
+        self.change("UPDATE meta SET value = substr(value, 1, instr(value, ' ')) || '3599.9' "
+                    "WHERE name = 'time of search'", "trial.db")
+        before = self.count("trial.db")
+        report = self.tune("--resume")
+        self.assertEqual(report["search"]["ended"], "its time was up")
+        self.assertGreaterEqual(report["matches"]["search"] + 4, before - before % 4)
+        self.assertTrue(report["complete"])
+        self.assertEqual(self.tune("--resume"), report)
+
+    def test_inputs_are_not_replaced(self):
+        self.write("mine.tuned.yaml", (self.folder / "small.yaml").read_text())
+        self.document(changes=(("team: small.yaml", "team: mine.tuned.yaml"),))
+        text = (self.folder / "mine.tuned.yaml").read_text()
+        self.write("mine.tuned.yaml", "# Tuned by Regista, once\n" + text)
+        for words in (("--output", "mine.tuned.yaml"), ("--trace", "t.yaml"), ("--trace", "./other.yaml")):
+            line = self.refused(*self.arguments("--quiet", *words))
+            self.assertEqual(line, f"{words[0]} {words[1]}: is a file that this tuning reads; another one is wanted")
+        self.assertIn("no_such/x.yaml: cannot be written: No such file or directory",
+                      self.refused(*self.arguments("--quiet", "--output", "no_such/x.yaml")))
+        self.assertFalse((self.folder / "trial.db").exists())
 
     def test_interrupted_says_how_to_go_on(self):
         with self.start(*self.arguments("--quiet"), stdout=-1, stderr=-1) as process:

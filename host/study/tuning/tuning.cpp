@@ -77,11 +77,22 @@ class Course {
     SearchSettings settings;
     const ParameterValues start = start_values(plan_);
     settings.start = point_of(plan_, start);
-    settings.evaluations = plan_.evaluations(algorithm) - 1;  // the base team is looked at first
+    const std::uint64_t budget = plan_.evaluations(algorithm);
+    settings.evaluations = budget - 1;  // the base team is looked at first
+    // Points that whole numbers make equal cost no matches; who does not plan by its budget may ask for others instead.
+    constexpr std::uint64_t most_repeats = 4;
+    const bool plans = algorithm == Algorithm::spsa || algorithm == Algorithm::sep_cma_es ||
+                       algorithm == Algorithm::random_search;
+    if (!plans) settings.evaluations *= most_repeats;
+    bool used_up = false;
     settings.seed = plan_.seed + repeat;
     settings.population = static_cast<std::size_t>(plan_.population);
     assess({start}, 0, pairs, repeat);
-    return study::search(algorithm, settings, [&](const Question& question) {
+    SearchResult out = study::search(algorithm, settings, [&](const Question& question) {
+      if (steps_.back().matches + pairs * plan_.matches_of_pair() > budget * pairs * plan_.matches_of_pair()) {
+        used_up = true;
+        return std::vector<double>();
+      }
       if (traced && hooks_.out_of_time && hooks_.out_of_time(steps_.size())) {
         out_of_time_ = true;
         return std::vector<double>();
@@ -90,6 +101,8 @@ class Course {
       for (const Point& point : question.points) values.push_back(values_of(plan_, point));
       return assess(values, question.pairs, pairs, repeat);
     });
+    if (used_up) out.ended = "budget used up";
+    return out;
   }
 
   // What the search is told about points that play a set of pairs together.

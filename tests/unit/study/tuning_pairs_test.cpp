@@ -180,10 +180,11 @@ TEST_F(Scores, OpponentsByWeight) {
   EXPECT_THAT(of({match(1, 0), match(0, 1), match(0, 2), match(2, 0)}), ElementsAre(0.25 * 1.0 - 0.75 * 2.0));
 }
 
-TEST_F(Scores, HeadToHeadIsOwnLessTheBaseTeams) {
-  EXPECT_THAT(of({match(3, 1), match(0, 2)}, true), ElementsAre(4.0));
+// A goal difference of two is two goals more than an equal team would have, not four.
+TEST_F(Scores, HeadToHeadIsWhatTheCandidateHasMore) {
+  EXPECT_THAT(of({match(3, 1), match(0, 2)}, true), ElementsAre(2.0));
   plan.objective.terms = {{"points", 1.0}};
-  EXPECT_THAT(of({match(3, 1), match(2, 2)}, true), ElementsAre(0.75 - 0.25));
+  EXPECT_THAT(of({match(3, 1), match(2, 2)}, true), ElementsAre(0.25));
   plan.objective.terms = {{"packets", 1.0}};
   EXPECT_THAT(of({match(0, 0, R"({"packets": [10, 30]})"), match(0, 0, R"({"packets": [5, 8]})")}, true),
               ElementsAre((10.0 + 8.0) / 2.0 - (30.0 + 5.0) / 2.0));
