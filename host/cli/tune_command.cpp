@@ -102,8 +102,8 @@ class Played {
   void refuse_to_replace_inputs() const {
     std::vector<std::string> read{options_.file, plan_.team, options_.results};
     for (const study::TuningOpponent& each : plan_.opponents) read.push_back(each.file);
-    for (const auto& [option, written] : {std::pair<const char*, std::filesystem::path>{"--output", tuned_file_},
-                                          {"--trace", options_.trace}}) {
+    for (const auto& [option, written] :
+         {std::pair<const char*, std::filesystem::path>{"--output", tuned_file_}, {"--trace", options_.trace}}) {
       for (const std::string& file : read) {
         std::error_code none;
         if (written.empty() || !std::filesystem::equivalent(written, file, none)) continue;
@@ -177,8 +177,8 @@ class Played {
     if (record_.stage == study::TuningStage::search && !plan_.compares()) {
       out += fmt::format(" after {} points", record_.trace.size());
     }
-    out += fmt::format(", seed {}: {} {}:{} {}", last_.seed, std::filesystem::path(last_.teams[0]).stem().string(), decided.score[0], decided.score[1],
-                       std::filesystem::path(last_.teams[1]).stem().string());
+    out += fmt::format(", seed {}: {} {}:{} {}", last_.seed, std::filesystem::path(last_.teams[0]).stem().string(),
+                       decided.score[0], decided.score[1], std::filesystem::path(last_.teams[1]).stem().string());
     if (decided.failure) {
       const auto side = static_cast<std::size_t>(decided.failure->side);
       out += ", " + report::forfeit_text(std::filesystem::path(last_.teams[side]).stem().string(), *decided.failure);

@@ -43,10 +43,9 @@ std::string verdict(const study::TuningPlan& plan, const study::TuningRecord& re
   const double sign = study::value_of(plan.objective, 1.0);
   const double low = sign > 0 ? estimate.interval.low : -estimate.interval.high,
                high = sign > 0 ? estimate.interval.high : -estimate.interval.low;
-  const std::string interval = estimate.interval.bounded()
-                                   ? fmt::format("[{}, {}] at {:.4g} %", signed_number(low), signed_number(high),
-                                                 100.0 * plan.confidence)
-                                   : std::string("(too few pairs for an interval)");
+  const std::string interval = estimate.interval.bounded() ? fmt::format("[{}, {}] at {:.4g} %", signed_number(low),
+                                                                         signed_number(high), 100.0 * plan.confidence)
+                                                           : std::string("(too few pairs for an interval)");
   return fmt::format("{}, on {} pairs of seeds nobody chose by:\n#   {} {} {}, p = {:.2g} after Holm", words,
                      record.verification.pairs(), study::in_words(plan.objective), signed_number(sign * estimate.value),
                      interval, record.verification.adjusted()[candidate]);

@@ -7,10 +7,10 @@
 // which exceeds 1/alpha at any time at all with probability alpha or less (J. Ville, 1939).
 //
 // The differences of two teams whose labels could as well be exchanged are symmetric. Those of teams that are merely
-// equal on average need not be, and then it may be wrong too often: of values that mostly gain 0.1 and lose 0.9 one time
-// in ten, whose mean is 0, it rejects a mean of 0 in a tenth of all runs instead of a twentieth (500 values), of rarer and
-// larger losses in a quarter. betting.hpp holds for any law within known bounds. In exchange this one does not need to
-// know any, and loses nothing to bounds that are far away.
+// equal on average need not be, and then it may be wrong too often: of values that mostly gain 0.1 and lose 0.9 one
+// time in ten, whose mean is 0, it rejects a mean of 0 in a tenth of all runs instead of a twentieth (500 values), of
+// rarer and larger losses in a quarter. betting.hpp holds for any law within known bounds. In exchange this one does
+// not need to know any, and loses nothing to bounds that are far away.
 #pragma once
 
 #include <cstdint>

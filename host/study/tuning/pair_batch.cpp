@@ -104,8 +104,8 @@ bool PairBatch::take(const campaign::Decided& decided, ForfeitList& forfeits) {
   return true;
 }
 
-// Of measures whose sum over both teams is the same in every match, half the difference between the teams is what one of
-// them has more than an equal one would.
+// Of measures whose sum over both teams is the same in every match, half the difference between the teams is what one
+// of them has more than an equal one would.
 static double share_of_difference(const std::string& measure) {
   return measure == "goal_difference" || measure == "points" ? 0.5 : 1.0;
 }

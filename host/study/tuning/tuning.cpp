@@ -81,8 +81,8 @@ class Course {
     settings.evaluations = budget - 1;  // the base team is looked at first
     // Points that whole numbers make equal cost no matches; who does not plan by its budget may ask for others instead.
     constexpr std::uint64_t most_repeats = 4;
-    const bool plans = algorithm == Algorithm::spsa || algorithm == Algorithm::sep_cma_es ||
-                       algorithm == Algorithm::random_search;
+    const bool plans =
+        algorithm == Algorithm::spsa || algorithm == Algorithm::sep_cma_es || algorithm == Algorithm::random_search;
     if (!plans) settings.evaluations *= most_repeats;
     bool used_up = false;
     settings.seed = plan_.seed + repeat;
@@ -243,8 +243,8 @@ class Course {
   std::uint64_t drawn_seed(const std::vector<ParameterValues>& chosen) const {
     std::string all = fmt::format("{}\n{}\n{}\n", plan_.seed, in_words(plan_.objective), plan_.objective.minimise);
     for (const TuningOpponent& each : plan_.opponents) {
-      all += fmt::format("{} {}\n", each.weight, campaign::fixture_key({}, each.jobs[0].away_inputs,
-                                                                        each.jobs[0].common_inputs));
+      all += fmt::format("{} {}\n", each.weight,
+                         campaign::fixture_key({}, each.jobs[0].away_inputs, each.jobs[0].common_inputs));
     }
     for (const ParameterValues& each : chosen) all += plugin::content_hash(document_.with(each)) + '\n';
     return std::stoull(plugin::content_hash(all).substr(0, 8), nullptr, 16) & 0x7fffffffu;
@@ -261,8 +261,7 @@ class Course {
     if (pairs == 0) return;
     const std::uint64_t first_seed = drawn_seed(chosen);
     if (!plan_.head_to_head) chosen.push_back(start_values(plan_));
-    PairBatch batch(plan_, document_, chosen, {TuningStage::verification, 0, first_seed, 0, pairs},
-                    plan_.head_to_head);
+    PairBatch batch(plan_, document_, chosen, {TuningStage::verification, 0, first_seed, 0, pairs}, plan_.head_to_head);
     play(batch, [&] {
       std::vector<double> scores;
       for (std::size_t i = 0; i < candidates; ++i) {

@@ -185,8 +185,8 @@ std::optional<double> widest_difference(const TuningPlan& plan) {
 
 std::uint64_t least_verification_pairs(const TuningPlan& plan) {
   const double needed = -std::log1p(-plan.confidence);
-  // All differences equal, and as large as can be. A bet wins three quarters of a capital at most, and half is staked on
-  // either side; without bounds the differences are their own spread.
+  // All differences equal, and as large as can be. A bet wins three quarters of a capital at most, and half is staked
+  // on either side; without bounds the differences are their own spread.
   if (widest_difference(plan)) return static_cast<std::uint64_t>(std::ceil((needed + std::log(2.0)) / std::log(1.75)));
   std::uint64_t pairs = 1;
   while (0.5 * static_cast<double>(pairs - 1) - 0.5 * std::log(static_cast<double>(pairs)) < needed) ++pairs;

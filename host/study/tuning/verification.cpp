@@ -60,8 +60,7 @@ Verification::Verification(std::size_t candidates, double confidence, double dev
     : alpha_(1.0 - confidence) {
   // Of two scores that know nothing of each other.
   const double of_difference = std::sqrt(2.0) * deviation;
-  of_.assign(candidates,
-             ScoreDifference(of_difference, alpha_, std::max<std::size_t>(candidates, 1), widest));
+  of_.assign(candidates, ScoreDifference(of_difference, alpha_, std::max<std::size_t>(candidates, 1), widest));
 }
 
 void Verification::add(double base, std::span<const double> candidates) {

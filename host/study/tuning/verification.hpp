@@ -34,8 +34,8 @@ class ScoreDifference {
   const statistics::Moments& base() const { return base_; }
   const statistics::Moments& difference() const { return difference_; }
   statistics::Estimate estimate() const;  // of the mean difference, at all times together
-  double p() const;             // of "no difference", two-sided, valid at all times, not adjusted
-  bool candidate_more() const;  // as the strongest evidence pointed
+  double p() const;                       // of "no difference", two-sided, valid at all times, not adjusted
+  bool candidate_more() const;            // as the strongest evidence pointed
 
  private:
   struct OnMean {

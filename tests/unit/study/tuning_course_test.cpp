@@ -287,7 +287,8 @@ TEST(Tune, AnObjectiveThatNoMatchHasEndsIt) {
     run.tune();
     FAIL();
   } catch (const TuningError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("the base team's first matches have no number for the objective, no_such_number"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("the base team's first matches have no number for the objective, no_such_number"));
   }
 }
 
