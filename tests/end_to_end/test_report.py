@@ -152,7 +152,7 @@ class Report(tournament.Tournament):
         self.assertIn("was written by a newer Regista: schema 99", changed("PRAGMA user_version=99"))
         self.assertIn("its plan is damaged", changed("UPDATE meta SET value = '{' WHERE name = 'schedule'"))
         self.assertIn("holds no study yet", changed("DELETE FROM meta WHERE name = 'schedule'"))
-        self.assertIn("another study", changed("UPDATE meta SET value = replace(value, '\"tournament\"', '\"tuning\"')"))
+        self.assertIn("another study", changed("UPDATE meta SET value = replace(value, '\"tournament\"', '\"season\"')"))
         self.assertIn("damaged", changed("UPDATE matches SET failure = '{' WHERE row = 2"))
         self.assertIn("damaged", changed("UPDATE metrics SET json = '{' WHERE row = 2", "--csv", "--metrics"))
         (self.folder / "tournament.db").write_bytes(whole[:len(whole) // 2])
