@@ -29,6 +29,9 @@ SOUND = TEST_PLUGINS / "contract" / "contract_good.so"
 # What bad input may take until it is refused, in seconds of the processor. Sanitizers are slow to start.
 AT_ONCE = 5.0 if SANITIZED else 1.0
 
+# How long a command is waited for, in seconds.
+PATIENCE = 480 if SANITIZED else 120
+
 # Robots walk to their places for 45 s before a game is played: too long for a short match.
 PLAY_SOON = ("--set", "rules.durations.ready=3", "--set", "rules.durations.set=1")
 
@@ -118,7 +121,7 @@ class Case(unittest.TestCase):
         self.assertEqual(process.returncode, 0)
         return b"".join(pieces).decode(), out
 
-    def run_program(self, *arguments, environment=None, timeout=120, **options):
+    def run_program(self, *arguments, environment=None, timeout=PATIENCE, **options):
         options.setdefault("stdout", subprocess.PIPE)
         options.setdefault("stderr", subprocess.PIPE)
         with self.start(*arguments, environment=environment, **options) as process:

@@ -45,7 +45,7 @@ class Tuning(tournament.Tournament):
             self.write(f"{name}.yaml", f"extends: {TEAMS}/{base}.yaml\nteam: {name}\n{more}")
         self.document()
 
-    def document(self, more="", parameters=FREE, algorithm="spsa", matches=40, search="", changes=(),
+    def document(self, more="", parameters=FREE, algorithm="spsa", matches=24 if program.SANITIZED else 40, search="", changes=(),
                  objective="{minimise: uncovered_seconds}"):
         text = TUNING.format(more=more, parameters=parameters, algorithm=algorithm, matches=matches, search=search,
                              objective=objective)

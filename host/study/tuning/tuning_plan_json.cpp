@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A tuning's plan as JSON, which the file of results keeps.
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -171,25 +172,25 @@ TuningPlan tuning_plan_from_json(const std::string& text) {
     plan.base = opponent_of(json.at("base"));
     plan.objective = objective_of(json.at("objective"));
     plan.openings = openings_of(json.at("openings"));
-    json.at("most_goals").get_to(plan.most_goals);
-    json.at("seed").get_to(plan.seed);
+    plan.most_goals = static_cast<int>(whole_of(json.at("most_goals"), INT_MAX));
+    plan.seed = whole_of(json.at("seed"));
     plan.algorithm = algorithm_of(json.at("algorithm"));
-    json.at("pairs").get_to(plan.pairs);
-    json.at("search_pairs").get_to(plan.search_pairs);
+    plan.pairs = whole_of(json.at("pairs"));
+    plan.search_pairs = whole_of(json.at("search_pairs"));
     json.at("pairs_for_all").get_to(plan.pairs_for_all);
     if (!json.at("minutes").is_null()) plan.minutes = json.at("minutes").get<double>();
-    json.at("population").get_to(plan.population);
-    json.at("finalists").get_to(plan.finalists);
-    json.at("selection_pairs").get_to(plan.selection_pairs);
-    json.at("candidates").get_to(plan.candidates);
+    plan.population = whole_of(json.at("population"));
+    plan.finalists = whole_of(json.at("finalists"));
+    plan.selection_pairs = whole_of(json.at("selection_pairs"));
+    plan.candidates = whole_of(json.at("candidates"));
     json.at("head_to_head").get_to(plan.head_to_head);
-    json.at("verification_pairs").get_to(plan.verification_pairs);
+    plan.verification_pairs = whole_of(json.at("verification_pairs"));
     json.at("symmetric").get_to(plan.symmetric);
     json.at("confidence").get_to(plan.confidence);
-    json.at("slice_points").get_to(plan.slice_points);
-    json.at("slice_pairs").get_to(plan.slice_pairs);
+    plan.slice_points = whole_of(json.at("slice_points"));
+    plan.slice_pairs = whole_of(json.at("slice_pairs"));
     for (const Json& each : json.at("compared")) plan.compared.push_back(algorithm_of(each));
-    json.at("repeats").get_to(plan.repeats);
+    plan.repeats = whole_of(json.at("repeats"));
     plan.limits = limits_of(json.at("limits"));
     json.at("folder").get_to(plan.folder);
     json.at("file").get_to(plan.file);
