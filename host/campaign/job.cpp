@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "campaign/whole_number.hpp"
+
 namespace regista::campaign {
 namespace {
 
@@ -22,6 +24,8 @@ auto reading(const std::string& text, Read read) {
   try {
     return read(Json::parse(text));
   } catch (const Json::exception& error) {
+    throw std::invalid_argument(error.what());
+  } catch (const std::out_of_range& error) {
     throw std::invalid_argument(error.what());
   }
 }
@@ -43,20 +47,13 @@ std::vector<Input> inputs_of(const Json& json) {
   return out;
 }
 
-// 0 or more. Checked before it is converted: what is no whole number, or too large, has no defined value.
-std::uint64_t whole_of(const Json& json, std::uint64_t most = UINT64_MAX) {
-  if (!json.is_number_unsigned() || json.get<std::uint64_t>() > most)
-    throw std::invalid_argument("a whole number is wanted");
-  return json.get<std::uint64_t>();
-}
-
 Failure failure_of(const Json& json) {
   Failure out;
-  out.side = static_cast<int>(whole_of(json.at("side"), 1));
+  out.side = static_cast<int>(whole_number(json.at("side"), 1));
   out.plugin = json.at("plugin").get<std::string>();
   out.call = json.at("call").get<std::string>();
-  out.robot = static_cast<int>(whole_of(json.at("robot"), INT_MAX));
-  out.tick = whole_of(json.at("tick"));
+  out.robot = static_cast<int>(whole_number(json.at("robot"), INT_MAX));
+  out.tick = whole_number(json.at("tick"));
   out.what = json.at("what").get<std::string>();
   return out;
 }
@@ -112,7 +109,7 @@ Job job_from_json(const std::string& text) {
     json.at("overrides").get_to(job.overrides);
     json.at("plugins").get_to(job.plugins);
     json.at("limit").get_to(job.limit);
-    job.seed = whole_of(json.at("seed"));
+    job.seed = whole_number(json.at("seed"));
     job.record = json.value("record", "");  // nor this
     job.expects_failure = json.value("expects_failure", false);
     job.home_inputs = inputs_of(json.at("home_inputs"));

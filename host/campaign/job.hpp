@@ -43,14 +43,18 @@ struct Failure {
   friend bool operator==(const Failure&, const Failure&) = default;
 };
 
-// A match that was decided: played, or forfeited.
+// A match that was decided: played, forfeited, or set aside because nobody can be blamed for the deaths over it.
 struct Decided {
-  std::array<int, 2> score{};      // by side; a forfeit is 0:10
-  std::string ended;               // "full_time", "mercy", "limit", "forfeit"
-  std::string hash;                // over the course of the match, 16 digits; empty for a forfeit
-  std::string metrics;             // JSON; empty for a forfeit: missing, not zero
+  std::array<int, 2> score{};      // by side; a forfeit is 0:10, of one that was set aside there is none
+  std::string ended;               // "full_time", "mercy", "limit", "forfeit", "set_aside"
+  std::string hash;                // over the course of the match, 16 digits; empty for what was not played to its end
+  std::string metrics;             // JSON; empty for what was not played to its end: missing, not zero
   std::optional<Failure> failure;  // of a forfeit
+  std::string why_set_aside;       // how its workers died, one line; else empty
+  std::string irreproducible;      // where a second play of the same match first differed, one line; else empty
+  std::string output;              // what plugins wrote to standard error, cut in the middle; mostly empty
   double seconds = 0.0;            // s of wall time
+  bool set_aside() const { return !why_set_aside.empty(); }
   friend bool operator==(const Decided&, const Decided&) = default;
 };
 

@@ -7,11 +7,10 @@
 // Two draws must not stand in one argument list: the order of evaluation differs between compilers.
 #pragma once
 
-#include <Random123/philox.h>
-
 #include <cstdint>
 
 #include "match/normal_law.hpp"
+#include "match/random_words.hpp"
 #include "match/side.hpp"
 
 namespace regista::match {
@@ -46,18 +45,10 @@ class Chance {
  public:
   // observer and object: below 2^12 each; tick: physics steps since the start of the match.
   Chance(std::uint64_t seed, Purpose purpose, Side side, int observer, int object, std::uint32_t tick)
-      : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}},
-        counter_{{0, tick, static_cast<std::uint32_t>(purpose) << 1 | static_cast<std::uint32_t>(side),
-                  static_cast<std::uint32_t>(observer) << 12 | static_cast<std::uint32_t>(object)}} {}
+      : words_(seed, {0, tick, static_cast<std::uint32_t>(purpose) << 1 | static_cast<std::uint32_t>(side),
+                      static_cast<std::uint32_t>(observer) << 12 | static_cast<std::uint32_t>(object)}) {}
 
-  std::uint32_t bits() {
-    if (used_ == 4) {
-      words_ = Generator{}(counter_, key_);
-      ++counter_[0];
-      used_ = 0;
-    }
-    return words_[used_++];
-  }
+  std::uint32_t bits() { return words_.next(); }
 
   // [0, 1), in steps of 2^-32.
   double uniform() { return bits() * 0x1p-32; }
@@ -76,11 +67,7 @@ class Chance {
   }
 
  private:
-  using Generator = r123::Philox4x32;  // ten rounds
-  Generator::key_type key_;
-  Generator::ctr_type counter_;
-  Generator::ctr_type words_;
-  unsigned used_ = 4;
+  RandomWords words_;
   NormalLaw normal_;
 };
 

@@ -28,6 +28,7 @@ struct CallNote {
 struct Noting {
   CallNote* note = nullptr;  // null: nobody listens
   std::int32_t side = 0;
+  bool compare_inputs = false;  // whether inputs that are const are looked at before and after each call
 };
 
 // An id as a note holds it.

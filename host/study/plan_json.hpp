@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "campaign/job.hpp"
+#include "campaign/whole_number.hpp"
 #include "campaign/worker.hpp"
 #include "study/opening.hpp"
 
@@ -42,14 +43,6 @@ inline std::vector<Opening> openings_of(const nlohmann::ordered_json& json) {
   return out;
 }
 
-// A whole number, 0 or more, of at most `most`. Throws std::out_of_range for any other.
-inline std::uint64_t whole_of(const nlohmann::ordered_json& json, std::uint64_t most = UINT64_MAX) {
-  if (!json.is_number_unsigned()) throw std::out_of_range("a whole number is wanted");
-  const auto out = json.get<std::uint64_t>();
-  if (out > most) throw std::out_of_range("too large a number");
-  return out;
-}
-
 inline nlohmann::ordered_json json_of(const campaign::Limits& limits) {
   return {{"processor_seconds", limits.processor_seconds},
           {"memory", limits.memory},
@@ -57,8 +50,8 @@ inline nlohmann::ordered_json json_of(const campaign::Limits& limits) {
 }
 inline campaign::Limits limits_of(const nlohmann::ordered_json& json) {
   campaign::Limits out;
-  out.processor_seconds = static_cast<int>(whole_of(json.at("processor_seconds"), INT_MAX));
-  out.memory = whole_of(json.at("memory"));
+  out.processor_seconds = static_cast<int>(campaign::whole_number(json.at("processor_seconds"), INT_MAX));
+  out.memory = campaign::whole_number(json.at("memory"));
   json.at("wall_seconds").get_to(out.wall_seconds);
   return out;
 }

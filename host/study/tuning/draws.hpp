@@ -4,11 +4,10 @@
 // libraries. Two draws must not stand in one argument list.
 #pragma once
 
-#include <Random123/philox.h>
-
 #include <cstdint>
 
 #include "match/normal_law.hpp"
+#include "match/random_words.hpp"
 
 namespace regista::study {
 
@@ -23,17 +22,9 @@ class Draws {
   };
 
   Draws(std::uint64_t seed, Use use)
-      : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}},
-        counter_{{0, 0, static_cast<std::uint32_t>(use), 0}} {}
+      : words_(seed, {0, 0, static_cast<std::uint32_t>(use), 0}) {}
 
-  std::uint32_t bits() {
-    if (used_ == 4) {
-      words_ = Generator{}(counter_, key_);
-      counter_.incr();
-      used_ = 0;
-    }
-    return words_[used_++];
-  }
+  std::uint32_t bits() { return words_.next(); }
 
   // [0, 1), in steps of 2^-53.
   double uniform() {
@@ -50,11 +41,7 @@ class Draws {
   }
 
  private:
-  using Generator = r123::Philox4x32;  // ten rounds
-  Generator::key_type key_;
-  Generator::ctr_type counter_;
-  Generator::ctr_type words_;
-  unsigned used_ = 4;
+  match::RandomWords words_;
   match::NormalLaw normal_;
 };
 
