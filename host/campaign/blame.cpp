@@ -1,44 +1,61 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/blame.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 
 namespace regista::campaign {
 namespace {
 
-bool noted(const End& death) { return death.note.plugin.front() != '\0'; }
-
-bool in_the_same_call(const End& a, const End& b) {
-  return a.note.plugin == b.note.plugin && a.note.call == b.note.call && a.note.side == b.note.side &&
-         a.note.robot == b.note.robot && a.note.tick == b.note.tick && a.note.inside == 1 && b.note.inside == 1;
+// The last plays, so many that a signal from outside is believed to be the side's own.
+bool again_and_again(std::span<const Attempt> attempts) {
+  if (attempts.size() < isolated_plays) return false;
+  const auto last = attempts.last(isolated_plays);
+  return std::ranges::all_of(last, [&](const Attempt& each) {
+    return each.isolated && !each.played && each.failure && each.failure->side == last.front().failure->side;
+  });
 }
 
-// The second of these deaths has the same cause as the first.
-bool repeats(const End& first, const End& second) {
-  const bool outside = first.how == End::How::killed_from_outside || second.how == End::How::killed_from_outside;
-  if (outside) return noted(first) && noted(second) && in_the_same_call(first, second);
-  return noted(first) == noted(second) && (!noted(first) || first.note.side == second.note.side);
+Judgement after_a_failure(std::span<const Attempt> attempts) {
+  const Attempt& last = attempts.back();
+  if (last.isolated && last.failure && (!last.from_outside || again_and_again(attempts))) return Judgement::forfeit;
+  const auto failures = std::ranges::count(attempts, false, &Attempt::played);
+  // An isolated match runs no code of plugins itself: it has no business to die.
+  const auto own = std::ranges::count_if(attempts, [](const Attempt& each) {
+    return each.isolated && !each.played && !each.failure && !each.from_outside;
+  });
+  const bool too_many = static_cast<std::size_t>(failures) >= most_failures ||
+                        static_cast<std::size_t>(own) >= isolated_plays;
+  return too_many ? Judgement::give_up : Judgement::play_isolated;
 }
 
 }  // namespace
 
-Judgement judge(std::span<const End> deaths) {
-  assert(!deaths.empty());
-  const End& last = deaths.back();
-  if (last.how == End::How::match_time) return Judgement::give_up;
-  const auto earlier = deaths.first(deaths.size() - 1);
-  const bool again = std::ranges::any_of(earlier, [&](const End& each) { return repeats(each, last); });
-  if (again) return noted(last) ? Judgement::forfeit : Judgement::give_up;
-  return deaths.size() >= most_deaths ? Judgement::give_up : Judgement::play_again;
+Judgement judge(std::span<const Attempt> attempts) {
+  assert(!attempts.empty());
+  if (!attempts.back().played) return after_a_failure(attempts);
+  const bool something_failed = std::ranges::any_of(
+      attempts, [](const Attempt& each) { return !each.played && !each.from_outside; });
+  if (!something_failed) return Judgement::counts;
+  const auto survived = std::ranges::count_if(
+      attempts, [](const Attempt& each) { return each.isolated && each.played; });
+  return static_cast<std::size_t>(survived) < isolated_plays ? Judgement::play_isolated : Judgement::set_aside;
 }
 
-std::optional<Failure> suspect(const End& death) {
-  if (!noted(death)) return std::nullopt;
-  const plugin::CallNote& note = death.note;
-  const char* const when = note.inside == 1 ? "" : ", after this call";
-  return Failure{note.side == 1 ? 1 : 0, note.plugin.data(), note.call.data(), note.robot, note.tick,
-                 death.text + when};
+std::string why_set_aside(std::span<const Attempt> attempts) {
+  const auto failed = std::ranges::find_if(
+      attempts, [](const Attempt& each) { return !each.played && !each.from_outside; });
+  assert(failed != attempts.end());
+  return fmt::format("{}; it did not come back in {} isolated plays", failed->what, isolated_plays);
+}
+
+std::string in_words(const std::string& what, const plugin::CallNote& note) {
+  if (note.plugin.front() == '\0') return what;
+  return fmt::format("{}; the {} call was {} of plugin {} ({}, robot {}, tick {})", what,
+                     note.inside == 1 ? "present" : "last", note.call.data(), note.plugin.data(),
+                     note.side == 1 ? "away" : "home", note.robot, note.tick);
 }
 
 }  // namespace regista::campaign

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/engine.hpp"
 
-#include <fmt/format.h>
 #include <poll.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
-#include <span>
-#include <system_error>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "campaign/match_run.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -23,50 +22,17 @@ constexpr std::uint64_t ahead = 16;
 constexpr int patience = 100;      // ms between two looks at everything
 constexpr int short_patience = 1;  // ms, while a worker that has said all it had to say ends
 
-// A match under way: its worker, and what happened to those before.
+// A match under way, and what waits for it.
 struct Run {
   MatchKey key;
-  Job job;
-  std::vector<std::uint64_t> indices;  // places in the schedule that wait for it: equal teams play the same match twice
-  SharedNote note;
-  std::unique_ptr<Worker> worker;
-  std::vector<End> deaths;
-  std::optional<Decided> forfeited;  // already; what runs still is for the recording alone
-  int attempts = 0;                  // workers so far
-  double seconds = 0.0;              // of all of them
+  std::vector<std::uint64_t> indices;  // places in the schedule: equal teams play the same match twice
+  MatchRun match;
 };
 
-// What the answer decides; nothing when the worker broke down, and `end` then tells how. seconds: of all its workers.
-std::optional<Decided> answered(End& end, double seconds, std::string& not_recorded) {
-  Answer answer;
-  try {
-    answer = answer_from_json(end.text);
-  } catch (const std::invalid_argument&) {
-    end.how = End::How::died;
-    end.text = "wrote an answer that cannot be read";
-    return std::nullopt;
-  }
-  switch (answer.kind) {
-    case Answer::Kind::played:
-      answer.decided.seconds = seconds;
-      not_recorded = answer.message;
-      return answer.decided;
-    case Answer::Kind::failed:
-      return forfeit(*answer.decided.failure, seconds);
-    case Answer::Kind::changed:
-    case Answer::Kind::refused:
-      throw CampaignError(CampaignError::Kind::input, answer.message);
-    case Answer::Kind::stopped:
-      end.how = End::How::died;
-      end.text = answer.message;
-      return std::nullopt;
-  }
-  return std::nullopt;
-}
-
-[[noreturn]] void give_up(std::span<const End> deaths) {
-  throw CampaignError(CampaignError::Kind::machine, fmt::format("workers died {} times over one match, at last so: {}",
-                                                                deaths.size(), deaths.back().text));
+void watch(const Worker& worker, std::vector<pollfd>& watched, int& patient) {
+  watched.push_back({worker.descriptor(), POLLIN, 0});  // a negative one is passed over
+  watched.push_back({worker.output_descriptor(), POLLIN, 0});
+  if (worker.descriptor() == -1) patient = short_patience;
 }
 
 class Engine {
@@ -82,10 +48,12 @@ class Engine {
       if (runs_.empty()) continue;
       wait();
       for (std::size_t i = 0; i < runs_.size();) {
-        if (runs_[i]->worker->advance() && settle(*runs_[i]))
-          runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(i));
-        else
+        if (!runs_[i]->match.advance()) {
           ++i;
+          continue;
+        }
+        decide(*runs_[i]);
+        runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(i));
       }
     }
     return Finish::complete;
@@ -115,21 +83,14 @@ class Engine {
         (*same)->indices.push_back(index);
         continue;
       }
-      auto run = std::make_unique<Run>();
-      run->key = *key;
-      run->job = schedule_.job(index);
-      run->indices.push_back(index);
-      start(*run);
-      runs_.push_back(std::move(run));
+      const bool twice = limits_.play_twice && schedule_.twice && schedule_.twice(index);
+      std::string failure_record = schedule_.record_failure ? schedule_.record_failure(index) : std::string();
+      runs_.emplace_back(
+          new Run{*key, {index}, MatchRun(schedule_.job(index), limits_, twice, std::move(failure_record))});
     }
   }
 
   std::int64_t row(std::uint64_t index) const { return static_cast<std::int64_t>(schedule_.first_row + index) + 1; }
-
-  void start(Run& run) {
-    if (!run.forfeited) ++run.attempts;
-    run.worker = std::make_unique<Worker>(run.job, limits_, run.note);
-  }
 
   bool hand_on() {
     for (auto first = decided_.begin(); first != decided_.end() && first->first == due_; first = decided_.begin()) {
@@ -145,66 +106,18 @@ class Engine {
   void wait() {
     std::vector<pollfd> watched;
     int patient = patience;
-    for (const auto& run : runs_) {
-      watched.push_back({run->worker->descriptor(), POLLIN, 0});  // a negative one is passed over
-      if (run->worker->descriptor() == -1) patient = short_patience;
-    }
+    for (const auto& run : runs_) watch(run->match.worker(), watched, patient);
     poll(watched.data(), watched.size(), patient);  // a signal ends it early
   }
 
-  // The worker has ended. True when the match is decided.
-  bool settle(Run& run) {
-    End end = run.worker->end();
-    if (run.forfeited) {
-      decide(run, *run.forfeited);
-      return true;
+  void decide(const Run& run) {
+    const MatchRun& match = run.match;
+    if (!match.accident().empty() && schedule_.accident) schedule_.accident(match.job(), match.accident());
+    if (!match.not_recorded().empty() && schedule_.not_recorded) {
+      schedule_.not_recorded(match.job(), match.not_recorded());
     }
-    run.seconds += end.seconds;
-    if (end.how == End::How::answered) {
-      std::string not_recorded;
-      const std::optional<Decided> decided = answered(end, run.seconds, not_recorded);
-      if (decided) {
-        if (!run.deaths.empty() && schedule_.accident) schedule_.accident(run.job, run.deaths.back());
-        if (!not_recorded.empty() && schedule_.not_recorded) schedule_.not_recorded(run.job, not_recorded);
-        if (decided->failure && run.job.record.empty() && record(run)) {
-          run.forfeited = decided;
-          start(run);
-          return false;
-        }
-        decide(run, *decided);
-        return true;
-      }
-    }
-    run.deaths.push_back(end);
-    switch (judge(run.deaths)) {
-      case Judgement::play_again:
-        record(run);
-        start(run);
-        return false;
-      case Judgement::forfeit:
-        decide(run, forfeit(*suspect(end), run.seconds));
-        return true;
-      case Judgement::give_up:
-        break;
-    }
-    give_up(run.deaths);
-  }
-
-  // What failed once is recorded when it is played again. False: it is already, or is not wanted.
-  bool record(Run& run) {
-    if (run.job.expects_failure || !schedule_.record_failure) return false;
-    run.job.record = schedule_.record_failure(run.indices.front());
-    run.job.expects_failure = !run.job.record.empty();
-    return run.job.expects_failure;
-  }
-
-  void decide(const Run& run, const Decided& decided) {
-    std::error_code none;
-    if (run.job.expects_failure && schedule_.not_recorded && !std::filesystem::exists(run.job.record, none)) {
-      schedule_.not_recorded(run.job, run.job.record + " could not be written");
-    }
-    store_.insert(row(run.indices.front()), run.key, decided, run.attempts);
-    for (const std::uint64_t index : run.indices) decided_.emplace(index, Waiting{decided, true});
+    store_.insert(row(run.indices.front()), run.key, match.decided(), match.plays());
+    for (const std::uint64_t index : run.indices) decided_.emplace(index, Waiting{match.decided(), true});
   }
 
   const Schedule& schedule_;
@@ -222,27 +135,15 @@ Finish run(const Schedule& schedule, Store& store, int workers, const Limits& li
   return Engine(schedule, store, workers, limits).run();
 }
 
-Decided play_alone(const Job& job, const Limits& limits) {
-  SharedNote note;
-  std::vector<End> deaths;
-  double seconds = 0.0;
-  std::string not_recorded;
-  for (;;) {
-    Worker worker(job, limits, note);
-    while (!worker.advance()) {
-      pollfd watched{worker.descriptor(), POLLIN, 0};
-      poll(&watched, 1, watched.fd == -1 ? short_patience : patience);
-    }
-    End end = worker.end();
-    seconds += end.seconds;
-    if (end.how == End::How::answered) {
-      if (const std::optional<Decided> decided = answered(end, seconds, not_recorded)) return *decided;
-    }
-    deaths.push_back(end);
-    const Judgement judgement = judge(deaths);
-    if (judgement == Judgement::forfeit) return forfeit(*suspect(end), seconds);
-    if (judgement == Judgement::give_up) give_up(deaths);
+Decided play_alone(const Job& job, const Limits& limits, bool twice) {
+  MatchRun match(job, limits, twice, {});
+  while (!match.advance()) {
+    std::vector<pollfd> watched;
+    int patient = patience;
+    watch(match.worker(), watched, patient);
+    poll(watched.data(), watched.size(), patient);
   }
+  return match.decided();
 }
 
 }  // namespace regista::campaign

@@ -9,13 +9,12 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
-#include "campaign/blame.hpp"
+#include "campaign/campaign_error.hpp"
 #include "campaign/job.hpp"
+#include "campaign/limits.hpp"
 #include "campaign/store.hpp"
-#include "campaign/worker.hpp"
 
 namespace regista::campaign {
 
@@ -30,28 +29,16 @@ struct Schedule {
   // store. False: enough, nothing more is needed.
   std::function<bool(std::uint64_t index, const Decided* decided, bool fresh)> take;
   Metrics metrics = Metrics::left_out;  // of results read from the store
+  // Whether this match is to be played twice, to see whether it is reproducible. May be empty.
+  std::function<bool(std::uint64_t index)> twice;
   // The file for the recording of a match that fails, at the end of which it fails once more; empty: none. May itself
   // be empty.
   std::function<std::string(std::uint64_t index)> record_failure;
   // A match was played, but could not be recorded. May be empty.
   std::function<void(const Job& job, const std::string& why)> not_recorded;
-  // A worker died over this match, but the next one did not: an accident of the machine. May be empty.
-  std::function<void(const Job& job, const End& death)> accident;
+  // A worker died over this match, but when it was played again none did: an accident of the machine. May be empty.
+  std::function<void(const Job& job, const std::string& what)> accident;
   std::function<bool()> asked_to_stop;  // looked at ten times a second
-};
-
-// Matches cannot be played on: what() is one line that says why.
-class CampaignError : public std::runtime_error {
- public:
-  enum class Kind {
-    input,    // a file changed while the campaign ran, or cannot be used any more
-    machine,  // workers die before any plugin is called, or are killed again and again
-  };
-  CampaignError(Kind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
-  Kind kind() const { return kind_; }
-
- private:
-  Kind kind_;
 };
 
 enum class Finish { complete, enough, interrupted };
@@ -59,7 +46,7 @@ enum class Finish { complete, enough, interrupted };
 // Throws CampaignError, StoreError, std::system_error. What was stored until then stays.
 Finish run(const Schedule& schedule, Store& store, int workers, const Limits& limits);
 
-// One match by itself, in workers with limits, and who forfeits it. Throws as run().
-Decided play_alone(const Job& job, const Limits& limits);
+// One match by itself, in workers with limits, and who forfeits it. `twice`: see Schedule. Throws as run().
+Decided play_alone(const Job& job, const Limits& limits, bool twice = false);
 
 }  // namespace regista::campaign

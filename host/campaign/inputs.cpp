@@ -67,14 +67,7 @@ class Collected {
 std::vector<Input> team_inputs(const mind::TeamPlan& plan, const config::Node& document,
                                const plugin::Catalogue& catalogue) {
   Collected plugins;
-  for (const mind::Part* part : {&plan.self(), &plan.ball(), &plan.opponents(), &plan.teammates()}) plugins.add(*part);
-  for (const mind::ContextPlan& context : plan.contexts()) {
-    plugins.add(context.condition);
-    if (context.positioner) plugins.add(*context.positioner);
-    for (const mind::TermPart& term : context.terms) plugins.add(term.part);
-    plugins.add(context.assigner);
-    plugins.add(context.sender);
-  }
+  for (const mind::Part* part : plan.parts()) plugins.add(*part);
   const std::string shown = config::show(document, plugin::declarations(catalogue.plugins()), config::Remarks::without);
   std::vector<Input> out{{"team " + plan.team().file, plugin::content_hash(shown)}};
   std::ranges::move(plugins.take(), std::back_inserter(out));

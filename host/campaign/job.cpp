@@ -47,6 +47,22 @@ std::vector<Input> inputs_of(const Json& json) {
   return out;
 }
 
+Json json_of(const Limits& limits) {
+  return {{"processor_seconds", limits.processor_seconds},
+          {"memory", limits.memory},
+          {"wall_seconds", limits.wall_seconds},
+          {"match_wall_seconds", limits.match_wall_seconds}};
+}
+
+Limits limits_of(const Json& json) {
+  Limits out;
+  out.processor_seconds = static_cast<int>(whole_number(json.at("processor_seconds"), INT_MAX));
+  out.memory = whole_number(json.at("memory"));
+  json.at("wall_seconds").get_to(out.wall_seconds);
+  json.at("match_wall_seconds").get_to(out.match_wall_seconds);
+  return out;
+}
+
 Failure failure_of(const Json& json) {
   Failure out;
   out.side = static_cast<int>(whole_number(json.at("side"), 1));
@@ -91,6 +107,11 @@ std::string to_json(const Job& job) {
                    {"seed", job.seed},
                    {"record", job.record},
                    {"expects_failure", job.expects_failure},
+                   {"isolated", job.isolated},
+                   {"second_play", job.second_play},
+                   {"trail", job.trail},
+                   {"limits", json_of(job.limits)},
+                   {"plugin_files", job.plugin_files},
                    {"home_inputs", json_of(job.home_inputs)},
                    {"away_inputs", json_of(job.away_inputs)},
                    {"common_inputs", json_of(job.common_inputs)}});
@@ -112,6 +133,11 @@ Job job_from_json(const std::string& text) {
     job.seed = whole_number(json.at("seed"));
     job.record = json.value("record", "");  // nor this
     job.expects_failure = json.value("expects_failure", false);
+    job.isolated = json.value("isolated", false);
+    job.second_play = json.value("second_play", false);
+    job.trail = json.value("trail", false);
+    if (json.contains("limits")) job.limits = limits_of(json.at("limits"));
+    if (json.contains("plugin_files")) json.at("plugin_files").get_to(job.plugin_files);
     job.home_inputs = inputs_of(json.at("home_inputs"));
     job.away_inputs = inputs_of(json.at("away_inputs"));
     job.common_inputs = inputs_of(json.at("common_inputs"));
@@ -139,7 +165,8 @@ std::string to_json(const Answer& answer) {
             {"ended", decided.ended},
             {"hash", decided.hash},
             {"metrics", decided.metrics},
-            {"seconds", decided.seconds}};
+            {"seconds", decided.seconds},
+            {"from_outside", answer.from_outside}};
   if (decided.failure) json["failure"] = json_of(*decided.failure);
   return dump(json);
 }
@@ -156,6 +183,7 @@ Answer answer_from_json(const std::string& text) {
     json.at("hash").get_to(answer.decided.hash);
     json.at("metrics").get_to(answer.decided.metrics);
     json.at("seconds").get_to(answer.decided.seconds);
+    json.at("from_outside").get_to(answer.from_outside);
     if (json.contains("failure")) answer.decided.failure = failure_of(json.at("failure"));
     if ((answer.kind == Answer::Kind::failed) != answer.decided.failure.has_value()) {
       throw std::invalid_argument("a failure belongs to an answer that says so");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "campaign/input.hpp"
+#include "campaign/limits.hpp"
 
 namespace regista::campaign {
 
@@ -25,6 +26,15 @@ struct Job {
   std::uint64_t seed = 1;
   std::string record;  // file that the worker records the match in, replacing it; empty: none. Part of no key.
   bool expects_failure = false;  // then as much as possible is to stand in that file when the worker dies
+  // How it is played. Part of no key: the result is the same.
+  bool isolated = false;  // each team's minds in a process of their own
+  // The second play of a match that is played twice: elsewhere in memory and in the file system, and inputs of plugins
+  // are compared before and after each call.
+  bool second_play = false;
+  bool trail = false;  // digests of all decisions are written to the worker's trail
+  Limits limits;       // of the processes of an isolated match
+  // Files of the plugins that a search of the folders has found for these teams; empty: it is searched anew.
+  std::vector<std::string> plugin_files;
   // What is to be played, as inputs.hpp counts it up. A worker that finds something else in the files does not play.
   std::vector<Input> home_inputs, away_inputs, common_inputs;
   friend bool operator==(const Job&, const Job&) = default;
@@ -62,14 +72,15 @@ struct Decided {
 struct Answer {
   enum class Kind {
     played,   // `decided` holds the result
-    failed,   // a plugin said so or broke a promise: `decided.failure`
+    failed,   // a plugin said so, broke a promise, or its process died: `decided.failure`
     changed,  // what stands in the files is not what is to be played: `message`
     refused,  // bad input: `message`
     stopped,  // an error of another kind: `message`
   };
   Kind kind = Kind::stopped;
   Decided decided;
-  std::string message;  // of a match that was played: why it could not be recorded, else empty
+  std::string message;        // of a match that was played: why it could not be recorded, else empty
+  bool from_outside = false;  // of a failure: by a signal that people and systems send
 };
 
 std::string to_json(const Job& job);

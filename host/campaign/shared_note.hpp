@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: MIT
-// A plugin::CallNote in memory that coordinator and worker share, so that it outlives the worker.
+// What a worker notes in memory that it shares with its coordinator, so that it outlives the worker: the call that is
+// under way, where a fatal signal struck, and the process groups it has started.
 #pragma once
 
+#include <sys/types.h>
+
+#include <array>
+
 #include "plugin/call_note.hpp"
+#include "plugin/fatal_signal.hpp"
 
 namespace regista::campaign {
+
+// Plain bytes.
+struct WorkerNote {
+  plugin::CallNote call;
+  plugin::FatalNote fatal;
+  std::array<pid_t, 2> groups{};  // of the minds' processes of an isolated match, by side; 0: none
+};
 
 class SharedNote {
  public:
@@ -16,15 +29,15 @@ class SharedNote {
   SharedNote(SharedNote&&) noexcept;
   SharedNote& operator=(SharedNote&&) = delete;
 
-  plugin::CallNote& note() { return *note_; }
-  const plugin::CallNote& note() const { return *note_; }
+  WorkerNote& note() { return *note_; }
+  const WorkerNote& note() const { return *note_; }
   int descriptor() const { return descriptor_; }  // closed at exec
   void clear() { *note_ = {}; }
 
  private:
   void map();
   int descriptor_;
-  plugin::CallNote* note_ = nullptr;
+  WorkerNote* note_ = nullptr;
 };
 
 }  // namespace regista::campaign

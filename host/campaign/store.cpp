@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cerrno>
 #include <cstring>
@@ -37,6 +38,14 @@ constexpr auto tables = R"(
     UNIQUE(fixture, seed)
   );
   CREATE TABLE metrics(row INTEGER PRIMARY KEY REFERENCES matches(row), json TEXT NOT NULL);)";
+// Of few matches, so in a table of its own. Files of before have none: it is made when they are opened to be written to.
+constexpr auto remarks_table = R"(
+  CREATE TABLE IF NOT EXISTS remarks(
+    row INTEGER NOT NULL REFERENCES matches(row),
+    kind TEXT NOT NULL,
+    text TEXT NOT NULL,
+    PRIMARY KEY(row, kind)
+  ) WITHOUT ROWID;)";
 constexpr auto columns = "fixture, seed, home_goals, away_goals, ended, hash, failure, seconds";
 
 // Held from before the database is opened until after it is closed: closing any descriptor of a file gives up the
@@ -168,12 +177,19 @@ struct Store::Parts {
     by_row.emplace(database, fmt::format("SELECT {} FROM matches WHERE row = ?", columns));
     by_key.emplace(database, fmt::format("SELECT {} FROM matches WHERE fixture = ? AND seed = ?", columns));
     metrics.emplace(database, "SELECT json FROM metrics JOIN matches USING(row) WHERE fixture = ? AND seed = ?");
+    if (mode != Mode::read) database.exec(remarks_table);
+    if (database.tableExists("remarks")) {
+      remarks.emplace(database,
+                      "SELECT kind, text FROM remarks JOIN matches USING(row) WHERE fixture = ? AND seed = ?");
+      any_remarks = database.execAndGet("SELECT EXISTS(SELECT 1 FROM remarks)").getInt() != 0;
+    }
     if (mode == Mode::read) return;
     database.exec("PRAGMA journal_mode=WAL");
     database.exec("PRAGMA synchronous=NORMAL");
     insert.emplace(database,
                    fmt::format("INSERT INTO matches(row, {}, attempts) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", columns));
     insert_metrics.emplace(database, "INSERT INTO metrics(row, json) VALUES(?, ?)");
+    insert_remark.emplace(database, "INSERT INTO remarks(row, kind, text) VALUES(?, ?, ?)");
   }
 
   void begin(const std::string& version) {
@@ -203,6 +219,8 @@ struct Store::Parts {
     const std::string failure = text_of(row.getColumn(6));
     if (!failure.empty()) out.failure = failure_from_json(failure);
     out.seconds = row.getColumn(7).getDouble();
+    if (remarks && any_remarks) read_remarks(key_of(row), out);
+    if ((out.ended == "set_aside") != out.set_aside()) throw std::invalid_argument("a match set aside without a reason");
     if (wanted == Metrics::wanted && !out.failure) {
       const MatchKey key = key_of(row);
       metrics->tryReset();
@@ -212,6 +230,37 @@ struct Store::Parts {
     }
     row.reset();
     return out;
+  }
+
+  void read_remarks(const MatchKey& key, Decided& out) {
+    remarks->tryReset();
+    bind(*remarks, key);
+    while (remarks->executeStep()) {
+      const std::string kind = remarks->getColumn(0).getString();
+      for (const auto& [name, text] : remarks_of(out)) {
+        if (kind == name) *text = remarks->getColumn(1).getString();
+      }
+    }
+    remarks->reset();
+  }
+
+  void write_remarks(std::int64_t row, Decided decided) {
+    for (const auto& [name, text] : remarks_of(decided)) {
+      if (text->empty()) continue;
+      insert_remark->tryReset();
+      insert_remark->bind(1, row);
+      insert_remark->bind(2, name);
+      insert_remark->bindNoCopy(3, *text);
+      insert_remark->exec();
+      insert_remark->reset();
+      any_remarks = true;
+    }
+  }
+
+  static std::array<std::pair<const char*, std::string*>, 3> remarks_of(Decided& decided) {
+    return {{{"set_aside", &decided.why_set_aside},
+             {"irreproducible", &decided.irreproducible},
+             {"output", &decided.output}}};
   }
 
   static void bind(SQLite::Statement& statement, const MatchKey& key) {
@@ -230,13 +279,15 @@ struct Store::Parts {
     by_row->tryReset();
     by_key->tryReset();
     metrics->tryReset();
+    if (remarks) remarks->tryReset();
     database.exec("COMMIT");
   }
 
   std::string file;
   std::unique_ptr<const Hold> hold;
   SQLite::Database database;
-  std::optional<SQLite::Statement> by_row, by_key, metrics, insert, insert_metrics;
+  std::optional<SQLite::Statement> by_row, by_key, metrics, remarks, insert, insert_metrics, insert_remark;
+  bool any_remarks = false;
   bool reading = false;
 };
 
@@ -336,6 +387,7 @@ void Store::insert(std::int64_t row, const MatchKey& key, const Decided& decided
       metrics.exec();
       metrics.reset();
     }
+    parts_->write_remarks(row, decided);
     transaction.commit();
   });
 }

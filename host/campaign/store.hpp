@@ -5,6 +5,7 @@
 //   fixtures(id, key, job)            all that a match is a function of, but its seed: see inputs.hpp
 //   matches(row, fixture, seed, ...)  one row per fixture and seed, never two; row: its place in the schedule, from 1
 //   metrics(row, json)                of matches played to their end
+//   remarks(row, kind, text)          why a match was set aside, where it was not reproducible, what plugins wrote
 //   meta(name, value)                 "program": version that made the file; "schedule": JSON, whatever the study says
 //
 // A seed stands there as the signed number with the same bits. What a forfeit has not is null.

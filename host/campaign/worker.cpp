@@ -19,6 +19,8 @@
 #include <system_error>
 #include <utility>
 
+#include "campaign/process.hpp"
+
 namespace regista::campaign {
 namespace {
 
@@ -75,7 +77,8 @@ bool limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
 }
 
 struct Inherited {
-  int job, answer, note;
+  int job, answer, note, output, trail;  // trail: -1 for none
+  bool second_play;
   pid_t coordinator;
 };
 
@@ -87,14 +90,16 @@ struct Inherited {
   if (getppid() != given.coordinator) _exit(cannot);  // it died before it could be watched
   // Out of the way of the numbers they are to have, which are not closed at exec.
   const int job = fcntl(given.job, F_DUPFD, 10), answer = fcntl(given.answer, F_DUPFD, 10),
-            note = fcntl(given.note, F_DUPFD, 10), nothing = open("/dev/null", O_WRONLY);
-  if (job == -1 || answer == -1 || note == -1 || nothing == -1) _exit(cannot);
+            note = fcntl(given.note, F_DUPFD, 10), output = fcntl(given.output, F_DUPFD, 10),
+            trail = given.trail == -1 ? open("/dev/null", O_WRONLY) : fcntl(given.trail, F_DUPFD, 10),
+            nothing = open("/dev/null", O_WRONLY);
+  if (job == -1 || answer == -1 || note == -1 || output == -1 || trail == -1 || nothing == -1) _exit(cannot);
   const bool placed = dup2(job, STDIN_FILENO) != -1 && dup2(nothing, STDOUT_FILENO) != -1 &&
-                      dup2(nothing, STDERR_FILENO) != -1 && dup2(answer, answer_descriptor) != -1 &&
-                      dup2(note, note_descriptor) != -1;
+                      dup2(output, STDERR_FILENO) != -1 && dup2(answer, answer_descriptor) != -1 &&
+                      dup2(note, note_descriptor) != -1 && dup2(trail, trail_descriptor) != -1;
   if (!placed) _exit(cannot);
-  for (const int each : {job, answer, note, nothing}) {
-    if (each > note_descriptor) close(each);
+  for (const int each : {job, answer, note, output, trail, nothing}) {
+    if (each > trail_descriptor) close(each);
   }
   const auto seconds = static_cast<rlim_t>(limits.match_seconds());
   bool limited =
@@ -111,7 +116,15 @@ struct Inherited {
   std::array<char, 16> command{};
   std::strncpy(command.data(), worker_command, command.size() - 1);
   char* const arguments[] = {name.data(), command.data(), nullptr};
-  execv("/proc/self/exe", arguments);
+  if (!given.second_play) execv("/proc/self/exe", arguments);
+  // What a match must not depend on is another than in the first play.
+  static char padding[4096] = "REGISTA_SECOND_PLAY=";
+  memset(padding + 20, 'x', sizeof padding - 21);
+  static char* variables[1024];
+  std::size_t count = 0;
+  for (char** each = environ; *each != nullptr && count < std::size(variables) - 2; ++each) variables[count++] = *each;
+  variables[count] = padding;
+  execve("/proc/self/exe", arguments, variables);
   _exit(cannot);
 }
 
@@ -119,36 +132,30 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-// Of a process that runs, so far; 0 where it cannot be told.
-double processor_seconds_of(pid_t process) {
-  clockid_t clock{};
-  timespec time{};
-  if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0.0;
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-bool comes_from_outside(int signal_number) {
-  return signal_number == SIGKILL || signal_number == SIGTERM || signal_number == SIGINT || signal_number == SIGHUP ||
-         signal_number == SIGQUIT;
-}
-
 }  // namespace
 
-Worker::Worker(const Job& job, const Limits& limits, SharedNote& note) : limits_(limits), note_(note) {
+Worker::Worker(const Job& job, const Limits& limits, SharedNote& note, int trail) : limits_(limits), note_(note), isolated_(job.isolated) {
   note_.clear();
   const Descriptor given(file_of(to_json(job)));
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) == -1) fail("cannot make a pipe");
   Descriptor reading(ends[0]);
   const Descriptor writing(ends[1]);
-  // The reading end alone: what the worker inherits must block.
+  std::array<int, 2> output_ends{};
+  if (pipe2(output_ends.data(), O_CLOEXEC) == -1) fail("cannot make a pipe");
+  Descriptor reading_output(output_ends[0]);
+  const Descriptor writing_output(output_ends[1]);
+  // The reading ends alone: what the worker inherits must block.
   fcntl(reading.number, F_SETFL, O_NONBLOCK);
-  const Inherited inherited{given.number, writing.number, note.descriptor(), getpid()};
+  fcntl(reading_output.number, F_SETFL, O_NONBLOCK);
+  const Inherited inherited{given.number, writing.number, note.descriptor(), writing_output.number, trail,
+                            job.second_play, getpid()};
   process_ = fork();
   if (process_ == -1) fail("cannot start a worker");
   if (process_ == 0) become_worker(inherited, limits);
   setpgid(process_, process_);  // whoever of the two comes first
   pipe_ = std::exchange(reading.number, -1);
+  output_pipe_ = std::exchange(reading_output.number, -1);
 }
 
 Worker::~Worker() {
@@ -158,11 +165,15 @@ Worker::~Worker() {
     }
   }
   if (pipe_ != -1) close(pipe_);
+  if (output_pipe_ != -1) close(output_pipe_);
 }
 
 void Worker::kill() {
-  // The whole group: a plugin may have started processes of its own.
-  if (::kill(-process_, SIGKILL) == -1) ::kill(process_, SIGKILL);
+  // The whole group: a plugin may have started processes of its own. So may the minds of an isolated match.
+  end_group(process_);
+  for (const pid_t each : note_.note().groups) {
+    if (each > 1) ::kill(-each, SIGKILL);
+  }
 }
 
 void Worker::read() {
@@ -180,15 +191,38 @@ void Worker::read() {
   }
 }
 
+// Bounded, and never waited for: a process that a plugin started may hold the pipe open.
+void Worker::read_output() {
+  std::array<char, 65536> buffer;
+  for (int i = 0; i < 16 && output_pipe_ != -1; ++i) {
+    const ssize_t count = ::read(output_pipe_, buffer.data(), buffer.size());
+    if (count > 0) {
+      output_.add({buffer.data(), static_cast<std::size_t>(count)});
+      continue;
+    }
+    if (count == -1 && errno == EINTR) continue;
+    if (count == -1 && errno == EAGAIN) return;
+    close(output_pipe_);
+    output_pipe_ = -1;
+  }
+}
+
 bool Worker::advance() {
   if (process_ == -1) return true;
   read();
+  read_output();
   int status = 0;
   rusage usage{};
-  const pid_t waited = wait4(process_, &status, WNOHANG, &usage);
+  const pid_t waited = wait4(process_, &status, WNOHANG | WUNTRACED, &usage);
+  if (waited == process_ && WIFSTOPPED(status)) {
+    killed_for_ = End::How::stopped;
+    kill();
+    return false;
+  }
   if (waited == process_) {
+    kill();  // what it has started
     read();  // what it wrote last
-    ::kill(-process_, SIGKILL);
+    read_output();
     process_ = -1;
     ended(status, seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime));
     return true;
@@ -197,27 +231,44 @@ bool Worker::advance() {
   return false;
 }
 
+// Who plays an isolated match watches its minds, and knows whose fault it is.
+double Worker::match_wall_seconds() const {
+  return isolated_ ? 2.0 * limits_.match_wall_seconds + limits_.wall_seconds : limits_.match_wall_seconds;
+}
+
 void Worker::watch_call() {
-  const plugin::CallNote now = note_.note();
+  if (isolated_) {
+    call_began_ = Clock::now();  // it notes no calls of its own
+    if (std::chrono::duration<double>(Clock::now() - began_).count() <= match_wall_seconds()) return;
+    killed_for_ = End::How::match_wall_time;
+    kill();
+    return;
+  }
+  const plugin::CallNote now = note_.note().call;
   const double processor = processor_seconds_of(process_);
   if (now != call_) {
     call_ = now;
     call_began_ = Clock::now();
     processor_at_call_ = processor;
-    return;
   }
   const bool working = processor - processor_at_call_ > static_cast<double>(limits_.processor_seconds);
   if (now.inside == 1 && working) killed_for_ = End::How::processor_time;
   if (std::chrono::duration<double>(Clock::now() - call_began_).count() > limits_.wall_seconds) {
     killed_for_ = End::How::wall_time;
   }
+  if (std::chrono::duration<double>(Clock::now() - began_).count() > match_wall_seconds()) {
+    killed_for_ = End::How::match_wall_time;
+  }
   if (killed_for_) kill();
 }
 
 void Worker::ended(int status, double processor_seconds) {
   end_.seconds = std::chrono::duration<double>(Clock::now() - began_).count();
-  end_.note = note_.note();
+  end_.note = note_.note().call;
   end_.note.plugin.back() = end_.note.call.back() = '\0';
+  plugin::FatalNote fatal = note_.note().fatal;
+  fatal.thread.back() = fatal.object.back() = '\0';
+  end_.output = output_.text();
   const bool complete = answer_.ends_with('\n') && answer_.size() < longest_answer;
   // What stands before the mark is not the worker's: a plugin wrote to a descriptor that it took for its own.
   if (const std::size_t mark = answer_.rfind(answer_mark); mark != std::string::npos) {
@@ -237,6 +288,12 @@ void Worker::ended(int status, double processor_seconds) {
   if (killed_for_ == End::How::wall_time) {
     end_.how = End::How::wall_time;
     end_.text = fmt::format("did not return within {:.0f} s", limits_.wall_seconds);
+  } else if (killed_for_ == End::How::match_wall_time) {
+    end_.how = End::How::match_wall_time;
+    end_.text = fmt::format("a match did not end within {:.0f} s", limits_.match_wall_seconds);
+  } else if (killed_for_ == End::How::stopped) {
+    end_.how = End::How::stopped;
+    end_.text = "was stopped";
   } else if (killed_for_) {
     end_.how = End::How::processor_time;
     end_.text = fmt::format("used more than {} s of processor time", limits_.processor_seconds);
@@ -247,7 +304,7 @@ void Worker::ended(int status, double processor_seconds) {
                             limits_.match_seconds(), limits_.processor_seconds);
   } else {
     end_.how = comes_from_outside(signal_number) ? End::How::killed_from_outside : End::How::died;
-    end_.text = strsignal(signal_number);
+    end_.text = strsignal(signal_number) + where(fatal);
   }
 }
 

@@ -9,28 +9,19 @@
 #include <sys/types.h>
 
 #include <chrono>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "campaign/job.hpp"
+#include "campaign/kept_output.hpp"
+#include "campaign/limits.hpp"
 #include "campaign/shared_note.hpp"
 
 namespace regista::campaign {
 
-// Times are those of one call of a plugin, not of a match: who is in a call when the time of a whole match is used up
-// need not have used it.
-struct Limits {
-  int processor_seconds = 10;                     // of one call
-  std::uint64_t memory = std::uint64_t{2} << 30;  // bytes of address space of the match, RLIMIT_AS; 0 = no limit
-  double wall_seconds = 200.0;                    // of one call: a far back-stop, for a plugin that sleeps
-  // Processor time of the whole match, RLIMIT_CPU: beyond it something is wrong that nobody can be blamed for.
-  int match_seconds() const { return 100 * processor_seconds; }
-};
-
 // File descriptors of a worker.
-inline constexpr int answer_descriptor = 3, note_descriptor = 4;
+inline constexpr int answer_descriptor = 3, note_descriptor = 4, trail_descriptor = 5;
 
 // Stands before the answer: what a plugin may have written there by accident is not taken for it.
 inline constexpr std::string_view answer_mark = "\nregista-answer:";
@@ -45,11 +36,14 @@ struct End {
     died,                // by itself: a signal, exit() in the middle, an answer cut off
     processor_time,      // a call used up its limit
     wall_time,           // a call did not return
-    match_time,          // the match used up its limit, though no call did
+    match_time,          // the match used up its processor time, though no call did
+    match_wall_time,     // the match did not end in time
+    stopped,             // somebody stopped the process, which would wait for ever
     killed_from_outside  // by a signal that people and systems send: SIGKILL, SIGTERM, SIGINT, SIGHUP, SIGQUIT
   };
   How how = How::died;
-  std::string text;       // the answer, or in words how it ended: "Segmentation fault"
+  std::string text;       // the answer, or in words how it ended: "Segmentation fault, in crashes.so"
+  std::string output;     // what was written to standard error, cut in the middle
   plugin::CallNote note;  // the last one; its plugin is empty when no plugin was called
   double seconds = 0.0;   // s of wall time
 };
@@ -57,8 +51,9 @@ struct End {
 // A running worker. Never blocks.
 class Worker {
  public:
-  // `note` is cleared and outlives the worker. Throws std::system_error when the process cannot be started.
-  Worker(const Job& job, const Limits& limits, SharedNote& note);
+  // `note` is cleared and outlives the worker. trail: a descriptor that the worker writes digests of decisions to, or
+  // -1. Throws std::system_error when the process cannot be started.
+  Worker(const Job& job, const Limits& limits, SharedNote& note, int trail = -1);
   // Kills it if it still runs.
   ~Worker();
   Worker(const Worker&) = delete;
@@ -66,6 +61,7 @@ class Worker {
 
   // Becomes readable when there is something to do; -1 once the worker has closed it.
   int descriptor() const { return pipe_; }
+  int output_descriptor() const { return output_pipe_; }  // likewise
 
   // Reads what there is; true when the worker has ended. To be called when the descriptor is readable and every now
   // and then.
@@ -76,15 +72,18 @@ class Worker {
 
  private:
   void read();
+  void read_output();
   void kill();
   void watch_call();
+  double match_wall_seconds() const;
   void ended(int status, double processor_seconds);
 
   using Clock = std::chrono::steady_clock;
   Limits limits_;
   SharedNote& note_;
+  bool isolated_;
   pid_t process_ = -1;
-  int pipe_ = -1;
+  int pipe_ = -1, output_pipe_ = -1;
   std::optional<End::How> killed_for_;
   Clock::time_point began_ = Clock::now();
   // The call that was under way when it was looked at last, and since when.
@@ -92,6 +91,7 @@ class Worker {
   Clock::time_point call_began_ = began_;
   double processor_at_call_ = 0.0;
   std::string answer_;
+  KeptOutput output_;
   End end_;
 };
 

@@ -5,10 +5,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
+#include <string>
 #include <thread>
 
+#include "cli/end_of_program.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/test_options.hpp"
+#include "config/text.hpp"
 
 namespace regista::cli {
 
@@ -27,6 +31,15 @@ void add_campaign_options(CLI::App& app, CampaignOptions& options, const std::st
   app.add_option("--processor-seconds", options.processor_seconds, "processor time of one call of a plugin; default 10")
       ->type_name("SECONDS");
   app.add_option("--memory", options.memory, "address space of a match; default 2048")->type_name("MIB");
+  app.add_option("--match-seconds", options.match_seconds, "wall time of a whole match; default 1800")
+      ->type_name("SECONDS");
+  app.add_option("--isolation", options.isolation,
+                 "after-death (default): a match that died is played again with each team in a process of its own; "
+                 "always: all matches are played so")
+      ->type_name("WHEN");
+  app.add_flag("--play-once", options.play_once,
+               "do not play the first match of each pairing a second time to see whether it is reproducible")
+      ->disable_flag_override();
   app.add_flag("--no-page", options.no_page, "write no page NAME.html beside the results NAME.db at the end")
       ->disable_flag_override();
   app.add_flag("--json", options.json, "write the report as JSON")->disable_flag_override();
@@ -55,6 +68,14 @@ campaign::Limits limits(const CampaignOptions& options) {
   limits.memory = parse_whole("--memory", options.memory, 64, std::uint64_t{1} << 24) << 20;
   // A machine may have much else to do: only a plugin that sleeps comes here.
   limits.wall_seconds = 10.0 * limits.processor_seconds + 100.0;
+  limits.match_wall_seconds =
+      static_cast<double>(parse_whole("--match-seconds", options.match_seconds, 1, 1'000'000));
+  limits.play_twice = !options.play_once;
+  if (options.isolation == "always") {
+    limits.isolation = campaign::Isolation::always;
+  } else if (options.isolation != "after-death") {
+    throw BadInput(config::unknown("value", options.isolation, "--isolation", std::array<std::string, 2>{"after-death", "always"}));
+  }
   return limits;
 }
 

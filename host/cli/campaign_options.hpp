@@ -18,7 +18,9 @@ struct CampaignOptions {
   std::vector<std::string> plugins;   // folders
   std::string workers, record_every;  // empty: one for each processor core; only matches that fail
   std::string results, processor_seconds = "10", memory = "2048";
-  bool resume = false, json = false, quiet = false, no_page = false;
+  std::string isolation = "after-death", match_seconds = "1800";
+  bool resume = false, json = false, quiet = false, no_page = false, play_once = false;
+  std::vector<std::string> plugin_files;  // not typed: what the search of the folders has found
 };
 
 // default_results: what the help says.

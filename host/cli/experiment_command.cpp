@@ -97,6 +97,10 @@ class Played {
       if (csv) csv->write(report::experiment_csv_lines(plan_, index, *decided, report::CsvMeasures::all));
       return true;
     };
+    out.first_of_pairing = [this](std::uint64_t index) {
+      const study::Trial trial = study::trial(plan_, index);
+      return trial.pair == 0 && trial.side == 0;
+    };
     out.metrics = campaign::Metrics::wanted;
     return out;
   }
@@ -150,6 +154,7 @@ int experiment(ExperimentOptions options, const Invocation& invocation) {
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   study::ExperimentPlan plan = planned_experiment(options, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
+  options.plugin_files = catalogue.used_files();
   if (options.results.empty()) options.results = plan.name + ".db";
   return Played(options, invocation, std::move(plan)).play();
 }

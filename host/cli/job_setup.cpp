@@ -55,6 +55,7 @@ std::string input_of(const campaign::Job& job, const std::string& name) {
 
 std::string what_changed(const campaign::Job& job, const MatchSetup& prepared, const plugin::Catalogue& catalogue,
                          const std::string& program, const std::string& mathematics) {
+  if (job.common_inputs.empty()) return {};  // nobody has counted them up
   const auto home = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue);
   const auto away = campaign::team_inputs(*prepared.plans[1], prepared.documents[1], catalogue);
   const auto common = campaign::common_inputs(prepared.setup, program, mathematics);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "campaign/blame.hpp"
 #include "campaign/engine.hpp"
 #include "campaign/inputs.hpp"
 #include "campaign/mathematics.hpp"
@@ -27,12 +29,14 @@
 #include "cli/replaced_file.hpp"
 #include "cli/results_file.hpp"
 #include "cli/shell.hpp"
+#include "cli/supervised.hpp"
 #include "cli/test_options.hpp"
 #include "config/text.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
 #include "mcap/error.hpp"
 #include "mcap/format.hpp"
+#include "plugin/plugin_file.hpp"
 #include "report/match_recording.hpp"
 
 namespace regista::cli {
@@ -59,7 +63,7 @@ defect of Regista.)";
 struct Options : MatchRequest {
   std::vector<std::string> plugins;
   std::string decisions, record, metrics, from, row;
-  bool force = false, json = false, quiet = false, verbose = false;
+  bool force = false, json = false, quiet = false, verbose = false, in_process = false;
 };
 
 std::string interrupted_text(const std::string& again, const match::GameState& state, double time) {
@@ -135,6 +139,15 @@ void require_unchanged(const Options& options, const campaign::Job& job, const M
   now.insert(now.begin(), invocation.arguments.front());
   throw BadInput(fmt::format("--row {}: was played with something else: {}; as things are now it would be: {}",
                              options.row, changed, shell_line(now)));
+}
+
+// "plugin greedy of away (b.yaml), robot 3, tick 41: assign: Segmentation fault"
+std::string failure_text(const campaign::Job& job, const campaign::Failure& failure) {
+  const std::string team =
+      fmt::format("{} ({})", failure.side == 0 ? "home" : "away", job.teams[failure.side == 0 ? 0 : 1]);
+  if (failure.plugin.empty()) return fmt::format("a plugin of {}: {}", team, failure.what);
+  return fmt::format("plugin {} of {}, robot {}, tick {}: {}: {}", failure.plugin, team, failure.robot, failure.tick,
+                     failure.call, failure.what);
 }
 
 // A match that was forfeited: in a worker, as then, for its plugin may hang or take all memory.
@@ -219,29 +232,9 @@ std::unique_ptr<report::MatchRecording> begin_recording(const Options& options, 
   }
 }
 
-int play(Options options, const Invocation& invocation) {
-  // Before stored_match() goes elsewhere.
-  for (std::string* written : {&options.decisions, &options.record, &options.metrics}) {
-    if (!options.from.empty() && !written->empty()) *written = std::filesystem::absolute(*written).string();
-  }
-  if (options.force && options.record.empty()) throw BadInput("--force: belongs to --record, which is not given");
-  const std::optional<Stored> stored = stored_match(options);
-  if (!stored && options.teams.size() != 2) {
-    throw BadInput(
-        fmt::format("match: two files of teams are wanted, {} given; see: regista match --help", options.teams.size()));
-  }
-  const std::vector<std::string>& folders = stored ? stored->job.plugins : options.plugins;
-  const plugin::Catalogue catalogue = open_plugins(folders, invocation);
-  MatchSetup prepared =
-      match_setup(stored ? request_of(stored->job) : static_cast<const MatchRequest&>(options), catalogue);
-  tell_what_is_not_used(catalogue, folders);
-  if (stored) require_unchanged(options, stored->job, prepared, catalogue, invocation);
-  check_what_is_written(options);
-  if (stored && stored->decided.failure) {
-    if (!options.metrics.empty())
-      throw BadInput(fmt::format("--metrics: row {} was forfeited, which has none", options.row));
-    return play_forfeit(options, *stored);
-  }
+// Plays what was set up, in a process that a plugin may end.
+int play_prepared(const Options& options, const Invocation& invocation, const std::optional<Stored>& stored,
+                  MatchSetup prepared, campaign::WorkerNote& note) {
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
   std::vector<std::string> words = invocation.arguments;
   if (!options.record.empty() && !options.force) words.push_back("--force");  // for there is a recording now
@@ -291,7 +284,8 @@ int play(Options options, const Invocation& invocation) {
 
   const auto began = std::chrono::steady_clock::now();
   try {
-    played.result = match::play(std::move(prepared.setup), plans, &observer, after);
+    played.result = match::play(std::move(prepared.setup), plans, &observer, after, {&note.call});
+    note.call = {};  // whatever dies from now on dies in no plugin's call
     if (recording) recording->close();
   } catch (const mcap::Error& error) {
     throw WriteError(error.what());
@@ -306,10 +300,84 @@ int play(Options options, const Invocation& invocation) {
   return stored ? compare(options, stored->decided, played.result) : exit_done;
 }
 
+// The shared objects of the teams' plugins, to tell whether they are still the same.
+using Files = std::vector<std::shared_ptr<plugin::PluginFile>>;
+
+Files files_of(const MatchSetup& prepared) {
+  Files out;
+  for (const auto& plan : prepared.plans) {
+    for (const mind::Part* part : plan->parts()) {
+      if (std::ranges::find(out, part->found->object) == out.end()) out.push_back(part->found->object);
+    }
+  }
+  return out;
+}
+
+// A plugin ended the process. Which team's it was is found out as studies do it: each team thinks in a process of its
+// own, and one of them dies again.
+int explain_loss(campaign::Job job, const Files& files, const Loss& loss) {
+  for (const auto& file : files) {
+    if (file->has_changed()) {
+      throw BadInput(fmt::format("{}: was overwritten while the match was played ({})", file->file().string(),
+                                 loss.what));
+    }
+  }
+  if (loss.from_outside) {
+    complain(fmt::format("the match was ended: {}", campaign::in_words(loss.what, loss.note.call)));
+    return exit_no;
+  }
+  campaign::Limits limits;
+  limits.isolation = campaign::Isolation::always;
+  job.record.clear();
+  try {
+    const campaign::Decided again = campaign::play_alone(job, limits);
+    if (again.failure) throw BadInput(failure_text(job, *again.failure));
+  } catch (const campaign::CampaignError& error) {
+    throw BadInput(error.what());
+  }
+  throw BadInput(fmt::format("the match died: {}; played with each team in a process of its own it did not",
+                             campaign::in_words(loss.what, loss.note.call)));
+}
+
+int play(Options options, const Invocation& invocation) {
+  // Before stored_match() goes elsewhere.
+  for (std::string* written : {&options.decisions, &options.record, &options.metrics}) {
+    if (!options.from.empty() && !written->empty()) *written = std::filesystem::absolute(*written).string();
+  }
+  if (options.force && options.record.empty()) throw BadInput("--force: belongs to --record, which is not given");
+  const std::optional<Stored> stored = stored_match(options);
+  if (!stored && options.teams.size() != 2) {
+    throw BadInput(
+        fmt::format("match: two files of teams are wanted, {} given; see: regista match --help", options.teams.size()));
+  }
+  const std::vector<std::string>& folders = stored ? stored->job.plugins : options.plugins;
+  const plugin::Catalogue catalogue = open_plugins(folders, invocation);
+  MatchSetup prepared =
+      match_setup(stored ? request_of(stored->job) : static_cast<const MatchRequest&>(options), catalogue);
+  tell_what_is_not_used(catalogue, folders);
+  if (stored) require_unchanged(options, stored->job, prepared, catalogue, invocation);
+  check_what_is_written(options);
+  if (stored && stored->decided.failure) {
+    if (!options.metrics.empty())
+      throw BadInput(fmt::format("--metrics: row {} was forfeited, which has none", options.row));
+    return play_forfeit(options, *stored);
+  }
+  campaign::Job job = stored ? stored->job : job_of(options, options.plugins);
+  job.plugin_files = catalogue.used_files();
+  const Files files = files_of(prepared);
+  const auto work = [&](campaign::WorkerNote& note) {
+    return play_prepared(options, invocation, stored, std::move(prepared), note);
+  };
+  if (options.in_process) {
+    campaign::WorkerNote note;
+    return work(note);
+  }
+  return run_supervised(work, [&](const Loss& loss) { return explain_loss(std::move(job), files, loss); });
+}
+
 }  // namespace
 
-Command add_match(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("match", "play one match between two teams");
+Command add_match(CLI::App& parent, const Invocation& invocation) {  CLI::App& app = *parent.add_subcommand("match", "play one match between two teams");
   const auto options = std::make_shared<Options>();
   app.add_option("teams", options->teams, "the teams' files: home, then away")->type_name("A.yaml B.yaml");
   app.add_option("--seed", options->seed, "all chance of the match comes from it; default 1")->type_name("N");
@@ -336,6 +404,8 @@ Command add_match(CLI::App& parent, const Invocation& invocation) {
   app.add_option("--metrics", options->metrics, "write all numbers of the match as a table (CSV)")->type_name("FILE");
   app.add_flag("--force", options->force, "let --record replace a file")->disable_flag_override();
   app.add_flag("--quiet", options->quiet, "no live line on the terminal")->disable_flag_override();
+  app.add_flag("--in-process", options->in_process, "play in the program's own process: for a debugger")
+      ->disable_flag_override();
   app.add_flag("--verbose", options->verbose, "a line on standard error for each goal")->disable_flag_override();
   app.footer(examples);
   return {&app, [options, &invocation] { return play(*options, invocation); }};

@@ -19,7 +19,10 @@
 #include <utility>
 #include <vector>
 
+#include "campaign/decision_trail.hpp"
 #include "campaign/inputs.hpp"
+#include "campaign/isolated_match.hpp"
+#include "campaign/leftovers.hpp"
 #include "campaign/worker.hpp"
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
@@ -28,10 +31,12 @@
 #include "cli/match_setup.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/text.hpp"
+#include "match/decision_digest.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
 #include "mcap/error.hpp"
 #include "plugin/failure.hpp"
+#include "plugin/fatal_signal.hpp"
 #include "report/match_recording.hpp"
 
 namespace regista::cli {
@@ -128,8 +133,58 @@ class Recording {
   match::AfterDecision after_;
 };
 
-Answer play(const campaign::Job& job, const Invocation& invocation, plugin::CallNote& note) {
-  const plugin::Catalogue catalogue = open_plugins(job.plugins, invocation);
+// The plugins of the job's teams. In the process that plays, nothing is lost when they are loaded at once; one that
+// plays an isolated match loads none.
+plugin::Catalogue plugins_of(const campaign::Job& job, const Invocation& invocation) {
+  if (job.plugin_files.empty()) return open_plugins(job.plugins, invocation);
+  const std::vector<std::filesystem::path> files(job.plugin_files.begin(), job.plugin_files.end());
+  using Looking = plugin::Catalogue::Looking;
+  return plugin::Catalogue::of_files(files, job.isolated ? Looking::in_a_child : Looking::here);
+}
+
+// Where the second play of a match goes: nothing that a match depends on is there.
+void go_elsewhere() {
+  std::error_code none;
+  std::filesystem::current_path("/", none);
+  // Whatever is allocated from now on lies elsewhere.
+  static const std::vector<char> padding(300'007);
+}
+
+match::Result play_here(const campaign::Job& job, MatchSetup& prepared,
+                        const std::array<const mind::TeamPlan*, 2>& plans, Recording& recording,
+                        std::optional<campaign::TrailWriter>& trail, campaign::WorkerNote& note) {
+  match::AfterDecision after = recording.after();
+  if (trail) {
+    after = [&trail, recorded = recording.after()](const mind::Mind& mind, const match::Decision& decision) {
+      if (recorded) recorded(mind, decision);
+      trail->add(decision, match::digest_of(mind, decision.outcome));
+    };
+  }
+  const campaign::ProcessState before = campaign::ProcessState::now();
+  const match::Result result = match::play(std::move(prepared.setup), plans, recording.observer(), after,
+                                           {&note.call, 0, job.second_play});
+  note.call = {};  // whatever dies from now on dies in no plugin's call
+  if (const std::string left = campaign::changes(before, campaign::ProcessState::now()); !left.empty()) {
+    throw std::runtime_error("a plugin " + left);
+  }
+  return result;
+}
+
+match::Result play_isolated(const campaign::Job& job, MatchSetup& prepared,
+                            const std::array<const mind::TeamPlan*, 2>& plans,
+                            std::optional<campaign::TrailWriter>& trail, campaign::WorkerNote& note) {
+  campaign::AfterDigest after;
+  if (trail) {
+    after = [&trail](const match::Decision& decision, const match::DecisionDigest& digest) {
+      trail->add(decision, digest);
+    };
+  }
+  return campaign::play_isolated(std::move(prepared.setup), plans, job.limits, job.second_play, after, note);
+}
+
+Answer play(const campaign::Job& job, const Invocation& invocation, campaign::WorkerNote& note) {
+  if (!job.isolated) plugin::note_fatal_signals(note.fatal);
+  const plugin::Catalogue catalogue = plugins_of(job, invocation);
   MatchSetup prepared = match_setup(request_of(job), catalogue);
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
   Answer answer;
@@ -145,11 +200,16 @@ Answer play(const campaign::Job& job, const Invocation& invocation, plugin::Call
     played.role_names[match::index(side)] = match::role_names(match::roles(*plans[match::index(side)]));
   }
   Recording recording(job, prepared, plans);
+  std::optional<campaign::TrailWriter> trail;
+  if (job.trail) trail.emplace(campaign::trail_descriptor, plans);
+  if (job.second_play) go_elsewhere();
   try {
-    played.result = match::play(std::move(prepared.setup), plans, recording.observer(), recording.after(), &note);
+    played.result = job.isolated ? play_isolated(job, prepared, plans, trail, note)
+                                 : play_here(job, prepared, plans, recording, trail, note);
   } catch (const std::invalid_argument& error) {
     throw BadInput(error.what());  // profiles and teams that do not go together
   }
+  if (trail) trail->close();
   answer.kind = Answer::Kind::played;
   answer.message = recording.close();
   answer.decided.score = played.result.score;
@@ -178,9 +238,19 @@ Answer refused(const char* why) {
   return answer;
 }
 
-Answer work(const Invocation& invocation, plugin::CallNote& note) {
+Answer failed(const campaign::Fault& fault) {
+  Answer answer;
+  answer.kind = Answer::Kind::failed;
+  answer.decided.failure = fault.failure();
+  answer.from_outside = fault.from_outside();
+  return answer;
+}
+
+Answer work(const Invocation& invocation, campaign::WorkerNote& note) {
   try {
     return play(campaign::job_from_json(everything_from(STDIN_FILENO)), invocation, note);
+  } catch (const campaign::Fault& fault) {
+    return failed(fault);
   } catch (const plugin::Failure& failure) {
     return failed(failure);
   } catch (const BadInput& error) {

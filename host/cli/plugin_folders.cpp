@@ -31,6 +31,7 @@ void tell_what_is_not_used(const plugin::Catalogue& catalogue, const std::vector
     if (std::ranges::find(folders, refused.file.parent_path().string()) == folders.end()) continue;
     complain(fmt::format("not used: {}", plugin::to_string(refused)));
   }
+  for (const plugin::Refused& remarked : catalogue.remarked()) complain(plugin::to_string(remarked));
 }
 
 }  // namespace regista::cli

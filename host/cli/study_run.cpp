@@ -38,11 +38,13 @@ campaign::Schedule schedule_of(const StudyRun& run, const CampaignOptions& optio
     if (!place) return std::nullopt;
     return campaign::MatchKey{numbers[place->fixture], place->seed};
   };
-  out.job = [&run, every, first, recording](std::uint64_t index) {
+  out.job = [&run, &options, every, first, recording](std::uint64_t index) {
     campaign::Job match = run.job(index);
+    match.plugin_files = options.plugin_files;
     if (every > 0 && (first + index) % every == 0) match.record = recording(index);
     return match;
   };
+  out.twice = run.first_of_pairing;
   out.record_failure = recording;
   out.not_recorded = [&progress, &invocation](const campaign::Job& job, const std::string& why) {
     progress.tell(fmt::format("a match was not recorded: {}; it can be played again with --record: {}", why,
@@ -54,8 +56,8 @@ campaign::Schedule schedule_of(const StudyRun& run, const CampaignOptions& optio
     return more;
   };
   out.metrics = run.metrics;
-  out.accident = [&progress, &invocation](const campaign::Job& job, const campaign::End& death) {
-    progress.tell(fmt::format("a worker died ({}), but not when its match was played again: {}", death.text,
+  out.accident = [&progress, &invocation](const campaign::Job& job, const std::string& what) {
+    progress.tell(fmt::format("a worker died ({}), but not when its match was played again: {}", what,
                               play_again(job, invocation)));
   };
   out.asked_to_stop = [&interruption] { return interruption.requested(); };

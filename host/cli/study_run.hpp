@@ -29,6 +29,8 @@ struct StudyRun {
   std::function<std::optional<Place>(std::uint64_t index)> at;
   std::function<campaign::Job(std::uint64_t index)> job;
   std::function<bool(std::uint64_t index, const campaign::Decided* decided)> take;
+  // Whether this match is the first of its pairing, which is played twice. May be empty.
+  std::function<bool(std::uint64_t index)> first_of_pairing;
   campaign::Metrics metrics = campaign::Metrics::left_out;
 };
 

@@ -85,6 +85,10 @@ class Played {
     };
     out.job = [this](std::uint64_t index) { return job(index); };
     out.take = [this](std::uint64_t, const campaign::Decided* decided) { return course_.take(decided); };
+    out.first_of_pairing = [this](std::uint64_t index) {
+      const study::Fixture fixture = course_.calendar().at(index);
+      return fixture.pair == 0 && !fixture.swapped;
+    };
     out.metrics = course_.needs_metrics() ? campaign::Metrics::wanted : campaign::Metrics::left_out;
     return out;
   }
@@ -131,11 +135,12 @@ class Played {
   report::TournamentView view_;
 };
 
-int tournament(const TournamentOptions& options, const Invocation& invocation) {
+int tournament(TournamentOptions options, const Invocation& invocation) {
   check(options);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   PlannedTournament planned = planned_tournament(options, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
+  options.plugin_files = catalogue.used_files();
   return Played(options, invocation, std::move(planned)).play();
 }
 

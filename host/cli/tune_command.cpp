@@ -158,6 +158,8 @@ class Played {
       last_ = list.job(index);
       return take(index, *decided);
     };
+    // Candidates differ in numbers alone: the first match of all speaks for them.
+    out.first_of_pairing = [&list](std::uint64_t index) { return list.first_row + index == 0; };
     out.metrics = metrics_wanted(plan_);
     return out;
   }
@@ -203,6 +205,7 @@ int tune(TuneOptions options, const Invocation& invocation) {
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   study::TuningPlan plan = planned_tuning(options, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
+  options.plugin_files = catalogue.used_files();
   if (options.results.empty()) options.results = plan.name + (plan.compares() ? ".compare.db" : ".db");
   return Played(options, invocation, std::move(plan)).play();
 }

@@ -15,9 +15,8 @@
 namespace regista::match {
 
 // The minds of one side. Their luck belongs to (seed, side), so that it stays when teams swap sides.
-// Throws plugin::Failure when a plugin cannot be created. note: see plugin/call_note.hpp; may be null.
-std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed,
-                              plugin::CallNote* note = nullptr);
+// Throws plugin::Failure when a plugin cannot be created. noting: see plugin/call_note.hpp; its side is set here.
+std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed, plugin::Noting noting = {});
 
 // The team's table of roles, for the metrics.
 std::vector<Role> roles(const mind::TeamPlan& plan);
@@ -27,6 +26,6 @@ using AfterDecision = std::function<void(const mind::Mind&, const Decision&)>;
 
 // Plays `setup` (its `roles` are taken from the plans). Throws as play() and Mind do.
 Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, const Observer* observer = nullptr,
-            const AfterDecision& after = {}, plugin::CallNote* note = nullptr);
+            const AfterDecision& after = {}, plugin::Noting noting = {});
 
 }  // namespace regista::match

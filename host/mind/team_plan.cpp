@@ -56,6 +56,18 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
   landmarks_ = landmarks(rules_.field);
 }
 
+std::vector<const Part*> TeamPlan::parts() const {
+  std::vector<const Part*> out{&self_, &ball_, &opponents_, &teammates_};
+  for (const ContextPlan& context : contexts_) {
+    out.push_back(&context.condition);
+    if (context.positioner) out.push_back(&*context.positioner);
+    for (const TermPart& term : context.terms) out.push_back(&term.part);
+    out.push_back(&context.assigner);
+    out.push_back(&context.sender);
+  }
+  return out;
+}
+
 regista_environment TeamPlan::environment(int number, unsigned subject) const {
   const config::FieldSize& field = rules_.field;
   regista_environment out{};

@@ -64,6 +64,9 @@ class TeamPlan {
   // In the order of Team::contexts: highest priority first.
   const std::vector<ContextPlan>& contexts() const { return contexts_; }
 
+  // All of the above, in a fixed order; a plugin may have several.
+  std::vector<const Part*> parts() const;
+
   const std::vector<RoleRow>& roles() const { return roles_; }
   // Row of the first role of a list.
   int first_role(int list) const { return first_role_[static_cast<std::size_t>(list)]; }

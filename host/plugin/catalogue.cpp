@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "config/text.hpp"
 #include "plugin/descriptor.hpp"
 #include "plugin/shared_object.hpp"
+#include "plugin/survey.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -40,7 +40,7 @@ std::string described(const Found& plugin) {
 std::vector<std::string> names_of_kind(std::span<const Found> plugins, int kind) {
   std::vector<std::string> out;
   for (const Found& plugin : plugins) {
-    if (implements(*plugin.descriptor, kind)) out.emplace_back(plugin.descriptor->id);
+    if (implements(plugin, kind)) out.emplace_back(plugin.descriptor->id);
   }
   std::ranges::sort(out);
   out.erase(std::unique(out.begin(), out.end()), out.end());
@@ -52,9 +52,9 @@ std::string unknown(const std::string& id, int kind, const std::vector<std::stri
   return config::unknown(kind_name(kind), id, "", known) + (known.empty() ? "; there is none at all" : "");
 }
 
-std::string kinds_in_words(const regista_descriptor& descriptor) {
+std::string kinds_in_words(const Found& plugin) {
   std::string out;
-  for (const int kind : kinds(descriptor)) {
+  for (const int kind : kinds(plugin)) {
     if (kind == REGISTA_KIND_MAILBOX) continue;
     if (!out.empty()) out += " and ";
     out += kind_with_article(kind);
@@ -64,27 +64,54 @@ std::string kinds_in_words(const regista_descriptor& descriptor) {
 
 // `plugin "voronoi" is a positioner, not an assigner`
 std::string another_kind(const Found& plugin, int kind) {
-  return fmt::format("plugin \"{}\" is {}, not {}", plugin.descriptor->id, kinds_in_words(*plugin.descriptor),
+  return fmt::format("plugin \"{}\" is {}, not {}", plugin.descriptor->id, kinds_in_words(plugin),
                      kind_with_article(kind));
+}
+
+Surveyed looked_at_here(PluginFile& file) {
+  const SharedObject& object = file.load();
+  Surveyed out{{}, object.refusal, object.remark};
+  for (const regista_descriptor* each : object.descriptors) {
+    out.plugins.push_back(std::make_shared<const Description>(*each));
+  }
+  return out;
 }
 
 }  // namespace
 
-std::string to_string(const Refused& refused) { return refused.file.string() + ": " + refused.reason; }
-
 Catalogue::Catalogue(std::vector<fs::path> folders) : folders_(std::move(folders)) {
+  std::vector<std::vector<fs::path>> files_of;
+  std::vector<std::string> reasons;
+  std::vector<fs::path> all;
   for (const fs::path& folder : folders_) {
-    std::string reason;
-    const std::vector<fs::path> paths = shared_objects(folder, reason);
-    if (!reason.empty()) refused_.push_back({folder, reason});
-    for (const fs::path& path : paths) {
-      const std::size_t before = files_.size();
-      const File& file = open(path);
-      if (files_.size() == before) continue;  // reached a second time
-      plugins_.insert(plugins_.end(), file.plugins.begin(), file.plugins.end());
-      if (!file.reason.empty()) refused_.push_back({file.path, file.reason});
+    files_of.push_back(shared_objects(folder, reasons.emplace_back()));
+    all.insert(all.end(), files_of.back().begin(), files_of.back().end());
+  }
+  look_at(all);
+  std::vector<const PluginFile*> added;
+  for (std::size_t i = 0; i < folders_.size(); ++i) {
+    if (!reasons[i].empty()) refused_.push_back({folders_[i], reasons[i]});
+    for (const fs::path& path : files_of[i]) {
+      const PluginFile* const file = known(path)->object.get();
+      if (std::ranges::find(added, file) != added.end()) continue;  // reached a second time
+      added.push_back(file);
+      add(path);
     }
   }
+}
+
+Catalogue Catalogue::of_files(std::span<const fs::path> files, Looking looking) {
+  Catalogue out(looking);
+  out.look_at(files);
+  for (const fs::path& file : files) out.add(file);
+  return out;
+}
+
+void Catalogue::add(const fs::path& path) {
+  const File& file = *known(path);
+  plugins_.insert(plugins_.end(), file.plugins.begin(), file.plugins.end());
+  if (!file.reason.empty()) refused_.push_back({file.object->file(), file.reason});
+  if (!file.remark.empty()) remarked_.push_back({file.object->file(), file.remark});
 }
 
 std::vector<fs::path> Catalogue::search_path(std::span<const fs::path> options, const char* environment_variable_value,
@@ -110,22 +137,47 @@ std::vector<fs::path> Catalogue::search_path(std::span<const fs::path> options, 
   return out;
 }
 
-Catalogue::File& Catalogue::open(const fs::path& path) const {
-  struct stat about {};
-  const bool exists = ::stat(path.c_str(), &about) == 0;
+// A file is the same whatever it is called; what does not exist is known by its name.
+Catalogue::File* Catalogue::known(const fs::path& path) const {
+  const FileStamp now = stamp_of(path);
   for (File& file : files_) {
-    if (exists ? file.device == about.st_dev && file.number == about.st_ino : file.path == path) return file;
+    const FileStamp& then = file.object->stamp();
+    const bool exists = now.bytes >= 0 && then.bytes >= 0;
+    if (exists && then.device == now.device && then.number == now.number) return &file;
+    if (file.object->file() == path) return &file;
   }
-  SharedObject object = open_shared_object(path);
-  File& file = files_.emplace_back(File{about.st_dev, about.st_ino, path, {}, std::move(object.refusal)});
-  for (const regista_descriptor* descriptor : object.descriptors) file.plugins.push_back({path, descriptor});
-  return file;
+  return nullptr;
+}
+
+void Catalogue::look_at(std::span<const fs::path> paths) const {
+  std::vector<fs::path> unknown;
+  const std::size_t before = files_.size();
+  for (const fs::path& path : paths) {
+    if (known(path) != nullptr) continue;
+    files_.emplace_back().object = std::make_shared<PluginFile>(path);
+    unknown.push_back(path);
+  }
+  std::vector<Surveyed> found;
+  if (looking_ == Looking::in_a_child) {
+    found = survey(unknown);
+  } else {
+    for (std::size_t i = 0; i < unknown.size(); ++i) found.push_back(looked_at_here(*files_[before + i].object));
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    File& file = files_[before + i];
+    file.reason = found[i].refusal;
+    file.remark = found[i].remark;
+    std::uint32_t index = 0;
+    for (const auto& description : found[i].plugins) {
+      file.plugins.push_back({unknown[i], &description->declared(), description, file.object, index++});
+    }
+  }
 }
 
 const Found& Catalogue::find(const config::PluginUse& use, int kind, std::uint32_t subject) const {
   const Found& found = use.file.empty() ? find_searched(use, kind) : find_pinned(use, kind);
   if (subject != 0) {
-    const std::uint32_t subjects = table<regista_predictor>(*found.descriptor, REGISTA_KIND_PREDICTOR)->subjects;
+    const std::uint32_t subjects = plugin::subjects(found);
     if ((subjects & subject) == 0) {
       throw config::Error(use.where, fmt::format("predictor \"{}\" models {}, not {}", use.plugin,
                                                  subject_names(subjects), subject_names(subject)));
@@ -135,12 +187,13 @@ const Found& Catalogue::find(const config::PluginUse& use, int kind, std::uint32
 }
 
 const Found& Catalogue::find_pinned(const config::PluginUse& use, int kind) const {
-  const File& file = open(use.file);
+  if (known(use.file) == nullptr) look_at(std::vector<fs::path>{use.file});
+  const File& file = *known(use.file);
   if (!file.reason.empty()) throw config::Error(use.where, to_string(Refused{use.file, file.reason}));
   const Found* other = nullptr;
   for (const Found& plugin : file.plugins) {
     if (plugin.descriptor->id != use.plugin) continue;
-    if (implements(*plugin.descriptor, kind)) return plugin;
+    if (implements(plugin, kind)) return plugin;
     other = &plugin;
   }
   const std::string reason =
@@ -153,13 +206,16 @@ const Found& Catalogue::find_searched(const config::PluginUse& use, int kind) co
   const Found* other = nullptr;
   for (const Found& plugin : plugins_) {
     if (plugin.descriptor->id != use.plugin) continue;
-    if (implements(*plugin.descriptor, kind)) {
+    if (implements(plugin, kind)) {
       found.push_back(&plugin);
     } else {
       other = &plugin;
     }
   }
-  if (found.size() == 1) return *found.front();
+  if (found.size() == 1) {
+    used_.insert(found.front()->file.string());
+    return *found.front();
+  }
 
   std::string message;
   if (found.size() > 1) {
@@ -184,6 +240,8 @@ const Found& Catalogue::find_searched(const config::PluginUse& use, int kind) co
   }
   throw config::Error(use.where, message);
 }
+
+std::vector<std::string> Catalogue::used_files() const { return {used_.begin(), used_.end()}; }
 
 std::vector<std::string> Catalogue::searched() const {
   std::vector<std::string> out;

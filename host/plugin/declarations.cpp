@@ -50,7 +50,7 @@ std::vector<config::PluginDeclaration> declarations(std::span<const Found> plugi
   std::vector<config::PluginDeclaration> out;
   for (const Found& plugin : plugins) {
     const regista_descriptor& d = *plugin.descriptor;
-    for (const int kind : kinds(d)) {
+    for (const int kind : kinds(plugin)) {
       const auto same = [&](const config::PluginDeclaration& other) {
         return other.id == d.id && other.kind == kind_name(kind);
       };

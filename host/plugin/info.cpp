@@ -62,13 +62,9 @@ Info info(const Found& plugin) {
   out.build_tag = d.build_tag;
   out.abi = fmt::format("{}.{}", d.abi_major, d.abi_minor);
   out.file = plugin.file.string();
-  for (const int kind : kinds(d)) out.kinds.emplace_back(kind_name(kind));
-  if (const auto* predictor = table<regista_predictor>(d, REGISTA_KIND_PREDICTOR)) {
-    out.subjects = subject_names(predictor->subjects);
-  }
-  if (const auto* assigner = table<regista_assigner>(d, REGISTA_KIND_ASSIGNER)) {
-    out.negotiates = (assigner->flags & REGISTA_ASSIGNER_NEGOTIATES) != 0;
-  }
+  for (const int kind : kinds(plugin)) out.kinds.emplace_back(kind_name(kind));
+  out.subjects = subject_names(subjects(plugin));
+  out.negotiates = (assigner_flags(plugin) & REGISTA_ASSIGNER_NEGOTIATES) != 0;
   for (std::uint32_t i = 0; i < d.parameter_count; ++i) out.parameters.push_back(info(parameter(d, i)));
   return out;
 }
@@ -97,13 +93,14 @@ std::string list_text(const Catalogue& catalogue) {
   for (int kind = 1; kind < REGISTA_KIND_END; ++kind) {
     for (const Found& plugin : catalogue.plugins()) {
       const regista_descriptor& d = *plugin.descriptor;
-      if (kind == REGISTA_KIND_MAILBOX || !implements(d, kind)) continue;
+      if (kind == REGISTA_KIND_MAILBOX || !implements(plugin, kind)) continue;
       out += fmt::format("{:<10}  {:<{}}  {}  {}  ({})\n", kind_name(kind), d.id, width, d.version, d.summary,
                          plugin.file.string());
     }
   }
   if (out.empty()) out = "no plugins\n";
   for (const Refused& refused : catalogue.refused()) out += fmt::format("refused: {}\n", to_string(refused));
+  for (const Refused& remarked : catalogue.remarked()) out += fmt::format("remark: {}\n", to_string(remarked));
   for (const std::string& folder : catalogue.searched()) out += fmt::format("searched: {}\n", folder);
   return out;
 }

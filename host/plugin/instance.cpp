@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cstring>
 #include <exception>
+#include <stdexcept>
 
 namespace regista::plugin {
 namespace {
@@ -36,9 +37,17 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
   assert(parameters.values().size() == plugin.descriptor->parameter_count);
   environment_.size = sizeof environment_;
   if (note_ != nullptr) note_->instance = nullptr;  // an earlier one may have stood at this address
+  begin("open");
+  try {
+    descriptor_ = &loaded(plugin_);
+  } catch (const std::runtime_error& error) {
+    end();
+    fail("open", error.what());
+  }
+  end();
   begin("create");
   try {
-    raw_ = plugin.descriptor->create(&environment_, host != nullptr ? host : &host_without_radio,
+    raw_ = descriptor_->create(&environment_, host != nullptr ? host : &host_without_radio,
                                      parameters.values().data(), &error_);
   } catch (...) {
     threw("create");
@@ -54,11 +63,11 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
 
 Instance::~Instance() {
   begin("destroy");
-  plugin_.descriptor->destroy(raw_);
+  descriptor_->destroy(raw_);
   end();
 }
 
-void Instance::reset(std::uint64_t seed) { call("reset", plugin_.descriptor->reset, seed); }
+void Instance::reset(std::uint64_t seed) { call("reset", descriptor_->reset, seed); }
 
 void Instance::fail(const char* call, std::string message) const {
   throw Failure(plugin_, caller_, call, std::move(message));

@@ -35,7 +35,7 @@ class Instance {
   // The beginning of a match. Must come once before any call of a kind, and may come again at any time.
   void reset(std::uint64_t seed);
 
-  bool implements(int kind) const { return plugin::implements(*plugin_.descriptor, kind); }
+  bool implements(int kind) const { return plugin::implements(plugin_, kind); }
   const Found& plugin() const { return plugin_; }
   // As given at create; its spans belong to whoever gave them.
   const regista_environment& environment() const { return environment_; }
@@ -59,7 +59,7 @@ class Instance {
   // The table of this kind; throws Failure when the plugin has none.
   template <class Table>
   const Table& table(int kind) const {
-    const Table* found = plugin::table<Table>(*plugin_.descriptor, kind);
+    const Table* found = plugin::table<Table>(*descriptor_, kind);
     if (found == nullptr) has_no_table(kind);
     return *found;
   }
@@ -95,6 +95,7 @@ class Instance {
   [[noreturn]] void has_no_table(int kind) const;
 
   Found plugin_;
+  const regista_descriptor* descriptor_ = nullptr;  // the plugin's own
   regista_environment environment_;
   const Caller* caller_;
   CallNote* note_;

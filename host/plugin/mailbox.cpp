@@ -6,9 +6,9 @@
 namespace regista::plugin {
 
 std::optional<Mailbox> Mailbox::of(std::shared_ptr<Instance> instance) {
-  const auto* const calls = table<regista_mailbox>(*instance->plugin().descriptor, REGISTA_KIND_MAILBOX);
-  if (calls == nullptr) return std::nullopt;
-  return Mailbox(std::move(instance), calls);
+  if (!instance->implements(REGISTA_KIND_MAILBOX)) return std::nullopt;
+  const regista_mailbox& calls = instance->table<regista_mailbox>(REGISTA_KIND_MAILBOX);
+  return Mailbox(std::move(instance), &calls);
 }
 
 Mailbox::Mailbox(std::shared_ptr<Instance> instance, const regista_mailbox* calls)

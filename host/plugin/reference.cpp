@@ -69,7 +69,7 @@ std::string reference_text(const Catalogue& catalogue) {
   for (const Chapter& chapter : chapters) {
     out += fmt::format("\n## {}\n\n{}\n", chapter.title, chapter.question);
     for (const Found* plugin : plugins) {
-      if (implements(*plugin->descriptor, chapter.kind)) out += section(*plugin);
+      if (implements(*plugin, chapter.kind)) out += section(*plugin);
     }
   }
   return out;

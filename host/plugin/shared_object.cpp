@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cfenv>
 #include <cstdint>
 #include <exception>
 #include <memory>
@@ -17,6 +18,7 @@
 #include <system_error>
 
 #include "config/text.hpp"
+#include "plugin/address_ranges.hpp"
 #include "plugin/descriptor.hpp"
 
 namespace regista::plugin {
@@ -124,7 +126,7 @@ bool share_a_kind(const regista_descriptor& a, const regista_descriptor& b) {
   return false;
 }
 
-SharedObject refuse(const std::string& reason) { return {{}, config::one_line(reason)}; }
+SharedObject refuse(const std::string& reason) { return {{}, config::one_line(reason), {}}; }
 
 SharedObject shake_hands(decltype(&regista_plugin_entry) entry) {
   SharedObject out;
@@ -151,8 +153,13 @@ SharedObject open_shared_object(const std::filesystem::path& file) {
   // Without a slash the loader would look in its own folders.
   const std::filesystem::path path = std::filesystem::absolute(file);
   if (const std::string why = why_no_plugin(path); !why.empty()) return refuse(why);
+  // Start-up code of -ffast-math sets how the processor treats small numbers, for everybody.
+  std::fenv_t before;
+  std::fegetenv(&before);
   void* const handle = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  std::fesetenv(&before);
   if (handle == nullptr) return refuse("cannot be opened: " + loader_message(path));
+  note_address_range(handle);
   void* const entry = ::dlsym(handle, REGISTA_ENTRY_NAME);
   if (entry == nullptr) return refuse("cannot be opened: " + loader_message(path));
   try {

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/isolated_match.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <ctime>
+#include <optional>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "campaign/belief_wire.hpp"
+#include "campaign/mind_channel.hpp"
+#include "campaign/mind_host.hpp"
+#include "campaign/process.hpp"
+#include "match/outcome.hpp"
+#include "mind/wire.hpp"
+
+namespace regista::campaign {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double patience = 0.1;  // s between two looks at a process that has not replied
+
+// The process of a side's minds.
+struct Team {
+  MindChannel channel;
+  pid_t process = -1;
+  double waited = 0.0;  // s that the match has waited for it
+};
+
+void close_all_but_standard_streams() {
+  if (::close_range(STDERR_FILENO + 1, ~0u, 0) == 0) return;
+  for (int each = STDERR_FILENO + 1; each < 1024; ++each) ::close(each);
+}
+
+class IsolatedMatch {
+ public:
+  IsolatedMatch(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, const Limits& limits,
+                bool compare_inputs, const AfterDigest& after, WorkerNote& note)
+      : setup_(std::move(setup)),
+        plans_(plans),
+        limits_(limits),
+        compare_inputs_(compare_inputs),
+        after_(after),
+        note_(note) {
+    for (const match::Side side : match::both_sides) setup_.roles[match::index(side)] = match::roles(*plans[match::index(side)]);
+    // A death of either interrupts the sleep for the other.
+    struct sigaction action {};
+    action.sa_handler = [](int) {};
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGCHLD, &action, &before_);
+  }
+  ~IsolatedMatch() {
+    for (Team& team : teams_) end(team);
+    note_.groups = {};
+    sigaction(SIGCHLD, &before_, nullptr);
+  }
+  IsolatedMatch(const IsolatedMatch&) = delete;
+  IsolatedMatch& operator=(const IsolatedMatch&) = delete;
+
+  match::Result play() {
+    for (const match::Side side : match::both_sides) start(side);
+    for (const match::Side side : match::both_sides) hear(side);  // that the minds have been created
+    std::array<std::vector<mind::Think>, 2> think;
+    for (const match::Side side : match::both_sides) {
+      for (int number = 1; number <= plans_[match::index(side)]->rules().team_size; ++number) {
+        think[match::index(side)].push_back(
+            [this, side, number](const mind::Percepts& percepts, std::span<const mind::HeardPacket> heard,
+                                 mind::Outcome& out) { decide(side, number, percepts, heard, out); });
+      }
+    }
+    const match::Beliefs beliefs = [this](match::Side side, int number, match::Belief& out) {
+      read(side, ask(side, Question::believe, number, {}), out);
+    };
+    match::Observer observer;
+    if (after_) {
+      observer.decision = [this](const match::Decision& decision) { after_(decision, digest_); };
+    }
+    const match::Result result = match::play(setup_, think[0], think[1], &observer, beliefs);
+    for (const match::Side side : match::both_sides) ask(side, Question::finish, 0, {});
+    return result;
+  }
+
+ private:
+  Team& team(match::Side side) { return teams_[match::index(side)]; }
+
+  void start(match::Side side) {
+    const pid_t match = ::getpid();
+    const pid_t process = ::fork();
+    if (process == -1) throw std::system_error(errno, std::generic_category(), "cannot start a process for minds");
+    if (process == 0) {
+      ::setpgid(0, 0);
+      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+      if (::getppid() != match) ::_exit(1);
+      std::signal(SIGCHLD, SIG_DFL);
+      close_all_but_standard_streams();
+      serve_minds(*plans_[match::index(side)], side, setup_.seed, compare_inputs_, team(side).channel);
+    }
+    ::setpgid(process, process);  // whoever of the two comes first
+    team(side).process = process;
+    note_.groups[match::index(side)] = process;
+  }
+
+  static void end(Team& team) {
+    if (team.process == -1) return;
+    end_group(team.process);
+    while (::waitpid(team.process, nullptr, 0) == -1 && errno == EINTR) {
+    }
+    team.process = -1;
+  }
+
+  void decide(match::Side side, int number, const mind::Percepts& percepts, std::span<const mind::HeardPacket> heard,
+              mind::Outcome& out) {
+    question_.clear();
+    question_(percepts);
+    mind::write_heard(question_, heard);
+    config::BytesIn answer = ask(side, Question::decide, number, question_.bytes());
+    try {
+      answer(out);
+      for (std::uint64_t& each : digest_) answer(each);
+    } catch (const std::out_of_range&) {
+      damaged(side, number);
+    }
+    const std::string why =
+        match::unsound(out, setup_.robots[match::index(side)], setup_.roles[match::index(side)].size());
+    if (!why.empty()) throw Fault(noted(side, "its mind handed over an outcome that is not sound: " + why), false);
+  }
+
+  template <class T>
+  void read(match::Side side, config::BytesIn answer, T& out) {
+    try {
+      answer(out);
+    } catch (const std::out_of_range&) {
+      damaged(side, 0);
+    }
+  }
+
+  [[noreturn]] void damaged(match::Side side, int robot) {
+    throw Fault({static_cast<int>(match::index(side)), "", "", robot, 0, "the memory of its minds is damaged"}, false);
+  }
+
+  config::BytesIn ask(match::Side side, Question question, int robot, std::span<const std::uint8_t> bytes) {
+    if (bytes.size() > MindChannel::most_bytes) throw std::length_error("percepts too long for a channel");
+    team(side).channel.ask(question, robot, bytes);
+    return hear(side);
+  }
+
+  config::BytesIn hear(match::Side side) {
+    Team& asked = team(side);
+    if (!asked.channel.replied()) wait_for(side);
+    if (asked.channel.reply() == Reply::done) return config::BytesIn(asked.channel.bytes());
+    const auto bytes = asked.channel.bytes();
+    Failure failure;
+    try {
+      failure = failure_from_json(std::string(bytes.begin(), bytes.end()));
+    } catch (const std::invalid_argument&) {
+      damaged(side, 0);
+    }
+    failure.side = static_cast<int>(match::index(side));
+    throw Fault(failure, false);
+  }
+
+  void wait_for(match::Side side) {
+    Team& asked = team(side);
+    const auto began = Clock::now();
+    std::optional<double> processor;  // of it, when it was looked at first
+    for (;;) {
+      asked.channel.wait_for_reply(patience);
+      if (asked.channel.replied()) break;
+      for (const match::Side each : match::both_sides) look_after(each);
+      if (asked.channel.replied()) break;
+      const double waited = std::chrono::duration<double>(Clock::now() - began).count();
+      const double now = processor_seconds_of(asked.process);
+      if (!processor) processor = now;
+      if (now - *processor > static_cast<double>(limits_.processor_seconds)) {
+        throw Fault(noted(side, fmt::format("used more than {} s of processor time", limits_.processor_seconds)),
+                    false);
+      }
+      if (waited > limits_.wall_seconds) {
+        throw Fault(noted(side, fmt::format("did not return within {:.0f} s", limits_.wall_seconds)), false);
+      }
+      check_match_time(side, waited);
+    }
+    asked.waited += std::chrono::duration<double>(Clock::now() - began).count();
+    check_match_time(side, 0.0);
+  }
+
+  // The one that has been waited for longer has used up the time of the match.
+  void check_match_time(match::Side side, double waiting) {
+    team(side).waited += waiting;
+    const double home = teams_[0].waited, away = teams_[1].waited;
+    team(side).waited -= waiting;
+    if (home + away <= limits_.match_wall_seconds) return;
+    const match::Side slower = home >= away ? match::Side::home : match::Side::away;
+    throw Fault({static_cast<int>(match::index(slower)), "", "", 0, 0,
+                 fmt::format("kept the match waiting for {:.0f} s of the {:.0f} s that a match may last",
+                             std::max(home, away), limits_.match_wall_seconds)},
+                false);
+  }
+
+  void look_after(match::Side side) {
+    Team& looked_at = team(side);
+    int status = 0;
+    const pid_t waited = ::waitpid(looked_at.process, &status, WNOHANG | WUNTRACED);
+    if (waited != looked_at.process) return;
+    if (WIFSTOPPED(status)) {
+      throw Fault(noted(side, fmt::format("was stopped ({})", strsignal(WSTOPSIG(status)))), true);
+    }
+    ::kill(-looked_at.process, SIGKILL);
+    looked_at.process = -1;
+    if (WIFEXITED(status)) {
+      throw Fault(noted(side, fmt::format("ended the process (exit code {})", WEXITSTATUS(status))), false);
+    }
+    const int number = WTERMSIG(status);
+    if (number == SIGXCPU) {
+      throw Fault(noted(side, fmt::format("used more than {} s of processor time in one match",
+                                          limits_.match_seconds())),
+                  false);
+    }
+    throw Fault(noted(side, strsignal(number)), comes_from_outside(number));
+  }
+
+  // A failure of the call that was under way last.
+  Failure noted(match::Side side, const std::string& what) {
+    WorkerNote note = team(side).channel.note();
+    note.call.plugin.back() = note.call.call.back() = '\0';
+    note.fatal.thread.back() = note.fatal.object.back() = '\0';
+    return {static_cast<int>(match::index(side)), note.call.plugin.data(), note.call.call.data(), note.call.robot,
+            note.call.tick, what + where(note.fatal) + (note.call.inside == 1 ? "" : ", between two calls")};
+  }
+
+  match::Setup setup_;
+  std::array<const mind::TeamPlan*, 2> plans_;
+  Limits limits_;
+  bool compare_inputs_;
+  const AfterDigest& after_;
+  WorkerNote& note_;
+  std::array<Team, 2> teams_;
+  struct sigaction before_ {};
+  config::BytesOut question_;
+  match::DecisionDigest digest_{};
+};
+
+}  // namespace
+
+match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans,
+                            const Limits& limits, bool compare_inputs, const AfterDigest& after, WorkerNote& note) {
+  return IsolatedMatch(std::move(setup), plans, limits, compare_inputs, after, note).play();
+}
+
+}  // namespace regista::campaign

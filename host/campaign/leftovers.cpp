@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/leftovers.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <iterator>
+#include <string_view>
+#include <system_error>
+
+#include "plugin/address_ranges.hpp"
+
+namespace regista::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Names that are numbers: those of threads, of descriptors.
+std::vector<int> numbers_in(const char* folder) {
+  std::vector<int> out;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    int number = 0;
+    if (std::from_chars(name.data(), name.data() + name.size(), number).ec == std::errc()) out.push_back(number);
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+// The folder is read through a descriptor of its own, which is gone by now.
+std::vector<int> open_descriptors() {
+  std::vector<int> out;
+  for (const int each : numbers_in("/proc/self/fd")) {
+    std::error_code error;
+    if (fs::is_symlink(fs::symlink_status(fmt::format("/proc/self/fd/{}", each), error))) out.push_back(each);
+  }
+  return out;
+}
+
+std::vector<int> without(const std::vector<int>& all, const std::vector<int>& those) {
+  std::vector<int> out;
+  std::ranges::set_difference(all, those, std::back_inserter(out));
+  return out;
+}
+
+std::string signal_name(int number) {
+  const char* const name = sigabbrev_np(number);
+  return name != nullptr ? fmt::format("SIG{}", name) : fmt::format("signal {}", number);
+}
+
+}  // namespace
+
+ProcessState ProcessState::now() {
+  ProcessState out;
+  out.threads = static_cast<int>(numbers_in("/proc/self/task").size());
+  out.descriptors = open_descriptors();
+  std::error_code error;
+  out.folder = fs::current_path(error).string();
+  for (int number = 1; number < static_cast<int>(out.handlers.size()); ++number) {
+    struct sigaction action {};
+    if (sigaction(number, nullptr, &action) != 0) continue;
+    const auto handler = (action.sa_flags & SA_SIGINFO) != 0 ? reinterpret_cast<std::uintptr_t>(action.sa_sigaction)
+                                                             : reinterpret_cast<std::uintptr_t>(action.sa_handler);
+    out.handlers[static_cast<std::size_t>(number)] = handler;
+  }
+  return out;
+}
+
+std::string changes(const ProcessState& before, const ProcessState& after) {
+  std::vector<std::string> out;
+  if (const int more = after.threads - before.threads; more > 0) {
+    out.push_back(fmt::format("left {} thread{} running", more, more == 1 ? "" : "s"));
+  }
+  if (const auto closed = without(before.descriptors, after.descriptors); !closed.empty()) {
+    out.push_back(fmt::format("closed file descriptor{} {}", closed.size() == 1 ? "" : "s", fmt::join(closed, ", ")));
+  }
+  if (const auto open = without(after.descriptors, before.descriptors); !open.empty()) {
+    out.push_back(open.size() == 1 ? fmt::format("left file descriptor {} open", open.front())
+                                   : fmt::format("left {} file descriptors open", open.size()));
+  }
+  if (before.folder != after.folder) out.push_back("changed the working folder");
+  for (std::size_t number = 1; number < before.handlers.size(); ++number) {
+    if (before.handlers[number] == after.handlers[number]) continue;
+    const plugin::ObjectName* const object = plugin::object_at(after.handlers[number]);
+    out.push_back(fmt::format("changed the handler of {}{}", signal_name(static_cast<int>(number)),
+                              object == nullptr ? "" : fmt::format(" to one in {}", object->data())));
+  }
+  return fmt::format("{}", fmt::join(out, ", "));
+}
+
+}  // namespace regista::campaign

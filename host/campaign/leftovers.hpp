@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What of a process is everybody's: threads, file descriptors, working folder, handlers of signals. Plugins are to leave
+// it as it was.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace regista::campaign {
+
+struct ProcessState {
+  static ProcessState now();
+
+  int threads = 1;
+  std::vector<int> descriptors;  // ascending
+  std::string folder;
+  std::array<std::uintptr_t, 65> handlers{};  // by signal
+};
+
+// What was changed in between, in words: "left 2 threads running, changed the working folder". Empty when nothing was.
+std::string changes(const ProcessState& before, const ProcessState& after);
+
+}  // namespace regista::campaign

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// One match until it is decided: as many plays as that takes, one worker after the other. Never blocks.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/blame.hpp"
+#include "campaign/decision_trail.hpp"
+#include "campaign/job.hpp"
+#include "campaign/limits.hpp"
+#include "campaign/worker.hpp"
+
+namespace regista::campaign {
+
+class MatchRun {
+ public:
+  // twice: a second play holds the first to account. failure_record: the file for the recording of a match that fails;
+  // empty: none. Throws std::system_error when a worker cannot be started.
+  MatchRun(Job job, const Limits& limits, bool twice, std::string failure_record);
+  MatchRun(const MatchRun&) = delete;  // its worker writes into its note
+  MatchRun& operator=(const MatchRun&) = delete;
+
+  const Job& job() const { return job_; }
+  const Worker& worker() const { return *worker_; }
+
+  // True when the match is decided. To be called when a descriptor of the worker is readable and every now and then.
+  // Throws CampaignError, std::system_error.
+  bool advance();
+
+  // When it is decided:
+  const Decided& decided() const { return *decided_; }
+  int plays() const { return plays_; }  // that it took, without those that only record
+  // How a worker died, though the match was then played to its end; else empty.
+  const std::string& accident() const { return accident_; }
+  const std::string& not_recorded() const { return not_recorded_; }  // why not, though it should be; else empty
+
+ private:
+  enum class Stage { first, second, isolated, recording };
+  void start(Stage stage);
+  void settle();
+  void played(const Answer& answer);
+  void failed(Attempt attempt);
+  void compare(const Decided& second);
+  void decide(Decided decided);
+  void recorded(const End& end, const std::optional<Answer>& answer);
+
+  Job job_;
+  Limits limits_;
+  bool twice_;
+  std::string failure_record_;
+  Stage stage_ = Stage::first;
+  SharedNote note_;
+  std::unique_ptr<TrailFile> trail_;
+  std::string first_trail_;
+  std::unique_ptr<Worker> worker_;
+  std::vector<Attempt> attempts_;
+  std::optional<Decided> first_;  // the first play, while the second is under way
+  std::optional<Decided> decided_;
+  bool complete_ = false;
+  int plays_ = 0;
+  double seconds_ = 0.0;
+  std::string accident_, not_recorded_, output_;
+};
+
+}  // namespace regista::campaign

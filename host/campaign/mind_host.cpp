@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/mind_host.hpp"
+
+#include <unistd.h>
+
+#include <exception>
+#include <new>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/belief_wire.hpp"
+#include "campaign/job.hpp"
+#include "campaign/leftovers.hpp"
+#include "match/decision_digest.hpp"
+#include "match/mind_belief.hpp"
+#include "match/teams.hpp"
+#include "mind/wire.hpp"
+#include "plugin/failure.hpp"
+#include "plugin/fatal_signal.hpp"
+
+namespace regista::campaign {
+namespace {
+
+Failure failure_of(const plugin::Failure& failure, int side) {
+  Failure out{side, failure.id(), failure.call(), 0, 0, failure.message()};
+  if (failure.caller()) {
+    out.robot = failure.caller()->robot;
+    out.tick = failure.caller()->tick;
+  }
+  return out;
+}
+
+// Whatever came out of a call that is not a plugin's own word.
+Failure failure_of(const plugin::CallNote& note, int side, const char* what) {
+  return {side, note.plugin.data(), note.call.data(), note.robot, note.tick, what};
+}
+
+class MindHost {
+ public:
+  MindHost(const mind::TeamPlan& plan, match::Side side, std::uint64_t seed, bool compare_inputs, MindChannel& channel)
+      : side_(static_cast<int>(match::index(side))), channel_(channel) {
+    minds_ = match::minds(plan, side, seed, {&channel.note().call, side_, compare_inputs});
+  }
+
+  void answer() {
+    out_.clear();
+    switch (channel_.question()) {
+      case Question::decide:
+        decide();
+        break;
+      case Question::believe:
+        match::belief_of(mind(), belief_);
+        out_(belief_);
+        break;
+      case Question::finish:
+        minds_.clear();
+        channel_.note().call = {};
+        break;
+    }
+  }
+  std::span<const std::uint8_t> bytes() const { return out_.bytes(); }
+
+ private:
+  mind::Mind& mind() { return minds_.at(static_cast<std::size_t>(channel_.robot() - 1)); }
+
+  void decide() {
+    config::BytesIn in(channel_.bytes());
+    in(percepts_);
+    mind::read_heard(in, heard_);
+    // As the match hands an outcome to a mind.
+    outcome_.command = {};
+    outcome_.send = false;
+    outcome_.send_reason = 0;
+    outcome_.packet.clear();
+    outcome_.role = -1;
+    outcome_.assignment.clear();
+    mind().think(percepts_, heard_, outcome_);
+    out_(outcome_);
+    const match::DecisionDigest digest = match::digest_of(mind(), outcome_);
+    for (const std::uint64_t each : digest) out_(each);
+  }
+
+  int side_;
+  MindChannel& channel_;
+  std::vector<mind::Mind> minds_;
+  mind::Percepts percepts_;
+  std::vector<mind::HeardPacket> heard_;
+  mind::Outcome outcome_;
+  match::Belief belief_;
+  config::BytesOut out_;
+};
+
+void answer_failed(MindChannel& channel, const Failure& failure) {
+  const std::string text = to_json(failure);
+  channel.answer(Reply::failed, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+}  // namespace
+
+void serve_minds(const mind::TeamPlan& plan, match::Side side, std::uint64_t seed, bool compare_inputs,
+                 MindChannel& channel) {
+  const int number = static_cast<int>(match::index(side));
+  plugin::note_fatal_signals(channel.note().fatal);
+  const ProcessState before = ProcessState::now();
+  try {
+    MindHost host(plan, side, seed, compare_inputs, channel);
+    for (;;) {
+      channel.answer(Reply::done, host.bytes());
+      channel.wait_for_question();
+      const bool last = channel.question() == Question::finish;
+      host.answer();
+      if (!last) continue;
+      const std::string left = changes(before, ProcessState::now());
+      if (left.empty()) {
+        channel.answer(Reply::done, {});
+      } else {
+        answer_failed(channel, {number, "", "", 0, 0, left});
+      }
+      break;
+    }
+  } catch (const plugin::Failure& failure) {
+    answer_failed(channel, failure_of(failure, number));
+  } catch (const std::bad_alloc&) {
+    answer_failed(channel, failure_of(channel.note().call, number, "no memory is left"));
+  } catch (const std::exception& error) {
+    answer_failed(channel, failure_of(channel.note().call, number, error.what()));
+  } catch (...) {
+    answer_failed(channel, failure_of(channel.note().call, number, "something that is no exception was thrown"));
+  }
+  for (;;) pause();  // whoever asked ends this process
+}
+
+}  // namespace regista::campaign

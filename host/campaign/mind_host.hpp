@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The minds of one team in a process of their own: answers the questions of a match until it is ended.
+#pragma once
+
+#include <cstdint>
+
+#include "campaign/limits.hpp"
+#include "campaign/mind_channel.hpp"
+#include "match/side.hpp"
+#include "mind/team_plan.hpp"
+
+namespace regista::campaign {
+
+// To be called in a fresh copy of the match's process, which it never leaves. The first answer says that the minds have
+// been created.
+[[noreturn]] void serve_minds(const mind::TeamPlan& plan, match::Side side, std::uint64_t seed, bool compare_inputs,
+                              MindChannel& channel);
+
+}  // namespace regista::campaign

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Small questions about other processes.
+#pragma once
+
+#include <sys/types.h>
+
+namespace regista::campaign {
+
+// s of processor time of a process that runs, so far; 0 where it cannot be told.
+double processor_seconds_of(pid_t process);
+
+// A signal that people and systems send to processes: that one died of it says nothing about its code.
+bool comes_from_outside(int signal_number);
+
+// Kills the process and all that it started in its group.
+void end_group(pid_t process);
+
+}  // namespace regista::campaign

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// What goes into a mind and what comes out of it as bytes, for minds that live in another process: percepts and packets
+// in, an outcome out, to the last bit. See config/bytes.hpp.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "config/bytes.hpp"
+#include "mind/command.hpp"
+#include "mind/percepts.hpp"
+
+namespace regista::mind {
+
+template <class Archive>
+void visit(Archive& archive, Pose& pose) {
+  archive(pose.x, pose.y, pose.heading);
+}
+
+template <class Archive>
+void visit(Archive& archive, PlacedPose& placed) {
+  archive(placed.pose, placed.position_deviation, placed.heading_deviation);
+}
+
+template <class Archive>
+void visit(Archive& archive, BallSighting& ball) {
+  archive(ball.position.x(), ball.position.y(), ball.along, ball.across);
+}
+
+template <class Archive>
+void visit(Archive& archive, RobotSighting& robot) {
+  archive(robot.position.x(), robot.position.y(), robot.along, robot.across, robot.own_team);
+}
+
+template <class Archive>
+void visit(Archive& archive, LandmarkSighting& landmark) {
+  archive(landmark.kind, landmark.position.x(), landmark.position.y(), landmark.along, landmark.across);
+}
+
+template <class Archive>
+void visit(Archive& archive, View& view) {
+  archive(view.heading, view.half_angle, view.ball_range, view.robot_range);
+}
+
+template <class Archive>
+void visit(Archive& archive, GameTold& game) {
+  archive(game.phase, game.set_play, game.own_kick, game.half, game.own_score, game.opponent_score, game.phase_time,
+          game.half_time_left, game.match_time_left, game.packets_left, game.own_penalised, game.opponent_penalised);
+}
+
+template <class Archive>
+void visit(Archive& archive, Percepts& percepts) {
+  archive(percepts.time, percepts.odometry, percepts.placed, percepts.camera, percepts.view, percepts.balls,
+          percepts.robots, percepts.landmarks, percepts.contact, percepts.whistle, percepts.fallen,
+          percepts.time_until_up, percepts.kicking, percepts.penalised, percepts.game);
+}
+
+template <class Archive>
+void visit(Archive& archive, Walk& walk) {
+  archive(walk.forward, walk.sideways, walk.turn);
+}
+
+template <class Archive>
+void visit(Archive& archive, KickRequest& kick) {
+  archive(kick.kind, kick.direction, kick.distance);
+}
+
+template <class Archive>
+void visit(Archive& archive, Command& command) {
+  archive(command.walk, command.kick, command.head_yaw);
+}
+
+template <class Archive>
+void visit(Archive& archive, Outcome& outcome) {
+  archive(outcome.command, outcome.send, outcome.send_reason, outcome.packet, outcome.role, outcome.assignment);
+}
+
+inline void write_heard(config::BytesOut& bytes, std::span<const HeardPacket> heard) {
+  const auto count = static_cast<std::uint32_t>(heard.size());
+  bytes(count);
+  for (const HeardPacket& packet : heard) {
+    const auto size = static_cast<std::uint32_t>(packet.bytes.size());
+    bytes(packet.time_heard, size);
+    bytes.raw(packet.bytes.data(), packet.bytes.size());
+  }
+}
+
+// The packets' bytes stay where they are: `out` is valid as long as what `bytes` reads from.
+inline void read_heard(config::BytesIn& bytes, std::vector<HeardPacket>& out) {
+  std::uint32_t count = 0;
+  bytes(count);
+  out.clear();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    HeardPacket& packet = out.emplace_back();
+    std::uint32_t size = 0;
+    bytes(packet.time_heard, size);
+    packet.bytes = bytes.raw(size);
+  }
+}
+
+}  // namespace regista::mind

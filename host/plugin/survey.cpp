@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "plugin/survey.hpp"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "config/bytes.hpp"
+#include "config/text.hpp"
+#include "plugin/shared_object.hpp"
+
+namespace regista::plugin {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr rlim_t most_processor_seconds = 3;  // that opening one file may take
+constexpr double most_seconds = 10.0;         // s of wall time, for a file that sleeps
+constexpr std::uint32_t most_bytes = 16u << 20;
+
+// --- In the child ----------------------------------------------------------------------------------------------------
+
+void put(int pipe, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(pipe, bytes.data(), bytes.size());
+    if (count == -1 && errno == EINTR) continue;
+    if (count <= 0) _exit(1);
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+  }
+}
+
+void put_frame(int pipe, const config::BytesOut& frame) {
+  const auto size = static_cast<std::uint32_t>(frame.bytes().size());
+  std::array<std::uint8_t, sizeof size> head;
+  std::memcpy(head.data(), &size, sizeof size);
+  put(pipe, head);
+  put(pipe, frame.bytes());
+}
+
+int threads() {
+  int count = 0;
+  DIR* const folder = ::opendir("/proc/self/task");
+  if (folder == nullptr) return 1;
+  while (const dirent* entry = ::readdir(folder)) {
+    if (entry->d_name[0] != '.') ++count;
+  }
+  ::closedir(folder);
+  return count;
+}
+
+// What it may not leave behind when it has been opened; empty when it does not.
+std::string left_running(int threads_before) {
+  if (threads() != threads_before) return "starts a thread when it is opened";
+  for (const __itimer_which timer : {ITIMER_REAL, ITIMER_VIRTUAL, ITIMER_PROF}) {
+    itimerval now{};
+    if (::getitimer(timer, &now) == 0 && (now.it_value.tv_sec != 0 || now.it_value.tv_usec != 0))
+      return "starts a timer when it is opened";
+  }
+  return {};
+}
+
+void limit_processor_time() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  const rlim_t used = static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec);
+  rlimit limit{};
+  ::getrlimit(RLIMIT_CPU, &limit);
+  limit.rlim_cur = std::min(used + 1 + most_processor_seconds, limit.rlim_max);
+  ::setrlimit(RLIMIT_CPU, &limit);
+}
+
+[[noreturn]] void look(std::span<const fs::path> files, std::size_t first, int pipe, pid_t parent) {
+  ::setpgid(0, 0);  // a signal to the group of a plugin is not for us
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) _exit(1);
+  // What it prints when it is opened is no answer of ours.
+  const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+  for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nothing, standard);
+  const rlimit none{0, 0};
+  ::setrlimit(RLIMIT_CORE, &none);
+  for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGPIPE, SIGXCPU}) std::signal(each, SIG_DFL);
+  const int threads_before = threads();
+  for (std::size_t i = first; i < files.size(); ++i) {
+    config::BytesOut frame;
+    const auto begun = static_cast<std::uint32_t>(i);
+    frame(begun);
+    put_frame(pipe, frame);
+    limit_processor_time();
+    const SharedObject object = open_shared_object(files[i]);
+    std::string refusal = object.refusal;
+    if (refusal.empty()) refusal = left_running(threads_before);
+    frame.clear();
+    const std::string remark = object.remark;
+    const auto count = static_cast<std::uint32_t>(object.descriptors.size());
+    frame(begun, refusal, remark, count);
+    for (const regista_descriptor* each : object.descriptors) Description(*each).write(frame);
+    put_frame(pipe, frame);
+  }
+  _exit(0);
+}
+
+// --- In the parent ---------------------------------------------------------------------------------------------------
+
+// A child that looks at files from `first` on, and what it says.
+class Child {
+ public:
+  Child(std::span<const fs::path> files, std::size_t first) {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) == -1) throw std::system_error(errno, std::generic_category(), "pipe");
+    const pid_t parent = ::getpid();
+    process_ = ::fork();
+    if (process_ == 0) {
+      ::close(ends[0]);
+      look(files, first, ends[1], parent);
+    }
+    const int code = errno;
+    ::close(ends[1]);
+    pipe_ = ends[0];
+    if (process_ == -1) {
+      ::close(pipe_);
+      throw std::system_error(code, std::generic_category(), "cannot look at plugins");
+    }
+    ::setpgid(process_, process_);  // whoever of the two comes first
+  }
+  ~Child() {
+    ::close(pipe_);
+    if (process_ != -1) end();
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  // The next frame; nothing when there is none any more, and why_not() then says why.
+  std::optional<std::vector<std::uint8_t>> frame() {
+    std::uint32_t size = 0;
+    std::vector<std::uint8_t> out(sizeof size);
+    if (!fill(out)) return std::nullopt;
+    std::memcpy(&size, out.data(), sizeof size);
+    if (size > most_bytes) return std::nullopt;
+    out.resize(size);
+    if (!fill(out)) return std::nullopt;
+    return out;
+  }
+
+  // Ends the child. How it ended, in words.
+  std::string why_not() {
+    const int status = end();
+    if (late_) return fmt::format("could not be opened within {:.0f} s", most_seconds);
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
+      return fmt::format("took more than {} s of processor time when it was opened", most_processor_seconds);
+    }
+    if (WIFSIGNALED(status)) return fmt::format("died when it was opened: {}", strsignal(WTERMSIG(status)));
+    return fmt::format("ended the process when it was opened (exit code {})", WEXITSTATUS(status));
+  }
+
+ private:
+  bool fill(std::span<std::uint8_t> room) {
+    const auto deadline = Clock::now() + std::chrono::duration<double>(most_seconds);
+    while (!room.empty()) {
+      const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+      pollfd watched{pipe_, POLLIN, 0};
+      const int ready = ::poll(&watched, 1, static_cast<int>(std::max<std::int64_t>(left, 0)));
+      if (ready == -1 && errno == EINTR) continue;
+      if (ready == 0) {
+        late_ = true;
+        return false;
+      }
+      const ssize_t count = ::read(pipe_, room.data(), room.size());
+      if (count == -1 && errno == EINTR) continue;
+      if (count <= 0) return false;
+      room = room.subspan(static_cast<std::size_t>(count));
+    }
+    return true;
+  }
+
+  int end() {
+    int status = 0;
+    // It may have closed the pipe and live on: then this ends it, and its exit is not asked for.
+    if (late_) ::kill(-process_, SIGKILL);
+    const auto deadline = Clock::now() + std::chrono::seconds(1);
+    while (::waitpid(process_, &status, WNOHANG) == 0) {
+      if (Clock::now() > deadline) ::kill(-process_, SIGKILL);
+      ::poll(nullptr, 0, 1);
+    }
+    ::kill(-process_, SIGKILL);  // what a plugin may have started
+    process_ = -1;
+    return status;
+  }
+
+  pid_t process_ = -1;
+  int pipe_ = -1;
+  bool late_ = false;
+};
+
+Surveyed refused(const std::string& why) { return {{}, config::one_line(why), {}}; }
+
+// Looks at files[first ... last); true when nothing went wrong. Else out[...] of the file that was being opened says so.
+bool look_at(std::span<const fs::path> files, std::size_t first, std::vector<Surveyed>& out) {
+  Child child(files, first);
+  std::size_t next = first;
+  try {
+    while (next < files.size()) {
+      std::uint32_t index = 0;
+      const auto begun = child.frame();
+      const auto told = begun ? child.frame() : std::nullopt;
+      if (!told) break;
+      config::BytesIn bytes(*told);
+      Surveyed found;
+      std::uint32_t count = 0;
+      bytes(index, found.refusal, found.remark, count);
+      if (index != next) throw std::out_of_range("another file");
+      for (std::uint32_t i = 0; i < count; ++i) found.plugins.push_back(std::make_shared<const Description>(bytes));
+      if (!found.refusal.empty()) found.plugins.clear();
+      out[next++] = std::move(found);
+    }
+  } catch (const std::out_of_range&) {
+    out[next] = refused("wrote to a file descriptor that is not its own when it was opened");
+    return false;
+  }
+  if (next == files.size()) return true;
+  out[next] = refused(child.why_not());
+  return false;
+}
+
+}  // namespace
+
+std::vector<Surveyed> survey(std::span<const fs::path> files) {
+  std::vector<Surveyed> out(files.size());
+  if (files.empty() || look_at(files, 0, out)) return out;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    std::vector<Surveyed> one(1);
+    look_at(files.subspan(i, 1), 0, one);
+    out[i] = std::move(one.front());
+  }
+  return out;
+}
+
+}  // namespace regista::plugin
