@@ -183,7 +183,7 @@ Answer answer_from_json(const std::string& text) {
     json.at("hash").get_to(answer.decided.hash);
     json.at("metrics").get_to(answer.decided.metrics);
     json.at("seconds").get_to(answer.decided.seconds);
-    json.at("from_outside").get_to(answer.from_outside);
+    answer.from_outside = json.value("from_outside", false);
     if (json.contains("failure")) answer.decided.failure = failure_of(json.at("failure"));
     if ((answer.kind == Answer::Kind::failed) != answer.decided.failure.has_value()) {
       throw std::invalid_argument("a failure belongs to an answer that says so");

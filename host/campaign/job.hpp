@@ -60,10 +60,10 @@ struct Decided {
   std::string hash;                // over the course of the match, 16 digits; empty for what was not played to its end
   std::string metrics;             // JSON; empty for what was not played to its end: missing, not zero
   std::optional<Failure> failure;  // of a forfeit
-  std::string why_set_aside;       // how its workers died, one line; else empty
-  std::string irreproducible;      // where a second play of the same match first differed, one line; else empty
-  std::string output;              // what plugins wrote to standard error, cut in the middle; mostly empty
   double seconds = 0.0;            // s of wall time
+  std::string why_set_aside{};     // how its workers died, one line; else empty
+  std::string irreproducible{};    // where a second play of the same match first differed, one line; else empty
+  std::string output{};            // what plugins wrote to standard error, cut in the middle; mostly empty
   bool set_aside() const { return !why_set_aside.empty(); }
   friend bool operator==(const Decided&, const Decided&) = default;
 };

@@ -101,7 +101,8 @@ Catalogue::Catalogue(std::vector<fs::path> folders) : folders_(std::move(folders
 }
 
 Catalogue Catalogue::of_files(std::span<const fs::path> files, Looking looking) {
-  Catalogue out(looking);
+  Catalogue out(std::vector<fs::path>{});
+  out.looking_ = looking;
   out.look_at(files);
   for (const fs::path& file : files) out.add(file);
   return out;

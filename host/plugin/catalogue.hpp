@@ -63,7 +63,6 @@ class Catalogue {
     std::string remark;
   };
 
-  explicit Catalogue(Looking looking) : looking_(looking) {}
   File* known(const std::filesystem::path& path) const;
   void look_at(std::span<const std::filesystem::path> paths) const;
   void add(const std::filesystem::path& path);

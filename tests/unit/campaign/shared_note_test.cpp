@@ -17,17 +17,17 @@ TEST(SharedNote, OutlivesTheProcessThatWroteIt) {
   const pid_t child = fork();
   if (child == 0) {
     SharedNote inherited(dup(note.descriptor()));
-    inherited.note().plugin = plugin::note_of_id("greedy");
-    inherited.note().tick = 417;
+    inherited.note().call.plugin = plugin::note_of_id("greedy");
+    inherited.note().call.tick = 417;
     raise(SIGKILL);
   }
   int status = 0;
   ASSERT_EQ(waitpid(child, &status, 0), child);
   ASSERT_TRUE(WIFSIGNALED(status));
-  EXPECT_STREQ(note.note().plugin.data(), "greedy");
-  EXPECT_EQ(note.note().tick, 417u);
+  EXPECT_STREQ(note.note().call.plugin.data(), "greedy");
+  EXPECT_EQ(note.note().call.tick, 417u);
   note.clear();
-  EXPECT_STREQ(note.note().plugin.data(), "");
+  EXPECT_STREQ(note.note().call.plugin.data(), "");
 }
 
 TEST(SharedNote, WritesToNothingButMemory) {
