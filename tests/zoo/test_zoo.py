@@ -1,0 +1,269 @@
+# SPDX-License-Identifier: MIT
+"""The zoo: each faulty plugin of zoo.json plays for a team against an innocent one, and nobody but its own team pays.
+
+What zoo.json expects of an animal:
+  plays    no match is lost by it, and every match is that of its sound twin
+  forfeit  its team forfeits every match
+  once     its team forfeits one match or more: what is looked for in the first match of a pairing alone
+  refused  its file cannot be used: the program says so before the first match
+  lost     forfeit or refused
+  either   whatever its team loses; also that matches of it could not be played
+`what` is a regular expression for the report's reason, `call` the call in which its team is to be blamed, and then the
+plugin that is named is the animal itself. Of all of them holds what `Animals.holds` says, above all: the innocent team
+forfeits nothing, a match that was played is that of the sound twin, and no match ends better than that. An animal that
+is not `steady` changes what is played, so its matches are compared with nobody's.
+
+REGISTA_ZOO_GROUP: the file of faults/ whose animals are tried; empty: all. REGISTA_ZOO_RUNS: how often, default 2.
+"""
+
+import functools
+import json
+import os
+import pathlib
+import re
+import shutil
+import signal
+import time
+import unittest
+
+import program
+import tournament
+
+ZOO = program.TEST_PLUGINS / "zoo"
+ANIMALS = json.loads((pathlib.Path(__file__).parent / "zoo.json").read_text())
+GROUP = os.environ.get("REGISTA_ZOO_GROUP", "")
+RUNS = int(os.environ.get("REGISTA_ZOO_RUNS", "2"))
+
+# What a team says where an animal takes the place of a sound plugin.
+PLACES = {
+    "assigner": ("assigner: {plugin: first_free}", "assigner: {{plugin: {}}}"),
+    "positioner": ("positioner: {plugin: at_the_ball}", "positioner: {{plugin: {}}}"),
+    "sender": ("sender: {plugin: every_second}", "sender: {{plugin: {}}}"),
+    "context": ("plugin: ball_seen", "plugin: {}"),
+    "utility": ("{plugin: nearness, weight: 1, params: {scale: 2}}", "{{plugin: {}, weight: 1}}"),
+    "predictor": ("ball:      {plugin: last_news}", "ball:      {{plugin: {}}}"),
+}
+LONGEST = 60  # s that a command may take: a call that hangs is given up after one or a few
+
+
+def unplayed(report):
+    """Pairs that could not be played, because nobody can be blamed for the deaths in them."""
+    return sum(each.get("pairs", 1) for each in report.get("unplayed_pairs", []))
+
+
+def processes(of):
+    """Numbers of all processes that run this program, whoever started them."""
+    found = []
+    for folder in pathlib.Path("/proc").iterdir():
+        try:
+            if folder.name.isdigit() and os.readlink(folder / "exe").removesuffix(" (deleted)") == str(of):
+                found.append(int(folder.name))
+        except OSError:
+            pass  # it is gone, or another user's
+    return found
+
+
+class Zoo(tournament.Tournament):
+    def setUp(self):
+        super().setUp()
+        self.addCleanup(self.kill_all)
+        (self.folder / "temporary").mkdir()
+        self.shared_memory = set(os.listdir("/dev/shm"))
+
+    def environment(self, changes=None):
+        return {**super().environment(changes), "TMPDIR": str(self.folder / "temporary")}
+
+    @functools.cached_property
+    def limits(self):
+        """As short as can be asked for, of each command."""
+        out = {}
+        for command in ("tournament", "match"):
+            offered = self.run_program(command, "--help").stdout
+            out[command] = [word for option, value in (("--processor-seconds", 1), ("--memory", 512), ("--wall-seconds", 3))
+                            if re.search(rf"^ *{option}\b", offered, re.MULTILINE) for word in (option, value)]
+        return out
+
+    def kill_all(self):
+        for number in processes(self.program):
+            try:
+                os.kill(number, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+
+    def run_it(self, *arguments):
+        """A command that ends by itself, and leaves nothing behind but the results."""
+        done = self.run_program(*arguments, timeout=LONGEST)
+        self.assertIn(done.returncode, (0, 2), (arguments, done.stderr[-2000:]))
+        for what, there in (("processes", lambda: processes(self.program)),
+                            ("shared memory", lambda: set(os.listdir("/dev/shm")) - self.shared_memory)):
+            end = time.monotonic() + 5
+            while left := there():
+                self.assertLess(time.monotonic(), end, f"{what} left behind: {left}")
+                time.sleep(0.02)
+        self.assertEqual(os.listdir(self.folder / "temporary"), [])
+        self.assertEqual([name for name in os.listdir(self.folder) if name.endswith((".db-wal", ".db-shm"))], [])
+        return done
+
+    def team_of(self, animal, name="bad"):
+        sound, its = PLACES[animal["kind"]]
+        text = program.TEAM.format(name=name)
+        self.assertIn(sound, text)
+        self.write(f"{name}.yaml", text.replace(sound, its.format(animal["name"])))
+        (self.folder / name).mkdir(exist_ok=True)
+        shutil.copy2(ZOO / f"{animal['name']}.so", self.folder / name)
+
+    def words(self, team, run):
+        """The tournament of a run: one match on either side, the team named first or last."""
+        teams = [team, "small"] if run % 2 == 0 else ["small", team]
+        return [*self.arguments("--json", "--quiet", "--seed", run + 1, "--plugins", team, "--results", f"{team}{run}.db",
+                                *self.limits["tournament"], teams=[f"{each}.yaml" for each in teams], pairs=1)]
+
+    def matches(self, team, run):
+        """Of each row that was decided: goals for and against the team, how it ended, and what it was."""
+        rows = self.stored("SELECT row, home_goals, away_goals, ended, hash FROM matches ORDER BY row", f"{team}{run}.db")
+        out = {}
+        for row, home, away, ended, hashed in rows:
+            at_home = (row % 2 == 1) == (run % 2 == 0)
+            out[row] = ((home, away) if at_home else (away, home), ended, hashed)
+        return out
+
+
+class Animals(Zoo):
+    """A method for each animal of the group is added below."""
+
+    twins = {}
+
+    def twin(self, kind, run):
+        """The same matches, played by the sound one."""
+        if (kind, run) not in self.twins:
+            self.team_of({"name": f"sound_{kind}", "kind": kind}, "twin")
+            done = self.run_it(*self.words("twin", run))
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual(json.loads(done.stdout)["forfeits"], [])
+            self.twins[kind, run] = self.matches("twin", run)
+        return self.twins[kind, run]
+
+    def holds(self, animal):
+        self.team_of(animal)
+        for run in range(RUNS):
+            with self.subTest(animal["name"], run=run):
+                self.tournament(animal, run)
+            for more in ([], ["--json"]):
+                with self.subTest(animal["name"], run=run, match=more):
+                    self.match(animal, run, more)
+
+    def one_line(self, animal, done):
+        """The line with which the program refuses; what a plugin itself writes stands beside it."""
+        self.assertEqual(done.stdout, "")
+        lines = [line for line in done.stderr.splitlines() if line.startswith("regista: ")]
+        self.assertEqual(len(lines), 1, done.stderr[-2000:])
+        if "call" in animal or animal["expect"] == "refused":
+            self.assertIn(animal["name"], lines[0])
+        return lines[0]
+
+    def tournament(self, animal, run):
+        expected, twin = animal["expect"], self.twin(animal["kind"], run)
+        done = self.run_it(*self.words("bad", run))
+        if done.returncode == 2:
+            self.assertIn(expected, ("refused", "lost", "either"), done.stderr[-2000:])
+            self.one_line(animal, done)
+            return
+        self.assertNotEqual(expected, "refused")
+        report = json.loads(done.stdout)
+        innocent, = (team for team in report["teams"] if team["name"] == "small")
+        self.assertEqual(innocent["failures"], 0, report["forfeits"])
+        self.assertEqual({each["team"] for each in report["forfeits"]} - {"bad"}, set())
+        lost = sum(each["matches"] for each in report["forfeits"])
+        played = self.matches("bad", run)
+        if expected == "plays":
+            self.assertEqual((lost, unplayed(report), len(played)), (0, 0, 2), report)
+        elif expected in ("forfeit", "lost"):
+            self.assertEqual((lost, unplayed(report)), (2, 0), report)
+        elif expected == "once":
+            self.assertGreater(lost, 0, report)
+        for each in report["forfeits"]:
+            if "call" in animal:
+                self.assertEqual((each["plugin"], each["call"]), (animal["name"], animal["call"]), each)
+            self.assertRegex(each["what"], animal["what"])
+        for row, ((scored, conceded), ended, hashed) in played.items():
+            if ended == "set_aside" or not animal.get("steady", True):
+                continue
+            (twin_scored, twin_conceded), *_, twin_hash = twin[row]
+            self.assertLessEqual(scored - conceded, twin_scored - twin_conceded, "it gained by its fault")
+            if ended != "forfeit":
+                self.assertEqual(hashed, twin_hash, "not the match of its sound twin")
+
+    def match(self, animal, run, more):
+        expected, teams = animal["expect"], ["bad.yaml", "small.yaml"]
+        if run % 2:
+            teams.reverse()
+        done = self.run_it("match", *teams, "--opening", "scenes/left.yaml", "--seed", run + 1, "--plugins", "bad",
+                           *self.limits["match"], *more)
+        if expected not in ("either", "once"):
+            self.assertEqual(done.returncode, 0 if expected == "plays" else 2, done.stderr[-2000:])
+        if done.returncode == 0:
+            if more:
+                json.loads(done.stdout)
+            return
+        line = self.one_line(animal, done)
+        if expected == "forfeit":
+            self.assertRegex(line, rf"{animal['what']}")
+            self.assertIn("bad", line)
+            if animal.get("call", "destroy") != "destroy":
+                self.assertRegex(line, rf"\b{animal['name']}\b.*\brobot [1-7]\b.*\btick \d+\b")
+                self.assertIn(animal["call"], line)
+
+
+def _method(animal):
+    return lambda self: self.holds(animal)
+
+
+for _animal in ANIMALS:
+    if GROUP in ("", _animal["file"]):
+        setattr(Animals, f"test_{_animal['name']}", _method(_animal))
+
+
+class Visitors(Zoo):
+    """Teams that use none of the animals, with all of them in a folder of plugins."""
+
+    def test_each_animal_has_a_place_and_a_file(self):
+        names = [animal["name"] for animal in ANIMALS]
+        self.assertEqual(len(names), len(set(names)))
+        for animal in ANIMALS:
+            self.assertIn(animal["kind"], PLACES)
+            self.assertTrue((ZOO / f"{animal['name']}.so").exists(), f"{animal['name']}.so is not built")
+
+    def test_a_match(self):
+        words = ("match", "small.yaml", "other.yaml", "--opening", "scenes/left.yaml", "--json")
+        alone = self.run_it(*words)
+        among = self.run_it(*words, "--plugins", ZOO)
+        self.assertEqual((among.returncode, among.stdout), (0, alone.stdout), among.stderr[-2000:])
+
+    def test_a_tournament(self):
+        alone = self.run_it(*self.arguments("--json", "--quiet", "--results", "alone.db"))
+        among = self.run_it(*self.arguments("--json", "--quiet", "--results", "among.db", "--plugins", ZOO))
+        self.assertEqual(among.returncode, 0, among.stderr[-2000:])
+        self.assertEqual(self.matches_of("among.db"), self.matches_of("alone.db"))
+        self.assertEqual(json.loads(among.stdout)["forfeits"], json.loads(alone.stdout)["forfeits"])
+
+    def matches_of(self, file):
+        return self.stored("SELECT row, home_goals, away_goals, ended, hash FROM matches ORDER BY row", file)
+
+    def test_documents(self):
+        done = self.run_it("config", "check", "small.yaml", "--plugins", ZOO)
+        self.assertEqual((done.returncode, done.stdout), (0, "small.yaml: team, sound\n"), done.stderr[-2000:])
+
+    def test_the_list(self):
+        sound = set(self.ids())
+        done = self.run_it("plugin", "list", "--json", "--plugins", ZOO)
+        self.assertEqual(done.returncode, 0, done.stderr[-2000:])
+        listed = {plugin["id"] for plugin in json.loads(done.stdout)["plugins"]}
+        broken = {animal["name"] for animal in ANIMALS if animal["expect"] == "refused"}
+        self.assertEqual(sound - listed, set())
+        self.assertEqual({animal["name"] for animal in ANIMALS} - listed, broken)
+        for name in broken:
+            self.assertIn(f"{name}.so", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
