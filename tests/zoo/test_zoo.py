@@ -184,7 +184,7 @@ class Animals(Zoo):
         for each in report["forfeits"]:
             if "call" in animal:
                 self.assertEqual((each["plugin"], each["call"]), (animal["name"], animal["call"]), each)
-            self.assertRegex(each["what"], animal["what"])
+            self.assertTrue(re.search(animal["what"], each["what"]), each)
         for row, ((scored, conceded), ended, hashed) in played.items():
             if ended == "set_aside" or not animal.get("steady", True):
                 continue
@@ -207,7 +207,7 @@ class Animals(Zoo):
             return
         line = self.one_line(animal, done)
         if expected == "forfeit":
-            self.assertRegex(line, rf"{animal['what']}")
+            self.assertTrue(re.search(animal["what"], line), line)
             self.assertIn("bad", line)
             if animal.get("call", "destroy") != "destroy":
                 self.assertRegex(line, rf"\b{animal['name']}\b.*\brobot [1-7]\b.*\btick \d+\b")

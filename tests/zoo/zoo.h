@@ -9,8 +9,8 @@
 
 /* Buffers that the host lends to a call. A kind has those that its call has. */
 enum {
-  ZOO_ANSWER,    /* columns, matrix, points, tracks, granted handles, whether a context holds */
-  ZOO_EDGES,     /* the other three of a positioner */
+  ZOO_ANSWER, /* columns, matrix, points, tracks, granted handles, whether a context holds */
+  ZOO_EDGES,  /* the other three of a positioner */
   ZOO_CELLS,
   ZOO_VERTICES,
   ZOO_STRUCTURE, /* regista_placement, regista_send, the number of tracks */
@@ -27,7 +27,7 @@ typedef struct zoo_moment {
   void* answer;               /* where the answer is, of the kind's type */
   void* past[ZOO_BUFFERS];    /* the first byte behind each buffer; null where there is none */
   regista_error* error;
-  int32_t status;             /* what the call returns */
+  int32_t status; /* what the call returns */
 } zoo_moment;
 
 /* Called at the end of every call that asks for an answer. */
@@ -39,9 +39,9 @@ enum { ZOO_WHEN = 20 };
 /* An instance: what the sound parts remember. */
 typedef struct zoo_instance {
   int asked, robot;
-  double x_limit, y_limit;          /* half the field */
+  double x_limit, y_limit; /* half the field */
   const regista_host* host;
-  int known;                        /* predictor: has a track */
+  int known; /* predictor: has a track */
   regista_track track;
 } zoo_instance;
 

@@ -17,7 +17,7 @@ uint64_t address_on_the_stack(void) {
 
 uint64_t address_on_the_heap(void) {
   void* const block = malloc(64);
-  const uint64_t address = (uint64_t)(uintptr_t)block;
+  const volatile uint64_t address = (uint64_t)(uintptr_t)block;
   free(block);
   return address;
 }

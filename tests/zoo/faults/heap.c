@@ -33,13 +33,16 @@ void frees_what_is_the_hosts(zoo_moment* now) {
 void frees_a_part(zoo_moment* now) {
   if (now->asked != ZOO_WHEN) return;
   block = malloc(4096);
-  free(block + 24);
+  block += 24;
+  free(block);
 }
 
 void writes_before_its_block(zoo_moment* now) {
   if (now->asked != ZOO_WHEN) return;
   block = malloc(100);
-  memset(block - 16, 0x5a, 16);
+  block -= 16;
+  memset(block, 0x5a, 16);
+  block += 16;
   free(block);
 }
 

@@ -62,7 +62,7 @@ static int32_t tracks(void* instance, regista_track* out, uint32_t capacity, uin
   return now.status;
 }
 
-static const regista_predictor calls = {sizeof(regista_predictor), REGISTA_SUBJECT_BALL, predict, correct, absorb,
-                                        tracks};
+static const regista_predictor calls = {
+    sizeof(regista_predictor), REGISTA_SUBJECT_BALL, predict, correct, absorb, tracks};
 const int32_t zoo_kind = REGISTA_KIND_PREDICTOR;
 const void* const zoo_calls = &calls;
