@@ -21,13 +21,17 @@ import json
 import os
 import pathlib
 import re
+import resource
 import shutil
 import signal
+import subprocess
+import threading
 import time
 import unittest
 
 import program
 import tournament
+from processes import processes
 
 ZOO = program.TEST_PLUGINS / "zoo"
 ANIMALS = json.loads((pathlib.Path(__file__).parent / "zoo.json").read_text())
@@ -44,23 +48,18 @@ PLACES = {
     "predictor": ("ball:      {plugin: last_news}", "ball:      {{plugin: {}}}"),
 }
 LONGEST = 60  # s that a command may take: a call that hangs is given up after one or a few
+MOST_TEXT = 8 << 20  # bytes that a command may write: plugins write at most one megabyte, or without end
+
+
+def _safe():
+    """Nothing that goes wrong here takes the machine with it, whether or not the program limits what is played."""
+    resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
 def unplayed(report):
     """Pairs that could not be played, because nobody can be blamed for the deaths in them."""
     return sum(each.get("pairs", 1) for each in report.get("unplayed_pairs", []))
-
-
-def processes(of):
-    """Numbers of all processes that run this program, whoever started them."""
-    found = []
-    for folder in pathlib.Path("/proc").iterdir():
-        try:
-            if folder.name.isdigit() and os.readlink(folder / "exe").removesuffix(" (deleted)") == str(of):
-                found.append(int(folder.name))
-        except OSError:
-            pass  # it is gone, or another user's
-    return found
 
 
 class Zoo(tournament.Tournament):
@@ -90,9 +89,42 @@ class Zoo(tournament.Tournament):
             except ProcessLookupError:
                 pass
 
+    def bounded(self, *arguments):
+        """What a command says, which may be without end, and may be held open by a process that it left behind."""
+        with self.start(*arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=_safe) as process:
+            streams = [process.stdout, process.stderr]
+            said = ["", ""]
+            enough = threading.Event()
+
+            def read(which):
+                # One that is left behind may write for ever; it is told apart by what it holds open.
+                while not enough.is_set() and (piece := os.read(streams[which].fileno(), 65536)):
+                    said[which] += piece.decode(errors="replace")
+                    if len(said[which]) > MOST_TEXT:
+                        enough.set()
+
+            readers = [threading.Thread(target=read, args=(which,), daemon=True) for which in (0, 1)]
+            for reader in readers:
+                reader.start()
+            end = time.monotonic() + LONGEST
+            while process.poll() is None and time.monotonic() < end and not enough.is_set():
+                time.sleep(0.01)
+            ended = process.poll() is not None
+            if not ended:
+                self.kill_all()
+            for reader in readers:
+                reader.join(1.0)
+            held = any(reader.is_alive() for reader in readers)
+            left = processes(self.program) if held else []
+            if held:
+                self.kill_all()  # so that nobody waits for what it holds
+        self.assertTrue(ended, f"{arguments} did not end within {LONGEST} s and {MOST_TEXT} bytes")
+        self.assertFalse(held, f"left behind, holding its output: {left}")
+        return subprocess.CompletedProcess(arguments, process.returncode, *said)
+
     def run_it(self, *arguments):
         """A command that ends by itself, and leaves nothing behind but the results."""
-        done = self.run_program(*arguments, timeout=LONGEST)
+        done = self.bounded(*arguments)
         self.assertIn(done.returncode, (0, 2), (arguments, done.stderr[-2000:]))
         for what, there in (("processes", lambda: processes(self.program)),
                             ("shared memory", lambda: set(os.listdir("/dev/shm")) - self.shared_memory)):
