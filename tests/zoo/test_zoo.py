@@ -189,6 +189,9 @@ class Animals(Zoo):
         """The line with which the program refuses; what a plugin itself writes stands beside it."""
         self.assertEqual(done.stdout, "")
         lines = [line for line in done.stderr.splitlines() if line.startswith("regista: ")]
+        # A file that cannot be used is told in a line of its own, if it stands in a folder that was asked for.
+        notes = [line for line in lines if line.startswith("regista: not used: ")]
+        lines = [line for line in lines if line not in notes]
         self.assertEqual(len(lines), 1, done.stderr[-2000:])
         if "call" in animal or animal["expect"] == "refused":
             self.assertIn(animal["name"], lines[0])
@@ -254,6 +257,38 @@ def _method(animal):
 for _animal in ANIMALS:
     if GROUP in ("", _animal["file"]):
         setattr(Animals, f"test_{_animal['name']}", _method(_animal))
+
+
+class Verdicts(Zoo):
+    """Sequential tests of a team that dies when it is behind, or when it has begun: it gains no verdict by that, and
+    the innocent team loses none."""
+
+    TRIED = ("crashes_when_behind", "thread_crashes_when_behind", "thread_crashes", "thread_exits", "thread_aborts")
+    ORDER = {"H0": 0, None: 1, "INCONCLUSIVE": 1, "H1": 2}  # what is said of the team that was named first
+
+    def verdict(self, first, second):
+        done = self.run_it(*self.arguments("--json", "--quiet", "--sprt", "0,50", "--plugins", "bad", "--plugins", "twin",
+                                           "--failures-in-a-row", "0", "--results", f"{first}_{second}.db",
+                                           *self.limits["tournament"], teams=(f"{first}.yaml", f"{second}.yaml"),
+                                           pairs=20))
+        self.assertEqual(done.returncode, 0, done.stderr[-2000:])
+        report = json.loads(done.stdout)
+        self.assertEqual({each["team"] for each in report["forfeits"]} - {"bad"}, set())
+        return self.ORDER[report["verdict"]], unplayed(report)
+
+    def test_nothing_is_gained(self):
+        for name in self.TRIED:
+            animal, = (each for each in ANIMALS if each["name"] == name)
+            self.team_of(animal)
+            self.team_of({**animal, "name": f"sound_{animal['kind']}"}, "twin")
+            for innocent in ("small", "worse"):
+                with self.subTest(name, innocent=innocent):
+                    for file in self.folder.glob("*.db"):
+                        file.unlink()
+                    self.assertLessEqual(self.verdict("bad", innocent)[0], self.verdict("twin", innocent)[0])
+                    (found, left_out), (would_be, _) = self.verdict(innocent, "bad"), self.verdict(innocent, "twin")
+                    if left_out == 0:
+                        self.assertGreaterEqual(found, would_be)
 
 
 class Visitors(Zoo):
