@@ -61,7 +61,8 @@ class Study:
         found = self.outputs(text)
         self.assertEqual(sorted(found), sorted(undisturbed))
         for name, content in undisturbed.items():
-            self.assertTrue(found[name] == content, f"{name} is not that of an undisturbed study{difference(content, found[name])}")
+            said = f"{name} is not that of an undisturbed study{difference(content, found[name])}"
+            self.assertTrue(found[name] == content, said)
 
     def test_kills(self):
         chance = random.Random(SEED)
