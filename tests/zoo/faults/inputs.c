@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Writes into what it was only to read. */
+#include <stdint.h>
+
+#include "zoo.h"
+
+static regista_world* writable(const regista_world* world) { return (regista_world*)(uintptr_t)world; }
+
+void moves_the_ball(zoo_moment* now) {
+  if (now->asked == ZOO_WHEN) writable(now->frame->mine)->ball.position[0] += 1.0;
+}
+
+void moves_a_robot(zoo_moment* now) {
+  if (now->asked == ZOO_WHEN) ((regista_robot*)(uintptr_t)now->frame->mine->robots.data)->pose[1] += 0.5;
+}
+
+void moves_the_clock(zoo_moment* now) {
+  if (now->asked == ZOO_WHEN) ((regista_frame*)(uintptr_t)now->frame)->time += 60.0;
+}
+
+void raises_its_utility(zoo_moment* now) {
+  if (now->asked == ZOO_WHEN && now->utilities.rows > 0 && now->utilities.columns > 0) now->utilities.values[0] += 0.25;
+}
