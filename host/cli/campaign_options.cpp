@@ -31,6 +31,9 @@ void add_campaign_options(CLI::App& app, CampaignOptions& options, const std::st
   app.add_option("--processor-seconds", options.processor_seconds, "processor time of one call of a plugin; default 10")
       ->type_name("SECONDS");
   app.add_option("--memory", options.memory, "address space of a match; default 2048")->type_name("MIB");
+  app.add_option("--wall-seconds", options.wall_seconds,
+                 "wall time of one call of a plugin; default: ten times its processor time and 100 s")
+      ->type_name("SECONDS");
   app.add_option("--match-seconds", options.match_seconds, "wall time of a whole match; default 1800")
       ->type_name("SECONDS");
   app.add_option("--isolation", options.isolation,
@@ -68,6 +71,9 @@ campaign::Limits limits(const CampaignOptions& options) {
   limits.memory = parse_whole("--memory", options.memory, 64, std::uint64_t{1} << 24) << 20;
   // A machine may have much else to do: only a plugin that sleeps comes here.
   limits.wall_seconds = 10.0 * limits.processor_seconds + 100.0;
+  if (!options.wall_seconds.empty()) {
+    limits.wall_seconds = static_cast<double>(parse_whole("--wall-seconds", options.wall_seconds, 1, 1'000'000));
+  }
   limits.match_wall_seconds =
       static_cast<double>(parse_whole("--match-seconds", options.match_seconds, 1, 1'000'000));
   limits.play_twice = !options.play_once;

@@ -18,7 +18,7 @@ struct CampaignOptions {
   std::vector<std::string> plugins;   // folders
   std::string workers, record_every;  // empty: one for each processor core; only matches that fail
   std::string results, processor_seconds = "10", memory = "2048";
-  std::string isolation = "after-death", match_seconds = "1800";
+  std::string isolation = "after-death", wall_seconds, match_seconds = "1800";
   bool resume = false, json = false, quiet = false, no_page = false, play_once = false;
   std::vector<std::string> plugin_files;  // not typed: what the search of the folders has found
 };
