@@ -306,7 +306,7 @@ Command add_match(CLI::App& parent, const Invocation& invocation) {
   writes(app.add_option("--metrics", options->metrics, "write all numbers of the match as a table (CSV)")
              ->type_name("FILE"),
          Writes::metrics);
-  app.add_flag("--force", options->force, "let --record replace a file")->disable_flag_override();
+  app.add_flag("--force", options->force, "let --record replace a recording")->disable_flag_override();
   app.add_flag("--quiet", options->quiet, "no live line on the terminal")->disable_flag_override();
   app.add_flag("--verbose", options->verbose, "a line on standard error for each goal")->disable_flag_override();
   app.footer(examples);
