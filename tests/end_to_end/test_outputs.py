@@ -285,7 +285,7 @@ class Gone(Outputs):
         gone = self.folder / "gone"
         for results, teams, pairs, code, why in (
                 ("here.db", self.folder, 500, 1, "results in here.db: the file is no longer there"),
-                (self.folder / "there.db", "", 500, 2, "small.yaml: no such file"),
+                (self.folder / "there.db", "", 500, 2, "while the tournament was played: "),
                 (self.folder / "elsewhere.db", self.folder, 20, 0, "")):
             gone.mkdir()
             command = [self.program, "tournament", "--pairs", pairs, "--limit", "10", "--quiet", "--workers", "1",
