@@ -240,6 +240,12 @@ class Gone(Outputs):
             self.assertIn("results in tournament.db: the file is no longer there, or is another one", said)
             self.assertNotIn("--resume", said, "there is nothing to resume")
 
+    def test_a_log_that_disappears(self):
+        """What stands in it only is lost should the program be killed now."""
+        said = self.ended_when((self.folder / "tournament.db-wal").unlink, *self.long())
+        self.assertIn("results in tournament.db-wal: the file is no longer there", said)
+        self.assertGreater(self.count(), 2)
+
     def test_a_folder_of_results_that_disappears(self):
         (self.folder / "away").mkdir()
         said = self.ended_when(lambda: shutil.rmtree(self.folder / "away"), *self.long(results="away/r.db"),
