@@ -106,7 +106,8 @@ void refuse_missing_values(const CLI::App& app) {
 // Relative names would lead nowhere, and the system tells no command what its folder is called.
 void require_working_folder() {
   std::error_code error;
-  if (std::filesystem::current_path(error).empty()) throw BadInput("the working folder is no longer there, or may not be entered");
+  if (std::filesystem::current_path(error).empty())
+    throw BadInput("the working folder is no longer there, or may not be entered");
 }
 
 int run_chosen(CLI::App& root, const std::vector<Command>& commands, const std::vector<std::string>& arguments) {

@@ -17,7 +17,7 @@ struct OwnKind {
   bool needs_force = false;         // to replace one of its own kind: what cost time
   bool replaces_others = false;     // with --force
   bool moved_to_its_place = false;  // written under another name first, so it is the folder that must be writable
-  std::string_view advice = {};          // beside --force
+  std::string_view advice = {};     // beside --force
 };
 
 // Of everything but results, which the store looks after, and folders.

@@ -96,7 +96,7 @@ TEST(TournamentPage, NoNameGetsOutOfItsPlace) {
     record.take(&decided);
   }
   const std::string page =
-      page_of(course, record, {hostile, "team: x\n", "a: b\n"}, hostile, {{{0, {1, 0}, false, {}}}, 0, 0});
+      page_of(course, record, {hostile, "team: x\n", "a: b\n"}, hostile, {{{0, {1, 0}, false, {}}}, 0});
   EXPECT_EQ(count(page, "<script"), 0u);
   EXPECT_EQ(count(page, "<img"), 0u);
   EXPECT_EQ(count(page, "\u202e"), 0u);
