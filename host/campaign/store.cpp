@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -46,7 +47,31 @@ constexpr auto remarks_table = R"(
     text TEXT NOT NULL,
     PRIMARY KEY(row, kind)
   ) WITHOUT ROWID;)";
+constexpr auto gone = "the file is no longer there, or is another one, so nothing more can be kept";
 constexpr auto columns = "fixture, seed, home_goals, away_goals, ended, hash, failure, seconds";
+
+// What a name leads to.
+struct Identity {
+  dev_t device = 0;
+  ino_t number = 0;
+  friend bool operator==(const Identity&, const Identity&) = default;
+};
+
+std::optional<Identity> identity_of(const std::string& name) {
+  struct stat about {};
+  if (::stat(name.c_str(), &about) != 0) return std::nullopt;
+  return Identity{about.st_dev, about.st_ino};
+}
+
+// Before it is opened: a pipe would wait for ever.
+void refuse_what_is_no_file(const std::filesystem::path& file) {
+  std::error_code none;
+  const std::filesystem::file_status status = std::filesystem::status(file, none);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
+  throw StoreRefusal(std::filesystem::is_directory(status)
+                         ? fmt::format("{} is a folder, not a file of results", file.string())
+                         : fmt::format("{} is no ordinary file, so it holds no results", file.string()));
+}
 
 // Held from before the database is opened until after it is closed: closing any descriptor of a file gives up the
 // locks that SQLite itself has on it.
@@ -85,9 +110,16 @@ std::string reason(const SQLite::Exception& error) {
       return "is no database";
     case SQLITE_FULL:
       return "the disk is full";
+    case SQLITE_IOERR:
+      if (error.getExtendedErrorCode() == SQLITE_IOERR_SHMSIZE) return "the disk is full";
+      return error.what();
     default:
       return error.what();
   }
+}
+
+bool is_of_the_disk(const SQLite::Exception& error) {
+  return error.getErrorCode() == SQLITE_FULL || error.getErrorCode() == SQLITE_IOERR;
 }
 
 // Also for what stands in the file but was not written by this program.
@@ -96,7 +128,9 @@ auto guarded(const std::string& file, Work work) {
   try {
     return work();
   } catch (const SQLite::Exception& error) {
-    throw StoreError(fmt::format("results in {}: {}", file, reason(error)));
+    const std::string text = fmt::format("results in {}: {}", file, reason(error));
+    if (is_of_the_disk(error)) throw StoreDiskError(text);
+    throw StoreError(text);
   } catch (const std::invalid_argument& error) {
     throw StoreError(fmt::format("results in {} are damaged: {}", file, error.what()));
   }
@@ -118,12 +152,17 @@ struct Store::Parts {
       : file(path.string()), hold(held(path, mode)), database(open_database(path, mode)) {
     try {
       prepare(mode, version);
+      identity = identity_of(file);
     } catch (const SQLite::Exception& error) {
-      throw StoreRefusal(fmt::format("{}: {}", file, reason(error)));
+      const std::string text = fmt::format("{}: {}", file, reason(error));
+      if (mode == Mode::read || !is_of_the_disk(error)) throw StoreRefusal(text);
+      if (mode == Mode::create) std::filesystem::remove(path);  // ours, and nothing is in it
+      throw StoreDiskError("cannot write results to " + text);
     }
   }
 
   static std::unique_ptr<const Hold> held(const std::filesystem::path& path, Mode mode) {
+    if (mode != Mode::create) refuse_what_is_no_file(path);
     if (mode != Mode::read) return std::make_unique<const Hold>(path, mode == Mode::create);
     if (const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC); descriptor != -1) {
       close(descriptor);  // before SQLite has locks on it
@@ -268,6 +307,15 @@ struct Store::Parts {
     statement.bind(2, std::bit_cast<std::int64_t>(key.seed));
   }
 
+  // What is written to a file that nobody finds by its name is lost, and so is a log that was deleted should we die.
+  // The log is there from the first row that is written on.
+  void require_file() {
+    if (identity_of(file) != identity) throw StoreGone(fmt::format("results in {}: {}", file, gone));
+    const std::string log = file + "-wal";
+    if (log_identity && identity_of(log) != log_identity) throw StoreGone(fmt::format("results in {}: {}", log, gone));
+    log_identity = identity_of(log);
+  }
+
   // All that is read between two rows written is read in one transaction: without one, SQLite locks and unlocks the
   // file for every single row.
   void begin_reading() {
@@ -284,6 +332,7 @@ struct Store::Parts {
   }
 
   std::string file;
+  std::optional<Identity> identity, log_identity;
   std::unique_ptr<const Hold> hold;
   SQLite::Database database;
   std::optional<SQLite::Statement> by_row, by_key, metrics, remarks, insert, insert_metrics, insert_remark;
@@ -362,6 +411,7 @@ std::optional<Decided> Store::find(std::int64_t row, const MatchKey& key, Metric
 
 void Store::insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts) {
   guarded(parts_->file, [&] {
+    parts_->require_file();
     const std::string failure = decided.failure ? to_json(*decided.failure) : std::string();
     parts_->end_reading();
     SQLite::Transaction transaction(parts_->database);
@@ -413,6 +463,8 @@ std::optional<Store::Row> Store::row(std::int64_t row) const {
     return out;
   });
 }
+
+void Store::require_file() const { parts_->require_file(); }
 
 std::int64_t Store::rows() const {
   return guarded(parts_->file, [&] { return parts_->database.execAndGet("SELECT count(*) FROM matches").getInt64(); });

@@ -36,6 +36,16 @@ class StoreError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// A StoreError that is the disk's: it is full, or fails.
+class StoreDiskError : public StoreError {
+  using StoreError::StoreError;
+};
+
+// A StoreError after which there is nothing to go on with: the file was deleted, replaced or moved while it was open.
+class StoreGone : public StoreError {
+  using StoreError::StoreError;
+};
+
 // What a stored match is found by: the number that the store gave to a fixture, and the seed.
 struct MatchKey {
   std::int64_t fixture = 0;
@@ -53,7 +63,7 @@ class Store {
     read,    // an existing one that is not written to, even while another process does
   };
   // Holds the file for itself until its end, but for Mode::read. Throws StoreRefusal: another program's database, a
-  // newer schema, no permission, in use by another process.
+  // newer schema, no permission, in use by another process; StoreDiskError when it cannot be made for lack of room.
   Store(const std::filesystem::path& file, Mode mode, const std::string& program_version);
   ~Store();
   Store(Store&&) noexcept;
@@ -79,6 +89,8 @@ class Store {
   // Also refuses a key that there is already, and a row that is taken. attempts: workers it took.
   void insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts);
   std::int64_t rows() const;
+  // Throws StoreGone when the name does not lead to the file that is written to any more; so does insert().
+  void require_file() const;
 
   // A stored match and what it was.
   struct Row {

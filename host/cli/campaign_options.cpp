@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/campaign_options.hpp"
+#include "cli/file_options.hpp"
 
 #include <fmt/format.h>
 
@@ -20,9 +21,10 @@ void add_campaign_options(CLI::App& app, CampaignOptions& options, const std::st
   app.add_option("--workers", options.workers, "matches at the same time; default: one for each processor core")
       ->type_name("N");
   add_plugin_folders(app, options.plugins);
-  app.add_option("--results", options.results,
-                 fmt::format("file the results are kept in; default: {}", default_results))
-      ->type_name("FILE");
+  writes(app.add_option("--results", options.results,
+                        fmt::format("file the results are kept in; default: {}", default_results))
+             ->type_name("FILE"),
+         Writes::results);
   app.add_option("--record-every", options.record_every,
                  "record every N-th match, beside the results in NAME.recordings/ROW.mcap; those that fail always are")
       ->type_name("N");

@@ -103,6 +103,13 @@ void refuse_missing_values(const CLI::App& app) {
                              full_name(app)));
 }
 
+// Relative names would lead nowhere, and the system tells no command what its folder is called.
+void require_working_folder() {
+  std::error_code error;
+  if (std::filesystem::current_path(error).empty())
+    throw BadInput("the working folder is no longer there, or may not be entered");
+}
+
 int run_chosen(CLI::App& root, const std::vector<Command>& commands, const std::vector<std::string>& arguments) {
   try {
     // CLI11 wants the words without the program's name, last one first.
@@ -123,16 +130,16 @@ int run_chosen(CLI::App& root, const std::vector<Command>& commands, const std::
   const CLI::App& app = chosen(root);
   refuse_missing_values(app);
   for (const Command& command : commands) {
-    if (command.app == &app) return command.run();
+    if (command.app != &app) continue;
+    if (!app.get_group().empty()) require_working_folder();  // the hidden one is told all by the program itself
+    return command.run();
   }
   no_command(app);
 }
 
-int run(const Invocation& invocation) {
-  CLI::App root("Regista: research on team strategy for robot soccer", "regista");
-  root.set_version_flag("--version", fmt::format("regista {} (plugin interface {}.{}, {})", REGISTA_VERSION,
-                                                 REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR, REGISTA_BUILD));
-  root.footer(examples);
+}  // namespace
+
+std::vector<Command> add_commands(CLI::App& root, const Invocation& invocation) {
   // At most one command, so that what follows it is never taken for another.
   root.require_subcommand(0, 1);
   std::vector<Command> commands{add_match(root, invocation),      add_view(root, invocation),
@@ -150,7 +157,17 @@ int run(const Invocation& invocation) {
   commands.push_back(add_config_check(config, invocation));
   commands.push_back(add_config_show(config, invocation));
   commands.push_back(add_config_schema(config, invocation));
-  return run_chosen(root, commands, invocation.arguments);
+  return commands;
+}
+
+namespace {
+
+int run(const Invocation& invocation) {
+  CLI::App root("Regista: research on team strategy for robot soccer", "regista");
+  root.set_version_flag("--version", fmt::format("regista {} (plugin interface {}.{}, {})", REGISTA_VERSION,
+                                                 REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR, REGISTA_BUILD));
+  root.footer(examples);
+  return run_chosen(root, add_commands(root, invocation), invocation.arguments);
 }
 
 }  // namespace

@@ -2,7 +2,14 @@
 // The command line as a whole: which commands there are, which one was meant, and what is said when none was.
 #pragma once
 
+#include <vector>
+
+#include "cli/command.hpp"
+
 namespace regista::cli {
+
+// Adds all commands to the program's own: what there is to choose from. invocation outlives them.
+std::vector<Command> add_commands(CLI::App& root, const Invocation& invocation);
 
 // Runs the command that the arguments name. Returns the exit code (end_of_program.hpp); throws nothing.
 int run(int argc, char** argv);

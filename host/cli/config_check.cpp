@@ -11,6 +11,7 @@
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/experiment_setup.hpp"
+#include "cli/file_options.hpp"
 #include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/tune_setup.hpp"
@@ -110,11 +111,13 @@ Command add_config_check(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand(
       "check", "say what is wrong with rules, robots, disturbances, openings, teams and studies");
   const auto options = std::make_shared<Options>();
-  app.add_option("files", options->files, "documents of any kind")->type_name("FILE...");
-  app.add_option("--rules", options->rules, "rules that openings must go with; default: spl2023, built in")
-      ->type_name("FILE");
-  app.add_option("--robot", options->robot, "robot that openings must go with; default: nao, built in")
-      ->type_name("FILE");
+  reads(app.add_option("files", options->files, "documents of any kind")->type_name("FILE..."), Reads::documents);
+  reads(app.add_option("--rules", options->rules, "rules that openings must go with; default: spl2023, built in")
+            ->type_name("FILE"),
+        Reads::documents);
+  reads(app.add_option("--robot", options->robot, "robot that openings must go with; default: nao, built in")
+            ->type_name("FILE"),
+        Reads::documents);
   add_plugin_folders(app, options->plugins);
   app.footer(examples);
   return {&app, [options, &invocation] { return check(*options, invocation); }};

@@ -7,6 +7,7 @@
 
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
+#include "cli/file_options.hpp"
 #include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
@@ -45,7 +46,7 @@ int show(const Options& options, const Invocation& invocation) {
 Command add_config_show(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("show", "write a document with every value that is in force");
   const auto options = std::make_shared<Options>();
-  app.add_option("file", options->files, "a document of any kind")->type_name("FILE");
+  reads(app.add_option("file", options->files, "a document of any kind")->type_name("FILE"), Reads::documents);
   app.add_option("--set", options->overrides, "a value laid over the document; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);

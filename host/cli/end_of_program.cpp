@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 
 #include "cli/output.hpp"
 #include "config/node.hpp"
@@ -38,6 +39,11 @@ int explain_current_exception() {
   } catch (const WriteError& error) {
     complain(error.what());
     return exit_no;
+  } catch (const std::filesystem::filesystem_error& error) {
+    // What was there when it was looked at is there no longer: a folder was removed meanwhile.
+    complain(fmt::format("{}{}: {}", error.path1().string(), error.path1().empty() ? "the working folder" : "",
+                         error.code().message()));
+    return exit_bad_input;
   } catch (const std::exception& error) {
     complain(fmt::format("internal error: {}", error.what()));
     return exit_internal;

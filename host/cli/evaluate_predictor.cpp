@@ -10,6 +10,7 @@
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/evaluation_report.hpp"
+#include "cli/file_options.hpp"
 #include "cli/interruption.hpp"
 #include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
@@ -104,11 +105,13 @@ Command add_evaluate_predictor(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app =
       *parent.add_subcommand("evaluate-predictor", "measure a predictor on a recording, beside simple baselines");
   const auto options = std::make_shared<Options>();
-  app.add_option("study", options->studies, "the study's file")->type_name("STUDY.yaml");
-  app.add_option("--data", options->data, "the recording: CSV, plain or .gz")->type_name("FILE");
-  app.add_option("--referee", options->referee,
-                 "states of the referee (Small Size League); default: NAME_referee.csv.gz beside NAME_ball_raw.csv.gz")
-      ->type_name("FILE");
+  reads(app.add_option("study", options->studies, "the study's file")->type_name("STUDY.yaml"), Reads::documents);
+  reads(app.add_option("--data", options->data, "the recording: CSV, plain or .gz")->type_name("FILE"), Reads::data);
+  reads(app.add_option(
+               "--referee", options->referee,
+               "states of the referee (Small Size League); default: NAME_referee.csv.gz beside NAME_ball_raw.csv.gz")
+            ->type_name("FILE"),
+        Reads::data);
   app.add_option("--set", options->overrides, "a value laid over the study; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);

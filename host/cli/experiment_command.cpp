@@ -11,7 +11,9 @@
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/experiment_setup.hpp"
+#include "cli/file_options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_files.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
 #include "cli/results_page.hpp"
@@ -45,8 +47,10 @@ Regista.)";
 
 class Played {
  public:
-  Played(const ExperimentOptions& options, const Invocation& invocation, study::ExperimentPlan plan)
+  Played(const ExperimentOptions& options, OutputFiles outputs, const Invocation& invocation,
+         study::ExperimentPlan plan)
       : options_(options),
+        outputs_(std::move(outputs)),
         invocation_(invocation),
         plan_(std::move(plan)),
         course_(plan_),
@@ -55,6 +59,7 @@ class Played {
   Played& operator=(const Played&) = delete;
 
   int play() {
+    outputs_.check(options_.force);
     std::optional<OutputFile> csv;
     campaign::Store store = open_results(options_.results, options_.resume, plan_, {});
     if (!options_.csv.empty()) {
@@ -66,17 +71,21 @@ class Played {
     play_study({"experiment", plan_.matches(), [this] { return course_.taken(); }}, options_, invocation_, store,
                progress, [&](const PlayRun& play) { play(run(csv ? &*csv : nullptr)); });
     if (csv) csv->close();
-    if (!options_.summary.empty()) {
-      OutputFile summary(options_.summary);
-      summary.write(report::experiment_summary_csv(view_));
-      summary.close();
-    }
+    if (!options_.summary.empty()) write_summary();
     print(options_.json ? report::experiment_json(view_) : report::experiment_text(view_));
     if (!options_.no_page) write_page(store);
     return exit_done;
   }
 
  private:
+  // After hours, perhaps: what stands there now need not be what stood there before the first match.
+  void write_summary() const {
+    outputs_.check(options_.force);
+    OutputFile summary(options_.summary);
+    summary.write(report::experiment_summary_csv(view_));
+    summary.close();
+  }
+
   void write_page(const campaign::Store& store) const {
     const StudyPlan plan = plan_;
     const auto page = write_page_beside({options_.results, store, plan}, true);
@@ -142,21 +151,27 @@ class Played {
   campaign::Job job(std::uint64_t index) const { return study::job(plan_, study::trial(plan_, index)); }
 
   const ExperimentOptions& options_;
+  const OutputFiles outputs_;
   const Invocation& invocation_;
   study::ExperimentPlan plan_;
   study::Experiment course_;
   report::ExperimentView view_;
 };
 
-int experiment(ExperimentOptions options, const Invocation& invocation) {
+int experiment(ExperimentOptions options, OutputFiles outputs, const Invocation& invocation) {
   check(options);
+  if (options.force && options.csv.empty() && options.summary.empty()) {
+    throw BadInput("--force: belongs to --csv and --summary, which are not given");
+  }
   if (options.file.empty()) throw BadInput("experiment: which one? Name its file; see: regista experiment --help");
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   study::ExperimentPlan plan = planned_experiment(options, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();
   if (options.results.empty()) options.results = plan.name + ".db";
-  return Played(options, invocation, std::move(plan)).play();
+  outputs.read(folders_of(catalogue), Reads::plugins);
+  outputs.write_beside(options.results, options.no_page ? OutputFiles::Page::none : OutputFiles::Page::with_figures);
+  return Played(options, std::move(outputs), invocation, std::move(plan)).play();
 }
 
 }  // namespace
@@ -164,7 +179,7 @@ int experiment(ExperimentOptions options, const Invocation& invocation) {
 Command add_experiment(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("experiment", "compare arms in numbers of their matches");
   const auto options = std::make_shared<ExperimentOptions>();
-  app.add_option("file", options->file, "the experiment's document")->type_name("E.yaml");
+  reads(app.add_option("file", options->file, "the experiment's document")->type_name("E.yaml"), Reads::documents);
   app.add_option("--set", options->overrides, "a value laid over that document; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
@@ -173,11 +188,17 @@ Command add_experiment(CLI::App& parent, const Invocation& invocation) {
       ->type_name("N");
   app.add_option("--matches", options->matches, "play so many matches for each arm, whatever the document says")
       ->type_name("N");
-  app.add_option("--csv", options->csv, "write every number of every match of the arms as a table")->type_name("FILE");
-  app.add_option("--summary", options->summary, "write means and intervals as a table")->type_name("FILE");
+  writes(app.add_option("--csv", options->csv, "write every number of every match of the arms as a table")
+             ->type_name("FILE"),
+         Writes::match_table);
+  writes(app.add_option("--summary", options->summary, "write means and intervals as a table")->type_name("FILE"),
+         Writes::summary_table);
+  app.add_flag("--force", options->force, "let --csv and --summary replace files of another kind")
+      ->disable_flag_override();
   add_campaign_options(app, *options, "the experiment's name with .db");
   app.footer(examples);
-  return {&app, [options, &invocation] { return experiment(*options, invocation); }};
+  return {&app,
+          [options, &app, &invocation] { return experiment(*options, OutputFiles(app, "experiment"), invocation); }};
 }
 
 }  // namespace regista::cli

@@ -18,6 +18,7 @@ struct ExperimentOptions : CampaignOptions {
   std::vector<std::string> overrides;  // of the experiment's document
   std::string minutes, matches;        // instead of what it says; empty: as it says
   std::string csv, summary;            // files; empty: none
+  bool force = false;                  // they may replace files of another kind
 };
 
 // Throws BadInput and config::Error, at the place in the experiment's document that asks for what is not there.

@@ -18,13 +18,14 @@
 #include "cli/command.hpp"
 #include "cli/decision_log.hpp"
 #include "cli/end_of_program.hpp"
+#include "cli/file_options.hpp"
 #include "cli/interruption.hpp"
 #include "cli/job_setup.hpp"
 #include "cli/live_line.hpp"
 #include "cli/match_report.hpp"
 #include "cli/match_setup.hpp"
 #include "cli/output.hpp"
-#include "cli/own_kind.hpp"
+#include "cli/output_files.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/replaced_file.hpp"
 #include "cli/results_file.hpp"
@@ -35,7 +36,6 @@
 #include "match/names.hpp"
 #include "match/teams.hpp"
 #include "mcap/error.hpp"
-#include "mcap/format.hpp"
 #include "plugin/plugin_file.hpp"
 #include "report/match_recording.hpp"
 
@@ -69,23 +69,6 @@ struct Options : MatchRequest {
 std::string interrupted_text(const std::string& again, const match::GameState& state, double time) {
   return fmt::format("interrupted in half {} at {}, {:.0f} s simulated, score {}:{}; the same match again: {}",
                      state.half, clock_text(state.clock), time, state.goals[0], state.goals[1], again);
-}
-
-// What is written must not replace what the match is read from.
-void refuse_to_overwrite(const Options& options, const char* option, const std::string& written) {
-  std::vector<std::string> read = options.teams;
-  read.insert(read.end(), {options.rules, options.robot, options.disturbance, options.home_disturbance,
-                           options.away_disturbance, options.opening});
-  for (const std::string& file : read) {
-    std::error_code none;
-    if (std::filesystem::equivalent(written, file, none)) {
-      throw BadInput(fmt::format("{} {}: is a file that this match reads", option, written));
-    }
-  }
-}
-
-std::filesystem::path place_of(const std::string& file) {
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
 }
 
 // The stored match that is to be played again.
@@ -187,40 +170,16 @@ int compare(const Options& options, const campaign::Decided& stored, const match
   return exit_done;
 }
 
-// The table of metrics is written after the match: what can be known before is refused before.
-void check_metrics_file(const Options& options) {
-  if (options.metrics.empty()) return;
-  refuse_to_overwrite(options, "--metrics", options.metrics);
-  refuse_other_kinds("--metrics", options.metrics, metrics_csv_head, "table of metrics");
-  std::error_code none;
-  const std::filesystem::path folder = std::filesystem::absolute(options.metrics).parent_path();
-  if (std::filesystem::is_directory(options.metrics, none) || !std::filesystem::is_directory(folder, none)) {
-    throw BadInput(fmt::format("--metrics {}: cannot be written there", options.metrics));
-  }
-}
-
-void check_what_is_written(const Options& options) {
-  if (!options.decisions.empty()) {
-    refuse_to_overwrite(options, "--decisions", options.decisions);
-    refuse_other_kinds("--decisions", options.decisions, decision_log_begin, "log of decisions");
-  }
-  check_metrics_file(options);
-  const bool both = !options.metrics.empty() && !options.decisions.empty();
-  if (both && place_of(options.metrics) == place_of(options.decisions)) {
-    throw BadInput(fmt::format("--metrics and --decisions: both name {}", options.metrics));
-  }
-  if (options.record.empty()) return;
-  refuse_to_overwrite(options, "--record", options.record);
-  refuse_other_kinds("--record", options.record, mcap::magic.substr(0, mcap::version_in_magic), "recording");
-  for (const auto& [option, file] : {std::pair{"--decisions", &options.decisions}, {"--metrics", &options.metrics}}) {
-    if (!file->empty() && place_of(options.record) == place_of(*file)) {
-      throw BadInput(fmt::format("--record and {}: both name {}", option, options.record));
-    }
-  }
-  std::error_code none;
-  if (!options.force && std::filesystem::exists(options.record, none)) {
-    throw BadInput(fmt::format("--record {}: exists already; --force replaces it", options.record));
-  }
+// outputs: as they were named before stored_match() went elsewhere. What can be known before the match is refused
+// before.
+void check_what_is_written(OutputFiles outputs, const Options& options, const MatchRequest& played,
+                           const plugin::Catalogue& catalogue) {
+  std::vector<std::string> documents = played.teams;
+  documents.insert(documents.end(), {played.rules, played.robot, played.disturbance, played.home_disturbance,
+                                     played.away_disturbance, played.opening});
+  outputs.read(documents, Reads::documents, played.overrides);
+  outputs.read(folders_of(catalogue), Reads::plugins);
+  outputs.check(options.force);
 }
 
 std::unique_ptr<report::MatchRecording> begin_recording(const Options& options, const report::RecordedSetup& setup) {
@@ -339,7 +298,7 @@ int explain_loss(campaign::Job job, const Files& files, const Loss& loss) {
                              campaign::in_words(loss.what, loss.note.call)));
 }
 
-int play(Options options, const Invocation& invocation) {
+int play(Options options, const OutputFiles& outputs, const Invocation& invocation) {
   // Before stored_match() goes elsewhere.
   for (std::string* written : {&options.decisions, &options.record, &options.metrics}) {
     if (!options.from.empty() && !written->empty()) *written = std::filesystem::absolute(*written).string();
@@ -352,11 +311,11 @@ int play(Options options, const Invocation& invocation) {
   }
   const std::vector<std::string>& folders = stored ? stored->job.plugins : options.plugins;
   const plugin::Catalogue catalogue = open_plugins(folders, invocation);
-  MatchSetup prepared =
-      match_setup(stored ? request_of(stored->job) : static_cast<const MatchRequest&>(options), catalogue);
+  const MatchRequest wanted = stored ? request_of(stored->job) : static_cast<const MatchRequest&>(options);
+  MatchSetup prepared = match_setup(wanted, catalogue);
   tell_what_is_not_used(catalogue, folders);
   if (stored) require_unchanged(options, stored->job, prepared, catalogue, invocation);
-  check_what_is_written(options);
+  check_what_is_written(outputs, options, wanted, catalogue);
   if (stored && stored->decided.failure) {
     if (!options.metrics.empty())
       throw BadInput(fmt::format("--metrics: row {} was forfeited, which has none", options.row));
@@ -377,38 +336,52 @@ int play(Options options, const Invocation& invocation) {
 
 }  // namespace
 
-Command add_match(CLI::App& parent, const Invocation& invocation) {  CLI::App& app = *parent.add_subcommand("match", "play one match between two teams");
+Command add_match(CLI::App& parent, const Invocation& invocation) {
+  CLI::App& app = *parent.add_subcommand("match", "play one match between two teams");
   const auto options = std::make_shared<Options>();
-  app.add_option("teams", options->teams, "the teams' files: home, then away")->type_name("A.yaml B.yaml");
+  reads(app.add_option("teams", options->teams, "the teams' files: home, then away")->type_name("A.yaml B.yaml"),
+        Reads::documents);
   app.add_option("--seed", options->seed, "all chance of the match comes from it; default 1")->type_name("N");
-  app.add_option("--rules", options->rules, "rules profile; default: spl2023, built in")->type_name("FILE");
-  app.add_option("--robot", options->robot, "robot profile of both teams; default: nao, built in")->type_name("FILE");
-  app.add_option("--disturbance", options->disturbance, "disturbance profile of both teams; default: none")
-      ->type_name("FILE");
-  app.add_option("--home-disturbance", options->home_disturbance, "of the home team alone")->type_name("FILE");
-  app.add_option("--away-disturbance", options->away_disturbance, "of the away team alone")->type_name("FILE");
-  app.add_option("--opening", options->opening, "scene that the game starts from; default: kick-off")
-      ->type_name("FILE");
+  reads(app.add_option("--rules", options->rules, "rules profile; default: spl2023, built in")->type_name("FILE"),
+        Reads::documents);
+  reads(app.add_option("--robot", options->robot, "robot profile of both teams; default: nao, built in")
+            ->type_name("FILE"),
+        Reads::documents);
+  reads(app.add_option("--disturbance", options->disturbance, "disturbance profile of both teams; default: none")
+            ->type_name("FILE"),
+        Reads::documents);
+  reads(app.add_option("--home-disturbance", options->home_disturbance, "of the home team alone")->type_name("FILE"),
+        Reads::documents);
+  reads(app.add_option("--away-disturbance", options->away_disturbance, "of the away team alone")->type_name("FILE"),
+        Reads::documents);
+  reads(app.add_option("--opening", options->opening, "scene that the game starts from; default: kick-off")
+            ->type_name("FILE"),
+        Reads::documents);
   app.add_option("--set", options->overrides, "a value laid over a document; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
   app.add_option("--limit", options->limit, "end the match after so many simulated seconds")->type_name("SECONDS");
-  app.add_option("--from", options->from, "play a match of these results again")->type_name("RESULTS.db");
+  reads(app.add_option("--from", options->from, "play a match of these results again")->type_name("RESULTS.db"),
+        Reads::results);
   app.add_option("--row", options->row, "which one, from 1")->type_name("N");
   add_plugin_folders(app, options->plugins);
   app.add_flag("--json", options->json, "write the result as JSON")->disable_flag_override();
-  app.add_option("--decisions", options->decisions, "write what the robots believed and chose as JSON lines")
-      ->type_name("FILE");
-  app.add_option("--record", options->record, "write the match as an MCAP file, for `regista view` and others")
-      ->type_name("FILE");
-  app.add_option("--metrics", options->metrics, "write all numbers of the match as a table (CSV)")->type_name("FILE");
-  app.add_flag("--force", options->force, "let --record replace a file")->disable_flag_override();
+  writes(app.add_option("--decisions", options->decisions, "write what the robots believed and chose as JSON lines")
+             ->type_name("FILE"),
+         Writes::decisions);
+  writes(app.add_option("--record", options->record, "write the match as an MCAP file, for `regista view` and others")
+             ->type_name("FILE"),
+         Writes::recording);
+  writes(app.add_option("--metrics", options->metrics, "write all numbers of the match as a table (CSV)")
+             ->type_name("FILE"),
+         Writes::metrics);
+  app.add_flag("--force", options->force, "let --record replace a recording")->disable_flag_override();
   app.add_flag("--quiet", options->quiet, "no live line on the terminal")->disable_flag_override();
   app.add_flag("--in-process", options->in_process, "play in the program's own process: for a debugger")
       ->disable_flag_override();
   app.add_flag("--verbose", options->verbose, "a line on standard error for each goal")->disable_flag_override();
   app.footer(examples);
-  return {&app, [options, &invocation] { return play(*options, invocation); }};
+  return {&app, [options, &app, &invocation] { return play(*options, OutputFiles(app, "match"), invocation); }};
 }
 
 }  // namespace regista::cli

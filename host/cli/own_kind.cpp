@@ -1,26 +1,76 @@
 // SPDX-License-Identifier: MIT
 #include "cli/own_kind.hpp"
 
-#include <fmt/format.h>
-
+#include <algorithm>
+#include <array>
+#include <cassert>
 #include <fstream>
 #include <string>
 #include <system_error>
 
-#include "cli/end_of_program.hpp"
+#include "cli/decision_log.hpp"
+#include "cli/match_report.hpp"
+#include "cli/tuned_file.hpp"
+#include "mcap/format.hpp"
 
 namespace regista::cli {
+namespace {
 
-void refuse_other_kinds(std::string_view option, const std::filesystem::path& file, std::string_view begin,
-                        std::string_view what) {
+using Begins = std::string_view;
+
+constexpr std::array recording{Begins(mcap::magic.substr(0, mcap::version_in_magic))};
+constexpr std::array decisions{decision_log_begin};
+constexpr std::array metrics{metrics_csv_head};
+constexpr std::array match_table{Begins("row,arm")};             // report::experiment_csv_head
+constexpr std::array summary_table{Begins("measure,unit,arm")};  // report::experiment_summary_csv
+constexpr std::array search_table{Begins("evaluation,pairs_from,"), Begins("algorithm,repeat,")};  // tuning_csv
+constexpr std::array tuned_team{tuned_file_begin};
+constexpr std::array markup{Begins("<")};
+constexpr Begins database = "SQLite format 3";
+
+}  // namespace
+
+OwnKind own_kind(Writes what) {
+  switch (what) {
+    case Writes::recording:
+      return {.what = "recording", .begins = recording, .needs_force = true};
+    case Writes::decisions:
+      return {.what = "log of decisions", .begins = decisions};
+    case Writes::metrics:
+      return {.what = "table of metrics", .begins = metrics, .moved_to_its_place = true};
+    case Writes::match_table:
+      return {.what = "table of matches", .begins = match_table, .replaces_others = true};
+    case Writes::summary_table:
+      return {.what = "table of means", .begins = summary_table, .replaces_others = true};
+    case Writes::search_table:
+      return {.what = "table of a search", .begins = search_table, .replaces_others = true};
+    case Writes::tuned_team:
+      return {.what = "team that a tuning wrote",
+              .begins = tuned_team,
+              .replaces_others = true,
+              .moved_to_its_place = true,
+              .advice = "--output names another file"};
+    case Writes::page:
+      return {.what = "page or picture", .begins = markup, .needs_force = true, .moved_to_its_place = true};
+    case Writes::results:
+    case Writes::figures:
+      break;
+  }
+  assert(false);
+  return {};
+}
+
+Found found_in(const std::filesystem::path& file, const OwnKind& kind) {
   std::error_code none;
-  if (!std::filesystem::is_regular_file(file, none) || std::filesystem::file_size(file, none) == 0) return;
+  if (std::filesystem::file_size(file, none) == 0) return Found::nothing;
+  const auto longest = std::ranges::max(kind.begins, {}, &std::string_view::size).size();
+  std::string beginning(std::max(longest, database.size()), '\0');
   std::ifstream in(file, std::ios::binary);
-  std::string found(begin.size(), '\0');
-  in.read(found.data(), static_cast<std::streamsize>(found.size()));
-  if (in.gcount() == static_cast<std::streamsize>(begin.size()) && found == begin) return;
-  throw BadInput(
-      fmt::format("{} {}: there is a file of another kind, which no {} replaces", option, file.string(), what));
+  in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(in.gcount()));
+  const auto begins = [&](std::string_view each) { return beginning.starts_with(each); };
+  if (std::ranges::any_of(kind.begins, begins)) return Found::own;
+  return begins(database) ? Found::database : Found::other;
 }
 
 }  // namespace regista::cli

@@ -1,15 +1,35 @@
 // SPDX-License-Identifier: MIT
-// A file is replaced only by one of its own kind: a slip of the hand must not cost results, teams or plugins.
+// A file is replaced by one of its own kind: a slip of the hand must not cost results, teams or plugins. A kind is
+// known by how its files begin.
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string_view>
+
+#include "cli/file_options.hpp"
 
 namespace regista::cli {
 
-// Throws BadInput when there is an ordinary file of this name that is not empty and does not begin so. what:
-// "recording".
-void refuse_other_kinds(std::string_view option, const std::filesystem::path& file, std::string_view begin,
-                        std::string_view what);
+struct OwnKind {
+  std::string_view what;  // "recording"
+  std::span<const std::string_view> begins;
+  bool needs_force = false;         // to replace one of its own kind: what cost time
+  bool replaces_others = false;     // with --force
+  bool moved_to_its_place = false;  // written under another name first, so it is the folder that must be writable
+  std::string_view advice = {};     // beside --force
+};
+
+// Of everything but results, which the store looks after, and folders.
+OwnKind own_kind(Writes what);
+
+// What an ordinary file holds, seen from a kind.
+enum class Found {
+  nothing,   // it is empty
+  own,       // one of the kind
+  database,  // of SQLite: results are, whatever they are called
+  other,
+};
+Found found_in(const std::filesystem::path& file, const OwnKind& kind);
 
 }  // namespace regista::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/plugin_folders.hpp"
+#include "cli/file_options.hpp"
 
 #include <fmt/format.h>
 
@@ -12,9 +13,10 @@
 namespace regista::cli {
 
 void add_plugin_folders(CLI::App& app, std::vector<std::string>& folders) {
-  app.add_option("--plugins", folders, "search this folder for plugins first; may be repeated")
-      ->type_name("DIR")
-      ->allow_extra_args(false);
+  reads(app.add_option("--plugins", folders, "search this folder for plugins first; may be repeated")
+            ->type_name("DIR")
+            ->allow_extra_args(false),
+        Reads::plugins);
 }
 
 plugin::Catalogue open_plugins(const std::vector<std::string>& folders, const Invocation& invocation) {
@@ -24,6 +26,12 @@ plugin::Catalogue open_plugins(const std::vector<std::string>& folders, const In
     built_in = (invocation.executable.parent_path() / "../lib/regista/plugins").lexically_normal();
   }
   return plugin::Catalogue(plugin::Catalogue::search_path(options, std::getenv("REGISTA_PLUGIN_PATH"), built_in));
+}
+
+std::vector<std::string> folders_of(const plugin::Catalogue& catalogue) {
+  std::vector<std::string> out;
+  for (const std::filesystem::path& each : catalogue.folders()) out.push_back(each.string());
+  return out;
 }
 
 void tell_what_is_not_used(const plugin::Catalogue& catalogue, const std::vector<std::string>& folders) {

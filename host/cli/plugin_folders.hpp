@@ -17,6 +17,9 @@ void add_plugin_folders(CLI::App& app, std::vector<std::string>& folders);
 // Throws config::Error for a folder of an option that is none.
 plugin::Catalogue open_plugins(const std::vector<std::string>& folders, const Invocation& invocation);
 
+// Where a catalogue was searched for, to be kept from being written over (output_files.hpp).
+std::vector<std::string> folders_of(const plugin::Catalogue& catalogue);
+
 // A line on standard error for each file of these folders that cannot be used: who names a folder wants what is in it.
 void tell_what_is_not_used(const plugin::Catalogue& catalogue, const std::vector<std::string>& folders);
 

@@ -74,7 +74,12 @@ void write_whole(const fs::path& file, std::string_view bytes, Existing existing
     if (!fs::is_regular_file(now))
       throw BadInput(fmt::format("cannot write {}: it is no ordinary file", file.string()));
     if (existing == Existing::refused) throw exists();
-    if (bytes.starts_with('<')) refuse_other_kinds("cannot write", file, "<", "page or picture");
+    const OwnKind page = own_kind(Writes::page);
+    const Found found = bytes.starts_with('<') ? found_in(file, page) : Found::own;
+    if (found == Found::database || found == Found::other) {
+      throw BadInput(fmt::format("cannot write {}: there is a file of another kind, which no {} replaces",
+                                 file.string(), page.what));
+    }
   }
   // What a link points to is meant, not the link.
   const fs::path place = fs::exists(now) ? fs::canonical(file, error) : file;

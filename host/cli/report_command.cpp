@@ -9,7 +9,9 @@
 
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
+#include "cli/file_options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_files.hpp"
 #include "cli/report_experiment.hpp"
 #include "cli/report_tuning.hpp"
 #include "cli/results_file.hpp"
@@ -121,8 +123,9 @@ int tell(const Options& options, const StoredStudy& results, const study::Tourna
   return exit_done;
 }
 
-int run(const Options& options, const Invocation& invocation) {
+int run(const Options& options, const OutputFiles& outputs, const Invocation& invocation) {
   refuse_what_does_not_go_together(options);
+  outputs.check(options.force);
   const StoredStudy results = read_results(options.file);
   if (options.page.empty() && options.figures.empty()) {
     if (const auto* const tournament = std::get_if<study::TournamentPlan>(&results.plan)) {
@@ -150,21 +153,24 @@ int run(const Options& options, const Invocation& invocation) {
 Command add_report(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("report", "what stored results say");
   const auto options = std::make_shared<Options>();
-  app.add_option("results", options->file, "file that a tournament, an experiment or a tuning wrote")
-      ->type_name("RESULTS.db");
+  reads(app.add_option("results", options->file, "file that a tournament, an experiment or a tuning wrote")
+            ->type_name("RESULTS.db"),
+        Reads::results);
   app.add_flag("--json", options->json, "write the report as JSON")->disable_flag_override();
   app.add_flag("--csv", options->csv,
                "write a table with a row for each match, of an experiment for each number, of a tuning for each point")
       ->disable_flag_override();
   app.add_flag("--metrics", options->metrics, "with --csv: all numbers of the matches, too")->disable_flag_override();
-  app.add_option("-o,--output", options->page, "write the report as a page that needs nothing else")
-      ->type_name("PAGE.html");
-  app.add_option("--figures", options->figures, "write the figures of the page as files of this folder")
-      ->type_name("FOLDER");
+  writes(app.add_option("-o,--output", options->page, "write the report as a page that needs nothing else")
+             ->type_name("PAGE.html"),
+         Writes::page);
+  writes(app.add_option("--figures", options->figures, "write the figures of the page as files of this folder")
+             ->type_name("FOLDER"),
+         Writes::figures);
   app.add_flag("--png", options->png, "with --figures: each as PNG, too")->disable_flag_override();
   app.add_flag("--force", options->force, "replace files that exist already")->disable_flag_override();
   app.footer(examples);
-  return {&app, [options, &invocation] { return run(*options, invocation); }};
+  return {&app, [options, &app, &invocation] { return run(*options, OutputFiles(app, "report"), invocation); }};
 }
 
 }  // namespace regista::cli

@@ -13,6 +13,7 @@
 
 #include "campaign/inputs.hpp"
 #include "cli/end_of_program.hpp"
+#include "cli/output.hpp"
 #include "config/text.hpp"
 #include "study/plan_json.hpp"
 
@@ -54,6 +55,8 @@ auto opening(Open open) {
     return open();
   } catch (const campaign::StoreRefusal& error) {
     throw BadInput(error.what());
+  } catch (const campaign::StoreDiskError& error) {
+    throw WriteError(error.what());
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
   }

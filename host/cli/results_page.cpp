@@ -67,13 +67,6 @@ std::vector<report::PageFigure> drawn_figures(const ToldStudy& told, const PageW
   return out;
 }
 
-void refuse_results_as_page(const fs::path& results, const fs::path& page) {
-  std::error_code error;
-  if (fs::equivalent(results, page, error)) {
-    throw BadInput(fmt::format("-o {}: these are the results themselves", page.string()));
-  }
-}
-
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directory(folder, error);
@@ -97,14 +90,6 @@ void remove_experiment_figures(const fs::path& folder) {
   for (const fs::path& each : found) fs::remove(each, error);
 }
 
-// Before work begins, for what is known by then.
-void refuse_existing(const fs::path& file, Existing existing) {
-  std::error_code error;
-  if (existing == Existing::refused && fs::exists(fs::status(file, error))) {
-    throw BadInput(fmt::format("{} exists already; --force replaces it", file.string()));
-  }
-}
-
 // Whatever else it may be is not opened: a pipe would wait for ever.
 bool is_our_page(const fs::path& file) {
   std::error_code error;
@@ -118,10 +103,6 @@ bool is_our_page(const fs::path& file) {
 }  // namespace
 
 void write_page(const StoredResults& results, const PageWishes& wishes) {
-  if (wishes.page) {
-    refuse_results_as_page(results.file, *wishes.page);
-    refuse_existing(*wishes.page, wishes.existing);
-  }
   try {
     const ToldStudy told = told_study(results);
     if (!told.incomplete.empty()) complain(told.incomplete);

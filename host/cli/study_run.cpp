@@ -90,6 +90,7 @@ void play_study(const StudyNature& nature, const CampaignOptions& options, const
   };
   try {
     course(play);
+    store.require_file();
     progress.clear();
   } catch (const campaign::CampaignError& error) {
     progress.clear();
@@ -97,6 +98,9 @@ void play_study(const StudyNature& nature, const CampaignOptions& options, const
       throw BadInput(fmt::format("while the {} was played: {}", nature.what, error.what()));
     }
     throw WriteError(to_go_on(error.what()));
+  } catch (const campaign::StoreGone& error) {
+    progress.clear();
+    throw WriteError(error.what());
   } catch (const campaign::StoreError& error) {
     progress.clear();
     throw WriteError(to_go_on(error.what()));

@@ -67,7 +67,7 @@ class ToldTournament {
     };
     return report::tournament_page({view(), record_, std::move(figures), stored_documents(results_.store),
                                     results_.store.meta("program"), command_line(report::tournament_arguments(plan_)),
-                                    report::page_recordings(view(), record_, recorded_.size(), results_.file), link});
+                                    report::page_recordings(view(), record_, results_.file), link});
   }
 
  private:

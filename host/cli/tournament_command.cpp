@@ -10,7 +10,9 @@
 
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
+#include "cli/file_options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_files.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
 #include "cli/results_page.hpp"
@@ -135,12 +137,15 @@ class Played {
   report::TournamentView view_;
 };
 
-int tournament(TournamentOptions options, const Invocation& invocation) {
+int tournament(TournamentOptions options, OutputFiles outputs, const Invocation& invocation) {
   check(options);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   PlannedTournament planned = planned_tournament(options, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();
+  outputs.read(folders_of(catalogue), Reads::plugins);
+  outputs.write_beside(options.results, options.no_page ? OutputFiles::Page::none : OutputFiles::Page::alone);
+  outputs.check(false);
   return Played(options, invocation, std::move(planned)).play();
 }
 
@@ -149,9 +154,10 @@ int tournament(TournamentOptions options, const Invocation& invocation) {
 Command add_tournament(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("tournament", "find out which team is better");
   const auto options = std::make_shared<TournamentOptions>();
-  app.add_option("--team", options->teams, "a team's file; to be given twice, or more often")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+  reads(app.add_option("--team", options->teams, "a team's file; to be given twice, or more often")
+            ->type_name("FILE")
+            ->allow_extra_args(false),
+        Reads::documents);
   app.add_option("--format", options->format,
                  "of more than two teams: round-robin (default), or gauntlet: the first "
                  "against each of the others")
@@ -168,14 +174,19 @@ Command add_tournament(CLI::App& parent, const Invocation& invocation) {
       ->type_name("NAME");
   app.add_option("--alpha", options->alpha, "rate of finding a difference in error; default 0.05")->type_name("RATE");
   app.add_option("--beta", options->beta, "of --sprt: rate of missing it; default 0.05")->type_name("RATE");
-  app.add_option("--openings", options->openings, "scenes that matches start from: a file, or a folder of them")
-      ->type_name("PATH")
-      ->allow_extra_args(false);
+  reads(app.add_option("--openings", options->openings, "scenes that matches start from: a file, or a folder of them")
+            ->type_name("PATH")
+            ->allow_extra_args(false),
+        Reads::documents);
   app.add_option("--seed", options->seed, "of the first pair; default 1")->type_name("N");
   app.add_option("--limit", options->limit, "end each match after so many simulated seconds")->type_name("SECONDS");
-  app.add_option("--rules", options->rules, "rules profile; default: spl2023, built in")->type_name("FILE");
-  app.add_option("--robot", options->robot, "robot profile of all teams; default: nao, built in")->type_name("FILE");
-  app.add_option("--disturbance", options->disturbance, "disturbance profile; default: none")->type_name("FILE");
+  reads(app.add_option("--rules", options->rules, "rules profile; default: spl2023, built in")->type_name("FILE"),
+        Reads::documents);
+  reads(app.add_option("--robot", options->robot, "robot profile of all teams; default: nao, built in")
+            ->type_name("FILE"),
+        Reads::documents);
+  reads(app.add_option("--disturbance", options->disturbance, "disturbance profile; default: none")->type_name("FILE"),
+        Reads::documents);
   app.add_option("--set", options->overrides, "a value laid over a document; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
@@ -184,7 +195,8 @@ Command add_tournament(CLI::App& parent, const Invocation& invocation) {
       ->type_name("N");
   add_campaign_options(app, *options, options->results);
   app.footer(examples);
-  return {&app, [options, &invocation] { return tournament(*options, invocation); }};
+  return {&app,
+          [options, &app, &invocation] { return tournament(*options, OutputFiles(app, "tournament"), invocation); }};
 }
 
 }  // namespace regista::cli

@@ -14,7 +14,9 @@
 
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
+#include "cli/file_options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_files.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
 #include "cli/results_page.hpp"
@@ -53,19 +55,21 @@ using Clock = std::chrono::steady_clock;
 
 class Played {
  public:
-  Played(const TuneOptions& options, const Invocation& invocation, study::TuningPlan plan)
+  Played(const TuneOptions& options, OutputFiles outputs, const Invocation& invocation, study::TuningPlan plan)
       : options_(options),
+        outputs_(std::move(outputs)),
         invocation_(invocation),
         plan_(std::move(plan)),
         record_(plan_),
         tuned_file_(options.output.empty() ? tuned_file_beside(options.results)
-                                           : std::filesystem::path(options.output)) {}
+                                           : std::filesystem::path(options.output)) {
+    if (!plan_.compares()) outputs_.write("the tuned team", tuned_file_, Writes::tuned_team);
+  }
   Played(const Played&) = delete;
   Played& operator=(const Played&) = delete;
 
   int play() {
-    if (!plan_.compares()) refuse_other_file(tuned_file_);
-    refuse_to_replace_inputs();
+    outputs_.check(options_.force);
     std::optional<OutputFile> trace;
     campaign::Store store = open_results(options_.results, options_.resume, plan_, {});
     if (!options_.trace.empty()) trace.emplace(options_.trace);
@@ -85,6 +89,7 @@ class Played {
     std::exception_ptr not_written;
     if (!plan_.compares() && record_.tuned()) {
       try {
+        outputs_.check(options_.force);  // hours later, perhaps
         write_tuned_file(tuned_file_, plan_, record_, fingerprint_.text());
         written_ = tuned_file_.string();
       } catch (...) {
@@ -98,21 +103,6 @@ class Played {
   }
 
  private:
-  // What is written must not replace what the tuning reads.
-  void refuse_to_replace_inputs() const {
-    std::vector<std::string> read{options_.file, plan_.team, options_.results};
-    for (const study::TuningOpponent& each : plan_.opponents) read.push_back(each.file);
-    for (const auto& [option, written] :
-         {std::pair<const char*, std::filesystem::path>{"--output", tuned_file_}, {"--trace", options_.trace}}) {
-      for (const std::string& file : read) {
-        std::error_code none;
-        if (written.empty() || !std::filesystem::equivalent(written, file, none)) continue;
-        throw BadInput(fmt::format("{} {}: is a file that this tuning reads; another one is wanted", option,
-                                   config::one_line(written.string())));
-      }
-    }
-  }
-
   report::TuningView view() const { return {plan_, record_, written_}; }
 
   void write_page(const campaign::Store& store) const {
@@ -189,6 +179,7 @@ class Played {
   }
 
   const TuneOptions& options_;
+  OutputFiles outputs_;
   const Invocation& invocation_;
   study::TuningPlan plan_;
   study::TuningRecord record_;
@@ -199,7 +190,7 @@ class Played {
   std::uint64_t counted_ = 0;
 };
 
-int tune(TuneOptions options, const Invocation& invocation) {
+int tune(TuneOptions options, OutputFiles outputs, const Invocation& invocation) {
   check(options);
   if (options.file.empty()) throw BadInput("tune: which one? Name its file; see: regista tune --help");
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
@@ -207,7 +198,9 @@ int tune(TuneOptions options, const Invocation& invocation) {
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();
   if (options.results.empty()) options.results = plan.name + (plan.compares() ? ".compare.db" : ".db");
-  return Played(options, invocation, std::move(plan)).play();
+  outputs.read(folders_of(catalogue), Reads::plugins);
+  outputs.write_beside(options.results, options.no_page ? OutputFiles::Page::none : OutputFiles::Page::with_figures);
+  return Played(options, std::move(outputs), invocation, std::move(plan)).play();
 }
 
 }  // namespace
@@ -215,7 +208,7 @@ int tune(TuneOptions options, const Invocation& invocation) {
 Command add_tune(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("tune", "search a team's numbers for better ones, and verify what was found");
   const auto options = std::make_shared<TuneOptions>();
-  app.add_option("file", options->file, "the tuning's document")->type_name("T.yaml");
+  reads(app.add_option("file", options->file, "the tuning's document")->type_name("T.yaml"), Reads::documents);
   app.add_option("--set", options->overrides, "a value laid over that document; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
@@ -224,12 +217,17 @@ Command add_tune(CLI::App& parent, const Invocation& invocation) {
   app.add_option("--compare", options->compare, "compare these algorithms instead, divided by commas")
       ->type_name("A,B,...");
   app.add_option("--repeats", options->repeats, "of each algorithm that is compared; default 5")->type_name("N");
-  app.add_option("--trace", options->trace, "write every point of the search as a table")->type_name("FILE");
-  app.add_option("--output", options->output, "file for the tuned team; default: NAME.tuned.yaml beside the results")
-      ->type_name("FILE");
+  writes(app.add_option("--trace", options->trace, "write every point of the search as a table")->type_name("FILE"),
+         Writes::search_table);
+  writes(app.add_option("--output", options->output,
+                        "file for the tuned team; default: NAME.tuned.yaml beside the results")
+             ->type_name("FILE"),
+         Writes::tuned_team);
+  app.add_flag("--force", options->force, "let --trace and the tuned team replace files of another kind")
+      ->disable_flag_override();
   add_campaign_options(app, *options, "the tuning's name with .db");
   app.footer(examples);
-  return {&app, [options, &invocation] { return tune(*options, invocation); }};
+  return {&app, [options, &app, &invocation] { return tune(*options, OutputFiles(app, "tuning"), invocation); }};
 }
 
 }  // namespace regista::cli

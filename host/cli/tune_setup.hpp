@@ -17,6 +17,7 @@ struct TuneOptions : CampaignOptions {
   std::string matches;                 // of the search, instead of what the document says; empty: as it says
   std::string compare, repeats;        // algorithms, divided by commas; empty: the document's alone
   std::string trace, output;           // files; empty: none, beside the results
+  bool force = false;                  // they may replace files of another kind
 };
 
 // Throws BadInput and config::Error, at the place in the tuning's document that asks for what is not there.

@@ -3,11 +3,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -25,8 +22,6 @@ namespace regista::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view first_words = "# Tuned by Regista";
 
 std::string signed_number(double value) { return fmt::format("{:+.3g}", value); }
 
@@ -62,7 +57,7 @@ std::string header(const study::TuningPlan& plan, const study::TuningRecord& rec
       "# Objective: {} {}, against {}\n"
       "# Search: {}, {} points, seed {}; results of all matches: {}\n"
       "# Again, in {}:\n#   {}\n",
-      first_words, REGISTA_VERSION, config::one_line(plan.team), verdict(plan, record),
+      tuned_file_begin, REGISTA_VERSION, config::one_line(plan.team), verdict(plan, record),
       plan.objective.minimise ? "minimise" : "maximise", study::in_words(plan.objective), fmt::join(opponents, ", "),
       study::name(plan.algorithm), record.trace.size(), plan.seed, fingerprint, config::one_line(plan.folder),
       config::one_line(command_line(words)));
@@ -80,23 +75,6 @@ std::string base_from(const fs::path& file, const std::string& base) {
 }  // namespace
 
 fs::path tuned_file_beside(const fs::path& results) { return study::beside(results, ".tuned.yaml"); }
-
-void refuse_other_file(const fs::path& file) {
-  std::error_code error;
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  if (access(folder.c_str(), W_OK) != 0) {
-    throw BadInput(fmt::format("{}: cannot be written: {}", config::one_line(file.string()),
-                               std::generic_category().message(errno)));
-  }
-  if (!fs::exists(fs::status(file, error))) return;
-  std::string beginning(first_words.size(), '\0');
-  if (fs::is_regular_file(file, error)) {
-    std::ifstream(file, std::ios::binary).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  }
-  if (beginning == first_words) return;
-  throw BadInput(fmt::format("{}: is there, and is no team that a tuning wrote; --output names another file",
-                             config::one_line(file.string())));
-}
 
 void write_tuned_file(const fs::path& file, const study::TuningPlan& plan, const study::TuningRecord& record,
                       const std::string& fingerprint) {

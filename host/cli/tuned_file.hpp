@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "campaign/store.hpp"
 #include "study/tuning/tuning.hpp"
@@ -13,8 +14,8 @@ namespace regista::cli {
 // Where it is written unless asked otherwise: NAME.tuned.yaml beside the results NAME.db.
 std::filesystem::path tuned_file_beside(const std::filesystem::path& results);
 
-// Throws BadInput for a file that is there and was not written by write_tuned_file(): before a match is played.
-void refuse_other_file(const std::filesystem::path& file);
+// By which it is known again.
+inline constexpr std::string_view tuned_file_begin = "# Tuned by Regista";
 
 // Replaces an older one. fingerprint: of the results. record.tuned() has a value.
 void write_tuned_file(const std::filesystem::path& file, const study::TuningPlan& plan,

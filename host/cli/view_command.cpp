@@ -17,7 +17,9 @@
 
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
+#include "cli/file_options.hpp"
 #include "cli/output.hpp"
+#include "cli/output_files.hpp"
 #include "cli/replaced_file.hpp"
 #include "config/text.hpp"
 #include "mcap/error.hpp"
@@ -137,9 +139,12 @@ void refuse_what_no_browser_opens(const std::string& file) {
                   file, size >> 20, report::largest_recording_in_a_page >> 20));
 }
 
+std::filesystem::path viewer_of(const Invocation& invocation) {
+  return (invocation.executable.parent_path() / "../share/regista/viewer.html").lexically_normal();
+}
+
 std::string page(const Options& options, const Invocation& invocation) {
-  const std::filesystem::path viewer =
-      (invocation.executable.parent_path() / "../share/regista/viewer.html").lexically_normal();
+  const std::filesystem::path viewer = viewer_of(invocation);
   std::error_code none;
   if (invocation.executable.empty() || !std::filesystem::exists(viewer, none)) {
     throw BadInput(
@@ -153,18 +158,27 @@ std::string page(const Options& options, const Invocation& invocation) {
   return *out;
 }
 
-int run(const Options& options, const Invocation& invocation) {
+std::filesystem::path output_of(const Options& options) {
+  if (!options.output.empty()) return options.output;
+  return std::filesystem::path(options.file).replace_extension(options.at.empty() ? ".html" : ".svg");
+}
+
+int run(const Options& options, OutputFiles outputs, const Invocation& invocation) {
   if (options.file.empty()) {
     throw BadInput("view: which recording? Name a file that `regista match --record FILE` wrote");
   }
   if (options.at.empty() && !options.robot.empty()) {
     throw BadInput("view: --robot belongs to --at, which is not given; the page shows all robots");
   }
+  const std::filesystem::path output = output_of(options);
+  outputs.write("-o", output, Writes::page);
+  outputs.read({viewer_of(invocation).string()}, Reads::data);
   try {
     const bool picture = !options.at.empty();
     const Moment wanted = picture ? parse_moment(options.at) : Moment{};
     if (!picture) refuse_what_no_browser_opens(options.file);
     const report::RecordedMatch match(options.file);
+    outputs.check(options.force);
     if (!match.damage().empty()) complain(match.damage());
     std::string written;
     if (picture) {
@@ -173,12 +187,6 @@ int run(const Options& options, const Invocation& invocation) {
       written = report::moment_svg(match, match.at(time_of(match, wanted, options), robot), robot);
     } else {
       written = page(options, invocation);
-    }
-    std::filesystem::path output = options.output;
-    if (output.empty()) output = std::filesystem::path(options.file).replace_extension(picture ? ".svg" : ".html");
-    std::error_code none;
-    if (std::filesystem::equivalent(output, options.file, none)) {
-      throw BadInput(fmt::format("-o {}: is the recording itself", output.string()));
     }
     if (output == "-") {
       print(written);
@@ -197,16 +205,18 @@ int run(const Options& options, const Invocation& invocation) {
 Command add_view(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("view", "see a recorded match");
   const auto options = std::make_shared<Options>();
-  app.add_option("recording", options->file, "file that `regista match --record` wrote")->type_name("FILE.mcap");
-  app.add_option("-o,--output", options->output,
-                 "write this file, - for standard output; default: beside the recording, as .html or .svg")
-      ->type_name("FILE");
+  reads(app.add_option("recording", options->file, "file that `regista match --record` wrote")->type_name("FILE.mcap"),
+        Reads::data);
+  writes(app.add_option("-o,--output", options->output,
+                        "write this file, - for standard output; default: beside the recording, as .html or .svg")
+             ->type_name("FILE"),
+         Writes::page);
   app.add_option("--at", options->at, "a picture of this moment instead of the page")->type_name("[HALF/]M:SS");
   app.add_option("--robot", options->robot, "of --at: the world as this robot believed it")
       ->type_name("[home/|away/]N");
   app.add_flag("--force", options->force, "replace an existing file")->disable_flag_override();
   app.footer(examples);
-  return {&app, [options, &invocation] { return run(*options, invocation); }};
+  return {&app, [options, &app, &invocation] { return run(*options, OutputFiles(app, "view"), invocation); }};
 }
 
 }  // namespace regista::cli

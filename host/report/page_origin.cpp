@@ -74,11 +74,6 @@ Html recordings_section(const PageSource& source) {
   const auto note = [&out](const std::string& line) {
     out << "<p class=\"note\">"_html << text(line) << "</p>\n"_html;
   };
-  if (found.others > 0) {
-    const bool one = found.others == 1;
-    note(fmt::format("{} {} there {} to other matches, or {} cut off, and {} left out.", found.others,
-                     one ? "file" : "files", one ? "belongs" : "belong", one ? "was" : "were", one ? "is" : "are"));
-  }
   if (found.not_read > 0) {
     note(fmt::format("And {} more {}, not looked into.", found.not_read, found.not_read == 1 ? "file" : "files"));
   }

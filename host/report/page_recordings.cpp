@@ -83,11 +83,10 @@ bool holds(const std::filesystem::path& recording, const MatchToFind& match) {
   return false;
 }
 
-PageRecordings page_recordings(const TournamentView& view, const CourseRecord& record, std::uint64_t files,
+PageRecordings page_recordings(const TournamentView& view, const CourseRecord& record,
                                const std::filesystem::path& results) {
   constexpr std::string_view kind = "opening ";  // before the name of an opening as an input of matches
   PageRecordings out;
-  out.others = files - record.recorded_matches();
   out.not_read = record.recorded_matches() - record.recorded().size();
   for (const RecordedRow& each : record.recorded()) {
     const study::Fixture fixture = view.course.calendar().at(each.index);
@@ -101,10 +100,9 @@ PageRecordings page_recordings(const TournamentView& view, const CourseRecord& r
       match.score = each.score;
       match.packets = each.packets;
     }
-    if (holds(study::recording_file(results, static_cast<std::int64_t>(each.index) + 1), match))
+    if (holds(study::recording_file(results, static_cast<std::int64_t>(each.index) + 1), match)) {
       out.fitting.push_back(each);
-    else
-      ++out.others;
+    }
   }
   return out;
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which of the files in a folder of recordings hold the matches of a tournament. Files outlive what they were recorded
 // for: the results may have been deleted and others begun under their name, a worker may have been killed while it
-// wrote, and its match played later without a recording. So a file counts only for what it says itself.
+// wrote, and its match played later without a recording; workers run ahead of where a test stops. So a file counts only
+// for what it says itself, and no word is said of the others: what there is of them depends on when somebody was
+// killed.
 #pragma once
 
 #include <array>
@@ -30,12 +32,10 @@ bool holds(const std::filesystem::path& recording, const MatchToFind& match);
 
 struct PageRecordings {
   std::vector<RecordedRow> fitting;
-  std::uint64_t others = 0;    // files that hold another match, or that of their number not to its end
   std::uint64_t not_read = 0;  // files beyond those that are looked into: CourseRecord::most_recorded
 };
 
-// files: how many recordings stand in the folder of these results.
-PageRecordings page_recordings(const TournamentView& view, const CourseRecord& record, std::uint64_t files,
+PageRecordings page_recordings(const TournamentView& view, const CourseRecord& record,
                                const std::filesystem::path& results);
 
 }  // namespace regista::report

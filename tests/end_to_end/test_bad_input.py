@@ -95,8 +95,9 @@ class CommandLine(BadInput):
                             "--plugins nowhere: there is no such folder")
 
     def test_decisions_that_cannot_be_written(self):
-        self.assert_match_refused(("--decisions", "nowhere/x"), "cannot write nowhere/x: No such file or directory")
-        self.assert_match_refused(("--decisions", "."), "cannot write .: Is a directory")
+        self.assert_match_refused(("--decisions", "nowhere/x"),
+                                  "--decisions nowhere/x: cannot be written there: No such file or directory")
+        self.assert_match_refused(("--decisions", "."), "--decisions .: cannot be written there: Is a directory")
 
     def test_kind_of_schema(self):
         self.assert_refused(("config", "schema", "robots"),

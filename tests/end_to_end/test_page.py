@@ -181,7 +181,7 @@ class Pages(tournament.Tournament):
         whole = (self.folder / "a.html").read_bytes()
         self.write("a.html", "<p>mine")
         self.assertEqual(self.refused("report", "tournament.db", "-o", "a.html"),
-                         "a.html exists already; --force replaces it")
+                         "--output a.html: exists already; --force replaces it")
         self.assertEqual((self.folder / "a.html").read_text(), "<p>mine")
         os.symlink("a.html", self.folder / "link.html")
         self.assertIn("exists already", self.refused("report", "tournament.db", "-o", "link.html"))
@@ -190,7 +190,7 @@ class Pages(tournament.Tournament):
         self.assertEqual((self.folder / "a.html").read_bytes(), whole)
         results = (self.folder / "tournament.db").read_bytes()
         for more in ((), ("--force",)):
-            self.assertIn("the results themselves", self.refused("report", "tournament.db", "-o", "tournament.db", *more))
+            self.assertIn("is a file that this report reads", self.refused("report", "tournament.db", "-o", "tournament.db", *more))
             self.assertIn("scenes", self.refused("report", "tournament.db", "-o", "scenes", *more))
             self.assertIn("/dev/null", self.refused("report", "tournament.db", "-o", "/dev/null", *more))
         self.assertEqual((self.folder / "tournament.db").read_bytes(), results)
@@ -342,12 +342,10 @@ class Pages(tournament.Tournament):
         self.succeed("report", "tournament.db", "-o", "a.html")
         page = self.page("a.html")
         self.assertEqual(self.links(page), [f"./tournament.recordings/{row}.mcap" for row in (1, 4)])
-        self.assertIn("3 files there belong to other matches, or were cut off, and are left out.", page.whole())
         for file in self.folder.glob("tournament.db*"):
             file.unlink()
         self.play("--seed", "100", pairs=2)
         self.assertEqual(self.links(self.page()), [])
-        self.assertIn("5 files there belong to other matches", self.page().whole())
         for file in self.folder.glob("tournament.db*"):
             file.unlink()
         self.play(teams=("worse.yaml", "other.yaml"), pairs=2)

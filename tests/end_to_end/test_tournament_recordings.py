@@ -2,6 +2,9 @@
 """Recorded matches of a tournament: every N-th, and those that fail."""
 
 import json
+import os
+import re
+import shutil
 import unittest
 
 import program
@@ -53,10 +56,45 @@ class Recordings(tournament.Tournament):
         for row in (1, 91):
             self.assertTrue(self.recording(row).whole)
 
-    def bad(self, old, new, folder):
+    def test_the_page_of_a_killed_and_resumed_tournament_is_that_of_an_undisturbed_one(self):
+        """Under a test that stops early, so that workers have run ahead, and with a team that dies now and then."""
+        self.bad_team("plugin: ball_seen", "plugin: crashes")
+        scores = ("--sprt", "0,300", "--record-every", "3")
+        for teams, more in ((("small.yaml", "worse.yaml"), scores),
+                            (("bad.yaml", "small.yaml"), ("--record-every", "2"))):
+            words = self.arguments("--quiet", "--plugins", DEATHS, *LIMITS, *more, teams=teams, pairs=20)
+            words = [word for word in words if word != "--no-page"]
+            self.succeed(*words)
+            page = (self.folder / "tournament.html").read_bytes()
+            linked = re.findall(rb'href="\./(tournament\.recordings/\d+\.mcap)"', page)
+            self.assertGreaterEqual(len(linked), 2)
+            held = {name: (self.folder / os.fsdecode(name)).read_bytes() for name in linked}
+            self.forget()
+            rows = 0
+            for _ in range(3):
+                before, resume = rows, ["--resume"] if rows > 0 else []
+                self.kill_when(lambda: self.count() > before, *words, *resume)
+                rows = self.count()
+            # What a killed worker leaves, of a match that was not counted.
+            self.write("tournament.recordings/9999.mcap", "")
+            shutil.copy(self.folder / os.fsdecode(linked[0]), self.folder / "tournament.recordings/9998.mcap")
+            self.succeed(*words, "--resume")
+            self.assertEqual((self.folder / "tournament.html").read_bytes(), page)
+            for name, content in held.items():
+                self.assertEqual((self.folder / os.fsdecode(name)).read_bytes(), content, name)
+            self.forget()
+
+    def forget(self):
+        for file in self.folder.glob("tournament.*"):
+            shutil.rmtree(file) if file.is_dir() else file.unlink()
+
+    def bad_team(self, old, new):
         text = program.TEAM.format(name="bad").replace("robot: 1, ", "")
         self.assertIn(old, text)
         self.write("bad.yaml", text.replace(old, new))
+
+    def bad(self, old, new, folder):
+        self.bad_team(old, new)
         return json.loads(self.succeed(*self.arguments("--quiet", "--json", "--plugins", folder, *LIMITS,
                                                        teams=("bad.yaml", "small.yaml"), pairs=1)))
 

@@ -204,8 +204,8 @@ class Played(Tuning):
         self.write("mine.tuned.yaml", "# Tuned by Regista, once\n" + text)
         for words in (("--output", "mine.tuned.yaml"), ("--trace", "t.yaml"), ("--trace", "./other.yaml")):
             line = self.refused(*self.arguments("--quiet", *words))
-            self.assertEqual(line, f"{words[0]} {words[1]}: is a file that this tuning reads; another one is wanted")
-        self.assertIn("no_such/x.yaml: cannot be written: No such file or directory",
+            self.assertEqual(line, f"{words[0]} {words[1]}: is a file that this tuning reads")
+        self.assertIn("no_such/x.yaml: cannot be written there: No such file or directory",
                       self.refused(*self.arguments("--quiet", "--output", "no_such/x.yaml")))
         self.assertFalse((self.folder / "trial.db").exists())
 

@@ -49,7 +49,7 @@ class Pages(View):
         self.assertEqual(self.succeed("view", "a.mcap"), "a.html\n")
         self.assertIn("--force", self.refused("view", "a.mcap"))
         self.assertEqual(self.succeed("view", "a.mcap", "--force"), "a.html\n")
-        self.assertIn("is the recording itself", self.refused("view", "a.mcap", "-o", "a.mcap", "--force"))
+        self.assertIn("is a file that this view reads", self.refused("view", "a.mcap", "-o", "a.mcap", "--force"))
 
     def test_a_build_without_viewer_says_what_is_missing(self):
         line = self.refused("view", "a.mcap")

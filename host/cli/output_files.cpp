@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "cli/output_files.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+#include "cli/end_of_program.hpp"
+#include "cli/own_kind.hpp"
+#include "config/named_files.hpp"
+#include "config/text.hpp"
+#include "study/recording_place.hpp"
+
+namespace regista::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What SQLite keeps beside a file, and would take for its own.
+constexpr std::array<std::string_view, 3> companions{"-wal", "-shm", "-journal"};
+constexpr int longest_chain_of_links = 40;  // Linux follows as many
+
+// A link to a file that is not there yet names that file all the same.
+fs::path where_it_leads(const fs::path& named) {
+  std::error_code error;
+  fs::path path = fs::absolute(named, error);
+  if (error) path = named;
+  for (int i = 0; i < longest_chain_of_links && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+    const fs::path target = fs::read_symlink(path, error);
+    if (error) break;
+    path = path.parent_path() / target;
+  }
+  const fs::path out = fs::weakly_canonical(path, error);
+  return error ? path : out;
+}
+
+std::string shown(const fs::path& file) { return config::one_line(file.string()); }
+
+// Every value that was given; the words of --set, too.
+std::vector<std::string> values_of(const CLI::App& app, const std::string& option) {
+  const CLI::Option* const found = app.get_option_no_throw(option);
+  return found == nullptr ? std::vector<std::string>() : found->results();
+}
+
+}  // namespace
+
+OutputFiles::Place::Place(const fs::path& file) : named(file), path(where_it_leads(file)) {
+  struct stat about {};
+  if (::stat(path.c_str(), &about) == 0) identity.emplace(about.st_dev, about.st_ino);
+}
+
+bool OutputFiles::Place::same(const Place& other) const {
+  return path == other.path || (identity && identity == other.identity);
+}
+
+OutputFiles::OutputFiles(const CLI::App& app, std::string work) : work_(std::move(work)) {
+  const std::vector<std::string> overrides = values_of(app, "--set");
+  for (const CLI::Option* const option : app.get_options()) {
+    if (option->count() == 0) continue;
+    if (const auto what = read_by(*option)) read(option->results(), *what, overrides);
+    if (const auto what = written_by(*option)) {
+      for (const std::string& file : option->results()) write(option->get_name(), file, *what);
+    }
+  }
+}
+
+void OutputFiles::read(const std::vector<std::string>& files, Reads what, const std::vector<std::string>& overrides) {
+  const std::string told = fmt::format("a file that this {} reads", work_);
+  std::error_code none;
+  switch (what) {
+    case Reads::documents: {
+      const std::vector<fs::path> documents(files.begin(), files.end());
+      for (const fs::path& each : config::named_files(documents, overrides)) read_file(each, told);
+      break;
+    }
+    case Reads::results:
+      for (const std::string& file : files) read_results(file, told);
+      break;
+    case Reads::data:
+      for (const std::string& file : files) read_file(file, told);
+      break;
+    case Reads::plugins:
+      for (const std::string& folder : files) {
+        for (fs::directory_iterator each(folder, none), end; !none && each != end; each.increment(none)) {
+          if (each->path().extension() == ".so") read_file(each->path(), told);
+        }
+      }
+      break;
+  }
+}
+
+void OutputFiles::read_file(const fs::path& file, const std::string& what) {
+  if (!file.empty()) reads_.push_back({Place(file), what});
+}
+
+void OutputFiles::read_results(const fs::path& file, const std::string& what) {
+  read_file(file, what);
+  for (const std::string_view each : companions) read_file(file.string() + std::string(each), what);
+}
+
+void OutputFiles::write(const std::string& who, const fs::path& file, Writes what) {
+  if (file.empty() || (what == Writes::page && file == "-")) return;
+  if (what == Writes::figures) {
+    folders_.push_back({who, where_it_leads(file), {".csv", ".gnuplot", ".svg", ".png"}});
+    return;
+  }
+  Output output{who, Place(file), what};
+  const auto known = [&](const Output& other) { return other.what == what && other.place.same(output.place); };
+  if (std::ranges::none_of(outputs_, known)) outputs_.push_back(std::move(output));
+}
+
+void OutputFiles::write_beside(const fs::path& results, Page page) {
+  write("--results", results, Writes::results);
+  for (const std::string_view each : companions) {
+    outputs_.push_back({"the log of --results", Place(results.string() + std::string(each)), Writes::results});
+  }
+  folders_.push_back({"the recordings of --results", where_it_leads(study::recording_folder(results)), {".mcap"}});
+  if (page == Page::none) return;
+  // What stands there and is no page of ours is left alone, with a word: that is not this guard's.
+  outputs_.push_back({"the page of --results", Place(study::page_file(results)), Writes::results});
+  if (page == Page::with_figures) write("the figures of --results", study::figure_folder(results), Writes::figures);
+}
+
+void OutputFiles::check_reads(const Output& output) const {
+  for (const Read& each : reads_) {
+    if (!each.place.same(output.place)) continue;
+    throw BadInput(fmt::format("{} {}: is {}", output.who, shown(output.place.named), each.what));
+  }
+}
+
+void OutputFiles::check_others(std::size_t output) const {
+  const Output& one = outputs_[output];
+  for (std::size_t i = 0; i < output; ++i) {
+    const Output& other = outputs_[i];
+    if (!one.place.same(other.place)) continue;
+    throw BadInput(fmt::format("{} and {}: both name {}", other.who, one.who, shown(one.place.named)));
+  }
+}
+
+void OutputFiles::check_folder(const Folder& folder) const {
+  const auto written_there = [&](const fs::path& file) {
+    return file.parent_path() == folder.path &&
+           std::ranges::find(folder.endings, file.extension().string()) != folder.endings.end();
+  };
+  for (const Output& each : outputs_) {
+    if (!written_there(each.place.path)) continue;
+    throw BadInput(fmt::format("{} {}: {} are written to that folder", each.who, shown(each.place.named), folder.who));
+  }
+  const auto refuse = [&](const fs::path& file, const Read& read) {
+    throw BadInput(fmt::format("{}: {} is {}", folder.who, shown(file), read.what));
+  };
+  for (const Read& each : reads_) {
+    if (written_there(each.place.path)) refuse(each.place.named, each);
+  }
+  // What is written over by its name may be a link to something else.
+  std::error_code failed;
+  for (fs::directory_iterator entry(folder.path, failed), end; !failed && entry != end; entry.increment(failed)) {
+    if (!written_there(folder.path / entry->path().filename())) continue;
+    std::error_code none;
+    if (!entry->is_symlink(none) && entry->hard_link_count(none) < 2) continue;
+    const Place place(entry->path());
+    for (const Read& each : reads_) {
+      if (each.place.same(place)) refuse(entry->path(), each);
+    }
+  }
+}
+
+void OutputFiles::check_existing(const Output& output, bool force) const {
+  const fs::path& file = output.place.path;
+  const auto refuse = [&](const std::string& why) {
+    throw BadInput(fmt::format("{} {}: {}", output.who, shown(output.place.named), why));
+  };
+  const auto cannot = [&](int error) { refuse("cannot be written there: " + std::generic_category().message(error)); };
+  const OwnKind kind = own_kind(output.what);
+  std::error_code none;
+  const fs::file_status now = fs::status(file, none);
+  if (fs::is_directory(now)) cannot(EISDIR);
+  // Moved to its place when it is whole, or written where it is.
+  const bool by_folder = kind.moved_to_its_place || !fs::exists(now);
+  if (fs::exists(now) && kind.moved_to_its_place && !fs::is_regular_file(now)) refuse("it is no ordinary file");
+  if (access(by_folder ? file.parent_path().c_str() : file.c_str(), W_OK) != 0) cannot(errno);
+  if (!fs::is_regular_file(now)) return;
+  const Found found = found_in(file, kind);
+  const std::string advice = kind.advice.empty() ? "" : fmt::format(", {}", kind.advice);
+  if (found == Found::database || (found == Found::other && !kind.replaces_others)) {
+    refuse(fmt::format("there is a file of another kind, which no {} replaces", kind.what));
+  }
+  if (force) return;
+  if (found == Found::other) refuse(fmt::format("is there, and is no {}; --force replaces it{}", kind.what, advice));
+  if (kind.needs_force) refuse("exists already; --force replaces it");
+}
+
+void OutputFiles::check(bool force) const {
+  for (std::size_t i = 0; i < outputs_.size(); ++i) {
+    check_reads(outputs_[i]);
+    check_others(i);
+  }
+  for (const Folder& each : folders_) check_folder(each);
+  for (const Output& each : outputs_) {
+    if (each.what != Writes::results) check_existing(each, force);  // those: campaign::Store
+  }
+}
+
+}  // namespace regista::cli
