@@ -10,7 +10,7 @@
 
 #include "report/experiment.hpp"
 #include "report/number.hpp"
-#include "report/verdict_sentence.hpp"
+#include "report/standing.hpp"
 #include "report/visible_text.hpp"
 
 namespace regista::report {
