@@ -30,6 +30,7 @@ class Course {
     enter(TuningStage::slices);
     slice();
     record_.stage.reset();
+    progress();
   }
 
   void compare() {
@@ -48,17 +49,25 @@ class Course {
         run.ended = found.ended;
         run.values = values_of(plan_, found.recommended.front());
         if (const auto seen = seen_in_search(run.values)) run.seen = seen->score.mean;
+        progress();
       }
     }
     enter(TuningStage::verification);
     judge();
     record_.stage.reset();
+    progress();
   }
 
  private:
   using Key = std::pair<ParameterValues, std::uint64_t>;  // values, set of pairs
 
-  void enter(TuningStage stage) { record_.stage = stage; }
+  void enter(TuningStage stage) {
+    record_.stage = stage;
+    progress();
+  }
+  void progress() const {
+    if (hooks_.progress) hooks_.progress();
+  }
 
   // --- Search --------------------------------------------------------------------------------------------------------
 
@@ -120,6 +129,7 @@ class Course {
       if (first != fresh.end()) fresh.erase(first);
       out.push_back(known.played.counted);
     }
+    progress();
     return out;
   }
 
@@ -259,6 +269,7 @@ class Course {
         record_.candidate_failed[i] = batch.failed(i);
       }
       record_.verification.add(plan_.head_to_head ? 0.0 : batch.scores(candidates).back(), scores);
+      progress();
       return !record_.verification.decided();
     });
   }

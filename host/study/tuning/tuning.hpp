@@ -91,6 +91,8 @@ struct TuningHooks {
   // Before each question of the search but the first: true ends the search with what it has, as for want of time. From
   // a file: where it was ended. May be empty.
   std::function<bool(std::uint64_t evaluations)> out_of_time;
+  // After every step and stage. May be empty.
+  std::function<void()> progress;
 };
 
 // Fills the record as far as it comes. Throws TuningError (the base team forfeits), and what `play` throws.
