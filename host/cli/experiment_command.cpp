@@ -132,6 +132,7 @@ class Played {
     std::string out =
         fmt::format("seed {}{}: {} {} {}:{}", trial.seed, scene, config::one_line(arm),
                     trial.side == 0 ? "at home" : "away", decided.score[trial.side], decided.score[1 - trial.side]);
+    if (decided.set_aside()) out += ", could not be played: " + config::one_line(decided.why_set_aside);
     if (decided.failure) {
       const bool own = static_cast<std::size_t>(decided.failure->side) == trial.side;
       out += ", " + report::forfeit_text(own ? arm : "the opponent", *decided.failure);

@@ -203,6 +203,7 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
   played.seed = prepared.setup.seed;
   if (prepared.setup.opening) played.opening = prepared.setup.opening->name;
   played.budget = prepared.setup.rules.messages.budget;
+  played.packets_share = packets_share_of(prepared.setup);
   for (const match::Side side : match::both_sides) {
     played.teams[match::index(side)] = plans[match::index(side)]->team().name;
     played.role_names[match::index(side)] = match::role_names(match::roles(*plans[match::index(side)]));

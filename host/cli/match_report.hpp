@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,9 +19,15 @@ struct PlayedMatch {
   std::string opening;                                 // name; empty: from kick-off
   std::array<std::vector<std::string>, 2> role_names;  // by side, in the order of the table of roles
   int budget = 0;                                      // packets of a team, without those for added time
+  // Of that, what falls to the time that the match is planned for; nothing for one of the whole time.
+  std::optional<double> packets_share;
   double wall_seconds = 0.0;
   match::Result result;
 };
+
+// Of a game of 30 s of a match of 1200 s with a budget of 1200 packets: 30. A short game has the budget of a whole
+// match, and who spends it all in a few seconds looks better than it could be for long.
+std::optional<double> packets_share_of(const match::Setup& setup);
 
 // A page that ends with a newline.
 std::string summary_text(const PlayedMatch& match);

@@ -28,8 +28,11 @@ const char* in_words(match::Ended ended) {
 
 double share(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
 
-std::string packets(const match::TeamMetrics& team, int charged, int budget) {
+std::string packets(const match::TeamMetrics& team, int charged, int budget, const std::optional<double>& of_time) {
   std::string out = fmt::format("  packets {} of {}", charged, budget);
+  if (of_time) {
+    out += fmt::format(" (share of this length: {:.4g}{})", *of_time, charged > *of_time ? ", OVERSPENT" : "");
+  }
   std::vector<std::size_t> order;
   for (std::size_t reason = 0; reason < team.packets_by_reason.size(); ++reason) {
     if (team.packets_by_reason[reason] > 0) order.push_back(reason);
@@ -67,6 +70,16 @@ std::string world_model(const match::WorldModelMetrics& model) {
 
 }  // namespace
 
+std::optional<double> packets_share_of(const match::Setup& setup) {
+  const config::Durations& durations = setup.rules.durations;
+  const double whole = durations.half * durations.halves;
+  const std::optional<double> length = setup.limit     ? setup.limit
+                                       : setup.opening ? std::optional(setup.opening->length)
+                                                       : std::nullopt;
+  if (!length || !(*length < whole)) return std::nullopt;
+  return setup.rules.messages.budget * *length / whole;
+}
+
 std::string summary_text(const PlayedMatch& match) {
   const match::Result& result = match.result;
   std::string out = fmt::format("{} {} : {} {}\n\n", match.teams[0], result.score[0], result.score[1], match.teams[1]);
@@ -81,7 +94,7 @@ std::string summary_text(const PlayedMatch& match) {
     const match::TeamMetrics& team = result.metrics.teams[i];
     out += fmt::format("\n{} ({})\n", match.teams[i], match::name(side));
     out += table(team, match.role_names[i]);
-    out += packets(team, result.packets[i], match.budget);
+    out += packets(team, result.packets[i], match.budget, match.packets_share);
     if (const double silent = team.coordination.silent_seconds; silent > 0.0) {
       out += fmt::format("  silent for the last {:.0f} s of play\n", silent);
     }

@@ -195,6 +195,7 @@ Answer play(const campaign::Job& job, const Invocation& invocation, campaign::Wo
   if (!answer.message.empty()) return answer;
   PlayedMatch played;
   played.seed = job.seed;
+  played.packets_share = packets_share_of(prepared.setup);
   for (const match::Side side : match::both_sides) {
     played.teams[match::index(side)] = plans[match::index(side)]->team().name;
     played.role_names[match::index(side)] = match::role_names(match::roles(*plans[match::index(side)]));

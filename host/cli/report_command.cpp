@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "cli/command.hpp"
@@ -20,6 +22,7 @@
 #include "cli/study_run.hpp"
 #include "config/text.hpp"
 #include "report/tournament.hpp"
+#include "report/visible_text.hpp"
 #include "study/metric.hpp"
 
 namespace regista::cli {
@@ -32,15 +35,18 @@ constexpr auto examples = R"(Examples:
   regista report tournament.db --csv --metrics > everything.csv
   regista report tournament.db -o tournament.html
   regista report tournament.db --figures figures --png
+  regista report tournament.db --standard-error 17
 
 -o writes one page that needs nothing else, --figures each of its figures as NAME.svg, its data as NAME.csv, and
 NAME.gnuplot, which draws the one from the other. What is told is what a tournament, an experiment or a tuning
 told at its end; of a study that is not at its end, as far as its matches have been played without a gap. The table of
 an experiment has a row for each number of each match, that of a tuning one for each point of its search.
+--standard-error writes what plugins wrote to standard error in a match, as far as it was kept.
 Exit codes: 0 done; 1 the report could not be written; 2 bad input; 3 a defect of Regista.)";
 
 struct Options {
   std::string file, page, figures;
+  std::optional<std::int64_t> standard_error;  // of this match, from 1
   bool json = false, csv = false, metrics = false, png = false, force = false;
 };
 
@@ -65,6 +71,11 @@ void refuse_what_does_not_go_together(const Options& options) {
   if (files && (options.csv || options.json)) {
     throw BadInput(fmt::format("report: {} and {}: one of them", options.page.empty() ? "--figures" : "-o",
                                options.csv ? "--csv" : "--json"));
+  }
+  if (options.standard_error) {
+    if (files || options.csv || options.json)
+      throw BadInput("report: --standard-error writes the text of a match, and nothing else");
+    if (*options.standard_error < 1) throw BadInput("report: --standard-error: matches are counted from 1");
   }
   if (options.png && options.figures.empty()) throw BadInput("report: --png adds to --figures, which is not given");
   if (options.force && !files) throw BadInput("report: --force belongs to -o or --figures, which are not given");
@@ -123,10 +134,27 @@ int tell(const Options& options, const StoredStudy& results, const study::Tourna
   return exit_done;
 }
 
+// What was written is no text of ours: only ends of lines may move the cursor.
+int tell_standard_error(const std::string& file, const campaign::Store& store, std::int64_t match) {
+  try {
+    const auto row = store.row(match);
+    if (!row) throw BadInput(fmt::format("{} holds no match {}", file, match));
+    if (row->decided.output.empty()) {
+      throw BadInput(fmt::format("{}: in match {} no plugin wrote to standard error", file, match));
+    }
+    const std::string text = report::visible_lines(row->decided.output);
+    print(text.ends_with('\n') ? text : text + '\n');
+  } catch (const campaign::StoreError& error) {
+    throw BadInput(error.what());
+  }
+  return exit_done;
+}
+
 int run(const Options& options, const OutputFiles& outputs, const Invocation& invocation) {
   refuse_what_does_not_go_together(options);
   outputs.check(options.force);
   const StoredStudy results = read_results(options.file);
+  if (options.standard_error) return tell_standard_error(options.file, results.store, *options.standard_error);
   if (options.page.empty() && options.figures.empty()) {
     if (const auto* const tournament = std::get_if<study::TournamentPlan>(&results.plan)) {
       return tell(options, results, *tournament, invocation);
@@ -168,6 +196,9 @@ Command add_report(CLI::App& parent, const Invocation& invocation) {
              ->type_name("FOLDER"),
          Writes::figures);
   app.add_flag("--png", options->png, "with --figures: each as PNG, too")->disable_flag_override();
+  app.add_option("--standard-error", options->standard_error,
+                 "write what plugins wrote to standard error in this match")
+      ->type_name("MATCH");
   app.add_flag("--force", options->force, "replace files that exist already")->disable_flag_override();
   app.footer(examples);
   return {&app, [options, &app, &invocation] { return run(*options, OutputFiles(app, "report"), invocation); }};

@@ -48,6 +48,7 @@ class ToldTournament {
     const StoredCourse stored(results.store, plan);
     stored.play(course_, campaign::Metrics::wanted,
                 [this](std::uint64_t, const campaign::Decided* decided) { record_.take(decided); });
+    record_.end();
   }
   ToldTournament(const ToldTournament&) = delete;
   ToldTournament& operator=(const ToldTournament&) = delete;

@@ -112,6 +112,7 @@ class Played {
                                   : ", " + std::filesystem::path(plan_.openings[fixture.opening].file).stem().string();
     std::string line = fmt::format("seed {}{}: {} {}:{} {}", fixture.seed, scene, plan_.teams[fixture.home].label,
                                    decided.score[0], decided.score[1], plan_.teams[fixture.away].label);
+    if (decided.set_aside()) line += ", could not be played: " + config::one_line(decided.why_set_aside);
     if (decided.failure) {
       const std::size_t loser = decided.failure->side == 0 ? fixture.home : fixture.away;
       line += ", " + report::forfeit_text(plan_.teams[loser].label, *decided.failure);

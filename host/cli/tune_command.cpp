@@ -171,6 +171,7 @@ class Played {
     }
     out += fmt::format(", seed {}: {} {}:{} {}", last_.seed, std::filesystem::path(last_.teams[0]).stem().string(),
                        decided.score[0], decided.score[1], std::filesystem::path(last_.teams[1]).stem().string());
+    if (decided.set_aside()) out += ", could not be played: " + decided.why_set_aside;
     if (decided.failure) {
       const auto side = static_cast<std::size_t>(decided.failure->side);
       out += ", " + report::forfeit_text(std::filesystem::path(last_.teams[side]).stem().string(), *decided.failure);

@@ -32,9 +32,10 @@ std::string verdict(const study::TuningPlan& plan, const study::TuningRecord& re
   const study::ScoreDifference& found = record.verification.of()[candidate];
   const statistics::Estimate estimate = found.estimate();
   const char* const words =
-      record.finding(candidate) == study::VerifiedAs::better  ? "VERIFIED better than the base team"
-      : record.finding(candidate) == study::VerifiedAs::worse ? "NOT VERIFIED: worse than the base team"
-                                                              : "NOT VERIFIED: no difference was found";
+      record.finding(candidate) == study::VerifiedAs::better      ? "VERIFIED better than the base team"
+      : record.finding(candidate) == study::VerifiedAs::worse     ? "NOT VERIFIED: worse than the base team"
+      : record.finding(candidate) == study::VerifiedAs::prevented ? "NOT VERIFIED: pairs that could not be played"
+                                                                  : "NOT VERIFIED: no difference was found";
   const double sign = study::value_of(plan.objective, 1.0);
   const double low = sign > 0 ? estimate.interval.low : -estimate.interval.high,
                high = sign > 0 ? estimate.interval.high : -estimate.interval.low;

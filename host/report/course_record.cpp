@@ -41,27 +41,47 @@ CourseRecord::CourseRecord(const study::TournamentPlan& plan, const study::Tourn
 
 void CourseRecord::take(const campaign::Decided* decided) {
   const std::uint64_t index = course_.taken() - 1;
-  // The course leaves out what it was given of a team that was set aside.
-  const bool counted = course_.matches() != std::exchange(matches_, course_.matches());
-  if (decided != nullptr && counted) {
-    const study::Fixture fixture = course_.calendar().at(index);
-    const int difference = decided->score[0] - decided->score[1];
-    count(goals_[fixture.home], difference, decided->failure.has_value());
-    count(goals_[fixture.away], -difference, decided->failure.has_value());
-    numbers_.take(fixture, *decided);
-    fingerprint_.take(index, *decided);
-    if (std::ranges::binary_search(wanted_, index)) {
-      ++recorded_count_;
-      if (recorded_.size() < most_recorded) {
-        recorded_.push_back({index, decided->score, decided->failure.has_value(), packets_of(*decided)});
-      }
+  const std::uint64_t before = std::exchange(matches_, course_.matches());
+  const bool unplayed = course_.unplayed_pairs() != std::exchange(unplayed_pairs_, course_.unplayed_pairs());
+  if (decided != nullptr && index % 2 == 0) {
+    // The course leaves out what it was given of a team that was set aside.
+    if (matches_ != before || decided->set_aside()) first_of_pair_ = {index, *decided};
+  } else {
+    const bool taken = unplayed || matches_ == before + 1;
+    if (decided != nullptr && first_of_pair_ && taken) {
+      const Pair pair = unplayed ? Pair::could_not_be_played : Pair::counted;
+      record(*first_of_pair_, pair);
+      record({index, *decided}, pair);
     }
+    first_of_pair_.reset();
   }
   if (course_.taken() % (2 * course_.calendar().pairings().size()) != 0) return;
   if (plan_.teams.size() == 2) {
     pair_points_.offer([this] { return pair_point(); });
   } else if (plan_.teams.size() <= most_ranked) {
     ranking_points_.offer([this] { return ranking_point(); });
+  }
+}
+
+void CourseRecord::end() {
+  if (first_of_pair_ && !first_of_pair_->decided.set_aside()) record(*first_of_pair_, Pair::counted);
+  first_of_pair_.reset();
+}
+
+void CourseRecord::record(const Match& match, Pair pair) {
+  const auto& [index, decided] = match;
+  const study::Fixture fixture = course_.calendar().at(index);
+  fingerprint_.take(index, decided);
+  if (pair == Pair::counted) {
+    const int difference = decided.score[0] - decided.score[1];
+    count(goals_[fixture.home], difference, decided.failure.has_value());
+    count(goals_[fixture.away], -difference, decided.failure.has_value());
+    numbers_.take(fixture, decided);
+  }
+  if (decided.set_aside() || !std::ranges::binary_search(wanted_, index)) return;
+  ++recorded_count_;
+  if (recorded_.size() < most_recorded) {
+    recorded_.push_back({index, decided.score, decided.failure.has_value(), packets_of(decided)});
   }
 }
 

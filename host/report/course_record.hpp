@@ -61,6 +61,8 @@ class CourseRecord {
 
   // To be called after every course.take(), with the same. Throws std::invalid_argument for metrics that are no JSON.
   void take(const campaign::Decided* decided);
+  // No more matches come: the first of a pair whose second is missing counts, too.
+  void end();
 
   std::vector<PairPoint> pair_curve() const;        // of two teams
   std::vector<RankingPoint> ranking_curve() const;  // of more
@@ -72,6 +74,12 @@ class CourseRecord {
   const std::string& fingerprint() const { return fingerprint_.text(); }
 
  private:
+  struct Match {
+    std::uint64_t index;
+    campaign::Decided decided;
+  };
+  enum class Pair { counted, could_not_be_played };
+  void record(const Match& match, Pair pair);
   PairPoint pair_point() const;
   RankingPoint ranking_point() const;
 
@@ -83,7 +91,9 @@ class CourseRecord {
   MatchNumbers numbers_;
   std::vector<std::uint64_t> wanted_;
   std::vector<RecordedRow> recorded_;
-  std::uint64_t recorded_count_ = 0, matches_ = 0;
+  std::uint64_t recorded_count_ = 0, matches_ = 0, unplayed_pairs_ = 0;
+  // Of the pair under way: whether it counts is known at its end.
+  std::optional<Match> first_of_pair_;
   Fingerprint fingerprint_;
 };
 

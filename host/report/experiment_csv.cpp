@@ -41,7 +41,7 @@ std::string experiment_csv_lines(const study::ExperimentPlan& plan, std::uint64_
   const auto line = [&](const std::string& measure, double value) {
     out += fmt::format("{}{},{}\n", before, csv_field(measure), value);
   };
-  if (decided.failure) return before + ",\n";  // that it was played, and has no numbers
+  if (decided.failure || decided.set_aside()) return before + ",\n";  // that it was played, and has no numbers
   const study::MatchMeasures played(decided, static_cast<int>(trial.side));
   line("playing_seconds", played.playing_seconds());
   if (measures == CsvMeasures::all) {

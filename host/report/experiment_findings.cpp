@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "report/experiment.hpp"
+#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/visible_text.hpp"
 
@@ -76,6 +77,13 @@ std::string comparison_text(const ExperimentView& view, const Finding& finding) 
     out += "; every pair differs by as much, and without spread Student's t is not defined";
   }
   out += fmt::format("; {}{}, {} after Holm", p_text(*finding.p), by_text(finding.by), p_text(*finding.adjusted));
+  if (finding.unplayed_pairs > 0) {
+    out += fmt::format(" with {} that could not be played counted for whichever side makes it larger",
+                       pairs_in_words(finding.unplayed_pairs));
+  }
+  if (finding.prevented) {
+    return out + fmt::format(": no verdict: {} could not be played.", pairs_in_words(finding.unplayed_pairs));
+  }
   return out + (finding.found ? ": a difference was found."
                               : ": no difference was found, which does not prove that "
                                 "there is none.");

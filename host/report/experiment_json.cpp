@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/experiment.hpp"
+#include "report/match_remarks.hpp"
 
 namespace regista::report {
 namespace {
@@ -59,6 +60,8 @@ Json primary_json(const ExperimentView& view) {
     each["p_by"] = finding.p ? Json(study::name(finding.by)) : Json(nullptr);
     each["p_holm"] = or_null(finding.adjusted);
     each["found"] = finding.found;
+    each["unplayed_pairs"] = finding.unplayed_pairs;
+    each["verdict_prevented"] = finding.prevented;
     each["equal_by_construction"] = study::equal_conditions(plan, finding.comparison);
     comparisons.push_back(each);
   }
@@ -93,6 +96,7 @@ std::string experiment_json(const ExperimentView& view) {
     const auto of_a_match = view.course.playing_seconds_of_a_match(i);
     each["playing_minutes_of_a_match"] = of_a_match ? Json(*of_a_match / 60.0) : Json(nullptr);
     each["forfeits"] = view.course.forfeits().of_team()[i];
+    each["unplayed_pairs"] = view.course.unplayed_pairs(i);
     played.push_back(each);
   }
   out["conditions"] = played;
@@ -113,6 +117,9 @@ std::string experiment_json(const ExperimentView& view) {
                         {"again", view.again(each.first_match)}});
   }
   out["forfeits"] = forfeits;
+  out["unplayed"] = unplayed_json(view.course.unplayed_pairs(), view.course.remarks());
+  out["not_reproducible"] = irreproducible_json(view.course.remarks());
+  out["standard_error"] = written_json(view.course.remarks());
   return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "report/html_table.hpp"
+#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 
 namespace regista::report {
@@ -135,8 +136,9 @@ Html failures_section(const ExperimentView& view) {
   for (const study::Forfeits& each : view.course.forfeits().listed()) {
     const bool opponent = each.team == plan.conditions.size();
     table.row({opponent ? text("the opponent") : name(label(plan, each.team)), text(fmt::format("{}", each.count)),
-               text(each.failure.plugin), text(each.failure.call), text(each.failure.what),
-               code(view.again(each.first_match))});
+               each.failure.plugin.empty() ? plugin_cell(opponent ? text("the opponent") : name(label(plan, each.team)))
+                                           : text(each.failure.plugin),
+               text(each.failure.call), text(each.failure.what), code(view.again(each.first_match))});
   }
   Html out = "<p>Their pairs are left out of every number.</p>\n<div class=\"values\">"_html;
   return section("failures", "Forfeits"_html, out << table.html() << "</div>\n"_html);
@@ -192,9 +194,11 @@ std::string experiment_page(const ExperimentPageSource& source) {
   const ExperimentView& view = source.view;
   const std::vector<std::string> sentences = finding_sentences(view);
   Html page = page_begin(experiment_title(view));
-  page << head(view, sentences) << tiles(view) << findings_section(sentences) << figures_section(source)
-       << means_section(view) << differences_section(view) << failures_section(view) << configuration_section(view.plan)
-       << reproduction_section(source, source.command) << page_end();
+  page << irreproducible_note(view.course.remarks()) << head(view, sentences) << tiles(view)
+       << findings_section(sentences) << figures_section(source) << means_section(view) << differences_section(view)
+       << unplayed_section(view.course.unplayed_pairs(), view.course.remarks()) << failures_section(view)
+       << configuration_section(view.plan) << reproduction_section(source, source.command)
+       << written_note(view.course.remarks()) << page_end();
   return page.str();
 }
 

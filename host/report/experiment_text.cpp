@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "report/experiment.hpp"
+#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/text_table.hpp"
 #include "report/tournament.hpp"
@@ -109,6 +110,16 @@ std::string failures_text(const ExperimentView& view) {
   return out;
 }
 
+std::string left_out_text(const ExperimentView& view) {
+  if (view.course.unplayed_pairs() == 0) return {};
+  std::string out = "\nPairs that could not be played, and are left out of every number; nobody can be blamed:\n";
+  for (std::size_t i = 0; i < view.plan.conditions.size(); ++i) {
+    const std::uint64_t pairs = view.course.unplayed_pairs(i);
+    if (pairs > 0) out += fmt::format("{} of {}\n", pairs_in_words(pairs), visible(label(view.plan, i)));
+  }
+  return out + unplayed_text(view.course.remarks());
+}
+
 std::string pairs_text(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   const std::uint64_t pairs = view.course.taken() / 2 / plan.conditions.size();
@@ -162,7 +173,7 @@ std::string experiment_standing(const ExperimentView& view) {
 
 std::string experiment_text(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
-  std::string out = experiment_title(view) + '\n';
+  std::string out = irreproducible_text(view.course.remarks()) + experiment_title(view) + '\n';
   if (!plan.question.empty()) out += visible(plan.question) + '\n';
   if (!view.course.complete()) {
     out += fmt::format("Not at its end: {} of {} matches. No test.\n", view.course.taken(), plan.matches());
@@ -182,7 +193,7 @@ std::string experiment_text(const ExperimentView& view) {
   for (const std::string& sentence : notes) out += sentence + '\n';
   if (!notes.empty()) out += '\n';
   for (const std::string& sentence : finding_sentences(view)) out += sentence + '\n';
-  return out + failures_text(view);
+  return out + left_out_text(view) + failures_text(view) + written_text(view.course.remarks());
 }
 
 }  // namespace regista::report

@@ -10,6 +10,7 @@ namespace regista::report {
 void Fingerprint::take(std::uint64_t index, const campaign::Decided& decided) {
   std::string line = fmt::format("{} {} {}:{} {}", text_, index, decided.score[0], decided.score[1], decided.hash);
   if (decided.failure) line += campaign::to_json(*decided.failure);
+  if (decided.set_aside()) line += " set aside";
   text_ = plugin::content_hash(line);
 }
 

@@ -225,6 +225,22 @@ Html roles_section(const PageSource& source) {
   return section("roles", "Coordination"_html, out);
 }
 
+// Of games that are shorter than a match, whose budget is that of a whole one.
+static Html share_note(const PageSource& source, std::size_t teams) {
+  Html out;
+  for (std::size_t team = 0; team < teams; ++team) {
+    const statistics::Moments* const share = source.record.numbers().find(team, "packets_share");
+    const statistics::Moments* const spent = source.record.numbers().find(team, "packets");
+    if (share == nullptr || spent == nullptr) continue;
+    const bool over = spent->mean() > share->mean();
+    out << "<p class=\"note\">"_html << team_name(source, team)
+        << text(fmt::format(" spent {:.4g} packets per match; the share of the budget for this length is {:.4g}{}.",
+                            spent->mean(), share->mean(), over ? ": overspent" : ""))
+        << "</p>\n"_html;
+  }
+  return out;
+}
+
 Html packets_section(const PageSource& source) {
   const std::size_t teams = std::min(source.view.plan.teams.size(), most_teams);
   std::vector<std::string> reasons = packet_reasons(source.record.numbers(), teams);
@@ -234,13 +250,14 @@ Html packets_section(const PageSource& source) {
   const Html rest = without == 0 ? Html() : text(fmt::format("{} other events caused none.", without));
   if (teams > 2)
     return section("packets", "Packets by event"_html,
-                   packets_of_several(source, reasons, teams) << "<p class=\"note\">"_html << rest << "</p>\n"_html);
+                   packets_of_several(source, reasons, teams)
+                       << share_note(source, teams) << "<p class=\"note\">"_html << rest << "</p>\n"_html);
   std::vector<Row> rows;
   for (const std::string& reason : reasons) rows.push_back({spaced(reason), packets_prefix + reason, 2});
   rows.push_back({"all", "packets", 2});
   Html out = "<div class=\"two\">\n"_html;
   out << figure(source, "packets") << "<div>"_html << compared(source, "Packets per match"_html, rows)
-      << "<p class=\"note\">"_html << rest << "</p></div>\n</div>\n"_html;
+      << share_note(source, teams) << "<p class=\"note\">"_html << rest << "</p></div>\n</div>\n"_html;
   return section("packets", "Packets by event"_html, out);
 }
 

@@ -29,7 +29,8 @@ Html failures_section(const PageSource& source) {
                    {"Reason"_html, Column::words},
                    {"Plays the first of them again"_html, Column::words}});
   for (const study::Forfeits& each : course.forfeits()) {
-    table.row({team_name(source, each.team), text(fmt::format("{}", each.count)), text(each.failure.plugin),
+    table.row({team_name(source, each.team), text(fmt::format("{}", each.count)),
+               each.failure.plugin.empty() ? plugin_cell(team_name(source, each.team)) : text(each.failure.plugin),
                text(each.failure.call), text(each.failure.what), code(source.view.again(each.first_match))});
   }
   Html out = "<div class=\"values\">"_html;

@@ -93,6 +93,11 @@ Html tile(const Html& number, const Html& what) {
   return out << number << "</b><span>"_html << what << "</span></div>\n"_html;
 }
 
+Html plugin_cell(const Html& team) {
+  Html out = "a plugin of "_html;
+  return out << team;
+}
+
 Html code(std::string_view words) {
   Html out = "<code>"_html;
   return out << text(words) << "</code>"_html;

@@ -34,6 +34,9 @@ Html table_link(std::string_view file_name, std::string_view csv);     // to tak
 Html figure(std::span<const PageFigure> figures, std::string_view name);
 Html tile(const Html& number, const Html& what);
 
+// Where only the team is known: "a plugin of" it.
+Html plugin_cell(const Html& team);
+
 Html code(std::string_view words);
 Html block(std::string_view content);  // lines as they are
 

@@ -121,13 +121,15 @@ Html pairing_table(const PageSource& source) {
   const bool played = fixed_number_is_played(source);
   if (played) {
     table.row({"Sign-flip test"_html, text(fmt::format("p {:.2g}", p_values(source.view.course).single.front())),
-               "chance of a result as clear between equal teams"_html});
+               meeting.unplayed_pairs == 0 ? "chance of a result as clear between equal teams"_html
+                                           : "the same, with the pairs that could not be played counted for whichever "
+                                             "team makes it the least clear"_html});
   }
   table.row({"Goal difference of a match"_html,
              text(fmt::format("{} {}", with_sign(meeting.goals_of_pairs.mean(), 3),
                               interval_text(meeting.goals_sequence.interval(), 3))),
              "the interval holds however often one looks"_html});
-  if (played && known->goals_t) {
+  if (played && known->goals_t && meeting.unplayed_pairs == 0) {
     table.row({"The same, for this number of pairs"_html, text(interval_text(known->goals_t->interval, 3)),
                text(fmt::format("t test: p {:.2g}", known->goals_t->p))});
   }
@@ -169,6 +171,8 @@ Html pairings_table(const PageSource& source) {
   const bool with_p = fixed_number_is_played(source);
   std::vector<Heading> headings{
       {"Pairing"_html, Column::words}, {"Won – drawn – lost"_html}, {"Goals"_html}, {"Elo"_html}};
+  const bool with_unplayed = source.view.course.unplayed_pairs() > 0;
+  if (with_unplayed) headings.push_back({"Pairs not played"_html});
   if (with_p) headings.push_back({"p (Holm)"_html});
   HtmlTable table(headings);
   const std::vector<double> p = p_values(source.view.course).adjusted;
@@ -181,6 +185,7 @@ Html pairings_table(const PageSource& source) {
                             text(fmt::format("{} – {} – {}", wins, draws, losses)),
                             text(fmt::format("{}:{}", meeting.goals[0], meeting.goals[1])),
                             text(known ? estimate_text(known->elo, 1) : "–")};
+    if (with_unplayed) cells.push_back(count(meeting.unplayed_pairs));
     if (with_p) cells.push_back(text(fmt::format("{:.2g}", p[i])));
     table.row(cells);
   }

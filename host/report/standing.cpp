@@ -31,11 +31,76 @@ std::optional<Strength> strength(const study::Meeting& meeting) {
   return out;
 }
 
+namespace {
+
+int side_of(const statistics::PairCounts& pairs) {
+  const statistics::Count more = 2 * (pairs.seen[4] - pairs.seen[0]) + pairs.seen[3] - pairs.seen[1];
+  return more > 0 ? 1 : more < 0 ? -1 : 0;
+}
+
+struct PRange {
+  double least, most;
+};
+
+PRange p_either_way(const study::Meeting& meeting) {
+  const double without = statistics::sign_flip_p(meeting.pairs);
+  if (meeting.unplayed_pairs == 0) return {without, without};
+  statistics::PairCounts lost = meeting.pairs, won = meeting.pairs;
+  lost.seen.front() += static_cast<statistics::Count>(meeting.unplayed_pairs);
+  won.seen.back() += static_cast<statistics::Count>(meeting.unplayed_pairs);
+  const double if_lost = statistics::sign_flip_p(lost), if_won = statistics::sign_flip_p(won);
+  const int side = side_of(meeting.pairs);
+  const bool agree = side == side_of(lost) && side == side_of(won);
+  return {std::min({without, if_lost, if_won}), agree ? std::max({without, if_lost, if_won}) : 1.0};
+}
+
+}  // namespace
+
 PValues p_values(const study::Tournament& course) {
   PValues out;
-  for (const study::Meeting& meeting : course.meetings()) out.single.push_back(statistics::sign_flip_p(meeting.pairs));
+  std::vector<double> least;
+  for (const study::Meeting& meeting : course.meetings()) {
+    const PRange p = p_either_way(meeting);
+    out.single.push_back(p.most);
+    least.push_back(p.least);
+  }
   out.adjusted = statistics::holm(out.single);
+  const std::vector<double> at_best = statistics::holm(least);
+  for (std::size_t i = 0; i < at_best.size(); ++i) {
+    out.prevented.push_back(course.meetings()[i].unplayed_pairs > 0 && at_best[i] < significance_level &&
+                            out.adjusted[i] >= significance_level);
+  }
   return out;
+}
+
+bool leads_either_way(const study::TournamentPlan& plan, const study::Tournament& course, std::size_t team) {
+  if (course.unplayed_pairs() == 0) return true;
+  for (std::size_t other = 0; other < plan.teams.size(); ++other) {
+    if (other == team) continue;
+    statistics::SquareTable won = points_won(plan, course);
+    for (const study::Meeting& meeting : course.meetings()) {
+      const std::size_t a = meeting.pairing.first, b = meeting.pairing.second;
+      const double points = 2.0 * static_cast<double>(meeting.unplayed_pairs);
+      if (a == team || b == other)
+        won.at(b, a) += points;
+      else if (b == team || a == other)
+        won.at(a, b) += points;
+    }
+    if (const auto elo = statistics::bradley_terry(won)) {
+      if ((*elo)[team].value <= (*elo)[other].value) return false;
+      continue;
+    }
+    const auto share = [&](std::size_t of) {
+      double mine = 0.0, all = 0.0;
+      for (std::size_t i = 0; i < plan.teams.size(); ++i) {
+        mine += won.at(of, i);
+        all += won.at(of, i) + won.at(i, of);
+      }
+      return all == 0.0 ? 0.5 : mine / all;
+    };
+    if (share(team) <= share(other)) return false;
+  }
+  return true;
 }
 
 statistics::SquareTable points_won(const study::TournamentPlan& plan, const study::Tournament& course) {

@@ -41,10 +41,21 @@ std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tour
 
 // Two-sided p of "equal strength" of every pairing, from the signs of its pairs (statistics/sign_flip.hpp), and the
 // same adjusted by Holm for their number. Only for a number of pairs that was fixed beforehand.
+//
+// Of a pairing some of whose pairs could not be played: the largest of its p without these pairs, with all of them lost
+// by the first team, and with all of them won by it; 1 where these do not speak for the same team. So what is below a
+// level is so in each of the three ways.
 struct PValues {
   std::vector<double> single, adjusted;
+  // Of such a pairing: some way to count those pairs makes a finding at 5 %, but not all do.
+  std::vector<bool> prevented;
 };
 PValues p_values(const study::Tournament& course);
+inline constexpr double significance_level = 0.05;
+
+// The team, the first of the ranking, also has the larger Elo than each other one with all pairs that could not be
+// played lost by it, and won by that other one.
+bool leads_either_way(const study::TournamentPlan& plan, const study::Tournament& course, std::size_t team);
 
 double points(const statistics::GameCounts& games);  // of the first team
 

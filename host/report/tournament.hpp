@@ -37,10 +37,13 @@ std::string csv_head(const std::vector<std::string>& metrics);
 std::string csv_line(const TournamentView& view, std::uint64_t index, const campaign::Decided& decided,
                      const std::vector<std::string>& metrics);
 
+// "plugin hangs"; where only the team is known "a plugin of small"
+std::string plugin_text(const std::string& plugin, const std::string& team);
+
 // "forfeited by small: plugin hangs, holds: used more than 5 s of processor time"
 std::string forfeit_text(const std::string& label, const campaign::Failure& failure);
 
-// "H1", "H0", "INCONCLUSIVE"; empty without a test
+// "H1", "H0", "INCONCLUSIVE", "NO_VERDICT" where pairs that could not be played prevent one; empty without a test
 const char* name(study::Verdict verdict);
 
 }  // namespace regista::report

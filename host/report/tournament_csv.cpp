@@ -27,16 +27,19 @@ std::string csv_line(const TournamentView& view, std::uint64_t index, const camp
   const std::string opening = view.plan.openings.empty()
                                   ? std::string()
                                   : std::filesystem::path(view.plan.openings[fixture.opening].file).stem().string();
-  std::string out =
-      fmt::format("{},{},{},{},{},{},{},{},{},{},", index + 1, fixture.pair + 1, fixture.seed, csv_field(opening),
-                  csv_field(teams[fixture.home].label), csv_field(teams[fixture.away].label), decided.score[0],
-                  decided.score[1], decided.ended, decided.hash);
+  // A match that could not be played has no score.
+  const auto goals = [&decided](std::size_t side) {
+    return decided.set_aside() ? std::string() : std::to_string(decided.score[side]);
+  };
+  std::string out = fmt::format("{},{},{},{},{},{},{},{},{},{},", index + 1, fixture.pair + 1, fixture.seed,
+                                csv_field(opening), csv_field(teams[fixture.home].label),
+                                csv_field(teams[fixture.away].label), goals(0), goals(1), decided.ended, decided.hash);
   if (decided.failure) {
     const campaign::Failure& failure = *decided.failure;
     out += fmt::format("{},{},{},{}", failure.side == 0 ? "home" : "away", csv_field(failure.plugin),
                        csv_field(failure.call), csv_field(failure.what));
   } else {
-    out += ",,,";
+    out += ",,," + csv_field(decided.why_set_aside);
   }
   if (!metrics.empty()) {
     const auto write = [&](const std::optional<double>& value) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
 
+#include "report/match_remarks.hpp"
 #include "report/standing.hpp"
 #include "report/tournament.hpp"
 
@@ -53,6 +54,7 @@ Json json_of(const TournamentView& view, const study::Meeting& meeting, const Ch
   out["draws"] = meeting.games.seen[1];
   out["points"] = points(meeting.games);
   out["pentanomial"] = meeting.pairs.seen;
+  out["unplayed_pairs"] = meeting.unplayed_pairs;
   out["goals"] = meeting.goals;
   if (const std::optional<Strength> known = strength(meeting)) {
     out["elo"] = known->elo.value;
@@ -68,7 +70,7 @@ Json json_of(const TournamentView& view, const study::Meeting& meeting, const Ch
                {"standard_deviation", meeting.goals_of_pairs.standard_deviation()},
                {"confidence_sequence", interval(meeting.goals_sequence.interval())}};
     // A t test holds for a number of pairs that nobody chose by looking.
-    if (p.first && known->goals_t) {
+    if (p.first && known->goals_t && meeting.unplayed_pairs == 0) {
       goals["t"] = known->goals_t->t;
       goals["t_p"] = known->goals_t->p;
       goals["t_interval"] = interval(known->goals_t->interval);
@@ -109,6 +111,8 @@ std::string tournament_json(const TournamentView& view) {
   for (std::size_t i = 0; i < p.single.size(); ++i) {
     const Chance chance = fixed ? Chance(p.single[i], p.adjusted[i]) : Chance();
     pairings.push_back(json_of(view, course.meetings()[i], chance));
+    pairings.back()["verdict_prevented"] =
+        tested ? course.verdict() == study::Verdict::prevented : fixed && p.prevented[i];
   }
   out["pairings"] = pairings;
   if (view.plan.teams.size() > 2) {
@@ -142,6 +146,9 @@ std::string tournament_json(const TournamentView& view) {
                          {"after_pair", each.pair + 1}});
   }
   out["set_aside"] = set_aside;
+  out["unplayed"] = unplayed_json(course.unplayed_pairs(), course.remarks());
+  out["not_reproducible"] = irreproducible_json(course.remarks());
+  out["standard_error"] = written_json(course.remarks());
   return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/page_sections.hpp"
 #include "report/standing.hpp"
@@ -72,6 +73,10 @@ Html point_of_view(const PageSource& source) {
   return out << team_name(source, 0) << ", against "_html << team_name(source, 1) << ".</p>\n"_html;
 }
 
+Html unplayed_section_of(const PageSource& source) {
+  return unplayed_section(source.view.course.unplayed_pairs(), source.view.course.remarks());
+}
+
 }  // namespace
 
 Html team_name(const PageSource& source, std::size_t team) { return name(source.view.plan.teams[team].label); }
@@ -79,17 +84,17 @@ Html team_name(const PageSource& source, std::size_t team) { return name(source.
 std::string tournament_page(const PageSource& source) {
   const VerdictSentence verdict = verdict_sentence(source.view);
   Html page = page_begin(title(source.view));
-  page << "<header>\n<p class=\"kicker\">Tournament: "_html << text(title(source.view))
-       << "</p>\n<h1 id=\"verdict\">"_html << verdict.sentence << "</h1>\n"_html
+  page << irreproducible_note(source.view.course.remarks()) << "<header>\n<p class=\"kicker\">Tournament: "_html
+       << text(title(source.view)) << "</p>\n<h1 id=\"verdict\">"_html << verdict.sentence << "</h1>\n"_html
        << "<p class=\"beside\">"_html;
   for (const Html& each : verdict.beside) page << each << " "_html;
   page << "</p>\n</header>\n"_html << tiles(source) << point_of_view(source);
   for (const auto part :
        {standing_section, curves_section, goals_section, roles_section, packets_section, variance_section,
-        failures_section, recordings_section, configuration_section, reproduction_section}) {
+        unplayed_section_of, failures_section, recordings_section, configuration_section, reproduction_section}) {
     page << part(source);
   }
-  page << page_end();
+  page << written_note(source.view.course.remarks()) << page_end();
   return page.str();
 }
 

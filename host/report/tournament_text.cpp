@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "config/text.hpp"
+#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
 #include "report/tournament.hpp"
@@ -59,7 +60,8 @@ std::string metric_text(const TournamentView& view, const Meeting& meeting, cons
   return out;
 }
 
-// What holds only for a number of pairs that nobody chose by looking may be said.
+// What holds only for a number of pairs that nobody chose by looking may be said; of a pairing only where all of them
+// could be played.
 bool fixed_number_is_played(const TournamentView& view) {
   return std::holds_alternative<study::FixedNumber>(view.plan.objective) && view.course.complete();
 }
@@ -84,7 +86,7 @@ std::string meeting_text(const TournamentView& view, const Meeting& meeting) {
     const statistics::Interval interval = meeting.goals_sequence.interval();
     out += fmt::format(", per match {} {} at any time", with_sign(meeting.goals_of_pairs.mean(), 3),
                        interval_text(interval, 3));
-    if (fixed_number_is_played(view) && known->goals_t) {
+    if (fixed_number_is_played(view) && known->goals_t && meeting.unplayed_pairs == 0) {
       out += fmt::format(", {} for this number of pairs (t test: p {:.2g})", interval_text(known->goals_t->interval, 3),
                          known->goals_t->p);
     }
@@ -118,15 +120,17 @@ std::string ranking_text(const TournamentView& view) {
 std::string pairings_text(const TournamentView& view) {
   const bool with_p = fixed_number_is_played(view);
   std::string out = with_p ? "\nPairings (p: two-sided, by the signs of pairs, adjusted by Holm):\n" : "\nPairings:\n";
-  const std::vector<double> p = p_values(view.course).adjusted;
-  for (std::size_t i = 0; i < p.size(); ++i) {
+  const PValues p = p_values(view.course);
+  for (std::size_t i = 0; i < p.adjusted.size(); ++i) {
     const Meeting& meeting = view.course.meetings()[i];
     const auto& [losses, draws, wins] = meeting.games.seen;
     const std::optional<Strength> known = strength(meeting);
     out += fmt::format("{} vs {}: {}-{}-{}, goals {}:{}, Elo {}", label(view, meeting.pairing.first),
                        label(view, meeting.pairing.second), wins, draws, losses, meeting.goals[0], meeting.goals[1],
                        known ? with_margin(known->elo) : "-");
-    out += with_p ? fmt::format(", p {:.2g}\n", p[i]) : "\n";
+    if (meeting.unplayed_pairs > 0) out += fmt::format(", {} not played", pairs_in_words(meeting.unplayed_pairs));
+    if (with_p) out += fmt::format(", p {:.2g}", p.adjusted[i]);
+    out += with_p && p.prevented[i] ? ": no verdict\n" : "\n";
   }
   return out;
 }
@@ -156,6 +160,10 @@ std::string value_verdict(const TournamentView& view, const std::string& value) 
 
 std::string verdict_text(const TournamentView& view) {
   const study::Verdict verdict = view.course.verdict();
+  if (verdict == study::Verdict::prevented ||
+      (view.plan.teams.size() == 2 && fixed_number_is_played(view) && p_values(view.course).prevented.front())) {
+    return prevented_headline(view.course.unplayed_pairs()) + '\n';
+  }
   if (verdict == study::Verdict::none) return "";
   const statistics::Count pairs = total(view.course.meetings().front().pairs);
   std::string out = fmt::format("Verdict after {} {}: {}", pairs, pairs == 1 ? "pair" : "pairs", name(verdict));
@@ -169,8 +177,8 @@ std::string verdict_text(const TournamentView& view) {
 std::string failures_text(const TournamentView& view) {
   std::string out;
   for (const study::SetAside& each : view.course.set_aside()) {
-    out += fmt::format("{} was set aside after pair {}: plugin {} failed {} times in a row\n", label(view, each.team),
-                       each.pair + 1, each.plugin, each.failures);
+    out += fmt::format("{} was set aside after pair {}: {} failed {} times in a row\n", label(view, each.team),
+                       each.pair + 1, plugin_text(each.plugin, label(view, each.team)), each.failures);
   }
   for (const study::Forfeits& each : view.course.forfeits()) {
     out += fmt::format("{} {} {}\n  the first again: {}\n", each.count, each.count == 1 ? "match" : "matches",
@@ -194,13 +202,20 @@ const char* name(study::Verdict verdict) {
       return "H0";
     case study::Verdict::accept_h1:
       return "H1";
+    case study::Verdict::prevented:
+      return "NO_VERDICT";
   }
   return "";
 }
 
+std::string plugin_text(const std::string& plugin, const std::string& team) {
+  return plugin.empty() ? "a plugin of " + team : "plugin " + plugin;
+}
+
 std::string forfeit_text(const std::string& label, const campaign::Failure& failure) {
-  return config::one_line(
-      fmt::format("forfeited by {}: plugin {}, {}: {}", label, failure.plugin, failure.call, failure.what));
+  std::string out = fmt::format("forfeited by {}: {}", label, plugin_text(failure.plugin, label));
+  if (!failure.call.empty()) out += ", " + failure.call;
+  return config::one_line(out + ": " + failure.what);
 }
 
 std::string title(const TournamentView& view) {
@@ -227,7 +242,8 @@ std::string standing_text(const TournamentView& view) {
 }
 
 std::string tournament_text(const TournamentView& view) {
-  std::string out = fmt::format("Results of {}:\n", title(view));
+  std::string out = irreproducible_text(view.course.remarks());
+  out += fmt::format("Results of {}:\n", title(view));
   for (const study::Pairing& pairing : view.course.calendar().pairings()) {
     if (study::equal_teams(view.plan, pairing)) {
       out += fmt::format("A/A: {} and {} are equal, so every pair is a draw by construction\n",
@@ -236,7 +252,10 @@ std::string tournament_text(const TournamentView& view) {
   }
   out += standing_text(view);
   if (view.plan.teams.size() > 2) out += pairings_text(view);
-  return out + verdict_text(view) + failures_text(view);
+  if (const std::uint64_t unplayed = view.course.unplayed_pairs(); unplayed > 0) {
+    out += unplayed_sentence(unplayed) + '\n' + unplayed_text(view.course.remarks());
+  }
+  return out + verdict_text(view) + failures_text(view) + written_text(view.course.remarks());
 }
 
 }  // namespace regista::report

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "report/match_remarks.hpp"
 #include "report/tuning_sentences.hpp"
 #include "study/measure.hpp"
 
@@ -126,6 +127,7 @@ Json verification(const TuningView& view) {
                           {"finding", name(each.finding)},
                           {"forfeited", each.forfeited},
                           {"pairs", each.pairs},
+                          {"unplayed_pairs", view.record.verification.of()[each.candidate].unplayed_pairs()},
                           {"search", each.seen ? json_of(*each.seen) : Json(nullptr)},
                           {"value", each.value ? json_of(*each.value) : Json(nullptr)},
                           {"base", each.base ? json_of(*each.base) : Json(nullptr)},
@@ -251,6 +253,9 @@ std::string tuning_json(const TuningView& view) {
   }
   out["compared"] = compared(view);
   out["forfeits"] = forfeits(view);
+  out["unplayed"] = unplayed_json(view.record.unplayed_pairs, view.record.remarks);
+  out["not_reproducible"] = irreproducible_json(view.record.remarks);
+  out["standard_error"] = written_json(view.record.remarks);
   out["tuned_file"] = view.tuned_file.empty() ? Json(nullptr) : Json(view.tuned_file);
   return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

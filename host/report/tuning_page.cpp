@@ -8,6 +8,7 @@
 
 #include "report/experiment.hpp"
 #include "report/html_table.hpp"
+#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/tuning_sentences.hpp"
 
@@ -249,8 +250,10 @@ Html failures_section(const TuningView& view) {
                    {"Reason"_html, Column::words},
                    {"First in match"_html}});
   for (const study::Forfeits& each : forfeits.listed()) {
-    table.row({name(forfeiter(view.plan, each.team)), number(each.count), text(each.failure.plugin),
-               text(each.failure.call), text(each.failure.what), number(each.first_match + 1)});
+    table.row(
+        {name(forfeiter(view.plan, each.team)), number(each.count),
+         each.failure.plugin.empty() ? plugin_cell(name(forfeiter(view.plan, each.team))) : text(each.failure.plugin),
+         text(each.failure.call), text(each.failure.what), number(each.first_match + 1)});
   }
   Html out =
       "<p>Those of the team that is tuned count against it, in the search as the worst value there is; pairs in which "
@@ -314,10 +317,11 @@ std::string tuning_page(const TuningPage& page) {
   const TuningView& view = page.view;
   const TuningVerdict verdict = tuning_verdict(view);
   Html out = page_begin(tuning_title(view));
-  out << head(view, verdict) << tiles(view) << findings_section(view, verdict) << algorithms_section(page)
-      << setup_section(view) << convergence_section(page) << values_section(page) << slices_section(page)
-      << finalists_section(view) << trace_section(view) << failures_section(view) << reproduction_section(page)
-      << page_end();
+  out << irreproducible_note(view.record.remarks) << head(view, verdict) << tiles(view)
+      << findings_section(view, verdict) << algorithms_section(page) << setup_section(view) << convergence_section(page)
+      << values_section(page) << slices_section(page) << finalists_section(view) << trace_section(view)
+      << unplayed_section(view.record.unplayed_pairs, view.record.remarks) << failures_section(view)
+      << reproduction_section(page) << written_note(view.record.remarks) << page_end();
   return out.str();
 }
 

@@ -9,8 +9,9 @@
 #include <filesystem>
 
 #include "report/experiment.hpp"
+#include "report/match_remarks.hpp"
 #include "report/number.hpp"
-#include "report/verdict_sentence.hpp"
+#include "report/standing.hpp"
 #include "report/visible_text.hpp"
 
 namespace regista::report {
@@ -128,6 +129,10 @@ std::string finding_text(const TuningView& view, const CandidateVerdict& each) {
       return "better than the base team on seeds that nobody has chosen by";
     case study::VerifiedAs::worse:
       return "worse than the base team on seeds that nobody has chosen by";
+    case study::VerifiedAs::prevented:
+      return over ? fmt::format("no verdict, because {} could not be played",
+                                pairs_text(view.record.verification.of()[each.candidate].unplayed_pairs()))
+                  : std::string("not decided yet");
     case study::VerifiedAs::undecided:
       break;
   }
@@ -189,6 +194,9 @@ std::string headline_of_tuning(const TuningView& view, const std::vector<Candida
   if (!over) return "Not decided yet whether the tuned team is better than the base team.";
   if (std::ranges::all_of(candidates, [](const auto& each) { return each.finding == study::VerifiedAs::worse; })) {
     return "What the search found is worse than the base team, on seeds that nobody has chosen by.";
+  }
+  if (std::ranges::find(candidates, study::VerifiedAs::prevented, &CandidateVerdict::finding) != candidates.end()) {
+    return prevented_headline(record.verification.unplayed_pairs()) + ".";
   }
   const auto gave_up = [&](const auto& each) {
     return each.forfeited && each.finding == study::VerifiedAs::undecided &&
@@ -330,6 +338,7 @@ TuningVerdict tuning_verdict(const TuningView& view) {
         "On the {} of the selection the base team came first, with {}.", pairs_text(view.plan.selection_pairs),
         told_text(told(view.plan.objective, view.record.finalists.front().selected.score))));
   }
+  if (view.record.unplayed_pairs > 0) out.beside.push_back(unplayed_sentence(view.record.unplayed_pairs));
   if (const std::string note = several_note(candidates.size()); !note.empty()) out.beside.push_back(note);
   return out;
 }
@@ -340,6 +349,8 @@ const char* name(study::VerifiedAs finding) {
       return "better";
     case study::VerifiedAs::worse:
       return "worse";
+    case study::VerifiedAs::prevented:
+      return "no_verdict";
     case study::VerifiedAs::undecided:
       break;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "report/experiment.hpp"
+#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/text_table.hpp"
 #include "report/tournament.hpp"
@@ -126,6 +127,13 @@ std::string forfeits_text(const TuningView& view) {
          out;
 }
 
+std::string left_out_text(const TuningView& view) {
+  if (view.record.unplayed_pairs == 0) return {};
+  return fmt::format("\nLeft out: {} that could not be played; nobody can be blamed\n",
+                     pairs_in_words(view.record.unplayed_pairs)) +
+         unplayed_text(view.record.remarks);
+}
+
 std::string matches_text(const TuningView& view) {
   const MatchesByStage matches = matches_by_stage(view);
   std::string out = fmt::format("\nMatches: search {}", matches.search);
@@ -199,7 +207,7 @@ std::string tuning_standing(const TuningView& view) {
 }
 
 std::string tuning_text(const TuningView& view) {
-  std::string out = tuning_title(view) + '\n';
+  std::string out = irreproducible_text(view.record.remarks) + tuning_title(view) + '\n';
   if (!view.plan.question.empty()) out += visible(view.plan.question) + '\n';
   if (const std::string unfinished = unfinished_sentence(view); !unfinished.empty()) out += unfinished + '\n';
   const TuningVerdict verdict = tuning_verdict(view);
@@ -211,7 +219,8 @@ std::string tuning_text(const TuningView& view) {
   }
   out += algorithms_table(view) + tuned_table(view) + importance_table(view) + finalists_table(view);
   out += paragraph("Search", search_sentences(view)) + paragraph("How it was tuned", setup_sentences(view));
-  return out + parameters_table(view.plan) + matches_text(view) + forfeits_text(view);
+  return out + parameters_table(view.plan) + matches_text(view) + left_out_text(view) + forfeits_text(view) +
+         written_text(view.record.remarks);
 }
 
 }  // namespace regista::report

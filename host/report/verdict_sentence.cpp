@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
 #include "report/verdict_interval.hpp"
@@ -80,9 +81,15 @@ Html by_value(const TournamentView& view, const Meeting& meeting, const std::str
              << team(view, meeting.pairing.second) << "."_html;
 }
 
+Html prevented(const TournamentView& view) { return text(prevented_headline(view.course.unplayed_pairs()) + "."); }
+
 void of_sequential_test(const TournamentView& view, const Meeting& meeting, VerdictSentence& out) {
   const study::Verdict verdict = view.course.verdict();
   const auto* const score = std::get_if<study::ScoreTest>(&view.plan.objective);
+  if (verdict == study::Verdict::prevented) {
+    out.sentence = prevented(view);
+    return;
+  }
   if (verdict == study::Verdict::inconclusive) {
     out.sentence =
         view.course.complete() ? Html("The test ended without a verdict on "_html) : Html("No verdict yet on "_html);
@@ -132,7 +139,12 @@ void of_two(const TournamentView& view, VerdictSentence& out) {
     out.sentence << team(view, 0) << " and "_html << team(view, 1) << " are worth is open."_html;
     return;
   }
-  const double p = p_values(view.course).adjusted.front();
+  const PValues values = p_values(view.course);
+  if (values.prevented.front()) {
+    out.sentence = prevented(view);
+    return;
+  }
+  const double p = values.adjusted.front();
   const bool first = points(meeting.games) > static_cast<double>(meeting.matches()) / 2.0;
   if (p < level) {
     out.sentence = than(view, meeting, first, " is stronger than "_html);
@@ -156,12 +168,17 @@ int stronger(const TournamentView& view, const PValues& p, std::size_t pairing) 
 
 void of_gauntlet(const TournamentView& view, const PValues& p, VerdictSentence& out) {
   std::array<std::uint64_t, 3> counts{};
+  const auto no_verdict = std::ranges::count(p.prevented, true);
   for (std::size_t i = 0; i < p.adjusted.size(); ++i) {
     ++counts[static_cast<std::size_t>(stronger(view, p, i) + 1)];
   }
   out.sentence = team(view, 0);
   out.sentence << text(fmt::format(" against {} others: stronger than {}, weaker than {}, open for {}.",
                                    p.adjusted.size(), counts[2], counts[0], counts[1]));
+  if (view.course.complete() && no_verdict > 0) {
+    out.beside.push_back(text(fmt::format(
+        "Of the open ones {} could be decided by pairs that could not be played: no verdict there.", no_verdict)));
+  }
 }
 
 void of_round_robin(const TournamentView& view, const PValues& p, VerdictSentence& out) {
@@ -174,6 +191,11 @@ void of_round_robin(const TournamentView& view, const PValues& p, VerdictSentenc
   });
   if (together == std::ssize(ranks)) {
     out.sentence = text(fmt::format("Nothing separates the {} teams.", ranks.size()));
+    return;
+  }
+  if (!leads_either_way(view.plan, view.course, best)) {
+    out.sentence = prevented(view);
+    out.beside.push_back(text("Who leads depends on whom they are counted for."));
     return;
   }
   out.sentence = team(view, best);
@@ -222,10 +244,11 @@ VerdictSentence verdict_sentence(const TournamentView& view) {
     of_several(view, out);
   for (const study::SetAside& each : view.course.set_aside()) {
     Html line = team(view, each.team);
-    out.beside.push_back(
-        line << text(fmt::format(" was set aside after pair {}: its plugin {} failed {} times in a row.", each.pair + 1,
-                                 each.plugin, each.failures)));
+    const std::string whose = each.plugin.empty() ? "a plugin of it" : "its plugin " + each.plugin;
+    out.beside.push_back(line << text(fmt::format(" was set aside after pair {}: {} failed {} times in a row.",
+                                                  each.pair + 1, whose, each.failures)));
   }
+  if (view.course.unplayed_pairs() > 0) out.beside.push_back(text(unplayed_sentence(view.course.unplayed_pairs())));
   std::uint64_t forfeits = 0;
   for (const std::uint64_t count : view.course.failures()) forfeits += count;
   if (forfeits > 0) {

@@ -10,8 +10,6 @@
 
 namespace regista::report {
 
-inline constexpr double significance_level = 0.05;
-
 struct VerdictSentence {
   Html sentence;
   std::vector<Html> beside;  // what it rests on, and what it does not say

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "statistics/multiplicity.hpp"
+#include "study/either_way.hpp"
 
 namespace regista::study {
 namespace {
@@ -23,13 +24,17 @@ Experiment::Experiment(const ExperimentPlan& plan)
       values_(plan.conditions.size() * plan.measures.size()),
       playing_seconds_(plan.conditions.size(), 0.0),
       played_(plan.conditions.size(), 0),
+      unplayed_(plan.conditions.size()),
       forfeits_(plan.conditions.size() + 1) {}
 
 void Experiment::take(const campaign::Decided& decided) {
   assert(next_ < plan_.matches());
   const Trial trial = study::trial(plan_, next_);
   std::optional<MatchMeasures> played;
-  if (decided.failure) {
+  remarks_.take(next_, decided);
+  if (decided.set_aside()) {
+    // There is nothing to be counted.
+  } else if (decided.failure) {
     const bool own = static_cast<std::size_t>(decided.failure->side) == trial.side;
     forfeits_.add(own ? trial.condition : plan_.conditions.size(), *decided.failure, next_);
   } else {
@@ -40,8 +45,10 @@ void Experiment::take(const campaign::Decided& decided) {
   ++next_;
   if (trial.side == 0) {
     at_home_ = std::move(played);
+    at_home_unplayed_ = decided.set_aside();
     return;
   }
+  unplayed_[trial.condition].push_back(at_home_unplayed_ || decided.set_aside());
   const double seconds = at_home_ && played ? at_home_->playing_seconds() + played->playing_seconds() : 0.0;
   for (std::size_t measure = 0; measure < plan_.measures.size(); ++measure) {
     const std::string& path = plan_.measures[measure];
@@ -51,6 +58,16 @@ void Experiment::take(const campaign::Decided& decided) {
     values.per_match.push_back(sum / 2.0);
   }
   at_home_.reset();
+}
+
+std::uint64_t Experiment::unplayed_pairs(std::size_t condition) const {
+  return static_cast<std::uint64_t>(std::ranges::count(unplayed_[condition], true));
+}
+
+std::uint64_t Experiment::unplayed_pairs() const {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < unplayed_.size(); ++i) sum += unplayed_pairs(i);
+  return sum;
 }
 
 const Experiment::Values& Experiment::at(std::size_t condition, std::size_t measure) const {
@@ -88,26 +105,30 @@ std::vector<Finding> findings(const ExperimentPlan& plan, const Experiment& cour
   const std::optional<std::size_t> measure = primary_measure(plan);
   std::vector<Finding> out;
   if (!measure) return out;
-  std::vector<double> tested;
+  std::vector<double> tested, without;
   for (const Comparison& each : plan.comparisons) {
     Finding& finding = out.emplace_back(Finding{each, course.difference(each, *measure), {}, {}, {}, false});
     if (!course.complete()) continue;
-    const auto p =
-        p_of_difference(course.values(each.first, *measure), course.values(each.second, *measure), plan.test);
+    const PartlyPlayed first{course.values(each.first, *measure), course.unplayed(each.first)},
+        second{course.values(each.second, *measure), course.unplayed(each.second)};
+    const auto p = p_of_difference(first.values, second.values, plan.test);
     if (p) {
       finding.p = p->p;
       finding.by = p->by;
     }
+    finding.unplayed_pairs = unplayed_pairs(first, second);
     // How many comparisons there are was fixed beforehand: one without a p is none that was never asked for.
-    tested.push_back(finding.p.value_or(1.0));
+    without.push_back(finding.p.value_or(1.0));
+    tested.push_back(finding.p ? p_either_way(first, second, plan.test) : 1.0);
   }
   if (tested.empty()) return out;
-  const std::vector<double> adjusted = statistics::holm(tested);
+  const std::vector<double> adjusted = statistics::holm(tested), adjusted_without = statistics::holm(without);
   for (std::size_t i = 0; i < out.size(); ++i) {
     Finding& each = out[i];
     if (!each.p) continue;
     each.adjusted = adjusted[i];
     each.found = *each.adjusted <= 1.0 - plan.confidence;
+    each.prevented = !each.found && adjusted_without[i] <= 1.0 - plan.confidence;
   }
   return out;
 }

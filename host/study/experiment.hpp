@@ -2,7 +2,8 @@
 // The course of an experiment: takes the results in the order of the schedule and keeps, for every condition and
 // measure, one value per pair of matches: of a time its minutes in 60 minutes of play, summed over both matches; of
 // everything else the mean of the two. A pair with a forfeited match has no values: what a match would have shown is
-// not known.
+// not known. Neither has one with a match that could not be played; but of these nobody may gain, so findings have to
+// hold whatever they would have shown (either_way.hpp).
 #pragma once
 
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include "campaign/job.hpp"
 #include "study/experiment_plan.hpp"
 #include "study/forfeits.hpp"
+#include "study/match_remarks.hpp"
 #include "study/measure.hpp"
 #include "study/paired_estimates.hpp"
 
@@ -40,6 +42,11 @@ class Experiment {
   double playing_seconds(std::size_t condition) const { return playing_seconds_[condition]; }
   std::optional<double> playing_seconds_of_a_match(std::size_t condition) const;
   const ForfeitList& forfeits() const { return forfeits_; }  // by condition; last: the opponent
+  const MatchRemarks& remarks() const { return remarks_; }
+  // By pair: a match of it could not be played.
+  const std::vector<bool>& unplayed(std::size_t condition) const { return unplayed_[condition]; }
+  std::uint64_t unplayed_pairs(std::size_t condition) const;
+  std::uint64_t unplayed_pairs() const;  // of all conditions
 
  private:
   struct Values {
@@ -52,7 +59,10 @@ class Experiment {
   std::vector<double> playing_seconds_;
   std::vector<std::uint64_t> played_;     // matches that were not forfeited, by condition
   std::optional<MatchMeasures> at_home_;  // of the pair under way
+  bool at_home_unplayed_ = false;
+  std::vector<std::vector<bool>> unplayed_;  // by condition, then pair
   ForfeitList forfeits_;
+  MatchRemarks remarks_;
   std::uint64_t next_ = 0;
 };
 
@@ -60,9 +70,13 @@ class Experiment {
 struct Finding {
   Comparison comparison;
   MeanEstimate difference;
-  std::optional<double> p, adjusted;  // adjusted: by Holm, for all comparisons of the plan
+  // Without pairs that could not be played; adjusted: by Holm, for all comparisons of the plan, and with these pairs
+  // counted for whichever side makes it larger.
+  std::optional<double> p, adjusted;
   PairMethod by = PairMethod::student_t;
-  bool found = false;  // adjusted <= 1 - confidence
+  bool found = false;                // adjusted <= 1 - confidence
+  std::uint64_t unplayed_pairs = 0;  // of either condition
+  bool prevented = false;            // it would be found but for these pairs
 };
 
 // Of all comparisons, in the plan's order; empty without a primary measure. p and adjusted only of an experiment that

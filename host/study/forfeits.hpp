@@ -22,12 +22,16 @@ class ForfeitList {
   explicit ForfeitList(std::size_t teams) : of_team_(teams, 0) {}
 
   void add(std::size_t team, const campaign::Failure& failure, std::uint64_t match);
+  // Precondition: the last that was added.
+  void take_back(std::size_t team, const campaign::Failure& failure);
 
   const std::vector<Forfeits>& listed() const { return listed_; }  // by first match; all but place and time differ
   std::uint64_t unlisted() const { return unlisted_; }             // of kinds beyond the first hundred
   const std::vector<std::uint64_t>& of_team() const { return of_team_; }
 
  private:
+  std::vector<Forfeits>::iterator find(std::size_t team, const campaign::Failure& failure);
+
   std::vector<Forfeits> listed_;
   std::vector<std::uint64_t> of_team_;
   std::uint64_t unlisted_ = 0;

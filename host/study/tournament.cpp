@@ -37,6 +37,32 @@ const std::string* tested_metric(const Objective& objective) {
   return value == nullptr || value->value == goals_value ? nullptr : &value->value;
 }
 
+// As far as the pairs that were played say.
+Found found_without(const Meeting& meeting) {
+  if (meeting.score_test) return found_by(*meeting.score_test);
+  return meeting.metric ? found_by(meeting.metric->test()) : found_by(meeting.goals_sequence);
+}
+
+ObjectiveTest test_of(const Meeting& meeting) {
+  if (meeting.score_test) return *meeting.score_test;
+  if (meeting.metric) return meeting.metric->test();
+  return meeting.goals_sequence;
+}
+
+Verdict verdict_of(Found found) {
+  switch (found) {
+    case Found::open:
+      break;
+    case Found::h0:
+      return Verdict::accept_h0;
+    case Found::h1:
+    case Found::first_more:
+    case Found::second_more:
+      return Verdict::accept_h1;
+  }
+  return Verdict::inconclusive;
+}
+
 }  // namespace
 
 Meeting::Meeting(const TournamentPlan& plan, const Pairing& who)
@@ -75,28 +101,34 @@ bool Tournament::take(const campaign::Decided* decided) {
   const std::uint64_t index = next_++;
   // It may have been played, or read, before its team was set aside.
   if (decided == nullptr || !wanted(index)) return !over();
+  remarks_.take(index, *decided);
   const Fixture fixture = calendar_.at(index);
   add(meetings_[fixture.pairing], fixture, *decided);
   return !over();
 }
 
+std::uint64_t Tournament::unplayed_pairs() const {
+  std::uint64_t sum = 0;
+  for (const Meeting& meeting : meetings_) sum += meeting.unplayed_pairs;
+  return sum;
+}
+
 void Tournament::add(Meeting& meeting, const Fixture& fixture, const campaign::Decided& decided) {
   const bool first_at_home = !fixture.swapped;
-  meeting.goals[0] += static_cast<std::uint64_t>(decided.score[first_at_home ? 0 : 1]);
-  meeting.goals[1] += static_cast<std::uint64_t>(decided.score[first_at_home ? 1 : 0]);
-  const int goals = goals_of(decided, first_at_home);
-  meeting.games.add(outcome(goals));
-  meeting.goals_of_matches.add(std::clamp(goals, -plan_.most_goals, plan_.most_goals));
-  if (decided.failure) {
-    forfeits_.add(decided.failure->side == 0 ? fixture.home : fixture.away, *decided.failure, next_ - 1);
-  }
+  if (first_at_home) before_pair_ = {meeting.games, meeting.goals, meeting.goals_of_matches};
   count_row(fixture, decided);
   if (first_at_home) {
+    if (!decided.set_aside()) count_match(meeting, fixture, decided);
     first_of_pair_ = decided;
     return;
   }
   assert(first_of_pair_);
-  finish_pair(meeting, decided);
+  if (decided.set_aside() || first_of_pair_->set_aside()) {
+    leave_out_pair(meeting, fixture);
+  } else {
+    count_match(meeting, fixture, decided);
+    finish_pair(meeting, decided);
+  }
   first_of_pair_.reset();
   // At the end of pairs only, so that none is left half played.
   for (const std::size_t team : {fixture.home, fixture.away}) {
@@ -106,32 +138,66 @@ void Tournament::add(Meeting& meeting, const Fixture& fixture, const campaign::D
   }
 }
 
+void Tournament::count_match(Meeting& meeting, const Fixture& fixture, const campaign::Decided& decided) {
+  const bool first_at_home = !fixture.swapped;
+  meeting.goals[0] += static_cast<std::uint64_t>(decided.score[first_at_home ? 0 : 1]);
+  meeting.goals[1] += static_cast<std::uint64_t>(decided.score[first_at_home ? 1 : 0]);
+  const int goals = goals_of(decided, first_at_home);
+  meeting.games.add(outcome(goals));
+  meeting.goals_of_matches.add(std::clamp(goals, -plan_.most_goals, plan_.most_goals));
+  if (decided.failure) {
+    forfeits_.add(decided.failure->side == 0 ? fixture.home : fixture.away, *decided.failure, next_ - 1);
+  }
+}
+
 void Tournament::finish_pair(Meeting& meeting, const campaign::Decided& second) {
   const campaign::Decided& first = *first_of_pair_;
   const int goals_first = goals_of(first, true), goals_second = goals_of(second, false);
-  const statistics::PairOutcome pair = statistics::pair_outcome(outcome(goals_first), outcome(goals_second));
-  meeting.pairs.add(pair);
-  if (meeting.score_test) meeting.score_test->add(pair);
+  PairResult pair{statistics::pair_outcome(outcome(goals_first), outcome(goals_second)), 0.0, std::nullopt};
+  meeting.pairs.add(pair.outcome);
+  if (meeting.score_test) meeting.score_test->add(pair.outcome);
   const int most = plan_.most_goals;
-  const double goals = (std::clamp(goals_first, -most, most) + std::clamp(goals_second, -most, most)) / 2.0;
-  meeting.goals_of_pairs.add(goals);
-  meeting.goals_sequence.add(goals);
-  if (!meeting.metric) return;
-  const std::string& path = *tested_metric(plan_.objective);
-  if (first.failure || second.failure) {
-    ++meeting.pairs_without_metric;
-    return;
+  pair.goals = (std::clamp(goals_first, -most, most) + std::clamp(goals_second, -most, most)) / 2.0;
+  meeting.goals_of_pairs.add(pair.goals);
+  meeting.goals_sequence.add(pair.goals);
+  if (meeting.metric) {
+    const std::string& path = *tested_metric(plan_.objective);
+    const bool forfeited = first.failure || second.failure;
+    const auto value = [&](const campaign::Decided& match, int side) {
+      return forfeited ? std::nullopt : metric(match.metrics, side, path);
+    };
+    const auto a1 = value(first, 0), b1 = value(first, 1), b2 = value(second, 0), a2 = value(second, 1);
+    if (a1 && b1 && a2 && b2) {
+      const double of_first = (*a1 + *a2) / 2.0, of_second = (*b1 + *b2) / 2.0;
+      meeting.metric->add(of_first, of_second);
+      pair.sign = of_first > of_second ? 1 : of_first < of_second ? -1 : 0;
+    } else {
+      ++meeting.pairs_without_metric;
+    }
   }
-  const auto a1 = metric(first.metrics, 0, path), b1 = metric(first.metrics, 1, path);
-  const auto b2 = metric(second.metrics, 0, path), a2 = metric(second.metrics, 1, path);
-  if (a1 && b1 && a2 && b2)
-    meeting.metric->add((*a1 + *a2) / 2.0, (*b1 + *b2) / 2.0);
-  else
-    ++meeting.pairs_without_metric;
+  if (!meeting.either_way) return;
+  for (ObjectiveTest& test : *meeting.either_way) study::add(test, pair);
+}
+
+// The first match of the pair may have been counted already.
+void Tournament::leave_out_pair(Meeting& meeting, const Fixture& fixture) {
+  meeting.games = before_pair_.games;
+  meeting.goals = before_pair_.goals;
+  meeting.goals_of_matches = before_pair_.goals_of_matches;
+  if (first_of_pair_->failure) {
+    // It was at home that the first match had who is away now.
+    forfeits_.take_back(first_of_pair_->failure->side == 0 ? fixture.away : fixture.home, *first_of_pair_->failure);
+  }
+  ++meeting.unplayed_pairs;
+  if (std::holds_alternative<FixedNumber>(plan_.objective)) return;
+  if (!meeting.either_way) meeting.either_way = {test_of(meeting), test_of(meeting)};
+  study::add((*meeting.either_way)[0], all_for_second(plan_.most_goals));
+  study::add((*meeting.either_way)[1], all_for_first(plan_.most_goals));
 }
 
 // A team that forfeits against itself has both its matches counted in the same row.
 void Tournament::count_row(const Fixture& fixture, const campaign::Decided& decided) {
+  if (decided.set_aside()) return;  // says nothing about either
   for (const int side : {0, 1}) {
     Row& row = rows_[side == 0 ? fixture.home : fixture.away];
     if (!decided.failure) {
@@ -143,35 +209,32 @@ void Tournament::count_row(const Fixture& fixture, const campaign::Decided& deci
   }
 }
 
-bool Tournament::over() const {
-  if (verdict() == Verdict::accept_h0 || verdict() == Verdict::accept_h1) return true;
-  // Nobody is left to play against.
+// To play against.
+bool Tournament::nobody_is_left() const {
   return std::ranges::all_of(calendar_.pairings(), [&](const Pairing& pairing) {
     return is_set_aside(pairing.first) || is_set_aside(pairing.second);
   });
 }
 
+bool Tournament::over() const {
+  const Verdict now = verdict();
+  return now == Verdict::accept_h0 || now == Verdict::accept_h1 || now == Verdict::prevented || nobody_is_left();
+}
+
 Verdict Tournament::verdict() const {
   if (std::holds_alternative<FixedNumber>(plan_.objective)) return Verdict::none;
   const Meeting& meeting = meetings_.front();
-  if (meeting.score_test) {
-    switch (meeting.score_test->verdict()) {
-      case statistics::Verdict::accept_h0:
-        return Verdict::accept_h0;
-      case statistics::Verdict::accept_h1:
-        return Verdict::accept_h1;
-      case statistics::Verdict::inconclusive:
-        return Verdict::inconclusive;
-    }
-  }
-  const auto finding = meeting.metric ? meeting.metric->test().finding() : meeting.goals_sequence.finding(0.0);
-  return finding == statistics::BettingTest::Finding::none ? Verdict::inconclusive : Verdict::accept_h1;
+  const Found found = found_without(meeting);
+  if (!meeting.either_way) return verdict_of(found);
+  const Found if_lost = found_by((*meeting.either_way)[0]), if_won = found_by((*meeting.either_way)[1]);
+  if (found == if_lost && found == if_won) return verdict_of(found);
+  // What a test has found it never takes back: where two have found different things, no more pairs can bring the
+  // three together.
+  const auto at_odds = [](Found a, Found b) { return a != Found::open && b != Found::open && a != b; };
+  const bool for_good = at_odds(found, if_lost) || at_odds(found, if_won) || at_odds(if_lost, if_won);
+  return for_good || at_its_end() ? Verdict::prevented : Verdict::inconclusive;
 }
 
-bool Tournament::first_has_more() const {
-  const Meeting& meeting = meetings_.front();
-  const auto finding = meeting.metric ? meeting.metric->test().finding() : meeting.goals_sequence.finding(0.0);
-  return finding == statistics::BettingTest::Finding::above;
-}
+bool Tournament::first_has_more() const { return found_without(meetings_.front()) == Found::first_more; }
 
 }  // namespace regista::study

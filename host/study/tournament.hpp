@@ -2,7 +2,9 @@
 // The course of a tournament: takes the results in the order of the schedule, keeps the counts, feeds the test, and
 // says when it is over. Constant memory for each pairing. What is counted are pairs, because the two matches of one are
 // not independent. A forfeit counts 0:10, but as a difference of goals no more than a match of its length can end with,
-// lest one of them outweigh all that was played; its metrics are missing, and with them those of its pair.
+// lest one of them outweigh all that was played; its metrics are missing, and with them those of its pair. A match that
+// could not be played is counted nowhere, and neither is the other one of its pair; what the test says then has to hold
+// with all such pairs counted for either team (objective_test.hpp).
 #pragma once
 
 #include <array>
@@ -17,7 +19,9 @@
 #include "statistics/moments.hpp"
 #include "statistics/sequential_test.hpp"
 #include "study/forfeits.hpp"
+#include "study/match_remarks.hpp"
 #include "study/metric_difference.hpp"
+#include "study/objective_test.hpp"
 #include "study/tournament_plan.hpp"
 
 namespace regista::study {
@@ -36,12 +40,16 @@ struct Meeting {
   std::optional<statistics::SequentialTest<statistics::PairCounts>> score_test;
   std::optional<MetricDifference> metric;
   std::uint64_t pairs_without_metric = 0;  // a match of them was forfeited, or has no such number
+  std::uint64_t unplayed_pairs = 0;        // a match of them could not be played; counted nowhere above
+  // From the first of these on: the test with all of them counted for the second team, and for the first.
+  std::optional<std::array<ObjectiveTest, 2>> either_way;
 
   std::uint64_t matches() const { return static_cast<std::uint64_t>(total(games)); }
 };
 
-// How a test ended. A test on a value never accepts that there is no difference.
-enum class Verdict { none, inconclusive, accept_h0, accept_h1 };
+// How a test ended. A test on a value never accepts that there is no difference. prevented: it would come out
+// otherwise, or would not come out, if the pairs that could not be played were counted for one of the teams.
+enum class Verdict { none, inconclusive, accept_h0, accept_h1, prevented };
 
 // A team that does not play on: its plugin failed too often in a row.
 struct SetAside {
@@ -66,13 +74,15 @@ class Tournament {
 
   std::uint64_t taken() const { return next_; }  // places of the schedule so far
   // All was played, or nothing more is needed.
-  bool complete() const { return next_ == calendar_.matches() || over(); }
+  bool complete() const { return at_its_end() || over(); }
   std::uint64_t matches() const;  // that counted
   const std::vector<Meeting>& meetings() const { return meetings_; }
   const std::vector<Forfeits>& forfeits() const { return forfeits_.listed(); }
   std::uint64_t unlisted_forfeits() const { return forfeits_.unlisted(); }
   const std::vector<std::uint64_t>& failures() const { return forfeits_.of_team(); }  // by team
   const std::vector<SetAside>& set_aside() const { return set_aside_; }
+  const MatchRemarks& remarks() const { return remarks_; }
+  std::uint64_t unplayed_pairs() const;  // of all pairings
   Verdict verdict() const;
   // Of a test on a value: whether the first team's is the larger.
   bool first_has_more() const;
@@ -82,17 +92,29 @@ class Tournament {
     std::string plugin;
     std::uint64_t failures = 0;
   };
+  // What the first match of a pair adds to, as it was before.
+  struct BeforePair {
+    statistics::GameCounts games;
+    std::array<std::uint64_t, 2> goals{};
+    statistics::Moments goals_of_matches;
+  };
   bool is_set_aside(std::size_t team) const;
   void add(Meeting& meeting, const Fixture& fixture, const campaign::Decided& decided);
+  void count_match(Meeting& meeting, const Fixture& fixture, const campaign::Decided& decided);
   void finish_pair(Meeting& meeting, const campaign::Decided& second);
+  void leave_out_pair(Meeting& meeting, const Fixture& fixture);
   void count_row(const Fixture& fixture, const campaign::Decided& decided);
+  bool nobody_is_left() const;
+  bool at_its_end() const { return next_ == calendar_.matches() || nobody_is_left(); }
   bool over() const;
 
   const TournamentPlan& plan_;
   Calendar calendar_;
   std::vector<Meeting> meetings_;
   std::optional<campaign::Decided> first_of_pair_;
+  BeforePair before_pair_;
   ForfeitList forfeits_;
+  MatchRemarks remarks_;
   std::vector<Row> rows_;  // by team
   std::vector<SetAside> set_aside_;
   std::uint64_t next_ = 0;

@@ -37,6 +37,7 @@ PairBatch::PairBatch(const TuningPlan& plan, const TunedDocument& document,
       head_to_head_(head_to_head),
       bounds_(head_to_head ? std::nullopt : score_bounds(plan)),
       scores_(candidates.size()),
+      unplayed_(candidates.size()),
       failed_(candidates.size(), false) {
   const std::size_t scenes = std::max<std::size_t>(plan.openings.size(), 1);
   std::vector<std::size_t> used, places;  // scenes, in the order of their first use; by pair: place among them
@@ -78,10 +79,12 @@ void PairBatch::add_fixtures(const TunedDocument& document, const std::vector<Pa
   }
 }
 
-bool PairBatch::take(const campaign::Decided& decided, ForfeitList& forfeits) {
+bool PairBatch::take(const campaign::Decided& decided, ForfeitList& forfeits, MatchRemarks& remarks) {
   assert(next_ < list_.matches.size());
   const std::size_t side = next_ % 2, opponent = next_ / 2 % opponents_.size(),
                     candidate = next_ / 2 / opponents_.size() % scores_.size();
+  remarks.take(list_.first_row + next_, decided);
+  if (decided.set_aside()) broken_ = true;
   if (decided.failure) {
     const bool own = static_cast<std::size_t>(decided.failure->side) == side;
     const std::size_t other = head_to_head_ ? plan_.opponents.size() : opponent;
@@ -94,11 +97,17 @@ bool PairBatch::take(const campaign::Decided& decided, ForfeitList& forfeits) {
     return false;
   }
   const TuningOpponent& against = opponents_[opponent];
-  sum_ += against.weight * (score(decided, false) - (head_to_head_ ? score(decided, true) : 0.0));
+  if (home_.set_aside() || decided.set_aside())
+    sum_ = nothing;  // and stays so
+  else
+    sum_ += against.weight * (score(decided, false) - (head_to_head_ ? score(decided, true) : 0.0));
   if (opponent + 1 < opponents_.size()) return false;
   // Weights sum up to 1 only nearly.
   scores_[candidate].push_back(bounds_ ? std::clamp(sum_, bounds_->low, bounds_->high) : sum_);
+  unplayed_[candidate].push_back(broken_);
+  if (broken_) ++unplayed_pairs_;
   sum_ = 0.0;
+  broken_ = false;
   if (candidate + 1 < scores_.size()) return false;
   ++pairs_done_;
   return true;

@@ -14,6 +14,7 @@
 #include "campaign/job.hpp"
 #include "campaign/store.hpp"
 #include "study/forfeits.hpp"
+#include "study/match_remarks.hpp"
 #include "study/tuning/tuning_plan.hpp"
 
 namespace regista::study {
@@ -61,12 +62,15 @@ class PairBatch {
   MatchList& list() { return list_; }
 
   // Precondition: match 0, then 1, ... True when a pair has been completed for all candidates.
-  bool take(const campaign::Decided& decided, ForfeitList& forfeits);
+  bool take(const campaign::Decided& decided, ForfeitList& forfeits, MatchRemarks& remarks);
 
   std::uint64_t pairs() const { return pairs_done_; }
   // By pair; not a number where a match has none, as that of an opponent that forfeits. Head-to-head: the candidate's
   // own less the base team's.
   const std::vector<double>& scores(std::size_t candidate) const { return scores_[candidate]; }
+  // By pair: a match of it could not be played, so that its score is missing.
+  const std::vector<bool>& unplayed(std::size_t candidate) const { return unplayed_[candidate]; }
+  std::uint64_t unplayed_pairs() const { return unplayed_pairs_; }  // of all candidates
   // A match of this candidate was forfeited by it.
   bool failed(std::size_t candidate) const { return failed_[candidate]; }
 
@@ -81,10 +85,12 @@ class PairBatch {
   std::optional<ScoreBounds> bounds_;  // of scores that are no differences
   MatchList list_;
   std::vector<std::vector<double>> scores_;  // by candidate
+  std::vector<std::vector<bool>> unplayed_;  // by candidate
   std::vector<bool> failed_;
-  std::uint64_t next_ = 0, pairs_done_ = 0;
+  std::uint64_t next_ = 0, pairs_done_ = 0, unplayed_pairs_ = 0;
   campaign::Decided home_;  // of the two matches under way, the first
   double sum_ = 0.0;        // over the opponents of the candidate under way
+  bool broken_ = false;     // one of its matches could not be played
 };
 
 }  // namespace regista::study

@@ -163,8 +163,7 @@ class Course {
     } else if (out.score.pairs == 0) {
       if (evaluation == 1) {
         throw TuningError(fmt::format("the base team's first matches have no number for the objective, {}{}",
-                                      in_words(plan_.objective),
-                                      record_.forfeits.listed().empty() ? "" : ": opponents forfeit: " + why_failed()));
+                                      in_words(plan_.objective), why_no_number()));
       }
       // An opponent's crash, or a metric that these matches do not have: known is only that it is not known to be good.
       out.counted = std::isfinite(worst_seen_) ? worst_seen_ : 0.0;
@@ -174,9 +173,17 @@ class Course {
     return out;
   }
 
+  std::string why_no_number() const {
+    const std::vector<MatchRemark>& unplayed = record_.remarks.unplayed().listed();
+    if (!unplayed.empty()) return ": they could not be played: " + config::one_line(unplayed.front().text);
+    return record_.forfeits.listed().empty() ? "" : ": opponents forfeit: " + why_failed();
+  }
+
   std::string why_failed() const {
     const campaign::Failure& failure = record_.forfeits.listed().front().failure;
-    return config::one_line(fmt::format("plugin {} in {}: {}", failure.plugin, failure.call, failure.what));
+    const std::string plugin = failure.plugin.empty() ? "a plugin" : "plugin " + failure.plugin;
+    const std::string call = failure.call.empty() ? "" : " in " + failure.call;
+    return config::one_line(plugin + call + ": " + failure.what);
   }
 
   // Over all pairs of the search that these values played.
@@ -253,8 +260,8 @@ class Course {
   void verify() {
     std::vector<ParameterValues> chosen;
     for (const std::size_t each : record_.candidates) chosen.push_back(record_.finalists[each].values);
-    record_.verification =
-        Verification(chosen.size(), plan_.confidence, deviation_of_finalists(), widest_difference(plan_));
+    record_.verification = Verification(chosen.size(), plan_.confidence, deviation_of_finalists(),
+                                        widest_difference(plan_), difference_bound(plan_));
     record_.candidate_failed.assign(chosen.size(), false);
     const std::size_t candidates = chosen.size();
     const std::uint64_t pairs = verification_pairs_of(plan_, candidates);
@@ -264,11 +271,13 @@ class Course {
     PairBatch batch(plan_, document_, chosen, {TuningStage::verification, 0, first_seed, 0, pairs}, plan_.head_to_head);
     play(batch, [&] {
       std::vector<double> scores;
+      std::vector<bool> unplayed;
       for (std::size_t i = 0; i < candidates; ++i) {
         scores.push_back(batch.scores(i).back());
+        unplayed.push_back(batch.unplayed(i).back() || (!plan_.head_to_head && batch.unplayed(candidates).back()));
         record_.candidate_failed[i] = batch.failed(i);
       }
-      record_.verification.add(plan_.head_to_head ? 0.0 : batch.scores(candidates).back(), scores);
+      record_.verification.add(plan_.head_to_head ? 0.0 : batch.scores(candidates).back(), scores, unplayed);
       progress();
       return !record_.verification.decided();
     });
@@ -322,7 +331,10 @@ class Course {
     batch.list().first_row = record_.matches;
     record_.matches += batch.list().matches.size();
     hooks_.play(batch.list(), [&](std::uint64_t, const campaign::Decided& decided) {
-      return !batch.take(decided, record_.forfeits) || !after_pair || after_pair();
+      const std::uint64_t unplayed = batch.unplayed_pairs();
+      const bool pair = batch.take(decided, record_.forfeits, record_.remarks);
+      record_.unplayed_pairs += batch.unplayed_pairs() - unplayed;
+      return !pair || !after_pair || after_pair();
     });
   }
 

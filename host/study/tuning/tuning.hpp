@@ -70,8 +70,10 @@ struct TuningRecord {
   std::vector<bool> candidate_failed;   // it forfeited a match of the verification
   std::vector<Slice> slices;            // largest importance first
   std::vector<ComparedRun> compared;
-  ForfeitList forfeits;       // 0: the tuned team; then the opponents; last: the base team as an opponent
-  std::uint64_t matches = 0;  // asked for so far
+  ForfeitList forfeits;              // 0: the tuned team; then the opponents; last: the base team as an opponent
+  MatchRemarks remarks;              // of matches as they were asked for, from 0
+  std::uint64_t unplayed_pairs = 0;  // of any values; a match of them could not be played
+  std::uint64_t matches = 0;         // asked for so far
 
   // What the verification says so far about a candidate; one that forfeited a match of it is not better.
   VerifiedAs finding(std::size_t candidate) const;

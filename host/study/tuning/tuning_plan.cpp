@@ -178,8 +178,12 @@ std::optional<ScoreBounds> score_bounds(const TuningPlan& plan) {
 }
 
 std::optional<double> widest_difference(const TuningPlan& plan) {
+  return plan.symmetric ? std::nullopt : difference_bound(plan);
+}
+
+std::optional<double> difference_bound(const TuningPlan& plan) {
   const std::optional<ScoreBounds> bounds = score_bounds(plan);
-  if (plan.symmetric || !bounds) return std::nullopt;
+  if (!bounds) return std::nullopt;
   return (bounds->high - bounds->low) * (plan.head_to_head ? 0.5 : 1.0);
 }
 

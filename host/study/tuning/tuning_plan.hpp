@@ -136,6 +136,9 @@ std::optional<ScoreBounds> score_bounds(const TuningPlan& plan);
 // The largest difference between candidate and base team that a pair can show, where betting is to test it.
 std::optional<double> widest_difference(const TuningPlan& plan);
 
+// The largest difference there can be, whatever it is tested by; nothing where there is no bound.
+std::optional<double> difference_bound(const TuningPlan& plan);
+
 // Pairs without which a verification cannot find anything, whatever they show.
 std::uint64_t least_verification_pairs(const TuningPlan& plan);
 

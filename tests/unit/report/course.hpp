@@ -16,11 +16,19 @@
 namespace regista::report {
 
 inline campaign::Decided match(int home, int away, const std::string& metrics = "{}") {
-  return {{home, away}, "full_time", "9f2c", metrics, std::nullopt, 1.0};
+  return {{home, away}, "full_time", "9f2c", metrics, std::nullopt, {}, {}, {}, 1.0};
 }
 
 inline campaign::Decided failed(int side, const std::string& what = "Segmentation fault") {
   return campaign::forfeit({side, "greedy", "assign", 3, 417, what}, 1.0);
+}
+
+// One that could not be played.
+inline campaign::Decided unplayed(const std::string& why = "Segmentation fault, in no plugin's call") {
+  campaign::Decided out;
+  out.ended = "set_aside";
+  out.why_set_aside = why;
+  return out;
 }
 
 struct Course {

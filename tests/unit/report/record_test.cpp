@@ -198,6 +198,7 @@ TEST(MatchNumbers, MeansOfMatchesAndDifferencesOfPairs) {
 TEST(MatchNumbers, SumsOverRoles) {
   Recorded course({"a", "b"}, 1);
   course.take(match(0, 0, metrics(3, 4, 1, 2)));
+  course.record.end();
   const MatchNumbers& told = course.record.numbers();
   EXPECT_EQ(told.find(0, "overlap_seconds")->mean(), 4.0);
   EXPECT_EQ(told.find(1, "overlap_seconds")->mean(), 6.0);
@@ -259,7 +260,9 @@ TEST(CourseRecord, RecordedMatchesThatWerePlayed) {
   course.take(match(1, 0));
   course.take(failed(1));
   course.take(match(2, 3, R"({"packets":[4,5]})"));
-  ASSERT_EQ(course.record.recorded().size(), 2u);
+  EXPECT_EQ(course.record.recorded().size(), 1u);  // the last may yet turn out to be one of a pair that does not count
+  course.take(match(0, 0));
+  ASSERT_EQ(course.record.recorded().size(), 3u);
   EXPECT_EQ(course.record.recorded()[1].packets, 9.0);
   EXPECT_EQ(course.record.recorded()[0].index, 1u);
   EXPECT_TRUE(course.record.recorded()[0].forfeited);

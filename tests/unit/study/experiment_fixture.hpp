@@ -52,7 +52,7 @@ inline campaign::Decided played(std::size_t side, double overlap, int packets, i
   out.score[side] = own;
   out.score[1 - side] = other;
   out.ended = "full_time";
-  out.hash = "h";
+  out.hash = std::string(1, 'h');  // of "h" g++ 12 warns without a reason
   const auto both = [side](const std::string& mine, const std::string& theirs) {
     return side == 0 ? mine + ", " + theirs : theirs + ", " + mine;
   };

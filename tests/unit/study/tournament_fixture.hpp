@@ -24,13 +24,21 @@ inline TournamentPlan plan_of(std::size_t teams, std::uint64_t pairs, Objective 
 }
 
 inline campaign::Decided match(int home, int away, const std::string& metrics = "{}") {
-  return {{home, away}, "full_time", "h", metrics, std::nullopt, 1.0};
+  return {{home, away}, "full_time", "h", metrics, std::nullopt, {}, {}, {}, 1.0};
 }
 
 // side: 0 home, 1 away
 inline campaign::Decided failed(int side, const std::string& plugin = "greedy",
                                 const std::string& what = "Segmentation fault") {
   return campaign::forfeit({side, plugin, "assign", 3, 417, what}, 1.0);
+}
+
+// One that could not be played.
+inline campaign::Decided unplayed(const std::string& why = "Segmentation fault, in no plugin's call") {
+  campaign::Decided out;
+  out.ended = "set_aside";
+  out.why_set_aside = why;
+  return out;
 }
 
 }  // namespace regista::study

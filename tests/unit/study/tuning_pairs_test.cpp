@@ -149,15 +149,19 @@ class Scores : public testing::Test {
     PairBatch batch(plan, document, {{0.25}}, {TuningStage::search, 0, 7, 0, matches.size() / each}, head_to_head);
     forfeits.emplace(plan.opponents.size() + 2);
     for (std::size_t i = 0; i < matches.size(); ++i) {
-      EXPECT_EQ(batch.take(matches[i], *forfeits), (i + 1) % each == 0);
+      EXPECT_EQ(batch.take(matches[i], *forfeits, remarks), (i + 1) % each == 0);
     }
     EXPECT_EQ(batch.pairs(), matches.size() / each);
     own_failed = batch.failed(0);
+    unplayed = batch.unplayed(0);
+    EXPECT_EQ(batch.unplayed_pairs(), static_cast<std::uint64_t>(std::ranges::count(unplayed, true)));
     return batch.scores(0);
   }
 
   TuningPlan plan = tuning_of(1, 1);
   std::optional<ForfeitList> forfeits;
+  MatchRemarks remarks;
+  std::vector<bool> unplayed;
   bool own_failed = false;
 };
 
@@ -265,6 +269,26 @@ TEST_F(Scores, StayWithinTheirBounds) {
       EXPECT_GE(of(worst).front(), bounds.low) << opponents;
     }
   }
+}
+
+// Neither lost nor won: as if it had never been.
+TEST_F(Scores, AMatchThatCouldNotBePlayedLeavesItsPairMissing) {
+  campaign::Decided none;
+  none.ended = "set_aside";
+  none.why_set_aside = "Aborted";
+  for (const bool head_to_head : {false, true}) {
+    const std::vector<double> scores =
+        of({match(3, 0), match(1, 2), none, match(0, 9), match(5, 0), none, match(3, 0), match(1, 2)}, head_to_head);
+    ASSERT_EQ(scores.size(), 4u);
+    EXPECT_EQ(scores[0], scores[3]);
+    EXPECT_TRUE(std::isnan(scores[1]));
+    EXPECT_TRUE(std::isnan(scores[2]));
+    EXPECT_THAT(unplayed, ElementsAre(false, true, true, false));
+    EXPECT_FALSE(own_failed);
+    EXPECT_THAT(forfeits->listed(), testing::IsEmpty());
+  }
+  EXPECT_EQ(remarks.unplayed().count(), 4u);
+  EXPECT_EQ(remarks.unplayed().listed()[1], (MatchRemark{5, "Aborted"}));
 }
 
 }  // namespace

@@ -252,5 +252,78 @@ TEST(MetricDifference, HoldsForAnyLaw) {
   EXPECT_LE(wrong, rounds * (0.05 + 3.0 * std::sqrt(0.05 * 0.95 / rounds)));
 }
 
+// --- Pairs that could not be played --------------------------------------------------------------------------------
+
+// By brute force: decided is what comes out without them and with all of them counted for either, by the same test.
+TEST(Verification, WithPairsThatCouldNotBePlayedIsWhatAllWaysToCountThemSay) {
+  constexpr double widest = 20.0;
+  std::array<int, 4> seen{};
+  for (const bool betting : {false, true}) {
+    const std::optional<double> bet = betting ? std::optional(widest) : std::nullopt;
+    for (unsigned round = 0; round < 200; ++round) {
+      std::mt19937 random(round);
+      std::array<Verification, 3> filled{Verification(1, 0.95, 1.1, bet, widest),
+                                         Verification(1, 0.95, 1.1, bet, widest),
+                                         Verification(1, 0.95, 1.1, bet, widest)};
+      Verification all(1, 0.95, 1.1, bet, widest);
+      const double better = std::array{-1.5, 0.0, 1.5, 4.0}[round % 4];
+      const unsigned one_in = std::array{0u, 50u, 8u}[round % 3];
+      for (int pair = 0; pair < 120; ++pair) {
+        const double base = pair_score(random, 0.0), candidate = pair_score(random, better);
+        const bool unplayed = one_in > 0 && random() % one_in == 0;
+        all.add(base, std::vector{unplayed ? std::nan("") : candidate}, {unplayed});
+        if (!unplayed) filled[0].add(base, std::vector{candidate});
+        filled[1].add(unplayed ? 0.0 : base, std::vector{unplayed ? -widest : candidate});
+        filled[2].add(unplayed ? 0.0 : base, std::vector{unplayed ? widest : candidate});
+      }
+      const VerifiedAs without = filled[0].findings()[0], lost = filled[1].findings()[0], won = filled[2].findings()[0];
+      const VerifiedAs wanted = without == lost && without == won  ? without
+                                : without == VerifiedAs::undecided ? VerifiedAs::undecided
+                                                                   : VerifiedAs::prevented;
+      EXPECT_EQ(all.findings()[0], wanted) << round;
+      EXPECT_EQ(all.of()[0].difference().count(), filled[0].of()[0].difference().count());
+      EXPECT_EQ(all.of()[0].estimate().value, filled[0].of()[0].estimate().value);
+      ++seen[static_cast<std::size_t>(all.findings()[0])];
+    }
+  }
+  for (const int each : seen) EXPECT_GT(each, 5);
+}
+
+// A candidate whose lost pairs cannot be played.
+TEST(Verification, NobodyIsBetterByPairsThatCouldNotBePlayed) {
+  for (const bool bounded : {false, true}) {
+    int tempting = 0;
+    for (unsigned round = 0; round < 100; ++round) {
+      std::mt19937 random(round);
+      const std::optional<double> bound = bounded ? std::optional(20.0) : std::nullopt;
+      Verification honest(1, 0.95, 1.1), sly(1, 0.95, 1.1, {}, bound);
+      for (int pair = 0; pair < 200; ++pair) {
+        const double base = pair_score(random, 0.0), candidate = pair_score(random, -0.5);
+        const bool unplayed = candidate < base;
+        if (!unplayed) honest.add(base, std::vector{candidate});
+        sly.add(base, std::vector{unplayed ? std::nan("") : candidate}, {unplayed});
+      }
+      if (honest.findings()[0] == VerifiedAs::better) ++tempting;
+      EXPECT_NE(sly.findings()[0], VerifiedAs::better);
+      EXPECT_GT(sly.unplayed_pairs(), 0u);
+    }
+    EXPECT_GT(tempting, 90);
+  }
+}
+
+// What has no bound could have been anything.
+TEST(Verification, WithoutABoundOnePairIsEnoughToPreventIt) {
+  std::mt19937 random(5);
+  Verification verification(2, 0.95, 1.1);
+  for (int pair = 0; pair < 200; ++pair) {
+    const double base = pair_score(random, 0.0);
+    verification.add(base, std::vector{pair_score(random, 3.0), pair_score(random, 3.0)}, {pair == 7, false});
+  }
+  EXPECT_EQ(verification.findings()[0], VerifiedAs::prevented);
+  EXPECT_EQ(verification.findings()[1], VerifiedAs::better);
+  EXPECT_TRUE(verification.decided());
+  EXPECT_EQ(verification.unplayed_pairs(), 1u);
+}
+
 }  // namespace
 }  // namespace regista::study

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "report/match_remarks.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report/html_table.hpp"
+#include "report/page_parts.hpp"
+#include "report/visible_text.hpp"
+
+namespace regista::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string matches_in_words(std::uint64_t count) {
+  return fmt::format("{} {}", count, count == 1 ? "match" : "matches");
+}
+
+std::string written_sentence(const study::MatchRemarks& remarks) {
+  const std::uint64_t first = remarks.written().front() + 1;
+  return fmt::format(
+      "plugins wrote to standard error in {}, first in match {}; see: regista report FILE --standard-error {}",
+      matches_in_words(remarks.written_count()), first, first);
+}
+
+Json listed(const study::RemarkList& list) {
+  Json out = Json::array();
+  for (const study::MatchRemark& each : list.listed()) out.push_back({{"match", each.match + 1}, {"what", each.text}});
+  return out;
+}
+
+}  // namespace
+
+std::string pairs_in_words(std::uint64_t count) { return fmt::format("{} {}", count, count == 1 ? "pair" : "pairs"); }
+
+std::string prevented_headline(std::uint64_t pairs) {
+  return fmt::format("No verdict: {} could not be played", pairs_in_words(pairs));
+}
+
+std::string unplayed_sentence(std::uint64_t pairs) {
+  if (pairs == 0) return {};
+  return fmt::format(
+      "{} could not be played and {} nowhere: nobody can be blamed for the deaths over a match of {}. What is found "
+      "holds whichever team {} counted for.",
+      pairs_in_words(pairs), pairs == 1 ? "counts" : "count", pairs == 1 ? "it" : "each",
+      pairs == 1 ? "it is" : "they are");
+}
+
+std::string irreproducible_text(const study::MatchRemarks& remarks) {
+  std::string out;
+  const study::RemarkList& list = remarks.irreproducible();
+  for (const study::MatchRemark& each : list.listed()) {
+    out += fmt::format("not reproducible: match {}: {}\n", each.match + 1, visible(each.text));
+  }
+  if (list.unlisted() > 0) out += fmt::format("not reproducible: {} more\n", matches_in_words(list.unlisted()));
+  return out;
+}
+
+std::string unplayed_text(const study::MatchRemarks& remarks) {
+  std::string out;
+  const study::RemarkList& list = remarks.unplayed();
+  for (const study::MatchRemark& each : list.listed()) {
+    out += fmt::format("  match {}: {}\n", each.match + 1, visible(each.text));
+  }
+  if (list.unlisted() > 0) out += fmt::format("  and {} more\n", matches_in_words(list.unlisted()));
+  return out;
+}
+
+std::string written_text(const study::MatchRemarks& remarks) {
+  return remarks.written_count() == 0 ? std::string() : written_sentence(remarks) + '\n';
+}
+
+Json irreproducible_json(const study::MatchRemarks& remarks) {
+  return {{"matches", remarks.irreproducible().count()}, {"listed", listed(remarks.irreproducible())}};
+}
+
+Json unplayed_json(std::uint64_t pairs, const study::MatchRemarks& remarks) {
+  return {{"pairs", pairs}, {"matches", remarks.unplayed().count()}, {"listed", listed(remarks.unplayed())}};
+}
+
+Json written_json(const study::MatchRemarks& remarks) {
+  Json matches = Json::array();
+  for (const std::uint64_t each : remarks.written()) matches.push_back(each + 1);
+  return {{"matches", remarks.written_count()}, {"listed", matches}};
+}
+
+Html irreproducible_note(const study::MatchRemarks& remarks) {
+  const study::RemarkList& list = remarks.irreproducible();
+  if (list.count() == 0) return {};
+  Html out = "<div id=\"not-reproducible\">\n"_html;
+  for (const study::MatchRemark& each : list.listed()) {
+    out << "<p><strong>Not reproducible:</strong> "_html << text(fmt::format("match {}: {}", each.match + 1, each.text))
+        << "</p>\n"_html;
+  }
+  if (list.unlisted() > 0) {
+    out << "<p>"_html << text(fmt::format("And {} more.", matches_in_words(list.unlisted()))) << "</p>\n"_html;
+  }
+  return out << "</div>\n"_html;
+}
+
+Html unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks) {
+  const study::RemarkList& list = remarks.unplayed();
+  if (list.count() == 0) return {};
+  HtmlTable table({{"Match"_html}, {"What happened"_html, Column::words}});
+  for (const study::MatchRemark& each : list.listed()) {
+    table.row({text(fmt::format("{}", each.match + 1)), text(each.text)});
+  }
+  Html out = "<p>"_html;
+  out << text(fmt::format("{} left out of every number, the other match of each included.",
+                          pairs == 1 ? std::string("1 pair is") : fmt::format("{} pairs are", pairs)))
+      << "</p>\n<div class=\"values\">"_html << table.html() << "</div>\n"_html;
+  if (list.unlisted() > 0) {
+    out << "<p>"_html << text(fmt::format("And {} more.", matches_in_words(list.unlisted()))) << "</p>\n"_html;
+  }
+  return section("unplayed", "Matches that could not be played"_html, out);
+}
+
+Html written_note(const study::MatchRemarks& remarks) {
+  if (remarks.written_count() == 0) return {};
+  Html out = "<p class=\"note\" id=\"standard-error\">"_html;
+  std::string sentence = written_sentence(remarks);
+  sentence.front() = 'P';
+  return out << text(sentence) << "</p>\n"_html;
+}
+
+}  // namespace regista::report

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// What the reports of all studies say of single matches besides their results: those that came out otherwise when they
+// were played a second time stand at the top, those that could not be played beside the verdict, those in which plugins
+// wrote to standard error at the end. Matches are counted from 1.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "report/html_text.hpp"
+#include "study/match_remarks.hpp"
+
+namespace regista::report {
+
+std::string pairs_in_words(std::uint64_t count);  // "1 pair", "2 pairs"
+
+// "No verdict: 3 pairs could not be played"
+std::string prevented_headline(std::uint64_t pairs);
+
+// "1 pair could not be played and counts nowhere: ..."; empty without one. In one sentence.
+std::string unplayed_sentence(std::uint64_t pairs);
+
+// Lines, each ended; empty where there is nothing to tell.
+std::string irreproducible_text(const study::MatchRemarks& remarks);  // "not reproducible: match 1: ..."
+std::string unplayed_text(const study::MatchRemarks& remarks);        // "  match 5: ..."
+std::string written_text(const study::MatchRemarks& remarks);         // where plugins wrote to standard error
+
+// {"matches", "listed": [{"match", "what"}]}
+nlohmann::ordered_json irreproducible_json(const study::MatchRemarks& remarks);
+nlohmann::ordered_json unplayed_json(std::uint64_t pairs, const study::MatchRemarks& remarks);
+nlohmann::ordered_json written_json(const study::MatchRemarks& remarks);
+
+// The same for a page; empty where there is nothing to tell.
+Html irreproducible_note(const study::MatchRemarks& remarks);
+Html unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks);
+Html written_note(const study::MatchRemarks& remarks);
+
+}  // namespace regista::report

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "study/match_remarks.hpp"
+
+namespace regista::study {
+
+void RemarkList::add(std::uint64_t match, const std::string& text) {
+  ++count_;
+  if (listed_.size() < most_listed) listed_.push_back({match, text});
+}
+
+void MatchRemarks::take(std::uint64_t match, const campaign::Decided& decided) {
+  if (decided.set_aside()) unplayed_.add(match, decided.why_set_aside);
+  if (!decided.irreproducible.empty()) irreproducible_.add(match, decided.irreproducible);
+  if (decided.output.empty()) return;
+  ++written_count_;
+  if (written_.size() < most_written) written_.push_back(match);
+}
+
+}  // namespace regista::study
