@@ -28,6 +28,7 @@
 #include "cli/results_file.hpp"
 #include "cli/shell.hpp"
 #include "cli/test_options.hpp"
+#include "config/packet_share.hpp"
 #include "config/text.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
@@ -235,6 +236,7 @@ int play(Options options, const Invocation& invocation) {
   MatchSetup prepared =
       match_setup(stored ? request_of(stored->job) : static_cast<const MatchRequest&>(options), catalogue);
   tell_what_is_not_used(catalogue, folders);
+  for (const config::Warning& each : prepared.warnings) complain(to_string(each));
   if (stored) require_unchanged(options, stored->job, prepared, catalogue, invocation);
   check_what_is_written(options);
   if (stored && stored->decided.failure) {
@@ -250,7 +252,7 @@ int play(Options options, const Invocation& invocation) {
   PlayedMatch played;
   played.seed = prepared.setup.seed;
   if (prepared.setup.opening) played.opening = prepared.setup.opening->name;
-  played.budget = prepared.setup.rules.messages.budget;
+  played.budget = config::packets(prepared.setup.rules.messages);
   for (const match::Side side : match::both_sides) {
     played.teams[match::index(side)] = plans[match::index(side)]->team().name;
     played.role_names[match::index(side)] = match::role_names(match::roles(*plans[match::index(side)]));

@@ -86,6 +86,21 @@ class Match(program.Case):
             hashes.add(self.play("--set", override)["state_hash"])
         self.assertEqual(len(hashes), 9)
 
+    def test_packets_of_a_short_game(self):
+        """The team sends a packet of each robot every second, whatever is left."""
+        short = ("match", "small.yaml", "small.yaml", "--limit", "30", "--json", *program.PLAY_SOON)
+        whole = json.loads(self.succeed(*short))
+        self.assertEqual(self.values_of(whole), self.values_of(json.loads(
+            self.succeed(*short, "--set", "rules.messages.short_games=whole"))))
+        share = json.loads(self.succeed(*short, "--set", "rules.messages.short_games=share"))
+        self.assertGreater(whole["packets"]["home"], 60)
+        self.assertEqual(share["hash"] == whole["hash"], False)  # sanctioned: more than 30 packets
+        text = self.succeed(*(each for each in short if each != "--json"), "--set", "rules.messages.short_games=share")
+        self.assertRegex(text, r"packets \d+ of 30\b")
+
+    def values_of(self, match):
+        return {key: value for key, value in match.items() if key != "wall_seconds"}
+
     def test_disturbances_by_side(self):
         profiles = program.SOURCE / "configs" / "disturbances"
         none, lossy = profiles / "none.yaml", profiles / "lossy_radio.yaml"
