@@ -66,6 +66,14 @@ struct Told {
   std::string message, line;
 };
 
+Told of_file(const std::string& file, const std::string& message, const std::string& line) {
+  Told out;
+  out.where.file = file;
+  out.message = message;
+  out.line = line;
+  return out;
+}
+
 struct Verdict {
   std::string file, kind;      // kind: empty where it is not known
   std::vector<Told> mistakes;  // in the order of the lines
@@ -79,15 +87,16 @@ class Checker {
       : by_(by), catalogue_(catalogue), plugins_(plugins) {}
 
   Verdict check(const std::string& file) const {
-    Verdict out{file, {}, {}, 0, {}};
+    Verdict out;
+    out.file = file;
     config::Mistakes mistakes(config::Mistakes::After::go_on);
     std::vector<Told> others;
     try {
       mistakes.attempt("", [&] { look_at(config::load(file), out, mistakes); });
     } catch (const BadInput& error) {
-      others.push_back({{file, 0, 0}, error.what(), error.what()});
+      others.push_back(of_file(file, error.what(), error.what()));
     } catch (const plugin::Failure& failure) {
-      others.push_back({{file, 0, 0}, failure.what(), fmt::format("{}: {}", file, failure.what())});
+      others.push_back(of_file(file, failure.what(), fmt::format("{}: {}", file, failure.what())));
     }
     for (const config::Error& each : mistakes.in_order(file)) {
       out.mistakes.push_back({each.where(), each.message(), each.what()});
@@ -129,7 +138,7 @@ class Checker {
         ExperimentOptions experiment;
         experiment.file = out.file;
         experiment.plugins = plugins_;
-        planned_experiment(experiment, catalogue_);  // every arm at every value
+        check_experiment(experiment, catalogue_, mistakes);  // every arm at every value
         break;
       }
       case DocumentKind::tuning: {
@@ -138,7 +147,7 @@ class Checker {
         TuneOptions tuning;
         tuning.file = out.file;
         tuning.plugins = plugins_;
-        planned_tuning(tuning, catalogue_);  // team, opponents, parameters
+        check_tuning(tuning, catalogue_, mistakes);  // team, opponents, parameters
         break;
       }
     }

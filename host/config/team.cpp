@@ -103,12 +103,13 @@ Context resolved(const ContextPage& written, const Node& document, const TeamPag
       }
       if (entry.key == "roles") {
         // A list that could not be read may be the one that is meant.
-        const bool all_lists = page.role_lists.size() == document["roles"].entries().size();
+        const bool all_lists =
+            !mistakes.mistaken("roles") && page.role_lists.size() == document["roles"].entries().size();
         if (!all_lists && entry.value.kind() == Node::Kind::scalar) return;
         context.role_list = role_list_named(entry.value, page, what + ".roles");
       } else if (first == "roles") {
         throw Error(entry.key_where, what + ": roles takes the name of a list and has no parts");
-      } else {
+      } else if (!mistakes.mistaken(entry.key.substr(0, entry.key.rfind('.'))) || first == entry.key) {
         values = with(values, entry.key, entry.value, entry.key_where);
       }
     });

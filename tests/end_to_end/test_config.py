@@ -23,9 +23,9 @@ class Config(program.Case):
         self.write("bad.yaml", "team: bad\nroles: 3\n")
         done = self.run_program("config", "check", "bad.yaml", "small.yaml", "missing.yaml")
         self.assertEqual((done.returncode, done.stdout), (2, "small.yaml: team, sound\n"))
-        first, second = done.stderr.splitlines()
-        self.assertTrue(first.startswith("regista: bad.yaml:"), first)
-        self.assertTrue(second.startswith("regista: missing.yaml: "), second)
+        *bad, missing = done.stderr.splitlines()
+        self.assertEqual([each.split(" ", 2)[1] for each in bad], ["bad.yaml:1:1:"] * 4 + ["bad.yaml:2:8:"])
+        self.assertTrue(missing.startswith("regista: missing.yaml: "), missing)
 
     def test_check_opens_plugins_of_teams(self):
         self.write("team.yaml", program.TEAM.format(name="team").replace("scale: 2", "scale: 20"))
@@ -33,7 +33,7 @@ class Config(program.Case):
                          r'^team\.yaml:\d+:\d+: .*scale.*20.*0\.1 to 10 m')
 
     # Each line of TEAM that is wrong, what it is instead, and what is said of it.
-    MISTAKES = (("ball:      {plugin: last_news}", "ball:      {plugin: lost_news}", 'unknown plugin "lost_news"'),
+    MISTAKES = (("ball:      {plugin: last_news}", "ball:      {plugin: lost_news}", 'unknown predictor "lost_news"'),
                 ("opponents: {plugin: last_news}", "opponents: {plugin: 7}", 'predictors.opponents.plugin: "7" is not'),
                 ("plugin: ball_seen", "plugin: nearness", "nearness"),
                 ("at_most: 0.3", "at_most: far", 'tasks.offset.at_most: "far" is not a number'),
@@ -94,17 +94,17 @@ class Config(program.Case):
         self.write("team.yaml", program.TEAM.format(name="team").replace("robot: 1,", "robot: 6,"))
         self.succeed("config", "check", "team.yaml")
         self.write("five.yaml", "rules: five\nteam_size: 5\n")
-        line = ("team.yaml:12:32: roles.playing.0.robot: the role goalkeeper is for robot 6, a team has 5 robots by the "
+        line = ("team.yaml:13:33: roles.playing.0.robot: the role goalkeeper is for robot 6, a team has 5 robots by the "
                 "rules five")
         self.assertEqual(self.refused("config", "check", "team.yaml", "--rules", "five.yaml"), line)
         self.assertEqual(self.refused("match", "team.yaml", "small.yaml", "--rules", "five.yaml", "--limit", "1"), line)
-        self.assertEqual(self.refused("tournament", "team.yaml", "small.yaml", "--rules", "five.yaml", "--pairs", "1",
-                                      "-o", "results.db"), line)
+        self.assertEqual(self.refused("tournament", "--team", "team.yaml", "--team", "small.yaml", "--rules", "five.yaml",
+                                      "--pairs", "1", "--results", "results.db"), line)
 
     def test_robots_that_will_stand(self):
         kept = program.TEAM.format(name="few").splitlines(keepends=True)
         self.write("few.yaml", "".join(each for each in kept if "name: front" not in each and "name: left" not in each))
-        warning = ("few.yaml:11:3: warning: roles.playing: roles for 5 of 7 robots in context playing: 2 robots will "
+        warning = ("few.yaml:12:3: warning: roles.playing: roles for 5 of 7 robots in context playing: 2 robots will "
                    "stand")
         done = self.run_program("config", "check", "few.yaml")
         self.assertEqual((done.returncode, done.stdout, done.stderr),
@@ -115,7 +115,7 @@ class Config(program.Case):
         self.write("five.yaml", "rules: five\nteam_size: 5\n")
         self.assertEqual(self.run_program("config", "check", "few.yaml", "--rules", "five.yaml").stderr, "")
         found = json.loads(self.succeed("config", "check", "few.yaml", "--json"))["documents"][0]
-        self.assertEqual([(each["line"], each["column"]) for each in found["warnings"]], [(11, 3)])
+        self.assertEqual([(each["line"], each["column"]) for each in found["warnings"]], [(12, 3)])
         self.assertTrue(found["sound"])
 
     def test_shipped_documents_are_sound_without_warnings(self):

@@ -87,16 +87,19 @@ class Match(program.Case):
         self.assertEqual(len(hashes), 9)
 
     def test_packets_of_a_short_game(self):
-        """The team sends a packet of each robot every second, whatever is left."""
-        short = ("match", "small.yaml", "small.yaml", "--limit", "30", "--json", *program.PLAY_SOON)
-        whole = json.loads(self.succeed(*short))
+        """Each robot sends every second, as long as its team has packets left."""
+        short = ("match", "small.yaml", "small.yaml", "--limit", "30", *program.PLAY_SOON)
+        share = ("--set", "rules.messages.short_games=share")
+        whole = json.loads(self.succeed(*short, "--json"))
+        self.assertTrue(all(packets > 60 for packets in whole["packets"]), whole["packets"])
         self.assertEqual(self.values_of(whole), self.values_of(json.loads(
-            self.succeed(*short, "--set", "rules.messages.short_games=whole"))))
-        share = json.loads(self.succeed(*short, "--set", "rules.messages.short_games=share"))
-        self.assertGreater(whole["packets"]["home"], 60)
-        self.assertEqual(share["hash"] == whole["hash"], False)  # sanctioned: more than 30 packets
-        text = self.succeed(*(each for each in short if each != "--json"), "--set", "rules.messages.short_games=share")
-        self.assertRegex(text, r"packets \d+ of 30\b")
+            self.succeed(*short, "--json", "--set", "rules.messages.short_games=whole"))))
+        self.assertEqual(json.loads(self.succeed(*short, "--json", *share))["packets"], [30, 30])
+        self.assertEqual(self.succeed(*short, *share).count("packets 30 of 30:"), 2)
+        # A match of its whole length is none of the short games.
+        match = ("match", "small.yaml", "small.yaml", *program.PLAY_SOON, "--set", "rules.durations.half=10", "--json")
+        self.assertEqual(self.values_of(json.loads(self.succeed(*match))),
+                         self.values_of(json.loads(self.succeed(*match, *share))))
 
     def values_of(self, match):
         return {key: value for key, value in match.items() if key != "wall_seconds"}

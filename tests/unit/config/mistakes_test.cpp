@@ -218,7 +218,6 @@ TEST(Mistakes, WhatFollowsFromOneIsNotTold) {
            {"assigner: {plugin: hungarian}", "asigner: {plugin: hungarian}"},  // not missing besides, in each context
            {"roles:\n", "rolls:\n"},                                           // no list of any name
            {"  searching:", "  2nd:"},                                         // none of the name that is used
-           {"roles:\n  playing:", "roles: {playing: 3}\nextra:\n  playing:"},
            {"tasks:\n", "tasks: all\nextra:\n"},
        }) {
     const std::size_t wrong = each.mistaken.find("extra") == std::string::npos ? 1 : 2;
