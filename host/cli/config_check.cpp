@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
@@ -16,7 +19,7 @@
 #include "cli/plugin_folders.hpp"
 #include "cli/tune_setup.hpp"
 #include "config/documents.hpp"
-#include "config/read.hpp"
+#include "config/team_size.hpp"
 #include "mind/mind.hpp"
 #include "mind/team_plan.hpp"
 #include "plugin/failure.hpp"
@@ -25,19 +28,27 @@
 namespace regista::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr auto examples = R"(Examples:
   regista config check configs/teams/paper.yaml
   regista config check configs/*/*.yaml
   regista config check small_field/*.yaml --rules small_field.yaml
+  regista config check configs/teams/*.yaml --json
+
+Every mistake of a document is told, in the order of its lines; of text that is not YAML, only the first.
 
 Exit codes: 0 all are sound; 2 one is not, or there is nothing to check.)";
+
+constexpr std::size_t most_told = 100;  // mistakes of a document; --json tells all that were kept
 
 struct Options {
   std::vector<std::string> files, plugins;
   std::string rules, robot;  // files; empty: the built-in values
+  bool json = false;
 };
 
-// What openings are to be played by.
+// What openings and teams are to be played by.
 struct Profiles {
   config::Rules rules;
   std::array<config::Robot, 2> robots;  // by side
@@ -50,57 +61,156 @@ Profiles profiles(const Options& options) {
   return out;
 }
 
-// Its kind. Throws config::Error for what is not sound.
-std::string_view check(const std::string& file, const Profiles& by, const plugin::Catalogue& catalogue,
-                       const std::vector<std::string>& plugins) {
-  const config::DocumentKind kind = config::check(file);
-  if (kind == config::DocumentKind::team) {
-    const mind::TeamPlan plan(config::read_team(file), {}, {}, catalogue);  // finds what is wrong with plugins
-    const mind::Mind first(plan, 1, 0);                                     // and what they refuse, files too
+// A mistake, as it is told.
+struct Told {
+  config::Location where;
+  std::string message, line;
+};
+
+Told of_file(const std::string& file, const std::string& message, const std::string& line) {
+  Told out;
+  out.where.file = file;
+  out.message = message;
+  out.line = line;
+  return out;
+}
+
+struct Verdict {
+  std::string file, kind;      // kind: empty where it is not known
+  std::vector<Told> mistakes;  // in the order of the lines
+  std::size_t more = 0;        // mistakes that were found, but not kept
+  std::vector<config::Warning> warnings;
+};
+
+class Checker {
+ public:
+  Checker(const Profiles& by, const plugin::Catalogue& catalogue, const std::vector<std::string>& plugins)
+      : by_(by), catalogue_(catalogue), plugins_(plugins) {}
+
+  Verdict check(const std::string& file) const {
+    Verdict out;
+    out.file = file;
+    config::Mistakes mistakes(config::Mistakes::After::go_on);
+    std::vector<Told> others;
+    try {
+      mistakes.attempt("", [&] { look_at(config::load(file), out, mistakes); });
+    } catch (const BadInput& error) {
+      others.push_back(of_file(file, error.what(), error.what()));
+    } catch (const plugin::Failure& failure) {
+      others.push_back(of_file(file, failure.what(), fmt::format("{}: {}", file, failure.what())));
+    }
+    for (const config::Error& each : mistakes.in_order(file)) {
+      out.mistakes.push_back({each.where(), each.message(), each.what()});
+    }
+    out.more = mistakes.total() - out.mistakes.size();
+    std::ranges::move(others, std::back_inserter(out.mistakes));
+    return out;
   }
-  if (kind == config::DocumentKind::predictor_study) {
-    const config::PredictorStudy study = config::read_predictor_study(file);
-    const study::Forecaster forecaster(study, catalogue);  // the same for its predictor
-  }
-  if (kind == config::DocumentKind::experiment) {
-    ExperimentOptions experiment;
-    experiment.file = file;
-    experiment.plugins = plugins;
-    planned_experiment(experiment, catalogue);  // every arm at every value
-  }
-  if (kind == config::DocumentKind::tuning) {
-    TuneOptions tuning;
-    tuning.file = file;
-    tuning.plugins = plugins;
-    planned_tuning(tuning, catalogue);  // team, opponents, parameters
-  }
-  if (kind == config::DocumentKind::opening) {
-    const config::Node document = config::load(file);
-    if (const auto misfit = config::misfit(config::read_opening(document), by.rules, by.robots)) {
-      config::refuse(document, {misfit->path}, misfit->reason);
+
+ private:
+  void look_at(const config::Node& document, Verdict& out, config::Mistakes& mistakes) const {
+    using config::DocumentKind;
+    const DocumentKind kind = config::kind_of(document);
+    out.kind = config::name_of(kind);
+    switch (kind) {
+      case DocumentKind::rules:
+        config::read_rules(document, mistakes);
+        break;
+      case DocumentKind::robot:
+        config::read_robot(document, mistakes);
+        break;
+      case DocumentKind::disturbance:
+        config::read_disturbance(document, mistakes);
+        break;
+      case DocumentKind::opening:
+        config::check(config::read_opening(document, mistakes), by_.rules, by_.robots, document, mistakes);
+        break;
+      case DocumentKind::team:
+        look_at_team(document, out, mistakes);
+        break;
+      case DocumentKind::predictor_study: {
+        const config::PredictorStudy study = config::read_predictor_study(document, mistakes);
+        if (mistakes.none()) const study::Forecaster forecaster(study, catalogue_);  // what its plugin refuses
+        break;
+      }
+      case DocumentKind::experiment: {
+        config::read_experiment(document, mistakes);
+        if (!mistakes.none()) break;
+        ExperimentOptions experiment;
+        experiment.file = out.file;
+        experiment.plugins = plugins_;
+        check_experiment(experiment, catalogue_, mistakes);  // every arm at every value
+        break;
+      }
+      case DocumentKind::tuning: {
+        config::read_tuning(document, mistakes);
+        if (!mistakes.none()) break;
+        TuneOptions tuning;
+        tuning.file = out.file;
+        tuning.plugins = plugins_;
+        check_tuning(tuning, catalogue_, mistakes);  // team, opponents, parameters
+        break;
+      }
     }
   }
-  return config::name_of(kind);
+
+  void look_at_team(const config::Node& document, Verdict& out, config::Mistakes& mistakes) const {
+    const config::Team team = config::read_team(document, mistakes);
+    config::check(team, by_.rules, document, mistakes);
+    const mind::TeamPlan plan(team, by_.rules, by_.robots[0], catalogue_, mistakes);  // what is wrong with plugins
+    if (!mistakes.none()) return;
+    const mind::Mind first(plan, 1, 0);  // and what they refuse, files too
+    out.warnings = config::warnings(team, by_.rules, document);
+  }
+
+  const Profiles& by_;
+  const plugin::Catalogue& catalogue_;
+  const std::vector<std::string>& plugins_;
+};
+
+void tell(const Verdict& verdict) {
+  const std::size_t all = verdict.mistakes.size() + verdict.more, told = std::min(verdict.mistakes.size(), most_told);
+  for (std::size_t i = 0; i < told; ++i) complain(verdict.mistakes[i].line);
+  if (all > told) complain(fmt::format("{}: ... and {} more", verdict.file, all - told));
+  for (const config::Warning& each : verdict.warnings) complain(to_string(each));
+  if (all == 0) print(fmt::format("{}: {}, sound\n", verdict.file, verdict.kind));
+}
+
+Json placed(const config::Location& where, const std::string& message) {
+  return {{"file", where.file}, {"line", where.line}, {"column", where.column}, {"message", message}};
+}
+
+Json as_json(const Verdict& verdict) {
+  Json mistakes = Json::array(), warnings = Json::array();
+  for (const Told& each : verdict.mistakes) mistakes.push_back(placed(each.where, each.message));
+  for (const config::Warning& each : verdict.warnings) warnings.push_back(placed(each.where, each.message));
+  return {{"file", verdict.file},
+          {"kind", verdict.kind.empty() ? Json() : Json(verdict.kind)},
+          {"sound", verdict.mistakes.empty()},
+          {"mistakes", mistakes},
+          {"mistakes_left_out", verdict.more},
+          {"warnings", warnings}};
 }
 
 int check(const Options& options, const Invocation& invocation) {
   if (options.files.empty()) throw BadInput("config check: at least one file is wanted");
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   const Profiles by = profiles(options);
+  const Checker checker(by, catalogue, options.plugins);
   bool sound = true;
+  Json documents = Json::array();
   for (const std::string& file : options.files) {
-    try {
-      print(fmt::format("{}: {}, sound\n", file, check(file, by, catalogue, options.plugins)));
-    } catch (const config::Error& error) {
-      complain(error.what());
-      sound = false;
-    } catch (const BadInput& error) {
-      complain(error.what());
-      sound = false;
-    } catch (const plugin::Failure& failure) {
-      complain(fmt::format("{}: {}", file, failure.what()));
-      sound = false;
+    const Verdict verdict = checker.check(file);
+    sound = sound && verdict.mistakes.empty();
+    if (options.json) {
+      documents.push_back(as_json(verdict));
+    } else {
+      tell(verdict);
     }
+  }
+  if (options.json) {
+    const Json out{{"documents", documents}};
+    print(out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
   }
   return sound ? exit_done : exit_bad_input;
 }
@@ -112,12 +222,14 @@ Command add_config_check(CLI::App& parent, const Invocation& invocation) {
       "check", "say what is wrong with rules, robots, disturbances, openings, teams and studies");
   const auto options = std::make_shared<Options>();
   reads(app.add_option("files", options->files, "documents of any kind")->type_name("FILE..."), Reads::documents);
-  reads(app.add_option("--rules", options->rules, "rules that openings must go with; default: spl2023, built in")
+  reads(app.add_option("--rules", options->rules,
+                       "rules that openings and teams must go with; default: spl2023, built in")
             ->type_name("FILE"),
         Reads::documents);
-  reads(app.add_option("--robot", options->robot, "robot that openings must go with; default: nao, built in")
+  reads(app.add_option("--robot", options->robot, "robot that openings and teams must go with; default: nao, built in")
             ->type_name("FILE"),
         Reads::documents);
+  app.add_flag("--json", options->json, "every mistake and warning as JSON, on standard output");
   add_plugin_folders(app, options->plugins);
   app.footer(examples);
   return {&app, [options, &invocation] { return check(*options, invocation); }};

@@ -91,8 +91,9 @@ config::Overrides overrides_of(const ExperimentOptions& options) {
 
 class Planner {
  public:
-  Planner(const ExperimentOptions& options, const plugin::Catalogue& catalogue)
+  Planner(const ExperimentOptions& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes)
       : options_(options),
+        mistakes_(mistakes),
         overrides_(overrides_of(options)),
         document_(config::load(options.file, overrides_)),
         experiment_(config::read_experiment(document_)),
@@ -101,8 +102,9 @@ class Planner {
   study::ExperimentPlan plan() {
     describe();
     make_conditions();
-    add_openings();
-    count_pairs();
+    if (!mistakes_.none()) return {};  // what comes next needs them all
+    mistakes_.attempt("", [&] { add_openings(); });
+    mistakes_.attempt("", [&] { count_pairs(); });
     choose_measures();
     choose_comparisons();
     return std::move(plan_);
@@ -147,26 +149,29 @@ class Planner {
       return config::show(document, declarations, config::Remarks::without);
     };
     std::string opponent;
+    const auto make = [&](std::size_t arm, std::size_t value) {
+      study::Condition& condition = plan_.conditions.emplace_back();
+      condition.arm = arm;
+      condition.value = value;
+      const std::vector<Setting> settings = settings_of(experiment_, document_, arm, value);
+      for (const std::size_t side : {0u, 1u}) {
+        campaign::Job& job = condition.jobs[side];
+        job = job_of(reading_, arm, side, settings);
+        MatchSetup prepared = settled_match(job, side, settings, job_of(reading_, arm, 0, {}), reading_.catalogue);
+        job.home_inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], reading_.catalogue);
+        job.away_inputs = campaign::team_inputs(*prepared.plans[1], prepared.documents[1], reading_.catalogue);
+        job.common_inputs = campaign::common_inputs(prepared.setup, program, mathematics);
+        if (side == 1) continue;
+        if (value == 0) plan_.documents.push_back(shown(prepared.documents[0]));
+        if (opponent.empty()) opponent = shown(prepared.documents[1]);
+        paths_.push_back(metric_paths_of(*prepared.plans[0]));
+        if (value == 0) roles_.push_back(roles_of(*prepared.plans[0]));
+        setups_.push_back(std::move(prepared.setup));
+      }
+    };
     for (std::size_t value = 0; value < plan_.values.size(); ++value) {
       for (std::size_t arm = 0; arm < plan_.arms.size(); ++arm) {
-        study::Condition& condition = plan_.conditions.emplace_back();
-        condition.arm = arm;
-        condition.value = value;
-        const std::vector<Setting> settings = settings_of(experiment_, document_, arm, value);
-        for (const std::size_t side : {0u, 1u}) {
-          campaign::Job& job = condition.jobs[side];
-          job = job_of(reading_, arm, side, settings);
-          MatchSetup prepared = settled_match(job, side, settings, job_of(reading_, arm, 0, {}), reading_.catalogue);
-          job.home_inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], reading_.catalogue);
-          job.away_inputs = campaign::team_inputs(*prepared.plans[1], prepared.documents[1], reading_.catalogue);
-          job.common_inputs = campaign::common_inputs(prepared.setup, program, mathematics);
-          if (side == 1) continue;
-          if (value == 0) plan_.documents.push_back(shown(prepared.documents[0]));
-          if (opponent.empty()) opponent = shown(prepared.documents[1]);
-          paths_.push_back(metric_paths_of(*prepared.plans[0]));
-          if (value == 0) roles_.push_back(roles_of(*prepared.plans[0]));
-          setups_.push_back(std::move(prepared.setup));
-        }
+        mistakes_.attempt("", [&] { make(arm, value); });
       }
     }
     plan_.documents.push_back(opponent);
@@ -241,7 +246,7 @@ class Planner {
     };
     for (const config::Node& each : experiment_.measures) {
       const std::string measure = study::without_roles(each.text());
-      require_measure(measure, each.where(), "measures", known);
+      mistakes_.attempt("", [&] { require_measure(measure, each.where(), "measures", known); });
       add(measure);
     }
     if (plan_.measures.empty()) {
@@ -249,7 +254,8 @@ class Planner {
     }
     if (!experiment_.primary) return;
     plan_.primary = study::without_roles(experiment_.primary->measure);
-    require_measure(plan_.primary, document_["primary"]["measure"].where(), "primary", known);
+    mistakes_.attempt(
+        "", [&] { require_measure(plan_.primary, document_["primary"]["measure"].where(), "primary", known); });
     add(plan_.primary);
     plan_.test = experiment_.primary->test == config::PairedTest::sign_flip ? study::PairTest::sign_flip
                                                                             : study::PairTest::paired_t;
@@ -315,6 +321,7 @@ class Planner {
   }
 
   const ExperimentOptions& options_;
+  config::Mistakes& mistakes_;
   config::Overrides overrides_;
   config::Node document_;
   config::Experiment experiment_;
@@ -329,7 +336,13 @@ class Planner {
 }  // namespace
 
 study::ExperimentPlan planned_experiment(const ExperimentOptions& options, const plugin::Catalogue& catalogue) {
-  return Planner(options, catalogue).plan();
+  config::Mistakes first(config::Mistakes::After::stop);
+  return Planner(options, catalogue, first).plan();
+}
+
+void check_experiment(const ExperimentOptions& options, const plugin::Catalogue& catalogue,
+                      config::Mistakes& mistakes) {
+  Planner(options, catalogue, mistakes).plan();
 }
 
 }  // namespace regista::cli

@@ -8,6 +8,7 @@
 
 #include "cli/campaign_options.hpp"
 #include "config/experiment.hpp"
+#include "config/mistakes.hpp"
 #include "plugin/catalogue.hpp"
 #include "study/experiment_plan.hpp"
 
@@ -23,5 +24,8 @@ struct ExperimentOptions : CampaignOptions {
 
 // Throws BadInput and config::Error, at the place in the experiment's document that asks for what is not there.
 study::ExperimentPlan planned_experiment(const ExperimentOptions& options, const plugin::Catalogue& catalogue);
+
+// Whether it can be planned: tells of every mistake in arms, values and measures.
+void check_experiment(const ExperimentOptions& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
 
 }  // namespace regista::cli

@@ -32,6 +32,7 @@
 #include "cli/shell.hpp"
 #include "cli/supervised.hpp"
 #include "cli/test_options.hpp"
+#include "config/packet_share.hpp"
 #include "config/text.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
@@ -202,7 +203,7 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
   PlayedMatch played;
   played.seed = prepared.setup.seed;
   if (prepared.setup.opening) played.opening = prepared.setup.opening->name;
-  played.budget = prepared.setup.rules.messages.budget;
+  played.budget = config::packets(prepared.setup.rules.messages);
   played.packets_share = packets_share_of(prepared.setup);
   for (const match::Side side : match::both_sides) {
     played.teams[match::index(side)] = plans[match::index(side)]->team().name;
@@ -315,6 +316,7 @@ int play(Options options, const OutputFiles& outputs, const Invocation& invocati
   const MatchRequest wanted = stored ? request_of(stored->job) : static_cast<const MatchRequest&>(options);
   MatchSetup prepared = match_setup(wanted, catalogue);
   tell_what_is_not_used(catalogue, folders);
+  for (const config::Warning& each : prepared.warnings) complain(to_string(each));
   if (stored) require_unchanged(options, stored->job, prepared, catalogue, invocation);
   check_what_is_written(outputs, options, wanted, catalogue);
   if (stored && stored->decided.failure) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include "cli/overrides.hpp"
 #include "config/check.hpp"
 #include "config/documents.hpp"
+#include "config/packet_share.hpp"
 #include "config/parse.hpp"
 #include "config/read.hpp"
 #include "config/text.hpp"
@@ -117,13 +119,20 @@ MatchSetup match_setup(const MatchRequest& request, const plugin::Catalogue& cat
         disturbance_of(own.empty() ? request.disturbance : own, overrides, side, out.setup.rules);
   }
   out.setup.opening = opening_of(request, overrides, out.setup);
+  out.setup.rules.messages.share = config::packet_share(out.setup.rules, match::limit_of(out.setup));
 
   for (const match::Side side : match::both_sides) {
     const std::string& file = request.teams[match::index(side)];
     Node& document = out.documents[match::index(side)];
     out.plans[match::index(side)] = overrides.read(match::name(side), [&](const config::Overrides& of_this) {
       document = config::load(file, of_this);
-      return std::make_unique<const mind::TeamPlan>(config::read_team(document), out.setup.rules, robot, catalogue);
+      const config::Team team = config::read_team(document);
+      config::check(team, out.setup.rules, document);
+      for (config::Warning& each : config::warnings(team, out.setup.rules, document)) {
+        const auto same = [&](const config::Warning& other) { return to_string(other) == to_string(each); };
+        if (std::ranges::none_of(out.warnings, same)) out.warnings.push_back(std::move(each));
+      }
+      return std::make_unique<const mind::TeamPlan>(team, out.setup.rules, robot, catalogue);
     });
   }
   return out;

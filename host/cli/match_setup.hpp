@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "config/node.hpp"
+#include "config/team_size.hpp"
 #include "match/match.hpp"
 #include "mind/team_plan.hpp"
 #include "plugin/catalogue.hpp"
@@ -30,6 +31,7 @@ struct MatchSetup {
   match::Setup setup;                                          // its roles are left to match::play
   std::array<std::unique_ptr<const mind::TeamPlan>, 2> plans;  // by side; they need the catalogue
   std::array<config::Node, 2> documents;                       // of the teams, by side, with --set laid over
+  std::vector<config::Warning> warnings;                       // of the teams, each once
 };
 
 // Throws BadInput and config::Error.

@@ -66,8 +66,9 @@ std::string label_of(const std::string& file) { return std::filesystem::path(fil
 
 class Planner {
  public:
-  Planner(const TuneOptions& options, const plugin::Catalogue& catalogue)
+  Planner(const TuneOptions& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes)
       : options_(options),
+        mistakes_(mistakes),
         overrides_(overrides_of(options)),
         document_(config::load(options.file, overrides_)),
         tuning_(config::read_tuning(document_)),
@@ -75,14 +76,17 @@ class Planner {
 
   study::TuningPlan plan() {
     describe();
-    choose_algorithms();
+    mistakes_.attempt("search", [&] { choose_algorithms(); });
     meet_opponents();
-    choose_parameters();
-    DocumentScenes scenes = document_scenes(tuning_.openings, setups_);
-    plan_.openings = std::move(scenes.openings);
-    count_goals(scenes.read);
+    if (mistakes_.doubtful("opponents")) return {};  // what comes next needs them all
+    mistakes_.attempt("parameters", [&] { choose_parameters(); });
+    mistakes_.attempt("openings", [&] {
+      DocumentScenes scenes = document_scenes(tuning_.openings, setups_);
+      plan_.openings = std::move(scenes.openings);
+      count_goals(scenes.read);
+    });
     choose_objective();
-    count_matches();
+    if (mistakes_.none()) mistakes_.attempt("", [&] { count_matches(); });
     return std::move(plan_);
   }
 
@@ -184,16 +188,25 @@ class Planner {
     double sum = 0.0;
     for (const config::Tuning::Opponent& each : tuning_.opponents) sum += each.weight;
     for (const config::Tuning::Opponent& each : tuning_.opponents) {
-      study::TuningOpponent opponent = opponent_of(from_here(each.team), each.weight / sum, settings);
-      for (const study::TuningOpponent& other : plan_.opponents) {
-        if (other.file == opponent.file) {
-          throw config::Error(
-              each.where, fmt::format("opponents: {} is given twice; `weight` says how much it counts", opponent.file));
-        }
-        if (other.label == opponent.label) opponent.label = opponent.file;
-      }
-      plan_.opponents.push_back(std::move(opponent));
+      mistakes_.attempt("opponents", [&] { meet(each, sum, settings); });
     }
+    if (mistakes_.doubtful("opponents")) return;
+    meet_base(settings);
+  }
+
+  void meet(const config::Tuning::Opponent& each, double sum, const std::vector<Setting>& settings) {
+    study::TuningOpponent opponent = opponent_of(from_here(each.team), each.weight / sum, settings);
+    for (const study::TuningOpponent& other : plan_.opponents) {
+      if (other.file == opponent.file) {
+        throw config::Error(
+            each.where, fmt::format("opponents: {} is given twice; `weight` says how much it counts", opponent.file));
+      }
+      if (other.label == opponent.label) opponent.label = opponent.file;
+    }
+    plan_.opponents.push_back(std::move(opponent));
+  }
+
+  void meet_base(const std::vector<Setting>& settings) {
     for (const Setting& each : settings) {
       // What is set for the tuned team alone goes with it into its file; as an opponent the base team has it, too.
       if (!is_of_the_team(each)) continue;
@@ -257,7 +270,8 @@ class Planner {
       for (const config::TuningObjective::Term& each : *terms) {
         const std::string measure = study::without_roles(each.measure);
         if (std::ranges::find(known, measure) == known.end()) {
-          throw config::Error(each.where, "objective: " + config::unknown("measure", measure, "", known));
+          mistakes_.add(config::Error(each.where, "objective: " + config::unknown("measure", measure, "", known)),
+                        "objective");
         }
         plan_.objective.terms.push_back({measure, each.weight});
       }
@@ -317,6 +331,7 @@ class Planner {
   }
 
   const TuneOptions& options_;
+  config::Mistakes& mistakes_;
   config::Overrides overrides_;
   config::Node document_;
   config::Tuning tuning_;
@@ -331,7 +346,12 @@ class Planner {
 }  // namespace
 
 study::TuningPlan planned_tuning(const TuneOptions& options, const plugin::Catalogue& catalogue) {
-  return Planner(options, catalogue).plan();
+  config::Mistakes first(config::Mistakes::After::stop);
+  return Planner(options, catalogue, first).plan();
+}
+
+void check_tuning(const TuneOptions& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
+  Planner(options, catalogue, mistakes).plan();
 }
 
 std::vector<std::string> notes_on(const study::TuningPlan& plan) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/campaign_options.hpp"
+#include "config/mistakes.hpp"
 #include "plugin/catalogue.hpp"
 #include "study/tuning/tuning_plan.hpp"
 
@@ -22,6 +23,9 @@ struct TuneOptions : CampaignOptions {
 
 // Throws BadInput and config::Error, at the place in the tuning's document that asks for what is not there.
 study::TuningPlan planned_tuning(const TuneOptions& options, const plugin::Catalogue& catalogue);
+
+// Whether it can be planned: tells of every mistake in algorithm, opponents, parameters, openings and objective.
+void check_tuning(const TuneOptions& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
 
 // What is unusual but allowed, a line each: an opponent that is the base team itself.
 std::vector<std::string> notes_on(const study::TuningPlan& plan);

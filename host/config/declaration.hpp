@@ -23,6 +23,7 @@
 #include <variant>
 #include <vector>
 
+#include "config/mistakes.hpp"
 #include "config/node.hpp"
 
 namespace regista::config {
@@ -107,8 +108,8 @@ struct Numbers {
 // A value with a grammar of its own; `definition` names it for the schema.
 struct Own {
   std::string definition;
-  std::function<void(const Node&, const std::string& what)> read;
-  std::function<Node()> write;  // absent: leave the key out
+  std::function<void(const Node&, const std::string& what, Mistakes&)> read;  // throws Error, or tells of several
+  std::function<Node()> write;                                                // absent: leave the key out
 };
 
 // Any map at all, kept as it is.

@@ -28,7 +28,7 @@ int robot_number(const Node& node, const std::string& what) {
   return static_cast<int>(number);
 }
 
-Whom to_whom(const Node& node, const std::string& what) {
+Whom to_whom(const Node& node, const std::string& what, Mistakes& mistakes) {
   Whom whom;
   if (node.kind() == Node::Kind::scalar && (node.text() == "all" || node.text() == "any")) {
     whom.choice = node.text() == "all" ? Whom::Choice::all : Whom::Choice::any;
@@ -39,11 +39,14 @@ Whom to_whom(const Node& node, const std::string& what) {
     if (node.elements().empty()) throw Error(node.where(), what + ": an empty list; leave the incident out");
     for (std::size_t i = 0; i < node.elements().size(); ++i) {
       const Node& element = node.elements()[i];
-      const int number = robot_number(element, fmt::format("{}.{}", what, i));
-      if (std::ranges::find(whom.numbers, number) != whom.numbers.end()) {
-        throw Error(element.where(), fmt::format("{}: {} stands there twice", what, number));
-      }
-      whom.numbers.push_back(number);
+      const std::string path = fmt::format("{}.{}", what, i);
+      mistakes.attempt(path, [&] {
+        const int number = robot_number(element, path);
+        if (std::ranges::find(whom.numbers, number) != whom.numbers.end()) {
+          throw Error(element.where(), fmt::format("{}: {} stands there twice", what, number));
+        }
+        whom.numbers.push_back(number);
+      });
     }
     std::ranges::sort(whom.numbers);
     return whom;
@@ -71,7 +74,7 @@ double moment(const Node& node, const std::string& what) {
   return time;
 }
 
-std::vector<double> to_moments(const Node& node, const std::string& what) {
+std::vector<double> to_moments(const Node& node, const std::string& what, Mistakes& mistakes) {
   if (node.kind() != Node::Kind::sequence) {
     if (node.kind() != Node::Kind::scalar) refuse_kind(node, what, "a number of seconds or a list of them");
     return {moment(node, what)};
@@ -79,10 +82,13 @@ std::vector<double> to_moments(const Node& node, const std::string& what) {
   if (node.elements().empty()) throw Error(node.where(), what + ": an empty list; leave the incident out");
   std::vector<double> times;
   for (std::size_t i = 0; i < node.elements().size(); ++i) {
-    times.push_back(moment(node.elements()[i], fmt::format("{}.{}", what, i)));
-    if (i > 0 && times[i] <= times[i - 1]) {
-      throw Error(node.elements()[i].where(), what + ": the moments are not in their order");
-    }
+    const std::string path = fmt::format("{}.{}", what, i);
+    mistakes.attempt(path, [&] {
+      times.push_back(moment(node.elements()[i], path));
+      if (times.size() > 1 && times.back() <= times[times.size() - 2]) {
+        throw Error(node.elements()[i].where(), what + ": the moments are not in their order");
+      }
+    });
   }
   return times;
 }
@@ -96,13 +102,19 @@ Node written(const std::vector<double>& times) {
 
 Field robots_field(Whom& whom) {
   return {"robots", "whom it strikes: all, any (one drawn anew each time), a number or a list of numbers",
-          Own{"robots", [&whom](const Node& node, const std::string& what) { whom = to_whom(node, what); },
+          Own{"robots",
+              [&whom](const Node& node, const std::string& what, Mistakes& mistakes) {
+                whom = to_whom(node, what, mistakes);
+              },
               [&whom] { return written(whom); }}};
 }
 
 Field at_field(std::vector<double>& at) {
   return {"at", "s of match time when it begins, or a list of them",
-          Own{"moments", [&at](const Node& node, const std::string& what) { at = to_moments(node, what); },
+          Own{"moments",
+              [&at](const Node& node, const std::string& what, Mistakes& mistakes) {
+                at = to_moments(node, what, mistakes);
+              },
               [&at] { return written(at); }}};
 }
 
@@ -202,35 +214,43 @@ std::string path_of(const Disturbance& disturbance, std::size_t incident) {
   return name ? "incidents." + *name : fmt::format("incidents.{}", incident);
 }
 
-void check(const Disturbance& disturbance, const Node& document) {
+void check(const Disturbance& disturbance, const Node& document, Mistakes& mistakes) {
   for (std::size_t i = 0; i < disturbance.incidents.size(); ++i) {
     const Incident& incident = disturbance.incidents[i];
-    const std::string at = fmt::format("incidents.{}", i);
+    const std::string path = fmt::format("incidents.{}", i), path_of_kind = path + ".kind";
     const std::string& kind = incident_kinds()[static_cast<std::size_t>(incident.kind)];
+    // Whose reason is the whole incident, whatever of it is there.
+    const auto lacks = [&](std::string_view key, const std::string& reason) {
+      const std::string missing = fmt::format("{}.{}", path, key);
+      if (mistakes.doubtful(path_of_kind) || mistakes.doubtful(missing)) return;
+      mistakes.attempt(missing, [&] { refuse(document, {path}, reason); });
+    };
     std::vector<std::string> known;
     bool any = false;
     for (const Value& value : values()) {
       const bool belongs = among(value.of, incident.kind), there = (incident.*value.member).has_value();
       if (belongs) known.emplace_back(value.key);
-      any = any || (belongs && there);
+      any = any || (belongs && (there || mistakes.doubtful(fmt::format("{}.{}", path, value.key))));
     }
     for (const Value& value : values()) {
       const bool there = (incident.*value.member).has_value();
       if (there && !among(value.of, incident.kind)) {
         const std::string has = known.empty() ? "none of its own" : join(known);
-        refuse(document, {fmt::format("{}.{}", at, value.key)},
+        refuse(document, {fmt::format("{}.{}", path, value.key), path_of_kind},
                fmt::format("{}: makes no sense for {}, whose values are: {}",
-                           path_of(disturbance, i) + '.' + std::string(value.key), kind, has));
+                           path_of(disturbance, i) + '.' + std::string(value.key), kind, has),
+               mistakes);
       }
       if (!there && among(value.needed, incident.kind)) {
-        refuse(document, {at}, fmt::format("missing key \"{}\" in {}", value.key, path_of(disturbance, i)));
+        lacks(value.key, fmt::format("missing key \"{}\" in {}", value.key, path_of(disturbance, i)));
       }
     }
     if (incident.kind == Kind::pose_bias && !any) {
-      refuse(document, {at}, fmt::format("{}: by how much? {} are wanted", path_of(disturbance, i), join(known)));
+      lacks("x", fmt::format("{}: by how much? {} are wanted", path_of(disturbance, i), join(known)));
     }
     if (incident.kind == Kind::ghost_ball && incident.x.has_value() != incident.y.has_value()) {
-      refuse(document, {at}, path_of(disturbance, i) + ": x and y are wanted, or neither for a place drawn at random");
+      lacks(incident.x ? "y" : "x",
+            path_of(disturbance, i) + ": x and y are wanted, or neither for a place drawn at random");
     }
   }
 }

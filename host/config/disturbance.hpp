@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "config/mistakes.hpp"
 #include "config/node.hpp"
 #include "config/rules.hpp"
 
@@ -82,8 +83,8 @@ inline constexpr int most_ghost_balls = 8;
 // "incidents.flip", or "incidents.0" where it has no name: how `--set` and messages address it.
 std::string path_of(const Disturbance& disturbance, std::size_t incident);
 
-// Throws Error at the value of the document that makes no sense for the kind of its incident, or is missing.
-void check(const Disturbance& disturbance, const Node& document);
+// Tells of the values of the document that make no sense for the kind of their incident, or are missing.
+void check(const Disturbance& disturbance, const Node& document, Mistakes& mistakes);
 
 // Throws Error where an incident strikes a robot that a team of these rules does not have, and at the ghost ball that
 // is one too many for a robot.

@@ -90,25 +90,52 @@ void require_kind(const Node& document, DocumentKind kind) {
 
 // Read, and found sound in itself.
 template <class Document>
-static Document read_sound(const Node& document, DocumentKind kind) {
+static Document read_sound(const Node& document, DocumentKind kind, Mistakes& mistakes) {
   require_kind(document, kind);
   Document out;
-  read(declare(out), document);
-  if constexpr (requires { check(out, document); }) check(out, document);
+  read(declare(out), document, "", mistakes);
+  if constexpr (requires { check(out, document, mistakes); }) check(out, document, mistakes);
   return out;
 }
 
-Rules read_rules(const Node& document) { return read_sound<Rules>(document, DocumentKind::rules); }
-Robot read_robot(const Node& document) { return read_sound<Robot>(document, DocumentKind::robot); }
-Disturbance read_disturbance(const Node& document) {
-  return read_sound<Disturbance>(document, DocumentKind::disturbance);
+Rules read_rules(const Node& document, Mistakes& mistakes) {
+  return read_sound<Rules>(document, DocumentKind::rules, mistakes);
 }
-Opening read_opening(const Node& document) { return read_sound<Opening>(document, DocumentKind::opening); }
+Robot read_robot(const Node& document, Mistakes& mistakes) {
+  return read_sound<Robot>(document, DocumentKind::robot, mistakes);
+}
+Disturbance read_disturbance(const Node& document, Mistakes& mistakes) {
+  return read_sound<Disturbance>(document, DocumentKind::disturbance, mistakes);
+}
+Opening read_opening(const Node& document, Mistakes& mistakes) {
+  return read_sound<Opening>(document, DocumentKind::opening, mistakes);
+}
+PredictorStudy read_predictor_study(const Node& document, Mistakes& mistakes) {
+  return read_sound<PredictorStudy>(document, DocumentKind::predictor_study, mistakes);
+}
+Experiment read_experiment(const Node& document, Mistakes& mistakes) {
+  return read_sound<Experiment>(document, DocumentKind::experiment, mistakes);
+}
+Tuning read_tuning(const Node& document, Mistakes& mistakes) {
+  return read_sound<Tuning>(document, DocumentKind::tuning, mistakes);
+}
+
+template <class Document>
+static Document read_first(const Node& document, Document (*reader)(const Node&, Mistakes&)) {
+  Mistakes first(Mistakes::After::stop);
+  return reader(document, first);
+}
+
+Rules read_rules(const Node& document) { return read_first<Rules>(document, &read_rules); }
+Robot read_robot(const Node& document) { return read_first<Robot>(document, &read_robot); }
+Disturbance read_disturbance(const Node& document) { return read_first<Disturbance>(document, &read_disturbance); }
+Opening read_opening(const Node& document) { return read_first<Opening>(document, &read_opening); }
+Team read_team(const Node& document) { return read_first<Team>(document, &read_team); }
 PredictorStudy read_predictor_study(const Node& document) {
-  return read_sound<PredictorStudy>(document, DocumentKind::predictor_study);
+  return read_first<PredictorStudy>(document, &read_predictor_study);
 }
-Experiment read_experiment(const Node& document) { return read_sound<Experiment>(document, DocumentKind::experiment); }
-Tuning read_tuning(const Node& document) { return read_sound<Tuning>(document, DocumentKind::tuning); }
+Experiment read_experiment(const Node& document) { return read_first<Experiment>(document, &read_experiment); }
+Tuning read_tuning(const Node& document) { return read_first<Tuning>(document, &read_tuning); }
 
 Rules read_rules(const std::filesystem::path& file, const Overrides& overrides) {
   return read_rules(load(file, overrides));

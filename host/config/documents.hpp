@@ -12,6 +12,7 @@
 #include "config/disturbance.hpp"
 #include "config/experiment.hpp"
 #include "config/load.hpp"
+#include "config/mistakes.hpp"
 #include "config/node.hpp"
 #include "config/opening.hpp"
 #include "config/plugin_declaration.hpp"
@@ -44,6 +45,16 @@ Team read_team(const Node& document);
 PredictorStudy read_predictor_study(const Node& document);
 Experiment read_experiment(const Node& document);
 Tuning read_tuning(const Node& document);
+
+// The same, telling of every mistake. After one, what is read is good for nothing but to look for more of them.
+Rules read_rules(const Node& document, Mistakes& mistakes);
+Robot read_robot(const Node& document, Mistakes& mistakes);
+Disturbance read_disturbance(const Node& document, Mistakes& mistakes);
+Opening read_opening(const Node& document, Mistakes& mistakes);
+Team read_team(const Node& document, Mistakes& mistakes);
+PredictorStudy read_predictor_study(const Node& document, Mistakes& mistakes);
+Experiment read_experiment(const Node& document, Mistakes& mistakes);
+Tuning read_tuning(const Node& document, Mistakes& mistakes);
 
 enum class DocumentKind { rules, robot, disturbance, opening, team, predictor_study, experiment, tuning };
 

@@ -36,18 +36,21 @@ bool same_value(const Node& a, const Node& b) {
   return std::ranges::equal(a.elements(), b.elements(), same_value);
 }
 
+void check_value(const std::vector<Node>& values, std::size_t i, const std::string& what) {
+  if (values[i].kind() == Node::Kind::null) refuse_kind(values[i], what, "a value");
+  for (std::size_t j = 0; j < i; ++j) {
+    if (same_value(values[i], values[j])) throw Error(values[i].where(), what + ": the same value a second time");
+  }
+}
+
 Field values(std::string key, std::vector<Node>& values, std::string doc) {
   return {std::move(key), std::move(doc),
           Own{"values",
-              [&values](const Node& node, const std::string& what) {
+              [&values](const Node& node, const std::string& what, Mistakes& mistakes) {
                 const auto elements = elements_of(node, what, "a list of values");
                 values.assign(elements.begin(), elements.end());
                 for (std::size_t i = 0; i < values.size(); ++i) {
-                  if (values[i].kind() == Node::Kind::null) refuse_kind(values[i], what, "a value");
-                  for (std::size_t j = 0; j < i; ++j) {
-                    if (!same_value(values[i], values[j])) continue;
-                    throw Error(values[i].where(), what + ": the same value a second time");
-                  }
+                  mistakes.attempt(what, [&] { check_value(values, i, what); });
                 }
               },
               [&values] { return sequence_of(values); }}};
@@ -56,9 +59,9 @@ Field values(std::string key, std::vector<Node>& values, std::string doc) {
 Field lines(std::string key, std::vector<Node>& texts, std::string doc) {
   return {std::move(key), std::move(doc),
           Own{"lines",
-              [&texts](const Node& node, const std::string& what) {
+              [&texts](const Node& node, const std::string& what, Mistakes& mistakes) {
                 const auto elements = elements_of(node, what, "a list of texts");
-                for (const Node& each : elements) to_line(each, what);
+                for (const Node& each : elements) mistakes.attempt(what, [&] { to_line(each, what); });
                 texts.assign(elements.begin(), elements.end());
               },
               [&texts] { return sequence_of(texts); }}};
@@ -67,15 +70,16 @@ Field lines(std::string key, std::vector<Node>& texts, std::string doc) {
 Field pairs(std::string key, std::vector<Node>& pairs, std::string doc) {
   return {std::move(key), std::move(doc),
           Own{"pairs",
-              [&pairs](const Node& node, const std::string& what) {
-                const auto elements = elements_of(node, what, "a list of pairs");
-                for (const Node& each : elements) {
-                  if (each.kind() != Node::Kind::sequence || each.elements().size() != 2) {
-                    refuse_kind(each, what, "a list of two names");
-                  }
-                  for (const Node& name : each.elements()) to_line(name, what);
+              [&pairs](const Node& node, const std::string& what, Mistakes& mistakes) {
+                for (const Node& each : elements_of(node, what, "a list of pairs")) {
+                  mistakes.attempt(what, [&] {
+                    if (each.kind() != Node::Kind::sequence || each.elements().size() != 2) {
+                      refuse_kind(each, what, "a list of two names");
+                    }
+                    for (const Node& name : each.elements()) to_line(name, what);
+                    pairs.push_back(each);
+                  });
                 }
-                pairs.assign(elements.begin(), elements.end());
               },
               [&pairs] { return sequence_of(pairs); }}};
 }
@@ -85,6 +89,27 @@ void require_arm(const Experiment& experiment, const Node& name) {
   for (const Experiment::Arm& arm : experiment.arms) known.push_back(arm.name);
   if (std::ranges::find(known, name.text()) != known.end()) return;
   throw Error(name.where(), "primary.compare: " + unknown("arm", name.text(), "", known));
+}
+
+void check_compared(const Experiment& experiment, Mistakes& mistakes) {
+  constexpr std::string_view path = "primary.compare";
+  const std::vector<Node>& compared = experiment.primary->compare;
+  for (std::size_t i = 0; i < compared.size(); ++i) {
+    const Node& pair = compared[i];
+    if (!mistakes.doubtful("arms")) {
+      for (const Node& arm : pair.elements()) mistakes.attempt(path, [&] { require_arm(experiment, arm); });
+    }
+    if (pair.elements()[0].text() == pair.elements()[1].text()) {
+      mistakes.add(Error(pair.where(), "primary.compare: an arm is compared with itself"), path);
+      continue;
+    }
+    const bool second_time =
+        std::any_of(compared.begin(), compared.begin() + static_cast<std::ptrdiff_t>(i),
+                    [arms = pair.elements()](const Node& other) {
+                      return std::ranges::is_permutation(arms, other.elements(), {}, &Node::text, &Node::text);
+                    });
+    if (second_time) mistakes.add(Error(pair.where(), "primary.compare: the same two arms a second time"), path);
+  }
 }
 
 }  // namespace
@@ -147,33 +172,22 @@ Map declare(Experiment& experiment) {
       .exactly_one = {"minutes", "matches"}};
 }
 
-void check(const Experiment& experiment, const Node& document) {
-  for (const Experiment::Arm& arm : experiment.arms) {
-    if (arm.name.empty()) throw Error(arm.where, "arms: a name is wanted");
-    if (arm.team.empty() && experiment.team.empty()) {
-      throw Error(arm.where,
-                  fmt::format("arm {}: which team? Name it here, or for all arms by `team`", in_quotes(arm.name)));
-    }
+void check(const Experiment& experiment, const Node& document, Mistakes& mistakes) {
+  for (std::size_t i = 0; i < experiment.arms.size(); ++i) {
+    const Experiment::Arm& arm = experiment.arms[i];
+    const std::string name = fmt::format("arms.{}.name", i), team = fmt::format("arms.{}.team", i);
+    if (arm.name.empty() && !mistakes.doubtful(name)) mistakes.add(Error(arm.where, "arms: a name is wanted"), name);
+    if (!arm.team.empty() || !experiment.team.empty() || mistakes.doubtful(team) || mistakes.doubtful("team")) continue;
+    mistakes.add(Error(arm.where,
+                       fmt::format("arm {}: which team? Name it here, or for all arms by `team`", in_quotes(arm.name))),
+                 team);
   }
   if (experiment.matches && *experiment.matches % 2 != 0) {
     refuse(document, {"matches"},
-           fmt::format("matches: {} is odd; half of them are played at home, half away", *experiment.matches));
+           fmt::format("matches: {} is odd; half of them are played at home, half away", *experiment.matches),
+           mistakes);
   }
-  if (!experiment.primary) return;
-  const std::vector<Node>& compared = experiment.primary->compare;
-  for (std::size_t i = 0; i < compared.size(); ++i) {
-    const Node& pair = compared[i];
-    for (const Node& arm : pair.elements()) require_arm(experiment, arm);
-    if (pair.elements()[0].text() == pair.elements()[1].text()) {
-      throw Error(pair.where(), "primary.compare: an arm is compared with itself");
-    }
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto arms = pair.elements(), others = compared[j].elements();
-      if (std::ranges::is_permutation(arms, others, {}, &Node::text, &Node::text)) {
-        throw Error(pair.where(), "primary.compare: the same two arms a second time");
-      }
-    }
-  }
+  if (experiment.primary) check_compared(experiment, mistakes);
 }
 
 }  // namespace regista::config

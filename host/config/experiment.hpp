@@ -64,7 +64,7 @@ struct Experiment {
 
 Map declare(Experiment& experiment);
 
-// Throws Error at values of the document that are sound one by one, but not together.
-void check(const Experiment& experiment, const Node& document);
+// Tells of values of the document that are sound one by one, but not together.
+void check(const Experiment& experiment, const Node& document, Mistakes& mistakes);
 
 }  // namespace regista::config

@@ -13,7 +13,7 @@ std::string to_line(const Node& node, const std::string& what) {
 
 Field line(std::string key, std::string& text, std::string doc) {
   return {std::move(key), std::move(doc),
-          Own{"line", [&text](const Node& node, const std::string& what) { text = to_line(node, what); },
+          Own{"line", [&text](const Node& node, const std::string& what, Mistakes&) { text = to_line(node, what); },
               [&text] { return text.empty() ? Node() : Node::scalar(text, true, {}); }}};
 }
 

@@ -32,9 +32,11 @@ class Error : public std::runtime_error {
  public:
   Error(Location where, const std::string& message);
   const Location& where() const { return where_; }
+  std::string message() const { return what() + before_message_; }  // what() without the place
 
  private:
   Location where_;
+  std::size_t before_message_;
 };
 
 class Node {

@@ -8,6 +8,7 @@
 
 #include "config/line.hpp"
 #include "config/place.hpp"
+#include "config/read.hpp"
 #include "config/scalar.hpp"
 
 namespace regista::config {
@@ -47,7 +48,8 @@ std::vector<Standing> standing(const Opening& opening, const Rules& rules, const
   for (const std::size_t side : {0u, 1u}) {
     const char* const name = side == 0 ? "home" : "away";
     const std::vector<Opening::Player>& players = side == 0 ? opening.home : opening.away;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(rules.team_size); ++i) {
+    const std::size_t count = std::min(players.size(), static_cast<std::size_t>(rules.team_size));
+    for (std::size_t i = 0; i < count; ++i) {
       all.push_back({fmt::format("{}.{}.at", name, i), fmt::format("{} {}", name, i + 1), players[i].at,
                      robots[side].body.radius});
     }
@@ -89,14 +91,15 @@ double heading(const Opening& opening, const Opening::Player& player) {
   return std::atan2(opening.ball.at[1] - player.at[1], opening.ball.at[0] - player.at[0]);
 }
 
-std::optional<Misfit> misfit(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots) {
-  const auto found = [&](std::string path, const std::string& reason) {
-    return Misfit{std::move(path), fmt::format("opening {}: {}", opening.name, reason)};
+std::vector<Misfit> misfits(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots) {
+  std::vector<Misfit> out;
+  const auto found = [&](std::string path, const std::string& reason, std::string other = {}) {
+    out.push_back({std::move(path), fmt::format("opening {}: {}", opening.name, reason), std::move(other)});
   };
   for (const auto& [side, players] : {std::pair{"home", &opening.home}, {"away", &opening.away}}) {
     if (players->size() < static_cast<std::size_t>(rules.team_size)) {
-      return found(side, fmt::format("{} has {} place{}, a team has {} robots", side, players->size(),
-                                     players->size() == 1 ? "" : "s", rules.team_size));
+      found(side, fmt::format("{} has {} place{}, a team has {} robots", side, players->size(),
+                              players->size() == 1 ? "" : "s", rules.team_size));
     }
   }
   const FieldSize& field = rules.field;
@@ -104,11 +107,10 @@ std::optional<Misfit> misfit(const Opening& opening, const Rules& rules, const s
   const double ball_radius = rules.ball.diameter / 2.0;
   const double x = field.length / 2.0, y = field.width / 2.0;
   if (std::fabs(ball[0]) > x || std::fabs(ball[1]) > y) {
-    return found("ball.at", fmt::format("the ball at {} is off the field, which ends at x = {} and y = {} m",
-                                        text(ball), metres(x), metres(y)));
-  }
-  if (to_goal_frame(ball, field) < ball_radius) {
-    return found("ball.at", fmt::format("the ball at {} is on a goal post", text(ball)));
+    found("ball.at", fmt::format("the ball at {} is off the field, which ends at x = {} and y = {} m", text(ball),
+                                 metres(x), metres(y)));
+  } else if (to_goal_frame(ball, field) < ball_radius) {
+    found("ball.at", fmt::format("the ball at {} is on a goal post", text(ball)));
   }
   const std::vector<Standing> all = standing(opening, rules, robots);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -116,23 +118,48 @@ std::optional<Misfit> misfit(const Opening& opening, const Rules& rules, const s
     const std::string who = fmt::format("{} at {}", robot.name, text(robot.at));
     const double end_x = x + field.border_strip - robot.radius, end_y = y + field.border_strip - robot.radius;
     if (std::fabs(robot.at[0]) > end_x || std::fabs(robot.at[1]) > end_y) {
-      return found(robot.path, fmt::format("{} is off the carpet, which has room up to x = {} and y = {} m", who,
-                                           metres(end_x), metres(end_y)));
+      found(robot.path, fmt::format("{} is off the carpet, which has room up to x = {} and y = {} m", who,
+                                    metres(end_x), metres(end_y)));
+      continue;
     }
-    if (to_goal_frame(robot.at, field) < robot.radius) return found(robot.path, who + " stands in a goal's frame");
+    if (to_goal_frame(robot.at, field) < robot.radius) {
+      found(robot.path, who + " stands in a goal's frame");
+      continue;
+    }
     const double to_ball = distance(robot.at, ball), on_ball = robot.radius + ball_radius;
     if (to_ball < on_ball) {
-      return found(robot.path, fmt::format("{} stands on the ball at {}: {} m apart, they need {} m", who, text(ball),
-                                           metres(to_ball), metres(on_ball)));
+      found(robot.path,
+            fmt::format("{} stands on the ball at {}: {} m apart, they need {} m", who, text(ball), metres(to_ball),
+                        metres(on_ball)),
+            "ball.at");
     }
     for (std::size_t j = 0; j < i; ++j) {
       const double apart = distance(robot.at, all[j].at), bodies = robot.radius + all[j].radius;
       if (apart >= bodies) continue;
-      return found(robot.path, fmt::format("{} and {} at {} overlap: {} m apart, they need {} m", who, all[j].name,
-                                           text(all[j].at), metres(apart), metres(bodies)));
+      found(robot.path,
+            fmt::format("{} and {} at {} overlap: {} m apart, they need {} m", who, all[j].name, text(all[j].at),
+                        metres(apart), metres(bodies)),
+            all[j].path);
     }
   }
-  return std::nullopt;
+  return out;
+}
+
+void check(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots, const Node& document,
+           Mistakes& mistakes) {
+  for (const Misfit& each : misfits(opening, rules, robots)) {
+    // Too few places are too few whatever else is wrong with some of them.
+    const bool of_places = each.path == "home" || each.path == "away";
+    if (of_places ? mistakes.mistaken(each.path) : mistakes.doubtful(each.path)) continue;
+    if (!each.other.empty() && mistakes.doubtful(each.other)) continue;
+    mistakes.attempt(each.path, [&] { refuse(document, {each.path}, each.reason); });
+  }
+}
+
+std::optional<Misfit> misfit(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots) {
+  std::vector<Misfit> all = misfits(opening, rules, robots);
+  if (all.empty()) return std::nullopt;
+  return std::move(all.front());
 }
 
 }  // namespace regista::config

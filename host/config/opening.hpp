@@ -41,11 +41,19 @@ double heading(const Opening& opening, const Opening::Player& player);
 // Why an opening cannot be played, and the path of the value that is to blame ("home.2.at").
 struct Misfit {
   std::string path, reason;
+  std::string other = {};  // path of the value that it does not go with, where that is one of the opening, too
 };
 
-// The first thing of the opening that does not go with rules and robots (by side: home, away): too few places for a
-// team, somebody beyond the border, on another, on the ball or in a goal's frame, or the ball not within the lines.
-// Looks at the robots that take part alone.
+// What of the opening does not go with rules and robots (by side: home, away): too few places for a team, somebody
+// beyond the border, on another, on the ball or in a goal's frame, or the ball not within the lines. Looks at the
+// robots that take part alone.
+std::vector<Misfit> misfits(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots);
+
+// The same as mistakes of the document.
+void check(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots, const Node& document,
+           Mistakes& mistakes);
+
+// The first of them.
 std::optional<Misfit> misfit(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots);
 
 }  // namespace regista::config

@@ -68,19 +68,20 @@ Map declare(PredictorStudy& study) {
   }};
 }
 
-void check(const PredictorStudy& study, const Node& document) {
+void check(const PredictorStudy& study, const Node& document, Mistakes& mistakes) {
   using Format = PredictorStudy::Format;
   using Subject = PredictorStudy::Subject;
   if (study.format == Format::ssl_ball && study.subject != Subject::ball) {
-    refuse(document, {"subject"}, "a recording of format ssl_ball tells of the ball alone");
+    refuse(document, {"subject"}, "a recording of format ssl_ball tells of the ball alone", mistakes);
   }
   if (study.format == Format::ssl_robots && study.subject != Subject::opponents) {
-    refuse(document, {"subject"}, "a recording of format ssl_robots tells of robots alone");
+    refuse(document, {"subject"}, "a recording of format ssl_robots tells of robots alone", mistakes);
   }
   if (study.questions.memory < study.baselines.window) {
     refuse(document, {"questions.memory", "baselines.window"},
            fmt::format("the predictor is shown less ({} s) than the baselines ({} s)", study.questions.memory,
-                       study.baselines.window));
+                       study.baselines.window),
+           mistakes);
   }
 }
 

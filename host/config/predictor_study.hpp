@@ -67,6 +67,6 @@ struct PredictorStudy {
 Map declare(PredictorStudy& study);
 
 // Throws Error at values of the document that are sound one by one, but not together.
-void check(const PredictorStudy& study, const Node& document);
+void check(const PredictorStudy& study, const Node& document, Mistakes& mistakes);
 
 }  // namespace regista::config

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "config/file.hpp"
+#include "config/nearest.hpp"
 #include "config/scalar.hpp"
 #include "config/text.hpp"
 
@@ -32,6 +33,7 @@ std::string inside(const std::string& what, const std::string& key) { return wha
 struct Reader {
   const Node& node;
   const std::string& what;
+  Mistakes& mistakes;
 
   void operator()(const Real& real) const {
     real.member.get() = real.scale * real_in(node, what, real.range, real.unit);
@@ -66,15 +68,18 @@ struct Reader {
     }
     const std::vector<double*> values = numbers.get();
     for (std::size_t i = 0; i < elements.size(); ++i) {
-      *values[i] = real_in(elements[i], fmt::format("{}.{}", what, i), numbers.range, numbers.unit);
-      if (numbers.ascending && i > 0 && *values[i - 1] > *values[i]) {
-        throw Error(node.where(),
-                    fmt::format("{}: {} is more than {}", what, elements[i - 1].text(), elements[i].text()));
-      }
+      const std::string path = fmt::format("{}.{}", what, i);
+      mistakes.attempt(path, [&] { *values[i] = real_in(elements[i], path, numbers.range, numbers.unit); });
+    }
+    if (!numbers.ascending || mistakes.doubtful(what)) return;
+    for (std::size_t i = 1; i < elements.size(); ++i) {
+      if (*values[i - 1] <= *values[i]) continue;
+      throw Error(node.where(),
+                  fmt::format("{}: {} is more than {}", what, elements[i - 1].text(), elements[i].text()));
     }
   }
 
-  void operator()(const Own& own) const { own.read(node, what); }
+  void operator()(const Own& own) const { own.read(node, what, mistakes); }
 
   void operator()(const Free& free) const {
     if (node.kind() != Node::Kind::map) refuse_kind(node, what, "a map");
@@ -83,7 +88,7 @@ struct Reader {
 
   void operator()(const Section& section) const {
     if (node.kind() != Node::Kind::map) refuse_kind(node, what, "a map");
-    read(section.open(), node, what);
+    read(section.open(), node, what, mistakes);
   }
 
   void operator()(const List& list) const {
@@ -93,8 +98,11 @@ struct Reader {
     for (std::size_t i = 0; i < node.elements().size(); ++i) {
       const Node& element = node.elements()[i];
       const std::string path = fmt::format("{}.{}", what, i);
-      if (element.kind() != Node::Kind::map) refuse_kind(element, path, "a map");
-      read(list.append(), element, path);
+      const Map map = list.append();  // a mistaken element, too: others keep their places
+      mistakes.attempt(path, [&] {
+        if (element.kind() != Node::Kind::map) refuse_kind(element, path, "a map");
+        read(map, element, path, mistakes);
+      });
     }
     check_names();
   }
@@ -104,10 +112,12 @@ struct Reader {
     check_count(node.entries().size(), dictionary.least, dictionary.most);
     dictionary.clear();
     for (const Node::Entry& entry : node.entries()) {
-      const std::string name = to_name(Node::scalar(entry.key, true, entry.key_where), what);
-      const Field field = dictionary.append(name);
-      const std::string path = inside(what, name);
-      std::visit(Reader{entry.value, path}, field.kind);
+      mistakes.attempt(inside(what, entry.key), [&] {
+        const std::string name = to_name(Node::scalar(entry.key, true, entry.key_where), what);
+        const Field field = dictionary.append(name);
+        const std::string path = inside(what, name);
+        std::visit(Reader{entry.value, path, mistakes}, field.kind);
+      });
     }
   }
 
@@ -121,12 +131,14 @@ struct Reader {
     const std::span<const Node> elements = node.elements();
     for (std::size_t i = 0; i < elements.size(); ++i) {
       const Node own = elements[i]["name"];
-      for (std::size_t j = 0; own && j < i; ++j) {
+      if (own.kind() != Node::Kind::scalar) continue;
+      for (std::size_t j = 0; j < i; ++j) {
         const Node other = elements[j]["name"];
-        if (other && other.text() == own.text()) {
-          throw Error(own.where(), fmt::format("{}: second element named {}; the first is at {}", what,
-                                               in_quotes(own.text()), to_string(other.where())));
-        }
+        if (other.kind() != Node::Kind::scalar || other.text() != own.text()) continue;
+        mistakes.add(Error(own.where(), fmt::format("{}: second element named {}; the first is at {}", what,
+                                                    in_quotes(own.text()), to_string(other.where()))),
+                     fmt::format("{}.{}.name", what, i));
+        break;
       }
     }
   }
@@ -138,44 +150,75 @@ std::vector<std::string> keys_of(const Map& map) {
   return keys;
 }
 
-}  // namespace
-
-void read(const Map& map, const Node& node, const std::string& what) {
-  const std::vector<std::string> keys = keys_of(map);
+void check_known(const Node& node, const std::string& what, const std::vector<std::string>& keys, Mistakes& mistakes) {
   for (const Node::Entry& entry : node.entries()) {
     if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
-    throw Error(entry.key_where, unknown("key", entry.key, what, keys));
+    mistakes.add(Error(entry.key_where, unknown("key", entry.key, what, keys)), inside(what, entry.key));
+    // Who wrote `lenght` has not left out `length`.
+    if (const std::string_view meant = nearest(entry.key, keys); !meant.empty()) {
+      mistakes.doubt(inside(what, std::string(meant)));
+    }
   }
+}
+
+void check_exactly_one(const Map& map, const Node& node, const std::string& what, Mistakes& mistakes) {
+  if (map.exactly_one.empty()) return;
+  const std::string before = what.empty() ? "" : what + ": ";
+  std::size_t present = 0;
+  for (const std::string& key : map.exactly_one) {
+    if (node[key] && ++present == 2) {
+      mistakes.add(
+          Error(node[key].where(), fmt::format("{}exactly one of {} is wanted", before, join(map.exactly_one))),
+          inside(what, key));
+    }
+  }
+  const bool doubtful = std::ranges::any_of(
+      map.exactly_one, [&](const std::string& key) { return mistakes.doubtful(inside(what, key)); });
+  if (present > 0 || doubtful) return;
+  mistakes.add(Error(node.where(), fmt::format("{}one of {} is wanted", before, join(map.exactly_one))),
+               inside(what, map.exactly_one.front()));
+}
+
+// What holds between the keys of a map.
+void check_keys(const Map& map, const Node& node, const std::string& what, Mistakes& mistakes) {
+  check_known(node, what, keys_of(map), mistakes);
   const std::string in = what.empty() ? "" : " in " + what;
   for (const Field& field : map.fields) {
-    if (field.required && !node[field.key]) {
-      throw Error(node.where(), fmt::format("missing key \"{}\"{}", field.key, in));
-    }
+    const std::string path = inside(what, field.key);
+    if (!field.required || node[field.key] || mistakes.doubtful(path)) continue;
+    mistakes.add(Error(node.where(), fmt::format("missing key \"{}\"{}", field.key, in)), path);
   }
-  if (!map.exactly_one.empty()) {
-    const std::string before = what.empty() ? "" : what + ": ";
-    std::size_t present = 0;
-    for (const std::string& key : map.exactly_one) {
-      if (node[key] && ++present == 2) {
-        throw Error(node[key].where(), fmt::format("{}exactly one of {} is wanted", before, join(map.exactly_one)));
-      }
-    }
-    if (present == 0) throw Error(node.where(), fmt::format("{}one of {} is wanted", before, join(map.exactly_one)));
-  }
+  check_exactly_one(map, node, what, mistakes);
   for (const auto& [key, other] : map.needs) {
-    if (node[key] && !node[other]) {
-      throw Error(node[key].where(), fmt::format("{}: makes sense only with {}", inside(what, key), other));
-    }
+    if (!node[key] || node[other] || mistakes.doubtful(inside(what, other))) continue;
+    mistakes.add(Error(node[key].where(), fmt::format("{}: makes sense only with {}", inside(what, key), other)),
+                 inside(what, key));
   }
+}
+
+}  // namespace
+
+void read(const Map& map, const Node& node, const std::string& what, Mistakes& mistakes) {
+  check_keys(map, node, what, mistakes);
   for (const Field& field : map.fields) {
     const std::string path = inside(what, field.key);
-    if (const Node value = node[field.key]) std::visit(Reader{value, path}, field.kind);
+    const Node value = node[field.key];
+    if (!value) continue;
+    mistakes.attempt(path, [&] { std::visit(Reader{value, path, mistakes}, field.kind); });
   }
   if (map.where) {
     // A plugin that the command line chose stands there, not where the page chose another one.
     const Node chosen = node["plugin"];
     *map.where = chosen && chosen.where().line == 0 ? chosen.where() : node.where();
+    if (mistakes.doubtful(inside(what, "plugin")) || mistakes.doubtful(inside(what, "file"))) {
+      mistakes.doubt_place(*map.where);
+    }
   }
+}
+
+void read(const Map& map, const Node& node, const std::string& what) {
+  Mistakes first(Mistakes::After::stop);
+  read(map, node, what, first);
 }
 
 Node at(const Node& document, std::string_view path) {
@@ -200,6 +243,12 @@ void refuse(const Node& document, std::initializer_list<std::string_view> paths,
     if (const Node value = at(document, path)) throw Error(value.where(), reason);
   }
   throw Error(document.where(), reason);
+}
+
+void refuse(const Node& document, std::initializer_list<std::string_view> paths, const std::string& reason,
+            Mistakes& mistakes) {
+  if (std::ranges::any_of(paths, [&](std::string_view path) { return mistakes.doubtful(path); })) return;
+  mistakes.attempt(*paths.begin(), [&] { refuse(document, paths, reason); });
 }
 
 }  // namespace regista::config

@@ -51,6 +51,8 @@ static Map declare(Messages& messages) {
   return {{
       integer("budget", messages.budget, {0, 1000000}, "packets", "of a team in a match"),
       integer("size", messages.size, {64, 1024}, "bytes", "largest packet"),
+      choice("short_games", messages.short_games, {"whole", "share"},
+             "packets of a game shorter than a match (an opening, a limit): the whole budget, or the length's share"),
   }};
 }
 

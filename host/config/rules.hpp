@@ -40,9 +40,14 @@ struct Durations {
   double game_stuck = 30.0;           // the ball has not moved
 };
 
+// How many packets a game has that is shorter than a match: one from an opening, or with a limit.
+enum class ShortGames { whole, share };
+
 struct Messages {
   int budget = 1200;  // packets per team and match
   int size = 128;     // bytes
+  ShortGames short_games = ShortGames::whole;
+  double share = 1.0;  // of the budget, for this game; follows from its length, see packet_share.hpp
 };
 
 // What offences cost, in seconds of Ready and Playing.

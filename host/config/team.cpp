@@ -16,19 +16,22 @@ namespace {
 
 bool same_place(const Place& a, const Place& b) { return a.anchor == b.anchor && a.point == b.point; }
 
-void check_target(const TargetRule& target, const Node& node, const std::string& what) {
+void check_target(const TargetRule& target, const Node& node, const std::string& what, Mistakes& mistakes) {
+  const auto wrong = [&](const char* key, const std::string& reason) {
+    const std::string path = what + '.' + key;
+    if (!mistakes.doubtful(path)) mistakes.add(Error(node[key].where(), path + ": " + reason), path);
+  };
   if (target.within) {
     const auto& [least_x, largest_x, least_y, largest_y] = *target.within;
     if (least_x > largest_x || least_y > largest_y) {
-      throw Error(node["within"].where(),
-                  what + ".within: [least x, largest x, least y, largest y] is wanted, in order");
+      wrong("within", "[least x, largest x, least y, largest y] is wanted, in order");
     }
   }
   if (target.on_line && same_place(target.on_line->from, target.on_line->to)) {
-    throw Error(node["on_line"].where(), what + ".on_line: both ends are the same place");
+    wrong("on_line", "both ends are the same place");
   }
   if (target.on_circle && same_place(target.on_circle->from, target.on_circle->towards)) {
-    throw Error(node["on_circle"].where(), what + ".on_circle: from and towards are the same place");
+    wrong("on_circle", "from and towards are the same place");
   }
 }
 
@@ -40,27 +43,30 @@ Behaviour usual_behaviour(const Role& role) {
   return role.name == "goalkeeper" ? Behaviour::keep_goal : Behaviour::support;
 }
 
-void check_roles(TeamPage& page, const Node& document) {
+void check_roles(TeamPage& page, const Node& document, Mistakes& mistakes) {
   for (RoleList& list : page.role_lists) {
     const Node roles = document["roles"][list.name];
     for (std::size_t i = 0; i < list.roles.size(); ++i) {
       const Node node = roles.elements()[i];
-      check_target(list.roles[i].target, node["target"], fmt::format("roles.{}.{}.target", list.name, i));
+      check_target(list.roles[i].target, node["target"], fmt::format("roles.{}.{}.target", list.name, i), mistakes);
       if (!node["behaviour"]) list.roles[i].behaviour = usual_behaviour(list.roles[i]);
     }
   }
 }
 
-void check_priorities(const TeamPage& page, const Node& document) {
+void check_priorities(const TeamPage& page, const Node& document, Mistakes& mistakes) {
   const std::vector<ContextPage>& contexts = page.contexts;
+  const auto path = [](std::size_t i) { return fmt::format("contexts.{}.priority", i); };
   for (std::size_t i = 0; i < contexts.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (contexts[i].priority != contexts[j].priority) continue;
+      if (mistakes.mistaken(path(i)) || mistakes.mistaken(path(j))) continue;
       const Node element = document["contexts"].elements()[i];
       const Node priority = element["priority"];
-      throw Error(priority ? priority.where() : element.where(),
-                  fmt::format("contexts {} and {} have the same priority {}", contexts[j].name, contexts[i].name,
-                              contexts[i].priority));
+      mistakes.add(Error(priority ? priority.where() : element.where(),
+                         fmt::format("contexts {} and {} have the same priority {}", contexts[j].name, contexts[i].name,
+                                     contexts[i].priority)),
+                   path(i));
     }
   }
 }
@@ -84,21 +90,32 @@ int role_list_named(const Node& value, const TeamPage& page, const std::string& 
   return static_cast<int>(found - names.begin());
 }
 
-Context resolved(const ContextPage& written, const Node& document, const TeamPage& page, const std::string& what) {
+// `what`: the path of the context's `use:`.
+Context resolved(const ContextPage& written, const Node& document, const TeamPage& page, const std::string& what,
+                 Mistakes& mistakes) {
   Context context;
+  Node values = coordination_of(document);
   for (const Node::Entry& entry : written.use.entries()) {
     const std::string first = entry.key.substr(0, entry.key.find('.'));
-    if (std::count(usable_keys().begin(), usable_keys().end(), first) == 0) {
-      throw Error(entry.key_where, unknown("key", first, what, usable_keys()));
-    }
-    if (entry.key == "roles") {
-      context.role_list = role_list_named(entry.value, page, what + ".roles");
-    } else if (first == "roles") {
-      throw Error(entry.key_where, what + ": roles takes the name of a list and has no parts");
-    }
+    mistakes.attempt(what, [&] {
+      if (std::count(usable_keys().begin(), usable_keys().end(), first) == 0) {
+        throw Error(entry.key_where, unknown("key", first, what, usable_keys()));
+      }
+      if (entry.key == "roles") {
+        // A list that could not be read may be the one that is meant.
+        const bool all_lists =
+            !mistakes.mistaken("roles") && page.role_lists.size() == document["roles"].entries().size();
+        if (!all_lists && entry.value.kind() == Node::Kind::scalar) return;
+        context.role_list = role_list_named(entry.value, page, what + ".roles");
+      } else if (first == "roles") {
+        throw Error(entry.key_where, what + ": roles takes the name of a list and has no parts");
+      } else if (!mistakes.mistaken(entry.key.substr(0, entry.key.rfind('.'))) || first == entry.key) {
+        values = with(values, entry.key, entry.value, entry.key_where);
+      }
+    });
   }
   Coordination coordination;
-  read(declare(coordination), in_context(document, written.use));
+  read(declare(coordination), values, "", mistakes);
   context.name = written.name;
   context.priority = written.priority;
   context.use = written.plugin;
@@ -123,20 +140,29 @@ Node in_context(const Node& document, const Node& use) {
   return values;
 }
 
-TeamPage read_team_page(const Node& document) {
+TeamPage read_team_page(const Node& document, Mistakes& mistakes) {
   TeamPage page;
-  read(declare(page), document);
-  check_roles(page, document);
-  check_priorities(page, document);
+  read(declare(page), document, "", mistakes);
+  check_roles(page, document, mistakes);
+  check_priorities(page, document, mistakes);
   return page;
 }
 
-Team read_team(const Node& document) {
+TeamPage read_team_page(const Node& document) {
+  Mistakes first(Mistakes::After::stop);
+  return read_team_page(document, first);
+}
+
+Team read_team(const Node& document, Mistakes& mistakes) {
   require_kind(document, DocumentKind::team);
-  TeamPage page = read_team_page(document);
+  TeamPage page = read_team_page(document, mistakes);
   Team team;
+  const Mistakes of_page = mistakes;
   for (std::size_t i = 0; i < page.contexts.size(); ++i) {
-    team.contexts.push_back(resolved(page.contexts[i], document, page, fmt::format("contexts.{}.use", i)));
+    // What one context gets wrong about a value of the team says nothing of that value in another.
+    Mistakes of_context = of_page;
+    team.contexts.push_back(resolved(page.contexts[i], document, page, fmt::format("contexts.{}.use", i), of_context));
+    mistakes.take_over(of_context);
   }
   std::stable_sort(team.contexts.begin(), team.contexts.end(),
                    [](const Context& a, const Context& b) { return a.priority > b.priority; });

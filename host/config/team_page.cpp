@@ -15,18 +15,21 @@ constexpr Range metres{-farthest_coordinate, farthest_coordinate};
 
 Field place(std::string key, Member<Place> member, std::string doc) {
   return {std::move(key), std::move(doc),
-          Own{"place", [member](const Node& node, const std::string& what) { member.get() = to_place(node, what); },
+          Own{"place",
+              [member](const Node& node, const std::string& what, Mistakes&) { member.get() = to_place(node, what); },
               [member] { return member.present() ? written(member.get()) : Node(); }}};
 }
 
 Field segment(std::string key, std::optional<TargetRule::OnLine>& line, std::string doc) {
-  const auto read_line = [&line](const Node& node, const std::string& what) {
+  const auto read_line = [&line](const Node& node, const std::string& what, Mistakes& mistakes) {
     if (node.kind() != Node::Kind::sequence || node.elements().size() != 2) {
       refuse_kind(node, what, "a list of two places");
     }
     line.emplace();
-    line->from = to_place(node.elements()[0], what + ".0");
-    line->to = to_place(node.elements()[1], what + ".1");
+    for (std::size_t end : {0u, 1u}) {
+      const std::string path = fmt::format("{}.{}", what, end);
+      mistakes.attempt(path, [&] { (end == 0 ? line->from : line->to) = to_place(node.elements()[end], path); });
+    }
   };
   return {std::move(key), std::move(doc),
           Own{"segment", read_line, [&line] {

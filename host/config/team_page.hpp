@@ -54,5 +54,6 @@ Node in_context(const Node& document, const Node& use);
 
 // Reads and checks a page, and fills in what follows from other values (the behaviours of roles).
 TeamPage read_team_page(const Node& document);
+TeamPage read_team_page(const Node& document, Mistakes& mistakes);
 
 }  // namespace regista::config

@@ -21,7 +21,7 @@ std::string text_of(const Node& node, const std::string& what) {
   return text;
 }
 
-TunedPath path_of(const Node& node, const std::string& what) {
+TunedPath path_of(const Node& node, const std::string& what, Mistakes& mistakes) {
   TunedPath out;
   out.where = node.where();
   if (node.kind() != Node::Kind::map) {
@@ -33,7 +33,8 @@ TunedPath path_of(const Node& node, const std::string& what) {
               required(config::line("path", line, "of a value of the team; * and ? stand for any letters")),
               numbers("range", out.range, any_number, "", "[least, largest]: inside of what is declared"),
           }};
-  read(map, node, what);
+  read(map, node, what, mistakes);
+  if (mistakes.doubtful(what)) return out;
   out.pattern = text_of(node["path"], what + ".path");
   out.where = node["path"].where();
   if (!out.range) return out;
@@ -58,11 +59,12 @@ Node written(const TunedPath& path) {
 Field tuned_paths(std::string key, std::vector<TunedPath>& paths, std::string doc) {
   return {std::move(key), std::move(doc),
           Own{"tuned",
-              [&paths](const Node& node, const std::string& what) {
+              [&paths](const Node& node, const std::string& what, Mistakes& mistakes) {
                 const std::span<const Node> elements = elements_of(node, what, "a list of paths");
                 paths.clear();
                 for (std::size_t i = 0; i < elements.size(); ++i) {
-                  paths.push_back(path_of(elements[i], fmt::format("{}.{}", what, i)));
+                  const std::string path = fmt::format("{}.{}", what, i);
+                  mistakes.attempt(path, [&] { paths.push_back(path_of(elements[i], path, mistakes)); });
                 }
               },
               [&paths] {
@@ -75,7 +77,7 @@ Field tuned_paths(std::string key, std::vector<TunedPath>& paths, std::string do
 // `goal_difference`, or `{points: 10, overlap_seconds: -0.5}`. otherwise: what is in force where nothing is said.
 template <class Otherwise>
 Field measured(std::string key, std::vector<TuningObjective::Term>& terms, std::string doc, Otherwise otherwise) {
-  const auto read_terms = [&terms](const Node& node, const std::string& what) {
+  const auto read_terms = [&terms](const Node& node, const std::string& what, Mistakes& mistakes) {
     const auto require_name = [&what](const std::string& measure, const Location& where) {
       if (measure.empty()) throw Error(where, what + ": a measure is wanted");
     };
@@ -86,12 +88,15 @@ Field measured(std::string key, std::vector<TuningObjective::Term>& terms, std::
       return;
     }
     for (const Node::Entry& entry : node.entries()) {
-      require_name(entry.key, entry.key_where);
-      const double weight = to_real(entry.value, what + '.' + entry.key);
-      if (weight == 0.0) throw Error(entry.value.where(), fmt::format("{}.{}: a weight of 0", what, entry.key));
-      terms.push_back({entry.key, weight, entry.key_where});
+      const std::string path = what + '.' + entry.key;
+      mistakes.attempt(path, [&] {
+        require_name(entry.key, entry.key_where);
+        const double weight = to_real(entry.value, path);
+        if (weight == 0.0) throw Error(entry.value.where(), path + ": a weight of 0");
+        terms.push_back({entry.key, weight, entry.key_where});
+      });
     }
-    if (terms.empty()) throw Error(node.where(), what + ": a measure is wanted");
+    if (terms.empty() && !mistakes.doubtful(what)) throw Error(node.where(), what + ": a measure is wanted");
   };
   const auto write_terms = [&terms, otherwise] {
     const Location nowhere;
@@ -202,11 +207,12 @@ Map declare(Tuning& tuning) {
   }};
 }
 
-void check(const Tuning& tuning, const Node& document) {
+void check(const Tuning& tuning, const Node& document, Mistakes& mistakes) {
   if (tuning.verification.candidates > tuning.selection.finalists) {
     refuse(document, {"verification.candidates", "selection.finalists"},
            fmt::format("verification.candidates: {} of {} finalists", tuning.verification.candidates,
-                       tuning.selection.finalists));
+                       tuning.selection.finalists),
+           mistakes);
   }
 }
 

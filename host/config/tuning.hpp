@@ -83,6 +83,6 @@ struct Tuning {
 Map declare(Tuning& tuning);
 
 // Throws Error at values of the document that are sound one by one, but not together.
-void check(const Tuning& tuning, const Node& document);
+void check(const Tuning& tuning, const Node& document, Mistakes& mistakes);
 
 }  // namespace regista::config

@@ -60,11 +60,6 @@ std::vector<config::Body> bodies_of(const Setup& setup) {
   return bodies;
 }
 
-std::optional<double> limit_of(const Setup& setup) {
-  if (setup.limit || !setup.opening) return setup.limit;
-  return setup.opening->length;
-}
-
 double largest_radius(const Setup& setup) { return std::max(setup.robots[0].body.radius, setup.robots[1].body.radius); }
 
 // One robot as the match sees it: a mind, a body, senses.
@@ -478,6 +473,11 @@ Result play(const Setup& setup, std::span<const mind::Think> home, std::span<con
   check(setup, home.size(), away.size());
   static const Observer nobody;
   return Course(setup, home, away, observer != nullptr ? *observer : nobody, beliefs).run();
+}
+
+std::optional<double> limit_of(const Setup& setup) {
+  if (setup.limit || !setup.opening) return setup.limit;
+  return setup.opening->length;
 }
 
 int most_goal_difference(const Setup& setup) {

@@ -50,6 +50,9 @@ struct Result {
   std::uint64_t hash = 0;  // over the course of the match
 };
 
+// s of simulated time after which it ends, if anything ends it before its rules do.
+std::optional<double> limit_of(const Setup& setup);
+
 // No match of this setup ends with a larger one: the mercy rule ends it, and after each goal the robots go back to
 // their places before play goes on.
 int most_goal_difference(const Setup& setup);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/packet_share.hpp"
 #include "match/placement.hpp"
 
 namespace regista::match {
@@ -57,7 +58,7 @@ Referee::Referee(const config::Rules& rules, double robot_radius, const config::
   calls_.placements.reserve(where_.size());
   calls_.events.reserve(64);
   pending_.reserve(64);
-  state_.packets_left.fill(rules_.messages.budget);
+  state_.packets_left.fill(config::packets(rules_.messages));
 }
 
 RobotSet Referee::playing() const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "config/packet_share.hpp"
 #include "mind/assembly.hpp"
 #include "mind/behaviour/behaviour.hpp"
 #include "mind/behaviour/robot_memory.hpp"
@@ -166,15 +167,15 @@ void Mind::Parts::decide_to_send(const Percepts& percepts, Outcome& out) {
   if (!may_send || percepts.penalised || decision.context < 0) return;
 
   const config::Rules& rules = plan.rules();
-  const double match = rules.durations.half * rules.durations.halves;
   regista_budget budget{};
   budget.size = sizeof budget;
   budget.packets_left = percepts.game.packets_left;
-  budget.line = rules.messages.budget * percepts.game.match_time_left / match;
-  budget.match_time_left = percepts.game.match_time_left;
+  budget.line = config::packet_line(rules, percepts.game.match_time_left);
+  budget.match_time_left = config::packet_time_left(rules, percepts.game.match_time_left);
   budget.since_own = now - own_sent_at;
   budget.since_team = now - std::max(own_sent_at, team_sent_at);
   budget.bytes_free = mailboxes.bytes_free();
+  budget.share = rules.messages.share;
   const plugin::SendDecision send_decision =
       coordination.sender().decide(decision.frame, events, mailboxes.pending(), budget);
   if (!send_decision.send) return;

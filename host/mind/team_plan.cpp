@@ -1,42 +1,60 @@
 // SPDX-License-Identifier: MIT
 #include "mind/team_plan.hpp"
 
+#include "config/packet_share.hpp"
 #include "mind/landmarks.hpp"
 
 namespace regista::mind {
 namespace {
 
-Part open(const config::PluginUse& use, int kind, const plugin::Catalogue& catalogue, unsigned subject = 0) {
-  const plugin::Found& found = catalogue.find(use, kind, subject);
-  return {&found, plugin::resolve(*found.descriptor, use), use};
-}
+// Finds plugins, and checks the values of their parameters.
+struct Search {
+  const plugin::Catalogue& catalogue;
+  config::Mistakes& mistakes;
 
-Part open_predictor(const config::PluginUse& use, unsigned subject, const plugin::Catalogue& catalogue) {
-  return open(use, REGISTA_KIND_PREDICTOR, catalogue, subject);
-}
+  Part part(const config::PluginUse& use, int kind, unsigned subject = 0) const {
+    Part out{nullptr, {}, use};
+    // Which plugin is meant here, nobody knows.
+    if (use.plugin.empty() || mistakes.doubtful_place(use.where)) return out;
+    mistakes.attempt("", [&] {
+      out.found = &catalogue.find(use, kind, subject);
+      out.parameters = plugin::resolve(*out.found->descriptor, use, mistakes);
+    });
+    return out;
+  }
+  Part predictor(const config::PluginUse& use, unsigned subject) const {
+    return part(use, REGISTA_KIND_PREDICTOR, subject);
+  }
+};
 
 }  // namespace
 
 TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue)
-    : team_(std::move(team)),
-      rules_(std::move(rules)),
-      robot_(std::move(robot)),
-      self_(open_predictor(team_.self, REGISTA_SUBJECT_SELF, catalogue)),
-      ball_(open_predictor(team_.ball, REGISTA_SUBJECT_BALL, catalogue)),
-      opponents_(open_predictor(team_.opponents, REGISTA_SUBJECT_OPPONENTS, catalogue)),
-      teammates_(open_predictor(team_.teammates, REGISTA_SUBJECT_TEAMMATES, catalogue)) {
+    : TeamPlan(std::move(team), std::move(rules), std::move(robot), catalogue,
+               config::Mistakes(config::Mistakes::After::stop)) {}
+
+TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue,
+                   config::Mistakes&& mistakes)
+    : TeamPlan(std::move(team), std::move(rules), std::move(robot), catalogue, mistakes) {}
+
+TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue,
+                   config::Mistakes& mistakes)
+    : team_(std::move(team)), rules_(std::move(rules)), robot_(std::move(robot)) {
+  const Search open{catalogue, mistakes};
+  self_ = open.predictor(team_.self, REGISTA_SUBJECT_SELF);
+  ball_ = open.predictor(team_.ball, REGISTA_SUBJECT_BALL);
+  opponents_ = open.predictor(team_.opponents, REGISTA_SUBJECT_OPPONENTS);
+  teammates_ = open.predictor(team_.teammates, REGISTA_SUBJECT_TEAMMATES);
   for (const config::Context& context : team_.contexts) {
     std::optional<Part> positioner;
-    if (!context.positioner.plugin.empty()) {
-      positioner = open(context.positioner, REGISTA_KIND_POSITIONER, catalogue);
-    }
+    if (!context.positioner.plugin.empty()) positioner = open.part(context.positioner, REGISTA_KIND_POSITIONER);
     std::vector<TermPart> terms;
     for (const config::UtilityTerm& term : context.terms) {
-      terms.push_back({term.name, term.weight, open(term.use, REGISTA_KIND_UTILITY, catalogue)});
+      terms.push_back({term.name, term.weight, open.part(term.use, REGISTA_KIND_UTILITY)});
     }
-    contexts_.push_back({open(context.use, REGISTA_KIND_CONTEXT, catalogue), std::move(positioner),
-                         open(context.assigner, REGISTA_KIND_ASSIGNER, catalogue),
-                         open(context.sender, REGISTA_KIND_SENDER, catalogue), std::move(terms)});
+    contexts_.push_back({open.part(context.use, REGISTA_KIND_CONTEXT), std::move(positioner),
+                         open.part(context.assigner, REGISTA_KIND_ASSIGNER),
+                         open.part(context.sender, REGISTA_KIND_SENDER), std::move(terms)});
   }
 
   for (std::size_t list = 0; list < team_.role_lists.size(); ++list) {
@@ -50,8 +68,9 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
   }
   constexpr std::size_t most_roles = 254;  // one byte in a packet, one value of it for "none"
   if (roles_.size() > most_roles) {
-    throw config::Error(team_.where, "a team may name at most 254 roles in all its lists, this one has " +
-                                         std::to_string(roles_.size()));
+    mistakes.add(config::Error(team_.where, "a team may name at most 254 roles in all its lists, this one has " +
+                                                std::to_string(roles_.size())),
+                 "roles");
   }
   landmarks_ = landmarks(rules_.field);
 }
@@ -94,7 +113,7 @@ regista_environment TeamPlan::environment(int number, unsigned subject) const {
   out.turn_rate = robot_.walk.turn;
   out.decision_period = robot_.decision_period;
   out.packet_size = static_cast<std::uint32_t>(rules_.messages.size);
-  out.packet_budget = static_cast<std::uint32_t>(rules_.messages.budget);
+  out.packet_budget = static_cast<std::uint32_t>(config::packets(rules_.messages));
   out.landmarks = {landmarks_.data(), static_cast<std::uint32_t>(landmarks_.size()), sizeof(regista_landmark)};
   out.roles = {role_table_.data(), static_cast<std::uint32_t>(role_table_.size()), sizeof(regista_role)};
   return out;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "config/mistakes.hpp"
 #include "config/robot.hpp"
 #include "config/rules.hpp"
 #include "config/team.hpp"
@@ -49,6 +50,10 @@ class TeamPlan {
   // wrong parameters. `catalogue` outlives the plan.
   TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue);
 
+  // The same, telling of every mistake. After one, the plan must not be played.
+  TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue,
+           config::Mistakes& mistakes);
+
   // Rows of the table of roles point into the team.
   TeamPlan(const TeamPlan&) = delete;
   TeamPlan& operator=(const TeamPlan&) = delete;
@@ -75,6 +80,9 @@ class TeamPlan {
   regista_environment environment(int number, unsigned subject = 0) const;
 
  private:
+  TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue,
+           config::Mistakes&& mistakes);
+
   config::Team team_;
   config::Rules rules_;
   config::Robot robot_;

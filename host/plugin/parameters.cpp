@@ -97,26 +97,31 @@ regista_value read(const Reading& reading, std::string& text, std::vector<FileUs
   return value;
 }
 
-void check_names(const regista_descriptor& plugin, const Node& params) {
+void check_names(const regista_descriptor& plugin, const Node& params, config::Mistakes& mistakes) {
   std::vector<std::string> known;
   for (std::uint32_t i = 0; i < plugin.parameter_count; ++i) known.emplace_back(parameter(plugin, i).name);
   for (const Node::Entry& entry : params.entries()) {
     if (std::ranges::find(known, entry.key) != known.end()) continue;
     std::string message = config::unknown("parameter", entry.key, fmt::format("plugin {}", plugin.id), known);
     if (known.empty()) message += "; it has none";
-    throw config::Error(entry.key_where, message);
+    mistakes.add(config::Error(entry.key_where, message), "");
   }
 }
 
 }  // namespace
 
 Parameters resolve(const regista_descriptor& plugin, const config::PluginUse& use) {
+  config::Mistakes first(config::Mistakes::After::stop);
+  return resolve(plugin, use, first);
+}
+
+Parameters resolve(const regista_descriptor& plugin, const config::PluginUse& use, config::Mistakes& mistakes) {
   const Node& params = use.params;
   const Node::Kind kind = params.kind();
   if (kind == Node::Kind::map) {
-    check_names(plugin, params);
+    check_names(plugin, params, mistakes);
   } else if (kind != Node::Kind::absent && kind != Node::Kind::null) {
-    config::refuse_kind(params, fmt::format("params of plugin {}", plugin.id), "a map");
+    mistakes.attempt("", [&] { config::refuse_kind(params, fmt::format("params of plugin {}", plugin.id), "a map"); });
   }
 
   auto data = std::make_shared<Parameters::Data>();
@@ -128,11 +133,10 @@ Parameters resolve(const regista_descriptor& plugin, const config::PluginUse& us
     std::string& text = data->texts[i];
     const Node node = params[declared.name];
     const bool given = node.kind() != Node::Kind::absent && node.kind() != Node::Kind::null;
+    value = default_of(declared, text);
     if (given) {
       const Reading reading{declared, node, fmt::format("parameter \"{}\" of plugin {}", declared.name, plugin.id)};
-      value = read(reading, text, data->files);
-    } else {
-      value = default_of(declared, text);
+      mistakes.attempt("", [&] { value = read(reading, text, data->files); });
     }
     if (declared.type == REGISTA_TYPE_TEXT || (declared.type == REGISTA_TYPE_FILE && given)) {
       value.text = text.c_str();

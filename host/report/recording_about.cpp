@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "config/packet_share.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
 #include "plugin/declarations.hpp"
@@ -110,7 +111,7 @@ mcap::Pairs about(const RecordedSetup& setup) {
                        {"penalty_mark_distance", field.penalty_mark_distance},
                        {"centre_circle_radius", field.centre_circle_diameter / 2.0}});
   out["ball_radius"] = dump(rules.ball.diameter / 2.0);
-  out["packet_budget"] = std::to_string(rules.messages.budget);
+  out["packet_budget"] = std::to_string(config::packets(rules.messages));
   out["half_seconds"] = dump(rules.durations.half);
   for (std::size_t side = 0; side < 2; ++side) {
     const mind::TeamPlan& plan = *setup.plans[side];

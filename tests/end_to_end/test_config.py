@@ -23,14 +23,105 @@ class Config(program.Case):
         self.write("bad.yaml", "team: bad\nroles: 3\n")
         done = self.run_program("config", "check", "bad.yaml", "small.yaml", "missing.yaml")
         self.assertEqual((done.returncode, done.stdout), (2, "small.yaml: team, sound\n"))
-        first, second = done.stderr.splitlines()
-        self.assertTrue(first.startswith("regista: bad.yaml:"), first)
-        self.assertTrue(second.startswith("regista: missing.yaml: "), second)
+        *bad, missing = done.stderr.splitlines()
+        self.assertEqual([each.split(" ", 2)[1] for each in bad], ["bad.yaml:1:1:"] * 4 + ["bad.yaml:2:8:"])
+        self.assertTrue(missing.startswith("regista: missing.yaml: "), missing)
 
     def test_check_opens_plugins_of_teams(self):
         self.write("team.yaml", program.TEAM.format(name="team").replace("scale: 2", "scale: 20"))
         self.assertRegex(self.refused("config", "check", "team.yaml"),
                          r'^team\.yaml:\d+:\d+: .*scale.*20.*0\.1 to 10 m')
+
+    # Each line of TEAM that is wrong, what it is instead, and what is said of it.
+    MISTAKES = (("ball:      {plugin: last_news}", "ball:      {plugin: lost_news}", 'unknown predictor "lost_news"'),
+                ("opponents: {plugin: last_news}", "opponents: {plugin: 7}", 'predictors.opponents.plugin: "7" is not'),
+                ("plugin: ball_seen", "plugin: nearness", "nearness"),
+                ("at_most: 0.3", "at_most: far", 'tasks.offset.at_most: "far" is not a number'),
+                ("robot: 1,", "robot: 99,", "roles.playing.0.robot: the role goalkeeper is for robot 99, "
+                                            "a team has 7 robots by the rules spl2023"),
+                ("required: true", "required: yes", 'roles.playing.1.required: "yes" is neither true nor false'),
+                ("[-1, 0]", "[-1]", "roles.playing.2.target.shift: 1 elements"),
+                ("params: {scale: 2}", "params: {scale: 20, sale: 2}", "scale"),
+                ("assigner:", "asigner:", 'unknown key "asigner"'))
+
+    def mistaken(self):
+        """A page with all of them, and the numbers of their lines."""
+        page, lines = program.TEAM.format(name="wrong"), []
+        for sound, mistaken, _ in self.MISTAKES:
+            self.assertEqual(page.count(sound), 1, sound)
+            lines.append(page[:page.index(sound)].count("\n") + 1)
+            page = page.replace(sound, mistaken)
+        return page, lines
+
+    def test_check_tells_every_mistake_in_the_order_of_the_lines(self):
+        page, lines = self.mistaken()
+        self.write("wrong.yaml", page)
+        done = self.run_program("config", "check", "wrong.yaml", "small.yaml")
+        self.assertEqual((done.returncode, done.stdout), (2, "small.yaml: team, sound\n"))
+        told = done.stderr.splitlines()
+        wanted = []
+        for (_, _, message), line in zip(self.MISTAKES, lines):
+            wanted += [(line, message)] * (2 if message == "scale" else 1)  # a wrong value, an unknown parameter
+        self.assertEqual(len(told), len(wanted), done.stderr)
+        for each, (line, message) in zip(told, wanted):
+            self.assertRegex(each, rf"^regista: wrong\.yaml:{line}:\d+: ")
+            self.assertIn(message, each)
+
+    def test_check_as_json(self):
+        page, lines = self.mistaken()
+        self.write("wrong.yaml", page)
+        done = self.run_program("config", "check", "wrong.yaml", "small.yaml", "--json")
+        self.assertEqual((done.returncode, done.stderr), (2, ""))
+        wrong, sound = json.loads(done.stdout)["documents"]
+        self.assertEqual((wrong["file"], wrong["kind"], wrong["sound"]), ("wrong.yaml", "team", False))
+        self.assertEqual(sorted({each["line"] for each in wrong["mistakes"]}), sorted(lines))
+        self.assertEqual(wrong["mistakes"][-1]["file"], "wrong.yaml")
+        self.assertTrue(wrong["mistakes"][-1]["message"].startswith('unknown key "asigner"'))
+        self.assertEqual(sound, {"file": "small.yaml", "kind": "team", "sound": True, "mistakes": [],
+                                 "mistakes_left_out": 0, "warnings": []})
+
+    def test_check_does_not_flood_the_terminal(self):
+        self.write("rules.yaml", "rules: many\n" + "".join(f"key_{i}: 1\n" for i in range(250)))
+        done = self.run_program("config", "check", "rules.yaml")
+        lines = done.stderr.splitlines()
+        self.assertEqual((done.returncode, len(lines)), (2, 101))
+        self.assertTrue(lines[99].startswith("regista: rules.yaml:101:1: unknown key"), lines[99])
+        self.assertEqual(lines[100], "regista: rules.yaml: ... and 150 more")
+        done = self.run_program("config", "check", "rules.yaml", "--json")
+        self.assertEqual(len(json.loads(done.stdout)["documents"][0]["mistakes"]), 250)
+
+    def test_a_role_for_a_robot_that_no_team_has(self):
+        self.write("team.yaml", program.TEAM.format(name="team").replace("robot: 1,", "robot: 6,"))
+        self.succeed("config", "check", "team.yaml")
+        self.write("five.yaml", "rules: five\nteam_size: 5\n")
+        line = ("team.yaml:13:33: roles.playing.0.robot: the role goalkeeper is for robot 6, a team has 5 robots by the "
+                "rules five")
+        self.assertEqual(self.refused("config", "check", "team.yaml", "--rules", "five.yaml"), line)
+        self.assertEqual(self.refused("match", "team.yaml", "small.yaml", "--rules", "five.yaml", "--limit", "1"), line)
+        self.assertEqual(self.refused("tournament", "--team", "team.yaml", "--team", "small.yaml", "--rules", "five.yaml",
+                                      "--pairs", "1", "--results", "results.db"), line)
+
+    def test_robots_that_will_stand(self):
+        kept = program.TEAM.format(name="few").splitlines(keepends=True)
+        self.write("few.yaml", "".join(each for each in kept if "name: front" not in each and "name: left" not in each))
+        warning = ("few.yaml:12:3: warning: roles.playing: roles for 5 of 7 robots in context playing: 2 robots will "
+                   "stand")
+        done = self.run_program("config", "check", "few.yaml")
+        self.assertEqual((done.returncode, done.stdout, done.stderr),
+                         (0, "few.yaml: team, sound\n", f"regista: {warning}\n"))
+        done = self.run_program("match", "few.yaml", "few.yaml", "--limit", "1", "--quiet")
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(done.stderr.splitlines().count(f"regista: {warning}"), 1)
+        self.write("five.yaml", "rules: five\nteam_size: 5\n")
+        self.assertEqual(self.run_program("config", "check", "few.yaml", "--rules", "five.yaml").stderr, "")
+        found = json.loads(self.succeed("config", "check", "few.yaml", "--json"))["documents"][0]
+        self.assertEqual([(each["line"], each["column"]) for each in found["warnings"]], [(12, 3)])
+        self.assertTrue(found["sound"])
+
+    def test_shipped_documents_are_sound_without_warnings(self):
+        for kind in ("rules", "robots", "disturbances", "openings"):
+            files = sorted((program.SOURCE / "configs" / kind).glob("*.yaml"))
+            self.assertEqual(self.run_program("config", "check", *files).stderr, "")
 
     def test_show_is_read_back_as_the_same(self):
         for file in (*self.profiles(), "small.yaml"):

@@ -86,6 +86,24 @@ class Match(program.Case):
             hashes.add(self.play("--set", override)["state_hash"])
         self.assertEqual(len(hashes), 9)
 
+    def test_packets_of_a_short_game(self):
+        """Each robot sends every second, as long as its team has packets left."""
+        short = ("match", "small.yaml", "small.yaml", "--limit", "30", *program.PLAY_SOON)
+        share = ("--set", "rules.messages.short_games=share")
+        whole = json.loads(self.succeed(*short, "--json"))
+        self.assertTrue(all(packets > 60 for packets in whole["packets"]), whole["packets"])
+        self.assertEqual(self.values_of(whole), self.values_of(json.loads(
+            self.succeed(*short, "--json", "--set", "rules.messages.short_games=whole"))))
+        self.assertEqual(json.loads(self.succeed(*short, "--json", *share))["packets"], [30, 30])
+        self.assertEqual(self.succeed(*short, *share).count("packets 30 of 30:"), 2)
+        # A match of its whole length is none of the short games.
+        match = ("match", "small.yaml", "small.yaml", *program.PLAY_SOON, "--set", "rules.durations.half=10", "--json")
+        self.assertEqual(self.values_of(json.loads(self.succeed(*match))),
+                         self.values_of(json.loads(self.succeed(*match, *share))))
+
+    def values_of(self, match):
+        return {key: value for key, value in match.items() if key != "wall_seconds"}
+
     def test_disturbances_by_side(self):
         profiles = program.SOURCE / "configs" / "disturbances"
         none, lossy = profiles / "none.yaml", profiles / "lossy_radio.yaml"

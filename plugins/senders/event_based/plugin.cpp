@@ -263,6 +263,7 @@ struct EventBased {
     now.alone_with_ball = witness.is_alone(now.time, {mine.ball_known(), mine.ball().age},
                                            {common.ball_known(), common.ball().age}, alone_after);
     now.packets_left = query.budget.packets_left;
+    settings.reserve = regista::in_this_game(reserve, query.budget);
     now.line = query.budget.line;
     now.since_own = query.budget.since_own;
     const std::optional<Cause> cause = sender.decide(settings, now, events);

@@ -12,6 +12,8 @@
 #include <regista/testkit/frame_builder.hpp>
 #include <regista/testkit/instance.hpp>
 
+#include <regista/sender.hpp>
+
 #include "algorithm.hpp"
 #include "ball_witness.hpp"
 
@@ -314,6 +316,29 @@ TEST(EventBasedPlugin, EventsAreTheReasonsOfThePackets) {
   EXPECT_EQ(answer(REGISTA_EVENT_BALL_MOVED, 1.0), REGISTA_EVENT_BALL_MOVED);
   EXPECT_EQ(answer(REGISTA_EVENT_POSE_MOVED, 1.0), REGISTA_EVENT_POSE_MOVED);
   EXPECT_EQ(answer(REGISTA_EVENT_CONTEXT_CHANGED, 1.0), -1);
+}
+
+// In a tenth of a match a tenth of the reserve, and no fewer than one packet of it.
+TEST(EventBasedPlugin, ReserveIsOfTheShareOfAMatch) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "event_based");
+  const auto sends = [&](int left, double share) {
+    Instance sender(plugin, EnvironmentBuilder{}.own(3), Values(plugin).set("reserve", 30).set("pace", "none"));
+    const std::vector<regista_event> events{{REGISTA_EVENT_WHISTLE, 0, 0.0}};
+    regista_budget budget = plenty();
+    budget.packets_left = left;
+    budget.share = share;
+    return sender.decide(at_five_seconds(), events, {}, budget).send == 1;
+  };
+  for (const auto& [share, kept] : {std::pair{1.0, 30}, {0.1, 3}, {0.025, 1}, {0.05, 2}, {1e-6, 1}}) {
+    EXPECT_FALSE(sends(kept, share)) << share;
+    EXPECT_TRUE(sends(kept + 1, share)) << share;
+  }
+  // A host that knows of no share.
+  regista_budget older = plenty();
+  older.share = 0.1;
+  EXPECT_EQ(regista::in_this_game(30, older), 3);
+  older.size = offsetof(regista_budget, share);
+  EXPECT_EQ(regista::in_this_game(30, older), 30);
 }
 
 // Off unless asked for; then each is told at once, and again after its interval at the earliest.

@@ -56,10 +56,10 @@ struct FixedRate {
     const bool fast =
         task >= 0 && static_cast<std::size_t>(task) < is_fast.size() && is_fast[static_cast<std::size_t>(task)];
     const regista::Budget& budget = query.budget;
-    const double longer =
-        lasts ? fixed_rate::stretch(budget.packets_left - reserve, budget.line - reserve, team_size) : 1.0;
-    if (!schedule.decide({longer * period, longer * fast_period, reserve, at_once}, frame.time(), budget.since_own,
-                         fast, budget.packets_left)) {
+    const int kept = regista::in_this_game(reserve, budget);
+    const double longer = lasts ? fixed_rate::stretch(budget.packets_left - kept, budget.line - kept, team_size) : 1.0;
+    if (!schedule.decide({longer * period, longer * fast_period, kept, at_once}, frame.time(), budget.since_own, fast,
+                         budget.packets_left)) {
       return std::nullopt;
     }
     offers.clear();

@@ -263,6 +263,26 @@ TEST(FixedRatePlugin, TheFastRoleIsKnownByName) {
   EXPECT_EQ(packets_as("supporter", "supporter"), 20);
 }
 
+TEST(FixedRatePlugin, ReserveIsOfTheShareOfAMatch) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "fixed_rate");
+  const auto sends = [&](int left, double share) {
+    Instance sender(plugin, EnvironmentBuilder{}.team_size(1).own(1),
+                    Values(plugin).set("reserve", 100).set("lasts", false));
+    regista_budget budget{};
+    budget.size = sizeof budget;
+    budget.packets_left = left;
+    budget.share = share;
+    const auto at = [](double time) { return FrameBuilder{}.own(1).team_size(1).time(time).robot(1).build(); };
+    sender.decide(at(0.0), {}, {}, budget);
+    budget.since_own = 8.0;
+    return sender.decide(at(8.0), {}, {}, budget).send == 1;
+  };
+  for (const auto& [share, kept] : {std::pair{1.0, 100}, {0.1, 10}, {0.025, 3}}) {
+    EXPECT_FALSE(sends(kept, share)) << share;
+    EXPECT_TRUE(sends(kept + 1, share)) << share;
+  }
+}
+
 TEST(FixedRatePlugin, TakesOffersAlong) {
   const Loaded plugin(REGISTA_PLUGIN_FILE, "fixed_rate");
   Instance sender(plugin, EnvironmentBuilder{}.team_size(1).own(1));

@@ -420,11 +420,15 @@ typedef struct regista_budget {
   uint32_t size;
   int32_t packets_left;              /* of the whole team, as the game controller told */
   double line;                       /* packets that would be left if spent evenly over the match */
-  double match_time_left;            /* s */
+  double match_time_left;            /* s; see share */
   double since_own;                  /* s since this robot sent; since the start of the match if never */
   double since_team;                 /* s since any packet was sent or heard */
   uint32_t bytes_free;               /* for segments, with the largest core a packet can have */
   uint32_t reserved;
+  double share;                      /* of a whole match's packets that this game has; (0, 1]. packets_left, line,
+                                        match_time_left and the environment's packet_budget are of the share; what a
+                                        plugin counts in packets of a match it scales itself. 1, too, where size ends
+                                        before */
 } regista_budget;
 
 typedef struct regista_send {

@@ -7,6 +7,8 @@
 // which returns the reason (REGISTA_EVENT_*) to send a packet now, or nothing.
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <stdexcept>
 
@@ -23,6 +25,15 @@ struct SendQuery {
   Span<Offer> offers;  // pending
   const Budget& budget;
 };
+
+// What a number of packets of a whole match is in this game; some stay some, so that a reserve remains one. Exactly
+// `packets` in a whole match, and where the host tells of no share.
+inline int in_this_game(int packets, const Budget& budget) {
+  const bool told = budget.size >= offsetof(Budget, share) + sizeof budget.share;
+  if (!told || !(budget.share > 0.0 && budget.share < 1.0)) return packets;
+  constexpr double rounding = 1e-9;
+  return static_cast<int>(std::ceil(packets * budget.share - rounding));
+}
 
 // Offers to take along, in this order; those that do not fit stay pending.
 class Grants {

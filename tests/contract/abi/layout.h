@@ -258,7 +258,7 @@ PLACE(regista_offer, medium, 12);
 PLACE(regista_offer, urgency, 16);
 PLACE(regista_offer, expiry, 24);
 
-SIZE(regista_budget, 48);
+SIZE(regista_budget, 56);
 PLACE(regista_budget, size, 0);
 PLACE(regista_budget, packets_left, 4);
 PLACE(regista_budget, line, 8);
@@ -267,6 +267,7 @@ PLACE(regista_budget, since_own, 24);
 PLACE(regista_budget, since_team, 32);
 PLACE(regista_budget, bytes_free, 40);
 PLACE(regista_budget, reserved, 44);
+PLACE(regista_budget, share, 48);
 
 SIZE(regista_send, 24);
 PLACE(regista_send, size, 0);

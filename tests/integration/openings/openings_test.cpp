@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "config/documents.hpp"
+#include "config/packet_share.hpp"
 #include "match/teams.hpp"
 
 namespace regista {
@@ -78,6 +79,41 @@ TEST_P(Openings, IsPlayedForItsLength) {
   // Somebody finds the ball and goes for it.
   EXPECT_GT(result.metrics.teams[0].touches + result.metrics.teams[1].touches, 0);
   EXPECT_NE(play(2).hash, result.hash);
+}
+
+// The opening played with the whole budget, or its share of it, by two teams with these values laid over.
+match::Result play_with(config::ShortGames short_games, const config::Overrides& overrides,
+                        const plugin::Catalogue& all, const fs::path& file) {
+  match::Setup setup;
+  setup.opening = config::read_opening(file);
+  setup.rules.messages.short_games = short_games;
+  setup.rules.messages.share = config::packet_share(setup.rules, match::limit_of(setup));
+  const config::Team team = config::read_team(fs::path(REGISTA_CONFIGS) / "teams" / "paper.yaml", overrides);
+  const mind::TeamPlan plan(team, setup.rules, config::Robot{}, all);
+  return match::play(setup, {&plan, &plan});
+}
+
+// Who would send twice as much as its share of a packet a second stops before the last packet, one of which is its
+// reserve.
+TEST_P(Openings, NobodySpendsMoreThanTheShare) {
+  const config::Overrides much{"sender.params.minimum_interval=0.5", "sender.params.period=0.5",
+                               "sender.params.period_goalkeeper=0.5", "sender.params.pace=none",
+                               "sender.params.reserve=10"};
+  const double length = config::read_opening(GetParam()).length;
+  const auto whole = play_with(config::ShortGames::whole, much, *catalogue_, GetParam());
+  const auto share = play_with(config::ShortGames::share, much, *catalogue_, GetParam());
+  EXPECT_GT(whole.packets[0], 2.0 * length);
+  for (const int packets : share.packets) EXPECT_EQ(packets, static_cast<int>(length) - 1);
+}
+
+// Who does not need more than the share plays as if it had the whole.
+TEST_P(Openings, WhoIsThriftyPlaysTheSameMatch) {
+  const config::Overrides little{"sender.params.minimum_interval=10", "sender.params.reserve=10"};
+  const auto whole = play_with(config::ShortGames::whole, little, *catalogue_, GetParam());
+  const auto share = play_with(config::ShortGames::share, little, *catalogue_, GetParam());
+  EXPECT_GT(share.packets[0], 0);
+  EXPECT_EQ(whole.packets, share.packets);
+  EXPECT_EQ(whole.hash, share.hash);
 }
 
 std::string name(const ::testing::TestParamInfo<fs::path>& info) { return info.param.stem().string(); }

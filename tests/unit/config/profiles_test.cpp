@@ -204,7 +204,7 @@ TEST(Profiles, OverridesAreCheckedLikeFiles) {
             "--set team_size=0: team_size: 0 is outside 1 to 22 robots");
   EXPECT_EQ(error_of([&] { read_rules(file, {"messages.bugdet=5"}); }),
             "--set messages.bugdet=5: unknown key \"bugdet\" in messages; nearest: \"budget\"; known: budget, "
-            "size");
+            "size, short_games");
   EXPECT_EQ(check(file), DocumentKind::rules);
 }
 

@@ -55,6 +55,34 @@ Report sent_by(const Outcome& outcome) {
   return report.value_or(Report{});
 }
 
+// By a clock that leaves so much of a match, with so many packets left.
+bool sends_evenly(double share, double match_time_left, int packets_left) {
+  config::Team page = team();
+  page.contexts.front().sender = use("even");
+  config::Rules rules;
+  rules.messages.share = share;
+  const auto plan = plan_of(page, rules);
+  Mind mind(*plan, 3, 1);
+  Percepts given = percepts(1.0);
+  given.game.match_time_left = match_time_left;
+  given.game.packets_left = packets_left;
+  Outcome outcome;
+  mind.think(given, {}, outcome);
+  return outcome.send;
+}
+
+// Of 1200 packets in 1200 s one is due in each second, in a whole match and in a game of 30 s.
+TEST(MindTest, ASenderIsToldWhatIsLeftOfTheShareOfTheGame) {
+  EXPECT_TRUE(sends_evenly(1.0, 1186.0, 1186));
+  EXPECT_FALSE(sends_evenly(1.0, 1186.0, 1185));
+  EXPECT_TRUE(sends_evenly(0.025, 1186.0, 16));  // 14 s played, 16 of 30 s left
+  EXPECT_FALSE(sends_evenly(0.025, 1186.0, 15));
+  EXPECT_TRUE(sends_evenly(0.025, 1200.0, 30));
+  EXPECT_FALSE(sends_evenly(0.025, 1200.0, 31));  // more than the environment's budget
+  EXPECT_FALSE(sends_evenly(0.025, 1170.0, 30));  // over
+  EXPECT_TRUE(sends_evenly(1.0, 1170.0, 1170));
+}
+
 TEST(MindTest, APacketTellsWhatItsSenderKnows) {
   const auto plan = plan_of(team());
   Mind mind(*plan, 3, 1);

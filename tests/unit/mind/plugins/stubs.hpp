@@ -188,6 +188,19 @@ struct Steady {
   double last_ = -1e9;
 };
 
+// Sends while the team has spent no more than its share, and time for it is left.
+struct Even {
+  static constexpr auto id = "even", version = "1.0.0", summary = "Sends while no more than an even share is spent";
+  std::uint32_t budget = 0;
+  void setup(const regista::Environment& environment) { budget = environment->packet_budget; }
+  void reset(std::uint64_t) {}
+  std::optional<int> decide(const regista::Frame&, const regista::SendQuery& query, regista::Grants) {
+    const regista::Budget& now = query.budget;
+    if (now.packets_left > static_cast<int>(budget) || now.match_time_left <= 0.0) return std::nullopt;
+    return now.packets_left >= now.line ? std::optional(REGISTA_EVENT_PERIOD) : std::nullopt;
+  }
+};
+
 // Offers its number whenever its last offer is gone; scores everything by the sum of what it received.
 struct Gossip {
   static constexpr auto id = "gossip", version = "1.0.0", summary = "Tells its number, scores by what it heard";

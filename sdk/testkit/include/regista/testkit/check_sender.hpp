@@ -37,6 +37,7 @@ inline Query query_for(const Scene& scene, std::size_t round) {
   q.budget.since_own = dice.real(0.0, 20.0);
   q.budget.since_team = dice.real(0.0, q.budget.since_own);
   q.budget.bytes_free = static_cast<std::uint32_t>(dice.integer(0, 80));
+  q.budget.share = dice.chance(0.5) ? 1.0 : dice.real(0.01, 1.0);
   return q;
 }
 
