@@ -7,6 +7,8 @@
 #include <cstring>
 #include <exception>
 
+#include "config/visible_text.hpp"
+
 namespace regista::plugin {
 namespace {
 
@@ -18,10 +20,29 @@ const regista_host host_without_radio{sizeof(regista_host),
                                       [](void*, std::uint64_t) {},
                                       [](void*) -> std::uint32_t { return 0; }};
 
-// What a plugin wrote; it may lack its end.
+// What a plugin wrote, as it may be shown; it may lack its end.
 std::string said(const regista_error& error) {
-  const std::string text(error.text, strnlen(error.text, sizeof error.text));
-  return text.empty() ? "failed without saying why" : text;
+  const std::string_view text(error.text, strnlen(error.text, sizeof error.text));
+  return text.empty() ? "failed without saying why" : config::visible(text);
+}
+
+constexpr std::string_view changed_its_input = "changed its input: ";
+
+std::string where_it_wrote(Overflow overflow, const char* what) {
+  return fmt::format("wrote {} of its answer: {}",
+                     overflow == Overflow::past_the_end ? "past the end" : "before the beginning", what);
+}
+
+Inputs inputs_of_create(const regista_environment& environment, const regista_host& host,
+                        const Parameters& parameters) {
+  Inputs out;
+  out.add("environment", &environment);
+  out.add("host", &host);
+  const std::span<const regista_value> values = parameters.values();
+  out.add("values", values.data(), values.size_bytes());
+  for (const regista_value& value : values)
+    out.add("values.text", value.text, value.text == nullptr ? 0 : value.text_size + 1);
+  return out;
 }
 
 }  // namespace
@@ -32,30 +53,43 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
       environment_(environment),
       caller_(caller),
       note_(caller == nullptr ? nullptr : caller->noting.note),
-      noted_id_(note_of_id(plugin.descriptor->id)) {
+      noted_id_(note_of_id(plugin.descriptor->id)),
+      compares_inputs_(caller != nullptr && caller->noting.compare_inputs) {
   assert(parameters.values().size() == plugin.descriptor->parameter_count);
   environment_.size = sizeof environment_;
   if (note_ != nullptr) note_->instance = nullptr;  // an earlier one may have stood at this address
+  if (host == nullptr) host = &host_without_radio;
+  const Inputs inputs = compares_inputs_ ? inputs_of_create(environment_, *host, parameters) : Inputs();
   begin("create");
   try {
-    raw_ = plugin.descriptor->create(&environment_, host != nullptr ? host : &host_without_radio,
-                                     parameters.values().data(), &error_);
+    raw_ = plugin.descriptor->create(&environment_, host, parameters.values().data(), error_.data());
   } catch (...) {
     threw("create");
   }
   end();
+  std::string wrong = damage();
+  if (const std::string changed = inputs.changed(); wrong.empty() && !changed.empty()) {
+    wrong = fmt::format("{}{}", changed_its_input, changed);
+  }
+  if (!wrong.empty()) {
+    if (raw_ != nullptr) destroy();
+    fail("create", wrong);
+  }
   if (raw_ != nullptr) return;
   // A plugin never learns what its files are called.
-  std::string message = said(error_);
+  std::string message = said(*error_.data());
   for (const FileUsed& file : parameters.files())
     message += fmt::format("; {}: {}", file.parameter, file.path.string());
   fail("create", message);
 }
 
-Instance::~Instance() {
+Instance::~Instance() { destroy(); }
+
+void Instance::destroy() {
   begin("destroy");
   plugin_.descriptor->destroy(raw_);
   end();
+  damage();  // nobody can be told any more, but the state is what it was
 }
 
 void Instance::reset(std::uint64_t seed) { call("reset", plugin_.descriptor->reset, seed); }
@@ -64,16 +98,38 @@ void Instance::fail(const char* call, std::string message) const {
   throw Failure(plugin_, caller_, call, std::move(message));
 }
 
+std::string Instance::damage() const {
+  const FloatingPointState left = FloatingPointState::now();
+  if (left != floating_point_) floating_point_.restore();
+  if (const Overflow overflow = error_.overflow(); overflow != Overflow::none) {
+    return where_it_wrote(overflow, "the error's text");
+  }
+  return left.changed_from(floating_point_);
+}
+
+void Instance::check(const char* name, const Inputs& inputs) const {
+  if (const std::string changed = inputs.changed(); !changed.empty())
+    fail(name, fmt::format("{}{}", changed_its_input, changed));
+}
+
+void Instance::wrote_outside(const char* call, Overflow overflow, const char* what) const {
+  fail(call, where_it_wrote(overflow, what));
+}
+
 void Instance::failed(const char* name, std::int32_t status) const {
+  if (std::string what = damage(); !what.empty()) fail(name, std::move(what));
   if (status != REGISTA_FAILED) fail(name, fmt::format("returned {}, which means nothing", status));
-  fail(name, said(error_));
+  fail(name, said(*error_.data()));
 }
 
 void Instance::threw(const char* name) const {
+  if (const std::string what = damage(); !what.empty()) fail(name, what);
+  constexpr std::size_t longest = 500;  // characters
   try {
     throw;
   } catch (const std::exception& exception) {
-    fail(name, fmt::format("let an exception cross the plugin's boundary: {}", exception.what()));
+    fail(name, fmt::format("let an exception cross the plugin's boundary: {}",
+                           config::visible_at_most(exception.what(), longest)));
   } catch (...) {
     fail(name, "let an exception cross the plugin's boundary");
   }

@@ -17,7 +17,10 @@
 #include "plugin/call_note.hpp"
 #include "plugin/descriptor.hpp"
 #include "plugin/failure.hpp"
+#include "plugin/floating_point_state.hpp"
 #include "plugin/found.hpp"
+#include "plugin/guarded_room.hpp"
+#include "plugin/inputs.hpp"
 #include "plugin/parameters.hpp"
 
 namespace regista::plugin {
@@ -40,20 +43,40 @@ class Instance {
   // As given at create; its spans belong to whoever gave them.
   const regista_environment& environment() const { return environment_; }
 
-  // Calls `function` of a table of this plugin; `name` is the call's, for the note and the Failure.
+  // Calls `function` of a table of this plugin; `name` is the call's, for the note and the Failure. Fails when the
+  // plugin says so, changed the floating-point state, which is restored, or wrote outside of the room for its error's
+  // text.
   template <std::size_t Size, class Function, class... Arguments>
   void call(const char (&name)[Size], Function function, Arguments... arguments) {
-    error_.text[0] = '\0';
+    error_.data()->text[0] = '\0';
     std::int32_t status = REGISTA_FAILED;
     begin(name);
     try {
-      status = function(raw_, arguments..., &error_);
+      status = function(raw_, arguments..., error_.data());
     } catch (...) {
       threw(name);
     }
     end();
-    if (status != REGISTA_OK) [[unlikely]]
+    if (status != REGISTA_OK || !left_all_as_it_was()) [[unlikely]]
       failed(name, status);
+  }
+
+  // The same, and where inputs are compared it fails when the plugin changed one: `add` tells an Inputs& what they are.
+  template <class Add, std::size_t Size, class Function, class... Arguments>
+  void call_with(const Add& add, const char (&name)[Size], Function function, Arguments... arguments) {
+    if (!compares_inputs_) [[likely]]
+      return call(name, function, arguments...);
+    Inputs inputs;
+    add(inputs);
+    call(name, function, arguments...);
+    check(name, inputs);
+  }
+
+  // Fails when the plugin wrote outside of this room; `what` stood in it: "points".
+  template <class T>
+  void check(const char* call, GuardedRoom<T>& room, const char* what) const {
+    if (room.damaged()) [[unlikely]]
+      wrote_outside(call, room.overflow(), what);
   }
 
   // The table of this kind; throws Failure when the plugin has none.
@@ -90,6 +113,13 @@ class Instance {
       note_->inside = 0;
   }
 
+  bool left_all_as_it_was() { return !error_.damaged() && FloatingPointState::now() == floating_point_; }
+  // What the last call did beside its answer; empty when nothing. Makes the floating-point state again what it was.
+  std::string damage() const;
+  void check(const char* name, const Inputs& inputs) const;
+  void destroy();
+
+  [[noreturn]] void wrote_outside(const char* call, Overflow overflow, const char* what) const;
   [[noreturn]] void failed(const char* name, std::int32_t status) const;
   [[noreturn]] void threw(const char* name) const;
   [[noreturn]] void has_no_table(int kind) const;
@@ -100,7 +130,9 @@ class Instance {
   CallNote* note_;
   std::array<char, 64> noted_id_;
   void* raw_ = nullptr;
-  regista_error error_{};
+  FloatingPointState floating_point_ = FloatingPointState::now();
+  bool compares_inputs_;
+  GuardedRoom<regista_error> error_{1};
 };
 
 }  // namespace regista::plugin

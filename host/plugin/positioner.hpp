@@ -37,7 +37,12 @@ class Positioner {
 
   std::shared_ptr<Instance> instance_;
   const regista_positioner* calls_;
-  Placement buffers_;  // of full capacity: what the plugin writes to
+  // What the plugin writes to.
+  GuardedRoom<regista_placement> answer_{1};
+  GuardedRoom<regista_waypoint> points_{point_capacity};
+  GuardedRoom<regista_edge> edges_{edge_capacity};
+  GuardedRoom<regista_cell> cells_{cell_capacity};
+  GuardedRoom<regista_vertex> vertices_{vertex_capacity};
 };
 
 }  // namespace regista::plugin

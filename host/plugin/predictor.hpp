@@ -4,7 +4,6 @@
 
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "plugin/instance.hpp"
 
@@ -34,7 +33,8 @@ class Predictor {
 
   std::shared_ptr<Instance> instance_;
   const regista_predictor* calls_;
-  std::vector<regista_track> tracks_;
+  GuardedRoom<regista_track> tracks_{track_capacity};
+  GuardedRoom<std::uint32_t> count_{1};
 };
 
 }  // namespace regista::plugin
