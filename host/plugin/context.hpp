@@ -19,7 +19,6 @@ class Context {
  private:
   std::shared_ptr<Instance> instance_;
   const regista_context* calls_;
-  GuardedRoom<std::int32_t> answer_{1};
 };
 
 }  // namespace regista::plugin

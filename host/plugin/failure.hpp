@@ -11,6 +11,7 @@
 
 #include "plugin/call_note.hpp"
 #include "plugin/found.hpp"
+#include "plugin/shared_rooms.hpp"
 
 namespace regista::plugin {
 
@@ -19,7 +20,8 @@ struct Caller {
   std::string team;
   int robot = 0;
   std::uint64_t tick = 0;
-  Noting noting{};  // where its calls are noted
+  Noting noting{};               // where its calls are noted
+  SharedRooms* rooms = nullptr;  // of its plugins; null: each has its own
 };
 
 // what() is one line:

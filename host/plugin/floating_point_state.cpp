@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "plugin/floating_point_state.hpp"
 
-#if !defined(__x86_64__)
-#include <limits>
-#endif
-
 namespace regista::plugin {
 namespace {
 
@@ -49,6 +45,8 @@ bool flushes_to_zero() {
 }
 
 }  // namespace
+
+bool FloatingPointState::is_usual_for_numbers() { return std::fegetround() == FE_TONEAREST && !flushes_to_zero(); }
 
 FloatingPointState FloatingPointState::now() {
   FloatingPointState out;

@@ -45,11 +45,13 @@ class GuardedRoom {
   // Whether the plugin wrote outside. Overflows begin at the edges, so that only these are looked at each time; every
   // sixteenth time all of the pattern is, lest what jumps over the edges is never found.
   bool damaged() {
-    const std::byte* const end = bytes() + before + count_ * sizeof(T);
-    const std::uint64_t seen = difference<edge>(bytes() + before - edge) | difference<edge>(end);
     if (++asked_ % 16 == 0) [[unlikely]]
       return overflow() != Overflow::none;
-    return seen != 0;
+    return !edges_are_whole();
+  }
+
+  bool edges_are_whole() const {
+    return (difference<edge>(bytes() + before - edge) | difference<edge>(bytes() + before + count_ * sizeof(T))) == 0;
   }
 
   // Looks at all of the pattern.

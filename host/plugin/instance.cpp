@@ -54,15 +54,18 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
       caller_(caller),
       note_(caller == nullptr ? nullptr : caller->noting.note),
       noted_id_(note_of_id(plugin.descriptor->id)),
-      compares_inputs_(caller != nullptr && caller->noting.compare_inputs) {
+      compares_inputs_(caller != nullptr && caller->noting.compare_inputs),
+      own_rooms_(caller != nullptr && caller->rooms != nullptr ? nullptr : std::make_unique<SharedRooms>()),
+      rooms_(own_rooms_ != nullptr ? own_rooms_.get() : caller->rooms) {
   assert(parameters.values().size() == plugin.descriptor->parameter_count);
   environment_.size = sizeof environment_;
   if (note_ != nullptr) note_->instance = nullptr;  // an earlier one may have stood at this address
   if (host == nullptr) host = &host_without_radio;
   const Inputs inputs = compares_inputs_ ? inputs_of_create(environment_, *host, parameters) : Inputs();
+  rooms_->error.data()->text[0] = '\0';
   begin("create");
   try {
-    raw_ = plugin.descriptor->create(&environment_, host, parameters.values().data(), error_.data());
+    raw_ = plugin.descriptor->create(&environment_, host, parameters.values().data(), rooms_->error.data());
   } catch (...) {
     threw("create");
   }
@@ -77,7 +80,7 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
   }
   if (raw_ != nullptr) return;
   // A plugin never learns what its files are called.
-  std::string message = said(*error_.data());
+  std::string message = said(*rooms_->error.data());
   for (const FileUsed& file : parameters.files())
     message += fmt::format("; {}: {}", file.parameter, file.path.string());
   fail("create", message);
@@ -98,10 +101,15 @@ void Instance::fail(const char* call, std::string message) const {
   throw Failure(plugin_, caller_, call, std::move(message));
 }
 
-std::string Instance::damage() const {
+FloatingPointState Instance::restore_floating_point() const {
   const FloatingPointState left = FloatingPointState::now();
   if (left != floating_point_) floating_point_.restore();
-  if (const Overflow overflow = error_.overflow(); overflow != Overflow::none) {
+  return left;
+}
+
+std::string Instance::damage() const {
+  const FloatingPointState left = restore_floating_point();
+  if (const Overflow overflow = rooms_->error.overflow(); overflow != Overflow::none) {
     return where_it_wrote(overflow, "the error's text");
   }
   return left.changed_from(floating_point_);
@@ -116,10 +124,11 @@ void Instance::wrote_outside(const char* call, Overflow overflow, const char* wh
   fail(call, where_it_wrote(overflow, what));
 }
 
-void Instance::failed(const char* name, std::int32_t status) const {
+void Instance::examine(const char* name, std::int32_t status) const {
   if (std::string what = damage(); !what.empty()) fail(name, std::move(what));
+  if (status == REGISTA_OK) return;
   if (status != REGISTA_FAILED) fail(name, fmt::format("returned {}, which means nothing", status));
-  fail(name, said(*error_.data()));
+  fail(name, said(*rooms_->error.data()));
 }
 
 void Instance::threw(const char* name) const {

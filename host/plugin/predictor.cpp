@@ -71,11 +71,12 @@ void Predictor::absorb(std::span<const regista_track> tracks, double age) {
 }
 
 std::span<const regista_track> Predictor::tracks() {
-  *count_.data() = 0;
-  instance_->call("tracks", calls_->tracks, tracks_.data(), track_capacity, count_.data());
+  GuardedRoom<std::uint32_t>& number = instance_->rooms().count;
+  *number.data() = 0;
+  instance_->call("tracks", calls_->tracks, tracks_.data(), track_capacity, number.data());
   instance_->check("tracks", tracks_, "tracks");
-  instance_->check("tracks", count_, "number of tracks");
-  const std::uint32_t count = *count_.data();
+  instance_->check("tracks", number, "number of tracks");
+  const std::uint32_t count = *number.data();
   if (count > track_capacity) [[unlikely]]
     instance_->fail("tracks", fmt::format("wrote {} tracks into room for {}", count, track_capacity));
   const std::span<const regista_track> out = tracks_.first(count);

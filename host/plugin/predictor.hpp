@@ -34,7 +34,6 @@ class Predictor {
   std::shared_ptr<Instance> instance_;
   const regista_predictor* calls_;
   GuardedRoom<regista_track> tracks_{track_capacity};
-  GuardedRoom<std::uint32_t> count_{1};
 };
 
 }  // namespace regista::plugin
