@@ -49,7 +49,7 @@ struct Mind::Parts {
 
   const TeamPlan& plan;
   int number;
-  plugin::SharedRooms rooms;
+  plugin::AnswerRooms rooms;
   plugin::Caller caller;
   PacketLimits limits;
   Mailboxes mailboxes;

@@ -10,16 +10,14 @@
 namespace regista::plugin {
 
 Assigner::Assigner(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)),
-      calls_(&instance_->table<regista_assigner>(REGISTA_KIND_ASSIGNER)),
-      columns_(instance_->environment().team_size) {
+    : instance_(std::move(instance)), calls_(&instance_->table<regista_assigner>(REGISTA_KIND_ASSIGNER)) {
   row_of_column_.reserve(instance_->environment().roles.count);
 }
 
 void Assigner::assign(const regista_frame& frame, const regista_matrix& utilities, std::span<std::int32_t> out) {
   assert(out.size() == utilities.rows);
   constexpr std::int32_t nobody = -1;
-  std::int32_t* const room = columns_.open(out.size());
+  std::int32_t* const room = instance_->open(instance_->rooms().columns, out.size());
   std::fill_n(room, out.size(), REGISTA_NO_TASK);
   const regista_matrix shown = utilities;  // a plugin that writes over it does not change what is checked
   instance_->call_with(
@@ -28,7 +26,7 @@ void Assigner::assign(const regista_frame& frame, const regista_matrix& utilitie
         inputs.add("utilities", &shown);
       },
       "assign", calls_->assign, &frame, &shown, room);
-  instance_->check("assign", columns_, "columns");
+  instance_->check("assign", instance_->rooms().columns, "columns");
   std::copy_n(room, out.size(), out.begin());
   row_of_column_.assign(utilities.columns, nobody);
   for (std::size_t row = 0; row < out.size(); ++row) {

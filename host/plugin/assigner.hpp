@@ -26,7 +26,6 @@ class Assigner {
  private:
   std::shared_ptr<Instance> instance_;
   const regista_assigner* calls_;
-  GuardedRoom<std::int32_t> columns_;  // of each row: what the plugin writes to
   std::vector<std::int32_t> row_of_column_;
 };
 

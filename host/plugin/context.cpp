@@ -9,8 +9,8 @@ Context::Context(std::shared_ptr<Instance> instance)
     : instance_(std::move(instance)), calls_(&instance_->table<regista_context>(REGISTA_KIND_CONTEXT)) {}
 
 bool Context::holds(const regista_frame& frame) {
-  GuardedRoom<std::int32_t>& answer = instance_->rooms().condition;
-  *answer.data() = 0;
+  GuardedRoom<std::int32_t>& answer = instance_->rooms().holds;
+  *instance_->open(answer, 1) = 0;
   instance_->call_with([&](Inputs& inputs) { inputs.add("frame", &frame); }, "holds", calls_->holds, &frame,
                        answer.data());
   instance_->check("holds", answer, "whether it holds");

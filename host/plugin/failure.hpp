@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "plugin/answer_rooms.hpp"
 #include "plugin/call_note.hpp"
 #include "plugin/found.hpp"
-#include "plugin/shared_rooms.hpp"
 
 namespace regista::plugin {
 
@@ -21,7 +21,7 @@ struct Caller {
   int robot = 0;
   std::uint64_t tick = 0;
   Noting noting{};               // where its calls are noted
-  SharedRooms* rooms = nullptr;  // of its plugins; null: each has its own
+  AnswerRooms* rooms = nullptr;  // of its plugins; null: each has its own
 };
 
 // what() is one line:

@@ -42,14 +42,13 @@ class GuardedRoom {
     return {data(), count};
   }
 
-  // Whether the plugin wrote outside. Overflows begin at the edges, so that only these are looked at each time; every
-  // sixteenth time all of the pattern is, lest what jumps over the edges is never found.
-  bool damaged() {
-    if (++asked_ % 16 == 0) [[unlikely]]
-      return overflow() != Overflow::none;
-    return !edges_are_whole();
+  // Draws the pattern again, whatever became of it.
+  void mend() {
+    draw(bytes(), before);
+    draw(bytes() + before + count_ * sizeof(T), margin);
   }
 
+  // Whether nobody wrote directly before the beginning or directly behind the end: where overflows begin.
   bool edges_are_whole() const {
     return (difference<edge>(bytes() + before - edge) | difference<edge>(bytes() + before + count_ * sizeof(T))) == 0;
   }
@@ -102,7 +101,6 @@ class GuardedRoom {
 
   std::vector<Line> lines_;
   std::size_t count_ = 0;
-  unsigned asked_ = 0;
 };
 
 }  // namespace regista::plugin

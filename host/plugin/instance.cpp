@@ -49,19 +49,23 @@ Inputs inputs_of_create(const regista_environment& environment, const regista_ho
 
 Instance::Instance(const Found& plugin, const Parameters& parameters, const regista_environment& environment,
                    const regista_host* host, const Caller* caller)
-    : plugin_(plugin),
-      environment_(environment),
-      caller_(caller),
+    : rooms_(caller == nullptr ? nullptr : caller->rooms),
       note_(caller == nullptr ? nullptr : caller->noting.note),
-      noted_id_(note_of_id(plugin.descriptor->id)),
+      caller_(caller),
       compares_inputs_(caller != nullptr && caller->noting.compare_inputs),
-      own_rooms_(caller != nullptr && caller->rooms != nullptr ? nullptr : std::make_unique<SharedRooms>()),
-      rooms_(own_rooms_ != nullptr ? own_rooms_.get() : caller->rooms) {
+      plugin_(plugin),
+      environment_(environment),
+      noted_id_(note_of_id(plugin.descriptor->id)) {
+  if (rooms_ == nullptr) {
+    own_rooms_ = std::make_unique<AnswerRooms>();
+    rooms_ = own_rooms_.get();
+  }
   assert(parameters.values().size() == plugin.descriptor->parameter_count);
   environment_.size = sizeof environment_;
   if (note_ != nullptr) note_->instance = nullptr;  // an earlier one may have stood at this address
   if (host == nullptr) host = &host_without_radio;
   const Inputs inputs = compares_inputs_ ? inputs_of_create(environment_, *host, parameters) : Inputs();
+  mend();
   rooms_->error.data()->text[0] = '\0';
   begin("create");
   try {
@@ -105,6 +109,11 @@ FloatingPointState Instance::restore_floating_point() const {
   const FloatingPointState left = FloatingPointState::now();
   if (left != floating_point_) floating_point_.restore();
   return left;
+}
+
+void Instance::mend() {
+  restore_floating_point();
+  rooms_->error.mend();
 }
 
 std::string Instance::damage() const {

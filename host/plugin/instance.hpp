@@ -15,6 +15,7 @@
 
 #include <regista/abi.h>
 
+#include "plugin/answer_rooms.hpp"
 #include "plugin/call_note.hpp"
 #include "plugin/descriptor.hpp"
 #include "plugin/failure.hpp"
@@ -23,11 +24,10 @@
 #include "plugin/guarded_room.hpp"
 #include "plugin/inputs.hpp"
 #include "plugin/parameters.hpp"
-#include "plugin/shared_rooms.hpp"
 
 namespace regista::plugin {
 
-class Instance {
+class alignas(64) Instance {
  public:
   // `environment.roles`, `host` and `caller` must outlive the instance. host null: a host that refuses every offer.
   // caller null: failures name no robot. Throws Failure when the plugin refuses to be created.
@@ -42,7 +42,7 @@ class Instance {
 
   bool implements(int kind) const { return plugin::implements(*plugin_.descriptor, kind); }
   const Found& plugin() const { return plugin_; }
-  SharedRooms& rooms() const { return *rooms_; }
+  AnswerRooms& rooms() const { return *rooms_; }
   // As given at create; its spans belong to whoever gave them.
   const regista_environment& environment() const { return environment_; }
 
@@ -51,9 +51,9 @@ class Instance {
   // text.
   template <std::size_t Size, class Function, class... Arguments>
   void call(const char (&name)[Size], Function function, Arguments... arguments) {
-    const bool closely = calls_++ % looked_at_closely == 0;
+    const bool closely = looks_closely(calls_++);
     if (closely) [[unlikely]]
-      restore_floating_point();
+      mend();
     rooms_->error.data()->text[0] = '\0';
     std::int32_t status = REGISTA_FAILED;
     begin(name);
@@ -80,11 +80,22 @@ class Instance {
     check(name, inputs);
   }
 
-  // Fails when the plugin wrote outside of this room; `what` stood in it: "points".
+  // A room of rooms() for the answer to the next call.
   template <class T>
-  void check(const char* call, GuardedRoom<T>& room, const char* what) const {
-    if (room.damaged()) [[unlikely]]
-      wrote_outside(call, room.overflow(), what);
+  T* open(GuardedRoom<T>& room, std::size_t count) const {
+    T* const out = room.open(count);
+    if (looks_closely(calls_)) [[unlikely]]
+      room.mend();  // else an earlier call's overflow might be taken for one of this call
+    return out;
+  }
+
+  // Fails when the last call wrote outside of this room; `what` stood in it: "points". What begins at its edges is
+  // always found, what jumps over them when the call is one of those that are looked at closely.
+  template <class T>
+  void check(const char* call, const GuardedRoom<T>& room, const char* what) const {
+    if (!room.edges_are_whole() || looks_closely(calls_ - 1)) [[unlikely]] {
+      if (const Overflow overflow = room.overflow(); overflow != Overflow::none) wrote_outside(call, overflow, what);
+    }
   }
 
   // The table of this kind; throws Failure when the plugin has none.
@@ -122,7 +133,9 @@ class Instance {
   }
 
   // One of so many calls is examined for what cannot be seen cheaply.
-  static constexpr std::uint32_t looked_at_closely = 64;
+  static bool looks_closely(std::uint32_t call) { return call % 64 == 0; }
+  // Lest this instance pays for what an earlier one did unseen.
+  void mend();
 
   // Makes the floating-point state again what it was at first; gives what it was now.
   FloatingPointState restore_floating_point() const;
@@ -137,17 +150,19 @@ class Instance {
   [[noreturn]] void threw(const char* name) const;
   [[noreturn]] void has_no_table(int kind) const;
 
+  // In one line of the cache: what every call needs.
+  void* raw_ = nullptr;
+  AnswerRooms* rooms_;
+  CallNote* note_;
+  const Caller* caller_;
+  std::uint32_t calls_ = 0;
+  bool compares_inputs_;
+  FloatingPointState floating_point_ = FloatingPointState::now();
+
   Found plugin_;
   regista_environment environment_;
-  const Caller* caller_;
-  CallNote* note_;
   std::array<char, 64> noted_id_;
-  void* raw_ = nullptr;
-  FloatingPointState floating_point_ = FloatingPointState::now();
-  bool compares_inputs_;
-  std::uint32_t calls_ = 0;
-  std::unique_ptr<SharedRooms> own_rooms_;  // where nobody gives any
-  SharedRooms* rooms_;
+  std::unique_ptr<AnswerRooms> own_rooms_;  // where nobody gives any
 };
 
 }  // namespace regista::plugin

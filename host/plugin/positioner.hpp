@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "plugin/instance.hpp"
@@ -31,18 +32,12 @@ class Positioner {
   void place(const regista_frame& frame, Placement& out);
 
  private:
-  void check_points(const regista_frame& frame, std::uint32_t count) const;
-  void check_edges(std::uint32_t count, std::uint32_t point_count) const;
-  void check_cells(std::uint32_t count, std::uint32_t vertex_count) const;
+  void check_points(const regista_frame& frame, std::span<const regista_waypoint> points) const;
+  void check_edges(std::span<const regista_edge> edges, std::size_t point_count) const;
+  void check_cells(std::span<const regista_cell> cells, std::span<const regista_vertex> vertices) const;
 
   std::shared_ptr<Instance> instance_;
   const regista_positioner* calls_;
-  // What the plugin writes to.
-  GuardedRoom<regista_placement> answer_{1};
-  GuardedRoom<regista_waypoint> points_{point_capacity};
-  GuardedRoom<regista_edge> edges_{edge_capacity};
-  GuardedRoom<regista_cell> cells_{cell_capacity};
-  GuardedRoom<regista_vertex> vertices_{vertex_capacity};
 };
 
 }  // namespace regista::plugin

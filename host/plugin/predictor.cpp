@@ -36,6 +36,7 @@ bool clearly_sound(const regista_track& t) {
 
 Predictor::Predictor(std::shared_ptr<Instance> instance)
     : instance_(std::move(instance)), calls_(&instance_->table<regista_predictor>(REGISTA_KIND_PREDICTOR)) {
+  tracks_.reserve(track_capacity);
   const std::uint32_t subject = instance_->environment().subject;
   if ((calls_->subjects & subject) == 0) {
     instance_->fail("create", fmt::format("models {}, not {}", subject_names(calls_->subjects),
@@ -71,21 +72,23 @@ void Predictor::absorb(std::span<const regista_track> tracks, double age) {
 }
 
 std::span<const regista_track> Predictor::tracks() {
-  GuardedRoom<std::uint32_t>& number = instance_->rooms().count;
-  *number.data() = 0;
-  instance_->call("tracks", calls_->tracks, tracks_.data(), track_capacity, number.data());
-  instance_->check("tracks", tracks_, "tracks");
+  GuardedRoom<regista_track>& written = instance_->rooms().tracks;
+  GuardedRoom<std::uint32_t>& number = instance_->rooms().track_count;
+  *instance_->open(number, 1) = 0;
+  instance_->call("tracks", calls_->tracks, instance_->open(written, track_capacity), track_capacity, number.data());
+  instance_->check("tracks", written, "tracks");
   instance_->check("tracks", number, "number of tracks");
   const std::uint32_t count = *number.data();
   if (count > track_capacity) [[unlikely]]
     instance_->fail("tracks", fmt::format("wrote {} tracks into room for {}", count, track_capacity));
-  const std::span<const regista_track> out = tracks_.first(count);
+  const std::span<const regista_track> out = written.first(count);
   for (const regista_track& track : out) {
     if (!clearly_sound(track)) [[unlikely]]
       check(track);
   }
   check_together(out);
-  return out;
+  tracks_.assign(out.begin(), out.end());
+  return tracks_;
 }
 
 void Predictor::check(const regista_track& t) const {

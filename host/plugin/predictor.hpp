@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "plugin/instance.hpp"
 
@@ -33,7 +34,7 @@ class Predictor {
 
   std::shared_ptr<Instance> instance_;
   const regista_predictor* calls_;
-  GuardedRoom<regista_track> tracks_{track_capacity};
+  std::vector<regista_track> tracks_;
 };
 
 }  // namespace regista::plugin

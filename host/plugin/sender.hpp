@@ -29,8 +29,6 @@ class Sender {
  private:
   std::shared_ptr<Instance> instance_;
   const regista_sender* calls_;
-  GuardedRoom<regista_send> answer_{1};
-  GuardedRoom<std::uint64_t> granted_;
 };
 
 }  // namespace regista::plugin

@@ -46,14 +46,13 @@ void check_each(const Instance& instance, const regista_matrix& m) {
 }  // namespace
 
 Utility::Utility(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)),
-      calls_(&instance_->table<regista_utility>(REGISTA_KIND_UTILITY)),
-      entries_(std::size_t{instance_->environment().team_size} * instance_->environment().roles.count) {}
+    : instance_(std::move(instance)), calls_(&instance_->table<regista_utility>(REGISTA_KIND_UTILITY)) {}
 
 void Utility::score(const regista_frame& frame, const regista_matrix& out) {
   if (out.rows == 0 || out.columns == 0) return;
   const std::size_t count = std::size_t{out.rows - 1} * out.stride + out.columns;
-  double* const room = entries_.open(count);
+  GuardedRoom<double>& entries = instance_->rooms().utilities;
+  double* const room = instance_->open(entries, count);
   std::fill_n(room, count, 0.0);
   const regista_matrix answer{room, out.rows, out.columns, out.stride, 0};
   const regista_matrix shown = answer;  // a plugin that writes over it does not change what is checked
@@ -63,8 +62,8 @@ void Utility::score(const regista_frame& frame, const regista_matrix& out) {
         inputs.add("out", &shown, sizeof shown);
       },
       "score", calls_->score, &frame, &shown);
-  instance_->check("score", entries_, "utilities");
-  if (out.stride != out.columns || suspect(entries_.first(count))) [[unlikely]]
+  instance_->check("score", entries, "utilities");
+  if (out.stride != out.columns || suspect(entries.first(count))) [[unlikely]]
     check_each(*instance_, answer);
   if (out.stride == out.columns) {
     std::copy_n(room, count, out.values);

@@ -20,7 +20,6 @@ class Utility {
  private:
   std::shared_ptr<Instance> instance_;
   const regista_utility* calls_;
-  GuardedRoom<double> entries_;  // what the plugin writes to
 };
 
 }  // namespace regista::plugin
