@@ -62,7 +62,7 @@ class GuardedRoom {
  private:
   // No byte stands in it twice, so that no constant that memory is filled with equals it.
   static constexpr std::uint64_t pattern = 0xc5a35c3a96e7b14du;
-  static constexpr std::size_t edge = 32;
+  static constexpr std::size_t edge = 16;
   struct alignas(64) Line {
     std::byte bytes[64];
   };

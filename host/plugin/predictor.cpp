@@ -81,13 +81,14 @@ std::span<const regista_track> Predictor::tracks() {
   const std::uint32_t count = *number.data();
   if (count > track_capacity) [[unlikely]]
     instance_->fail("tracks", fmt::format("wrote {} tracks into room for {}", count, track_capacity));
-  const std::span<const regista_track> out = written.first(count);
-  for (const regista_track& track : out) {
+  // In one go with the check, as what was just written is nearest then.
+  tracks_.clear();
+  for (const regista_track& track : written.first(count)) {
     if (!clearly_sound(track)) [[unlikely]]
       check(track);
+    tracks_.push_back(track);
   }
-  check_together(out);
-  tracks_.assign(out.begin(), out.end());
+  check_together(tracks_);
   return tracks_;
 }
 

@@ -66,7 +66,7 @@ void Utility::score(const regista_frame& frame, const regista_matrix& out) {
   if (out.stride != out.columns || suspect(entries.first(count))) [[unlikely]]
     check_each(*instance_, answer);
   if (out.stride == out.columns) {
-    std::copy_n(room, count, out.values);
+    for (std::size_t i = 0; i < count; ++i) out.values[i] = room[i];
   } else {
     for (std::size_t i = 0; i < out.rows; ++i)
       std::copy_n(room + i * out.stride, out.columns, out.values + i * out.stride);
