@@ -12,6 +12,7 @@ namespace regista::plugin {
 Assigner::Assigner(std::shared_ptr<Instance> instance)
     : instance_(std::move(instance)), calls_(&instance_->table<regista_assigner>(REGISTA_KIND_ASSIGNER)) {
   row_of_column_.reserve(instance_->environment().roles.count);
+  instance_->rooms().columns.open(instance_->environment().team_size);
 }
 
 void Assigner::assign(const regista_frame& frame, const regista_matrix& utilities, std::span<std::int32_t> out) {

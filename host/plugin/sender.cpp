@@ -6,8 +6,12 @@
 #include <algorithm>
 
 namespace regista::plugin {
+constexpr std::size_t most_at_first = 64;  // offers, before the room grows
+
 Sender::Sender(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_sender>(REGISTA_KIND_SENDER)) {}
+    : instance_(std::move(instance)), calls_(&instance_->table<regista_sender>(REGISTA_KIND_SENDER)) {
+  instance_->rooms().granted.open(most_at_first);
+}
 
 SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_event> events,
                             std::span<const regista_offer> offers, const regista_budget& budget) {

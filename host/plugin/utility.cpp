@@ -46,7 +46,11 @@ void check_each(const Instance& instance, const regista_matrix& m) {
 }  // namespace
 
 Utility::Utility(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_utility>(REGISTA_KIND_UTILITY)) {}
+    : instance_(std::move(instance)), calls_(&instance_->table<regista_utility>(REGISTA_KIND_UTILITY)) {
+  // The largest there can be, so that no call allocates.
+  const regista_environment& environment = instance_->environment();
+  instance_->rooms().utilities.open(std::size_t{environment.team_size} * environment.roles.count);
+}
 
 void Utility::score(const regista_frame& frame, const regista_matrix& out) {
   if (out.rows == 0 || out.columns == 0) return;
