@@ -35,9 +35,8 @@ bool clearly_sound(const regista_track& t) {
 }  // namespace
 
 Predictor::Predictor(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)),
-      calls_(&instance_->table<regista_predictor>(REGISTA_KIND_PREDICTOR)),
-      tracks_(track_capacity) {
+    : instance_(std::move(instance)), calls_(&instance_->table<regista_predictor>(REGISTA_KIND_PREDICTOR)) {
+  tracks_.reserve(track_capacity);
   const std::uint32_t subject = instance_->environment().subject;
   if ((calls_->subjects & subject) == 0) {
     instance_->fail("create", fmt::format("models {}, not {}", subject_names(calls_->subjects),
@@ -83,15 +82,14 @@ std::span<const regista_track> Predictor::tracks() {
   if (count > track_capacity) [[unlikely]]
     instance_->fail("tracks", fmt::format("wrote {} tracks into room for {}", count, track_capacity));
   // In one go with the check, as what was just written is nearest then.
-  const std::span<const regista_track> answer = written.first(count);
-  for (std::size_t i = 0; i < answer.size(); ++i) {
-    if (!clearly_sound(answer[i])) [[unlikely]]
-      check(answer[i]);
-    tracks_[i] = answer[i];
+  tracks_.clear();
+  for (const regista_track& track : written.first(count)) {
+    if (!clearly_sound(track)) [[unlikely]]
+      check(track);
+    tracks_.push_back(track);
   }
-  const std::span<const regista_track> out(tracks_.data(), answer.size());
-  check_together(out);
-  return out;
+  check_together(tracks_);
+  return tracks_;
 }
 
 void Predictor::check(const regista_track& t) const {
