@@ -4,28 +4,11 @@
 #include <fmt/format.h>
 
 #include "config/nearest.hpp"
+#include "config/visible_text.hpp"
 
 namespace regista::config {
 
-std::string one_line(std::string_view text) {
-  std::string line;
-  line.reserve(text.size());
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '\n') {
-      line += "\\n";
-    } else if (c == '\t') {
-      line += "\\t";
-    } else if (c == '\r') {
-      line += "\\r";
-    } else if (byte < 0x20 || byte == 0x7f) {
-      line += fmt::format("\\x{:02x}", byte);
-    } else {
-      line += c;
-    }
-  }
-  return line;
-}
+std::string one_line(std::string_view text) { return visible(text); }
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;

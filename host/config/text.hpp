@@ -8,7 +8,7 @@
 
 namespace regista::config {
 
-// The text with control characters as escapes ("\n", "\x1b"), so that it stays in one line of a terminal.
+// The text as a terminal may be given it, in one line: see visible_text.hpp.
 std::string one_line(std::string_view text);
 
 // "text" in double quotes, in one line, cut after 40 characters.

@@ -25,7 +25,7 @@ struct Mind::Parts {
   Parts(const TeamPlan& team_plan, int own_number, std::uint64_t seed, plugin::Noting noting)
       : plan(team_plan),
         number(own_number),
-        caller{team_plan.team().name, own_number, 0, noting},
+        caller{team_plan.team().name, own_number, 0, noting, &rooms},
         mailboxes(static_cast<std::size_t>(team_plan.rules().messages.size)),
         assembly(team_plan, own_number, seed, mailboxes, caller),
         // In braces: the order of evaluation, and so of creating plugins, is that of the text.
@@ -50,6 +50,7 @@ struct Mind::Parts {
 
   const TeamPlan& plan;
   int number;
+  plugin::AnswerRooms rooms;
   plugin::Caller caller;
   PacketLimits limits;
   Mailboxes mailboxes;

@@ -12,13 +12,23 @@ namespace regista::plugin {
 Assigner::Assigner(std::shared_ptr<Instance> instance)
     : instance_(std::move(instance)), calls_(&instance_->table<regista_assigner>(REGISTA_KIND_ASSIGNER)) {
   row_of_column_.reserve(instance_->environment().roles.count);
+  instance_->rooms().columns.open(instance_->environment().team_size);
 }
 
 void Assigner::assign(const regista_frame& frame, const regista_matrix& utilities, std::span<std::int32_t> out) {
   assert(out.size() == utilities.rows);
   constexpr std::int32_t nobody = -1;
-  std::ranges::fill(out, REGISTA_NO_TASK);
-  instance_->call("assign", calls_->assign, &frame, &utilities, out.data());
+  std::int32_t* const room = instance_->open(instance_->rooms().columns, out.size());
+  std::fill_n(room, out.size(), REGISTA_NO_TASK);
+  const regista_matrix shown = utilities;  // a plugin that writes over it does not change what is checked
+  instance_->call_with(
+      [&](Inputs& inputs) {
+        inputs.add("frame", &frame);
+        inputs.add("utilities", &shown);
+      },
+      "assign", calls_->assign, &frame, &shown, room);
+  instance_->check("assign", instance_->rooms().columns, "columns");
+  std::copy_n(room, out.size(), out.begin());
   row_of_column_.assign(utilities.columns, nobody);
   for (std::size_t row = 0; row < out.size(); ++row) {
     const std::int32_t column = out[row];

@@ -8,6 +8,9 @@
 #include <cstring>
 #include <set>
 
+#include "config/text.hpp"
+#include "config/visible_text.hpp"
+
 namespace regista::plugin {
 namespace {
 
@@ -56,7 +59,30 @@ bool lower_snake_case(std::string_view name) {
   return name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string_view::npos;
 }
 
-bool one_line(std::string_view text) { return text.find_first_of("\r\n") == std::string_view::npos; }
+constexpr std::size_t longest_id = 64, longest_text = 1000;  // bytes
+
+// Why people cannot be shown this text; empty when they can. What passes here is not cleaned again anywhere.
+std::string wrong_with_text(std::string_view text) {
+  if (text.size() > longest_text) return fmt::format("is longer than {} bytes", longest_text);
+  if (text.find_first_of("\r\n") != std::string_view::npos) return "is not one line";
+  if (config::visible(text) != text) return "is no plain UTF-8 text: " + config::in_quotes(text);
+  return {};
+}
+
+// The same of a value, which may have lines.
+bool is_plain_value(std::string_view text) {
+  std::string without_tabs(text);
+  std::erase(without_tabs, '\t');
+  return config::visible_lines(without_tabs) == without_tabs;
+}
+
+// An id or the name of a parameter; empty when it is sound.
+std::string wrong_with_name(std::string_view name) {
+  if (name.size() > longest_id) {
+    return fmt::format("is {} characters long; at most {} are taken", name.size(), longest_id);
+  }
+  return lower_snake_case(name) ? "" : "is not lower_snake_case";
+}
 
 bool is_number(std::int32_t type) { return type == REGISTA_TYPE_REAL || type == REGISTA_TYPE_INTEGER; }
 
@@ -81,6 +107,9 @@ std::string wrong_with_choice(const regista_parameter& p) {
   std::set<std::string_view> seen;
   for (std::uint32_t i = 0; i < p.choice_count; ++i) {
     if (p.choices[i] == nullptr) return fmt::format("choice {} is null", i);
+    if (const std::string wrong = wrong_with_text(p.choices[i]); !wrong.empty()) {
+      return fmt::format("choice {} {}", i, wrong);
+    }
     if (!seen.insert(p.choices[i]).second) return fmt::format("offers the choice \"{}\" twice", p.choices[i]);
   }
   if (!(p.initial >= 0.0 && p.initial < p.choice_count) || p.initial != std::floor(p.initial)) {
@@ -92,7 +121,8 @@ std::string wrong_with_choice(const regista_parameter& p) {
 std::string wrong_with(const regista_parameter& p) {
   if (p.unit == nullptr) return "unit is null";
   if (p.doc == nullptr) return "doc is null";
-  if (!one_line(p.unit) || !one_line(p.doc)) return "unit and doc must be one line each";
+  if (const std::string wrong = wrong_with_text(p.unit); !wrong.empty()) return "unit " + wrong;
+  if (const std::string wrong = wrong_with_text(p.doc); !wrong.empty()) return "doc " + wrong;
   if (is_number(p.type)) return wrong_with_number(p);
   switch (p.type) {
     case REGISTA_TYPE_BOOLEAN:
@@ -100,7 +130,8 @@ std::string wrong_with(const regista_parameter& p) {
     case REGISTA_TYPE_CHOICE:
       return wrong_with_choice(p);
     case REGISTA_TYPE_TEXT:
-      return p.initial_text != nullptr ? "" : "default is null";
+      if (p.initial_text == nullptr) return "default is null";
+      return is_plain_value(p.initial_text) ? "" : "default is no plain UTF-8 text";
     case REGISTA_TYPE_FILE:
       return p.initial_text == nullptr ? "" : "a file has no default";
     default:
@@ -123,7 +154,9 @@ std::string wrong_with_parameters(const regista_descriptor& d) {
       return fmt::format("parameter {} is {} bytes; the interface needs {}", i, p.size, sizeof p);
     }
     if (p.name == nullptr) return fmt::format("parameter {} has a null name", i);
-    if (!lower_snake_case(p.name)) return fmt::format("parameter \"{}\" is not lower_snake_case", p.name);
+    if (const std::string wrong = wrong_with_name(p.name); !wrong.empty()) {
+      return fmt::format("parameter {} {}", config::in_quotes(p.name), wrong);
+    }
     if (!seen.insert(p.name).second) return fmt::format("parameter \"{}\" is declared twice", p.name);
     if (const std::string wrong = wrong_with(p); !wrong.empty()) {
       return fmt::format("parameter \"{}\": {}", p.name, wrong);
@@ -165,15 +198,19 @@ std::string what_is_wrong(const regista_descriptor& d, std::uint32_t index) {
     return fmt::format("descriptor {} is {} bytes; the interface needs {}", index, d.size, sizeof d);
   }
   if (d.id == nullptr) return fmt::format("descriptor {}: id is null", index);
-  const auto wrong = [&d](std::string_view what) { return fmt::format("plugin \"{}\": {}", d.id, what); };
-  if (!lower_snake_case(d.id)) return wrong("id is not lower_snake_case");
+  const auto wrong = [&d](std::string_view what) {
+    return fmt::format("plugin {}: {}", config::in_quotes(d.id), what);
+  };
+  if (const std::string what = wrong_with_name(d.id); !what.empty()) return wrong("id " + what);
   struct Text {
     const char *name, *value;
   };
   for (const Text& text :
        {Text{"version", d.version}, {"summary", d.summary}, {"licence", d.licence}, {"build tag", d.build_tag}}) {
     if (text.value == nullptr) return wrong(fmt::format("{} is null", text.name));
-    if (!one_line(text.value)) return wrong(fmt::format("{} is not one line", text.name));
+    if (const std::string what = wrong_with_text(text.value); !what.empty()) {
+      return wrong(fmt::format("{} {}", text.name, what));
+    }
   }
   if (d.table == nullptr || d.create == nullptr || d.reset == nullptr || d.destroy == nullptr) {
     return wrong("lacks one of table, create, reset, destroy");

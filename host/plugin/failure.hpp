@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "plugin/answer_rooms.hpp"
 #include "plugin/call_note.hpp"
 #include "plugin/found.hpp"
 
@@ -19,7 +20,8 @@ struct Caller {
   std::string team;
   int robot = 0;
   std::uint64_t tick = 0;
-  Noting noting{};  // where its calls are noted
+  Noting noting{};               // where its calls are noted
+  AnswerRooms* rooms = nullptr;  // of its plugins; null: each has its own
 };
 
 // what() is one line:

@@ -8,6 +8,8 @@
 #include <exception>
 #include <stdexcept>
 
+#include "config/visible_text.hpp"
+
 namespace regista::plugin {
 namespace {
 
@@ -19,21 +21,46 @@ const regista_host host_without_radio{sizeof(regista_host),
                                       [](void*, std::uint64_t) {},
                                       [](void*) -> std::uint32_t { return 0; }};
 
-// What a plugin wrote; it may lack its end.
+// What a plugin wrote, as it may be shown; it may lack its end.
 std::string said(const regista_error& error) {
-  const std::string text(error.text, strnlen(error.text, sizeof error.text));
-  return text.empty() ? "failed without saying why" : text;
+  const std::string_view text(error.text, strnlen(error.text, sizeof error.text));
+  return text.empty() ? "failed without saying why" : config::visible(text);
+}
+
+constexpr std::string_view changed_its_input = "changed its input: ";
+
+std::string where_it_wrote(Overflow overflow, const char* what) {
+  return fmt::format("wrote {} of its answer: {}",
+                     overflow == Overflow::past_the_end ? "past the end" : "before the beginning", what);
+}
+
+Inputs inputs_of_create(const regista_environment& environment, const regista_host& host,
+                        const Parameters& parameters) {
+  Inputs out;
+  out.add("environment", &environment);
+  out.add("host", &host);
+  const std::span<const regista_value> values = parameters.values();
+  out.add("values", values.data(), values.size_bytes());
+  for (const regista_value& value : values)
+    out.add("values.text", value.text, value.text == nullptr ? 0 : value.text_size + 1);
+  return out;
 }
 
 }  // namespace
 
 Instance::Instance(const Found& plugin, const Parameters& parameters, const regista_environment& environment,
                    const regista_host* host, const Caller* caller)
-    : plugin_(plugin),
-      environment_(environment),
-      caller_(caller),
+    : rooms_(caller == nullptr ? nullptr : caller->rooms),
       note_(caller == nullptr ? nullptr : caller->noting.note),
+      caller_(caller),
+      compares_inputs_(caller != nullptr && caller->noting.compare_inputs),
+      plugin_(plugin),
+      environment_(environment),
       noted_id_(note_of_id(plugin.descriptor->id)) {
+  if (rooms_ == nullptr) {
+    own_rooms_ = std::make_unique<AnswerRooms>();
+    rooms_ = own_rooms_.get();
+  }
   assert(parameters.values().size() == plugin.descriptor->parameter_count);
   environment_.size = sizeof environment_;
   if (note_ != nullptr) note_->instance = nullptr;  // an earlier one may have stood at this address
@@ -45,26 +72,40 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
     fail("open", error.what());
   }
   end();
+  if (host == nullptr) host = &host_without_radio;
+  const Inputs inputs = compares_inputs_ ? inputs_of_create(environment_, *host, parameters) : Inputs();
+  mend();
+  rooms_->error.data()->text[0] = '\0';
   begin("create");
   try {
-    raw_ = descriptor_->create(&environment_, host != nullptr ? host : &host_without_radio,
-                                     parameters.values().data(), &error_);
+    raw_ = descriptor_->create(&environment_, host, parameters.values().data(), rooms_->error.data());
   } catch (...) {
     threw("create");
   }
   end();
+  std::string wrong = damage();
+  if (const std::string changed = inputs.changed(); wrong.empty() && !changed.empty()) {
+    wrong = fmt::format("{}{}", changed_its_input, changed);
+  }
+  if (!wrong.empty()) {
+    if (raw_ != nullptr) destroy();
+    fail("create", wrong);
+  }
   if (raw_ != nullptr) return;
   // A plugin never learns what its files are called.
-  std::string message = said(error_);
+  std::string message = said(*rooms_->error.data());
   for (const FileUsed& file : parameters.files())
     message += fmt::format("; {}: {}", file.parameter, file.path.string());
   fail("create", message);
 }
 
-Instance::~Instance() {
+Instance::~Instance() { destroy(); }
+
+void Instance::destroy() {
   begin("destroy");
   descriptor_->destroy(raw_);
   end();
+  damage();  // nobody can be told any more, but the state is what it was
 }
 
 void Instance::reset(std::uint64_t seed) { call("reset", descriptor_->reset, seed); }
@@ -73,16 +114,49 @@ void Instance::fail(const char* call, std::string message) const {
   throw Failure(plugin_, caller_, call, std::move(message));
 }
 
-void Instance::failed(const char* name, std::int32_t status) const {
+FloatingPointState Instance::restore_floating_point() const {
+  const FloatingPointState left = FloatingPointState::now();
+  if (left != floating_point_) floating_point_.restore();
+  return left;
+}
+
+void Instance::mend() {
+  restore_floating_point();
+  rooms_->error.mend();
+}
+
+std::string Instance::damage() const {
+  const FloatingPointState left = restore_floating_point();
+  if (const Overflow overflow = rooms_->error.overflow(); overflow != Overflow::none) {
+    return where_it_wrote(overflow, "the error's text");
+  }
+  return left.changed_from(floating_point_);
+}
+
+void Instance::check(const char* name, const Inputs& inputs) const {
+  if (const std::string changed = inputs.changed(); !changed.empty())
+    fail(name, fmt::format("{}{}", changed_its_input, changed));
+}
+
+void Instance::wrote_outside(const char* call, Overflow overflow, const char* what) const {
+  fail(call, where_it_wrote(overflow, what));
+}
+
+void Instance::examine(const char* name, std::int32_t status) const {
+  if (std::string what = damage(); !what.empty()) fail(name, std::move(what));
+  if (status == REGISTA_OK) return;
   if (status != REGISTA_FAILED) fail(name, fmt::format("returned {}, which means nothing", status));
-  fail(name, said(error_));
+  fail(name, said(*rooms_->error.data()));
 }
 
 void Instance::threw(const char* name) const {
+  if (const std::string what = damage(); !what.empty()) fail(name, what);
+  constexpr std::size_t longest = 500;  // characters
   try {
     throw;
   } catch (const std::exception& exception) {
-    fail(name, fmt::format("let an exception cross the plugin's boundary: {}", exception.what()));
+    fail(name, fmt::format("let an exception cross the plugin's boundary: {}",
+                           config::visible_at_most(exception.what(), longest)));
   } catch (...) {
     fail(name, "let an exception cross the plugin's boundary");
   }

@@ -18,6 +18,8 @@ void Mailbox::transmitted(std::uint64_t handle) { instance_->call("transmitted",
 
 void Mailbox::dropped(std::uint64_t handle) { instance_->call("dropped", calls_->dropped, handle); }
 
-void Mailbox::receive(const regista_message& message) { instance_->call("receive", calls_->receive, &message); }
+void Mailbox::receive(const regista_message& message) {
+  instance_->call_with([&](Inputs& inputs) { inputs.add("message", &message); }, "receive", calls_->receive, &message);
+}
 
 }  // namespace regista::plugin

@@ -19,51 +19,58 @@ void check_count(const Instance& instance, std::uint32_t count, std::uint32_t ca
 }  // namespace
 
 Positioner::Positioner(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_positioner>(REGISTA_KIND_POSITIONER)) {
-  buffers_.points.resize(point_capacity);
-  buffers_.edges.resize(edge_capacity);
-  buffers_.cells.resize(cell_capacity);
-  buffers_.vertices.resize(vertex_capacity);
-}
+    : instance_(std::move(instance)), calls_(&instance_->table<regista_positioner>(REGISTA_KIND_POSITIONER)) {}
 
 void Positioner::place(const regista_frame& frame, Placement& out) {
-  regista_placement raw{};
+  AnswerRooms& rooms = instance_->rooms();
+  regista_placement& raw = *instance_->open(rooms.placement, 1);
+  raw = {};
   raw.size = sizeof raw;
   raw.point_capacity = point_capacity;
   raw.edge_capacity = edge_capacity;
   raw.cell_capacity = cell_capacity;
   raw.vertex_capacity = vertex_capacity;
-  raw.points = buffers_.points.data();
-  raw.edges = buffers_.edges.data();
-  raw.cells = buffers_.cells.data();
-  raw.vertices = buffers_.vertices.data();
-  instance_->call("place", calls_->place, &frame, &raw);
+  raw.points = instance_->open(rooms.points, point_capacity);
+  raw.edges = instance_->open(rooms.edges, edge_capacity);
+  raw.cells = instance_->open(rooms.cells, cell_capacity);
+  raw.vertices = instance_->open(rooms.vertices, vertex_capacity);
+  instance_->call_with([&](Inputs& inputs) { inputs.add("frame", &frame); }, "place", calls_->place, &frame, &raw);
+  instance_->check("place", rooms.placement, "the placement itself");
+  instance_->check("place", rooms.points, "points");
+  instance_->check("place", rooms.edges, "edges");
+  instance_->check("place", rooms.cells, "cells");
+  instance_->check("place", rooms.vertices, "vertices");
 
+  // Of the struct only the counts are read: the plugin may have written over the rest.
   check_count(*instance_, raw.point_count, point_capacity, "points");
   check_count(*instance_, raw.edge_count, edge_capacity, "edges");
   check_count(*instance_, raw.cell_count, cell_capacity, "cells");
   check_count(*instance_, raw.vertex_count, vertex_capacity, "vertices");
-  check_points(frame, raw.point_count);
-  check_edges(raw.edge_count, raw.point_count);
-  check_cells(raw.cell_count, raw.vertex_count);
-  const auto take = [](auto& to, const auto& from, std::uint32_t count) {
-    to.reserve(from.size());  // at the first call, so that none allocates later
-    to.assign(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(count));
+  const auto points = rooms.points.first(raw.point_count);
+  const auto edges = rooms.edges.first(raw.edge_count);
+  const auto cells = rooms.cells.first(raw.cell_count);
+  const auto vertices = rooms.vertices.first(raw.vertex_count);
+  check_points(frame, points);
+  check_edges(edges, points.size());
+  check_cells(cells, vertices);
+  const auto take = [](auto& to, const auto& from, std::uint32_t capacity) {
+    to.reserve(capacity);  // at the first call, so that none allocates later
+    to.assign(from.begin(), from.end());
   };
-  take(out.points, buffers_.points, raw.point_count);
-  take(out.edges, buffers_.edges, raw.edge_count);
-  take(out.cells, buffers_.cells, raw.cell_count);
-  take(out.vertices, buffers_.vertices, raw.vertex_count);
+  take(out.points, points, point_capacity);
+  take(out.edges, edges, edge_capacity);
+  take(out.cells, cells, cell_capacity);
+  take(out.vertices, vertices, vertex_capacity);
 }
 
-void Positioner::check_points(const regista_frame& frame, std::uint32_t count) const {
+void Positioner::check_points(const regista_frame& frame, std::span<const regista_waypoint> points) const {
   const regista_environment& field = instance_->environment();
   const double x_limit = field.field_length / 2 + field.border_strip + rounding;
   const double y_limit = field.field_width / 2 + field.border_strip + rounding;
   const auto tasks = static_cast<std::int64_t>(frame.tasks.count);
   const auto robots = static_cast<std::int64_t>(field.team_size);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const regista_waypoint& p = buffers_.points[i];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const regista_waypoint& p = points[i];
     if (!(std::abs(p.x) <= x_limit && std::abs(p.y) <= y_limit)) [[unlikely]] {
       instance_->fail("place", fmt::format("point {} at ({}, {}) is outside the field", i, p.x, p.y));
     }
@@ -77,36 +84,36 @@ void Positioner::check_points(const regista_frame& frame, std::uint32_t count) c
   }
 }
 
-void Positioner::check_edges(std::uint32_t count, std::uint32_t point_count) const {
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const regista_edge& edge = buffers_.edges[i];
+void Positioner::check_edges(std::span<const regista_edge> edges, std::size_t point_count) const {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const regista_edge& edge = edges[i];
     if (edge.from >= point_count || edge.to >= point_count) [[unlikely]] {
       instance_->fail("place", fmt::format("edge {} joins points {} and {} of {}", i, edge.from, edge.to, point_count));
     }
   }
 }
 
-void Positioner::check_cells(std::uint32_t count, std::uint32_t vertex_count) const {
-  for (std::uint32_t i = 0; i < vertex_count; ++i) {
-    const regista_vertex& vertex = buffers_.vertices[i];
+void Positioner::check_cells(std::span<const regista_cell> cells, std::span<const regista_vertex> vertices) const {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const regista_vertex& vertex = vertices[i];
     if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y)) [[unlikely]] {
       instance_->fail("place", fmt::format("vertex {} is at ({}, {})", i, vertex.x, vertex.y));
     }
   }
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const regista_cell& cell = buffers_.cells[i];
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const regista_cell& cell = cells[i];
     if (cell.robot < 1 || static_cast<std::uint32_t>(cell.robot) > instance_->environment().team_size) [[unlikely]] {
       instance_->fail(
           "place", fmt::format("cell {} belongs to robot {} of {}", i, cell.robot, instance_->environment().team_size));
     }
-    if (cell.first > vertex_count || cell.count > vertex_count - cell.first) [[unlikely]] {
+    if (cell.first > vertices.size() || cell.count > vertices.size() - cell.first) [[unlikely]] {
       instance_->fail("place", fmt::format("cell {} has {} vertices from {} on, but there are {}", i, cell.count,
-                                           cell.first, vertex_count));
+                                           cell.first, vertices.size()));
     }
     double twice_area = 0.0;
     for (std::uint32_t k = 0; k < cell.count; ++k) {
-      const regista_vertex& a = buffers_.vertices[cell.first + k];
-      const regista_vertex& b = buffers_.vertices[cell.first + (k + 1 == cell.count ? 0 : k + 1)];
+      const regista_vertex& a = vertices[cell.first + k];
+      const regista_vertex& b = vertices[cell.first + (k + 1 == cell.count ? 0 : k + 1)];
       twice_area += a.x * b.y - b.x * a.y;
     }
     if (twice_area < -rounding) [[unlikely]]

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "plugin/instance.hpp"
@@ -31,13 +32,12 @@ class Positioner {
   void place(const regista_frame& frame, Placement& out);
 
  private:
-  void check_points(const regista_frame& frame, std::uint32_t count) const;
-  void check_edges(std::uint32_t count, std::uint32_t point_count) const;
-  void check_cells(std::uint32_t count, std::uint32_t vertex_count) const;
+  void check_points(const regista_frame& frame, std::span<const regista_waypoint> points) const;
+  void check_edges(std::span<const regista_edge> edges, std::size_t point_count) const;
+  void check_cells(std::span<const regista_cell> cells, std::span<const regista_vertex> vertices) const;
 
   std::shared_ptr<Instance> instance_;
   const regista_positioner* calls_;
-  Placement buffers_;  // of full capacity: what the plugin writes to
 };
 
 }  // namespace regista::plugin

@@ -35,9 +35,8 @@ bool clearly_sound(const regista_track& t) {
 }  // namespace
 
 Predictor::Predictor(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)),
-      calls_(&instance_->table<regista_predictor>(REGISTA_KIND_PREDICTOR)),
-      tracks_(track_capacity) {
+    : instance_(std::move(instance)), calls_(&instance_->table<regista_predictor>(REGISTA_KIND_PREDICTOR)) {
+  tracks_.reserve(track_capacity);
   const std::uint32_t subject = instance_->environment().subject;
   if ((calls_->subjects & subject) == 0) {
     instance_->fail("create", fmt::format("models {}, not {}", subject_names(calls_->subjects),
@@ -47,33 +46,50 @@ Predictor::Predictor(std::shared_ptr<Instance> instance)
 
 void Predictor::predict(double dt, const regista_motion* motion, const regista_frame* last) {
   assert(dt > 0.0);
-  instance_->call("predict", calls_->predict, dt, motion, last);
+  instance_->call_with(
+      [&](Inputs& inputs) {
+        inputs.add("motion", motion);
+        inputs.add("last", last);
+      },
+      "predict", calls_->predict, dt, motion, last);
 }
 
 void Predictor::correct(std::span<const regista_measurement> measurements, const regista_visible_area& area) {
   const regista_span raw{measurements.data(), static_cast<std::uint32_t>(measurements.size()),
                          sizeof(regista_measurement)};
-  instance_->call("correct", calls_->correct, raw, &area);
+  instance_->call_with(
+      [&](Inputs& inputs) {
+        inputs.add("measurements", raw);
+        inputs.add("area", &area);
+      },
+      "correct", calls_->correct, raw, &area);
 }
 
 void Predictor::absorb(std::span<const regista_track> tracks, double age) {
   assert(age >= 0.0);
   const regista_span raw{tracks.data(), static_cast<std::uint32_t>(tracks.size()), sizeof(regista_track)};
-  instance_->call("absorb", calls_->absorb, raw, age);
+  instance_->call_with([&](Inputs& inputs) { inputs.add("tracks", raw); }, "absorb", calls_->absorb, raw, age);
 }
 
 std::span<const regista_track> Predictor::tracks() {
-  std::uint32_t count = 0;
-  instance_->call("tracks", calls_->tracks, tracks_.data(), track_capacity, &count);
+  GuardedRoom<regista_track>& written = instance_->rooms().tracks;
+  GuardedRoom<std::uint32_t>& number = instance_->rooms().track_count;
+  *instance_->open(number, 1) = 0;
+  instance_->call("tracks", calls_->tracks, instance_->open(written, track_capacity), track_capacity, number.data());
+  instance_->check("tracks", written, "tracks");
+  instance_->check("tracks", number, "number of tracks");
+  const std::uint32_t count = *number.data();
   if (count > track_capacity) [[unlikely]]
     instance_->fail("tracks", fmt::format("wrote {} tracks into room for {}", count, track_capacity));
-  const std::span<const regista_track> out(tracks_.data(), count);
-  for (const regista_track& track : out) {
+  // In one go with the check, as what was just written is nearest then.
+  tracks_.clear();
+  for (const regista_track& track : written.first(count)) {
     if (!clearly_sound(track)) [[unlikely]]
       check(track);
+    tracks_.push_back(track);
   }
-  check_together(out);
-  return out;
+  check_together(tracks_);
+  return tracks_;
 }
 
 void Predictor::check(const regista_track& t) const {

@@ -9,6 +9,7 @@
 
 #include "plugin/descriptor.hpp"
 #include "plugin/info.hpp"
+#include "plugin/markdown_text.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -27,29 +28,19 @@ constexpr Chapter chapters[] = {
     {REGISTA_KIND_SENDER, "Senders", "Is this moment worth one of the team's packets?"},
 };
 
-// A bar would end the cell of a table.
-std::string cell(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '|') out += '\\';
-    out += c;
-  }
-  return out;
-}
-
 std::string row(const ParameterInfo& p) {
   const std::string range = p.range.empty() ? p.type : p.range;
   const std::string tuned = !p.tunable ? "" : p.log_scale ? "yes, log" : "yes";
-  return fmt::format("| `{}` | {} | {} | {} | {} |\n", p.name, cell(range),
-                     p.initial.empty() ? "none" : '`' + p.initial + '`', tuned, cell(p.doc));
+  return fmt::format("| `{}` | {} | {} | {} | {} |\n", p.name, as_text(range),
+                     p.initial.empty() ? "none" : as_code(p.initial), tuned, as_text(p.doc));
 }
 
 std::string section(const Found& plugin) {
   const Info about = info(plugin);
-  std::string out = fmt::format("\n### {}\n\n{}.", about.id, about.summary);
+  std::string out = fmt::format("\n### {}\n\n{}.", about.id, as_paragraph(about.summary));
   if (!about.subjects.empty()) out += fmt::format(" Models: {}.", about.subjects);
   if (about.negotiates) out += " Robots may show the same task while they have not agreed yet.";
-  out += fmt::format(" Licence: {}.\n", about.licence);
+  out += fmt::format(" Licence: {}.\n", as_text(about.licence));
   if (about.parameters.empty()) return out + "\nNo parameters.\n";
   out += "\n| parameter | range | default | tunable | meaning |\n|---|---|---|---|---|\n";
   for (const ParameterInfo& p : about.parameters) out += row(p);

@@ -6,18 +6,33 @@
 #include <algorithm>
 
 namespace regista::plugin {
+constexpr std::size_t most_at_first = 64;  // offers, before the room grows
 
 Sender::Sender(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_sender>(REGISTA_KIND_SENDER)) {}
+    : instance_(std::move(instance)), calls_(&instance_->table<regista_sender>(REGISTA_KIND_SENDER)) {
+  instance_->rooms().granted.open(most_at_first);
+}
 
 SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_event> events,
                             std::span<const regista_offer> offers, const regista_budget& budget) {
-  if (granted_.size() < offers.size()) granted_.resize(offers.size());
-  regista_send out{sizeof(regista_send), 0, REGISTA_EVENT_PERIOD, 0, granted_.data()};
+  GuardedRoom<regista_send>& answer = instance_->rooms().send;
+  GuardedRoom<std::uint64_t>& handles = instance_->rooms().granted;
+  *instance_->open(answer, 1) = {sizeof(regista_send), 0, REGISTA_EVENT_PERIOD, 0,
+                                 instance_->open(handles, offers.size())};
   const regista_span raw_events{events.data(), static_cast<std::uint32_t>(events.size()), sizeof(regista_event)};
   const regista_span raw_offers{offers.data(), static_cast<std::uint32_t>(offers.size()), sizeof(regista_offer)};
-  instance_->call("decide", calls_->decide, &frame, raw_events, raw_offers, &budget, &out);
+  instance_->call_with(
+      [&](Inputs& inputs) {
+        inputs.add("frame", &frame);
+        inputs.add("events", raw_events);
+        inputs.add("offers", raw_offers);
+        inputs.add("budget", &budget);
+      },
+      "decide", calls_->decide, &frame, raw_events, raw_offers, &budget, answer.data());
+  instance_->check("decide", answer, "whether to send");
+  instance_->check("decide", handles, "granted handles");
 
+  const regista_send& out = *answer.data();
   if (out.send != 0 && out.send != 1) [[unlikely]]
     instance_->fail("decide", fmt::format("send is {}, neither 0 nor 1", out.send));
   if (out.granted_count > offers.size()) [[unlikely]] {
@@ -26,7 +41,7 @@ SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_
   if (out.send == 0) return {};
   if (out.reason < 0 || out.reason >= REGISTA_EVENT_COUNT) [[unlikely]]
     instance_->fail("decide", fmt::format("reason {} does not exist", out.reason));
-  const std::span<const std::uint64_t> granted(granted_.data(), out.granted_count);
+  const std::span<const std::uint64_t> granted = handles.first(out.granted_count);
   for (std::size_t i = 0; i < granted.size(); ++i) {
     if (std::ranges::find(offers, granted[i], &regista_offer::handle) == offers.end()) [[unlikely]]
       instance_->fail("decide", fmt::format("granted handle {}, which is not on offer", granted[i]));

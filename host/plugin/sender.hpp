@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "plugin/instance.hpp"
 
@@ -30,7 +29,6 @@ class Sender {
  private:
   std::shared_ptr<Instance> instance_;
   const regista_sender* calls_;
-  std::vector<std::uint64_t> granted_;
 };
 
 }  // namespace regista::plugin

@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cfenv>
 #include <cstdint>
 #include <exception>
 #include <memory>
@@ -20,6 +19,7 @@
 #include "config/text.hpp"
 #include "plugin/address_ranges.hpp"
 #include "plugin/descriptor.hpp"
+#include "plugin/floating_point_state.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -154,16 +154,18 @@ SharedObject open_shared_object(const std::filesystem::path& file) {
   const std::filesystem::path path = std::filesystem::absolute(file);
   if (const std::string why = why_no_plugin(path); !why.empty()) return refuse(why);
   // Start-up code of -ffast-math sets how the processor treats small numbers, for everybody.
-  std::fenv_t before;
-  std::fegetenv(&before);
+  const FloatingPointState before = FloatingPointState::now();
   void* const handle = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  std::fesetenv(&before);
+  const std::string changed = FloatingPointState::now().changed_from(before);
+  before.restore();
   if (handle == nullptr) return refuse("cannot be opened: " + loader_message(path));
   note_address_range(handle);
   void* const entry = ::dlsym(handle, REGISTA_ENTRY_NAME);
   if (entry == nullptr) return refuse("cannot be opened: " + loader_message(path));
   try {
-    return shake_hands(reinterpret_cast<decltype(&regista_plugin_entry)>(entry));
+    SharedObject out = shake_hands(reinterpret_cast<decltype(&regista_plugin_entry)>(entry));
+    if (!changed.empty()) out.remark = fmt::format("{} when it was opened; that was undone", changed);
+    return out;
   } catch (const std::exception& exception) {
     return refuse(fmt::format("threw while it was asked for its plugins: {}", exception.what()));
   } catch (...) {

@@ -46,19 +46,35 @@ void check_each(const Instance& instance, const regista_matrix& m) {
 }  // namespace
 
 Utility::Utility(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_utility>(REGISTA_KIND_UTILITY)) {}
+    : instance_(std::move(instance)), calls_(&instance_->table<regista_utility>(REGISTA_KIND_UTILITY)) {
+  // The largest there can be, so that no call allocates.
+  const regista_environment& environment = instance_->environment();
+  instance_->rooms().utilities.open(std::size_t{environment.team_size} * environment.roles.count);
+}
 
 void Utility::score(const regista_frame& frame, const regista_matrix& out) {
   if (out.rows == 0 || out.columns == 0) return;
-  const std::span<double> all(out.values, std::size_t{out.rows - 1} * out.stride + out.columns);
+  const std::size_t count = std::size_t{out.rows - 1} * out.stride + out.columns;
+  GuardedRoom<double>& entries = instance_->rooms().utilities;
+  double* const room = instance_->open(entries, count);
+  std::fill_n(room, count, 0.0);
+  const regista_matrix answer{room, out.rows, out.columns, out.stride, 0};
+  const regista_matrix shown = answer;  // a plugin that writes over it does not change what is checked
+  instance_->call_with(
+      [&](Inputs& inputs) {
+        inputs.add("frame", &frame);
+        inputs.add("out", &shown, sizeof shown);
+      },
+      "score", calls_->score, &frame, &shown);
+  instance_->check("score", entries, "utilities");
+  if (out.stride != out.columns || suspect(entries.first(count))) [[unlikely]]
+    check_each(*instance_, answer);
   if (out.stride == out.columns) {
-    std::ranges::fill(all, 0.0);
+    for (std::size_t i = 0; i < count; ++i) out.values[i] = room[i];
   } else {
-    for (std::uint32_t i = 0; i < out.rows; ++i) std::ranges::fill(all.subspan(i * out.stride, out.columns), 0.0);
+    for (std::size_t i = 0; i < out.rows; ++i)
+      std::copy_n(room + i * out.stride, out.columns, out.values + i * out.stride);
   }
-  instance_->call("score", calls_->score, &frame, &out);
-  if (out.stride != out.columns || suspect(all)) [[unlikely]]
-    check_each(*instance_, out);
 }
 
 }  // namespace regista::plugin

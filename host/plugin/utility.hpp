@@ -14,7 +14,7 @@ class Utility {
   explicit Utility(std::shared_ptr<Instance> instance);
 
   // out(i, j): utility of active robot i for task j. Clears `out` first; does not call the plugin when there is nothing
-  // to score. Checked: every entry finite and >= 0.
+  // to score. Checked: every entry finite and in [0, 1e12].
   void score(const regista_frame& frame, const regista_matrix& out);
 
  private:

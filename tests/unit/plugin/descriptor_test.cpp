@@ -70,6 +70,48 @@ TEST_F(DescriptorTest, RefusesWhatIsMissing) {
             "plugin \"puppet\": declares 4000000 parameters");
 }
 
+// What a plugin says reaches terminals, tables and pages.
+TEST_F(DescriptorTest, RefusesTextsThatCannotBeShown) {
+  static const std::string long_id = "p" + std::string(63, 'q'), longer_id = long_id + "q", endless(1001, 'a');
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.id = long_id.c_str(); }), "");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.id = longer_id.c_str(); }),
+            "plugin \"" + longer_id.substr(0, 40) + "...\": id is 65 characters long; at most 64 are taken");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.id = "a\x1b[31m"; }),
+            "plugin \"a\\x1b[31m\": id is not lower_snake_case");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.summary = "Far\x1b[2J"; }),
+            "plugin \"puppet\": summary is no plain UTF-8 text: \"Far\\x1b[2J\"");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.version = "1.\xff"; }),
+            "plugin \"puppet\": version is no plain UTF-8 text: \"1.\xef\xbf\xbd\"");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.licence = "MIT\u202e"; }),
+            "plugin \"puppet\": licence is no plain UTF-8 text: \"MIT\\u202e\"");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.build_tag = "\u009b2J"; }),
+            "plugin \"puppet\": build tag is no plain UTF-8 text: \"\\x9b2J\"");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.summary = endless.c_str(); }),
+            "plugin \"puppet\": summary is longer than 1000 bytes");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.summary = "Größe, 日本"; }), "");
+  const auto said = [](const std::string& what) { return "parameter \"reach\": " + what; };
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) { p.doc = "a\nb"; }), said("doc is not one line"));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) { p.unit = "m\a"; }),
+            said("unit is no plain UTF-8 text: \"m\\x07\""));
+  static const char* const choices[] = {"first", "b\x1b"};
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) {
+              p.type = REGISTA_TYPE_CHOICE;
+              p.choices = choices;
+              p.choice_count = 2;
+            }),
+            said("choice 1 is no plain UTF-8 text: \"b\\x1b\""));
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) {
+              p.type = REGISTA_TYPE_TEXT;
+              p.initial_text = "two\nlines\tand a tab";
+            }),
+            "");
+  EXPECT_EQ(wrong_parameter([](regista_parameter& p) {
+              p.type = REGISTA_TYPE_TEXT;
+              p.initial_text = "\x1b]0;title\a";
+            }),
+            said("default is no plain UTF-8 text"));
+}
+
 TEST_F(DescriptorTest, RefusesTablesThatAreTooSmallOrHaveHoles) {
   EXPECT_EQ(wrong([](regista_descriptor& d) { d.table = [](std::int32_t) -> const void* { return nullptr; }; }),
             "plugin \"puppet\": implements no kind of plugin");

@@ -113,6 +113,30 @@ TEST_F(InstanceTest, ReadsErrorsThatAreNotWhatTheyShouldBe) {
               return REGISTA_FAILED;
             }),
             Puppet::failure("holds: one\\ntwo"));
+  EXPECT_EQ(called([](void*, const regista_frame*, std::int32_t*, regista_error* error) -> std::int32_t {
+              std::strcpy(error->text, "\x1b[2J\xff\u202e\u009b");
+              return REGISTA_FAILED;
+            }),
+            Puppet::failure("holds: \\x1b[2J\xef\xbf\xbd\\u202e\\x9b"));
+  EXPECT_EQ(
+      called([](void*, const regista_frame*, std::int32_t*, regista_error*) -> std::int32_t {
+        throw std::runtime_error("\x1b[2J" + std::string(1000, 'a'));
+      }),
+      Puppet::failure("holds: let an exception cross the plugin's boundary: \\x1b[2J" + std::string(496, 'a') + "..."));
+}
+
+// Reports and tables are given the message alone.
+TEST_F(InstanceTest, TheMessageAloneIsCleanToo) {
+  Puppet::context.holds = [](void*, const regista_frame*, std::int32_t*, regista_error* error) -> std::int32_t {
+    std::strcpy(error->text, "a\x1b\nb");
+    return REGISTA_FAILED;
+  };
+  try {
+    Context(Puppet::instance()).holds(Scene().frame);
+    FAIL();
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.message(), "a\\x1b\\nb");
+  }
 }
 
 TEST_F(InstanceTest, ForgetsOldErrors) {

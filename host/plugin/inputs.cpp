@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "plugin/inputs.hpp"
+
+#include <xxhash.h>
+
+#include <cstring>
+
+namespace regista::plugin {
+
+void Inputs::add(const char* whole, const char* part, const void* data, std::size_t bytes) {
+  if (data == nullptr || bytes == 0) return;
+  if (parts_.empty()) parts_.reserve(32);
+  parts_.push_back({whole, part, data, bytes, XXH3_64bits(data, bytes)});
+}
+
+void Inputs::add(const char* whole, const char* part, const regista_span& elements) {
+  add(whole, part, elements.data, std::size_t{elements.count} * elements.stride);
+}
+
+void Inputs::add(const char* whole, const char* part, const regista_matrix& m) {
+  if (m.rows == 0) return;
+  add(whole, part, m.values, (std::size_t{m.rows - 1} * m.stride + m.columns) * sizeof(double));
+}
+
+void Inputs::add(const char* name, const char* text) {
+  if (text != nullptr) add(name, "", text, std::strlen(text) + 1);
+}
+
+void Inputs::add_world(const char* whole, const char* const (&parts)[4], const regista_world* world) {
+  if (world == nullptr) return;
+  add(whole, parts[0], world, sizeof *world);
+  add(whole, parts[1], world->robots);
+  add(whole, parts[2], world->opponents);
+  add(whole, parts[3], world->active);
+}
+
+void Inputs::add(const char* name, const regista_frame* frame) {
+  if (frame == nullptr) return;
+  add(name, "", frame, sizeof *frame);
+  add_world(name, {".mine", ".mine.robots", ".mine.opponents", ".mine.active"}, frame->mine);
+  add_world(name, {".common", ".common.robots", ".common.opponents", ".common.active"}, frame->common);
+  add(name, ".tasks", frame->tasks);
+  add(name, ".waypoints", frame->waypoints);
+  add(name, ".edges", frame->edges);
+  add(name, ".previous", frame->previous);
+  add(name, ".time_to_task", frame->time_to_task);
+}
+
+void Inputs::add(const char* name, const regista_matrix* matrix) {
+  if (matrix == nullptr) return;
+  add(name, "", matrix, sizeof *matrix);
+  add(name, ".values", *matrix);
+}
+
+void Inputs::add(const char* name, const regista_message* message) {
+  if (message == nullptr) return;
+  add(name, "", message, sizeof *message);
+  add(name, ".bytes", message->bytes, message->count);
+}
+
+void Inputs::add(const char* name, const regista_environment* environment) {
+  if (environment == nullptr) return;
+  add(name, "", environment, sizeof *environment);
+  add(name, ".landmarks", environment->landmarks);
+  add(name, ".roles", environment->roles);
+  const regista_span& roles = environment->roles;
+  for (std::uint32_t i = 0; i < roles.count; ++i) {
+    regista_role role;
+    std::memcpy(&role, static_cast<const char*>(roles.data) + std::size_t{i} * roles.stride, sizeof role);
+    if (role.name != nullptr) add(name, ".roles.name", role.name, std::strlen(role.name) + 1);
+    if (role.list != nullptr) add(name, ".roles.list", role.list, std::strlen(role.list) + 1);
+  }
+}
+
+std::string Inputs::changed() const {
+  for (const Part& each : parts_) {
+    if (XXH3_64bits(each.data, each.bytes) != each.fingerprint) return std::string(each.whole) + each.part;
+  }
+  return {};
+}
+
+}  // namespace regista::plugin
