@@ -26,8 +26,8 @@ Judgement after_a_failure(std::span<const Attempt> attempts) {
   const auto own = std::ranges::count_if(attempts, [](const Attempt& each) {
     return each.isolated && !each.played && !each.failure && !each.from_outside;
   });
-  const bool too_many = static_cast<std::size_t>(failures) >= most_failures ||
-                        static_cast<std::size_t>(own) >= isolated_plays;
+  const bool too_many =
+      static_cast<std::size_t>(failures) >= most_failures || static_cast<std::size_t>(own) >= isolated_plays;
   return too_many ? Judgement::give_up : Judgement::play_isolated;
 }
 
@@ -36,17 +36,17 @@ Judgement after_a_failure(std::span<const Attempt> attempts) {
 Judgement judge(std::span<const Attempt> attempts) {
   assert(!attempts.empty());
   if (!attempts.back().played) return after_a_failure(attempts);
-  const bool something_failed = std::ranges::any_of(
-      attempts, [](const Attempt& each) { return !each.played && !each.from_outside; });
+  const bool something_failed =
+      std::ranges::any_of(attempts, [](const Attempt& each) { return !each.played && !each.from_outside; });
   if (!something_failed) return Judgement::counts;
-  const auto survived = std::ranges::count_if(
-      attempts, [](const Attempt& each) { return each.isolated && each.played; });
+  const auto survived =
+      std::ranges::count_if(attempts, [](const Attempt& each) { return each.isolated && each.played; });
   return static_cast<std::size_t>(survived) < isolated_plays ? Judgement::play_isolated : Judgement::set_aside;
 }
 
 std::string why_set_aside(std::span<const Attempt> attempts) {
-  const auto failed = std::ranges::find_if(
-      attempts, [](const Attempt& each) { return !each.played && !each.from_outside; });
+  const auto failed =
+      std::ranges::find_if(attempts, [](const Attempt& each) { return !each.played && !each.from_outside; });
   assert(failed != attempts.end());
   return fmt::format("{}; it did not come back in {} isolated plays", failed->what, isolated_plays);
 }

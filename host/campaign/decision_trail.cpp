@@ -115,8 +115,8 @@ std::string first_difference(const std::string& first, const std::string& second
       a(one);
       b(other);
       const std::uint64_t tick = decisions[{one.side, one.robot}]++;
-      const std::string who = fmt::format("{}, robot {}, tick {} ({:.2f} s)", one.side == 0 ? "home" : "away",
-                                          one.robot, tick, one.time);
+      const std::string who =
+          fmt::format("{}, robot {}, tick {} ({:.2f} s)", one.side == 0 ? "home" : "away", one.robot, tick, one.time);
       if (one.time != other.time || one.side != other.side || one.robot != other.robot) {
         return fmt::format("{}: it was not its turn in the second play", who);
       }

@@ -53,7 +53,8 @@ class IsolatedMatch {
         compare_inputs_(compare_inputs),
         after_(after),
         note_(note) {
-    for (const match::Side side : match::both_sides) setup_.roles[match::index(side)] = match::roles(*plans[match::index(side)]);
+    for (const match::Side side : match::both_sides)
+      setup_.roles[match::index(side)] = match::roles(*plans[match::index(side)]);
     // A death of either interrupts the sleep for the other.
     struct sigaction action {};
     action.sa_handler = [](int) {};
@@ -223,9 +224,9 @@ class IsolatedMatch {
     }
     const int number = WTERMSIG(status);
     if (number == SIGXCPU) {
-      throw Fault(noted(side, fmt::format("used more than {} s of processor time in one match",
-                                          limits_.match_seconds())),
-                  false);
+      throw Fault(
+          noted(side, fmt::format("used more than {} s of processor time in one match", limits_.match_seconds())),
+          false);
     }
     throw Fault(noted(side, strsignal(number)), comes_from_outside(number));
   }
@@ -235,8 +236,12 @@ class IsolatedMatch {
     WorkerNote note = team(side).channel.note();
     note.call.plugin.back() = note.call.call.back() = '\0';
     note.fatal.thread.back() = note.fatal.object.back() = '\0';
-    return {static_cast<int>(match::index(side)), note.call.plugin.data(), note.call.call.data(), note.call.robot,
-            note.call.tick, what + where(note.fatal) + (note.call.inside == 1 ? "" : ", between two calls")};
+    return {static_cast<int>(match::index(side)),
+            note.call.plugin.data(),
+            note.call.call.data(),
+            note.call.robot,
+            note.call.tick,
+            what + where(note.fatal) + (note.call.inside == 1 ? "" : ", between two calls")};
   }
 
   match::Setup setup_;
@@ -253,8 +258,8 @@ class IsolatedMatch {
 
 }  // namespace
 
-match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans,
-                            const Limits& limits, bool compare_inputs, const AfterDigest& after, WorkerNote& note) {
+match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, const Limits& limits,
+                            bool compare_inputs, const AfterDigest& after, WorkerNote& note) {
   return IsolatedMatch(std::move(setup), plans, limits, compare_inputs, after, note).play();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What of a process is everybody's: threads, file descriptors, working folder, handlers of signals. Plugins are to leave
-// it as it was.
+// What of a process is everybody's: threads, file descriptors, working folder, handlers of signals. Plugins are to
+// leave it as it was.
 #pragma once
 
 #include <array>

@@ -132,9 +132,9 @@ void MatchRun::failed(Attempt attempt) {
       decide(forfeit(*attempts_.back().failure, 0.0));
       break;
     case Judgement::give_up:
-      throw CampaignError(CampaignError::Kind::machine,
-                          fmt::format("workers died {} times over one match, at last so: {}", attempts_.size(),
-                                      attempts_.back().what));
+      throw CampaignError(
+          CampaignError::Kind::machine,
+          fmt::format("workers died {} times over one match, at last so: {}", attempts_.size(), attempts_.back().what));
     default:
       start(Stage::isolated);
   }

@@ -39,7 +39,8 @@ constexpr auto tables = R"(
     UNIQUE(fixture, seed)
   );
   CREATE TABLE metrics(row INTEGER PRIMARY KEY REFERENCES matches(row), json TEXT NOT NULL);)";
-// Of few matches, so in a table of its own. Files of before have none: it is made when they are opened to be written to.
+// Of few matches, so in a table of its own. Files of before have none: it is made when they are opened to be written
+// to.
 constexpr auto remarks_table = R"(
   CREATE TABLE IF NOT EXISTS remarks(
     row INTEGER NOT NULL REFERENCES matches(row),
@@ -259,7 +260,8 @@ struct Store::Parts {
     if (!failure.empty()) out.failure = failure_from_json(failure);
     out.seconds = row.getColumn(7).getDouble();
     if (remarks && any_remarks) read_remarks(key_of(row), out);
-    if ((out.ended == "set_aside") != out.set_aside()) throw std::invalid_argument("a match set aside without a reason");
+    if ((out.ended == "set_aside") != out.set_aside())
+      throw std::invalid_argument("a match set aside without a reason");
     if (wanted == Metrics::wanted && !out.failure) {
       const MatchKey key = key_of(row);
       metrics->tryReset();

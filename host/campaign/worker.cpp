@@ -134,7 +134,8 @@ double seconds_of(const timeval& time) {
 
 }  // namespace
 
-Worker::Worker(const Job& job, const Limits& limits, SharedNote& note, int trail) : limits_(limits), note_(note), isolated_(job.isolated) {
+Worker::Worker(const Job& job, const Limits& limits, SharedNote& note, int trail)
+    : limits_(limits), note_(note), isolated_(job.isolated) {
   note_.clear();
   const Descriptor given(file_of(to_json(job)));
   std::array<int, 2> ends{};
@@ -148,8 +149,8 @@ Worker::Worker(const Job& job, const Limits& limits, SharedNote& note, int trail
   // The reading ends alone: what the worker inherits must block.
   fcntl(reading.number, F_SETFL, O_NONBLOCK);
   fcntl(reading_output.number, F_SETFL, O_NONBLOCK);
-  const Inherited inherited{given.number, writing.number, note.descriptor(), writing_output.number, trail,
-                            job.second_play, getpid()};
+  const Inherited inherited{given.number, writing.number,  note.descriptor(), writing_output.number,
+                            trail,        job.second_play, getpid()};
   process_ = fork();
   if (process_ == -1) fail("cannot start a worker");
   if (process_ == 0) become_worker(inherited, limits);

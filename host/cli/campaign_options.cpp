@@ -76,13 +76,13 @@ campaign::Limits limits(const CampaignOptions& options) {
   if (!options.wall_seconds.empty()) {
     limits.wall_seconds = static_cast<double>(parse_whole("--wall-seconds", options.wall_seconds, 1, 1'000'000));
   }
-  limits.match_wall_seconds =
-      static_cast<double>(parse_whole("--match-seconds", options.match_seconds, 1, 1'000'000));
+  limits.match_wall_seconds = static_cast<double>(parse_whole("--match-seconds", options.match_seconds, 1, 1'000'000));
   limits.play_twice = !options.play_once;
   if (options.isolation == "always") {
     limits.isolation = campaign::Isolation::always;
   } else if (options.isolation != "after-death") {
-    throw BadInput(config::unknown("value", options.isolation, "--isolation", std::array<std::string, 2>{"after-death", "always"}));
+    throw BadInput(config::unknown("value", options.isolation, "--isolation",
+                                   std::array<std::string, 2>{"after-death", "always"}));
   }
   return limits;
 }

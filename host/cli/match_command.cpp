@@ -14,6 +14,7 @@
 #include "campaign/blame.hpp"
 #include "campaign/engine.hpp"
 #include "campaign/inputs.hpp"
+#include "campaign/leftovers.hpp"
 #include "campaign/mathematics.hpp"
 #include "cli/command.hpp"
 #include "cli/decision_log.hpp"
@@ -192,9 +193,25 @@ std::unique_ptr<report::MatchRecording> begin_recording(const Options& options, 
   }
 }
 
+constexpr auto not_alone = "played with each team in a process of its own it did not, so no team is to blame";
+
+// Something went wrong where both teams share a process. Which team's it was is found out as studies do it: each thinks
+// in a process of its own, and one of these goes wrong again. Throws BadInput that names it; returns when none does.
+void blame(campaign::Job job) {
+  campaign::Limits limits;
+  limits.isolation = campaign::Isolation::always;
+  job.record.clear();
+  try {
+    const campaign::Decided again = campaign::play_alone(job, limits);
+    if (again.failure) throw BadInput(failure_text(job, *again.failure));
+  } catch (const campaign::CampaignError& error) {
+    throw BadInput(error.what());
+  }
+}
+
 // Plays what was set up, in a process that a plugin may end.
 int play_prepared(const Options& options, const Invocation& invocation, const std::optional<Stored>& stored,
-                  MatchSetup prepared, campaign::WorkerNote& note) {
+                  MatchSetup prepared, const campaign::Job& job, campaign::WorkerNote& note) {
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
   std::vector<std::string> words = invocation.arguments;
   if (!options.record.empty() && !options.force) words.push_back("--force");  // for there is a recording now
@@ -244,9 +261,12 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
   }
 
   const auto began = std::chrono::steady_clock::now();
+  const campaign::ProcessState before = campaign::ProcessState::now();
+  std::string left;
   try {
     played.result = match::play(std::move(prepared.setup), plans, &observer, after, {&note.call});
     note.call = {};  // whatever dies from now on dies in no plugin's call
+    left = campaign::changes(before, campaign::ProcessState::now());
     if (recording) recording->close();
   } catch (const mcap::Error& error) {
     throw WriteError(error.what());
@@ -255,6 +275,10 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
   }
   played.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   live.clear();
+  if (!left.empty()) {
+    blame(job);
+    throw BadInput(fmt::format("a plugin {}; {}", left, not_alone));
+  }
   if (log) log->close();
   if (!options.metrics.empty()) write_whole(options.metrics, metrics_csv(played), Existing::replaced);
   print(options.json ? summary_json(played) : summary_text(played));
@@ -274,30 +298,22 @@ Files files_of(const MatchSetup& prepared) {
   return out;
 }
 
-// A plugin ended the process. Which team's it was is found out as studies do it: each team thinks in a process of its
-// own, and one of them dies again.
+// A plugin ended the process.
 int explain_loss(campaign::Job job, const Files& files, const Loss& loss) {
   for (const auto& file : files) {
     if (file->has_changed()) {
-      throw BadInput(fmt::format("{}: was overwritten while the match was played ({})", file->file().string(),
-                                 loss.what));
+      throw BadInput(
+          fmt::format("{}: was overwritten while the match was played ({})", file->file().string(), loss.what));
     }
   }
+  const std::string died = campaign::in_words(loss.what, loss.note.call);
+  blame(std::move(job));
+  // People and systems send signals; whatever else ended the process, a plugin has done.
   if (loss.from_outside) {
-    complain(fmt::format("the match was ended: {}", campaign::in_words(loss.what, loss.note.call)));
+    complain(fmt::format("the match was ended: {}", died));
     return exit_no;
   }
-  campaign::Limits limits;
-  limits.isolation = campaign::Isolation::always;
-  job.record.clear();
-  try {
-    const campaign::Decided again = campaign::play_alone(job, limits);
-    if (again.failure) throw BadInput(failure_text(job, *again.failure));
-  } catch (const campaign::CampaignError& error) {
-    throw BadInput(error.what());
-  }
-  throw BadInput(fmt::format("the match died: {}; played with each team in a process of its own it did not",
-                             campaign::in_words(loss.what, loss.note.call)));
+  throw BadInput(fmt::format("the match died: {}; {}", died, not_alone));
 }
 
 int play(Options options, const OutputFiles& outputs, const Invocation& invocation) {
@@ -328,13 +344,13 @@ int play(Options options, const OutputFiles& outputs, const Invocation& invocati
   job.plugin_files = catalogue.used_files();
   const Files files = files_of(prepared);
   const auto work = [&](campaign::WorkerNote& note) {
-    return play_prepared(options, invocation, stored, std::move(prepared), note);
+    return play_prepared(options, invocation, stored, std::move(prepared), job, note);
   };
   if (options.in_process) {
     campaign::WorkerNote note;
     return work(note);
   }
-  return run_supervised(work, [&](const Loss& loss) { return explain_loss(std::move(job), files, loss); });
+  return run_supervised(work, [&](const Loss& loss) { return explain_loss(job, files, loss); });
 }
 
 }  // namespace

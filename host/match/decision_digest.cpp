@@ -13,7 +13,7 @@ namespace regista::match {
 namespace {
 
 constexpr std::array<std::string_view, decision_steps> names{
-    "the own pose", "the ball",  "the opponents",  "the worlds", "the context",
+    "the own pose", "the ball",  "the opponents", "the worlds",     "the context",
     "the points",   "the tasks", "the utilities", "the assignment", "the command or the packet"};
 
 // Field by field: a struct's padding may hold anything.
@@ -37,7 +37,9 @@ class Step {
     digest_.add(std::as_bytes(std::span(values)));
   }
   template <class T, std::size_t N>
-  void add(const T (&values)[N]) { digest_.add(std::as_bytes(std::span(values))); }
+  void add(const T (&values)[N]) {
+    digest_.add(std::as_bytes(std::span(values)));
+  }
   void add(const regista_track& t) {
     operator()(t.label, t.flags, t.x, t.y, t.heading, t.vx, t.vy, t.turn_rate, t.covariance, t.heading_variance,
                t.weight, t.age, t.target);
@@ -46,9 +48,7 @@ class Step {
     operator()(r.number, r.flags, r.pose, r.velocity, r.covariance, r.target, r.time_until_up, r.age, r.role,
                r.role_since);
   }
-  void add(const regista_opponent& o) {
-    operator()(o.label, o.position, o.velocity, o.covariance, o.weight, o.age);
-  }
+  void add(const regista_opponent& o) { operator()(o.label, o.position, o.velocity, o.covariance, o.weight, o.age); }
   void add(const regista_ball& b) { operator()(b.flags, b.position, b.velocity, b.covariance, b.age); }
   void add(const regista_waypoint& p) { operator()(p.x, p.y, p.score, p.task, p.robot); }
   void add(const regista_edge& e) { operator()(e.from, e.to); }
@@ -87,16 +87,11 @@ DecisionDigest digest_of(const mind::Mind& mind, const mind::Outcome& outcome) {
   utilities(decision.utility);
   Digest acts;
   add(acts, outcome);
-  return {Step{}(local.self()).value(),
-          step_of(local.balls()),
-          step_of(local.opponents()),
-          worlds(mind.world()),
-          Step{}(decision.context).value(),
-          points.value(),
-          step_of(decision.columns),
-          utilities.value(),
-          Step{}(decision.assigned).value(),
-          acts.value()};
+  return {Step{}(local.self()).value(),      step_of(local.balls()),
+          step_of(local.opponents()),        worlds(mind.world()),
+          Step{}(decision.context).value(),  points.value(),
+          step_of(decision.columns),         utilities.value(),
+          Step{}(decision.assigned).value(), acts.value()};
 }
 
 std::string plugins_of_step(const mind::TeamPlan& plan, std::size_t step) {

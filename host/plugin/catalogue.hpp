@@ -50,9 +50,9 @@ class Catalogue {
   // The folders in words: those that do not exist are marked so.
   std::vector<std::string> searched() const;
 
-  // The plugin of this kind (REGISTA_KIND_*) that `use` names; looks at its pinned file on demand. A predictor must model
-  // `subject` (REGISTA_SUBJECT_*), unless that is 0. The reference lives as long as the catalogue. Throws config::Error
-  // at use.where when there is none, several, or the pinned file may not be used.
+  // The plugin of this kind (REGISTA_KIND_*) that `use` names; looks at its pinned file on demand. A predictor must
+  // model `subject` (REGISTA_SUBJECT_*), unless that is 0. The reference lives as long as the catalogue. Throws
+  // config::Error at use.where when there is none, several, or the pinned file may not be used.
   const Found& find(const config::PluginUse& use, int kind, std::uint32_t subject = 0) const;
 
  private:

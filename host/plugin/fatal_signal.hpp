@@ -14,9 +14,9 @@ namespace regista::plugin {
 // Plain bytes; all zero: no signal struck.
 struct FatalNote {
   std::int32_t signal = 0;
-  std::int32_t other_thread = 0;    // 1: not the thread that calls plugins
-  std::array<char, 16> thread{};    // its name; ends with a zero
-  ObjectName object{};              // whose code ran, or called the code that ran; empty: of no plugin
+  std::int32_t other_thread = 0;  // 1: not the thread that calls plugins
+  std::array<char, 16> thread{};  // its name; ends with a zero
+  ObjectName object{};            // whose code ran, or called the code that ran; empty: of no plugin
   friend bool operator==(const FatalNote&, const FatalNote&) = default;
 };
 

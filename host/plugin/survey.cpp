@@ -210,7 +210,8 @@ class Child {
 
 Surveyed refused(const std::string& why) { return {{}, config::one_line(why), {}}; }
 
-// Looks at files[first ... last); true when nothing went wrong. Else out[...] of the file that was being opened says so.
+// Looks at files[first ... last); true when nothing went wrong. Else out[...] of the file that was being opened says
+// so.
 bool look_at(std::span<const fs::path> files, std::size_t first, std::vector<Surveyed>& out) {
   Child child(files, first);
   std::size_t next = first;

@@ -90,7 +90,7 @@ TEST(Blame, AMatchThatDiesWithoutAnyPluginIsNoTeams) {
 
 // Whatever happens, in whatever order: who forfeits has died alone, and the other side never has to pay.
 TEST(Blame, OnlyASideWhoseOwnProcessFailedForfeits) {
-  const Attempts kinds{shared_died(),      shared_killed(),      alone_died(home), alone_killed(home),
+  const Attempts kinds{shared_died(),      shared_killed(),     alone_died(home), alone_killed(home),
                        alone_killed(away), match_itself_died(), shared_played(),  alone_played()};
   std::vector<Attempts> open{{}};
   int forfeits = 0, ended = 0;
