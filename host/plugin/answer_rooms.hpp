@@ -15,7 +15,6 @@ namespace regista::plugin {
 struct AnswerRooms {
   GuardedRoom<regista_error> error{1};  // of every call
   // Predictor
-  GuardedRoom<regista_track> tracks{1};
   GuardedRoom<std::uint32_t> track_count{1};
   // Context
   GuardedRoom<std::int32_t> holds{1};

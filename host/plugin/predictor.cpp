@@ -35,8 +35,9 @@ bool clearly_sound(const regista_track& t) {
 }  // namespace
 
 Predictor::Predictor(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_predictor>(REGISTA_KIND_PREDICTOR)) {
-  tracks_.reserve(track_capacity);
+    : instance_(std::move(instance)),
+      calls_(&instance_->table<regista_predictor>(REGISTA_KIND_PREDICTOR)),
+      tracks_(track_capacity) {
   const std::uint32_t subject = instance_->environment().subject;
   if ((calls_->subjects & subject) == 0) {
     instance_->fail("create", fmt::format("models {}, not {}", subject_names(calls_->subjects),
@@ -72,24 +73,21 @@ void Predictor::absorb(std::span<const regista_track> tracks, double age) {
 }
 
 std::span<const regista_track> Predictor::tracks() {
-  GuardedRoom<regista_track>& written = instance_->rooms().tracks;
   GuardedRoom<std::uint32_t>& number = instance_->rooms().track_count;
   *instance_->open(number, 1) = 0;
-  instance_->call("tracks", calls_->tracks, instance_->open(written, track_capacity), track_capacity, number.data());
-  instance_->check("tracks", written, "tracks");
+  instance_->call("tracks", calls_->tracks, instance_->open(tracks_, track_capacity), track_capacity, number.data());
+  instance_->check("tracks", tracks_, "tracks");
   instance_->check("tracks", number, "number of tracks");
   const std::uint32_t count = *number.data();
   if (count > track_capacity) [[unlikely]]
     instance_->fail("tracks", fmt::format("wrote {} tracks into room for {}", count, track_capacity));
-  // In one go with the check, as what was just written is nearest then.
-  tracks_.clear();
-  for (const regista_track& track : written.first(count)) {
+  const std::span<const regista_track> out = tracks_.first(count);
+  for (const regista_track& track : out) {
     if (!clearly_sound(track)) [[unlikely]]
       check(track);
-    tracks_.push_back(track);
   }
-  check_together(tracks_);
-  return tracks_;
+  check_together(out);
+  return out;
 }
 
 void Predictor::check(const regista_track& t) const {
