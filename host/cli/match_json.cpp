@@ -107,16 +107,16 @@ std::string summary_json(const PlayedMatch& match) {
   out["wall_seconds"] = match.wall_seconds;
   out["state_hash"] = match::hash_text(result.hash);
   out["packets"] = result.packets;
-  if (match.packets_share) {
-    const double share = rounded(*match.packets_share);
-    out["packets_share"] = {share, share};
-    out["packets_over_share"] = {rounded(result.packets[0] - share), rounded(result.packets[1] - share)};
-  }
   out["roles"] = Json::array({roles(teams[0], match.role_names[0]), roles(teams[1], match.role_names[1])});
   out["failures"] = Json::array();
   out["playing_seconds"] = result.metrics.playing_seconds;
   out["in_play_seconds"] = result.metrics.in_play_seconds;
   out["packets_by_reason"] = both(packets_by_reason);
+  if (match.packets_share) {
+    const double share = rounded(*match.packets_share);
+    out["packets_share"] = {share, share};
+    out["packets_over_share"] = {rounded(result.packets[0] - share), rounded(result.packets[1] - share)};
+  }
   using match::TeamMetrics;
   out["budget_curve"] = both([](const TeamMetrics& team) { return team.budget_curve; });
   out["silent_seconds"] = both([](const TeamMetrics& team) { return team.coordination.silent_seconds; });

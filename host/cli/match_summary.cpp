@@ -71,6 +71,7 @@ std::string world_model(const match::WorldModelMetrics& model) {
 }  // namespace
 
 std::optional<double> packets_share_of(const match::Setup& setup) {
+  if (setup.rules.messages.short_games == config::ShortGames::share) return std::nullopt;  // it is the budget then
   const config::Durations& durations = setup.rules.durations;
   const double whole = durations.half * durations.halves;
   const std::optional<double> length = setup.limit     ? setup.limit

@@ -63,8 +63,7 @@ class alignas(64) Instance {
       threw(name);
     }
     end();
-    // Whoever writes past the end of the text has begun at its beginning.
-    const bool well = (status == REGISTA_OK) & !closely & (rooms_->error.data()->text[0] == '\0') &
+    const bool well = (status == REGISTA_OK) & !closely & rooms_->error.edges_are_whole() &
                       FloatingPointState::is_usual_for_numbers();
     if (!well) [[unlikely]]
       examine(name, status);

@@ -102,8 +102,11 @@ class Openings(program.Case):
 
     def test_check_with_other_rules(self):
         self.write("two.yaml", "rules: two\nteam_size: 2\n")
-        self.assertEqual(self.refused("config", "check", "duel.yaml"),
-                         "duel.yaml:6:3: opening duel: home has 2 places, a team has 7 robots")
+        done = self.run_program("config", "check", "duel.yaml")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertEqual(done.stderr,
+                         "regista: duel.yaml:6:3: opening duel: home has 2 places, a team has 7 robots\n"
+                         "regista: duel.yaml:7:3: opening duel: away has 2 places, a team has 7 robots\n")
         self.assertEqual(self.succeed("config", "check", "duel.yaml", "--rules", "two.yaml"),
                          "duel.yaml: opening, sound\n")
 

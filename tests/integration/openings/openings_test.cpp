@@ -102,7 +102,7 @@ TEST_P(Openings, NobodySpendsMoreThanTheShare) {
   const double length = config::read_opening(GetParam()).length;
   const auto whole = play_with(config::ShortGames::whole, much, *catalogue_, GetParam());
   const auto share = play_with(config::ShortGames::share, much, *catalogue_, GetParam());
-  EXPECT_GT(whole.packets[0], 2.0 * length);
+  EXPECT_GT(whole.packets[0], 1.5 * length);
   for (const int packets : share.packets) EXPECT_EQ(packets, static_cast<int>(length) - 1);
 }
 

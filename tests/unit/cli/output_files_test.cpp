@@ -25,8 +25,9 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 // Types of values that are no files, as the help calls them.
-constexpr std::array plain{"N",  "SECONDS", "MIB",    "RATE",   "ELO0,ELO1", "MODEL", "NAME",           "PATH=VALUE",
-                           "ID", "KIND",    "COUNTS", "FORMAT", "A,B,...",   "H0,H1", "[home/|away/]N", "[HALF/]M:SS"};
+constexpr std::array plain{"N",    "SECONDS", "MIB",    "RATE",   "ELO0,ELO1", "MODEL", "NAME",           "PATH=VALUE",
+                           "ID",   "KIND",    "COUNTS", "FORMAT", "A,B,...",   "H0,H1", "[home/|away/]N", "[HALF/]M:SS",
+                           "WHEN", "MATCH"};
 
 class OutputFilesTest : public testing::Test {
  protected:

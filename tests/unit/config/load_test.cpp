@@ -124,7 +124,7 @@ TEST(Override, WhatIsRefused) {
       {"a=[1", "--set a=[1: a key must be plain text; is a bracket not closed?"},
       {"a={b: 1, b: 2}", "--set a={b: 1, b: 2}: duplicate key \"b\""},
       {"a=1\n---\n2", "--set a=1\\n---\\n2: second document; a file holds one"},
-      {"a=\xff", "--set a=\xff: byte 0xff is not UTF-8"},
+      {"a=\xff", "--set a=\uFFFD: byte 0xff is not UTF-8"},
       {"a=\x01", "--set a=\\x01: byte 0x01 is not text; is this a binary file?"},
       {"a=\"x", "--set a=\"x: quote is never closed"},
   };
