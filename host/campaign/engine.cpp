@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "campaign/match_run.hpp"
+#include "campaign/process.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -38,7 +39,9 @@ void watch(const Worker& worker, std::vector<pollfd>& watched, int& patient) {
 class Engine {
  public:
   Engine(const Schedule& schedule, Store& store, int workers, const Limits& limits)
-      : schedule_(schedule), store_(store), workers_(static_cast<std::size_t>(workers)), limits_(limits) {}
+      : schedule_(schedule), store_(store), workers_(static_cast<std::size_t>(workers)), limits_(limits) {
+    adopt_orphans();
+  }
 
   Finish run() {
     while (due_ < schedule_.matches) {
@@ -54,6 +57,9 @@ class Engine {
         }
         decide(*runs_[i]);
         runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(i));
+        std::vector<pid_t> ours;
+        for (const auto& run : runs_) ours.push_back(run->match.worker().process());
+        end_children_but(ours);
       }
     }
     return Finish::complete;
@@ -136,6 +142,7 @@ Finish run(const Schedule& schedule, Store& store, int workers, const Limits& li
 }
 
 Decided play_alone(const Job& job, const Limits& limits, bool twice) {
+  adopt_orphans();
   MatchRun match(job, limits, twice, {});
   while (!match.advance()) {
     std::vector<pollfd> watched;
@@ -143,6 +150,7 @@ Decided play_alone(const Job& job, const Limits& limits, bool twice) {
     watch(match.worker(), watched, patient);
     poll(watched.data(), watched.size(), patient);
   }
+  end_children_but({});
   return match.decided();
 }
 

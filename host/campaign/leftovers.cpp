@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/time.h>
 
 #include <algorithm>
 #include <charconv>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <string_view>
 #include <system_error>
@@ -43,6 +45,19 @@ std::vector<int> open_descriptors() {
   return out;
 }
 
+int running_timers() {
+  int out = 0;
+  for (const __itimer_which each : {ITIMER_REAL, ITIMER_VIRTUAL, ITIMER_PROF}) {
+    itimerval now{};
+    if (getitimer(each, &now) == 0 && (now.it_value.tv_sec != 0 || now.it_value.tv_usec != 0)) ++out;
+  }
+  std::ifstream list("/proc/self/timers");  // those of timer_create(); not every kernel tells
+  for (std::string line; std::getline(list, line);) {
+    if (line.starts_with("ID:")) ++out;
+  }
+  return out;
+}
+
 std::vector<int> without(const std::vector<int>& all, const std::vector<int>& those) {
   std::vector<int> out;
   std::ranges::set_difference(all, those, std::back_inserter(out));
@@ -59,6 +74,7 @@ std::string signal_name(int number) {
 ProcessState ProcessState::now() {
   ProcessState out;
   out.threads = static_cast<int>(numbers_in("/proc/self/task").size());
+  out.timers = running_timers();
   out.descriptors = open_descriptors();
   std::error_code error;
   out.folder = fs::current_path(error).string();
@@ -77,6 +93,7 @@ std::string changes(const ProcessState& before, const ProcessState& after) {
   if (const int more = after.threads - before.threads; more > 0) {
     out.push_back(fmt::format("left {} thread{} running", more, more == 1 ? "" : "s"));
   }
+  if (after.timers > before.timers) out.push_back("left a timer running");
   if (const auto closed = without(before.descriptors, after.descriptors); !closed.empty()) {
     out.push_back(fmt::format("closed file descriptor{} {}", closed.size() == 1 ? "" : "s", fmt::join(closed, ", ")));
   }

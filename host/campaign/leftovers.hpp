@@ -14,6 +14,7 @@ struct ProcessState {
   static ProcessState now();
 
   int threads = 1;
+  int timers = 0;                // that will send a signal
   std::vector<int> descriptors;  // ascending
   std::string folder;
   std::array<std::uintptr_t, 65> handlers{};  // by signal

@@ -104,7 +104,9 @@ void serve_minds(const mind::TeamPlan& plan, match::Side side, std::uint64_t see
   plugin::note_fatal_signals(channel.note().fatal);
   const ProcessState before = ProcessState::now();
   try {
-    MindHost host(plan, side, seed, compare_inputs, channel);
+    // Never destroyed but by the last question: what a plugin has damaged must not end this process before it has said
+    // which one it was.
+    MindHost& host = *new MindHost(plan, side, seed, compare_inputs, channel);
     for (;;) {
       channel.answer(Reply::done, host.bytes());
       channel.wait_for_question();

@@ -61,6 +61,7 @@ class Worker {
 
   // Becomes readable when there is something to do; -1 once the worker has closed it.
   int descriptor() const { return pipe_; }
+  pid_t process() const { return process_; }              // -1 when it has ended
   int output_descriptor() const { return output_pipe_; }  // likewise
 
   // Reads what there is; true when the worker has ended. To be called when the descriptor is readable and every now

@@ -2,6 +2,8 @@
 // `regista match`: plays one match.
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -211,7 +213,7 @@ void blame(campaign::Job job) {
 
 // Plays what was set up, in a process that a plugin may end.
 int play_prepared(const Options& options, const Invocation& invocation, const std::optional<Stored>& stored,
-                  MatchSetup prepared, const campaign::Job& job, campaign::WorkerNote& note) {
+                  MatchSetup prepared, campaign::WorkerNote& note) {
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
   std::vector<std::string> words = invocation.arguments;
   if (!options.record.empty() && !options.force) words.push_back("--force");  // for there is a recording now
@@ -261,11 +263,14 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
   }
 
   const auto began = std::chrono::steady_clock::now();
+  const pid_t here = getpid();
+  std::optional<StandardOutputKept> kept(std::in_place);
   const campaign::ProcessState before = campaign::ProcessState::now();
   std::string left;
   try {
     played.result = match::play(std::move(prepared.setup), plans, &observer, after, {&note.call});
-    note.call = {};  // whatever dies from now on dies in no plugin's call
+    note.call = {};                              // whatever dies from now on dies in no plugin's call
+    if (getpid() != here) _exit(exit_internal);  // a plugin has doubled the process: one of the two is enough
     left = campaign::changes(before, campaign::ProcessState::now());
     if (recording) recording->close();
   } catch (const mcap::Error& error) {
@@ -274,10 +279,10 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
     throw BadInput(error.what());  // profiles and teams that do not go together
   }
   played.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  kept.reset();
   live.clear();
   if (!left.empty()) {
-    blame(job);
-    throw BadInput(fmt::format("a plugin {}; {}", left, not_alone));
+    throw Disorder("a plugin " + left);
   }
   if (log) log->close();
   if (!options.metrics.empty()) write_whole(options.metrics, metrics_csv(played), Existing::replaced);
@@ -344,13 +349,17 @@ int play(Options options, const OutputFiles& outputs, const Invocation& invocati
   job.plugin_files = catalogue.used_files();
   const Files files = files_of(prepared);
   const auto work = [&](campaign::WorkerNote& note) {
-    return play_prepared(options, invocation, stored, std::move(prepared), job, note);
+    return play_prepared(options, invocation, stored, std::move(prepared), note);
   };
   if (options.in_process) {
     campaign::WorkerNote note;
-    return work(note);
+    try {
+      return work(note);
+    } catch (const Disorder& disorder) {
+      throw BadInput(disorder.what());
+    }
   }
-  return run_supervised(work, [&](const Loss& loss) { return explain_loss(job, files, loss); });
+  return run_supervised({}, work, [&](const Loss& loss) { return explain_loss(job, files, loss); });
 }
 
 }  // namespace

@@ -161,9 +161,11 @@ match::Result play_here(const campaign::Job& job, MatchSetup& prepared,
     };
   }
   const campaign::ProcessState before = campaign::ProcessState::now();
+  const pid_t here = getpid();
   const match::Result result =
       match::play(std::move(prepared.setup), plans, recording.observer(), after, {&note.call, 0, job.second_play});
-  note.call = {};  // whatever dies from now on dies in no plugin's call
+  if (getpid() != here) _exit(exit_internal);  // a plugin has doubled the process: one of the two is enough
+  note.call = {};                              // whatever dies from now on dies in no plugin's call
   if (const std::string left = campaign::changes(before, campaign::ProcessState::now()); !left.empty()) {
     throw std::runtime_error("a plugin " + left);
   }

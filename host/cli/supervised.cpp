@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "cli/supervised.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <new>
+#include <string_view>
 #include <system_error>
 
 #include "campaign/process.hpp"
@@ -28,6 +34,7 @@ struct Shared {
   campaign::WorkerNote note;
   std::atomic<int> done{0};  // 1: `code` is the exit code of the work
   std::atomic<int> code{0};
+  std::array<char, 512> disorder{};  // what a plugin left behind; ends with a zero
 };
 
 constexpr std::array told_on{SIGINT, SIGTERM, SIGHUP};
@@ -50,6 +57,11 @@ void tell_on(int signal_number, siginfo_t* info, void*) {
   int code = exit_internal;
   try {
     code = work(shared.note);
+  } catch (const Disorder& disorder) {
+    const std::string_view what = disorder.what();
+    std::copy_n(what.data(), std::min(what.size(), shared.disorder.size() - 1), shared.disorder.data());
+    std::fflush(nullptr);
+    ::_exit(exit_internal);
   } catch (...) {
     code = explain_current_exception();
   }
@@ -66,9 +78,56 @@ std::string in_words(int status) {
   return strsignal(WTERMSIG(status));
 }
 
+// Whether the call under way has used up its time. Looked at every now and then.
+class CallWatch {
+ public:
+  explicit CallWatch(const campaign::Limits& limits) : limits_(limits) {}
+  // In words; empty while it has not.
+  std::string look(const plugin::CallNote& call, pid_t process) {
+    const double processor = campaign::processor_seconds_of(process);
+    const auto now = std::chrono::steady_clock::now();
+    if (call != call_ || call.inside == 0) {
+      call_ = call;
+      began_ = now;
+      processor_at_call_ = processor;
+      return {};
+    }
+    if (processor - processor_at_call_ > limits_.processor_seconds) {
+      return fmt::format("used more than {} s of processor time", limits_.processor_seconds);
+    }
+    if (std::chrono::duration<double>(now - began_).count() > limits_.wall_seconds) {
+      return fmt::format("did not return within {:.0f} s", limits_.wall_seconds);
+    }
+    return {};
+  }
+
+ private:
+  const campaign::Limits& limits_;
+  plugin::CallNote call_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+  double processor_at_call_ = 0.0;
+};
+
+// Its descriptor becomes readable when the process ends; -1 where the system has none.
+int descriptor_of(pid_t process) { return static_cast<int>(::syscall(SYS_pidfd_open, process, 0)); }
+
 }  // namespace
 
-int run_supervised(const std::function<int(campaign::WorkerNote&)>& work, const std::function<int(const Loss&)>& lost) {
+StandardOutputKept::StandardOutputKept() : kept_(-1) {
+  std::fflush(stdout);
+  kept_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 10);
+  if (kept_ != -1) ::dup2(STDERR_FILENO, STDOUT_FILENO);
+}
+
+StandardOutputKept::~StandardOutputKept() {
+  if (kept_ == -1) return;
+  std::fflush(stdout);
+  ::dup2(kept_, STDOUT_FILENO);
+  ::close(kept_);
+}
+
+int run_supervised(const campaign::Limits& limits, const std::function<int(campaign::WorkerNote&)>& work,
+                   const std::function<int(const Loss&)>& lost) {
   void* const memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "cannot share memory");
   Shared& shared = *new (memory) Shared;
@@ -98,21 +157,34 @@ int run_supervised(const std::function<int(campaign::WorkerNote&)>& work, const 
     sigaction(told_on[i], &action, nullptr);
   }
   sigprocmask(SIG_SETMASK, &before, nullptr);
+  campaign::adopt_orphans();
+  const int descriptor = descriptor_of(process);
+  CallWatch watch(limits);
+  std::string too_long;
   int status = 0;
   for (;;) {
-    const pid_t waited = ::waitpid(process, &status, WUNTRACED);
-    if (waited == -1 && errno == EINTR) continue;
+    const pid_t waited = ::waitpid(process, &status, WNOHANG | WUNTRACED);
     // The terminal's Ctrl-Z stops both, and `fg` wakes both.
-    if (waited == process && WIFSTOPPED(status) && WSTOPSIG(status) != SIGSTOP) continue;
-    break;
+    const bool stopped_by_terminal = waited == process && WIFSTOPPED(status) && WSTOPSIG(status) != SIGSTOP;
+    if (waited == process && !stopped_by_terminal) break;
+    pollfd watched{descriptor, POLLIN, 0};
+    ::poll(&watched, 1, descriptor == -1 ? 10 : 100);
+    if (too_long.empty()) {
+      too_long = watch.look(shared.note.call, process);
+      if (!too_long.empty()) ::kill(process, SIGKILL);
+    }
   }
+  if (descriptor != -1) ::close(descriptor);
   if (WIFSTOPPED(status)) {
     ::kill(process, SIGKILL);
     ::waitpid(process, nullptr, 0);
   }
   copy = 0;
   for (std::size_t i = 0; i < told_on.size(); ++i) sigaction(told_on[i], &old[i], nullptr);
+  campaign::end_children_but({});  // what plugins have started
   Loss loss{in_words(status), false, shared.note};
+  shared.disorder.back() = '\0';
+  const std::string disorder = shared.disorder.data();
   const bool done = shared.done == 1;
   const int code = shared.code;
   ::munmap(memory, sizeof(Shared));
@@ -120,7 +192,12 @@ int run_supervised(const std::function<int(campaign::WorkerNote&)>& work, const 
   if (told != 0) return exit_no;  // it was asked to end, and did not wait for a plugin
   loss.note.call.plugin.back() = loss.note.call.call.back() = '\0';
   loss.note.fatal.thread.back() = loss.note.fatal.object.back() = '\0';
+  if (!disorder.empty()) loss.what = disorder;
   loss.what += where(loss.note.fatal);
+  if (!too_long.empty()) {
+    loss.what = too_long;
+    return lost(loss);
+  }
   loss.from_outside = WIFSIGNALED(status) && campaign::comes_from_outside(WTERMSIG(status));
   return lost(loss);
 }

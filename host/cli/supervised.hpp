@@ -3,12 +3,18 @@
 #pragma once
 
 #include <functional>
-#include <optional>
+#include <stdexcept>
 #include <string>
 
+#include "campaign/limits.hpp"
 #include "campaign/shared_note.hpp"
 
 namespace regista::cli {
+
+// Thrown by the work: it came to its end, but a plugin left the process in disorder. what() says how.
+class Disorder : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 // How the copy ended before its work was done.
 struct Loss {
@@ -18,9 +24,22 @@ struct Loss {
 };
 
 // Runs `work` in a copy, which also writes to the standard streams, and returns its exit code; exceptions are explained
-// there. `note` is where the work is to note its calls. Signals to this process go to the copy. When the copy is lost,
-// calls `lost` here and returns what it returns. This process must have no threads.
-int run_supervised(const std::function<int(campaign::WorkerNote& note)>& work,
+// there. `note` is where the work is to note its calls, whose time is limited. Signals to this process go to the copy.
+// When the copy is lost, or throws Disorder, calls `lost` here and returns what it returns. What the copy has started
+// is ended. This process must have no threads and no other children.
+int run_supervised(const campaign::Limits& limits, const std::function<int(campaign::WorkerNote& note)>& work,
                    const std::function<int(const Loss& loss)>& lost);
+
+// While it lives, what others print goes to standard error, for standard output is for results.
+class StandardOutputKept {
+ public:
+  StandardOutputKept();
+  ~StandardOutputKept();
+  StandardOutputKept(const StandardOutputKept&) = delete;
+  StandardOutputKept& operator=(const StandardOutputKept&) = delete;
+
+ private:
+  int kept_;
+};
 
 }  // namespace regista::cli

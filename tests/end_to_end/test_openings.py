@@ -106,7 +106,7 @@ class Openings(program.Case):
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         self.assertEqual(done.stderr,
                          "regista: duel.yaml:6:3: opening duel: home has 2 places, a team has 7 robots\n"
-                         "regista: duel.yaml:7:3: opening duel: away has 2 places, a team has 7 robots\n")
+                         "regista: duel.yaml:9:3: opening duel: away has 2 places, a team has 7 robots\n")
         self.assertEqual(self.succeed("config", "check", "duel.yaml", "--rules", "two.yaml"),
                          "duel.yaml: opening, sound\n")
 
