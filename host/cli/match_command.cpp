@@ -68,6 +68,7 @@ struct Options : MatchRequest {
   std::vector<std::string> plugins;
   std::string decisions, record, metrics, from, row;
   bool force = false, json = false, quiet = false, verbose = false, in_process = false;
+  std::string processor_seconds = "10", wall_seconds = "200";
 };
 
 std::string interrupted_text(const std::string& again, const match::GameState& state, double time) {
@@ -197,10 +198,16 @@ std::unique_ptr<report::MatchRecording> begin_recording(const Options& options, 
 
 constexpr auto not_alone = "played with each team in a process of its own it did not, so no team is to blame";
 
+campaign::Limits limits_of(const Options& options) {
+  campaign::Limits out;
+  out.processor_seconds = static_cast<int>(parse_whole("--processor-seconds", options.processor_seconds, 1, 1'000'000));
+  out.wall_seconds = static_cast<double>(parse_whole("--wall-seconds", options.wall_seconds, 1, 1'000'000));
+  return out;
+}
+
 // Something went wrong where both teams share a process. Which team's it was is found out as studies do it: each thinks
 // in a process of its own, and one of these goes wrong again. Throws BadInput that names it; returns when none does.
-void blame(campaign::Job job) {
-  campaign::Limits limits;
+void blame(campaign::Job job, campaign::Limits limits) {
   limits.isolation = campaign::Isolation::always;
   job.record.clear();
   try {
@@ -304,7 +311,7 @@ Files files_of(const MatchSetup& prepared) {
 }
 
 // A plugin ended the process.
-int explain_loss(campaign::Job job, const Files& files, const Loss& loss) {
+int explain_loss(campaign::Job job, const campaign::Limits& limits, const Files& files, const Loss& loss) {
   for (const auto& file : files) {
     if (file->has_changed()) {
       throw BadInput(
@@ -312,7 +319,7 @@ int explain_loss(campaign::Job job, const Files& files, const Loss& loss) {
     }
   }
   const std::string died = campaign::in_words(loss.what, loss.note.call);
-  blame(std::move(job));
+  blame(std::move(job), limits);
   // People and systems send signals; whatever else ended the process, a plugin has done.
   if (loss.from_outside) {
     complain(fmt::format("the match was ended: {}", died));
@@ -359,7 +366,8 @@ int play(Options options, const OutputFiles& outputs, const Invocation& invocati
       throw BadInput(disorder.what());
     }
   }
-  return run_supervised({}, work, [&](const Loss& loss) { return explain_loss(job, files, loss); });
+  const campaign::Limits limits = limits_of(options);
+  return run_supervised(limits, work, [&](const Loss& loss) { return explain_loss(job, limits, files, loss); });
 }
 
 }  // namespace
@@ -405,6 +413,11 @@ Command add_match(CLI::App& parent, const Invocation& invocation) {
          Writes::metrics);
   app.add_flag("--force", options->force, "let --record replace a recording")->disable_flag_override();
   app.add_flag("--quiet", options->quiet, "no live line on the terminal")->disable_flag_override();
+  app.add_option("--processor-seconds", options->processor_seconds,
+                 "processor time of one call of a plugin; default 10")
+      ->type_name("SECONDS");
+  app.add_option("--wall-seconds", options->wall_seconds, "wall time of one call of a plugin; default 200")
+      ->type_name("SECONDS");
   app.add_flag("--in-process", options->in_process, "play in the program's own process: for a debugger")
       ->disable_flag_override();
   app.add_flag("--verbose", options->verbose, "a line on standard error for each goal")->disable_flag_override();

@@ -62,6 +62,10 @@ void tell_on(int signal_number, siginfo_t* info, void*) {
     std::copy_n(what.data(), std::min(what.size(), shared.disorder.size() - 1), shared.disorder.data());
     std::fflush(nullptr);
     ::_exit(exit_internal);
+  } catch (const std::bad_alloc&) {
+    constexpr std::string_view what = "no memory is left";
+    std::copy_n(what.data(), what.size(), shared.disorder.data());
+    ::_exit(exit_internal);
   } catch (...) {
     code = explain_current_exception();
   }

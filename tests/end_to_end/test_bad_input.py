@@ -7,7 +7,7 @@ import unittest
 import program
 
 OPTIONS = ("--help, --seed, --rules, --robot, --disturbance, --home-disturbance, --away-disturbance, --opening, --set, --limit, --from, --row, --plugins, --json, --decisions, --record, --metrics, --force, "
-           "--quiet, --in-process, --verbose")
+           "--quiet, --processor-seconds, --wall-seconds, --in-process, --verbose")
 
 
 def processor_seconds():
