@@ -31,8 +31,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr rlim_t most_processor_seconds = 3;  // that opening one file may take
-constexpr double most_seconds = 10.0;         // s of wall time, for a file that sleeps
+constexpr rlim_t most_processor_seconds = 2;  // that opening one file may take
+constexpr double most_seconds = 3.0;          // s of wall time, for a file that sleeps
 constexpr std::uint32_t most_bytes = 16u << 20;
 
 // --- In the child ----------------------------------------------------------------------------------------------------
