@@ -36,8 +36,9 @@ class PluginOutput(tournament.Tournament):
         self.played("babbles", "--play-once", pairs=1)
         kept = self.succeed("report", "tournament.db", "--standard-error", "1")
         first, left_out, last = re.fullmatch(r"(.*)\n\[(\d+) bytes are left out\]\n(.*)\n", kept, re.DOTALL).groups()
-        # Seven robots, 10 s, ten decisions a second, at least 18 bytes for each.
-        self.assertGreater(len(first) + int(left_out) + len(last), 7 * 95 * 18)
+        # Seven robots, 10 s, ten decisions a second, one line for each.
+        lines = sum(len(f"babbles: call {call}\n") for call in range(1, 96))
+        self.assertAlmostEqual(len(first) + int(left_out) + len(last), 7 * lines, delta=0.1 * 7 * lines)
         self.assertLessEqual(len(first) + len(last) + 1, MOST)
         self.assertTrue(first.startswith("babbles: call 1\n"), first[:100])
         self.assertRegex(last, r"babbles: call \d+$")

@@ -16,8 +16,8 @@ class Reproducibility(tournament.Tournament):
         """The report as text and as JSON, of two tournaments."""
         self.with_context(plugin)
         (self.folder / "first").unlink(missing_ok=True)
-        words = ("--plugins", FOLDER, "--workers", "1", *more)
-        text = self.play(*words, teams=teams, pairs=pairs, environment={"CHANCE_FOLDER": str(self.folder)})
+        words = self.arguments("--quiet", "--plugins", FOLDER, "--workers", "1", *more, teams=teams, pairs=pairs)
+        text = self.succeed(*words, environment={"CHANCE_FOLDER": str(self.folder)})
         self.assertEqual(self.succeed("report", "tournament.db"), text)
         report = json.loads(self.succeed("report", "tournament.db", "--json"))
         (self.folder / "tournament.db").unlink()

@@ -67,4 +67,5 @@ struct AsksForTheFolder {
 };
 
 REGISTA_PLUGINS(regista::Plugin<AsksForTheProcess, regista::context>,
-                regista::Plugin<AsksForAnAddress, regista::context>, regista::Plugin<AsksForTheFolder, regista::context>)
+                regista::Plugin<AsksForAnAddress, regista::context>,
+                regista::Plugin<AsksForTheFolder, regista::context>)

@@ -14,9 +14,11 @@
 
 namespace {
 
+[[maybe_unused]] void nothing() {}
+
 [[maybe_unused]] void crash() {
-  volatile int* volatile nothing = nullptr;
-  *nothing = 1;
+  volatile int* volatile nowhere = nullptr;
+  *nowhere = 1;
 }
 
 [[maybe_unused]] void leave() { std::_Exit(0); }
