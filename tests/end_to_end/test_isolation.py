@@ -6,6 +6,7 @@ import itertools
 import json
 import unittest
 
+import experiment
 import program
 import test_shipped_teams
 import tournament
@@ -104,6 +105,53 @@ class Blame(tournament.Tournament):
         """No call takes long; the match does."""
         reason, = self.forfeited("dawdles", WAITS, "--match-seconds", "2")
         self.assertRegex(reason, r"^kept the match waiting for 2 s of the 2 s that a match may last$")
+
+
+class Documents(experiment.Experiment):
+    """Experiments and tunings say in their documents how their matches are played; an option goes over it."""
+
+    def plays(self, *more):
+        """How many plays each of the four matches took: those of a team that dies at home and away, then of one that
+        does not."""
+        results = "trial.db"
+        done = self.run_program("experiment", "e.yaml", "--plugins", program.TEST_PLUGINS / "deaths", "--no-page",
+                                "--quiet", *more)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        counts = [count for count, in self.stored("SELECT attempts FROM matches ORDER BY row", results)]
+        ended = [how for how, in self.stored("SELECT ended FROM matches ORDER BY row", results)]
+        (self.folder / results).unlink()
+        self.assertEqual(ended, ["forfeit", "forfeit", "limit", "limit"])
+        return counts
+
+    def test_an_experiment(self):
+        self.with_context("aborts")
+        changes = [("small.yaml", "bad.yaml"), ("matches: 4", "matches: 2")]
+        self.document("", changes)
+        # Dead where both teams share a process, and again by itself; the first match of a pairing is played twice.
+        self.assertEqual(self.plays(), [2, 2, 2, 1])
+        self.assertEqual(self.plays("--isolation", "always"), [1, 1, 2, 1])
+        self.assertEqual(self.plays("--isolation", "always", "--play-once"), [1, 1, 1, 1])
+        self.document("isolation: always\n", changes)
+        self.assertEqual(self.plays(), [1, 1, 2, 1])
+        self.assertEqual(self.plays("--isolation", "after-death"), [2, 2, 2, 1])
+        self.document("isolation: always\nplay_twice: false\n", changes)
+        self.assertEqual(self.plays(), [1, 1, 1, 1])
+
+    def test_a_tuning(self):
+        self.with_context("aborts")
+        text = ("tuning: tuned\nteam: small.yaml\nopponents: [{team: bad.yaml}]\n"
+                "parameters: [{path: utility.terms.near.params.scale, range: [1, 2]}]\nlimit: 12\n"
+                "search: {algorithm: random_search, matches: 4}\nselection: {finalists: 1, matches: 2}\n"
+                "verification: {matches: 28}\nslices: {points: 0}\nset: {rules.durations.ready: 3}\n")
+        for more, plays in ("", (2,)), ("isolation: always\n", (1,)):
+            self.write("t.yaml", text + more)
+            done = self.run_program("tune", "t.yaml", "--plugins", program.TEST_PLUGINS / "deaths", "--no-page",
+                                    "--quiet")
+            # A tuning against opponents that forfeit ends here; what was played so far is kept.
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("opponents forfeit: plugin aborts", done.stderr)
+            self.assertEqual(self.stored("SELECT attempts FROM matches WHERE row = 1", "tuned.db"), [plays])
+            (self.folder / "tuned.db").unlink()
 
 
 if __name__ == "__main__":
