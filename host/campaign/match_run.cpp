@@ -22,6 +22,7 @@ void remove(const std::string& file) {
 
 MatchRun::MatchRun(Job job, const Limits& limits, bool twice, std::string failure_record)
     : job_(std::move(job)), limits_(limits), twice_(twice), failure_record_(std::move(failure_record)) {
+  for (const std::string& file : job_.plugin_files) plugin_files_.emplace_back(file, plugin::stamp_of(file));
   if (twice_) trail_ = std::make_unique<TrailFile>();
   start(Stage::first);
 }
@@ -53,6 +54,15 @@ bool MatchRun::advance() {
   return complete_;
 }
 
+// What runs then is no code of anybody's.
+void MatchRun::blame_nobody_for_overwritten_files(const std::string& what) const {
+  for (const auto& [file, before] : plugin_files_) {
+    if (plugin::stamp_of(file) == before) continue;
+    throw CampaignError(CampaignError::Kind::input,
+                        fmt::format("{}: was overwritten while a match was played ({})", file, what));
+  }
+}
+
 void MatchRun::settle() {
   const End end = worker_->end();
   const bool isolated = stage_ == Stage::isolated || limits_.isolation == Isolation::always;
@@ -79,6 +89,8 @@ void MatchRun::settle() {
     played(*answer);
     return;
   }
+  blame_nobody_for_overwritten_files(answer && answer->kind == Answer::Kind::failed ? answer->decided.failure->what
+                                                                                    : what);
   Attempt attempt{isolated, false, from_outside, {}, what};
   if (!answer) {
     if (!isolated) attempt.what = in_words(what, end.note);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "campaign/blame.hpp"
@@ -14,6 +15,7 @@
 #include "campaign/job.hpp"
 #include "campaign/limits.hpp"
 #include "campaign/worker.hpp"
+#include "plugin/plugin_file.hpp"
 
 namespace regista::campaign {
 
@@ -43,6 +45,7 @@ class MatchRun {
   enum class Stage { first, second, isolated, recording };
   void start(Stage stage);
   void settle();
+  void blame_nobody_for_overwritten_files(const std::string& what) const;
   void played(const Answer& answer);
   void failed(Attempt attempt);
   void compare(const Decided& second);
@@ -53,6 +56,7 @@ class MatchRun {
   Limits limits_;
   bool twice_;
   std::string failure_record_;
+  std::vector<std::pair<std::string, plugin::FileStamp>> plugin_files_;  // before they were opened
   Stage stage_ = Stage::first;
   SharedNote note_;
   std::unique_ptr<TrailFile> trail_;

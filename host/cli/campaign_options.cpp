@@ -6,7 +6,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <string>
 #include <thread>
 
@@ -66,7 +65,7 @@ std::uint64_t record_every(const CampaignOptions& options) {
   return options.record_every.empty() ? 0 : parse_whole("--record-every", options.record_every, 1, UINT64_MAX);
 }
 
-campaign::Limits limits(const CampaignOptions& options) {
+campaign::Limits limits(const CampaignOptions& options, config::Isolation isolation, bool play_twice) {
   campaign::Limits limits;
   limits.processor_seconds =
       static_cast<int>(parse_whole("--processor-seconds", options.processor_seconds, 1, 1'000'000));
@@ -77,13 +76,15 @@ campaign::Limits limits(const CampaignOptions& options) {
     limits.wall_seconds = static_cast<double>(parse_whole("--wall-seconds", options.wall_seconds, 1, 1'000'000));
   }
   limits.match_wall_seconds = static_cast<double>(parse_whole("--match-seconds", options.match_seconds, 1, 1'000'000));
-  limits.play_twice = !options.play_once;
-  if (options.isolation == "always") {
-    limits.isolation = campaign::Isolation::always;
-  } else if (options.isolation != "after-death") {
-    throw BadInput(config::unknown("value", options.isolation, "--isolation",
-                                   std::array<std::string, 2>{"after-death", "always"}));
+  limits.play_twice = play_twice && !options.play_once;
+  if (!options.isolation.empty()) {
+    const std::vector<std::string>& known = config::isolation_names();
+    const auto named = std::ranges::find(known, options.isolation);
+    if (named == known.end()) throw BadInput(config::unknown("value", options.isolation, "--isolation", known));
+    isolation = static_cast<config::Isolation>(named - known.begin());
   }
+  limits.isolation =
+      isolation == config::Isolation::always ? campaign::Isolation::always : campaign::Isolation::after_a_death;
   return limits;
 }
 

@@ -110,6 +110,7 @@ class Played {
       const study::Trial trial = study::trial(plan_, index);
       return trial.pair == 0 && trial.side == 0;
     };
+    out.limits = plan_.limits;
     out.metrics = campaign::Metrics::wanted;
     return out;
   }

@@ -139,7 +139,12 @@ plugin::Catalogue plugins_of(const campaign::Job& job, const Invocation& invocat
   if (job.plugin_files.empty()) return open_plugins(job.plugins, invocation);
   const std::vector<std::filesystem::path> files(job.plugin_files.begin(), job.plugin_files.end());
   using Looking = plugin::Catalogue::Looking;
-  return plugin::Catalogue::of_files(files, job.isolated ? Looking::in_a_child : Looking::here);
+  plugin::Catalogue out = plugin::Catalogue::of_files(files, job.isolated ? Looking::in_a_child : Looking::here);
+  // All of them could be used when the job was made.
+  if (!out.refused().empty()) {
+    throw BadInput(fmt::format("{}; that was not so at the beginning", to_string(out.refused().front())));
+  }
+  return out;
 }
 
 // Where the second play of a match goes: nothing that a match depends on is there.

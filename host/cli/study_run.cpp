@@ -81,7 +81,7 @@ void play_study(const StudyNature& nature, const CampaignOptions& options, const
   const PlayRun play = [&](const StudyRun& run) {
     const campaign::Schedule schedule =
         schedule_of(run, options, invocation, progress, interruption, store.add(run.fixtures));
-    const campaign::Finish finish = campaign::run(schedule, store, number_of_workers(options), limits(options));
+    const campaign::Finish finish = campaign::run(schedule, store, number_of_workers(options), run.limits);
     if (finish != campaign::Finish::interrupted) return;
     progress.clear();
     progress.stopped();

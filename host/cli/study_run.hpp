@@ -31,6 +31,7 @@ struct StudyRun {
   std::function<bool(std::uint64_t index, const campaign::Decided* decided)> take;
   // Whether this match is the first of its pairing, which is played twice. May be empty.
   std::function<bool(std::uint64_t index)> first_of_pairing;
+  campaign::Limits limits;  // of each match
   campaign::Metrics metrics = campaign::Metrics::left_out;
 };
 

@@ -91,6 +91,7 @@ class Played {
       const study::Fixture fixture = course_.calendar().at(index);
       return fixture.pair == 0 && !fixture.swapped;
     };
+    out.limits = plan_.limits;
     out.metrics = course_.needs_metrics() ? campaign::Metrics::wanted : campaign::Metrics::left_out;
     return out;
   }

@@ -150,6 +150,7 @@ class Played {
     };
     // Candidates differ in numbers alone: the first match of all speaks for them.
     out.first_of_pairing = [&list](std::uint64_t index) { return list.first_row + index == 0; };
+    out.limits = plan_.limits;
     out.metrics = metrics_wanted(plan_);
     return out;
   }

@@ -168,6 +168,8 @@ Map declare(Experiment& experiment) {
               lines("measures", experiment.measures, "numbers of a match that are shown; without it the usual ones"),
               section("primary", experiment.primary, "what is tested"),
               real("confidence", experiment.confidence, {0.5, 0.9999}, "1", "of every interval, and of the test"),
+              choice("isolation", experiment.isolation, isolation_names(), isolation_doc),
+              boolean("play_twice", experiment.play_twice, play_twice_doc),
           },
       .exactly_one = {"minutes", "matches"}};
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "config/declaration.hpp"
+#include "config/isolation.hpp"
 #include "config/path_list.hpp"
 
 namespace regista::config {
@@ -60,6 +61,8 @@ struct Experiment {
   std::vector<Node> measures;  // paths of numbers of a match; empty: the usual ones
   std::optional<Primary> primary;
   double confidence = 0.95;
+  Isolation isolation = Isolation::after_death;
+  bool play_twice = true;
 };
 
 Map declare(Experiment& experiment);

@@ -204,6 +204,8 @@ Map declare(Tuning& tuning) {
       section("selection", tuning.selection, "which of the points found are candidates"),
       section("verification", tuning.verification, "whether they are better than the base team"),
       section("slices", tuning.slices, "what each parameter does around the tuned point"),
+      choice("isolation", tuning.isolation, isolation_names(), isolation_doc),
+      boolean("play_twice", tuning.play_twice, play_twice_doc),
   }};
 }
 

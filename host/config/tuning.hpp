@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "config/declaration.hpp"
+#include "config/isolation.hpp"
 #include "config/path_list.hpp"
 
 namespace regista::config {
@@ -78,6 +79,8 @@ struct Tuning {
   Selection selection;
   Verification verification;
   Slices slices;
+  Isolation isolation = Isolation::after_death;
+  bool play_twice = true;
 };
 
 Map declare(Tuning& tuning);

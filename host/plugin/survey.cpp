@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -23,6 +24,7 @@
 
 #include "config/bytes.hpp"
 #include "config/text.hpp"
+#include "plugin/idle_process.hpp"
 #include "plugin/shared_object.hpp"
 
 namespace regista::plugin {
@@ -32,7 +34,9 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr rlim_t most_processor_seconds = 2;  // that opening one file may take
-constexpr double most_seconds = 3.0;          // s of wall time, for a file that sleeps
+constexpr double most_idle_seconds = 2.0;     // s, for a file that sleeps
+constexpr double most_seconds = 10.0;         // s of wall time, on a machine that has much else to do
+constexpr int patience = 100;                 // ms between two looks at a child that says nothing
 constexpr std::uint32_t most_bytes = 16u << 20;
 
 // --- In the child ----------------------------------------------------------------------------------------------------
@@ -161,6 +165,8 @@ class Child {
   // Ends the child. How it ended, in words.
   std::string why_not() {
     const int status = end();
+    hung_ = late_ || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU);
+    if (idle_) return fmt::format("slept for {:.0f} s when it was opened", most_idle_seconds);
     if (late_) return fmt::format("could not be opened within {:.0f} s", most_seconds);
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
       return fmt::format("took more than {} s of processor time when it was opened", most_processor_seconds);
@@ -168,18 +174,21 @@ class Child {
     if (WIFSIGNALED(status)) return fmt::format("died when it was opened: {}", strsignal(WTERMSIG(status)));
     return fmt::format("ended the process when it was opened (exit code {})", WEXITSTATUS(status));
   }
+  bool hung() const { return hung_; }  // that was why: it took too long
 
  private:
   bool fill(std::span<std::uint8_t> room) {
     const auto deadline = Clock::now() + std::chrono::duration<double>(most_seconds);
+    IdleProcess idle(process_);
     while (!room.empty()) {
-      const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
       pollfd watched{pipe_, POLLIN, 0};
-      const int ready = ::poll(&watched, 1, static_cast<int>(std::max<std::int64_t>(left, 0)));
+      const int ready = ::poll(&watched, 1, patience);
       if (ready == -1 && errno == EINTR) continue;
       if (ready == 0) {
-        late_ = true;
-        return false;
+        idle_ = idle.idle_seconds() > most_idle_seconds;
+        late_ = idle_ || Clock::now() > deadline;
+        if (late_) return false;
+        continue;
       }
       const ssize_t count = ::read(pipe_, room.data(), room.size());
       if (count == -1 && errno == EINTR) continue;
@@ -205,14 +214,19 @@ class Child {
 
   pid_t process_ = -1;
   int pipe_ = -1;
-  bool late_ = false;
+  bool late_ = false, idle_ = false, hung_ = false;
 };
 
 Surveyed refused(const std::string& why) { return {{}, config::one_line(why), {}}; }
 
-// Looks at files[first ... last); true when nothing went wrong. Else out[...] of the file that was being opened says
-// so.
-bool look_at(std::span<const fs::path> files, std::size_t first, std::vector<Surveyed>& out) {
+enum class Looked {
+  at_all,     // nothing went wrong
+  until_one,  // out[...] of the file that was being opened says why; an earlier one may have damaged the process
+  until_one_that_hung,  // the same, and it is that file's own doing: the earlier ones were found sound
+};
+
+// Looks at files[first ... last).
+Looked look_at(std::span<const fs::path> files, std::size_t first, std::vector<Surveyed>& out) {
   Child child(files, first);
   std::size_t next = first;
   try {
@@ -232,19 +246,28 @@ bool look_at(std::span<const fs::path> files, std::size_t first, std::vector<Sur
     }
   } catch (const std::out_of_range&) {
     out[next] = refused("wrote to a file descriptor that is not its own when it was opened");
-    return false;
+    return Looked::until_one;
   }
-  if (next == files.size()) return true;
+  if (next == files.size()) return Looked::at_all;
+  const bool sound_so_far = std::all_of(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(next),
+                                        [](const Surveyed& each) { return each.refusal.empty(); });
   out[next] = refused(child.why_not());
-  return false;
+  return child.hung() && sound_so_far ? Looked::until_one_that_hung : Looked::until_one;
 }
 
 }  // namespace
 
 std::vector<Surveyed> survey(std::span<const fs::path> files) {
   std::vector<Surveyed> out(files.size());
-  if (files.empty() || look_at(files, 0, out)) return out;
+  if (files.empty()) return out;
+  const Looked looked = look_at(files, 0, out);
+  if (looked == Looked::at_all) return out;
+  // Nobody waits twice for the same file.
+  const auto hung = looked == Looked::until_one_that_hung
+                        ? std::ranges::find_if(out, [](const Surveyed& each) { return !each.refusal.empty(); })
+                        : out.end();
   for (std::size_t i = 0; i < files.size(); ++i) {
+    if (out.begin() + static_cast<std::ptrdiff_t>(i) == hung) continue;
     std::vector<Surveyed> one(1);
     look_at(files.subspan(i, 1), 0, one);
     out[i] = std::move(one.front());

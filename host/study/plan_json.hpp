@@ -46,13 +46,15 @@ inline std::vector<Opening> openings_of(const nlohmann::ordered_json& json) {
 inline nlohmann::ordered_json json_of(const campaign::Limits& limits) {
   return {{"processor_seconds", limits.processor_seconds},
           {"memory", limits.memory},
-          {"wall_seconds", limits.wall_seconds}};
+          {"wall_seconds", limits.wall_seconds},
+          {"match_wall_seconds", limits.match_wall_seconds}};
 }
 inline campaign::Limits limits_of(const nlohmann::ordered_json& json) {
   campaign::Limits out;
   out.processor_seconds = static_cast<int>(campaign::whole_number(json.at("processor_seconds"), INT_MAX));
   out.memory = campaign::whole_number(json.at("memory"));
   json.at("wall_seconds").get_to(out.wall_seconds);
+  json.at("match_wall_seconds").get_to(out.match_wall_seconds);
   return out;
 }
 

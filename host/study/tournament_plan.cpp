@@ -201,6 +201,7 @@ std::string to_json(const TournamentPlan& plan) {
               {"processor_seconds", plan.limits.processor_seconds},
               {"memory", plan.limits.memory},
               {"wall_seconds", plan.limits.wall_seconds},
+              {"match_wall_seconds", plan.limits.match_wall_seconds},
               {"folder", plan.folder},
               {"common", Json::parse(campaign::to_json(plan.common))},
               {"common_inputs", json_of(plan.common_inputs)}}

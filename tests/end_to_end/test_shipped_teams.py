@@ -12,7 +12,9 @@ OTHER_TEAMS = program.SOURCE / "tests" / "fixtures" / "teams"
 SHIPPED = program.PROGRAM.parent.parent / "lib" / "regista" / "plugins"
 
 
-class ShippedTeams(program.Case):
+class Shipped(program.Case):
+    """With the plugins that are shipped."""
+
     plugins = ()
 
     def setUp(self):
@@ -20,6 +22,8 @@ class ShippedTeams(program.Case):
         self.plugin_folder.rmdir()
         self.plugin_folder.symlink_to(SHIPPED)
 
+
+class ShippedTeams(Shipped):
     def test_every_team_is_sound(self):
         files = sorted(TEAMS.glob("*.yaml"))
         self.assertTrue(files)

@@ -43,6 +43,12 @@ class Tournament(program.Case):
         for name, y in (("left", 0.2), ("right", -0.2)):
             self.write(f"scenes/{name}.yaml", SCENE.format(name=name, y=y))
 
+    def with_context(self, plugin, name="bad"):
+        """NAME.yaml, a team that asks this plugin for its context."""
+        text = program.TEAM.format(name=name)
+        self.assertIn("plugin: ball_seen", text)
+        self.write(f"{name}.yaml", text.replace("plugin: ball_seen", f"plugin: {plugin}"))
+
     def arguments(self, *more, teams=("small.yaml", "other.yaml"), pairs=3):
         words = ["tournament"]
         for team in teams:

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Contexts that are long done with their calls when a thread that they started does harm, in whoever's call that is.
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include <regista/context.hpp>
+
+namespace {
+
+// Started once in a process, at the twentieth call of a robot's.
+template <class Harm>
+struct Threaded {
+  static constexpr auto version = "1.0.0";
+  int asked = 0;
+  bool holds(const regista::Frame&) {
+    static bool started = false;
+    if (++asked != 20 || started) return true;
+    started = true;
+    std::thread([] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(3));
+      Harm::harm();
+    }).detach();
+    return true;
+  }
+};
+
+}  // namespace
+
+struct CrashesLater : Threaded<CrashesLater> {
+  static constexpr auto id = "crashes_later", summary = "Its thread writes to where nothing is";
+  static void harm() {
+    volatile int* volatile nothing = nullptr;
+    *nothing = 1;
+  }
+};
+
+struct ExitsLater : Threaded<ExitsLater> {
+  static constexpr auto id = "exits_later", summary = "Its thread ends the process as if all were well";
+  static void harm() { std::_Exit(0); }
+};
+
+struct StaysLater : Threaded<StaysLater> {
+  static constexpr auto id = "stays_later", summary = "Its thread does nothing, and does not end";
+  static void harm() {
+    for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+  }
+};
+
+REGISTA_PLUGINS(regista::Plugin<CrashesLater, regista::context>, regista::Plugin<ExitsLater, regista::context>,
+                regista::Plugin<StaysLater, regista::context>)

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// A context in a file that does something when it is opened, before anybody has asked for its plugin. The build says
+// what: WHEN_OPENED is the name of a function, PLUGIN_ID that of the file.
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
+#include <unistd.h>
+
+#include <cfenv>
+#include <cstdlib>
+#include <thread>
+
+#include <regista/context.hpp>
+
+namespace {
+
+[[maybe_unused]] void nothing() {}
+
+[[maybe_unused]] void crash() {
+  volatile int* volatile nowhere = nullptr;
+  *nowhere = 1;
+}
+
+[[maybe_unused]] void leave() { std::_Exit(0); }
+
+[[maybe_unused]] void sleep_on() {
+  for (;;) pause();
+}
+
+[[maybe_unused]] void spin() {
+  volatile bool for_ever = true;
+  while (for_ever) {
+  }
+}
+
+[[maybe_unused]] void start_a_thread() { std::thread(sleep_on).detach(); }
+
+// What start-up code of -ffast-math does.
+[[maybe_unused]] void flush_small_numbers() {
+#if defined(__x86_64__)
+  _mm_setcsr(_mm_getcsr() | 0x8040u);
+#else
+  std::fesetround(FE_UPWARD);
+#endif
+}
+
+__attribute__((constructor)) void opened() { WHEN_OPENED(); }
+
+}  // namespace
+
+struct WhenOpened {
+  static constexpr auto id = PLUGIN_ID, version = "1.0.0", summary = "Does something when its file is opened";
+  bool holds(const regista::Frame&) { return true; }
+};
+
+REGISTA_PLUGIN(WhenOpened, regista::context)

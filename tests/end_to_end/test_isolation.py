@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: MIT
+"""Teams that think in a process each: the same matches, and whoever dies, stops or sleeps is its team's to answer
+for, whatever killed it and whoever's call was under way."""
+
+import itertools
+import json
+import unittest
+
+import experiment
+import program
+import test_shipped_teams
+import tournament
+
+THREADS = program.TEST_PLUGINS / "threads"
+WAITS = program.TEST_PLUGINS / "waits"
+OPENING = program.SOURCE / "configs" / "openings" / "counter_two_on_one.yaml"
+
+
+class Equality(tournament.Tournament):
+    def test_an_isolated_match_is_the_ordinary_one(self):
+        for more in ((), ("--play-once",)):
+            ordinary = self.play("--results", "ordinary.db", *more)
+            isolated = self.play("--results", "isolated.db", "--isolation", "always", *more)
+            self.assertEqual(isolated, ordinary)
+            self.assertEqual(self.rows("isolated.db"), self.rows("ordinary.db"))
+            self.assertEqual(len({row[6] for row in self.rows("ordinary.db")}), 6)  # hashes
+            for file in self.folder.glob("*.db"):
+                file.unlink()
+
+    def test_it_can_be_recorded_and_played_again(self):
+        for name, more in (("ordinary", ()), ("isolated", ("--isolation", "always"))):
+            self.play("--results", f"{name}.db", "--record-every", "2", *more, pairs=1)
+        for row in "1", "2":
+            done = self.run_program("match", "--from", "isolated.db", "--row", row)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stderr, rf"the same match as row {row}: hash [0-9a-f]{{16}}\n$")
+        ordinary, isolated = (sorted((self.folder / f"{name}.recordings").iterdir())
+                              for name in ("ordinary", "isolated"))
+        self.assertEqual([file.name for file in isolated], ["1.mcap"])
+        self.assertEqual([file.read_bytes() for file in isolated], [file.read_bytes() for file in ordinary])
+
+    def test_another_word(self):
+        self.assertEqual(self.refused(*self.arguments("--isolation", "allways")),
+                         'unknown value "allways" in --isolation; nearest: "always"; known: after-death, always')
+
+
+class ShippedTeams(test_shipped_teams.Shipped):
+    def test_an_isolated_match_is_the_ordinary_one(self):
+        teams = [word for name in ("paper", "fixed_rate")
+                 for word in ("--team", program.SOURCE / "configs" / "teams" / f"{name}.yaml")]
+        words = ("tournament", *teams, "--pairs", "1", "--openings", OPENING, "--no-page", "--quiet", "--play-once")
+        for name, more in (("ordinary", ()), ("isolated", ("--isolation", "always"))):
+            self.succeed(*words, "--results", f"{name}.db", *more)
+        rows = [self.succeed("report", f"{name}.db", "--csv", "--metrics") for name in ("ordinary", "isolated")]
+        self.assertEqual(len(rows[0].splitlines()), 3)
+        self.assertEqual(*rows)
+
+
+class Blame(tournament.Tournament):
+    LIMITS = ("--memory", "512")
+
+    def forfeited(self, plugin, folder, *more, teams=("bad.yaml", "small.yaml"), pairs=1):
+        """Every match is forfeited by the team of this plugin, for the same reason, which is returned."""
+        self.with_context(plugin)
+        report = self.only("--plugins", folder, *self.LIMITS, *more, teams=teams, pairs=pairs)
+        for team in report["teams"]:
+            self.assertEqual(team["failures"], 2 * pairs if team["name"] == "bad" else 0, report["forfeits"])
+        self.assertEqual(report["unplayed"]["pairs"], 0)
+        rows = self.stored("SELECT home_goals, away_goals, ended, failure FROM matches ORDER BY row")
+        bad_at_home = itertools.cycle([teams[0] == "bad.yaml", teams[0] != "bad.yaml"])
+        reasons = set()
+        for at_home, (home, away, ended, failure) in zip(bad_at_home, rows):
+            self.assertEqual((home, away, ended), (0, 10, "forfeit") if at_home else (10, 0, "forfeit"))
+            self.assertEqual(json.loads(failure)["side"], 0 if at_home else 1)
+            reasons.add(json.loads(failure)["what"])
+        return reasons
+
+    def test_a_death_in_a_thread(self):
+        for teams in ("bad.yaml", "small.yaml"), ("small.yaml", "bad.yaml"):
+            with self.subTest(teams):
+                for reason in self.forfeited("crashes_later", THREADS, teams=teams, pairs=2):
+                    if not program.SANITIZED:
+                        self.assertRegex(reason, r'^Segmentation fault, in thread "\w+", in threads\.so'
+                                                 r"(, between two calls)?$")
+            (self.folder / "tournament.db").unlink()
+
+    def test_an_exit_in_a_thread(self):
+        for reason in self.forfeited("exits_later", THREADS):
+            self.assertRegex(reason, r"^ended the process \(exit code 0\)(, between two calls)?$")
+
+    def test_a_thread_that_stays(self):
+        self.assertEqual(self.forfeited("stays_later", THREADS), {"left 1 thread running"})
+
+    def test_a_worker_that_is_stopped(self):
+        reason, = self.forfeited("stops", WAITS)
+        self.assertEqual(reason, "was stopped (Stopped (signal))")
+
+    def test_a_plugin_that_sleeps(self):
+        self.assertEqual(self.forfeited("sleeps", WAITS, "--wall-seconds", "1"), {"did not return within 1 s"})
+        failure, = set(self.stored("SELECT json_remove(failure, '$.side', '$.robot') FROM matches"))
+        failure = json.loads(failure[0])
+        self.assertEqual((failure["plugin"], failure["call"], failure["tick"]), ("sleeps", "holds", 19))
+
+    def test_a_plugin_that_takes_its_time(self):
+        """No call takes long; the match does."""
+        reason, = self.forfeited("dawdles", WAITS, "--match-seconds", "2")
+        self.assertRegex(reason, r"^kept the match waiting for 2 s of the 2 s that a match may last$")
+
+
+class Documents(experiment.Experiment):
+    """Experiments and tunings say in their documents how their matches are played; an option goes over it."""
+
+    def plays(self, *more):
+        """How many plays each of the four matches took: those of a team that dies at home and away, then of one that
+        does not."""
+        results = "trial.db"
+        done = self.run_program("experiment", "e.yaml", "--plugins", program.TEST_PLUGINS / "deaths", "--no-page",
+                                "--quiet", *more)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        counts = [count for count, in self.stored("SELECT attempts FROM matches ORDER BY row", results)]
+        ended = [how for how, in self.stored("SELECT ended FROM matches ORDER BY row", results)]
+        (self.folder / results).unlink()
+        self.assertEqual(ended, ["forfeit", "forfeit", "limit", "limit"])
+        return counts
+
+    def test_an_experiment(self):
+        self.with_context("aborts")
+        changes = [("small.yaml", "bad.yaml"), ("matches: 4", "matches: 2")]
+        self.document("", changes)
+        # Dead where both teams share a process, and again by itself; the first match of a pairing is played twice.
+        self.assertEqual(self.plays(), [2, 2, 2, 1])
+        self.assertEqual(self.plays("--isolation", "always"), [1, 1, 2, 1])
+        self.assertEqual(self.plays("--isolation", "always", "--play-once"), [1, 1, 1, 1])
+        self.document("isolation: always\n", changes)
+        self.assertEqual(self.plays(), [1, 1, 2, 1])
+        self.assertEqual(self.plays("--isolation", "after-death"), [2, 2, 2, 1])
+        self.document("isolation: always\nplay_twice: false\n", changes)
+        self.assertEqual(self.plays(), [1, 1, 1, 1])
+
+    def test_a_tuning(self):
+        self.with_context("aborts")
+        text = ("tuning: tuned\nteam: small.yaml\nopponents: [{team: bad.yaml}]\n"
+                "parameters: [{path: utility.terms.near.params.scale, range: [1, 2]}]\nlimit: 12\n"
+                "search: {algorithm: random_search, matches: 4}\nselection: {finalists: 1, matches: 2}\n"
+                "verification: {matches: 28}\nslices: {points: 0}\nset: {rules.durations.ready: 3}\n")
+        for more, plays in ("", (2,)), ("isolation: always\n", (1,)):
+            self.write("t.yaml", text + more)
+            done = self.run_program("tune", "t.yaml", "--plugins", program.TEST_PLUGINS / "deaths", "--no-page",
+                                    "--quiet")
+            # A tuning against opponents that forfeit ends here; what was played so far is kept.
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("opponents forfeit: plugin aborts", done.stderr)
+            self.assertEqual(self.stored("SELECT attempts FROM matches WHERE row = 1", "tuned.db"), [plays])
+            (self.folder / "tuned.db").unlink()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: MIT
+"""A plugin whose answers depend on what is no input of the match is found by playing the first match of each pairing
+twice, in another process, elsewhere in memory, and in another folder."""
+
+import json
+import unittest
+
+import program
+import tournament
+
+FOLDER = program.TEST_PLUGINS / "chance"
+
+
+class Reproducibility(tournament.Tournament):
+    def played(self, *more, teams=("bad.yaml", "small.yaml"), plugin="asks_for_the_process", pairs=2):
+        """The report as text and as JSON, of two tournaments."""
+        self.with_context(plugin)
+        (self.folder / "first").unlink(missing_ok=True)
+        words = self.arguments("--quiet", "--plugins", FOLDER, "--workers", "1", *more, teams=teams, pairs=pairs)
+        text = self.succeed(*words, environment={"CHANCE_FOLDER": str(self.folder)})
+        self.assertEqual(self.succeed("report", "tournament.db"), text)
+        report = json.loads(self.succeed("report", "tournament.db", "--json"))
+        (self.folder / "tournament.db").unlink()
+        return text, report["not_reproducible"]
+
+    def found(self, plugin, side="home", **options):
+        text, found = self.played(plugin=plugin, **options)
+        line = text.splitlines()[0]
+        # It is asked 30 times before it answers otherwise, ten times a second and once at the beginning.
+        self.assertRegex(line, rf"^not reproducible: match 1: {side}, robot [1-7], tick 29 \(\d\.\d\d s\): the context "
+                               rf"first differed, computed by {plugin}$")
+        self.assertEqual(found, {"matches": 1, "listed": [{"match": 1, "what": line.split("match 1: ")[1]}]})
+
+    def test_the_number_of_the_process(self):
+        self.found("asks_for_the_process")
+        self.found("asks_for_the_process", side="away", teams=("small.yaml", "bad.yaml"))
+
+    def test_where_it_lies_in_memory(self):
+        self.found("asks_for_an_address")
+
+    def test_in_isolation_too(self):
+        self.with_context("asks_for_the_process")
+        text, found = self.played("--isolation", "always")
+        self.assertRegex(text, r"^not reproducible: match 1: home, robot \d, tick 29 .*, computed by "
+                               "asks_for_the_process\n")
+        self.assertEqual(found["matches"], 1)
+
+    def test_the_working_folder(self):
+        text, found = self.played(plugin="asks_for_the_folder")
+        self.assertRegex(text, r"^not reproducible: match 1: home, robot \d, tick 0 \(0\.\d\d s\): the context first "
+                               "differed, computed by asks_for_the_folder\n")
+        self.assertEqual(found["matches"], 1)
+
+    def test_each_pairing(self):
+        """The file of the first process is there from the first match on, so every other one differs."""
+        text, found = self.played(teams=("small.yaml", "other.yaml", "bad.yaml"), plugin="asks_for_the_folder",
+                                  pairs=1)
+        # Pairings: small and other, small and bad, other and bad. Pair after pair, each pairing's two matches.
+        self.assertEqual(found["matches"], 2)
+        self.assertEqual([each["match"] for each in found["listed"]], [3, 5])
+        self.assertEqual(text.count("not reproducible: "), 2)
+
+    def test_who_is_asked_not_to_look_does_not(self):
+        text, found = self.played("--play-once")
+        self.assertNotIn("reproducible", text)
+        self.assertEqual(found, {"matches": 0, "listed": []})
+
+    def test_the_first_play_counts(self):
+        """A second play changes no result, whatever it comes to."""
+        self.with_context("asks_for_the_folder")
+        self.played(plugin="asks_for_the_folder")  # as a check of the test: it is found
+        rows = []
+        for more in (), ("--play-once",):
+            self.play("--plugins", FOLDER, "--results", f"{len(more)}.db", *more, teams=("bad.yaml", "small.yaml"))
+            rows.append(self.rows(f"{len(more)}.db"))
+        self.assertEqual(*rows)
+        self.assertEqual(self.stored("SELECT attempts FROM matches ORDER BY row LIMIT 2", "0.db"), [(2,), (1,)])
+        self.assertEqual(self.stored("SELECT attempts FROM matches ORDER BY row LIMIT 2", "1.db"), [(1,), (1,)])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// This process changes itself, and is told what was changed.
+#include "campaign/leftovers.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <condition_variable>
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace regista::campaign {
+namespace {
+
+std::string left_by(const std::function<void()>& work) {
+  const ProcessState before = ProcessState::now();
+  work();
+  return changes(before, ProcessState::now());
+}
+
+TEST(Leftovers, NothingWhereNothingIsLeft) {
+  EXPECT_EQ(left_by([] {}), "");
+  EXPECT_EQ(left_by([] {
+              std::thread([] {}).join();
+              ::close(::open("/dev/null", O_RDONLY));
+              std::signal(SIGUSR1, std::signal(SIGUSR1, SIG_IGN));
+            }),
+            "");
+}
+
+TEST(Leftovers, Threads) {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool end = false;
+  const auto wait = [&] {
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [&] { return end; });
+  };
+  std::thread one, other;
+  EXPECT_EQ(left_by([&] { one = std::thread(wait); }), "left 1 thread running");
+  EXPECT_EQ(left_by([&] { other = std::thread(wait); }), "left 1 thread running");
+  const ProcessState with_two = ProcessState::now();
+  {
+    const std::scoped_lock lock(mutex);
+    end = true;
+  }
+  changed.notify_all();
+  one.join();
+  other.join();
+  const ProcessState without = ProcessState::now();
+  EXPECT_EQ(with_two.threads - without.threads, 2);
+  EXPECT_EQ(changes(without, with_two), "left 2 threads running");
+  EXPECT_EQ(changes(with_two, without), "");  // a thread of the host's own may end
+}
+
+TEST(Leftovers, Descriptors) {
+  int first = -1, second = -1;
+  const ProcessState before = ProcessState::now();
+  first = ::open("/dev/null", O_RDONLY);
+  EXPECT_EQ(changes(before, ProcessState::now()), fmt::format("left file descriptor {} open", first));
+  second = ::open("/dev/null", O_RDONLY);
+  EXPECT_EQ(changes(before, ProcessState::now()), "left 2 file descriptors open");
+  EXPECT_EQ(left_by([&] { ::close(first); }), fmt::format("closed file descriptor {}", first));
+  first = ::open("/dev/null", O_RDONLY);
+  EXPECT_EQ(left_by([&] {
+              ::close(first);
+              ::close(second);
+            }),
+            fmt::format("closed file descriptors {}, {}", std::min(first, second), std::max(first, second)));
+}
+
+TEST(Leftovers, WorkingFolder) {
+  const std::filesystem::path here = std::filesystem::current_path();
+  EXPECT_EQ(left_by([] { std::filesystem::current_path("/"); }), here == "/" ? "" : "changed the working folder");
+  std::filesystem::current_path(here);
+}
+
+TEST(Leftovers, HandlersOfSignals) {
+  EXPECT_EQ(left_by([] { std::signal(SIGUSR2, [](int) {}); }), "changed the handler of SIGUSR2");
+  EXPECT_EQ(left_by([] { std::signal(SIGUSR2, SIG_DFL); }), "changed the handler of SIGUSR2");
+}
+
+TEST(Leftovers, AllOfThemInOneLine) {
+  int opened = -1;
+  const std::string left = left_by([&] {
+    std::signal(SIGUSR1, SIG_IGN);
+    opened = ::open("/dev/null", O_RDONLY);
+  });
+  EXPECT_EQ(left, fmt::format("left file descriptor {} open, changed the handler of SIGUSR1", opened));
+  std::signal(SIGUSR1, SIG_DFL);
+  ::close(opened);
+}
+
+}  // namespace
+}  // namespace regista::campaign
