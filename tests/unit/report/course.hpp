@@ -16,7 +16,7 @@
 namespace regista::report {
 
 inline campaign::Decided match(int home, int away, const std::string& metrics = "{}") {
-  return {{home, away}, "full_time", "9f2c", metrics, std::nullopt, {}, {}, {}, 1.0};
+  return {{home, away}, "full_time", "9f2c", metrics, std::nullopt, 1.0};
 }
 
 inline campaign::Decided failed(int side, const std::string& what = "Segmentation fault") {

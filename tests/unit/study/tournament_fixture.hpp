@@ -24,7 +24,7 @@ inline TournamentPlan plan_of(std::size_t teams, std::uint64_t pairs, Objective 
 }
 
 inline campaign::Decided match(int home, int away, const std::string& metrics = "{}") {
-  return {{home, away}, "full_time", "h", metrics, std::nullopt, {}, {}, {}, 1.0};
+  return {{home, away}, "full_time", "h", metrics, std::nullopt, 1.0};
 }
 
 // side: 0 home, 1 away
