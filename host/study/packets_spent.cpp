@@ -55,14 +55,14 @@ class PairsOfNumbers : public Json::json_sax_t {
   bool number(double value) {
     if (depth_ == 2 && member_ < numbers_.size() && place_ < 2) {
       numbers_[member_][place_] = value;
-      if (place_ == 1) --left_;
+      --left_;
     }
     skip();
     return left_ > 0;
   }
 
   Found numbers_{};
-  std::size_t left_ = packet_metrics.size(), depth_ = 0, place_ = 0;
+  std::size_t left_ = 2 * packet_metrics.size(), depth_ = 0, place_ = 0;
   std::size_t member_ = packet_metrics.size();  // of the outermost object; this: another one
 };
 
