@@ -108,7 +108,7 @@ int tell(const Options& options, const StoredStudy& results, const study::Tourna
     const StoredCourse stored(results.store, plan);
     const bool needed = course.needs_metrics() || options.metrics;
     const std::vector<std::string> columns =
-        options.metrics ? metric_columns(stored, course) : std::vector<std::string>();
+        options.metrics ? metric_columns(stored, course) : report::csv_metrics(plan);
     std::string csv = options.csv ? report::csv_head(columns) : std::string();
     stored.play(course, needed ? campaign::Metrics::wanted : campaign::Metrics::left_out,
                 [&](std::uint64_t index, const campaign::Decided* decided) {

@@ -3,6 +3,7 @@
 
 #include "report/experiment.hpp"
 #include "report/match_remarks.hpp"
+#include "report/packets_spent.hpp"
 
 namespace regista::report {
 namespace {
@@ -97,6 +98,7 @@ std::string experiment_json(const ExperimentView& view) {
     each["playing_minutes_of_a_match"] = of_a_match ? Json(*of_a_match / 60.0) : Json(nullptr);
     each["forfeits"] = view.course.forfeits().of_team()[i];
     each["unplayed_pairs"] = view.course.unplayed_pairs(i);
+    each["packets_of_short_games"] = packets_json(view.course.packets(i));
     played.push_back(each);
   }
   out["conditions"] = played;

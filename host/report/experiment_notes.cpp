@@ -35,6 +35,29 @@ std::string playing_note(const ExperimentView& view) {
   return fmt::format("Mean minutes of a match in the phase Playing: {}.", told);
 }
 
+// Of games that are shorter than a match: all arms, of a sweep those conditions that overspend.
+std::string packets_note(const ExperimentView& view) {
+  const study::ExperimentPlan& plan = view.plan;
+  std::vector<std::string> told;
+  std::size_t conditions = 0, overspent = 0;
+  for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
+    const study::PacketsSpent& packets = view.course.packets(i);
+    if (packets.games() == 0) continue;
+    ++conditions;
+    if (packets.overspent()) ++overspent;
+    if (plan.swept() && !packets.overspent()) continue;
+    told.push_back(fmt::format("{} {:.4g} of {:.4g}{}", visible(label(plan, i)), packets.spent(), packets.share(),
+                               packets.overspent() ? " (OVERSPENT)" : ""));
+  }
+  if (conditions == 0) return {};
+  const std::string all = fmt::format("{}", fmt::join(told, ", "));
+  const std::string of_sweep = overspent == 0
+                                   ? fmt::format("within it in all {} conditions", conditions)
+                                   : fmt::format("above it in {} of {} conditions, {}", overspent, conditions, all);
+  return fmt::format("Packets per match, and the share of the budget for games of this length: {}.",
+                     plan.swept() ? of_sweep : all);
+}
+
 bool of_both_teams(std::string_view path) {
   const std::string_view document = path.substr(0, path.find('.'));
   return document == "rules" || document == "robot";
@@ -68,7 +91,8 @@ std::string interval_note(const study::ExperimentPlan& plan) {
 }  // namespace
 
 std::vector<std::string> experiment_notes(const ExperimentView& view) {
-  std::vector<std::string> out{playing_note(view), opponent_note(view.plan), interval_note(view.plan)};
+  std::vector<std::string> out{playing_note(view), packets_note(view), opponent_note(view.plan),
+                               interval_note(view.plan)};
   std::erase(out, "");
   return out;
 }

@@ -9,6 +9,7 @@
 #include "report/csv_text.hpp"
 #include "report/html_table.hpp"
 #include "report/number.hpp"
+#include "report/packets_spent.hpp"
 #include "report/page_sections.hpp"
 #include "report/role_names.hpp"
 #include "report/visible_text.hpp"
@@ -229,14 +230,9 @@ Html roles_section(const PageSource& source) {
 static Html share_note(const PageSource& source, std::size_t teams) {
   Html out;
   for (std::size_t team = 0; team < teams; ++team) {
-    const statistics::Moments* const share = source.record.numbers().find(team, "packets_share");
-    const statistics::Moments* const spent = source.record.numbers().find(team, "packets");
-    if (share == nullptr || spent == nullptr) continue;
-    const bool over = spent->mean() > share->mean();
-    out << "<p class=\"note\">"_html << team_name(source, team)
-        << text(fmt::format(" spent {:.4g} packets per match; the share of the budget for this length is {:.4g}{}.",
-                            spent->mean(), share->mean(), over ? ": overspent" : ""))
-        << "</p>\n"_html;
+    const std::string clause = packets_clause(source.view.course.packets(team), OverspentMark::quiet);
+    if (clause.empty()) continue;
+    out << "<p class=\"note\">"_html << team_name(source, team) << text(' ' + clause + '.') << "</p>\n"_html;
   }
   return out;
 }

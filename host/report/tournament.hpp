@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "study/tournament.hpp"
 #include "study/tournament_plan.hpp"
@@ -31,6 +32,9 @@ std::string tournament_text(const TournamentView& view);
 
 // One JSON object with a newline.
 std::string tournament_json(const TournamentView& view);
+
+// Metrics that stand in the table though nobody asked for any: of short games the packets, and the share of the budget.
+std::vector<std::string> csv_metrics(const study::TournamentPlan& plan);
 
 // Lines of a table with a row for each match, in the order of the schedule (RFC 4180, but lines end with \n).
 std::string csv_head(const std::vector<std::string>& metrics);

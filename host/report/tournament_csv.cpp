@@ -9,8 +9,14 @@
 #include "report/csv_text.hpp"
 #include "report/tournament.hpp"
 #include "study/metric.hpp"
+#include "study/packets_spent.hpp"
 
 namespace regista::report {
+
+std::vector<std::string> csv_metrics(const study::TournamentPlan& plan) {
+  if (!plan.short_games()) return {};
+  return {study::packet_metrics.begin(), study::packet_metrics.end()};
+}
 
 std::string csv_head(const std::vector<std::string>& metrics) {
   std::string out =

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/match_remarks.hpp"
+#include "report/packets_spent.hpp"
 #include "report/standing.hpp"
 #include "report/tournament.hpp"
 
@@ -90,8 +91,10 @@ std::string tournament_json(const TournamentView& view) {
   Json out;
   Json teams = Json::array();
   for (std::size_t team = 0; team < view.plan.teams.size(); ++team) {
-    teams.push_back(
-        {{"name", label(team)}, {"file", view.plan.teams[team].file}, {"failures", course.failures()[team]}});
+    teams.push_back({{"name", label(team)},
+                     {"file", view.plan.teams[team].file},
+                     {"failures", course.failures()[team]},
+                     {"packets_of_short_games", packets_json(course.packets(team))}});
   }
   out["teams"] = teams;
   out["format"] = view.plan.format == study::Format::gauntlet ? "gauntlet" : "round_robin";

@@ -8,6 +8,7 @@
 #include "config/text.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
+#include "report/packets_spent.hpp"
 #include "report/standing.hpp"
 #include "report/tournament.hpp"
 #include "statistics/sequential_bounds.hpp"
@@ -135,6 +136,16 @@ std::string pairings_text(const TournamentView& view) {
   return out;
 }
 
+// Of games that are shorter than a match, whose budget is that of a whole one.
+std::string packets_text(const TournamentView& view) {
+  std::string out;
+  for (std::size_t team = 0; team < view.plan.teams.size(); ++team) {
+    const std::string clause = packets_clause(view.course.packets(team), OverspentMark::loud);
+    if (!clause.empty()) out += fmt::format("{} {}\n", label(view, team), clause);
+  }
+  return view.plan.teams.size() > 2 && !out.empty() ? '\n' + out : out;
+}
+
 constexpr auto bias = "The estimates above are biased towards the verdict, because the test chose when to stop.\n";
 
 std::string score_verdict(const study::ScoreTest& test, study::Verdict verdict) {
@@ -252,6 +263,7 @@ std::string tournament_text(const TournamentView& view) {
   }
   out += standing_text(view);
   if (view.plan.teams.size() > 2) out += pairings_text(view);
+  out += packets_text(view);
   if (const std::uint64_t unplayed = view.course.unplayed_pairs(); unplayed > 0) {
     out += unplayed_sentence(unplayed) + '\n' + unplayed_text(view.course.remarks());
   }

@@ -17,6 +17,16 @@ double value_of(const std::optional<MatchMeasures>& match, const std::string& me
   return match ? match->value(measure).value_or(nothing) : nothing;
 }
 
+std::optional<ShortGamePackets> packets_of(const MatchMeasures& match) {
+  std::array<double, packet_metrics.size()> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto value = match.value(packet_metrics[i]);
+    if (!value) return std::nullopt;
+    numbers[i] = *value;
+  }
+  return ShortGamePackets{numbers[0], numbers[1], numbers[2]};
+}
+
 }  // namespace
 
 Experiment::Experiment(const ExperimentPlan& plan)
@@ -24,6 +34,7 @@ Experiment::Experiment(const ExperimentPlan& plan)
       values_(plan.conditions.size() * plan.measures.size()),
       playing_seconds_(plan.conditions.size(), 0.0),
       played_(plan.conditions.size(), 0),
+      packets_(plan.conditions.size()),
       unplayed_(plan.conditions.size()),
       forfeits_(plan.conditions.size() + 1) {}
 
@@ -56,6 +67,11 @@ void Experiment::take(const campaign::Decided& decided) {
     Values& values = values_[trial.condition * plan_.measures.size() + measure];
     values.in_unit.push_back(pair_in_unit(path, sum, seconds));
     values.per_match.push_back(sum / 2.0);
+  }
+  if (at_home_ && played) {
+    for (const MatchMeasures* const match : {&*at_home_, &*played}) {
+      if (const auto packets = packets_of(*match)) packets_[trial.condition].add(*packets);
+    }
   }
   at_home_.reset();
 }

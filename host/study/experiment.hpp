@@ -16,6 +16,7 @@
 #include "study/forfeits.hpp"
 #include "study/match_remarks.hpp"
 #include "study/measure.hpp"
+#include "study/packets_spent.hpp"
 #include "study/paired_estimates.hpp"
 
 namespace regista::study {
@@ -41,6 +42,8 @@ class Experiment {
   // In the phase Playing: of all matches that were not forfeited; nothing before the first of them.
   double playing_seconds(std::size_t condition) const { return playing_seconds_[condition]; }
   std::optional<double> playing_seconds_of_a_match(std::size_t condition) const;
+  // Of its team in short games, in pairs that have values; of none where they are whole matches.
+  const PacketsSpent& packets(std::size_t condition) const { return packets_[condition]; }
   const ForfeitList& forfeits() const { return forfeits_; }  // by condition; last: the opponent
   const MatchRemarks& remarks() const { return remarks_; }
   // By pair: a match of it could not be played.
@@ -58,6 +61,7 @@ class Experiment {
   std::vector<Values> values_;  // by condition, then measure
   std::vector<double> playing_seconds_;
   std::vector<std::uint64_t> played_;     // matches that were not forfeited, by condition
+  std::vector<PacketsSpent> packets_;     // by condition
   std::optional<MatchMeasures> at_home_;  // of the pair under way
   bool at_home_unplayed_ = false;
   std::vector<std::vector<bool>> unplayed_;  // by condition, then pair

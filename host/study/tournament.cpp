@@ -75,11 +75,15 @@ Meeting::Meeting(const TournamentPlan& plan, const Pairing& who)
 }
 
 Tournament::Tournament(const TournamentPlan& plan)
-    : plan_(plan), calendar_(plan), forfeits_(plan.teams.size()), rows_(plan.teams.size()) {
+    : plan_(plan),
+      calendar_(plan),
+      forfeits_(plan.teams.size()),
+      packets_(plan.teams.size()),
+      rows_(plan.teams.size()) {
   for (const Pairing& pairing : calendar_.pairings()) meetings_.emplace_back(plan, pairing);
 }
 
-bool Tournament::needs_metrics() const { return tested_metric(plan_.objective) != nullptr; }
+bool Tournament::needs_metrics() const { return tested_metric(plan_.objective) != nullptr || plan_.short_games(); }
 
 std::uint64_t Tournament::matches() const {
   std::uint64_t sum = 0;
@@ -115,7 +119,10 @@ std::uint64_t Tournament::unplayed_pairs() const {
 
 void Tournament::add(Meeting& meeting, const Fixture& fixture, const campaign::Decided& decided) {
   const bool first_at_home = !fixture.swapped;
-  if (first_at_home) before_pair_ = {meeting.games, meeting.goals, meeting.goals_of_matches};
+  if (first_at_home) {
+    before_pair_ = {
+        meeting.games, meeting.goals, meeting.goals_of_matches, {packets_[fixture.home], packets_[fixture.away]}};
+  }
   count_row(fixture, decided);
   if (first_at_home) {
     if (!decided.set_aside()) count_match(meeting, fixture, decided);
@@ -148,6 +155,15 @@ void Tournament::count_match(Meeting& meeting, const Fixture& fixture, const cam
   if (decided.failure) {
     forfeits_.add(decided.failure->side == 0 ? fixture.home : fixture.away, *decided.failure, next_ - 1);
   }
+  count_packets(fixture, decided);
+}
+
+void Tournament::count_packets(const Fixture& fixture, const campaign::Decided& decided) {
+  if (!plan_.short_games() || decided.metrics.empty()) return;
+  const auto packets = short_game_packets(decided.metrics);
+  if (!packets) return;
+  packets_[fixture.home].add((*packets)[0]);
+  packets_[fixture.away].add((*packets)[1]);
 }
 
 void Tournament::finish_pair(Meeting& meeting, const campaign::Decided& second) {
@@ -184,8 +200,10 @@ void Tournament::leave_out_pair(Meeting& meeting, const Fixture& fixture) {
   meeting.games = before_pair_.games;
   meeting.goals = before_pair_.goals;
   meeting.goals_of_matches = before_pair_.goals_of_matches;
+  // It was at home that the first match had who is away now.
+  packets_[fixture.away] = before_pair_.packets[0];
+  packets_[fixture.home] = before_pair_.packets[1];
   if (first_of_pair_->failure) {
-    // It was at home that the first match had who is away now.
     forfeits_.take_back(first_of_pair_->failure->side == 0 ? fixture.away : fixture.home, *first_of_pair_->failure);
   }
   ++meeting.unplayed_pairs;

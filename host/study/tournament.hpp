@@ -22,6 +22,7 @@
 #include "study/match_remarks.hpp"
 #include "study/metric_difference.hpp"
 #include "study/objective_test.hpp"
+#include "study/packets_spent.hpp"
 #include "study/tournament_plan.hpp"
 
 namespace regista::study {
@@ -64,6 +65,7 @@ class Tournament {
   explicit Tournament(const TournamentPlan& plan);
 
   const Calendar& calendar() const { return calendar_; }
+  // Of the results that it takes: its test is one of them, or its games are short, see packets().
   bool needs_metrics() const;
 
   // False for a match of a team that was set aside.
@@ -82,6 +84,8 @@ class Tournament {
   const std::vector<std::uint64_t>& failures() const { return forfeits_.of_team(); }  // by team
   const std::vector<SetAside>& set_aside() const { return set_aside_; }
   const MatchRemarks& remarks() const { return remarks_; }
+  // Of the matches of short games that a team played to their end; of none where they are whole matches.
+  const PacketsSpent& packets(std::size_t team) const { return packets_[team]; }
   std::uint64_t unplayed_pairs() const;  // of all pairings
   Verdict verdict() const;
   // Of a test on a value: whether the first team's is the larger.
@@ -97,10 +101,12 @@ class Tournament {
     statistics::GameCounts games;
     std::array<std::uint64_t, 2> goals{};
     statistics::Moments goals_of_matches;
+    std::array<PacketsSpent, 2> packets;  // of the pairing's teams
   };
   bool is_set_aside(std::size_t team) const;
   void add(Meeting& meeting, const Fixture& fixture, const campaign::Decided& decided);
   void count_match(Meeting& meeting, const Fixture& fixture, const campaign::Decided& decided);
+  void count_packets(const Fixture& fixture, const campaign::Decided& decided);
   void finish_pair(Meeting& meeting, const campaign::Decided& second);
   void leave_out_pair(Meeting& meeting, const Fixture& fixture);
   void count_row(const Fixture& fixture, const campaign::Decided& decided);
@@ -115,7 +121,8 @@ class Tournament {
   BeforePair before_pair_;
   ForfeitList forfeits_;
   MatchRemarks remarks_;
-  std::vector<Row> rows_;  // by team
+  std::vector<PacketsSpent> packets_;  // by team
+  std::vector<Row> rows_;              // by team
   std::vector<SetAside> set_aside_;
   std::uint64_t next_ = 0;
 };

@@ -72,6 +72,8 @@ struct TournamentPlan {
 
   std::vector<Pairing> pairings() const;
   std::uint64_t matches() const { return 2 * pairs * pairings().size(); }
+  // Whether its matches may end before whole ones would.
+  bool short_games() const { return !openings.empty() || !common.limit.empty(); }
 };
 
 // A match of the schedule.

@@ -76,15 +76,38 @@ class Report(tournament.Tournament):
         stored = self.stored("SELECT row, seed, home_goals, away_goals, ended, hash FROM matches ORDER BY row")
         self.assertEqual(len(table), 8)
         for row, (number, seed, home, away, ended, state_hash) in zip(table, stored):
-            self.assertEqual(list(row.values()), [
+            self.assertEqual(list(row.values())[:14], [
                 str(number), str((number + 1) // 2), str(seed), "left" if (number - 1) // 2 % 2 == 0 else "right",
                 *(("small", "other") if number % 2 == 1 else ("other", "small")), str(home), str(away), ended,
                 state_hash, "", "", "", ""])
 
+    def test_packets_of_short_games_beside_their_share_of_the_budget(self):
+        """Everywhere the same numbers, which are those of the matches: 10 s are 10 of 1200 packets."""
+        told = self.play(pairs=2)
+        spent = {"small": [], "other": []}
+        for row, (metrics,) in zip(self.table(), self.stored("SELECT json FROM metrics ORDER BY row")):
+            for side, packets in zip(("home", "away"), json.loads(metrics)["packets"]):
+                spent[row[side]].append(packets)
+                self.assertEqual([float(row[f"{side}.{name}"]) for name in
+                                  ("packets", "packets_share", "packets_over_share")], [packets, 10, packets - 10])
+        teams = {team["name"]: team["packets_of_short_games"] for team in self.report("--resume", pairs=2)["teams"]}
+        self.assertEqual(self.succeed("report", "tournament.db"), told)
+        for name, packets in spent.items():
+            mean = sum(packets) / 4
+            self.assertGreater(mean, 10)
+            self.assertEqual(teams[name], {"per_match": mean, "share": 10, "overspent": True})
+            self.assertIn(f"\n{name} spent {mean:.4g} packets per match; the share of the budget for this length is 10: "
+                          "OVERSPENT\n", told)
+
+    def test_a_budget_that_is_the_share_is_not_overspent(self):
+        told = self.play("--set", "rules.messages.short_games=share", pairs=1)
+        self.assertNotIn("OVERSPENT", told)
+        self.assertLessEqual(max(float(row["home.packets"]) for row in self.table()), 10)
+
     def test_a_table_with_all_metrics(self):
         self.play()
         plain, table = self.table(), self.table("--metrics")
-        columns = list(table[0])[len(plain[0]):]
+        columns = [column for column in table[0] if column not in plain[0] or column.endswith(".packets")]
         self.assertEqual(len(columns), len(set(columns)))
         self.assertIn("home.striker.overlap_seconds", columns)
         for row, short, (metrics,) in zip(table, plain, self.stored("SELECT json FROM metrics ORDER BY row")):

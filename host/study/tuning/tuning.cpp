@@ -157,7 +157,8 @@ class Course {
   PlayedScore played(const PairBatch& batch, std::size_t candidate, std::uint64_t evaluation) const {
     PlayedScore out{mean_of(batch.scores(candidate), plan_.confidence), batch.failed(candidate), 0.0};
     if (out.failed) {
-      if (evaluation == 1) throw TuningError("the base team forfeits its first matches: " + why_failed());
+      if (evaluation == 1)
+        throw TuningError("the base team forfeits its first matches: " + why_failed("the base team", true));
       const std::optional<ScoreBounds> bounds = score_bounds(plan_);
       out.counted = bounds ? bounds->low : worst_seen_;
     } else if (out.score.pairs == 0) {
@@ -176,12 +177,15 @@ class Course {
   std::string why_no_number() const {
     const std::vector<MatchRemark>& unplayed = record_.remarks.unplayed().listed();
     if (!unplayed.empty()) return ": they could not be played: " + config::one_line(unplayed.front().text);
-    return record_.forfeits.listed().empty() ? "" : ": opponents forfeit: " + why_failed();
+    return record_.forfeits.listed().empty() ? "" : ": opponents forfeit: " + why_failed("an opponent", false);
   }
 
-  std::string why_failed() const {
-    const campaign::Failure& failure = record_.forfeits.listed().front().failure;
-    const std::string plugin = failure.plugin.empty() ? "a plugin" : "plugin " + failure.plugin;
+  // Precondition: the tuned team, or else one of the others, has forfeited.
+  std::string why_failed(const std::string& team, bool tuned) const {
+    const auto first = std::ranges::find_if(record_.forfeits.listed(),
+                                            [tuned](const Forfeits& each) { return (each.team == 0) == tuned; });
+    const campaign::Failure& failure = first->failure;
+    const std::string plugin = failure.plugin.empty() ? "a plugin of " + team : "plugin " + failure.plugin;
     const std::string call = failure.call.empty() ? "" : " in " + failure.call;
     return config::one_line(plugin + call + ": " + failure.what);
   }

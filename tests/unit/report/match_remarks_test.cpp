@@ -189,24 +189,5 @@ TEST(Remarks, TheRecordOfACourseLeavesPairsOutThatCouldNotBePlayed) {
   EXPECT_EQ(of(false), of(true));
 }
 
-TEST(Remarks, APageOfShortGamesSaysWhoOverspends) {
-  Course course({"a", "b"}, 2);
-  CourseRecord record(course.plan, *course.tournament);
-  for (int i = 0; i < 4; ++i) {
-    const std::string packets = i % 2 == 0 ? "[45, 20]" : "[20, 45]";  // a is at home, then away
-    const campaign::Decided decided =
-        match(0, 0,
-              R"({"packets": )" + packets + R"(, "packets_share": [30, 30], "packets_by_reason":)" +
-                  R"([{"goal": 1}, {"goal": 1}]})");
-    course.take(decided);
-    record.take(&decided);
-  }
-  const std::string page = tournament_page({course.view(), record, {}, {}, "1", "regista", {}, {}});
-  EXPECT_THAT(page, HasSubstr("<bdi>a</bdi> spent 45 packets per match; the share of the budget for this length is 30: "
-                              "overspent."));
-  EXPECT_THAT(page,
-              HasSubstr("<bdi>b</bdi> spent 20 packets per match; the share of the budget for this length is 30."));
-}
-
 }  // namespace
 }  // namespace regista::report

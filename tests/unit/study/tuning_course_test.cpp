@@ -12,6 +12,7 @@
 namespace regista::study {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 
 // Best at 0.8 in every parameter, where it is 2 goals; the base team at 0.5.
@@ -193,6 +194,23 @@ TEST(Tune, ABaseTeamThatForfeitsEndsIt) {
     FAIL();
   } catch (const TuningError& error) {
     EXPECT_THAT(error.what(), HasSubstr("the base team forfeits its first matches: plugin greedy in assign: died"));
+  }
+}
+
+// Which of its plugins it was is not known; nor is it that of an opponent which forfeited before.
+TEST(Tune, ABaseTeamThatForfeitsIsNamedWhereNoPluginIs) {
+  Course run(small());
+  run.matches.judge = [](const campaign::Job& job, campaign::Decided& out) {
+    if (job.teams[0] == "base.yaml") out = campaign::forfeit({1, "scram", "assign", 1, 5, "hung"}, 1.0);
+    if (job.teams[1] == "base.yaml") out = campaign::forfeit({1, "", "", 0, 0, "ran out of memory"}, 1.0);
+  };
+  try {
+    run.tune();
+    FAIL();
+  } catch (const TuningError& error) {
+    EXPECT_THAT(error.what(),
+                EndsWith("the base team forfeits its first matches: a plugin of the base team: ran out of "
+                         "memory"));
   }
 }
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "report/packets_spent.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace regista::report {
+
+std::string packets_clause(const study::PacketsSpent& packets, OverspentMark mark) {
+  if (packets.games() == 0) return {};
+  const char* const marked = mark == OverspentMark::loud ? ": OVERSPENT" : ": overspent";
+  return fmt::format("spent {:.4g} packets per match; the share of the budget for this length is {:.4g}{}",
+                     packets.spent(), packets.share(), packets.overspent() ? marked : "");
+}
+
+nlohmann::ordered_json packets_json(const study::PacketsSpent& packets) {
+  if (packets.games() == 0) return nullptr;
+  return {{"per_match", packets.spent()}, {"share", packets.share()}, {"overspent", packets.overspent()}};
+}
+
+}  // namespace regista::report

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Packets that a team spent in games that end before a match would. Unless the rules give such a game its share, it has
+// the budget of a whole match, so that a team may look good by what it could not go on with: what it spent is told
+// beside the share of the budget that the length of the game has. Of whole matches there is nothing to tell.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "statistics/moments.hpp"
+
+namespace regista::study {
+
+// Metrics of a match. But for the first, only games have them that are ended before their time and have the whole
+// budget.
+inline constexpr std::array<const char*, 3> packet_metrics{"packets", "packets_share", "packets_over_share"};
+
+// Of one team in one such game.
+struct ShortGamePackets {
+  double spent = 0.0, share = 0.0;
+  double over = 0.0;  // the share; below 0 where less was spent
+};
+
+// By side; nothing for a match that has not all of these. Reads no further than they stand. Throws
+// std::invalid_argument when what was read is no JSON.
+std::optional<std::array<ShortGamePackets, 2>> short_game_packets(const std::string& metrics);
+
+// Of one team in many.
+class PacketsSpent {
+ public:
+  void add(const ShortGamePackets& game);
+
+  std::int64_t games() const { return spent_.count(); }
+  double spent() const { return spent_.mean(); }  // per game
+  double share() const { return share_.mean(); }  // of games of these lengths
+  // By the sum of what single games say, so that no rounding of a mean makes somebody overspend.
+  bool overspent() const { return over_.mean() > 0.0; }
+
+ private:
+  statistics::Moments spent_, share_, over_;
+};
+
+}  // namespace regista::study

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Reports of short games say what was spent of the share of the budget that their length has, and who overspent.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "course.hpp"
+#include "report/course_record.hpp"
+#include "report/experiment.hpp"
+#include "report/tournament.hpp"
+#include "report/tournament_page.hpp"
+#include "unit/study/experiment_fixture.hpp"
+
+namespace regista::report {
+namespace {
+
+using nlohmann::json;
+using testing::Contains;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string metrics(int home, int away) {
+  return fmt::format(R"({{"packets": [{}, {}], "packets_by_reason": [{{"goal": 1}}, {{"goal": 1}}], )"
+                     R"("packets_share": [30, 30], "packets_over_share": [{}, {}]}})",
+                     home, away, home - 30, away - 30);
+}
+
+// Two pairs; a spends 45 packets in each match, b 20.
+struct ShortGames : Course {
+  explicit ShortGames(std::vector<std::string> labels = {"a", "b"}) : Course(std::move(labels), 2) {
+    plan.common.limit = "30";
+    tournament.emplace(plan);
+  }
+  std::vector<campaign::Decided> matches() const {
+    return {match(0, 0, metrics(45, 20)), match(0, 0, metrics(20, 45)), match(0, 0, metrics(45, 20)),
+            match(0, 0, metrics(20, 45))};
+  }
+  void play() {
+    for (const campaign::Decided& each : matches()) take(each);
+  }
+};
+
+TEST(PacketsSpent, TextOfATournament) {
+  ShortGames course;
+  EXPECT_THAT(tournament_text(course.view()), Not(HasSubstr("packets")));  // nothing is known yet
+  course.play();
+  EXPECT_THAT(tournament_text(course.view()),
+              HasSubstr("\na spent 45 packets per match; the share of the budget for this length is 30: OVERSPENT\n"
+                        "b spent 20 packets per match; the share of the budget for this length is 30\n"));
+  EXPECT_THAT(standing_text(course.view()), Not(HasSubstr("packets")));  // of the live display
+}
+
+TEST(PacketsSpent, TextOfSeveralTeamsStandsBelowTheirPairings) {
+  ShortGames course({"a", "b", "c"});
+  course.play();
+  EXPECT_THAT(tournament_text(course.view()), HasSubstr("\n\na spent 45 packets per match; "));
+}
+
+TEST(PacketsSpent, WholeMatchesHaveNothingToTell) {
+  Course course({"a", "b"}, 2);
+  for (int i = 0; i < 4; ++i) course.take(match(0, 0, metrics(45, 20)));
+  EXPECT_THAT(tournament_text(course.view()), Not(HasSubstr("packets")));
+  EXPECT_EQ(json::parse(tournament_json(course.view()))["teams"][0]["packets_of_short_games"], nullptr);
+  EXPECT_TRUE(csv_metrics(course.plan).empty());
+}
+
+TEST(PacketsSpent, JsonOfATournament) {
+  ShortGames course;
+  course.play();
+  const json teams = json::parse(tournament_json(course.view()))["teams"];
+  EXPECT_EQ(teams[0]["packets_of_short_games"], json::parse(R"({"per_match": 45, "share": 30, "overspent": true})"));
+  EXPECT_EQ(teams[1]["packets_of_short_games"], json::parse(R"({"per_match": 20, "share": 30, "overspent": false})"));
+}
+
+TEST(PacketsSpent, TableOfATournament) {
+  const ShortGames course;
+  const std::vector<std::string> columns = csv_metrics(course.plan);
+  EXPECT_THAT(csv_head(columns), EndsWith(",why,home.packets,away.packets,home.packets_share,away.packets_share,"
+                                          "home.packets_over_share,away.packets_over_share\n"));
+  EXPECT_THAT(csv_line(course.view(), 0, course.matches()[0], columns), EndsWith(",,,,,45,20,30,30,15,-10\n"));
+  EXPECT_THAT(csv_line(course.view(), 0, failed(0), columns), EndsWith(",Segmentation fault,,,,,,\n"));
+}
+
+TEST(PacketsSpent, PageOfATournament) {
+  ShortGames course;
+  CourseRecord record(course.plan, *course.tournament);
+  for (const campaign::Decided& each : course.matches()) {
+    course.take(each);
+    record.take(&each);
+  }
+  const std::string page = tournament_page({course.view(), record, {}, {}, "1", "regista", {}, {}});
+  EXPECT_THAT(page, HasSubstr("<bdi>a</bdi> spent 45 packets per match; the share of the budget for this length is 30: "
+                              "overspent."));
+  EXPECT_THAT(page,
+              HasSubstr("<bdi>b</bdi> spent 20 packets per match; the share of the budget for this length is 30."));
+}
+
+// Every condition spends 10 packets more than the one before, the first 10.
+struct ToldExperiment {
+  std::vector<std::string> notes;
+  json conditions;
+};
+ToldExperiment told(const study::ExperimentPlan& plan) {
+  study::Experiment course(plan);
+  for (std::uint64_t index = 0; index < plan.matches(); ++index) {
+    const study::Trial each = trial(plan, index);
+    campaign::Decided decided = study::played(each.side, 1.0, 0, 0, 0);
+    const int own = 10 + 10 * static_cast<int>(each.condition);
+    decided.metrics = each.side == 0 ? metrics(own, 999) : metrics(999, own);
+    course.take(decided);
+  }
+  const ExperimentView view{plan, course, [](std::uint64_t) { return std::string(); }};
+  return {experiment_notes(view), json::parse(experiment_json(view))["conditions"]};
+}
+
+TEST(PacketsSpent, OfTheArmsOfAnExperiment) {
+  const ToldExperiment arms = told(study::experiment_of(4, 1, 2));
+  EXPECT_THAT(arms.notes,
+              Contains("Packets per match, and the share of the budget for games of this length: arm 0 10 of "
+                       "30, arm 1 20 of 30, arm 2 30 of 30, arm 3 40 of 30 (OVERSPENT)."));
+  EXPECT_EQ(arms.conditions[1]["packets_of_short_games"],
+            json::parse(R"({"per_match": 20, "share": 30, "overspent": false})"));
+  EXPECT_EQ(arms.conditions[3]["packets_of_short_games"],
+            json::parse(R"({"per_match": 40, "share": 30, "overspent": true})"));
+}
+
+TEST(PacketsSpent, OfASweepWhereItIsOverspent) {
+  EXPECT_THAT(told(study::experiment_of(2, 2, 2)).notes,
+              Contains("Packets per match, and the share of the budget for games of this length: above it in 1 of 4 "
+                       "conditions, arm 1 at 1 40 of 30 (OVERSPENT)."));
+  EXPECT_THAT(told(study::experiment_of(1, 3, 2)).notes,
+              Contains("Packets per match, and the share of the budget for games of this length: within it in all 3 "
+                       "conditions."));
+}
+
+}  // namespace
+}  // namespace regista::report

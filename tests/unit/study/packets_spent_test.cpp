@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// What teams spend in short games: read from the metrics of matches, compared with a reader that takes them whole; and
+// counted over tournaments and experiments, compared with sums made by hand.
+#include "study/packets_spent.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "experiment_fixture.hpp"
+#include "study/tournament.hpp"
+#include "tournament_fixture.hpp"
+
+namespace regista::study {
+namespace {
+
+std::string metrics(double home, double away, double share = 30.0) {
+  return fmt::format(R"({{"packets": [{}, {}], "packets_share": [{}, {}], "packets_over_share": [{}, {}]}})", home,
+                     away, share, share, home - share, away - share);
+}
+
+TEST(PacketsSpent, AreThoseOfTheOutermostObjectWhereverTheyStand) {
+  const std::string text = R"({
+    "packets_over_share": [-2, 4.5], "packets": [28, 34.5],
+    "roles": [{"packets_share": {"packets": [1, 2], "list": [[3], [4, 5]]}}, {"packets": 7}],
+    "others": [[1, 2], {"packets_share": [8, 9]}, null, true, "packets", -1e3],
+    "packets_share": [30, 30.25], "packets_by_reason": [{"goal": 1}, {"goal": 2}]})";
+  const auto found = short_game_packets(text);
+  ASSERT_TRUE(found);
+  const auto whole = nlohmann::json::parse(text);
+  for (const std::size_t side : {0u, 1u}) {
+    EXPECT_EQ((*found)[side].spent, whole["packets"][side]);
+    EXPECT_EQ((*found)[side].share, whole["packets_share"][side]);
+    EXPECT_EQ((*found)[side].over, whole["packets_over_share"][side]);
+  }
+}
+
+TEST(PacketsSpent, AreNoneOfWholeMatches) {
+  for (const char* const text :
+       {R"({"packets": [1, 2]})", "{}", "[]", "null",
+        R"({"packets": [1, 2], "packets_share": [3], "packets_over_share": [4, 5]})",
+        R"({"packets": [1, 2], "packets_share": [null, 3], "packets_over_share": [4, 5]})",
+        R"({"a": {"packets": [1, 2], "packets_share": [3, 3], "packets_over_share": [4, 5]}})"})
+    EXPECT_FALSE(short_game_packets(text)) << text;
+  for (const char* const text : {"", "{", "nonsense", R"({"packets": [1, 2)", R"({"packets": [1, 2]} more)"})
+    EXPECT_THROW(short_game_packets(text), std::invalid_argument) << text;
+}
+
+// The budget of each game is its share, and all of it is spent: a mean of shares that is rounded down must not tell.
+TEST(PacketsSpent, WhoSpendsTheShareDoesNotOverspend) {
+  PacketsSpent packets;
+  for (int game = 0; game < 1000; ++game) {
+    const double share = 0.1 * (game % 7);
+    packets.add({share, share, 0.0});
+    EXPECT_FALSE(packets.overspent());
+  }
+  packets.add({0.2, 0.1, 0.1});
+  EXPECT_TRUE(packets.overspent());
+  EXPECT_EQ(packets.games(), 1001);
+}
+
+TEST(PacketsSpent, OfATournamentAreThoseOfThePairsThatCount) {
+  for (const bool by_openings : {true, false}) {
+    TournamentPlan plan = plan_of(3, 4);
+    if (by_openings)
+      plan.openings = {{"corner.yaml", {}}};
+    else
+      plan.common.limit = "30";
+    Tournament course(plan);
+    EXPECT_TRUE(course.needs_metrics());
+    const auto take = [&course](const campaign::Decided& decided) { course.take(&decided); };
+    // 0 against 1, 0 against 2, 1 against 2; each at home, then away.
+    take(match(0, 0, metrics(40, 10)));
+    take(match(0, 0, metrics(20, 50, 20)));
+    take(match(0, 0, metrics(70, 11)));
+    take(unplayed());  // with it goes the match before
+    take(failed(0));   // has no metrics, but the other match of its pair has
+    take(match(0, 0, metrics(33, 12)));
+    EXPECT_EQ(course.packets(0).games(), 2);
+    EXPECT_EQ(course.packets(0).spent(), (40.0 + 50.0) / 2.0);
+    EXPECT_EQ(course.packets(0).share(), (30.0 + 20.0) / 2.0);
+    EXPECT_TRUE(course.packets(0).overspent());
+    EXPECT_EQ(course.packets(1).games(), 3);
+    EXPECT_EQ(course.packets(1).spent(), (10.0 + 20.0 + 12.0) / 3.0);
+    EXPECT_FALSE(course.packets(1).overspent());
+    EXPECT_EQ(course.packets(2).games(), 1);
+    EXPECT_EQ(course.packets(2).spent(), 33.0);
+    EXPECT_TRUE(course.packets(2).overspent());
+    take(unplayed());
+    take(match(0, 0, metrics(900, 900)));  // the other way round
+    EXPECT_EQ(course.packets(0).spent(), 45.0);
+    EXPECT_EQ(course.packets(1).spent(), 14.0);
+  }
+}
+
+TEST(PacketsSpent, OfATournamentOfWholeMatchesNothingIsRead) {
+  const TournamentPlan plan = plan_of(2, 1);
+  Tournament course(plan);
+  EXPECT_FALSE(course.needs_metrics());
+  const campaign::Decided decided = match(0, 0, "no JSON");
+  course.take(&decided);
+  EXPECT_EQ(course.packets(0).games(), 0);
+}
+
+TEST(PacketsSpent, OfAnExperimentAreThoseOfTheArmsTeamInPairsThatHaveValues) {
+  const ExperimentPlan plan = experiment_of(2, 1, 2);
+  Experiment course(plan);
+  for (std::uint64_t index = 0; index < plan.matches(); ++index) {
+    const Trial each = trial(plan, index);
+    campaign::Decided decided = played(each.side, 1.0, 0, 0, 0);
+    const double own = each.condition == 0 ? 40.0 : 10.0 + static_cast<double>(each.pair);
+    decided.metrics = each.side == 0 ? metrics(own, 500.0) : metrics(500.0, own);
+    if (each.condition == 1 && each.pair == 1 && each.side == 1) decided = failed(0);
+    course.take(decided);
+  }
+  EXPECT_EQ(course.packets(0).games(), 4);
+  EXPECT_EQ(course.packets(0).spent(), 40.0);
+  EXPECT_TRUE(course.packets(0).overspent());
+  EXPECT_EQ(course.packets(1).games(), 2);
+  EXPECT_EQ(course.packets(1).spent(), 10.0);
+  EXPECT_EQ(course.packets(1).share(), 30.0);
+  EXPECT_FALSE(course.packets(1).overspent());
+}
+
+}  // namespace
+}  // namespace regista::study
