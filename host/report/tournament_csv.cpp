@@ -47,11 +47,17 @@ std::string csv_line(const TournamentView& view, std::uint64_t index, const camp
   } else {
     out += ",,," + csv_field(decided.why_set_aside);
   }
-  if (!metrics.empty()) {
-    const auto write = [&](const std::optional<double>& value) {
-      out += ',';
-      if (value) out += fmt::format("{}", *value);
-    };
+  const auto write = [&out](const std::optional<double>& value) {
+    out += ',';
+    if (value) out += fmt::format("{}", *value);
+  };
+  if (metrics.empty()) return out + '\n';
+  if (metrics == csv_metrics(view.plan)) {
+    // Of these a table of a million matches is told in seconds.
+    study::PacketMetrics packets;
+    if (!decided.metrics.empty()) packets = study::packet_metrics_of(decided.metrics);
+    for (const auto& of_sides : packets) std::ranges::for_each(of_sides, write);
+  } else {
     std::array<std::vector<study::NamedValue>, 2> values;
     for (const std::size_t side : {0u, 1u}) {
       if (!decided.metrics.empty()) values[side] = study::metric_values(decided.metrics, static_cast<int>(side));

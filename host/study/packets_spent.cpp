@@ -14,9 +14,7 @@ using Json = nlohmann::json;
 // are some kilobytes, and these stand near the front.
 class PairsOfNumbers : public Json::json_sax_t {
  public:
-  using Found = std::array<std::array<double, 2>, packet_metrics.size()>;
-
-  const std::optional<Found> found() const { return left_ == 0 ? std::optional(numbers_) : std::nullopt; }
+  const PacketMetrics& found() const { return numbers_; }
 
   bool null() override { return skip(); }
   bool boolean(bool) override { return skip(); }
@@ -61,20 +59,26 @@ class PairsOfNumbers : public Json::json_sax_t {
     return left_ > 0;
   }
 
-  Found numbers_{};
+  PacketMetrics numbers_;
   std::size_t left_ = 2 * packet_metrics.size(), depth_ = 0, place_ = 0;
   std::size_t member_ = packet_metrics.size();  // of the outermost object; this: another one
 };
 
 }  // namespace
 
-std::optional<std::array<ShortGamePackets, 2>> short_game_packets(const std::string& metrics) {
+PacketMetrics packet_metrics_of(const std::string& metrics) {
   PairsOfNumbers pairs;
   Json::sax_parse(metrics, &pairs);
-  const auto found = pairs.found();
-  if (!found) return std::nullopt;
+  return pairs.found();
+}
+
+std::optional<std::array<ShortGamePackets, 2>> short_game_packets(const std::string& metrics) {
+  const auto [spent, share, over] = packet_metrics_of(metrics);
   std::array<ShortGamePackets, 2> out;
-  for (const std::size_t side : {0u, 1u}) out[side] = {(*found)[0][side], (*found)[1][side], (*found)[2][side]};
+  for (const std::size_t side : {0u, 1u}) {
+    if (!spent[side] || !share[side] || !over[side]) return std::nullopt;
+    out[side] = {*spent[side], *share[side], *over[side]};
+  }
   return out;
 }
 

@@ -17,14 +17,18 @@ namespace regista::study {
 // budget.
 inline constexpr std::array<const char*, 3> packet_metrics{"packets", "packets_share", "packets_over_share"};
 
+// As they stand, by side; nothing where there is no number. Reads no further than where all are found. Throws
+// std::invalid_argument when what was read is no JSON.
+using PacketMetrics = std::array<std::array<std::optional<double>, 2>, packet_metrics.size()>;
+PacketMetrics packet_metrics_of(const std::string& metrics);
+
 // Of one team in one such game.
 struct ShortGamePackets {
   double spent = 0.0, share = 0.0;
   double over = 0.0;  // the share; below 0 where less was spent
 };
 
-// By side; nothing for a match that has not all of these. Reads no further than they stand. Throws
-// std::invalid_argument when what was read is no JSON.
+// By side; nothing for a match that has not all of these. Throws as packet_metrics_of().
 std::optional<std::array<ShortGamePackets, 2>> short_game_packets(const std::string& metrics);
 
 // Of one team in many.
