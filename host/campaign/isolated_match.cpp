@@ -160,6 +160,7 @@ class IsolatedMatch {
     Team& asked = team(side);
     if (!asked.channel.replied()) wait_for(side);
     if (asked.channel.reply() == Reply::done) return config::BytesIn(asked.channel.bytes());
+    if (asked.channel.reply() == Reply::no_memory) throw Fault(noted(side, "no memory is left"), false);
     const auto bytes = asked.channel.bytes();
     Failure failure;
     try {

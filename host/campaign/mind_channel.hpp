@@ -18,8 +18,9 @@ enum class Question : std::uint32_t {
 };
 
 enum class Reply : std::uint32_t {
-  done,    // the bytes are the answer
-  failed,  // the bytes are a Failure as JSON
+  done,       // the bytes are the answer
+  failed,     // the bytes are a Failure as JSON
+  no_memory,  // nothing more could be said
 };
 
 class MindChannel {

@@ -96,10 +96,25 @@ void answer_failed(MindChannel& channel, const Failure& failure) {
   channel.answer(Reply::failed, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
+// In a handler: what went wrong, as a failure.
+void answer_what_was_thrown(MindChannel& channel, int number) {
+  try {
+    throw;
+  } catch (const plugin::Failure& failure) {
+    answer_failed(channel, failure_of(failure, number));
+  } catch (const std::bad_alloc&) {
+    channel.answer(Reply::no_memory, {});
+  } catch (const std::exception& error) {
+    answer_failed(channel, failure_of(channel.note().call, number, error.what()));
+  } catch (...) {
+    answer_failed(channel, failure_of(channel.note().call, number, "something that is no exception was thrown"));
+  }
+}
+
 }  // namespace
 
 void serve_minds(const mind::TeamPlan& plan, match::Side side, std::uint64_t seed, bool compare_inputs,
-                 MindChannel& channel) {
+                 MindChannel& channel) noexcept {
   const int number = static_cast<int>(match::index(side));
   plugin::note_fatal_signals(channel.note().fatal);
   const ProcessState before = ProcessState::now();
@@ -121,14 +136,13 @@ void serve_minds(const mind::TeamPlan& plan, match::Side side, std::uint64_t see
       }
       break;
     }
-  } catch (const plugin::Failure& failure) {
-    answer_failed(channel, failure_of(failure, number));
-  } catch (const std::bad_alloc&) {
-    answer_failed(channel, failure_of(channel.note().call, number, "no memory is left"));
-  } catch (const std::exception& error) {
-    answer_failed(channel, failure_of(channel.note().call, number, error.what()));
   } catch (...) {
-    answer_failed(channel, failure_of(channel.note().call, number, "something that is no exception was thrown"));
+    // A plugin may have taken all memory, so that not even this can be said.
+    try {
+      answer_what_was_thrown(channel, number);
+    } catch (...) {
+      channel.answer(Reply::no_memory, {});
+    }
   }
   for (;;) pause();  // whoever asked ends this process
 }

@@ -12,8 +12,8 @@
 namespace regista::campaign {
 
 // To be called in a fresh copy of the match's process, which it never leaves. The first answer says that the minds have
-// been created.
+// been created. Nothing leaves it: what called it belongs to the match's process, of which this is a copy.
 [[noreturn]] void serve_minds(const mind::TeamPlan& plan, match::Side side, std::uint64_t seed, bool compare_inputs,
-                              MindChannel& channel);
+                              MindChannel& channel) noexcept;
 
 }  // namespace regista::campaign

@@ -50,7 +50,8 @@ void tell_on(int signal_number, siginfo_t* info, void*) {
   if (process > 0 && info->si_code == SI_USER) ::kill(process, signal_number);
 }
 
-[[noreturn]] void work_in_copy(const std::function<int(campaign::WorkerNote&)>& work, Shared& shared, pid_t parent) {
+[[noreturn]] void work_in_copy(const std::function<int(campaign::WorkerNote&)>& work, Shared& shared,
+                               pid_t parent) noexcept {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(exit_internal);
   plugin::note_fatal_signals(shared.note.fatal);

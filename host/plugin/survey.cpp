@@ -90,7 +90,7 @@ void limit_processor_time() {
   ::setrlimit(RLIMIT_CPU, &limit);
 }
 
-[[noreturn]] void look(std::span<const fs::path> files, std::size_t first, int pipe, pid_t parent) {
+[[noreturn]] void look(std::span<const fs::path> files, std::size_t first, int pipe, pid_t parent) noexcept {
   ::setpgid(0, 0);  // a signal to the group of a plugin is not for us
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) _exit(1);

@@ -352,7 +352,7 @@ class Visitors(Zoo):
         self.assertEqual(sound - listed, set())
         self.assertEqual({animal["name"] for animal in ANIMALS} - listed, broken)
         for name in broken:
-            self.assertIn(f"{name}.so", done.stderr)
+            self.assertIn(f"{name}.so", done.stdout)
 
 
 if __name__ == "__main__":
