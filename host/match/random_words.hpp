@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A stream of random words without state to share: Philox4x32-10 of J. K. Salmon et al., "Parallel Random Numbers: As Easy
-// as 1, 2, 3", SC 2011. Streams of different keys, or of counters that differ beyond their first word, have nothing to do
-// with each other.
+// A stream of random words without state to share: Philox4x32-10 of J. K. Salmon et al., "Parallel Random Numbers: As
+// Easy as 1, 2, 3", SC 2011. Streams of different keys, or of counters that differ beyond their first word, have
+// nothing to do with each other.
 #pragma once
 
 #include <Random123/philox.h>

@@ -21,8 +21,7 @@ class Draws {
     nlopt = 0x6e6c6f70
   };
 
-  Draws(std::uint64_t seed, Use use)
-      : words_(seed, {0, 0, static_cast<std::uint32_t>(use), 0}) {}
+  Draws(std::uint64_t seed, Use use) : words_(seed, {0, 0, static_cast<std::uint32_t>(use), 0}) {}
 
   std::uint32_t bits() { return words_.next(); }
 
