@@ -72,21 +72,23 @@ class OpeningOfPlugins(program.Case):
         self.assertIn(f"refused: {self.plugin_folder}/crash.so: {REASONS['crash']}", line)
 
     def test_arithmetic_that_is_changed_is_changed_back(self):
-        self.beside("flush_small_numbers")
-        page = self.succeed("plugin", "list")
-        self.assertIn(f"remark: {self.plugin_folder}/flush_small_numbers.so: changed how small numbers are treated "
-                      "(flush to zero) when it was opened; that was undone\n", page)
-        # It plays for a team, and the match is that of a team whose plugins changed nothing.
-        self.write("flushes.yaml", program.TEAM.format(name="small").replace("ball_seen", "flush_small_numbers"))
-        self.write("sound.yaml", program.TEAM.format(name="small").replace("ball_seen", "nothing"))
-        played = []
-        for team in "flushes.yaml", "sound.yaml":
-            done = self.run_program("match", team, "small.yaml", "--limit", "20", "--json", "--plugins",
-                                    program.TEST_PLUGINS / "when_opened_nothing")
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertEqual(done.stderr.count("that was undone"), 1)
-            played.append(json.loads(done.stdout)["state_hash"])
-        self.assertEqual(*played)
+        for name, changed in (("flush_small_numbers", "how small numbers are treated (flush to zero)"),
+                              ("round_upward", "the rounding mode")):
+            with self.subTest(name):
+                self.beside(name)
+                remark = f"{self.plugin_folder}/{name}.so: changed {changed} when it was opened; that was undone\n"
+                self.assertIn(f"remark: {remark}", self.succeed("plugin", "list"))
+                # It plays for a team, and the match is that of a team whose plugins changed nothing.
+                self.write("changes.yaml", program.TEAM.format(name="small").replace("ball_seen", name))
+                self.write("sound.yaml", program.TEAM.format(name="small").replace("ball_seen", "nothing"))
+                played = []
+                for team in "changes.yaml", "sound.yaml":
+                    done = self.run_program("match", team, "small.yaml", "--limit", "60", "--json", "--plugins",
+                                            program.TEST_PLUGINS / "when_opened_nothing")
+                    self.assertEqual((done.returncode, done.stderr), (0, f"regista: {remark}"))
+                    played.append(json.loads(done.stdout)["state_hash"])
+                self.assertEqual(*played)
+                (self.plugin_folder / f"{name}.so").unlink()
 
 
 if __name__ == "__main__":

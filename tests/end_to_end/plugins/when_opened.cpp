@@ -44,6 +44,8 @@ namespace {
 #endif
 }
 
+[[maybe_unused]] void round_upward() { std::fesetround(FE_UPWARD); }
+
 __attribute__((constructor)) void opened() { WHEN_OPENED(); }
 
 }  // namespace
