@@ -23,6 +23,8 @@ namespace {
 #endif
 #endif
 
+#if !defined(REGISTA_SANITIZED)
+
 // A handler has no argument for it.
 std::atomic<FatalNote*> target{nullptr};
 std::atomic_flag noted = ATOMIC_FLAG_INIT;
@@ -74,6 +76,8 @@ void strike(int signal_number, siginfo_t*, void* context) {
   std::signal(signal_number, SIG_DFL);
   raise(signal_number);  // delivered when this handler returns
 }
+
+#endif
 
 }  // namespace
 

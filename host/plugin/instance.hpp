@@ -63,8 +63,9 @@ class alignas(64) Instance {
       threw(name);
     }
     end();
-    const bool well = (status == REGISTA_OK) & !closely & rooms_->error.edges_are_whole() &
-                      FloatingPointState::is_usual_for_numbers();
+    const bool content = status == REGISTA_OK, whole = rooms_->error.edges_are_whole(),
+               usual = FloatingPointState::is_usual_for_numbers();
+    const bool well = content & !closely & whole & usual;
     if (!well) [[unlikely]]
       examine(name, status);
   }
