@@ -83,7 +83,7 @@ class Random {
       const std::uint64_t bits = engine_();
       std::memcpy(&value, &bits, sizeof value);
     } else {
-      std::apply([this](auto&... each) { (fill(each), ...); }, members(value));
+      std::apply([this](auto&... each) { (this->fill(each), ...); }, members(value));
     }
   }
   void fill(Eigen::Vector2d& value) {
