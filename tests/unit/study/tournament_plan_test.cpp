@@ -93,7 +93,10 @@ TEST(TournamentPlan, RefusesWhatItDidNotWrite) {
   for (const auto& [name, value] : sound.items()) {
     Json damaged = sound;
     damaged.erase(name);
-    EXPECT_THROW(tournament_plan_from_json(damaged.dump()), std::invalid_argument) << name << " is missing";
+    // Results of before know none.
+    if (name != "match_wall_seconds") {
+      EXPECT_THROW(tournament_plan_from_json(damaged.dump()), std::invalid_argument) << name << " is missing";
+    }
     damaged = sound;
     damaged[name] = value.is_string() ? Json(1) : Json("text");
     EXPECT_THROW(tournament_plan_from_json(damaged.dump()), std::invalid_argument) << name << " is of another type";

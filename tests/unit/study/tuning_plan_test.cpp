@@ -161,7 +161,9 @@ TEST(TuningPlan, AnyValueMayBeAnother) {
     Json& parent = damaged[Json::json_pointer(place).parent_pointer()];
     // A job may leave out some of its own.
     const bool of_job = place.find("/home/") != std::string::npos || place.find("/away/") != std::string::npos;
-    if (!parent.is_object() || of_job) continue;
+    // Results of before know none.
+    const bool new_one = place.ends_with("/match_wall_seconds");
+    if (!parent.is_object() || of_job || new_one) continue;
     parent.erase(Json::json_pointer(place).back());
     EXPECT_THROW(tuning_plan_from_json(damaged.dump()), std::invalid_argument) << "without " << place;
   }
