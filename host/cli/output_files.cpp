@@ -26,11 +26,16 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 3> companions{"-wal", "-shm", "-journal"};
 constexpr int longest_chain_of_links = 40;  // Linux follows as many
 
+fs::path absolute_path(const fs::path& named) {
+  std::error_code error;
+  const fs::path out = fs::absolute(named, error);
+  return error ? named : out;
+}
+
 // A link to a file that is not there yet names that file all the same.
 fs::path where_it_leads(const fs::path& named) {
   std::error_code error;
-  fs::path path = fs::absolute(named, error);
-  if (error) path = named;
+  fs::path path = absolute_path(named);
   for (int i = 0; i < longest_chain_of_links && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
     const fs::path target = fs::read_symlink(path, error);
     if (error) break;
@@ -71,37 +76,44 @@ OutputFiles::OutputFiles(const CLI::App& app, std::string work) : work_(std::mov
 }
 
 void OutputFiles::read(const std::vector<std::string>& files, Reads what, const std::vector<std::string>& overrides) {
-  const std::string told = fmt::format("a file that this {} reads", work_);
-  std::error_code none;
-  switch (what) {
-    case Reads::documents: {
-      const std::vector<fs::path> documents(files.begin(), files.end());
-      for (const fs::path& each : config::named_files(documents, overrides)) read_file(each, told);
-      break;
-    }
-    case Reads::results:
-      for (const std::string& file : files) read_results(file, told);
-      break;
-    case Reads::data:
-      for (const std::string& file : files) read_file(file, told);
-      break;
-    case Reads::plugins:
-      for (const std::string& folder : files) {
-        for (fs::directory_iterator each(folder, none), end; !none && each != end; each.increment(none)) {
-          if (each->path().extension() == ".so") read_file(each->path(), told);
-        }
-      }
-      break;
+  Named& named = reads_.emplace_back();
+  named.what = what;
+  named.overrides = overrides;
+  for (const std::string& file : files) {
+    if (!file.empty()) named.files.push_back(absolute_path(file));
   }
 }
 
-void OutputFiles::read_file(const fs::path& file, const std::string& what) {
-  if (!file.empty()) reads_.push_back({Place(file), what});
-}
-
-void OutputFiles::read_results(const fs::path& file, const std::string& what) {
-  read_file(file, what);
-  for (const std::string_view each : companions) read_file(file.string() + std::string(each), what);
+std::vector<OutputFiles::Read> OutputFiles::all_reads() const {
+  std::vector<Read> out;
+  const auto add = [&](const fs::path& file) {
+    out.push_back({Place(file), fmt::format("a file that this {} reads", work_)});
+  };
+  std::error_code none;
+  for (const Named& named : reads_) {
+    switch (named.what) {
+      case Reads::documents:
+        for (const fs::path& file : config::named_files(named.files, named.overrides)) add(file);
+        break;
+      case Reads::results:
+        for (const fs::path& file : named.files) {
+          add(file);
+          for (const std::string_view each : companions) add(file.string() + std::string(each));
+        }
+        break;
+      case Reads::data:
+        for (const fs::path& file : named.files) add(file);
+        break;
+      case Reads::plugins:
+        for (const fs::path& folder : named.files) {
+          for (fs::directory_iterator each(folder, none), end; !none && each != end; each.increment(none)) {
+            if (each->path().extension() == ".so") add(each->path());
+          }
+        }
+        break;
+    }
+  }
+  return out;
 }
 
 void OutputFiles::write(const std::string& who, const fs::path& file, Writes what) {
@@ -127,8 +139,8 @@ void OutputFiles::write_beside(const fs::path& results, Page page) {
   if (page == Page::with_figures) write("the figures of --results", study::figure_folder(results), Writes::figures);
 }
 
-void OutputFiles::check_reads(const Output& output) const {
-  for (const Read& each : reads_) {
+void OutputFiles::check_reads(const Output& output, const std::vector<Read>& reads) {
+  for (const Read& each : reads) {
     if (!each.place.same(output.place)) continue;
     throw BadInput(fmt::format("{} {}: is {}", output.who, shown(output.place.named), each.what));
   }
@@ -143,19 +155,20 @@ void OutputFiles::check_others(std::size_t output) const {
   }
 }
 
-void OutputFiles::check_folder(const Folder& folder) const {
+void OutputFiles::check_folder(const Folder& folder, const std::vector<Output>& outputs,
+                               const std::vector<Read>& reads) {
   const auto written_there = [&](const fs::path& file) {
     return file.parent_path() == folder.path &&
            std::ranges::find(folder.endings, file.extension().string()) != folder.endings.end();
   };
-  for (const Output& each : outputs_) {
+  for (const Output& each : outputs) {
     if (!written_there(each.place.path)) continue;
     throw BadInput(fmt::format("{} {}: {} are written to that folder", each.who, shown(each.place.named), folder.who));
   }
   const auto refuse = [&](const fs::path& file, const Read& read) {
     throw BadInput(fmt::format("{}: {} is {}", folder.who, shown(file), read.what));
   };
-  for (const Read& each : reads_) {
+  for (const Read& each : reads) {
     if (written_there(each.place.path)) refuse(each.place.named, each);
   }
   // What is written over by its name may be a link to something else.
@@ -165,13 +178,13 @@ void OutputFiles::check_folder(const Folder& folder) const {
     std::error_code none;
     if (!entry->is_symlink(none) && entry->hard_link_count(none) < 2) continue;
     const Place place(entry->path());
-    for (const Read& each : reads_) {
+    for (const Read& each : reads) {
       if (each.place.same(place)) refuse(entry->path(), each);
     }
   }
 }
 
-void OutputFiles::check_existing(const Output& output, bool force) const {
+void OutputFiles::check_existing(const Output& output, bool force) {
   const fs::path& file = output.place.path;
   const auto refuse = [&](const std::string& why) {
     throw BadInput(fmt::format("{} {}: {}", output.who, shown(output.place.named), why));
@@ -197,11 +210,13 @@ void OutputFiles::check_existing(const Output& output, bool force) const {
 }
 
 void OutputFiles::check(bool force) const {
+  if (outputs_.empty() && folders_.empty()) return;
+  const std::vector<Read> reads = all_reads();
   for (std::size_t i = 0; i < outputs_.size(); ++i) {
-    check_reads(outputs_[i]);
+    check_reads(outputs_[i], reads);
     check_others(i);
   }
-  for (const Folder& each : folders_) check_folder(each);
+  for (const Folder& each : folders_) check_folder(each, outputs_, reads);
   for (const Output& each : outputs_) {
     if (each.what != Writes::results) check_existing(each, force);  // those: campaign::Store
   }

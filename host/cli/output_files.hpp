@@ -41,6 +41,12 @@ class OutputFiles {
     std::filesystem::path named, path;
     std::optional<std::pair<std::uint64_t, std::uint64_t>> identity;  // device and number; none: there is no such file
   };
+  // As named. What it leads to is looked for when something is to be checked against it: most commands write nothing.
+  struct Named {
+    std::vector<std::filesystem::path> files;  // absolute
+    Reads what;
+    std::vector<std::string> overrides;
+  };
   struct Read {
     Place place;
     std::string what;  // "a file that this match reads"
@@ -57,15 +63,14 @@ class OutputFiles {
     std::vector<std::string_view> endings;
   };
 
-  void read_file(const std::filesystem::path& file, const std::string& what);
-  void read_results(const std::filesystem::path& file, const std::string& what);
-  void check_reads(const Output& output) const;
+  std::vector<Read> all_reads() const;
+  static void check_reads(const Output& output, const std::vector<Read>& reads);
   void check_others(std::size_t output) const;
-  void check_folder(const Folder& folder) const;
-  void check_existing(const Output& output, bool force) const;
+  static void check_folder(const Folder& folder, const std::vector<Output>& outputs, const std::vector<Read>& reads);
+  static void check_existing(const Output& output, bool force);
 
   std::string work_;
-  std::vector<Read> reads_;
+  std::vector<Named> reads_;
   std::vector<Output> outputs_;
   std::vector<Folder> folders_;
 };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <vector>
 
@@ -49,14 +50,13 @@ std::string read_file(const fs::path& file, const Location& asked_by) {
       throw Error(here, fmt::format("{}is {} bytes large; at most {} are read", name, size, largest_file));
     }
     std::ifstream stream(file, std::ios::binary);
-    std::string content(largest_file + 1, '\0');
-    if (stream) {
-      stream.read(content.data(), static_cast<std::streamsize>(content.size()));
-      if (!stream.bad()) {
-        content.resize(static_cast<std::size_t>(stream.gcount()));
-        return content;
-      }
+    std::string content;
+    std::array<char, 16384> part;
+    while (stream && content.size() <= largest_file) {
+      stream.read(part.data(), part.size());
+      content.append(part.data(), static_cast<std::size_t>(stream.gcount()));
     }
+    if (stream.is_open() && !stream.bad()) return content;
     throw Error(here, name + "cannot be read");
   }
   throw Error(here, name + (failed ? "cannot be read: " + failed.message() : "is not a regular file"));

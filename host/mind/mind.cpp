@@ -84,6 +84,7 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   const double dt = parts.first ? 0.0 : percepts.time - parts.now;
   assert(dt >= 0.0);
   parts.now = percepts.time;
+  parts.caller.begin_decision();
   parts.mailboxes.begin(percepts.time);
 
   parts.world.sense(percepts, dt, parts.coordination.last_frame());

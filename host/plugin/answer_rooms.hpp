@@ -8,18 +8,24 @@
 
 #include <regista/abi.h>
 
+#include "plugin/call_note.hpp"
 #include "plugin/guarded_room.hpp"
 
 namespace regista::plugin {
 
 struct AnswerRooms {
-  GuardedRoom<regista_error> error{1};  // of every call
+  // After every call the edges of its rooms are looked at, and how numbers are rounded. Closely: also all of their
+  // pattern, and all of the floating-point state.
+  bool closely = true;
+
+  CallNote unheard;                   // where calls are noted that nobody listens to
+  GuardedValue<regista_error> error;  // of every call
   // Predictor
-  GuardedRoom<std::uint32_t> track_count{1};
+  GuardedValue<std::uint32_t> track_count;
   // Context
-  GuardedRoom<std::int32_t> holds{1};
+  GuardedValue<std::int32_t> holds;
   // Positioner
-  GuardedRoom<regista_placement> placement{1};
+  GuardedValue<regista_placement> placement;
   GuardedRoom<regista_waypoint> points{1};
   GuardedRoom<regista_edge> edges{1};
   GuardedRoom<regista_cell> cells{1};
@@ -29,7 +35,7 @@ struct AnswerRooms {
   // Assigner
   GuardedRoom<std::int32_t> columns{1};
   // Sender
-  GuardedRoom<regista_send> send{1};
+  GuardedValue<regista_send> send;
   GuardedRoom<std::uint64_t> granted{1};
 };
 

@@ -27,7 +27,7 @@ void Assigner::assign(const regista_frame& frame, const regista_matrix& utilitie
         inputs.add("utilities", &shown);
       },
       "assign", calls_->assign, &frame, &shown, room);
-  instance_->check("assign", instance_->rooms().columns, "columns");
+  instance_->check("assign", Instance::Written{instance_->rooms().columns, "columns"});
   std::copy_n(room, out.size(), out.begin());
   row_of_column_.assign(utilities.columns, nobody);
   for (std::size_t row = 0; row < out.size(); ++row) {

@@ -20,7 +20,7 @@ struct CallNote {
   std::int32_t robot = 0;          // number, from 1
   std::int32_t side = 0;           // 0 home, 1 away
   std::uint32_t inside = 0;        // 1 while the plugin works, 0 when it has returned
-  const void* instance = nullptr;  // that plugin, robot and side are those of; an address of the noting process
+  const void* instance = nullptr;  // that `plugin` is the id of; an address of the noting process
   friend bool operator==(const CallNote&, const CallNote&) = default;
 };
 

@@ -3,7 +3,9 @@
 // tolerances are relative to the diagonal, so that units do not matter.
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace regista::plugin {
 
@@ -53,8 +55,11 @@ inline Covariance examine_covariance_by_elimination(const double (&matrix)[16]) 
 // underflows, or is nearly singular.
 inline bool clearly_definite(const double (&m)[16]) {
   constexpr double margin = 1e-9;
-  const bool symmetric =
-      (m[1] == m[4]) & (m[2] == m[8]) & (m[3] == m[12]) & (m[6] == m[9]) & (m[7] == m[13]) & (m[11] == m[14]);
+  // Bits are compared with fewer instructions than numbers. What is no number is equal to itself by them, but no sum
+  // that it is part of is larger than anything.
+  const auto bits = [&m](int i) { return std::bit_cast<std::uint64_t>(m[i]); };
+  const bool symmetric = ((bits(1) ^ bits(4)) | (bits(2) ^ bits(8)) | (bits(3) ^ bits(12)) | (bits(6) ^ bits(9)) |
+                          (bits(7) ^ bits(13)) | (bits(11) ^ bits(14))) == 0;
   const double determinant = m[0] * m[5] - m[1] * m[1];
   // U = adj(P) C and S = det(P) Q - C^T U
   const double u00 = m[5] * m[2] - m[1] * m[6], u01 = m[5] * m[3] - m[1] * m[7];
@@ -63,9 +68,9 @@ inline bool clearly_definite(const double (&m)[16]) {
   const double s01 = determinant * m[11] - (m[2] * u01 + m[6] * u11);
   const double s11 = determinant * m[15] - (m[3] * u01 + m[7] * u11);
   const bool position_definite = (m[0] > 0.0) & (determinant > margin * m[0] * m[5]);
-  // What does not move has no uncertain velocity: the other blocks are zero.
-  const bool still =
-      (m[2] == 0.0) & (m[3] == 0.0) & (m[6] == 0.0) & (m[7] == 0.0) & (m[10] == 0.0) & (m[11] == 0.0) & (m[15] == 0.0);
+  // What does not move has no uncertain velocity: the other blocks are zero, of either sign.
+  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
+  const bool still = ((bits(2) | bits(3) | bits(6) | bits(7) | bits(10) | bits(11) | bits(15)) & ~sign) == 0;
   return symmetric & position_definite &
          (still | ((s00 > margin * determinant * m[10]) & (s00 * s11 - s01 * s01 > margin * s00 * s11)));
 }

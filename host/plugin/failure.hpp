@@ -15,13 +15,30 @@
 
 namespace regista::plugin {
 
-// For whom a plugin works at the moment. Owned by the mind, which updates it at each decision.
+// For whom a plugin works at the moment. Owned by the mind.
 struct Caller {
   std::string team;
   int robot = 0;
   std::uint64_t tick = 0;
   Noting noting{};               // where its calls are noted
   AnswerRooms* rooms = nullptr;  // of its plugins; null: each has its own
+
+  // At the beginning of each decision. One of so many is looked at closely; a prime, so that no plugin's period keeps
+  // it away from all of them.
+  void begin_decision() {
+    constexpr std::uint64_t one_of = 61;
+    if (rooms != nullptr) rooms->closely = tick % one_of == 0;
+    note();
+  }
+
+  // Notes for whom the next calls are, whichever plugin's.
+  void note() const {
+    if (noting.note == nullptr) return;
+    noting.note->robot = robot;
+    noting.note->side = noting.side;
+    noting.note->tick = tick;
+    noting.note->instance = nullptr;
+  }
 };
 
 // what() is one line:

@@ -46,7 +46,9 @@ bool flushes_to_zero() {
 
 }  // namespace
 
-bool FloatingPointState::is_usual_for_numbers() { return std::fegetround() == FE_TONEAREST && !flushes_to_zero(); }
+std::uint32_t FloatingPointState::difference_for_numbers() {
+  return std::fegetround() == FE_TONEAREST && !flushes_to_zero() ? 0 : 1;
+}
 
 FloatingPointState FloatingPointState::now() {
   FloatingPointState out;

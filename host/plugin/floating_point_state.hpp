@@ -26,10 +26,10 @@ class FloatingPointState {
   // What was done to the earlier state to make it this one: "changed the rounding mode". Empty when they are alike.
   std::string changed_from(const FloatingPointState& earlier) const;
 
-  // Whether numbers are rounded to the nearest and small ones kept, as everywhere in the host. Found out by adding, as
+  // 0 when numbers are rounded to the nearest and small ones kept, as everywhere in the host. Found out by adding, as
   // reading the state makes the processor wait until all that it has begun is done: ten times as dear. Does not see
   // which exceptions are masked, nor the state of long double: both change no number of the host.
-  static bool is_usual_for_numbers();
+  static std::uint32_t difference_for_numbers();
 
   friend bool operator==(const FloatingPointState&, const FloatingPointState&) = default;
 
@@ -56,7 +56,7 @@ inline FloatingPointState FloatingPointState::now() {
   return out;
 }
 
-inline bool FloatingPointState::is_usual_for_numbers() {
+inline std::uint32_t FloatingPointState::difference_for_numbers() {
   using Limits = std::numeric_limits<float>;
   constexpr float ulp = Limits::epsilon(), least = Limits::min(), step = Limits::denorm_min();
   // Three quarters of a unit in the last place are lost when rounding down or to zero, a quarter becomes a whole when
@@ -65,7 +65,8 @@ inline bool FloatingPointState::is_usual_for_numbers() {
   __asm__ volatile("" : "+x"(sum));  // now, not when it was compiled
   sum = _mm_add_ps(sum, _mm_setr_ps(0.75F * ulp, 0.25F * ulp, -step, -step));
   const __m128 expected = _mm_setr_ps(1.0F + ulp, 1.0F, least - step, least - step);
-  return _mm_movemask_epi8(_mm_cmpeq_epi32(_mm_castps_si128(sum), _mm_castps_si128(expected))) == 0xffff;
+  const __m128i alike = _mm_cmpeq_epi32(_mm_castps_si128(sum), _mm_castps_si128(expected));
+  return static_cast<std::uint32_t>(_mm_movemask_epi8(alike)) ^ 0xffffu;
 }
 #endif
 

@@ -51,7 +51,6 @@ Inputs inputs_of_create(const regista_environment& environment, const regista_ho
 Instance::Instance(const Found& plugin, const Parameters& parameters, const regista_environment& environment,
                    const regista_host* host, const Caller* caller)
     : rooms_(caller == nullptr ? nullptr : caller->rooms),
-      note_(caller == nullptr ? nullptr : caller->noting.note),
       caller_(caller),
       compares_inputs_(caller != nullptr && caller->noting.compare_inputs),
       plugin_(plugin),
@@ -61,9 +60,11 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
     own_rooms_ = std::make_unique<AnswerRooms>();
     rooms_ = own_rooms_.get();
   }
+  note_ = caller != nullptr && caller->noting.note != nullptr ? caller->noting.note : &rooms_->unheard;
+  note_->instance = nullptr;  // an earlier one may have stood at this address
   assert(parameters.values().size() == plugin.descriptor->parameter_count);
   environment_.size = sizeof environment_;
-  if (note_ != nullptr) note_->instance = nullptr;  // an earlier one may have stood at this address
+  if (caller != nullptr) caller->note();
   begin("open");
   try {
     descriptor_ = &loaded(plugin_);
@@ -102,13 +103,17 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
 Instance::~Instance() { destroy(); }
 
 void Instance::destroy() {
+  if (caller_ != nullptr) caller_->note();
   begin("destroy");
   descriptor_->destroy(raw_);
   end();
   damage();  // nobody can be told any more, but the state is what it was
 }
 
-void Instance::reset(std::uint64_t seed) { call("reset", descriptor_->reset, seed); }
+void Instance::reset(std::uint64_t seed) {
+  if (caller_ != nullptr) caller_->note();
+  call("reset", descriptor_->reset, seed);
+}
 
 void Instance::fail(const char* call, std::string message) const {
   throw Failure(plugin_, caller_, call, std::move(message));
@@ -138,8 +143,8 @@ void Instance::check(const char* name, const Inputs& inputs) const {
     fail(name, fmt::format("{}{}", changed_its_input, changed));
 }
 
-void Instance::wrote_outside(const char* call, Overflow overflow, const char* what) const {
-  fail(call, where_it_wrote(overflow, what));
+void Instance::check(const char* call, Overflow overflow, const char* what) const {
+  if (overflow != Overflow::none) fail(call, where_it_wrote(overflow, what));
 }
 
 void Instance::examine(const char* name, std::int32_t status) const {

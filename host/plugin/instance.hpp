@@ -48,55 +48,52 @@ class alignas(64) Instance {
 
   // Calls `function` of a table of this plugin; `name` is the call's, for the note and the Failure. Fails when the
   // plugin says so, changed the floating-point state, which is restored, or wrote outside of the room for its error's
-  // text.
-  template <std::size_t Size, class Function, class... Arguments>
-  void call(const char (&name)[Size], Function function, Arguments... arguments) {
-    const bool closely = looks_closely(calls_++);
-    if (closely) [[unlikely]]
-      mend();
-    rooms_->error.data()->text[0] = '\0';
-    std::int32_t status = REGISTA_FAILED;
-    begin(name);
-    try {
-      status = function(raw_, arguments..., rooms_->error.data());
-    } catch (...) {
-      threw(name);
-    }
-    end();
-    const bool content = status == REGISTA_OK, whole = rooms_->error.edges_are_whole(),
-               usual = FloatingPointState::is_usual_for_numbers();
-    const bool well = content & !closely & whole & usual;
-    if (!well) [[unlikely]]
-      examine(name, status);
-  }
-
-  // The same, and where inputs are compared it fails when the plugin changed one: `add` tells an Inputs& what they are.
+  // text; and where inputs are compared when it changed one: `add` tells an Inputs& what they are.
   template <class Add, std::size_t Size, class Function, class... Arguments>
   void call_with(const Add& add, const char (&name)[Size], Function function, Arguments... arguments) {
-    if (!compares_inputs_) [[likely]]
-      return call(name, function, arguments...);
-    Inputs inputs;
-    add(inputs);
-    call(name, function, arguments...);
-    check(name, inputs);
+    if (rooms_->closely) [[unlikely]]
+      call_closely(add, name, function, arguments...);
+    else
+      invoke(name, function, arguments...);
   }
 
-  // A room of rooms() for the answer to the next call.
+  // The same of a call without inputs.
+  template <std::size_t Size, class Function, class... Arguments>
+  void call(const char (&name)[Size], Function function, Arguments... arguments) {
+    call_with([](Inputs&) {}, name, function, arguments...);
+  }
+
+  // A room for the answer to the next call.
   template <class T>
   T* open(GuardedRoom<T>& room, std::size_t count) const {
     T* const out = room.open(count);
-    if (looks_closely(calls_)) [[unlikely]]
+    if (rooms_->closely) [[unlikely]]
       room.mend();  // else an earlier call's overflow might be taken for one of this call
     return out;
   }
-
-  // Fails when the last call wrote outside of this room; `what` stood in it: "points". What begins at its edges is
-  // always found, what jumps over them when the call is one of those that are looked at closely.
   template <class T>
-  void check(const char* call, const GuardedRoom<T>& room, const char* what) const {
-    if (!room.edges_are_whole() || looks_closely(calls_ - 1)) [[unlikely]] {
-      if (const Overflow overflow = room.overflow(); overflow != Overflow::none) wrote_outside(call, overflow, what);
-    }
+  T* open(GuardedValue<T>& room) const {
+    if (rooms_->closely) [[unlikely]]
+      room.mend();
+    return room.data();
+  }
+
+  // A room that a call wrote to, and what stood in it: "points".
+  template <class Room>
+  struct Written {
+    const Room& room;
+    const char* what;
+  };
+  template <class Room>
+  Written(const Room&, const char*) -> Written<Room>;
+
+  // Fails when the last call wrote outside of one of these rooms. What begins at their edges is always found, what
+  // jumps over them when they are looked at closely.
+  template <class... Rooms>
+  void check(const char* call, const Written<Rooms>&... written) const {
+    const std::uint64_t wrong = (std::uint64_t{rooms_->closely} | ... | written.room.difference_at_edges());
+    if (wrong != 0) [[unlikely]]
+      (check(call, written.room.overflow(), written.what), ...);
   }
 
   // The table of this kind; throws Failure when the plugin has none.
@@ -111,30 +108,50 @@ class alignas(64) Instance {
   [[noreturn]] void fail(const char* call, std::string message) const;
 
  private:
-  // Notes that a call is under way, and that it is over. A few moves of bytes where somebody listens, else a branch.
+  template <std::size_t Size, class Function, class... Arguments>
+  void invoke(const char (&name)[Size], Function function, Arguments... arguments) {
+    rooms_->error.data()->text[0] = '\0';
+    std::int32_t status = REGISTA_FAILED;
+    begin(name);
+    try {
+      status = function(raw_, arguments..., rooms_->error.data());
+    } catch (...) {
+      threw(name);
+    }
+    end();
+    static_assert(REGISTA_OK == 0);
+    const std::uint64_t wrong = rooms_->error.difference_at_edges() | static_cast<std::uint32_t>(status) |
+                                FloatingPointState::difference_for_numbers();
+    if (wrong != 0) [[unlikely]]
+      examine(name, status);
+  }
+
+  // Apart, so that the usual call stays short.
+  template <class Add, std::size_t Size, class Function, class... Arguments>
+  [[gnu::noinline, gnu::cold]] void call_closely(const Add& add, const char (&name)[Size], Function function,
+                                                 Arguments... arguments) {
+    Inputs inputs;
+    if (compares_inputs_) add(inputs);
+    mend();
+    invoke(name, function, arguments...);
+    examine(name, REGISTA_OK);
+    check(name, inputs);
+  }
+
+  // Notes that a call is under way, and that it is over: a few moves of bytes.
   template <std::size_t Size>
   void begin(const char (&name)[Size]) {
     static_assert(Size <= std::tuple_size_v<decltype(CallNote::call)>);
-    if (note_ == nullptr) [[likely]]
-      return;
     // An instance is mostly called several times in a row.
     if (note_->instance != this) {
-      std::memcpy(note_->plugin.data(), noted_id_.data(), noted_id_.size());
-      note_->robot = caller_->robot;
-      note_->side = caller_->noting.side;
+      note_->plugin = noted_id_;
       note_->instance = this;
     }
     std::memcpy(note_->call.data(), name, Size);
-    note_->tick = caller_->tick;
     note_->inside = 1;
   }
-  void end() {
-    if (note_ != nullptr) [[unlikely]]
-      note_->inside = 0;
-  }
+  void end() { note_->inside = 0; }
 
-  // One of so many calls is examined for what cannot be seen cheaply.
-  static bool looks_closely(std::uint32_t call) { return call % 64 == 0; }
   // Lest this instance pays for what an earlier one did unseen.
   void mend();
 
@@ -145,7 +162,7 @@ class alignas(64) Instance {
   void check(const char* name, const Inputs& inputs) const;
   void destroy();
 
-  [[noreturn]] void wrote_outside(const char* call, Overflow overflow, const char* what) const;
+  void check(const char* call, Overflow overflow, const char* what) const;
   // Fails if there is a reason.
   void examine(const char* name, std::int32_t status) const;
   [[noreturn]] void threw(const char* name) const;
@@ -156,7 +173,6 @@ class alignas(64) Instance {
   AnswerRooms* rooms_;
   CallNote* note_;
   const Caller* caller_;
-  std::uint32_t calls_ = 0;
   bool compares_inputs_;
   FloatingPointState floating_point_ = FloatingPointState::now();
 

@@ -23,7 +23,7 @@ Positioner::Positioner(std::shared_ptr<Instance> instance)
 
 void Positioner::place(const regista_frame& frame, Placement& out) {
   AnswerRooms& rooms = instance_->rooms();
-  regista_placement& raw = *instance_->open(rooms.placement, 1);
+  regista_placement& raw = *instance_->open(rooms.placement);
   raw = {};
   raw.size = sizeof raw;
   raw.point_capacity = point_capacity;
@@ -35,11 +35,9 @@ void Positioner::place(const regista_frame& frame, Placement& out) {
   raw.cells = instance_->open(rooms.cells, cell_capacity);
   raw.vertices = instance_->open(rooms.vertices, vertex_capacity);
   instance_->call_with([&](Inputs& inputs) { inputs.add("frame", &frame); }, "place", calls_->place, &frame, &raw);
-  instance_->check("place", rooms.placement, "the placement itself");
-  instance_->check("place", rooms.points, "points");
-  instance_->check("place", rooms.edges, "edges");
-  instance_->check("place", rooms.cells, "cells");
-  instance_->check("place", rooms.vertices, "vertices");
+  instance_->check("place", Instance::Written{rooms.placement, "the placement itself"},
+                   Instance::Written{rooms.points, "points"}, Instance::Written{rooms.edges, "edges"},
+                   Instance::Written{rooms.cells, "cells"}, Instance::Written{rooms.vertices, "vertices"});
 
   // Of the struct only the counts are read: the plugin may have written over the rest.
   check_count(*instance_, raw.point_count, point_capacity, "points");

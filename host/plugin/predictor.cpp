@@ -73,11 +73,10 @@ void Predictor::absorb(std::span<const regista_track> tracks, double age) {
 }
 
 std::span<const regista_track> Predictor::tracks() {
-  GuardedRoom<std::uint32_t>& number = instance_->rooms().track_count;
-  *instance_->open(number, 1) = 0;
+  GuardedValue<std::uint32_t>& number = instance_->rooms().track_count;
+  *instance_->open(number) = 0;
   instance_->call("tracks", calls_->tracks, instance_->open(tracks_, track_capacity), track_capacity, number.data());
-  instance_->check("tracks", tracks_, "tracks");
-  instance_->check("tracks", number, "number of tracks");
+  instance_->check("tracks", Instance::Written{tracks_, "tracks"}, Instance::Written{number, "number of tracks"});
   const std::uint32_t count = *number.data();
   if (count > track_capacity) [[unlikely]]
     instance_->fail("tracks", fmt::format("wrote {} tracks into room for {}", count, track_capacity));

@@ -15,10 +15,10 @@ Sender::Sender(std::shared_ptr<Instance> instance)
 
 SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_event> events,
                             std::span<const regista_offer> offers, const regista_budget& budget) {
-  GuardedRoom<regista_send>& answer = instance_->rooms().send;
+  GuardedValue<regista_send>& answer = instance_->rooms().send;
   GuardedRoom<std::uint64_t>& handles = instance_->rooms().granted;
-  *instance_->open(answer, 1) = {sizeof(regista_send), 0, REGISTA_EVENT_PERIOD, 0,
-                                 instance_->open(handles, offers.size())};
+  *instance_->open(answer) = {sizeof(regista_send), 0, REGISTA_EVENT_PERIOD, 0,
+                              instance_->open(handles, offers.size())};
   const regista_span raw_events{events.data(), static_cast<std::uint32_t>(events.size()), sizeof(regista_event)};
   const regista_span raw_offers{offers.data(), static_cast<std::uint32_t>(offers.size()), sizeof(regista_offer)};
   instance_->call_with(
@@ -29,8 +29,8 @@ SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_
         inputs.add("budget", &budget);
       },
       "decide", calls_->decide, &frame, raw_events, raw_offers, &budget, answer.data());
-  instance_->check("decide", answer, "whether to send");
-  instance_->check("decide", handles, "granted handles");
+  instance_->check("decide", Instance::Written{answer, "whether to send"},
+                   Instance::Written{handles, "granted handles"});
 
   const regista_send& out = *answer.data();
   if (out.send != 0 && out.send != 1) [[unlikely]]

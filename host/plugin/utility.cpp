@@ -66,11 +66,11 @@ void Utility::score(const regista_frame& frame, const regista_matrix& out) {
         inputs.add("out", &shown, sizeof shown);
       },
       "score", calls_->score, &frame, &shown);
-  instance_->check("score", entries, "utilities");
+  instance_->check("score", Instance::Written{entries, "utilities"});
   if (out.stride != out.columns || suspect(entries.first(count))) [[unlikely]]
     check_each(*instance_, answer);
   if (out.stride == out.columns) {
-    for (std::size_t i = 0; i < count; ++i) out.values[i] = room[i];
+    std::copy_n(room, count, out.values);
   } else {
     for (std::size_t i = 0; i < out.rows; ++i)
       std::copy_n(room + i * out.stride, out.columns, out.values + i * out.stride);

@@ -19,7 +19,7 @@ TEST(GuardedRoom, BeginsWithZerosAndTakesAllThatIsPromised) {
   Room wrong;
   EXPECT_TRUE(std::all_of(wrong.begin, wrong.end, [](unsigned char byte) { return byte == 0; }));
   std::fill(wrong.begin, wrong.end, 0xff);
-  EXPECT_TRUE(wrong.room.edges_are_whole());
+  EXPECT_EQ(wrong.room.difference_at_edges(), 0u);
   EXPECT_EQ(wrong.room.overflow(), Overflow::none);
   EXPECT_EQ(wrong.room.first(2).size(), 2u);
 }
@@ -30,10 +30,10 @@ TEST(GuardedRoom, FindsOverflowsOfFourToAll) {
     for (int fill = 0; fill < 256; ++fill) {
       Room behind, before;
       std::fill_n(behind.end, bytes, static_cast<unsigned char>(fill));
-      ASSERT_FALSE(behind.room.edges_are_whole()) << bytes << " of " << fill;
+      ASSERT_NE(behind.room.difference_at_edges(), 0u) << bytes << " of " << fill;
       ASSERT_EQ(behind.room.overflow(), Overflow::past_the_end);
       std::fill_n(before.begin - bytes, bytes, static_cast<unsigned char>(fill));
-      ASSERT_FALSE(before.room.edges_are_whole()) << bytes << " of " << fill;
+      ASSERT_NE(before.room.difference_at_edges(), 0u) << bytes << " of " << fill;
       ASSERT_EQ(before.room.overflow(), Overflow::before_the_beginning);
     }
   }
@@ -41,7 +41,7 @@ TEST(GuardedRoom, FindsOverflowsOfFourToAll) {
 
 // Every single byte of the pattern is looked at.
 TEST(GuardedRoom, FindsWhatJumpsOverTheEdges) {
-  for (std::size_t distance = 0; distance < GuardedRoom<std::int32_t>::margin; ++distance) {
+  for (std::size_t distance = 0; distance < Guard::margin; ++distance) {
     Room behind, before;
     behind.end[distance] ^= 1;
     ASSERT_EQ(behind.room.overflow(), Overflow::past_the_end) << distance;
@@ -61,7 +61,7 @@ TEST(GuardedRoom, MovesItsEndWithThePromise) {
     std::fill_n(data, count, 5);
     EXPECT_EQ(room.overflow(), Overflow::none) << count;
     data[count] = 5;
-    EXPECT_FALSE(room.edges_are_whole()) << count;
+    EXPECT_NE(room.difference_at_edges(), 0u) << count;
     room.mend();
   }
 }

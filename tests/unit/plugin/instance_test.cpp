@@ -88,6 +88,7 @@ TEST_F(InstanceTest, NotesWhichCallIsUnderWay) {
     EXPECT_STREQ(note.call.data(), "create");
     EXPECT_EQ(note.inside, 0u);
     caller.tick = 418;
+    caller.begin_decision();
     Context context(instance);
     EXPECT_TRUE(context.holds(Scene().frame));
     EXPECT_STREQ(during.call.data(), "holds");

@@ -33,14 +33,17 @@ class OverflowTest : public PuppetTest {
   // `run` leads to one overflow of `what` in `call`.
   template <class Run>
   static void expect(const std::string& call, const std::string& what, Run run) {
-    for (const int size : {4, 8, 60, 256}) {
-      for (const bool before : {false, true}) {
-        bytes = size;
-        below = before;
-        EXPECT_EQ(message_of(run),
-                  Puppet::failure(call + ": wrote " + (before ? "before the beginning" : "past the end") +
-                                  " of its answer: " + what))
-            << size << " bytes";
+    for (const bool closely : {false, true}) {
+      Puppet::looks_closely = closely;
+      for (const int size : {4, 8, 60, 256}) {
+        for (const bool before : {false, true}) {
+          bytes = size;
+          below = before;
+          EXPECT_EQ(message_of(run),
+                    Puppet::failure(call + ": wrote " + (before ? "before the beginning" : "past the end") +
+                                    " of its answer: " + what))
+              << size << " bytes, looked at " << (closely ? "closely" : "as usual");
+        }
       }
     }
   }
@@ -238,6 +241,7 @@ TEST_F(OverflowTest, TheNextOneDoesNotPay) {
     std::string message;
     for (caller.tick = 1; message.empty() && caller.tick < 300; ++caller.tick) {
       message = message_of([&] {
+        caller.begin_decision();
         first.holds(Scene().frame);
         second.holds(Scene().frame);
       });
