@@ -50,7 +50,7 @@ class IsolatedMatch {
       : setup_(std::move(setup)),
         plans_(plans),
         limits_(limits),
-        compare_inputs_(compare_inputs),
+        examination_{compare_inputs, static_cast<bool>(after)},
         after_(after),
         note_(note) {
     for (const match::Side side : match::both_sides)
@@ -105,7 +105,7 @@ class IsolatedMatch {
       if (::getppid() != match) ::_exit(1);
       std::signal(SIGCHLD, SIG_DFL);
       close_all_but_standard_streams();
-      serve_minds(*plans_[match::index(side)], side, setup_.seed, compare_inputs_, team(side).channel);
+      serve_minds(*plans_[match::index(side)], side, setup_.seed, examination_, team(side).channel);
     }
     ::setpgid(process, process);  // whoever of the two comes first
     team(side).process = process;
@@ -128,7 +128,9 @@ class IsolatedMatch {
     config::BytesIn answer = ask(side, Question::decide, number, question_.bytes());
     try {
       answer(out);
-      for (std::uint64_t& each : digest_) answer(each);
+      if (examination_.digest_decisions) {
+        for (std::uint64_t& each : digest_) answer(each);
+      }
     } catch (const std::out_of_range&) {
       damaged(side, number);
     }
@@ -199,9 +201,8 @@ class IsolatedMatch {
 
   // The one that has been waited for longer has used up the time of the match.
   void check_match_time(match::Side side, double waiting) {
-    team(side).waited += waiting;
-    const double home = teams_[0].waited, away = teams_[1].waited;
-    team(side).waited -= waiting;
+    const auto waited = [&](match::Side each) { return team(each).waited + (each == side ? waiting : 0.0); };
+    const double home = waited(match::Side::home), away = waited(match::Side::away);
     if (home + away <= limits_.match_wall_seconds) return;
     const match::Side slower = home >= away ? match::Side::home : match::Side::away;
     throw Fault({static_cast<int>(match::index(slower)), "", "", 0, 0,
@@ -248,7 +249,7 @@ class IsolatedMatch {
   match::Setup setup_;
   std::array<const mind::TeamPlan*, 2> plans_;
   Limits limits_;
-  bool compare_inputs_;
+  Examination examination_;
   const AfterDigest& after_;
   WorkerNote& note_;
   std::array<Team, 2> teams_;

@@ -27,24 +27,26 @@ MatchRun::MatchRun(Job job, const Limits& limits, bool twice, std::string failur
   start(Stage::first);
 }
 
+bool MatchRun::isolated(Stage stage) const {
+  return stage == Stage::isolated || (stage != Stage::recording && limits_.isolation == Isolation::always);
+}
+
 void MatchRun::start(Stage stage) {
   stage_ = stage;
   Job job = job_;
   job.limits = limits_;
-  job.isolated = stage == Stage::isolated || limits_.isolation == Isolation::always;
-  job.second_play = stage == Stage::second;
-  job.trail = twice_ && (stage == Stage::first || stage == Stage::second);
+  job.isolated = isolated(stage);
+  // What was found only where inputs are compared can only be found there again.
+  job.second_play = stage == Stage::second || (stage == Stage::isolated && first_);
+  job.trail = twice_ && (stage == Stage::first || job.second_play);
   // A recording needs the minds in the match's own process.
   if (stage != Stage::first || job.isolated) job.record.clear();
   if (stage == Stage::recording) {
-    job.isolated = false;
     job.expects_failure = decided_->failure.has_value();
     job.record = job_.record.empty() ? failure_record_ : job_.record;
   } else {
     ++plays_;
   }
-  // What was found only where inputs are compared can only be found there again.
-  if (stage == Stage::isolated && first_) job.second_play = true;
   if (job.trail) trail_->clear();
   worker_ = std::make_unique<Worker>(job, limits_, note_, job.trail ? trail_->descriptor() : -1);
 }
@@ -65,7 +67,6 @@ void MatchRun::blame_nobody_for_overwritten_files(const std::string& what) const
 
 void MatchRun::settle() {
   const End end = worker_->end();
-  const bool isolated = stage_ == Stage::isolated || limits_.isolation == Isolation::always;
   std::optional<Answer> answer;
   std::string what = end.text;
   bool from_outside = end.how == End::How::killed_from_outside || end.how == End::How::stopped;
@@ -91,14 +92,14 @@ void MatchRun::settle() {
   }
   blame_nobody_for_overwritten_files(answer && answer->kind == Answer::Kind::failed ? answer->decided.failure->what
                                                                                     : what);
-  Attempt attempt{isolated, false, from_outside, {}, what};
+  Attempt attempt{isolated(stage_), false, from_outside, {}, what};
   if (!answer) {
-    if (!isolated) attempt.what = in_words(what, end.note);
+    if (!isolated(stage_)) attempt.what = in_words(what, end.note);
   } else if (answer->kind == Answer::Kind::failed) {
     const Failure& failure = *answer->decided.failure;
     attempt.from_outside = answer->from_outside;
     attempt.what = fmt::format("plugin {}, {}: {}", failure.plugin, failure.call, failure.what);
-    if (isolated) attempt.failure = failure;
+    if (isolated(stage_)) attempt.failure = failure;
   } else {
     attempt.what = answer->message;
   }
@@ -119,11 +120,14 @@ void MatchRun::played(const Answer& answer) {
     compare(answer.decided);
     return;
   }
-  attempts_.push_back({stage_ == Stage::isolated || limits_.isolation == Isolation::always, true, false, {}, {}});
+  attempts_.push_back({isolated(stage_), true, false, {}, {}});
   switch (judge(attempts_)) {
     case Judgement::counts:
       if (attempts_.size() > 1) accident_ = attempts_.front().what;
-      decide(answer.decided);
+      if (first_)
+        compare(answer.decided);
+      else
+        decide(answer.decided);
       break;
     case Judgement::set_aside: {
       Decided out;
@@ -152,10 +156,10 @@ void MatchRun::failed(Attempt attempt) {
   }
 }
 
-void MatchRun::compare(const Decided& second) {
+void MatchRun::compare(const Decided& again) {
   Decided out = *first_;
-  const bool same = out.score == second.score && out.ended == second.ended && out.hash == second.hash &&
-                    out.metrics == second.metrics;
+  const bool same =
+      out.score == again.score && out.ended == again.ended && out.hash == again.hash && out.metrics == again.metrics;
   out.irreproducible = first_difference(first_trail_, trail_->content());
   if (!same && out.irreproducible.empty()) {
     out.irreproducible = "the results of two plays differ, though all decisions are the same";

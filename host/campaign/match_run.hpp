@@ -43,12 +43,14 @@ class MatchRun {
 
  private:
   enum class Stage { first, second, isolated, recording };
+  // Whether the minds of that play are in processes of their own.
+  bool isolated(Stage stage) const;
   void start(Stage stage);
   void settle();
   void blame_nobody_for_overwritten_files(const std::string& what) const;
   void played(const Answer& answer);
   void failed(Attempt attempt);
-  void compare(const Decided& second);
+  void compare(const Decided& again);
   void decide(Decided decided);
   void recorded(const End& end, const std::optional<Answer>& answer);
 
@@ -63,7 +65,7 @@ class MatchRun {
   std::string first_trail_;
   std::unique_ptr<Worker> worker_;
   std::vector<Attempt> attempts_;
-  std::optional<Decided> first_;  // the first play, while the second is under way
+  std::optional<Decided> first_;  // the first play, while another is under way that holds it to account
   std::optional<Decided> decided_;
   bool complete_ = false;
   int plays_ = 0;

@@ -38,9 +38,10 @@ Failure failure_of(const plugin::CallNote& note, int side, const char* what) {
 
 class MindHost {
  public:
-  MindHost(const mind::TeamPlan& plan, match::Side side, std::uint64_t seed, bool compare_inputs, MindChannel& channel)
-      : side_(static_cast<int>(match::index(side))), channel_(channel) {
-    minds_ = match::minds(plan, side, seed, {&channel.note().call, side_, compare_inputs});
+  MindHost(const mind::TeamPlan& plan, match::Side side, std::uint64_t seed, const Examination& examination,
+           MindChannel& channel)
+      : side_(static_cast<int>(match::index(side))), examination_(examination), channel_(channel) {
+    minds_ = match::minds(plan, side, seed, {&channel.note().call, side_, examination.compare_inputs});
   }
 
   void answer() {
@@ -68,20 +69,15 @@ class MindHost {
     config::BytesIn in(channel_.bytes());
     in(percepts_);
     mind::read_heard(in, heard_);
-    // As the match hands an outcome to a mind.
-    outcome_.command = {};
-    outcome_.send = false;
-    outcome_.send_reason = 0;
-    outcome_.packet.clear();
-    outcome_.role = -1;
-    outcome_.assignment.clear();
+    outcome_.clear();
     mind().think(percepts_, heard_, outcome_);
     out_(outcome_);
-    const match::DecisionDigest digest = match::digest_of(mind(), outcome_);
-    for (const std::uint64_t each : digest) out_(each);
+    if (!examination_.digest_decisions) return;
+    for (const std::uint64_t each : match::digest_of(mind(), outcome_)) out_(each);
   }
 
   int side_;
+  Examination examination_;
   MindChannel& channel_;
   std::vector<mind::Mind> minds_;
   mind::Percepts percepts_;
@@ -113,7 +109,7 @@ void answer_what_was_thrown(MindChannel& channel, int number) {
 
 }  // namespace
 
-void serve_minds(const mind::TeamPlan& plan, match::Side side, std::uint64_t seed, bool compare_inputs,
+void serve_minds(const mind::TeamPlan& plan, match::Side side, std::uint64_t seed, const Examination& examination,
                  MindChannel& channel) noexcept {
   const int number = static_cast<int>(match::index(side));
   plugin::note_fatal_signals(channel.note().fatal);
@@ -121,7 +117,7 @@ void serve_minds(const mind::TeamPlan& plan, match::Side side, std::uint64_t see
   try {
     // Never destroyed but by the last question: what a plugin has damaged must not end this process before it has said
     // which one it was.
-    MindHost& host = *new MindHost(plan, side, seed, compare_inputs, channel);
+    MindHost& host = *new MindHost(plan, side, seed, examination, channel);
     for (;;) {
       channel.answer(Reply::done, host.bytes());
       channel.wait_for_question();

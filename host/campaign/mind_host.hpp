@@ -11,9 +11,15 @@
 
 namespace regista::campaign {
 
+// What a play looks at beyond what it needs itself.
+struct Examination {
+  bool compare_inputs = false;    // whether plugins change what they may only read
+  bool digest_decisions = false;  // to tell where another play differs first
+};
+
 // To be called in a fresh copy of the match's process, which it never leaves. The first answer says that the minds have
 // been created. Nothing leaves it: what called it belongs to the match's process, of which this is a copy.
-[[noreturn]] void serve_minds(const mind::TeamPlan& plan, match::Side side, std::uint64_t seed, bool compare_inputs,
-                              MindChannel& channel) noexcept;
+[[noreturn]] void serve_minds(const mind::TeamPlan& plan, match::Side side, std::uint64_t seed,
+                              const Examination& examination, MindChannel& channel) noexcept;
 
 }  // namespace regista::campaign

@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "campaign/process.hpp"
+#include "config/sanitized.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -58,17 +59,6 @@ int file_of(const std::string& text) {
   return std::exchange(file.number, -1);
 }
 
-bool sanitized() {
-#if defined(__SANITIZE_ADDRESS__)
-  return true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-  return true;
-#endif
-#endif
-  return false;
-}
-
 bool limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   rlimit now{};
   if (getrlimit(resource, &now) == -1) return false;
@@ -105,7 +95,7 @@ struct Inherited {
   bool limited =
       limit(RLIMIT_CPU, seconds, seconds + 2) && limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_STACK, stack, stack);
   // The sanitizers reserve more addresses than there is memory.
-  if (limits.memory != 0 && !sanitized()) limited = limited && limit(RLIMIT_AS, limits.memory, limits.memory);
+  if (limits.memory != 0 && !sanitized) limited = limited && limit(RLIMIT_AS, limits.memory, limits.memory);
   if (!limited) _exit(cannot);
   for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGPIPE, SIGXFSZ, SIGXCPU}) std::signal(each, SIG_DFL);
   sigset_t none;

@@ -267,12 +267,7 @@ void Course::decide(int id) {
   radio_[index(side)].deliver(number, time_, tick_, heard_);
 
   mind::Outcome& outcome = robot.outcome;
-  outcome.command = {};
-  outcome.send = false;
-  outcome.send_reason = 0;
-  outcome.packet.clear();
-  outcome.role = -1;
-  outcome.assignment.clear();
+  outcome.clear();
   robot.think(percepts, heard_, outcome);
   if (const std::string why = unsound(outcome, robot.profile, setup_.roles[index(side)].size()); !why.empty()) {
     refuse(id, why);

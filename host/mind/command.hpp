@@ -37,6 +37,16 @@ struct Outcome {
   std::vector<std::uint8_t> packet;
   int role = -1;                // row of the team's table of roles, -1 = none (penalised, no task)
   std::vector<int> assignment;  // per robot (n - 1): row of the table of roles, -1 none, -2 unknown
+
+  // As it is handed to a mind; keeps the memory.
+  void clear() {
+    command = {};
+    send = false;
+    send_reason = 0;
+    packet.clear();
+    role = -1;
+    assignment.clear();
+  }
 };
 
 // One decision of one robot. A match knows minds only as this.

@@ -12,18 +12,10 @@
 #include <csignal>
 #include <cstring>
 
+#include "config/sanitized.hpp"
+
 namespace regista::plugin {
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__)
-#define REGISTA_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define REGISTA_SANITIZED 1
-#endif
-#endif
-
-#if !defined(REGISTA_SANITIZED)
 
 // A handler has no argument for it.
 std::atomic<FatalNote*> target{nullptr};
@@ -77,14 +69,10 @@ void strike(int signal_number, siginfo_t*, void* context) {
   raise(signal_number);  // delivered when this handler returns
 }
 
-#endif
-
 }  // namespace
 
 void note_fatal_signals(FatalNote& note) {
-#if defined(REGISTA_SANITIZED)
-  (void)note;
-#else
+  if constexpr (sanitized) return;
   target.store(&note);
   // A stack of its own, for the one that has overflowed.
   static char room[64 * 1024];
@@ -97,7 +85,6 @@ void note_fatal_signals(FatalNote& note) {
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   sigemptyset(&action.sa_mask);
   for (const int each : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS}) sigaction(each, &action, nullptr);
-#endif
 }
 
 std::string where(const FatalNote& note) {

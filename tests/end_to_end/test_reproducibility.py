@@ -12,12 +12,15 @@ FOLDER = program.TEST_PLUGINS / "chance"
 
 
 class Reproducibility(tournament.Tournament):
-    def played(self, *more, teams=("bad.yaml", "small.yaml"), plugin="asks_for_the_process", pairs=2):
-        """The report as text and as JSON, of two tournaments."""
+    def played(self, *more, teams=("bad.yaml", "small.yaml"), plugin="asks_for_the_process", pairs=2, accident=""):
+        """The report as text and as JSON. accident: what standard error begins with."""
         self.with_context(plugin)
         (self.folder / "first").unlink(missing_ok=True)
         words = self.arguments("--quiet", "--plugins", FOLDER, "--workers", "1", *more, teams=teams, pairs=pairs)
-        text = self.succeed(*words, environment={"CHANCE_FOLDER": str(self.folder)})
+        done = self.run_program(*words, environment={"CHANCE_FOLDER": str(self.folder)})
+        self.assertEqual((done.returncode, bool(done.stderr)), (0, bool(accident)), done.stderr)
+        self.assertTrue(done.stderr.startswith(accident), done.stderr)
+        text = done.stdout
         self.assertEqual(self.succeed("report", "tournament.db"), text)
         report = json.loads(self.succeed("report", "tournament.db", "--json"))
         (self.folder / "tournament.db").unlink()
@@ -44,6 +47,10 @@ class Reproducibility(tournament.Tournament):
         self.assertRegex(text, r"^not reproducible: match 1: home, robot \d, tick 29 .*, computed by "
                                "asks_for_the_process\n")
         self.assertEqual(found["matches"], 1)
+
+    def test_though_the_second_play_is_killed(self):
+        self.found("asks_for_the_process_and_is_killed", accident="regista: a worker died (Killed; ")
+        self.assertTrue((self.folder / "killed").exists())
 
     def test_the_working_folder(self):
         text, found = self.played(plugin="asks_for_the_folder")

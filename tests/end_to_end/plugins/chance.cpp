@@ -4,9 +4,11 @@
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 #include <regista/context.hpp>
 
@@ -15,20 +17,24 @@ namespace {
 // What the first process was, for the second to be another; in the folder that the variable names.
 constexpr auto folder = "CHANCE_FOLDER";
 
+// The name of a file there; empty when there is no such folder.
+std::string file_of(const char* name) {
+  const char* const place = std::getenv(folder);
+  return place == nullptr ? std::string() : std::string(place) + '/' + name;
+}
+
 // Whether this process is another than the one that asked first.
 bool is_another_one(std::uint64_t mine) {
-  const char* const place = std::getenv(folder);
-  if (place == nullptr) return false;
-  std::array<char, 4096> path{};
-  std::snprintf(path.data(), path.size(), "%s/first", place);
-  std::FILE* file = std::fopen(path.data(), "r");
+  const std::string path = file_of("first");
+  if (path.empty()) return false;
+  std::FILE* file = std::fopen(path.c_str(), "r");
   unsigned long long first = 0;
   if (file != nullptr) {
     const bool read = std::fscanf(file, "%llu", &first) == 1;
     std::fclose(file);
     return read && first != mine;
   }
-  file = std::fopen(path.data(), "w");
+  file = std::fopen(path.c_str(), "w");
   std::fprintf(file, "%llu", static_cast<unsigned long long>(mine));
   std::fclose(file);
   return false;
@@ -58,6 +64,23 @@ struct AsksForAnAddress : Chance<AsksForAnAddress> {
   std::uint64_t source() const { return reinterpret_cast<std::uintptr_t>(this); }
 };
 
+// The second process is killed as if somebody else had done it; those that come after it tell the difference.
+struct AsksForTheProcessAndIsKilled : Chance<AsksForTheProcessAndIsKilled> {
+  static constexpr auto id = "asks_for_the_process_and_is_killed",
+                        summary = "Decides by the number of the process; the second process is killed";
+  std::uint64_t source() const { return static_cast<std::uint64_t>(getpid()); }
+  bool holds(const regista::Frame& frame) {
+    const bool out = Chance::holds(frame);
+    if (other) {
+      if (std::FILE* const file = std::fopen(file_of("killed").c_str(), "wx"); file != nullptr) {
+        std::fclose(file);
+        kill(getpid(), SIGKILL);
+      }
+    }
+    return out;
+  }
+};
+
 struct AsksForTheFolder {
   static constexpr auto id = "asks_for_the_folder", version = "1.0.0", summary = "Decides by the working folder";
   bool holds(const regista::Frame&) {
@@ -68,4 +91,5 @@ struct AsksForTheFolder {
 
 REGISTA_PLUGINS(regista::Plugin<AsksForTheProcess, regista::context>,
                 regista::Plugin<AsksForAnAddress, regista::context>,
+                regista::Plugin<AsksForTheProcessAndIsKilled, regista::context>,
                 regista::Plugin<AsksForTheFolder, regista::context>)

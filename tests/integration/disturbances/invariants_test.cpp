@@ -11,7 +11,7 @@
 #include <random>
 #include <set>
 
-#include "sanitized.hpp"
+#include "config/sanitized.hpp"
 #include "teams.hpp"
 
 namespace regista {

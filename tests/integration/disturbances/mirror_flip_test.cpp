@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "sanitized.hpp"
+#include "config/sanitized.hpp"
 #include "teams.hpp"
 
 namespace regista {

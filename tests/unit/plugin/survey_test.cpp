@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "plugin/shared_object.hpp"
-#include "sanitized.hpp"
+#include "config/sanitized.hpp"
 #include "scene.hpp"
 
 namespace regista::plugin::test {
