@@ -57,7 +57,7 @@ constexpr auto examples = R"(Examples:
   regista match --from tournament.db --row 12
 
 --from plays a match of a tournament or an experiment again: the same teams, plugins, profiles and seed, or it says what has changed; and
-compares the hashes; one that was forfeited is played under the limits of that study. Rows are those of
+compares the hashes; one that was forfeited, or could not be played, is played under the limits of that study. Rows are those of
 `regista report --csv`.
 A path of --set begins with home, away, rules, robot, disturbance (of both teams), home_disturbance, away_disturbance or
 opening; without one of these it goes to both teams.
@@ -138,29 +138,35 @@ std::string failure_text(const campaign::Job& job, const campaign::Failure& fail
                      failure.call, failure.what);
 }
 
-// A match that was forfeited: in a worker, as then, for its plugin may hang or take all memory.
-int play_forfeit(const Options& options, const Stored& stored) {
-  const auto in_words = [](const campaign::Failure& failure) {
-    return fmt::format("{}, plugin {}, {}: {}", failure.side == 0 ? "home" : "away", failure.plugin, failure.call,
-                       failure.what);
-  };
+// "was forfeited: home, plugin greedy, assign: Segmentation fault"
+std::string end_in_words(const campaign::Decided& decided) {
+  if (decided.set_aside()) return "could not be played: " + decided.why_set_aside;
+  if (!decided.failure) return "was played to its end";
+  const campaign::Failure& failure = *decided.failure;
+  return fmt::format("was forfeited: {}, plugin {}, {}: {}", failure.side == 0 ? "home" : "away", failure.plugin,
+                     failure.call, failure.what);
+}
+
+// A match that was forfeited, or could not be played: by workers, as then, for its plugin may hang or take all memory.
+int play_failed(const Options& options, const Stored& stored) {
   campaign::Decided now;
   try {
     campaign::Job job = stored.job;
     job.record = options.record;
-    job.expects_failure = true;
+    job.expects_failure = stored.decided.failure.has_value();
     now = campaign::play_alone(job, stored.limits);
   } catch (const campaign::CampaignError& error) {
     if (error.kind() == campaign::CampaignError::Kind::input) throw BadInput(error.what());
     throw WriteError(error.what());
   }
-  if (!now.failure) {
-    complain(fmt::format("row {} was forfeited ({}); this time the match was played to its end", options.row,
-                         in_words(*stored.decided.failure)));
-    return exit_no;
+  const bool same_side = now.failure && stored.decided.failure && now.failure->side == stored.decided.failure->side;
+  if (same_side || (now.set_aside() && stored.decided.set_aside())) {
+    print(config::one_line(fmt::format("row {}, again: {}", options.row, end_in_words(now))) + '\n');
+    return exit_done;
   }
-  print(config::one_line(fmt::format("row {} is forfeited again: {}", options.row, in_words(*now.failure))) + '\n');
-  return now.failure->side == stored.decided.failure->side ? exit_done : exit_no;
+  complain(config::one_line(
+      fmt::format("row {} {}; this time it {}", options.row, end_in_words(stored.decided), end_in_words(now))));
+  return exit_no;
 }
 
 // What came of it this time, on standard error.
@@ -347,10 +353,12 @@ int play(Options options, const OutputFiles& outputs, const Invocation& invocati
   for (const config::Warning& each : prepared.warnings) complain(to_string(each));
   if (stored) require_unchanged(options, stored->job, prepared, catalogue, invocation);
   check_what_is_written(outputs, options, wanted, catalogue);
-  if (stored && stored->decided.failure) {
-    if (!options.metrics.empty())
-      throw BadInput(fmt::format("--metrics: row {} was forfeited, which has none", options.row));
-    return play_forfeit(options, *stored);
+  if (stored && (stored->decided.failure || stored->decided.set_aside())) {
+    if (!options.metrics.empty()) {
+      throw BadInput(fmt::format("--metrics: row {} {}, so it has none", options.row,
+                                 stored->decided.failure ? "was forfeited" : "could not be played"));
+    }
+    return play_failed(options, *stored);
   }
   campaign::Job job = stored ? stored->job : job_of(options, options.plugins);
   job.plugin_files = catalogue.used_files();

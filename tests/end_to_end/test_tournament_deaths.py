@@ -72,7 +72,7 @@ class Deaths(tournament.Tournament):
         self.assertRegex(done.stderr, rf"(?m)^regista: plugin crashes of home \(bad\.yaml\), robot \d, tick 19: holds: "
                                       rf"{re.escape(what)}$")
         again = self.succeed("match", "--from", "tournament.db", "--row", "1")
-        self.assertRegex(again, rf"^row 1 is forfeited again: home, plugin crashes, holds: {re.escape(what)}\n$")
+        self.assertRegex(again, rf"^row 1, again: was forfeited: home, plugin crashes, holds: {re.escape(what)}\n$")
 
     def test_abort(self):
         self.assertEqual(self.blamed("aborts")["what"], ABORTED)
@@ -200,6 +200,12 @@ class Deaths(tournament.Tournament):
         self.assertRegex(self.stored("SELECT text FROM remarks")[0][0],
                          r"^(Aborted.*|ended the process.*); the present call was holds of plugin dies_once \(home, "
                          r"robot \d, tick 19\); it did not come back in 3 isolated plays$")
+        again = "match", "--from", "tournament.db", "--row", "1"
+        done = self.run_program(*again)
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertRegex(done.stderr, r"^regista: row 1 could not be played: .*; this time it was played to its end\n$")
+        (self.folder / "died").unlink()
+        self.assertRegex(self.succeed(*again), r"^row 1, again: could not be played: .* in 3 isolated plays\n$")
 
     def test_no_worker_outlives_its_coordinator(self):
         self.bad_team("plugin: ball_seen", "plugin: spins")

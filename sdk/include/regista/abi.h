@@ -519,9 +519,9 @@ typedef struct regista_descriptor {
   uint32_t size;
   uint32_t abi_major, abi_minor;     /* what the plugin was built against */
   uint32_t parameter_count;
-  const char* id;                    /* lower_snake_case, unique among plugins of its kinds */
+  const char* id;                    /* lower_snake_case, at most 64 characters, unique among plugins of its kinds */
   const char* version;               /* of the plugin, e.g. "1.2.0" */
-  const char* summary;               /* one line */
+  const char* summary;               /* one line; like the other texts UTF-8, at most 1000 bytes */
   const char* licence;               /* SPDX expression */
   const char* build_tag;             /* compiler and build type, for people who compare builds */
   const regista_parameter* parameters; /* `parameter_count` elements, each `parameter_stride` bytes after the last */

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "plugin/floating_point_state.hpp"
 #include "scene.hpp"
 
 namespace regista::plugin::test {
@@ -38,6 +39,19 @@ TEST(SharedObject, OpensPluginsInTheirOrder) {
   ASSERT_EQ(object.descriptors.size(), 2u);
   EXPECT_STREQ(object.descriptors[0]->id, "sound");
   EXPECT_STREQ(object.descriptors[1]->id, "negotiator");
+}
+
+// Of the process that opens it, not only of a child that looks at unknown files.
+TEST(SharedObject, ChangesNoFloatingPointState) {
+  for (const std::string does : {"flush_small_numbers", "round_upward"}) {
+    const FloatingPointState before = FloatingPointState::now();
+    const SharedObject object = open_shared_object(fs::path(TEST_PLUGINS) / ("when_opened_" + does) / (does + ".so"));
+    const FloatingPointState after = FloatingPointState::now();
+    before.restore();  // lest other tests suffer
+    EXPECT_EQ(after, before) << does;
+    EXPECT_EQ(object.refusal, "");
+    EXPECT_NE(object.remark.find("; that was undone"), std::string::npos) << object.remark;
+  }
 }
 
 TEST(SharedObject, RefusesPluginsThatCannotBeServed) {
