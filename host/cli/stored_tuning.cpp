@@ -25,7 +25,8 @@ campaign::Metrics metrics_wanted(const study::TuningPlan& plan) {
   const auto of_score = [](const study::ObjectiveTerm& each) {
     return std::ranges::find(study::measures_of_score, each.measure) != study::measures_of_score.end();
   };
-  return std::ranges::all_of(plan.objective.terms, of_score) ? campaign::Metrics::left_out : campaign::Metrics::wanted;
+  const bool of_scores = std::ranges::all_of(plan.objective.terms, of_score);
+  return of_scores && !plan.short_games() ? campaign::Metrics::left_out : campaign::Metrics::wanted;  // for packets
 }
 
 std::optional<std::uint64_t> stored_end_of_search(const campaign::Store& store) {

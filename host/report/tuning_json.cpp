@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/match_remarks.hpp"
+#include "report/packets_spent.hpp"
 #include "report/tuning_sentences.hpp"
 #include "study/measure.hpp"
 
@@ -135,7 +136,8 @@ Json verification(const TuningView& view) {
                           {"interval", any ? ends(each.difference.interval) : Json(nullptr)},
                           {"p", each.p},
                           {"p_holm", each.adjusted},
-                          {"search_less_verified", told_or_null(view.plan.objective, each.optimism)}});
+                          {"search_less_verified", told_or_null(view.plan.objective, each.optimism)},
+                          {"packets", packets_json(each.packets)}});
   }
   return {{"pairs", view.record.verification.pairs()},
           {"against", view.plan.head_to_head ? "base" : "opponents"},

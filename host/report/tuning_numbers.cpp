@@ -137,6 +137,7 @@ std::vector<CandidateVerdict> candidate_verdicts(const TuningView& view) {
     each.finalist = record.candidates[i];
     each.finding = record.finding(i);
     each.forfeited = record.candidate_failed[i];
+    each.packets = record.candidate_packets[i];
     if (finalist.seen) each.seen = told(plan.objective, finalist.seen->score);
     each.selected = told(plan.objective, finalist.selected.score);
     each.pairs = scores.difference().count();

@@ -51,6 +51,7 @@ struct CandidateVerdict {
   std::size_t candidate = 0, finalist = 0;
   study::VerifiedAs finding = study::VerifiedAs::undecided;
   bool forfeited = false;                   // a match of the verification
+  study::PacketsSpent packets;              // in the verification
   std::optional<study::MeanEstimate> seen;  // in the search, which chose it by that
   study::MeanEstimate selected;             // on the pairs of the selection
   // On the pairs of the verification. Head to head there is the difference alone.

@@ -11,6 +11,7 @@
 #include "report/experiment.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
+#include "report/packets_spent.hpp"
 #include "report/standing.hpp"
 #include "report/visible_text.hpp"
 
@@ -162,8 +163,11 @@ std::string optimism_text(const TuningView& view, const CandidateVerdict& each) 
 std::string candidate_sentence(const TuningView& view, const CandidateVerdict& each, std::size_t candidates) {
   std::string out = fmt::format("Finalist {}: {}; {}.", each.finalist + 1, finding_text(view, each),
                                 numbers_text(view, each, candidates));
-  const std::string optimism = optimism_text(view, each);
-  return optimism.empty() ? out : out + ' ' + optimism;
+  const std::string packets = packets_clause(each.packets, OverspentMark::loud);
+  for (const std::string& more : {optimism_text(view, each), packets.empty() ? packets : "It " + packets + '.'}) {
+    if (!more.empty()) out += ' ' + more;
+  }
+  return out;
 }
 
 // Both corrections hold, but that of the intervals is the coarser one.

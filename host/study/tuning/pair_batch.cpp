@@ -38,6 +38,7 @@ PairBatch::PairBatch(const TuningPlan& plan, const TunedDocument& document,
       bounds_(head_to_head ? std::nullopt : score_bounds(plan)),
       scores_(candidates.size()),
       unplayed_(candidates.size()),
+      packets_(candidates.size()),
       failed_(candidates.size(), false) {
   const std::size_t scenes = std::max<std::size_t>(plan.openings.size(), 1);
   std::vector<std::size_t> used, places;  // scenes, in the order of their first use; by pair: place among them
@@ -85,6 +86,9 @@ bool PairBatch::take(const campaign::Decided& decided, ForfeitList& forfeits, Ma
                     candidate = next_ / 2 / opponents_.size() % scores_.size();
   remarks.take(list_.first_row + next_, decided);
   if (decided.set_aside()) broken_ = true;
+  if (!decided.metrics.empty()) {
+    if (const auto packets = short_game_packets(decided.metrics)) packets_[candidate].add((*packets)[side]);
+  }
   if (decided.failure) {
     const bool own = static_cast<std::size_t>(decided.failure->side) == side;
     const std::size_t other = head_to_head_ ? plan_.opponents.size() : opponent;

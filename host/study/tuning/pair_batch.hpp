@@ -15,6 +15,7 @@
 #include "campaign/store.hpp"
 #include "study/forfeits.hpp"
 #include "study/match_remarks.hpp"
+#include "study/packets_spent.hpp"
 #include "study/tuning/tuning_plan.hpp"
 
 namespace regista::study {
@@ -71,6 +72,8 @@ class PairBatch {
   // By pair: a match of it could not be played, so that its score is missing.
   const std::vector<bool>& unplayed(std::size_t candidate) const { return unplayed_[candidate]; }
   std::uint64_t unplayed_pairs() const { return unplayed_pairs_; }  // of all candidates
+  // Of this candidate, in its matches.
+  const PacketsSpent& packets(std::size_t candidate) const { return packets_[candidate]; }
   // A match of this candidate was forfeited by it.
   bool failed(std::size_t candidate) const { return failed_[candidate]; }
 
@@ -86,6 +89,7 @@ class PairBatch {
   MatchList list_;
   std::vector<std::vector<double>> scores_;  // by candidate
   std::vector<std::vector<bool>> unplayed_;  // by candidate
+  std::vector<PacketsSpent> packets_;        // by candidate
   std::vector<bool> failed_;
   std::uint64_t next_ = 0, pairs_done_ = 0, unplayed_pairs_ = 0;
   campaign::Decided home_;  // of the two matches under way, the first

@@ -267,6 +267,7 @@ class Course {
     record_.verification = Verification(chosen.size(), plan_.confidence, deviation_of_finalists(),
                                         widest_difference(plan_), difference_bound(plan_));
     record_.candidate_failed.assign(chosen.size(), false);
+    record_.candidate_packets.assign(chosen.size(), {});
     const std::size_t candidates = chosen.size();
     const std::uint64_t pairs = verification_pairs_of(plan_, candidates);
     if (pairs == 0) return;
@@ -280,6 +281,7 @@ class Course {
         scores.push_back(batch.scores(i).back());
         unplayed.push_back(batch.unplayed(i).back() || (!plan_.head_to_head && batch.unplayed(candidates).back()));
         record_.candidate_failed[i] = batch.failed(i);
+        record_.candidate_packets[i] = batch.packets(i);
       }
       record_.verification.add(plan_.head_to_head ? 0.0 : batch.scores(candidates).back(), scores, unplayed);
       progress();

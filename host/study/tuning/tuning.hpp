@@ -68,7 +68,8 @@ struct TuningRecord {
   Verification verification;            // of the first finalists
   std::vector<std::size_t> candidates;  // finalists that are verified: the best ones, up to the base team itself
   std::vector<bool> candidate_failed;   // it forfeited a match of the verification
-  std::vector<Slice> slices;            // largest importance first
+  std::vector<PacketsSpent> candidate_packets;  // in the verification
+  std::vector<Slice> slices;                    // largest importance first
   std::vector<ComparedRun> compared;
   ForfeitList forfeits;              // 0: the tuned team; then the opponents; last: the base team as an opponent
   MatchRemarks remarks;              // of matches as they were asked for, from 0

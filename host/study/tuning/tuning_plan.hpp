@@ -86,6 +86,8 @@ struct TuningPlan {
   std::vector<std::string> overrides;  // of that document, as typed
 
   bool compares() const { return !compared.empty(); }
+  // All of them end before a match would.
+  bool short_games() const { return !openings.empty() || !base.jobs[0].limit.empty(); }
   std::size_t free_parameters() const;
   std::uint64_t pairs_of(Algorithm each) const { return pairs_for_all || wants_replication(each) ? pairs : 1; }
   // Points that it can try, with the base team's.

@@ -9,6 +9,7 @@
 #include "report/experiment.hpp"
 #include "report/tournament.hpp"
 #include "report/tournament_page.hpp"
+#include "tuning_course.hpp"
 #include "unit/study/experiment_fixture.hpp"
 
 namespace regista::report {
@@ -94,6 +95,23 @@ TEST(PacketsSpent, PageOfATournament) {
                               "overspent."));
   EXPECT_THAT(page,
               HasSubstr("<bdi>b</bdi> spent 20 packets per match; the share of the budget for this length is 30."));
+}
+
+// The tuned team spends 45 packets in each match of the verification, whichever side it plays on; the opponents 20.
+TEST(PacketsSpent, OfATunedTeam) {
+  const study::TuningPlan plan = tuning_plan();
+  const TunedCourse course(plan, [&](const campaign::Job& job) {
+    campaign::Decided decided = decided_by(plan, job, peak);
+    const bool at_home = job.overrides.front().starts_with("home.");
+    decided.metrics = at_home ? metrics(45, 20) : metrics(20, 45);
+    return decided;
+  });
+  EXPECT_THAT(tuning_text(course.view()),
+              HasSubstr("It spent 45 packets per match; the share of the budget for this length is 30: OVERSPENT.\n"));
+  EXPECT_EQ(json::parse(tuning_json(course.view()))["verification"]["candidates"][0]["packets"],
+            json::parse(R"({"per_match": 45, "share": 30, "overspent": true})"));
+  const TunedCourse whole(plan, [&](const campaign::Job& job) { return decided_by(plan, job, peak); });
+  EXPECT_THAT(tuning_text(whole.view()), Not(HasSubstr("packets")));
 }
 
 // Every condition spends 10 packets more than the one before, the first 10.
