@@ -137,7 +137,7 @@ Json verification(const TuningView& view) {
                           {"p", each.p},
                           {"p_holm", each.adjusted},
                           {"search_less_verified", told_or_null(view.plan.objective, each.optimism)},
-                          {"packets", packets_json(each.packets)}});
+                          {"packets_of_short_games", packets_json(each.packets)}});
   }
   return {{"pairs", view.record.verification.pairs()},
           {"against", view.plan.head_to_head ? "base" : "opponents"},

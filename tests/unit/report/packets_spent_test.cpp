@@ -108,7 +108,7 @@ TEST(PacketsSpent, OfATunedTeam) {
   });
   EXPECT_THAT(tuning_text(course.view()),
               HasSubstr("It spent 45 packets per match; the share of the budget for this length is 30: OVERSPENT.\n"));
-  EXPECT_EQ(json::parse(tuning_json(course.view()))["verification"]["candidates"][0]["packets"],
+  EXPECT_EQ(json::parse(tuning_json(course.view()))["verification"]["candidates"][0]["packets_of_short_games"],
             json::parse(R"({"per_match": 45, "share": 30, "overspent": true})"));
   const TunedCourse whole(plan, [&](const campaign::Job& job) { return decided_by(plan, job, peak); });
   EXPECT_THAT(tuning_text(whole.view()), Not(HasSubstr("packets")));
