@@ -16,7 +16,7 @@
 #include "match/teams.hpp"
 #include "mcap/reader.hpp"
 #include "mcap/writer.hpp"
-#include "report/match_recording.hpp"
+#include "recording/match_recording.hpp"
 #include "teams.hpp"
 
 namespace regista {
@@ -71,7 +71,7 @@ void recorded_match(benchmark::State& state) {
     std::uint64_t hash = 0;
     bare += seconds_of([&] { hash = match::play(teams.setup, both).hash; });
     recorded += seconds_of([&] {
-      report::MatchRecording recording(file, {both, "benchmark", "benchmark", "", 1},
+      recording::MatchRecording recording(file, {both, "benchmark", "benchmark", "", 1},
                                        {.replace = true, .background = background});
       match::Observer observer;
       observer.step = [&](const match::Snapshot& snapshot) { recording.stepped(snapshot); };

@@ -41,7 +41,7 @@
 #include "match/teams.hpp"
 #include "mcap/error.hpp"
 #include "plugin/plugin_file.hpp"
-#include "report/match_recording.hpp"
+#include "recording/match_recording.hpp"
 
 namespace regista::cli {
 namespace {
@@ -193,10 +193,10 @@ void check_what_is_written(OutputFiles outputs, const Options& options, const Ma
   outputs.check(options.force);
 }
 
-std::unique_ptr<report::MatchRecording> begin_recording(const Options& options, const report::RecordedSetup& setup) {
+std::unique_ptr<recording::MatchRecording> begin_recording(const Options& options, const recording::RecordedSetup& setup) {
   try {
-    return std::make_unique<report::MatchRecording>(
-        options.record, setup, report::MatchRecording::Options{.replace = options.force, .background = true});
+    return std::make_unique<recording::MatchRecording>(
+        options.record, setup, recording::MatchRecording::Options{.replace = options.force, .background = true});
   } catch (const mcap::Error& error) {
     throw BadInput(fmt::format("--record: {}", error.what()));
   }
@@ -244,7 +244,7 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
 
   std::optional<DecisionLog> log;
   if (!options.decisions.empty()) log.emplace(options.decisions, plans, played.seed);
-  std::unique_ptr<report::MatchRecording> recording;
+  std::unique_ptr<recording::MatchRecording> recording;
   if (!options.record.empty()) {
     const std::string command = plain_command(stored ? stored->job : job_of(options, options.plugins));
     recording = begin_recording(options, {plans, "regista " REGISTA_VERSION, command, played.opening, played.seed});

@@ -37,7 +37,7 @@
 #include "mcap/error.hpp"
 #include "plugin/failure.hpp"
 #include "plugin/fatal_signal.hpp"
-#include "report/match_recording.hpp"
+#include "recording/match_recording.hpp"
 
 namespace regista::cli {
 namespace {
@@ -83,8 +83,8 @@ class Recording {
     try {
       std::filesystem::create_directories(std::filesystem::path(job.record).parent_path());
       file_.emplace(job.record,
-                    report::RecordedSetup{plans, "regista " REGISTA_VERSION, plain_command(job), opening, job.seed},
-                    report::MatchRecording::Options{.replace = true, .at_stake = job.expects_failure ? 0.1 : 2.0});
+                    recording::RecordedSetup{plans, "regista " REGISTA_VERSION, plain_command(job), opening, job.seed},
+                    recording::MatchRecording::Options{.replace = true, .at_stake = job.expects_failure ? 0.1 : 2.0});
     } catch (const std::filesystem::filesystem_error& error) {
       why_not_ = fmt::format("{}: {}", job.record, error.code().message());
       return;
@@ -127,7 +127,7 @@ class Recording {
   }
 
   std::filesystem::path place_;
-  std::optional<report::MatchRecording> file_;
+  std::optional<recording::MatchRecording> file_;
   std::string why_not_;
   match::Observer observer_;
   match::AfterDecision after_;

@@ -23,9 +23,9 @@
 #include "cli/replaced_file.hpp"
 #include "config/text.hpp"
 #include "mcap/error.hpp"
-#include "report/match_page.hpp"
-#include "report/moment_svg.hpp"
-#include "report/recorded_match.hpp"
+#include "recording/match_page.hpp"
+#include "recording/moment_svg.hpp"
+#include "recording/recorded_match.hpp"
 
 namespace regista::cli {
 namespace {
@@ -92,9 +92,9 @@ Moment parse_moment(const std::string& typed) {
   return out;
 }
 
-report::RobotName parse_robot(const std::string& typed, int team_size) {
+recording::RobotName parse_robot(const std::string& typed, int team_size) {
   std::string_view rest = typed;
-  report::RobotName out;
+  recording::RobotName out;
   if (rest.starts_with("home/")) {
     rest.remove_prefix(5);
   } else if (rest.starts_with("away/")) {
@@ -110,7 +110,7 @@ report::RobotName parse_robot(const std::string& typed, int team_size) {
   return out;
 }
 
-double time_of(const report::RecordedMatch& match, const Moment& moment, const Options& options) {
+double time_of(const recording::RecordedMatch& match, const Moment& moment, const Options& options) {
   if (moment.half == 0) {
     if (moment.seconds <= match.end() + 1e-9) return std::max(moment.seconds, match.begin());
     throw BadInput(fmt::format("--at {}: the recording ends at {:.1f} s", options.at, match.end()));
@@ -132,11 +132,11 @@ std::string content_of(const std::filesystem::path& file) {
 void refuse_what_no_browser_opens(const std::string& file) {
   std::error_code none;
   const std::uintmax_t size = std::filesystem::file_size(file, none);
-  if (none || size <= report::largest_recording_in_a_page) return;  // what else is wrong is found when it is read
+  if (none || size <= recording::largest_recording_in_a_page) return;  // what else is wrong is found when it is read
   throw BadInput(
       fmt::format("{}: holds {} MiB; no browser opens a page with more than {} MiB; `regista view --at` and "
                   "other readers of MCAP can read it",
-                  file, size >> 20, report::largest_recording_in_a_page >> 20));
+                  file, size >> 20, recording::largest_recording_in_a_page >> 20));
 }
 
 std::filesystem::path viewer_of(const Invocation& invocation) {
@@ -153,7 +153,7 @@ std::string page(const Options& options, const Invocation& invocation) {
                     viewer.string()));
   }
   const std::string name = std::filesystem::path(options.file).filename().string();
-  const auto out = report::match_page(content_of(viewer), content_of(options.file), name);
+  const auto out = recording::match_page(content_of(viewer), content_of(options.file), name);
   if (!out) throw BadInput(fmt::format("view: {} belongs to another version of Regista", viewer.string()));
   return *out;
 }
@@ -177,14 +177,14 @@ int run(const Options& options, OutputFiles outputs, const Invocation& invocatio
     const bool picture = !options.at.empty();
     const Moment wanted = picture ? parse_moment(options.at) : Moment{};
     if (!picture) refuse_what_no_browser_opens(options.file);
-    const report::RecordedMatch match(options.file);
+    const recording::RecordedMatch match(options.file);
     outputs.check(options.force);
     if (!match.damage().empty()) complain(match.damage());
     std::string written;
     if (picture) {
-      std::optional<report::RobotName> robot;
+      std::optional<recording::RobotName> robot;
       if (!options.robot.empty()) robot = parse_robot(options.robot, match.team_size());
-      written = report::moment_svg(match, match.at(time_of(match, wanted, options), robot), robot);
+      written = recording::moment_svg(match, match.at(time_of(match, wanted, options), robot), robot);
     } else {
       written = page(options, invocation);
     }

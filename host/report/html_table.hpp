@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "report/html_text.hpp"
+#include "report/html.hpp"
 
 namespace regista::report {
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "report/html_text.hpp"
+#include "report/html.hpp"
 #include "study/match_remarks.hpp"
 
 namespace regista::report {

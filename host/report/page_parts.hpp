@@ -10,7 +10,7 @@
 
 #include "campaign/input.hpp"
 #include "report/figure.hpp"
-#include "report/html_text.hpp"
+#include "report/html.hpp"
 
 namespace regista::report {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "report/html_table.hpp"
-#include "report/html_text.hpp"
+#include "report/html.hpp"
 #include "report/tournament_page.hpp"
 
 namespace regista::report {

@@ -3,7 +3,7 @@
 // of figure.hpp, on a dark ground in lighter shades that can be told apart as well.
 #pragma once
 
-#include "report/html_text.hpp"
+#include "report/html.hpp"
 
 namespace regista::report {
 

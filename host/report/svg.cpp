@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "report/html_text.hpp"
+#include "report/html.hpp"
 #include "report/svg_tree.hpp"
 
 namespace regista::report {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "report/html_text.hpp"
+#include "report/html.hpp"
 #include "report/tournament.hpp"
 
 namespace regista::report {

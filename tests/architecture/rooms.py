@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Who may know whom: the arrows of docs/architecture.md as data. A change here is a change of the architecture.
 
-    cli -> report -> study -> campaign -> match -> mind -> plugin -> sdk;  config, statistics, mcap are leaves
+    cli -> report -> study -> campaign -> recording -> match -> mind -> plugin -> sdk
+    config, statistics, mcap, markup are leaves
 
 An arrow may skip rooms (match may include plugin), never run backwards or sideways.
 """
@@ -11,13 +12,15 @@ KNOWS = {
     "config": set(),
     "statistics": set(),
     "mcap": set(),
+    "markup": {"config"},
     "plugin": {"sdk", "config"},
     "mind": {"sdk", "config", "plugin"},
     "match": {"sdk", "config", "plugin", "mind"},
-    "campaign": {"sdk", "config", "plugin", "mind", "match", "statistics"},
+    "recording": {"sdk", "config", "plugin", "mind", "match", "mcap", "markup"},
+    "campaign": {"sdk", "config", "plugin", "mind", "match", "statistics", "recording"},
     "study": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign"},
-    "report": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study", "mcap"},
-    "cli": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "mcap"},
+    "report": {"sdk", "config", "plugin", "match", "statistics", "campaign", "study", "recording", "markup"},
+    "cli": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "recording", "mcap"},
 }
 
 # What of the SDK the host may include.

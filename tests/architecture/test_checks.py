@@ -29,7 +29,10 @@ GOOD = {
     "host/mcap/CMakeLists.txt": "regista_room(mcap SOURCES writer.cpp LINKS zstd::libzstd_shared)\n",
     "host/campaign/store.cpp": "#include <sqlite3.h>\n#include \"match/arena.hpp\"\n#include \"statistics/elo.hpp\"\n",
     "host/study/tuner.cpp": "#include <nlopt.hpp>\n#include \"campaign/store.hpp\"\n",
-    "host/report/page.cpp": "#include \"campaign/store.hpp\"\n#include \"mcap/writer.hpp\"\n",
+    "host/markup/html.cpp": "#include \"config/node.hpp\"\n",
+    "host/recording/writer.cpp":
+        "#include \"mcap/writer.hpp\"\n#include \"mind/mind.hpp\"\n#include \"match/arena.hpp\"\n",
+    "host/report/page.cpp": "#include \"campaign/store.hpp\"\n#include \"recording/writer.hpp\"\n",
     "host/cli/main.cpp": "#include \"report/page.hpp\"\n#include \"study/tuner.hpp\"\n#include \"config/node.hpp\"\n",
     "plugins/positioners/voronoi/plugin.cpp":
         "#include <CGAL/Delaunay.h>\n#include <regista/positioner.hpp>\n#include \"algorithm.hpp\"\n",
@@ -78,11 +81,15 @@ BAD_ROOMS = [
     ("host/campaign/bad.cpp", '#include "study/tuner.hpp"',
      "1: includes study/tuner.hpp; room campaign may not know study"),
     ("host/study/bad.cpp", '#include "report/page.hpp"', "1: includes report/page.hpp; room study may not know report"),
+    ("host/report/bad.cpp", '#include "mcap/writer.hpp"', "1: includes mcap/writer.hpp; room report may not know mcap"),
+    ("host/report/bad.cpp", '#include "mind/mind.hpp"', "1: includes mind/mind.hpp; room report may not know mind"),
+    ("host/recording/bad.cpp", '#include "report/page.cpp"',
+     "1: includes report/page.cpp; room recording may not know report"),
     ("host/report/bad.cpp", '#include "cli/main.hpp"', "1: includes cli/main.hpp; room report may not know cli"),
     ("host/match/bad.cpp", "/* a\n// */ #include HEADER",
      "2: includes what a macro names; write the header's name"),
-    ("host/tools/bad.cpp", "int i;", "1: stands in no room; the rooms are config, statistics, mcap, plugin, mind, "
-                                     "match, campaign, study, report, cli"),
+    ("host/tools/bad.cpp", "int i;", "1: stands in no room; the rooms are config, statistics, mcap, markup, plugin, "
+                                     "mind, match, recording, campaign, study, report, cli"),
     ("plugins/senders/bad/plugin.cpp", '#include "mind/mind.hpp"',
      "1: includes mind/mind.hpp; room plugins/senders/bad may not know mind"),
     ("plugins/senders/bad/plugin.cpp", "#include <config/node.hpp>",

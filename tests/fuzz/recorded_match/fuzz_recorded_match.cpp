@@ -14,7 +14,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string_view rest(reinterpret_cast<const char*>(data), size);
   if (!regista::mcap::is_utf8(rest)) return 0;
-  regista::report::RecordedTexts texts;
+  regista::recording::RecordedTexts texts;
   for (std::string* text : {&texts.field, &texts.team, &texts.game, &texts.decision, &texts.belief}) {
     const std::size_t end = rest.find('\n');
     if (!rest.substr(0, end).empty()) *text = rest.substr(0, end);
@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     rest.remove_prefix(end + 1);
   }
   static const std::string file = "/dev/shm/fuzz_recorded_match_" + std::to_string(getpid()) + ".mcap";
-  regista::report::write_recording(file, texts);
-  regista::report::show(file);
+  regista::recording::write_recording(file, texts);
+  regista::recording::show(file);
   return 0;
 }

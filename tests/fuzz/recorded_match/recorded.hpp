@@ -8,10 +8,10 @@
 
 #include "mcap/error.hpp"
 #include "mcap/writer.hpp"
-#include "report/moment_svg.hpp"
-#include "report/recorded_match.hpp"
+#include "recording/moment_svg.hpp"
+#include "recording/recorded_match.hpp"
 
-namespace regista::report {
+namespace regista::recording {
 
 struct RecordedTexts {
   std::string field =
@@ -68,4 +68,4 @@ inline Shown show(const std::filesystem::path& file) {
   }
 }
 
-}  // namespace regista::report
+}  // namespace regista::recording

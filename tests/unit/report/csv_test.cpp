@@ -2,10 +2,19 @@
 #include <gmock/gmock.h>
 
 #include "course.hpp"
+#include "report/csv_text.hpp"
 #include "report/tournament.hpp"
 
 namespace regista::report {
 namespace {
+
+TEST(CsvText, FieldsThatASpreadsheetWouldRun) {
+  for (const char* each : {"=1+1", "+1", "-1", "@x", "\tx"}) EXPECT_EQ(csv_field(each), std::string("'") + each);
+  EXPECT_EQ(csv_field("\rx"), "\"'\rx\"");
+  EXPECT_EQ(csv_field("=a,\"b\""), "\"'=a,\"\"b\"\"\"");
+  EXPECT_EQ(csv_field("a-b=c"), "a-b=c");
+  EXPECT_EQ(csv_field(""), "");
+}
 
 TEST(TournamentCsv, Head) {
   EXPECT_EQ(csv_head({}),

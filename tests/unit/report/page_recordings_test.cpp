@@ -9,6 +9,7 @@
 
 #include "course.hpp"
 #include "mcap/writer.hpp"
+#include "recording/match_to_find.hpp"
 #include "study/recording_place.hpp"
 
 namespace regista::report {
@@ -54,18 +55,18 @@ class PageRecordingsTest : public testing::Test {
   }
 
   fs::path results_;
-  MatchToFind match_{7, {"a", "b"}, "left", std::array<int, 2>{2, 1}, {}};
+  recording::MatchToFind match_{7, {"a", "b"}, "left", std::array<int, 2>{2, 1}, {}};
 };
 
 TEST_F(PageRecordingsTest, OfTheSameMatch) {
-  EXPECT_TRUE(holds(write({}), match_));
-  EXPECT_TRUE(holds(write({.game = R"({"score":[1,1]})", .goal = R"({"score":[2,1]})"}), match_));
+  EXPECT_TRUE(recording::holds(write({}), match_));
+  EXPECT_TRUE(recording::holds(write({.game = R"({"score":[1,1]})", .goal = R"({"score":[2,1]})"}), match_));
   match_.packets = 2.0;
-  EXPECT_TRUE(holds(write({.packets = 2}), match_));
-  EXPECT_FALSE(holds(write({.packets = 3}), match_));
+  EXPECT_TRUE(recording::holds(write({.packets = 2}), match_));
+  EXPECT_FALSE(recording::holds(write({.packets = 3}), match_));
   match_.packets.reset();
   match_.labels = {"a (one/a.yaml)", "b (c)"};
-  EXPECT_TRUE(holds(write({}), match_));
+  EXPECT_TRUE(recording::holds(write({}), match_));
 }
 
 TEST_F(PageRecordingsTest, OfAnother) {
@@ -77,27 +78,28 @@ TEST_F(PageRecordingsTest, OfAnother) {
         Written{.seed = ""}, Written{.home = "{"}, Written{.home = "[]"}, Written{.away = R"({"team":3})"},
         Written{.game = ""}, Written{.game = "[["}, Written{.game = R"({"score":"2:1"})"},
         Written{.game = R"({"score":[2]})"}, Written{.game = R"({"score":null})"}}) {
-    EXPECT_FALSE(holds(write(each), match_)) << each.seed << each.home << each.away << each.opening << each.game;
+    EXPECT_FALSE(recording::holds(write(each), match_))
+        << each.seed << each.home << each.away << each.opening << each.game;
   }
 }
 
 TEST_F(PageRecordingsTest, OfAMatchThatFailed) {
   match_.score.reset();
-  EXPECT_TRUE(holds(write({}), match_));
-  EXPECT_TRUE(holds(write({.whole = false}), match_));
-  EXPECT_FALSE(holds(write({.seed = "8", .whole = false}), match_));
+  EXPECT_TRUE(recording::holds(write({}), match_));
+  EXPECT_TRUE(recording::holds(write({.whole = false}), match_));
+  EXPECT_FALSE(recording::holds(write({.seed = "8", .whole = false}), match_));
 }
 
 TEST_F(PageRecordingsTest, NoneAtAll) {
   const fs::path file = study::recording_file(results_, 1);
-  EXPECT_FALSE(holds(file, match_));
+  EXPECT_FALSE(recording::holds(file, match_));
   std::ofstream(file) << "";
-  EXPECT_FALSE(holds(file, match_));
+  EXPECT_FALSE(recording::holds(file, match_));
   std::ofstream(file) << "\x89MCAP0\r\n and no more";
-  EXPECT_FALSE(holds(file, match_));
+  EXPECT_FALSE(recording::holds(file, match_));
   fs::remove(file);
   fs::create_directory(file);
-  EXPECT_FALSE(holds(file, match_));
+  EXPECT_FALSE(recording::holds(file, match_));
 }
 
 TEST_F(PageRecordingsTest, EachFileIsFittingOrAnother) {

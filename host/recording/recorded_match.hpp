@@ -12,7 +12,7 @@
 #include "config/rules.hpp"
 #include "mcap/reader.hpp"
 
-namespace regista::report {
+namespace regista::recording {
 
 struct RecordedTerm {
   std::string name;
@@ -142,4 +142,4 @@ class RecordedMatch {
   std::string damage_;
 };
 
-}  // namespace regista::report
+}  // namespace regista::recording

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/recorded_match.hpp"
+#include "recording/recorded_match.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "mcap/error.hpp"
-#include "report/recording_about.hpp"
+#include "recording/about.hpp"
 
-namespace regista::report {
+namespace regista::recording {
 namespace {
 
 using Json = nlohmann::json;
@@ -227,7 +227,7 @@ RecordedMatch::RecordedMatch(const std::filesystem::path& file) : file_(file) {
   }
   if (last.empty()) throw mcap::Error(file, "ends before the first state of the game was written");
   reading(file, "who plays", [&] {
-    field_ = report::field(Json::parse(value("field")));
+    field_ = recording::field(Json::parse(value("field")));
     ball_radius_ = Json::parse(value("ball_radius")).get<double>();
     teams_ = {team(Json::parse(value("home"))), team(Json::parse(value("away")))};
   });
@@ -274,4 +274,4 @@ RecordedMoment RecordedMatch::at(double time, const std::optional<RobotName>& ro
   return out;
 }
 
-}  // namespace regista::report
+}  // namespace regista::recording

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regista::report {
+namespace regista::markup {
 
 // Keys and words are names of this program: nothing in them needs to be escaped.
 class JsonText {
@@ -124,4 +124,4 @@ class JsonText {
   bool first_ = true;
 };
 
-}  // namespace regista::report
+}  // namespace regista::markup

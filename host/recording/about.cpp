@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/recording_about.hpp"
+#include "recording/about.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "match/teams.hpp"
 #include "plugin/declarations.hpp"
 
-namespace regista::report {
+namespace regista::recording {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -124,4 +124,4 @@ mcap::Pairs about(const RecordedSetup& setup) {
   return out;
 }
 
-}  // namespace regista::report
+}  // namespace regista::recording

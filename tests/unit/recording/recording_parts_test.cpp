@@ -8,13 +8,16 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "report/base64.hpp"
-#include "report/json_text.hpp"
-#include "report/match_page.hpp"
-#include "report/recording_schemas.hpp"
+#include "markup/base64.hpp"
+#include "markup/json_text.hpp"
+#include "recording/match_page.hpp"
+#include "recording/schemas.hpp"
 
-namespace regista::report {
+namespace regista::recording {
 namespace {
+
+using markup::append_base64;
+using markup::JsonText;
 
 std::string base64(std::string_view bytes) {
   std::string out = ">";
@@ -136,4 +139,4 @@ TEST(RecordingSchemas, AreWhatFoxgloveTakes) {
 }
 
 }  // namespace
-}  // namespace regista::report
+}  // namespace regista::recording

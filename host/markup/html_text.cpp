@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "report/html_text.hpp"
+#include "markup/html_text.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-#include "report/visible_text.hpp"
+#include "config/visible_text.hpp"
 
-namespace regista::report {
+namespace regista::markup {
+
+using config::visible;
+using config::visible_lines;
+
 namespace {
 
 std::string escaped(std::string_view text) {
@@ -89,4 +93,4 @@ Html path_address(std::string_view path) {
   return text(path.starts_with('/') || path.starts_with('.') ? address : "./" + address);
 }
 
-}  // namespace regista::report
+}  // namespace regista::markup

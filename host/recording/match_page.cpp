@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "report/match_page.hpp"
+#include "recording/match_page.hpp"
 
-#include "report/base64.hpp"
-#include "report/html_text.hpp"
+#include "markup/base64.hpp"
+#include "markup/html_text.hpp"
 
-namespace regista::report {
+namespace regista::recording {
 namespace {
 
 // viewer/README.md: once each, the name first.
@@ -18,11 +18,11 @@ std::optional<std::string> match_page(std::string_view viewer, std::string_view 
   std::string out;
   out.reserve(viewer.size() + recording.size() / 3 * 4 + 1000);
   out += viewer.substr(0, at_name);
-  out += text(name).str();
+  out += markup::text(name).str();
   out += viewer.substr(at_name + name_place.size(), at_recording - at_name - name_place.size());
-  append_base64(out, recording);
+  markup::append_base64(out, recording);
   out += viewer.substr(at_recording + recording_place.size());
   return out;
 }
 
-}  // namespace regista::report
+}  // namespace regista::recording

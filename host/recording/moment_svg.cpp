@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/moment_svg.hpp"
+#include "recording/moment_svg.hpp"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "report/moment_parts.hpp"
-#include "report/visible_text.hpp"
+#include "config/visible_text.hpp"
+#include "recording/moment_parts.hpp"
 
-namespace regista::report {
+namespace regista::recording {
 namespace {
 
 using namespace moment;
@@ -244,4 +244,4 @@ std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment,
   return (out << "</svg>\n"_html).str();
 }
 
-}  // namespace regista::report
+}  // namespace regista::recording

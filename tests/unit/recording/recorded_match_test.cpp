@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Recordings of any content: shown, or refused in one line.
-#include "report/recorded_match.hpp"
+#include "recording/recorded_match.hpp"
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -11,7 +11,7 @@
 
 #include "fuzz/recorded_match/recorded.hpp"
 
-namespace regista::report {
+namespace regista::recording {
 namespace {
 
 using testing::HasSubstr;
@@ -90,4 +90,4 @@ TEST_F(RecordedMatchTest, WhateverStandsInAMessageItIsShownOrRefused) {
 }
 
 }  // namespace
-}  // namespace regista::report
+}  // namespace regista::recording

@@ -9,10 +9,18 @@
 #include <string>
 #include <string_view>
 
-#include "report/html_text.hpp"
-#include "report/recorded_match.hpp"
+#include "config/visible_text.hpp"
+#include "markup/html_text.hpp"
+#include "recording/recorded_match.hpp"
 
-namespace regista::report::moment {
+namespace regista::recording::moment {
+
+using config::visible;
+using config::visible_at_most;
+using markup::Html;
+using markup::Markup;
+using markup::text;
+using markup::operator""_html;
 
 // Numbers, and literals of our own.
 template <class... Numbers>
@@ -46,4 +54,4 @@ struct Panel {
 inline constexpr double panel_width = 430.0;
 Panel panel(const RecordedMatch& match, const RecordedMoment& moment, const RobotName& robot, double left, double top);
 
-}  // namespace regista::report::moment
+}  // namespace regista::recording::moment

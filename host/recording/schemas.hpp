@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace regista::report::schema {
+namespace regista::recording::schema {
 
 namespace part {
 
@@ -157,4 +157,4 @@ inline std::string belief() {
                 "belief");
 }
 
-}  // namespace regista::report::schema
+}  // namespace regista::recording::schema

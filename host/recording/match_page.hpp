@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace regista::report {
+namespace regista::recording {
 
 // What a browser can still hold as one text, in bytes of the recording.
 inline constexpr std::size_t largest_recording_in_a_page = std::size_t{256} << 20;
@@ -15,4 +15,4 @@ inline constexpr std::size_t largest_recording_in_a_page = std::size_t{256} << 2
 // no place for a recording: it belongs to another version.
 std::optional<std::string> match_page(std::string_view viewer, std::string_view recording, std::string_view name);
 
-}  // namespace regista::report
+}  // namespace regista::recording

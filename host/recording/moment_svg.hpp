@@ -7,11 +7,11 @@
 #include <optional>
 #include <string>
 
-#include "report/recorded_match.hpp"
+#include "recording/recorded_match.hpp"
 
-namespace regista::report {
+namespace regista::recording {
 
 // SVG 1.1 in UTF-8. Precondition: `moment` is of `match`, with decision and belief of `robot` if there is one.
 std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment, const std::optional<RobotName>& robot);
 
-}  // namespace regista::report
+}  // namespace regista::recording

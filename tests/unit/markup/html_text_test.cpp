@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "report/html_text.hpp"
+#include "markup/html_text.hpp"
 
 #include <gmock/gmock.h>
 
 #include <string>
 
-#include "report/csv_text.hpp"
-#include "report/visible_text.hpp"
+#include "config/visible_text.hpp"
 
-namespace regista::report {
+namespace regista::markup {
 namespace {
+
+using config::visible;
+using config::visible_at_most;
+using config::visible_lines;
 
 TEST(VisibleText, WhatIsSeenStaysAsItIs) {
   EXPECT_EQ(visible("Rot-Weiß 04, שלום, 日本, 🙂"), "Rot-Weiß 04, שלום, 日本, 🙂");
@@ -111,13 +114,5 @@ TEST(HtmlText, PathsStayPaths) {
   EXPECT_EQ(path_address("javascript:alert(1)").str(), "./javascript%3Aalert%281%29");
 }
 
-TEST(CsvText, FieldsThatASpreadsheetWouldRun) {
-  for (const char* each : {"=1+1", "+1", "-1", "@x", "\tx"}) EXPECT_EQ(csv_field(each), std::string("'") + each);
-  EXPECT_EQ(csv_field("\rx"), "\"'\rx\"");
-  EXPECT_EQ(csv_field("=a,\"b\""), "\"'=a,\"\"b\"\"\"");
-  EXPECT_EQ(csv_field("a-b=c"), "a-b=c");
-  EXPECT_EQ(csv_field(""), "");
-}
-
 }  // namespace
-}  // namespace regista::report
+}  // namespace regista::markup

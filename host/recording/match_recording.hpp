@@ -22,9 +22,9 @@
 
 #include "match/match.hpp"
 #include "mind/mind.hpp"
-#include "report/recording_about.hpp"
+#include "recording/about.hpp"
 
-namespace regista::report {
+namespace regista::recording {
 
 class MatchRecording {
  public:
@@ -50,4 +50,4 @@ class MatchRecording {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace regista::report
+}  // namespace regista::recording

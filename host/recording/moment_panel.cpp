@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/moment_parts.hpp"
-#include "report/visible_text.hpp"
+#include "config/visible_text.hpp"
+#include "recording/moment_parts.hpp"
 
-namespace regista::report::moment {
+namespace regista::recording::moment {
 namespace {
 
 // White for the smallest, blue for the largest; ink that can be read on it.
@@ -124,4 +124,4 @@ Panel panel(const RecordedMatch& match, const RecordedMoment& moment, const Robo
   return {out, table.top};
 }
 
-}  // namespace regista::report::moment
+}  // namespace regista::recording::moment

@@ -10,7 +10,7 @@
 #include "mcap/records.hpp"
 #include "mind/team_plan.hpp"
 
-namespace regista::report {
+namespace regista::recording {
 
 // Grows when a reader of the one before would be misled.
 inline constexpr int recording_format = 1;
@@ -25,4 +25,4 @@ struct RecordedSetup {
 
 mcap::Pairs about(const RecordedSetup& setup);
 
-}  // namespace regista::report
+}  // namespace regista::recording

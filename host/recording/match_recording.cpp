@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include "report/match_recording.hpp"
+#include "recording/match_recording.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string_view>
 
+#include "markup/json_text.hpp"
 #include "match/names.hpp"
 #include "mcap/error.hpp"
 #include "mcap/writer.hpp"
 #include "mind/world/packet.hpp"
-#include "report/json_text.hpp"
-#include "report/recording_schemas.hpp"
+#include "recording/schemas.hpp"
 
-namespace regista::report {
+namespace regista::recording {
 namespace {
+
+using markup::JsonText;
 
 constexpr int game_steps = match::physics_steps_per_second / 10;
 constexpr double belief_period = 0.5;    // s
@@ -397,4 +399,4 @@ void MatchRecording::stepped(const match::Snapshot& snapshot) {
 
 void MatchRecording::close() { parts_->writer.close(); }
 
-}  // namespace regista::report
+}  // namespace regista::recording
