@@ -23,7 +23,7 @@
 #include "mind/mind.hpp"
 #include "mind/team_plan.hpp"
 #include "plugin/failure.hpp"
-#include "study/forecast.hpp"
+#include "study/prediction/forecast.hpp"
 
 namespace regista::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "config/predictor_study.hpp"
-#include "study/evaluation.hpp"
+#include "study/prediction/evaluation.hpp"
 
 namespace regista::cli {
 

@@ -15,7 +15,7 @@
 #include <string>
 
 #include "config/documents.hpp"
-#include "study/evaluation.hpp"
+#include "study/prediction/evaluation.hpp"
 
 namespace regista::study {
 namespace {

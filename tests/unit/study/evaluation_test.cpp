@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The protocol on paths whose errors are known, and what is shown of a recording.
-#include "study/evaluation.hpp"
+#include "study/prediction/evaluation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "study/observations.hpp"
+#include "study/prediction/observations.hpp"
 
 namespace regista::study {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Recordings as they should be, and all that may be wrong with them: what is said, and at which place.
-#include "study/recording.hpp"
+#include "study/prediction/recording.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <limits>
 #include <string>
 
-#include "study/formats.hpp"
+#include "study/prediction/formats.hpp"
 
 namespace regista::study {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/baseline.hpp"
+#include "study/prediction/baseline.hpp"
 
 #include <algorithm>
 #include <cmath>

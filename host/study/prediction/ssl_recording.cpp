@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "study/formats.hpp"
+#include "study/prediction/formats.hpp"
 
 namespace regista::study {
 namespace {

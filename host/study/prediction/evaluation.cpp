@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/evaluation.hpp"
+#include "study/prediction/evaluation.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <map>
 #include <optional>
 
-#include "study/baseline.hpp"
-#include "study/forecast.hpp"
-#include "study/observations.hpp"
+#include "study/prediction/baseline.hpp"
+#include "study/prediction/forecast.hpp"
+#include "study/prediction/observations.hpp"
 
 namespace regista::study {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "study/recording.hpp"
+#include "study/prediction/recording.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
 
-#include "study/formats.hpp"
+#include "study/prediction/formats.hpp"
 
 namespace regista::study {
 

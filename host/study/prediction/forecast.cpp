@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/forecast.hpp"
+#include "study/prediction/forecast.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "config/predictor_study.hpp"
-#include "study/recording.hpp"
+#include "study/prediction/recording.hpp"
 
 namespace regista::study {
 

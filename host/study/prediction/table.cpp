@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/table.hpp"
+#include "study/prediction/table.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>

@@ -2,7 +2,7 @@
 // The formats of recordings, a reader each; read_recording() of recording.hpp chooses.
 #pragma once
 
-#include "study/recording.hpp"
+#include "study/prediction/recording.hpp"
 
 namespace regista::study {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "study/formats.hpp"
+#include "study/prediction/formats.hpp"
 
 namespace regista::study {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "config/predictor_study.hpp"
-#include "study/recording.hpp"
+#include "study/prediction/recording.hpp"
 
 namespace regista::study {
 

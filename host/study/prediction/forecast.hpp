@@ -13,7 +13,7 @@
 #include "config/predictor_study.hpp"
 #include "plugin/catalogue.hpp"
 #include "plugin/predictor.hpp"
-#include "study/recording.hpp"
+#include "study/prediction/recording.hpp"
 
 namespace regista::study {
 

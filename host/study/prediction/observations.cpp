@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/observations.hpp"
+#include "study/prediction/observations.hpp"
 
 #include <Random123/philox.h>
 

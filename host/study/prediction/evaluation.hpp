@@ -15,7 +15,7 @@
 
 #include "config/predictor_study.hpp"
 #include "plugin/catalogue.hpp"
-#include "study/recording.hpp"
+#include "study/prediction/recording.hpp"
 
 namespace regista::study {
 
