@@ -13,17 +13,17 @@
 
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/experiment_setup.hpp"
 #include "cli/file_options.hpp"
 #include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/tune_setup.hpp"
 #include "config/documents.hpp"
 #include "config/team_size.hpp"
 #include "mind/mind.hpp"
 #include "mind/team_plan.hpp"
 #include "plugin/failure.hpp"
+#include "study/experiment_setup.hpp"
 #include "study/prediction/forecast.hpp"
+#include "study/tuning/tuning_setup.hpp"
 
 namespace regista::cli {
 namespace {
@@ -136,19 +136,19 @@ class Checker {
       case DocumentKind::experiment: {
         config::read_experiment(document, mistakes);
         if (!mistakes.none()) break;
-        ExperimentOptions experiment;
+        study::ExperimentRequest experiment;
         experiment.file = out.file;
         experiment.plugins = plugins_;
-        check_experiment(experiment, catalogue_, mistakes);  // every arm at every value
+        study::check_experiment(experiment, catalogue_, mistakes);  // every arm at every value
         break;
       }
       case DocumentKind::tuning: {
         config::read_tuning(document, mistakes);
         if (!mistakes.none()) break;
-        TuneOptions tuning;
+        study::TuningRequest tuning;
         tuning.file = out.file;
         tuning.plugins = plugins_;
-        check_tuning(tuning, catalogue_, mistakes);  // team, opponents, parameters
+        study::check_tuning(tuning, catalogue_, mistakes);  // team, opponents, parameters
         break;
       }
     }

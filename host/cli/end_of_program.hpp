@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "config/bad_input.hpp"
+
 namespace regista::cli {
 
 enum ExitCode : int {
@@ -15,10 +17,7 @@ enum ExitCode : int {
   exit_internal = 3,   // a defect of Regista
 };
 
-// The command line asks for what cannot be done.
-class BadInput : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using config::BadInput;
 
 // Ctrl-C. what() says how far the work came and how to do it again.
 class Interrupted : public std::runtime_error {

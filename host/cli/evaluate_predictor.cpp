@@ -7,6 +7,7 @@
 #include <chrono>
 #include <memory>
 
+#include "campaign/shell.hpp"
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/evaluation_report.hpp"
@@ -14,7 +15,6 @@
 #include "cli/interruption.hpp"
 #include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/shell.hpp"
 #include "config/documents.hpp"
 
 namespace regista::cli {
@@ -72,7 +72,7 @@ int evaluate(const Options& options, const Invocation& invocation) {
   if (options.data.empty()) throw BadInput("evaluate-predictor: which recording? Say --data FILE");
   const config::PredictorStudy study = config::read_predictor_study(options.studies.front(), options.overrides);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  const std::string again = shell_line(invocation.arguments);
+  const std::string again = campaign::shell_line(invocation.arguments);
   const Interruption interruption(
       fmt::format("regista: interrupted while a plugin did not return; the same study again: {}\n", again));
   Progress progress(!options.quiet);

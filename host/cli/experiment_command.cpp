@@ -10,7 +10,6 @@
 
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/experiment_setup.hpp"
 #include "cli/file_options.hpp"
 #include "cli/output.hpp"
 #include "cli/output_files.hpp"
@@ -24,9 +23,15 @@
 #include "report/experiment.hpp"
 #include "report/tournament.hpp"
 #include "study/experiment.hpp"
+#include "study/experiment_setup.hpp"
 
 namespace regista::cli {
 namespace {
+
+struct ExperimentOptions : study::ExperimentRequest {
+  std::string csv, summary;  // files; empty: none
+  bool force = false;        // they may replace files of another kind
+};
 
 constexpr auto examples = R"(Examples:
   regista experiment configs/studies/role_overlap.yaml
@@ -161,13 +166,13 @@ class Played {
 };
 
 int experiment(ExperimentOptions options, OutputFiles outputs, const Invocation& invocation) {
-  check(options);
+  campaign::check(options);
   if (options.force && options.csv.empty() && options.summary.empty()) {
     throw BadInput("--force: belongs to --csv and --summary, which are not given");
   }
   if (options.file.empty()) throw BadInput("experiment: which one? Name its file; see: regista experiment --help");
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  study::ExperimentPlan plan = planned_experiment(options, catalogue);
+  study::ExperimentPlan plan = study::planned_experiment(options, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();
   if (options.results.empty()) options.results = plan.name + ".db";

@@ -16,32 +16,33 @@
 #include "campaign/blame.hpp"
 #include "campaign/engine.hpp"
 #include "campaign/inputs.hpp"
+#include "campaign/job_setup.hpp"
 #include "campaign/leftovers.hpp"
+#include "campaign/match_setup.hpp"
 #include "campaign/mathematics.hpp"
+#include "campaign/shell.hpp"
 #include "cli/command.hpp"
 #include "cli/decision_log.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/file_options.hpp"
 #include "cli/interruption.hpp"
-#include "cli/job_setup.hpp"
 #include "cli/live_line.hpp"
 #include "cli/match_report.hpp"
-#include "cli/match_setup.hpp"
 #include "cli/output.hpp"
 #include "cli/output_files.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/replaced_file.hpp"
 #include "cli/results_file.hpp"
-#include "cli/shell.hpp"
 #include "cli/supervised.hpp"
-#include "cli/test_options.hpp"
 #include "config/packet_share.hpp"
 #include "config/text.hpp"
+#include "config/typed.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
 #include "mcap/error.hpp"
 #include "plugin/plugin_file.hpp"
 #include "recording/match_recording.hpp"
+#include "study/sequential_test_options.hpp"
 
 namespace regista::cli {
 namespace {
@@ -64,7 +65,7 @@ opening; without one of these it goes to both teams.
 Exit codes: 0 played; 1 interrupted, or the result could not be written, or is not that of --from; 2 bad input; 3 a
 defect of Regista.)";
 
-struct Options : MatchRequest {
+struct Options : campaign::MatchRequest {
   std::vector<std::string> plugins;
   std::string decisions, record, metrics, from, row;
   bool force = false, json = false, quiet = false, verbose = false, in_process = false;
@@ -98,7 +99,7 @@ std::optional<Stored> stored_match(const Options& options) {
                     !options.limit.empty() || !options.plugins.empty() || options.seed != unset.seed;
   if (more) throw BadInput("--from: the file says what is played; teams and options that change it cannot be given");
   const StoredStudy results = read_results(options.from);
-  const std::uint64_t row = parse_whole("--row", options.row, 1, matches(results.plan));
+  const std::uint64_t row = config::parse_whole("--row", options.row, 1, matches(results.plan));
   Stored out;
   out.limits = limits(results.plan);
   try {
@@ -118,15 +119,15 @@ std::optional<Stored> stored_match(const Options& options) {
   return out;
 }
 
-void require_unchanged(const Options& options, const campaign::Job& job, const MatchSetup& prepared,
+void require_unchanged(const Options& options, const campaign::Job& job, const campaign::MatchSetup& prepared,
                        const plugin::Catalogue& catalogue, const Invocation& invocation) {
   const std::string changed =
-      what_changed(job, prepared, catalogue, campaign::program_hash(), campaign::mathematics_fingerprint());
+      campaign::what_changed(job, prepared, catalogue, campaign::program_hash(), campaign::mathematics_fingerprint());
   if (changed.empty()) return;
   std::vector<std::string> now = campaign::match_arguments(job);
   now.insert(now.begin(), invocation.arguments.front());
   throw BadInput(fmt::format("--row {}: was played with something else: {}; as things are now it would be: {}",
-                             options.row, changed, shell_line(now)));
+                             options.row, changed, campaign::shell_line(now)));
 }
 
 // "plugin greedy of away (b.yaml), robot 3, tick 41: assign: Segmentation fault"
@@ -183,7 +184,7 @@ int compare(const Options& options, const campaign::Decided& stored, const match
 
 // outputs: as they were named before stored_match() went elsewhere. What can be known before the match is refused
 // before.
-void check_what_is_written(OutputFiles outputs, const Options& options, const MatchRequest& played,
+void check_what_is_written(OutputFiles outputs, const Options& options, const campaign::MatchRequest& played,
                            const plugin::Catalogue& catalogue) {
   std::vector<std::string> documents = played.teams;
   documents.insert(documents.end(), {played.rules, played.robot, played.disturbance, played.home_disturbance,
@@ -193,7 +194,8 @@ void check_what_is_written(OutputFiles outputs, const Options& options, const Ma
   outputs.check(options.force);
 }
 
-std::unique_ptr<recording::MatchRecording> begin_recording(const Options& options, const recording::RecordedSetup& setup) {
+std::unique_ptr<recording::MatchRecording> begin_recording(const Options& options,
+                                                           const recording::RecordedSetup& setup) {
   try {
     return std::make_unique<recording::MatchRecording>(
         options.record, setup, recording::MatchRecording::Options{.replace = options.force, .background = true});
@@ -206,8 +208,9 @@ constexpr auto not_alone = "played with each team in a process of its own it did
 
 campaign::Limits limits_of(const Options& options) {
   campaign::Limits out;
-  out.processor_seconds = static_cast<int>(parse_whole("--processor-seconds", options.processor_seconds, 1, 1'000'000));
-  out.wall_seconds = static_cast<double>(parse_whole("--wall-seconds", options.wall_seconds, 1, 1'000'000));
+  out.processor_seconds =
+      static_cast<int>(config::parse_whole("--processor-seconds", options.processor_seconds, 1, 1'000'000));
+  out.wall_seconds = static_cast<double>(config::parse_whole("--wall-seconds", options.wall_seconds, 1, 1'000'000));
   return out;
 }
 
@@ -226,17 +229,17 @@ void blame(campaign::Job job, campaign::Limits limits) {
 
 // Plays what was set up, in a process that a plugin may end.
 int play_prepared(const Options& options, const Invocation& invocation, const std::optional<Stored>& stored,
-                  MatchSetup prepared, campaign::WorkerNote& note) {
+                  campaign::MatchSetup prepared, campaign::WorkerNote& note) {
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
   std::vector<std::string> words = invocation.arguments;
   if (!options.record.empty() && !options.force) words.push_back("--force");  // for there is a recording now
-  const std::string again = shell_line(words);
+  const std::string again = campaign::shell_line(words);
 
-  PlayedMatch played;
+  campaign::PlayedMatch played;
   played.seed = prepared.setup.seed;
   if (prepared.setup.opening) played.opening = prepared.setup.opening->name;
   played.budget = config::packets(prepared.setup.rules.messages);
-  played.packets_share = packets_share_of(prepared.setup);
+  played.packets_share = campaign::packets_share_of(prepared.setup);
   for (const match::Side side : match::both_sides) {
     played.teams[match::index(side)] = plans[match::index(side)]->team().name;
     played.role_names[match::index(side)] = match::role_names(match::roles(*plans[match::index(side)]));
@@ -246,7 +249,8 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
   if (!options.decisions.empty()) log.emplace(options.decisions, plans, played.seed);
   std::unique_ptr<recording::MatchRecording> recording;
   if (!options.record.empty()) {
-    const std::string command = plain_command(stored ? stored->job : job_of(options, options.plugins));
+    const std::string command =
+        campaign::plain_command(stored ? stored->job : campaign::job_of(options, options.plugins));
     recording = begin_recording(options, {plans, "regista " REGISTA_VERSION, command, played.opening, played.seed});
   }
   LiveLine live(played.teams, !options.quiet, options.verbose);
@@ -299,14 +303,14 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
   }
   if (log) log->close();
   if (!options.metrics.empty()) write_whole(options.metrics, metrics_csv(played), Existing::replaced);
-  print(options.json ? summary_json(played) : summary_text(played));
+  print(options.json ? campaign::summary_json(played) : summary_text(played));
   return stored ? compare(options, stored->decided, played.result) : exit_done;
 }
 
 // The shared objects of the teams' plugins, to tell whether they are still the same.
 using Files = std::vector<std::shared_ptr<plugin::PluginFile>>;
 
-Files files_of(const MatchSetup& prepared) {
+Files files_of(const campaign::MatchSetup& prepared) {
   Files out;
   for (const auto& plan : prepared.plans) {
     for (const mind::Part* part : plan->parts()) {
@@ -347,8 +351,9 @@ int play(Options options, const OutputFiles& outputs, const Invocation& invocati
   }
   const std::vector<std::string>& folders = stored ? stored->job.plugins : options.plugins;
   const plugin::Catalogue catalogue = open_plugins(folders, invocation);
-  const MatchRequest wanted = stored ? request_of(stored->job) : static_cast<const MatchRequest&>(options);
-  MatchSetup prepared = match_setup(wanted, catalogue);
+  const campaign::MatchRequest wanted =
+      stored ? campaign::request_of(stored->job) : static_cast<const campaign::MatchRequest&>(options);
+  campaign::MatchSetup prepared = campaign::match_setup(wanted, catalogue);
   tell_what_is_not_used(catalogue, folders);
   for (const config::Warning& each : prepared.warnings) complain(to_string(each));
   if (stored) require_unchanged(options, stored->job, prepared, catalogue, invocation);
@@ -360,7 +365,7 @@ int play(Options options, const OutputFiles& outputs, const Invocation& invocati
     }
     return play_failed(options, *stored);
   }
-  campaign::Job job = stored ? stored->job : job_of(options, options.plugins);
+  campaign::Job job = stored ? stored->job : campaign::job_of(options, options.plugins);
   job.plugin_files = catalogue.used_files();
   const Files files = files_of(prepared);
   const auto work = [&](campaign::WorkerNote& note) {

@@ -24,8 +24,8 @@ void write(std::string& out, std::string_view side, const std::string& path, con
 
 }  // namespace
 
-std::string metrics_csv(const PlayedMatch& match) {
-  Json json = Json::parse(summary_json(match));
+std::string metrics_csv(const campaign::PlayedMatch& match) {
+  Json json = Json::parse(campaign::summary_json(match));
   json.erase("wall_seconds");  // the same match, the same table
   std::string out(metrics_csv_head);
   for (const auto& [name, member] : json.items()) {

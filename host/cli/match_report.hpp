@@ -1,43 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What is said about a match that was played: for people, and for programs.
+// What `regista match` says about a match that was played.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "match/match.hpp"
+#include "campaign/match_json.hpp"
 
 namespace regista::cli {
 
-struct PlayedMatch {
-  std::array<std::string, 2> teams;  // names, by side
-  std::uint64_t seed = 1;
-  std::string opening;                                 // name; empty: from kick-off
-  std::array<std::vector<std::string>, 2> role_names;  // by side, in the order of the table of roles
-  int budget = 0;                                      // packets of a team, without those for added time
-  // Of that, what falls to the time that the match is planned for; nothing for one of the whole time.
-  std::optional<double> packets_share;
-  double wall_seconds = 0.0;
-  match::Result result;
-};
-
-// Of a game of 30 s of a match of 1200 s with a budget of 1200 packets: 30. A short game has the budget of a whole
-// match, and who spends it all in a few seconds looks better than it could be for long.
-std::optional<double> packets_share_of(const match::Setup& setup);
-
 // A page that ends with a newline.
-std::string summary_text(const PlayedMatch& match);
-
-// One JSON object with a newline.
-std::string summary_json(const PlayedMatch& match);
+std::string summary_text(const campaign::PlayedMatch& match);
 
 // All its numbers as a long table with a head: a line for each number, home's, away's, and without a side those of the
 // match. Paths are those of study/metric.hpp; elements of a list are counted from 1.
-std::string metrics_csv(const PlayedMatch& match);
+std::string metrics_csv(const campaign::PlayedMatch& match);
 inline constexpr std::string_view metrics_csv_head = "side,metric,value\n";
 
 }  // namespace regista::cli

@@ -70,18 +70,7 @@ std::string world_model(const match::WorldModelMetrics& model) {
 
 }  // namespace
 
-std::optional<double> packets_share_of(const match::Setup& setup) {
-  if (setup.rules.messages.short_games == config::ShortGames::share) return std::nullopt;  // it is the budget then
-  const config::Durations& durations = setup.rules.durations;
-  const double whole = durations.half * durations.halves;
-  const std::optional<double> length = setup.limit     ? setup.limit
-                                       : setup.opening ? std::optional(setup.opening->length)
-                                                       : std::nullopt;
-  if (!length || !(*length < whole)) return std::nullopt;
-  return setup.rules.messages.budget * *length / whole;
-}
-
-std::string summary_text(const PlayedMatch& match) {
+std::string summary_text(const campaign::PlayedMatch& match) {
   const match::Result& result = match.result;
   std::string out = fmt::format("{} {} : {} {}\n\n", match.teams[0], result.score[0], result.score[1], match.teams[1]);
   out += fmt::format("ended       {}, after {:.1f} s\n", in_words(result.ended), result.simulated_seconds);

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "campaign/shell.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/output.hpp"
-#include "cli/shell.hpp"
 #include "cli/stored_trials.hpp"
 #include "cli/study_run.hpp"
 #include "report/experiment.hpp"
@@ -68,14 +68,14 @@ ToldStudy told_experiment(const StoredResults& results) {
   if (!course->complete()) out.incomplete = not_at_its_end(results, "experiment", course->taken(), plan.matches());
   const auto view = [course, &plan]() -> report::ExperimentView {
     return {plan, *course, [&plan](std::uint64_t index) {
-              return command_line(campaign::match_arguments(study::job(plan, study::trial(plan, index))));
+              return campaign::command_line(campaign::match_arguments(study::job(plan, study::trial(plan, index))));
             }};
   };
   out.figures = report::experiment_figures(view());
   out.page = [view, fingerprint, &results, &plan](const std::filesystem::path&,
                                                   std::vector<report::PageFigure> figures) {
     return report::experiment_page({view(), std::move(figures), results.store.meta("program"), fingerprint.text(),
-                                    command_line(report::experiment_arguments(plan))});
+                                    campaign::command_line(report::experiment_arguments(plan))});
   };
   return out;
 }

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "campaign/shell.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/output.hpp"
-#include "cli/shell.hpp"
 #include "cli/stored_tuning.hpp"
 #include "report/fingerprint.hpp"
 #include "report/tuning.hpp"
@@ -68,7 +68,7 @@ ToldStudy told_tuning(const StoredResults& results) {
   out.figures = report::tuning_figures(view());
   out.page = [found, view, &results, &plan](const std::filesystem::path&, std::vector<report::PageFigure> figures) {
     return report::tuning_page({view(), std::move(figures), results.store.meta("program"), found->fingerprint.text(),
-                                command_line(report::tuning_arguments(plan))});
+                                campaign::command_line(report::tuning_arguments(plan))});
   };
   return out;
 }

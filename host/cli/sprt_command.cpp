@@ -15,11 +15,11 @@
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/output.hpp"
-#include "cli/test_options.hpp"
 #include "config/text.hpp"
 #include "statistics/likelihood_ratio.hpp"
 #include "statistics/rating.hpp"
 #include "statistics/sequential_test.hpp"
+#include "study/sequential_test_options.hpp"
 
 namespace regista::cli {
 namespace {
@@ -83,10 +83,10 @@ std::vector<statistics::Count> parse_counts(const std::vector<std::string>& word
 Result evaluate(const Options& options) {
   Result result{};
   result.model = options.model;
-  result.design.model = parse_model(options.model);
+  result.design.model = study::parse_model(options.model);
   if (options.elo.empty()) throw BadInput("sprt: which hypotheses? Say --elo ELO0,ELO1, for example --elo 0,10");
-  result.design.hypotheses = parse_hypotheses("--elo", options.elo);
-  result.design.rates = parse_rates(options.alpha, options.beta);
+  result.design.hypotheses = study::parse_hypotheses("--elo", options.elo);
+  result.design.rates = study::parse_rates(options.alpha, options.beta);
   result.counts = parse_counts(options.counts);
   if (result.counts.size() == 5) {
     statistics::PairCounts pairs;

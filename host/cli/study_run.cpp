@@ -6,30 +6,30 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "campaign/shell.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/interruption.hpp"
 #include "cli/output.hpp"
 #include "cli/results_file.hpp"
-#include "cli/shell.hpp"
 #include "study/recording_place.hpp"
 
 namespace regista::cli {
 namespace {
 
-std::string resume_line(const CampaignOptions& options, const Invocation& invocation) {
+std::string resume_line(const campaign::Options& options, const Invocation& invocation) {
   std::vector<std::string> words = invocation.arguments;
   if (!options.resume) words.push_back("--resume");
-  return shell_line(words);
+  return campaign::shell_line(words);
 }
 
-campaign::Schedule schedule_of(const StudyRun& run, const CampaignOptions& options, const Invocation& invocation,
+campaign::Schedule schedule_of(const StudyRun& run, const campaign::Options& options, const Invocation& invocation,
                                StudyProgress& progress, const Interruption& interruption,
                                std::vector<std::int64_t> numbers) {
   const std::uint64_t first = run.first_row;
   const auto recording = [&options, first](std::uint64_t index) {
     return study::recording_file(options.results, static_cast<std::int64_t>(first + index) + 1).string();
   };
-  const std::uint64_t every = record_every(options);
+  const std::uint64_t every = campaign::record_every(options);
   campaign::Schedule out;
   out.matches = run.matches;
   out.first_row = first;
@@ -69,10 +69,10 @@ campaign::Schedule schedule_of(const StudyRun& run, const CampaignOptions& optio
 std::string play_again(const campaign::Job& job, const Invocation& invocation) {
   std::vector<std::string> words = campaign::match_arguments(job);
   words.insert(words.begin(), invocation.arguments.front());
-  return shell_line(words);
+  return campaign::shell_line(words);
 }
 
-void play_study(const StudyNature& nature, const CampaignOptions& options, const Invocation& invocation,
+void play_study(const StudyNature& nature, const campaign::Options& options, const Invocation& invocation,
                 campaign::Store& store, StudyProgress& progress,
                 const std::function<void(const PlayRun& play)>& course) {
   const std::string resume = resume_line(options, invocation);
@@ -81,7 +81,7 @@ void play_study(const StudyNature& nature, const CampaignOptions& options, const
   const PlayRun play = [&](const StudyRun& run) {
     const campaign::Schedule schedule =
         schedule_of(run, options, invocation, progress, interruption, store.add(run.fixtures));
-    const campaign::Finish finish = campaign::run(schedule, store, number_of_workers(options), run.limits);
+    const campaign::Finish finish = campaign::run(schedule, store, campaign::number_of_workers(options), run.limits);
     if (finish != campaign::Finish::interrupted) return;
     progress.clear();
     progress.stopped();

@@ -47,7 +47,7 @@ using PlayRun = std::function<void(const StudyRun& run)>;
 
 // A study in one run or in several, of which each may depend on those before: `course` plays them. options.results
 // names the file that `store` holds. Throws what end_of_program.hpp explains; what was stored stays.
-void play_study(const StudyNature& nature, const CampaignOptions& options, const Invocation& invocation,
+void play_study(const StudyNature& nature, const campaign::Options& options, const Invocation& invocation,
                 campaign::Store& store, StudyProgress& progress,
                 const std::function<void(const PlayRun& play)>& course);
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "cli/shell.hpp"
+#include "campaign/shell.hpp"
 #include "cli/stored_course.hpp"
 #include "cli/told_study.hpp"
 #include "report/course_record.hpp"
@@ -63,18 +63,19 @@ class ToldTournament {
           fs::absolute(file).lexically_relative(fs::absolute(page).parent_path()).generic_string();
       const std::string shown = study::beside(results_.file, fmt::format("-{}.html", match + 1)).filename().string();
       const auto word = [](const std::string& path) { return path.starts_with('-') ? "./" + path : path; };
-      return report::RecordingLink{from_page,
-                                   command_line(std::vector<std::string>{"view", word(from_page), "-o", word(shown)})};
+      return report::RecordingLink{
+          from_page, campaign::command_line(std::vector<std::string>{"view", word(from_page), "-o", word(shown)})};
     };
     return report::tournament_page({view(), record_, std::move(figures), stored_documents(results_.store),
-                                    results_.store.meta("program"), command_line(report::tournament_arguments(plan_)),
+                                    results_.store.meta("program"),
+                                    campaign::command_line(report::tournament_arguments(plan_)),
                                     report::page_recordings(view(), record_, results_.file), link});
   }
 
  private:
   report::TournamentView view() const {
     return {plan_, course_, [this](std::uint64_t index) {
-              return command_line(campaign::match_arguments(study::job(plan_, course_.calendar().at(index))));
+              return campaign::command_line(campaign::match_arguments(study::job(plan_, course_.calendar().at(index))));
             }};
   }
 

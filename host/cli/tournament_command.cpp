@@ -19,10 +19,10 @@
 #include "cli/study_progress.hpp"
 #include "cli/study_run.hpp"
 #include "cli/terminal.hpp"
-#include "cli/tournament_options.hpp"
 #include "config/text.hpp"
 #include "report/tournament.hpp"
 #include "study/tournament.hpp"
+#include "study/tournament_setup.hpp"
 
 namespace regista::cli {
 namespace {
@@ -48,7 +48,7 @@ of Regista.)";
 
 class Played {
  public:
-  Played(const TournamentOptions& options, const Invocation& invocation, PlannedTournament planned)
+  Played(const study::TournamentRequest& options, const Invocation& invocation, study::PlannedTournament planned)
       : options_(options),
         invocation_(invocation),
         plan_(std::move(planned.plan)),
@@ -131,7 +131,7 @@ class Played {
 
   campaign::Job job(std::uint64_t index) const { return study::job(plan_, course_.calendar().at(index)); }
 
-  const TournamentOptions& options_;
+  const study::TournamentRequest& options_;
   const Invocation& invocation_;
   study::TournamentPlan plan_;
   std::vector<std::string> documents_;  // of the teams
@@ -139,10 +139,10 @@ class Played {
   report::TournamentView view_;
 };
 
-int tournament(TournamentOptions options, OutputFiles outputs, const Invocation& invocation) {
-  check(options);
+int tournament(study::TournamentRequest options, OutputFiles outputs, const Invocation& invocation) {
+  campaign::check(options);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  PlannedTournament planned = planned_tournament(options, catalogue);
+  study::PlannedTournament planned = study::planned_tournament(options, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();
   outputs.read(folders_of(catalogue), Reads::plugins);
@@ -155,7 +155,7 @@ int tournament(TournamentOptions options, OutputFiles outputs, const Invocation&
 
 Command add_tournament(CLI::App& parent, const Invocation& invocation) {
   CLI::App& app = *parent.add_subcommand("tournament", "find out which team is better");
-  const auto options = std::make_shared<TournamentOptions>();
+  const auto options = std::make_shared<study::TournamentRequest>();
   reads(app.add_option("--team", options->teams, "a team's file; to be given twice, or more often")
             ->type_name("FILE")
             ->allow_extra_args(false),

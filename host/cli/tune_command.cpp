@@ -24,15 +24,20 @@
 #include "cli/study_progress.hpp"
 #include "cli/study_run.hpp"
 #include "cli/terminal.hpp"
-#include "cli/tune_setup.hpp"
 #include "cli/tuned_file.hpp"
 #include "config/text.hpp"
 #include "report/fingerprint.hpp"
 #include "report/tournament.hpp"
 #include "report/tuning.hpp"
+#include "study/tuning/tuning_setup.hpp"
 
 namespace regista::cli {
 namespace {
+
+struct TuneOptions : study::TuningRequest {
+  std::string trace, output;  // files; empty: none, beside the results
+  bool force = false;         // they may replace files of another kind
+};
 
 constexpr auto examples = R"(Examples:
   regista tune configs/studies/tune_paper.yaml
@@ -74,7 +79,7 @@ class Played {
     campaign::Store store = open_results(options_.results, options_.resume, plan_, {});
     if (!options_.trace.empty()) trace.emplace(options_.trace);
     StudyProgress progress(words(), !options_.quiet);
-    for (const std::string& each : notes_on(plan_)) progress.note("note: " + config::one_line(each));
+    for (const std::string& each : study::notes_on(plan_)) progress.note("note: " + config::one_line(each));
     try {
       play_study({"tuning", most_matches(plan_), [this] { return counted_; }}, options_, invocation_, store, progress,
                  [&](const PlayRun& play) { study::tune(plan_, hooks(store, play), record_); });
@@ -193,10 +198,10 @@ class Played {
 };
 
 int tune(TuneOptions options, OutputFiles outputs, const Invocation& invocation) {
-  check(options);
+  campaign::check(options);
   if (options.file.empty()) throw BadInput("tune: which one? Name its file; see: regista tune --help");
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  study::TuningPlan plan = planned_tuning(options, catalogue);
+  study::TuningPlan plan = study::planned_tuning(options, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();
   if (options.results.empty()) options.results = plan.name + (plan.compares() ? ".compare.db" : ".db");

@@ -9,9 +9,9 @@
 #include <system_error>
 #include <vector>
 
+#include "campaign/shell.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/replaced_file.hpp"
-#include "cli/shell.hpp"
 #include "config/text.hpp"
 #include "report/number.hpp"
 #include "report/tuning.hpp"
@@ -61,7 +61,7 @@ std::string header(const study::TuningPlan& plan, const study::TuningRecord& rec
       tuned_file_begin, REGISTA_VERSION, config::one_line(plan.team), verdict(plan, record),
       plan.objective.minimise ? "minimise" : "maximise", study::in_words(plan.objective), fmt::join(opponents, ", "),
       study::name(plan.algorithm), record.trace.size(), plan.seed, fingerprint, config::one_line(plan.folder),
-      config::one_line(command_line(words)));
+      config::one_line(campaign::command_line(words)));
 }
 
 // The base team's file as the new one is to name it.

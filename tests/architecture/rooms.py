@@ -17,7 +17,7 @@ KNOWS = {
     "mind": {"sdk", "config", "plugin"},
     "match": {"sdk", "config", "plugin", "mind"},
     "recording": {"sdk", "config", "plugin", "mind", "match", "mcap", "markup"},
-    "campaign": {"sdk", "config", "plugin", "mind", "match", "statistics", "recording"},
+    "campaign": {"sdk", "config", "plugin", "mind", "match", "statistics", "recording", "mcap"},
     "study": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign"},
     "report": {"sdk", "config", "plugin", "match", "statistics", "campaign", "study", "recording", "markup"},
     "cli": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "recording", "mcap"},

@@ -10,6 +10,7 @@
 #include "config/block.hpp"
 #include "config/overlay.hpp"
 #include "config/parse.hpp"
+#include "config/typed.hpp"
 
 namespace regista::study {
 namespace {

@@ -12,6 +12,7 @@
 
 #include "config/overlay.hpp"
 #include "config/parse.hpp"
+#include "config/typed.hpp"
 #include "study/plan_differences.hpp"
 
 namespace regista::study {

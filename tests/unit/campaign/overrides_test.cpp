@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "cli/overrides.hpp"
+#include "campaign/overrides.hpp"
 
 #include <gtest/gtest.h>
 
-namespace regista::cli {
+namespace regista::campaign {
 namespace {
 
 using List = config::Overrides;
@@ -52,4 +52,4 @@ TEST(SortedOverrides, ErrorsOfFilesStayAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace regista::cli
+}  // namespace regista::campaign

@@ -5,29 +5,27 @@
 #include <string>
 #include <vector>
 
-#include "cli/campaign_options.hpp"
+#include "campaign/options.hpp"
 #include "config/mistakes.hpp"
 #include "plugin/catalogue.hpp"
 #include "study/tuning/tuning_plan.hpp"
 
-namespace regista::cli {
+namespace regista::study {
 
-struct TuneOptions : CampaignOptions {
+struct TuningRequest : campaign::Options {
   std::string file;
   std::vector<std::string> overrides;  // of the tuning's document
   std::string matches;                 // of the search, instead of what the document says; empty: as it says
   std::string compare, repeats;        // algorithms, divided by commas; empty: the document's alone
-  std::string trace, output;           // files; empty: none, beside the results
-  bool force = false;                  // they may replace files of another kind
 };
 
-// Throws BadInput and config::Error, at the place in the tuning's document that asks for what is not there.
-study::TuningPlan planned_tuning(const TuneOptions& options, const plugin::Catalogue& catalogue);
+// Throws config::BadInput and config::Error, at the place in the tuning's document that asks for what is not there.
+TuningPlan planned_tuning(const TuningRequest& options, const plugin::Catalogue& catalogue);
 
 // Whether it can be planned: tells of every mistake in algorithm, opponents, parameters, openings and objective.
-void check_tuning(const TuneOptions& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
+void check_tuning(const TuningRequest& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
 
 // What is unusual but allowed, a line each: an opponent that is the base team itself.
-std::vector<std::string> notes_on(const study::TuningPlan& plan);
+std::vector<std::string> notes_on(const TuningPlan& plan);
 
-}  // namespace regista::cli
+}  // namespace regista::study

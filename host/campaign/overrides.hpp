@@ -10,7 +10,7 @@
 
 #include "config/load.hpp"
 
-namespace regista::cli {
+namespace regista::campaign {
 
 class SortedOverrides {
  public:
@@ -40,4 +40,4 @@ class SortedOverrides {
   std::vector<Document> documents_;
 };
 
-}  // namespace regista::cli
+}  // namespace regista::campaign

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "cli/match_setup.hpp"
+#include "campaign/match_setup.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
 
-#include "cli/end_of_program.hpp"
+#include "config/bad_input.hpp"
 
-namespace regista::cli {
+namespace regista::campaign {
 namespace {
 
 TEST(ParseSeed, TakesEveryNumberOf64Bits) {
@@ -17,7 +17,7 @@ TEST(ParseSeed, TakesEveryNumberOf64Bits) {
 
 TEST(ParseSeed, RefusesEverythingElse) {
   for (const char* text : {"", " 1", "1 ", "-1", "+1", "1.0", "1e3", "0x10", "18446744073709551616", "one"}) {
-    EXPECT_THROW(parse_seed(text, "--seed"), BadInput) << text;
+    EXPECT_THROW(parse_seed(text, "--seed"), config::BadInput) << text;
   }
 }
 
@@ -27,9 +27,9 @@ TEST(MatchSetup, LimitsAreSecondsAboveZero) {
     MatchRequest request;
     request.teams = {"a.yaml", "b.yaml"};
     request.limit = text;
-    EXPECT_THROW(match_setup(request, none), BadInput) << text;
+    EXPECT_THROW(match_setup(request, none), config::BadInput) << text;
   }
 }
 
 }  // namespace
-}  // namespace regista::cli
+}  // namespace regista::campaign

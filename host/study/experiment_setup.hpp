@@ -6,26 +6,25 @@
 #include <string>
 #include <vector>
 
-#include "cli/campaign_options.hpp"
+#include "campaign/options.hpp"
+#include "config/bad_input.hpp"
 #include "config/experiment.hpp"
 #include "config/mistakes.hpp"
 #include "plugin/catalogue.hpp"
 #include "study/experiment_plan.hpp"
 
-namespace regista::cli {
+namespace regista::study {
 
-struct ExperimentOptions : CampaignOptions {
+struct ExperimentRequest : campaign::Options {
   std::string file;
   std::vector<std::string> overrides;  // of the experiment's document
   std::string minutes, matches;        // instead of what it says; empty: as it says
-  std::string csv, summary;            // files; empty: none
-  bool force = false;                  // they may replace files of another kind
 };
 
-// Throws BadInput and config::Error, at the place in the experiment's document that asks for what is not there.
-study::ExperimentPlan planned_experiment(const ExperimentOptions& options, const plugin::Catalogue& catalogue);
+// Throws config::BadInput and config::Error, at the place in the experiment's document that asks for what is not there.
+ExperimentPlan planned_experiment(const ExperimentRequest& options, const plugin::Catalogue& catalogue);
 
 // Whether it can be planned: tells of every mistake in arms, values and measures.
-void check_experiment(const ExperimentOptions& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
+void check_experiment(const ExperimentRequest& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
 
-}  // namespace regista::cli
+}  // namespace regista::study

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/tune_setup.hpp"
+#include "study/tuning/tuning_setup.hpp"
 
 #include <fmt/format.h>
 
@@ -10,22 +10,23 @@
 
 #include "campaign/inputs.hpp"
 #include "campaign/mathematics.hpp"
-#include "cli/document_settings.hpp"
-#include "cli/end_of_program.hpp"
-#include "cli/study_inputs.hpp"
-#include "cli/test_options.hpp"
+#include "config/bad_input.hpp"
 #include "config/documents.hpp"
 #include "config/overlay.hpp"
 #include "config/parse.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
 #include "config/text.hpp"
+#include "config/typed.hpp"
 #include "match/match.hpp"
 #include "plugin/declarations.hpp"
+#include "study/document_settings.hpp"
 #include "study/measure.hpp"
+#include "study/sequential_test_options.hpp"
+#include "study/study_inputs.hpp"
 #include "study/tuning/algorithm.hpp"
 
-namespace regista::cli {
+namespace regista::study {
 namespace {
 
 // Of a search whose algorithm takes values for exact; see benchmarks/README.md. A small budget is better spent on fewer
@@ -40,22 +41,23 @@ std::uint64_t replicates(std::uint64_t search_pairs, std::size_t parameters) {
 
 [[noreturn]] void refuse_algorithm(const std::string& name, const std::optional<config::Location>& where,
                                    const std::string& option) {
-  const auto why = study::why_unsuitable(name);
-  const std::vector<std::string> known = study::algorithm_names();
+  const auto why = why_unsuitable(name);
+  const std::vector<std::string> known = algorithm_names();
   const std::string message = why ? fmt::format("{}: {}; offered: {}", name, *why, config::join(known))
                                   : config::unknown("algorithm", name, "", known);
   if (where) throw config::Error(*where, "search.algorithm: " + message);
-  throw BadInput(fmt::format("{}: {}", option, message));
+  throw config::BadInput(fmt::format("{}: {}", option, message));
 }
 
-std::vector<study::Algorithm> compared_algorithms(const std::string& names) {
-  std::vector<study::Algorithm> out;
+std::vector<Algorithm> compared_algorithms(const std::string& names) {
+  std::vector<Algorithm> out;
   for (std::size_t begin = 0; begin <= names.size() && !names.empty();) {
     const std::size_t end = std::min(names.find(',', begin), names.size());
     const std::string name = names.substr(begin, end - begin);
-    const auto algorithm = study::algorithm_named(name);
+    const auto algorithm = algorithm_named(name);
     if (!algorithm) refuse_algorithm(name, std::nullopt, "--compare");
-    if (std::ranges::find(out, *algorithm) != out.end()) throw BadInput("--compare: " + name + " is given twice");
+    if (std::ranges::find(out, *algorithm) != out.end())
+      throw config::BadInput("--compare: " + name + " is given twice");
     out.push_back(*algorithm);
     begin = end + 1;
   }
@@ -66,7 +68,7 @@ std::string label_of(const std::string& file) { return std::filesystem::path(fil
 
 class Planner {
  public:
-  Planner(const TuneOptions& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes)
+  Planner(const TuningRequest& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes)
       : options_(options),
         mistakes_(mistakes),
         overrides_(overrides_of(options)),
@@ -74,7 +76,7 @@ class Planner {
         tuning_(config::read_tuning(document_)),
         catalogue_(catalogue) {}
 
-  study::TuningPlan plan() {
+  TuningPlan plan() {
     describe();
     mistakes_.attempt("search", [&] { choose_algorithms(); });
     meet_opponents();
@@ -91,7 +93,7 @@ class Planner {
   }
 
  private:
-  static config::Overrides overrides_of(const TuneOptions& options) {
+  static config::Overrides overrides_of(const TuningRequest& options) {
     config::Overrides out = options.overrides;
     if (!options.matches.empty()) out.push_back("search.matches=" + options.matches);
     return out;
@@ -108,7 +110,7 @@ class Planner {
     plan_.head_to_head = tuning_.verification.against == config::Tuning::Against::base;
     plan_.symmetric = tuning_.verification.test == config::Tuning::Test::symmetric;
     plan_.confidence = tuning_.verification.confidence;
-    plan_.limits = limits(options_, tuning_.isolation, tuning_.play_twice);
+    plan_.limits = campaign::limits_of(options_, tuning_.isolation, tuning_.play_twice);
     plan_.folder = std::filesystem::current_path().string();
     plan_.file = options_.file;
     plan_.overrides = overrides_;
@@ -117,15 +119,15 @@ class Planner {
   void choose_algorithms() {
     const config::Tuning::Search& search = tuning_.search;
     const config::Location where = config::at(document_, "search.algorithm").where();
-    const auto algorithm = study::algorithm_named(search.algorithm);
+    const auto algorithm = algorithm_named(search.algorithm);
     if (!algorithm) refuse_algorithm(search.algorithm, where, "");
     plan_.algorithm = *algorithm;
     plan_.compared = compared_algorithms(options_.compare);
     if (!options_.repeats.empty() && !plan_.compares()) {
-      throw BadInput("--repeats: belongs to --compare, which is not given");
+      throw config::BadInput("--repeats: belongs to --compare, which is not given");
     }
     if (plan_.compares()) {
-      plan_.repeats = parse_whole("--repeats", options_.repeats.empty() ? "5" : options_.repeats, 1, 1000);
+      plan_.repeats = config::parse_whole("--repeats", options_.repeats.empty() ? "5" : options_.repeats, 1, 1000);
       if (plan_.head_to_head) {
         config::refuse(document_, {"verification.against"},
                        "verification.against: what is compared is judged against the opponents; set it to opponents");
@@ -136,9 +138,9 @@ class Planner {
       }
     }
     plan_.population = static_cast<std::uint64_t>(search.population.value_or(0));
-    if (search.population && !plan_.compares() && !study::has_population(plan_.algorithm)) {
+    if (search.population && !plan_.compares() && !has_population(plan_.algorithm)) {
       config::refuse(document_, {"search.population"},
-                     fmt::format("search.population: {} has none", study::name(plan_.algorithm)));
+                     fmt::format("search.population: {} has none", name(plan_.algorithm)));
     }
   }
 
@@ -159,9 +161,9 @@ class Planner {
     return out;
   }
 
-  study::TuningOpponent opponent_of(const std::string& file, double weight, const std::vector<Setting>& settings,
-                                    bool is_base = false) {
-    study::TuningOpponent out;
+  TuningOpponent opponent_of(const std::string& file, double weight, const std::vector<Setting>& settings,
+                             bool is_base = false) {
+    TuningOpponent out;
     out.file = file;
     out.label = label_of(file);
     out.weight = weight;
@@ -170,7 +172,7 @@ class Planner {
       job = job_of(file, side, is_base);
       const campaign::Job bare = job_of(file, 0, is_base);
       for (const Setting& each : settings) job.overrides.push_back(override_of(each, side));
-      MatchSetup prepared = settled_match(job, side, settings, bare, catalogue_);
+      campaign::MatchSetup prepared = settled_match(job, side, settings, bare, catalogue_);
       job.home_inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue_);
       job.away_inputs = campaign::team_inputs(*prepared.plans[1], prepared.documents[1], catalogue_);
       job.common_inputs = campaign::common_inputs(prepared.setup, program_, mathematics_);
@@ -195,8 +197,8 @@ class Planner {
   }
 
   void meet(const config::Tuning::Opponent& each, double sum, const std::vector<Setting>& settings) {
-    study::TuningOpponent opponent = opponent_of(from_here(each.team), each.weight / sum, settings);
-    for (const study::TuningOpponent& other : plan_.opponents) {
+    TuningOpponent opponent = opponent_of(from_here(each.team), each.weight / sum, settings);
+    for (const TuningOpponent& other : plan_.opponents) {
       if (other.file == opponent.file) {
         throw config::Error(
             each.where, fmt::format("opponents: {} is given twice; `weight` says how much it counts", opponent.file));
@@ -232,12 +234,12 @@ class Planner {
 
   void choose_parameters() {
     const auto declarations = plugin::declarations(catalogue_.plugins());
-    plan_.parameters = study::chosen_parameters(tuning_.parameters, study::tunables(*base_, declarations));
+    plan_.parameters = chosen_parameters(tuning_.parameters, tunables(*base_, declarations));
     if (plan_.free_parameters() == 0) {
       config::refuse(document_, {"parameters"}, "parameters: the range of each is one value: there is nothing to tune");
     }
     config::Node document = *base_;
-    for (const std::string& each : study::settings_of(plan_, study::start_values(plan_))) {
+    for (const std::string& each : settings_of(plan_, start_values(plan_))) {
       const config::Location where{"--set " + each, 0, 0};
       const std::size_t equals = each.find('=');
       document =
@@ -264,11 +266,11 @@ class Planner {
       plan_.objective.terms = {{"goal_difference", 1.0}};
       return;
     }
-    std::vector<std::string> known(study::measures_of_score.begin(), study::measures_of_score.end());
+    std::vector<std::string> known(measures_of_score.begin(), measures_of_score.end());
     known.insert(known.end(), paths_.begin(), paths_.end());
     for (const auto* const terms : {&tuning_.objective.maximise, &tuning_.objective.minimise}) {
       for (const config::TuningObjective::Term& each : *terms) {
-        const std::string measure = study::without_roles(each.measure);
+        const std::string measure = without_roles(each.measure);
         if (std::ranges::find(known, measure) == known.end()) {
           mistakes_.add(config::Error(each.where, "objective: " + config::unknown("measure", measure, "", known)),
                         "objective");
@@ -292,14 +294,14 @@ class Planner {
     plan_.pairs = plan_.pairs_for_all ? static_cast<std::uint64_t>(*tuning_.search.pairs)
                                       : replicates(plan_.search_pairs, plan_.free_parameters());
     const auto used = plan_.compares() ? plan_.compared : std::vector{plan_.algorithm};
-    for (const study::Algorithm each : used) {
+    for (const Algorithm each : used) {
       // One more: the base team itself.
       const std::uint64_t least =
-          1 + study::least_evaluations(each, plan_.free_parameters(), static_cast<std::size_t>(plan_.population));
+          1 + least_evaluations(each, plan_.free_parameters(), static_cast<std::size_t>(plan_.population));
       if (plan_.evaluations(each) >= least) continue;
       require_matches("search.matches", least * plan_.pairs_of(each) * pair,
                       fmt::format("{} are too few for the first round of {}, {} points with {} matches each",
-                                  tuning_.search.matches, study::name(each), least, plan_.pairs_of(each) * pair));
+                                  tuning_.search.matches, name(each), least, plan_.pairs_of(each) * pair));
     }
     const config::Tuning::Verification& verification = tuning_.verification;
     if (plan_.compares()) {
@@ -320,7 +322,7 @@ class Planner {
     }
     const std::uint64_t together = plan_.head_to_head ? 2 * plan_.candidates : pair * (plan_.candidates + 1);
     plan_.verification_pairs = pairs_in(verification.matches, together);
-    const std::uint64_t least = study::least_verification_pairs(plan_);
+    const std::uint64_t least = least_verification_pairs(plan_);
     if (plan_.verification_pairs < least) {
       require_matches("verification.matches", least * together,
                       fmt::format("{} pairs cannot show any difference with a confidence of {}, whatever they are",
@@ -330,14 +332,14 @@ class Planner {
     plan_.slice_pairs = plan_.slice_points == 0 ? 0 : static_cast<std::uint64_t>(tuning_.slices.pairs);
   }
 
-  const TuneOptions& options_;
+  const TuningRequest& options_;
   config::Mistakes& mistakes_;
   config::Overrides overrides_;
   config::Node document_;
   config::Tuning tuning_;
   const plugin::Catalogue& catalogue_;
   const std::string program_ = campaign::program_hash(), mathematics_ = campaign::mathematics_fingerprint();
-  study::TuningPlan plan_;
+  TuningPlan plan_;
   std::optional<config::Node> base_;  // the team's document
   std::vector<std::string> paths_;    // of its metrics
   std::vector<match::Setup> setups_;  // by opponent, then the base team
@@ -345,18 +347,18 @@ class Planner {
 
 }  // namespace
 
-study::TuningPlan planned_tuning(const TuneOptions& options, const plugin::Catalogue& catalogue) {
+TuningPlan planned_tuning(const TuningRequest& options, const plugin::Catalogue& catalogue) {
   config::Mistakes first(config::Mistakes::After::stop);
   return Planner(options, catalogue, first).plan();
 }
 
-void check_tuning(const TuneOptions& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
+void check_tuning(const TuningRequest& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
   Planner(options, catalogue, mistakes).plan();
 }
 
-std::vector<std::string> notes_on(const study::TuningPlan& plan) {
+std::vector<std::string> notes_on(const TuningPlan& plan) {
   std::vector<std::string> out;
-  for (const study::TuningOpponent& each : plan.opponents) {
+  for (const TuningOpponent& each : plan.opponents) {
     const campaign::Job& job = each.jobs[0];
     if (job.home_inputs != job.away_inputs) continue;
     out.push_back(
@@ -365,4 +367,4 @@ std::vector<std::string> notes_on(const study::TuningPlan& plan) {
   return out;
 }
 
-}  // namespace regista::cli
+}  // namespace regista::study

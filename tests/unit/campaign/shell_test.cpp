@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The shell is the judge of what a shell reads.
-#include "cli/shell.hpp"
+#include "campaign/shell.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace regista::cli {
+namespace regista::campaign {
 namespace {
 
 // What `printf '%s\n'` of the shell makes of the words of a line.
@@ -36,4 +36,4 @@ TEST(ShellLine, LeavesPlainWordsAlone) {
 }
 
 }  // namespace
-}  // namespace regista::cli
+}  // namespace regista::campaign

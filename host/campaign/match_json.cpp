@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "campaign/match_json.hpp"
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "cli/match_report.hpp"
 #include "match/names.hpp"
 
-namespace regista::cli {
+namespace regista::campaign {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -94,6 +95,15 @@ Json packets_by_reason(const match::TeamMetrics& team) {
 
 }  // namespace
 
+std::optional<double> packets_share_of(const match::Setup& setup) {
+  if (setup.rules.messages.short_games == config::ShortGames::share) return std::nullopt;  // it is the budget then
+  const config::Durations& durations = setup.rules.durations;
+  const double whole = durations.half * durations.halves;
+  const std::optional<double> length = match::limit_of(setup);
+  if (!length || !(*length < whole)) return std::nullopt;
+  return setup.rules.messages.budget * *length / whole;
+}
+
 std::string summary_json(const PlayedMatch& match) {
   const match::Result& result = match.result;
   const auto& teams = result.metrics.teams;
@@ -151,4 +161,4 @@ std::string summary_json(const PlayedMatch& match) {
   return out.dump() + '\n';
 }
 
-}  // namespace regista::cli
+}  // namespace regista::campaign

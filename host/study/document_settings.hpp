@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "campaign/job.hpp"
-#include "cli/match_setup.hpp"
+#include "campaign/match_setup.hpp"
 #include "config/experiment.hpp"
 #include "config/node.hpp"
 #include "plugin/catalogue.hpp"
 
-namespace regista::cli {
+namespace regista::study {
 
 struct Setting {
   std::string path, value;  // as they stand in the document; value: YAML in one line
@@ -40,7 +40,7 @@ config::Error told_at_its_place(const config::Error& error, const std::vector<Se
 
 // The match of a job in which the study's own team stands on `side`. Throws config::Error, told at its place. bare: the
 // job without any setting, that team at home.
-MatchSetup settled_match(const campaign::Job& job, std::size_t side, const std::vector<Setting>& settings,
-                         const campaign::Job& bare, const plugin::Catalogue& catalogue);
+campaign::MatchSetup settled_match(const campaign::Job& job, std::size_t side, const std::vector<Setting>& settings,
+                                   const campaign::Job& bare, const plugin::Catalogue& catalogue);
 
-}  // namespace regista::cli
+}  // namespace regista::study

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "cli/document_settings.hpp"
+#include "study/document_settings.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "cli/job_setup.hpp"
-#include "cli/study_inputs.hpp"
+#include "campaign/job_setup.hpp"
 #include "config/flow.hpp"
 #include "config/nearest.hpp"
 #include "config/text.hpp"
 #include "match/side.hpp"
+#include "study/study_inputs.hpp"
 
-namespace regista::cli {
+namespace regista::study {
 namespace {
 
 // What stands before the first dot, where it says which document is meant.
@@ -131,10 +131,10 @@ config::Error told_at_its_place(const config::Error& error, const std::vector<Se
                                          config::join(nearest(meant->path, paths)))};
 }
 
-MatchSetup settled_match(const campaign::Job& job, std::size_t side, const std::vector<Setting>& settings,
-                         const campaign::Job& bare, const plugin::Catalogue& catalogue) {
+campaign::MatchSetup settled_match(const campaign::Job& job, std::size_t side, const std::vector<Setting>& settings,
+                                   const campaign::Job& bare, const plugin::Catalogue& catalogue) {
   try {
-    return match_setup(request_of(job), catalogue);
+    return campaign::match_setup(campaign::request_of(job), catalogue);
   } catch (const config::Error& error) {
     throw told_at_its_place(error, settings, side, [&] {
       try {
@@ -146,4 +146,4 @@ MatchSetup settled_match(const campaign::Job& job, std::size_t side, const std::
   }
 }
 
-}  // namespace regista::cli
+}  // namespace regista::study

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "campaign/job.hpp"
+#include "config/bad_input.hpp"
 #include "config/opening.hpp"
 #include "config/path_list.hpp"
 #include "match/match.hpp"
@@ -14,19 +15,18 @@
 #include "plugin/catalogue.hpp"
 #include "study/opening.hpp"
 
-namespace regista::cli {
+namespace regista::study {
 
-// Files as they are; of a folder all that end in .yaml, by name. who: the beginning of what BadInput says.
+// Files as they are; of a folder all that end in .yaml, by name. who: the beginning of what config::BadInput says.
 std::vector<std::string> opening_files(const std::vector<std::string>& paths, const std::string& who);
 
-// Throws BadInput, which begins with `who`, for a second scene of the same name.
-void add_scene(std::vector<study::Opening>& scenes, study::Opening scene, const std::string& name,
-               const std::string& who);
+// Throws config::BadInput, which begins with `who`, for a second scene of the same name.
+void add_scene(std::vector<Opening>& scenes, Opening scene, const std::string& name, const std::string& who);
 
 // The scenes that a document names, as the study plays them and as they were read. Throws config::Error for one that
 // the rules and robots of a match do not go with.
 struct DocumentScenes {
-  std::vector<study::Opening> openings;
+  std::vector<Opening> openings;
   std::vector<config::Opening> read;
 };
 DocumentScenes document_scenes(const std::vector<config::NamedPath>& paths, std::span<match::Setup> setups);
@@ -43,4 +43,4 @@ match::Setup without_opening(match::Setup setup);
 // Every path of a team's metrics, from a match that was not played.
 std::vector<std::string> metric_paths_of(const mind::TeamPlan& team);
 
-}  // namespace regista::cli
+}  // namespace regista::study

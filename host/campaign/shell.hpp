@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-namespace regista::cli {
+namespace regista::campaign {
 
 std::string shell_line(std::span<const std::string> words);
 
@@ -13,4 +13,4 @@ std::string shell_line(std::span<const std::string> words);
 // the same page.
 std::string command_line(std::span<const std::string> words);
 
-}  // namespace regista::cli
+}  // namespace regista::campaign

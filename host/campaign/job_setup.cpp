@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "cli/job_setup.hpp"
+#include "campaign/job_setup.hpp"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "campaign/inputs.hpp"
-#include "cli/shell.hpp"
+#include "campaign/shell.hpp"
 #include "config/text.hpp"
 
-namespace regista::cli {
+namespace regista::campaign {
 
 MatchRequest request_of(const campaign::Job& job) {
   MatchRequest request;
@@ -69,4 +69,4 @@ std::string what_changed(const campaign::Job& job, const MatchSetup& prepared, c
   return config::join(changed);
 }
 
-}  // namespace regista::cli
+}  // namespace regista::campaign

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/study_inputs.hpp"
+#include "study/study_inputs.hpp"
 
 #include <fmt/format.h>
 
@@ -8,20 +8,21 @@
 #include <system_error>
 
 #include "campaign/inputs.hpp"
-#include "cli/end_of_program.hpp"
-#include "cli/job_setup.hpp"
-#include "cli/match_report.hpp"
+#include "campaign/job_setup.hpp"
+#include "campaign/match_json.hpp"
+#include "config/bad_input.hpp"
 #include "config/documents.hpp"
 #include "config/parse.hpp"
 #include "config/paths.hpp"
 #include "config/profiles.hpp"
 #include "config/read.hpp"
+#include "config/typed.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
 #include "plugin/declarations.hpp"
 #include "study/metric.hpp"
 
-namespace regista::cli {
+namespace regista::study {
 
 std::vector<std::string> opening_files(const std::vector<std::string>& paths, const std::string& who) {
   std::vector<std::string> out;
@@ -35,21 +36,20 @@ std::vector<std::string> opening_files(const std::vector<std::string>& paths, co
     for (const auto& entry : std::filesystem::directory_iterator(each, error)) {
       if (entry.path().extension() == ".yaml") found.push_back(entry.path().string());
     }
-    if (error) throw BadInput(fmt::format("{} {}: {}", who, each, error.message()));
-    if (found.empty()) throw BadInput(fmt::format("{} {}: there is no .yaml file in this folder", who, each));
+    if (error) throw config::BadInput(fmt::format("{} {}: {}", who, each, error.message()));
+    if (found.empty()) throw config::BadInput(fmt::format("{} {}: there is no .yaml file in this folder", who, each));
     std::ranges::sort(found);
     out.insert(out.end(), found.begin(), found.end());
   }
   return out;
 }
 
-void add_scene(std::vector<study::Opening>& scenes, study::Opening scene, const std::string& name,
-               const std::string& who) {
+void add_scene(std::vector<Opening>& scenes, Opening scene, const std::string& name, const std::string& who) {
   const auto same = std::ranges::find(scenes, scene.input.name, [](const auto& each) { return each.input.name; });
   if (same != scenes.end()) {
-    throw BadInput(same->file == scene.file
-                       ? fmt::format("{}: {} is given twice", who, scene.file)
-                       : fmt::format("{}: {} and {} have the same name, {}", who, same->file, scene.file, name));
+    throw config::BadInput(same->file == scene.file ? fmt::format("{}: {} is given twice", who, scene.file)
+                                                    : fmt::format("{}: {} and {} have the same name, {}", who,
+                                                                  same->file, scene.file, name));
   }
   scenes.push_back(std::move(scene));
 }
@@ -80,7 +80,7 @@ std::string from_here(const std::string& absolute) {
 }
 
 std::vector<std::string> settable_paths(const campaign::Job& bare, const plugin::Catalogue& catalogue) {
-  MatchSetup prepared = match_setup(request_of(bare), catalogue);
+  campaign::MatchSetup prepared = campaign::match_setup(campaign::request_of(bare), catalogue);
   std::vector<std::string> out;
   const auto add = [&](const std::string& before, const std::string& shown) {
     for (const std::string& each : config::paths_of(config::parse_text(shown, before))) out.push_back(before + each);
@@ -105,12 +105,12 @@ match::Setup without_opening(match::Setup setup) {
 }
 
 std::vector<std::string> metric_paths_of(const mind::TeamPlan& team) {
-  PlayedMatch played;
+  campaign::PlayedMatch played;
   played.role_names[0] = played.role_names[1] = match::role_names(match::roles(team));
   for (match::TeamMetrics& metrics : played.result.metrics.teams) {
     metrics.coordination.roles.resize(played.role_names[0].size());
   }
-  return study::metric_paths(summary_json(played), 0);
+  return metric_paths(campaign::summary_json(played), 0);
 }
 
-}  // namespace regista::cli
+}  // namespace regista::study

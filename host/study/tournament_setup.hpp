@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "cli/campaign_options.hpp"
+#include "campaign/options.hpp"
 #include "plugin/catalogue.hpp"
 #include "study/tournament_plan.hpp"
 
-namespace regista::cli {
+namespace regista::study {
 
-struct TournamentOptions : CampaignOptions {
-  TournamentOptions() { results = "tournament.db"; }
+struct TournamentRequest : campaign::Options {
+  TournamentRequest() { results = "tournament.db"; }
   std::vector<std::string> teams, overrides, openings;
   std::string rules, robot, disturbance, limit;
   std::string format = "round-robin", pairs, seed = "1";
@@ -22,11 +22,11 @@ struct TournamentOptions : CampaignOptions {
 };
 
 struct PlannedTournament {
-  study::TournamentPlan plan;
+  TournamentPlan plan;
   std::vector<std::string> documents;  // of the teams, resolved, as their hashes in the plan were made from them
 };
 
-// Throws BadInput and config::Error.
-PlannedTournament planned_tournament(const TournamentOptions& options, const plugin::Catalogue& catalogue);
+// Throws config::BadInput and config::Error.
+PlannedTournament planned_tournament(const TournamentRequest& options, const plugin::Catalogue& catalogue);
 
-}  // namespace regista::cli
+}  // namespace regista::study

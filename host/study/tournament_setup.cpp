@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/tournament_options.hpp"
+#include "study/tournament_setup.hpp"
 
 #include <fmt/format.h>
 
@@ -8,38 +8,41 @@
 #include <map>
 
 #include "campaign/inputs.hpp"
+#include "campaign/job_setup.hpp"
+#include "campaign/match_setup.hpp"
 #include "campaign/mathematics.hpp"
-#include "cli/end_of_program.hpp"
-#include "cli/job_setup.hpp"
-#include "cli/match_setup.hpp"
-#include "cli/study_inputs.hpp"
-#include "cli/test_options.hpp"
+#include "config/bad_input.hpp"
 #include "config/documents.hpp"
 #include "config/text.hpp"
+#include "config/typed.hpp"
 #include "match/match.hpp"
 #include "plugin/declarations.hpp"
+#include "study/sequential_test_options.hpp"
+#include "study/study_inputs.hpp"
 
-namespace regista::cli {
+namespace regista::study {
 namespace {
 
 constexpr std::uint64_t most_pairs = 10'000'000;
 constexpr std::size_t most_teams = 1000;
 
-study::Format parse_format(const std::string& text) {
-  if (text == "round-robin") return study::Format::round_robin;
-  if (text == "gauntlet") return study::Format::gauntlet;
-  throw BadInput(config::unknown("format", text, "--format", std::vector<std::string>{"round-robin", "gauntlet"}));
+Format parse_format(const std::string& text) {
+  if (text == "round-robin") return Format::round_robin;
+  if (text == "gauntlet") return Format::gauntlet;
+  throw config::BadInput(
+      config::unknown("format", text, "--format", std::vector<std::string>{"round-robin", "gauntlet"}));
 }
 
-study::Objective parse_objective(const TournamentOptions& options) {
+Objective parse_objective(const TournamentRequest& options) {
   const auto alone = [](const std::string& option, const std::string& text, const char* wants) {
-    if (!text.empty()) throw BadInput(fmt::format("{} {}: belongs to {}, which is not given", option, text, wants));
+    if (!text.empty())
+      throw config::BadInput(fmt::format("{} {}: belongs to {}, which is not given", option, text, wants));
   };
   if (!options.sprt.empty() && !options.metric.empty()) {
-    throw BadInput("--sprt and --metric: a tournament has one test; which of them is to decide?");
+    throw config::BadInput("--sprt and --metric: a tournament has one test; which of them is to decide?");
   }
   if (!options.sprt.empty()) {
-    study::ScoreTest test;
+    ScoreTest test;
     test.design.model = parse_model(options.model.empty() ? "normalized" : options.model);
     test.design.hypotheses = parse_hypotheses("--sprt", options.sprt);
     test.design.rates =
@@ -49,96 +52,95 @@ study::Objective parse_objective(const TournamentOptions& options) {
   alone("--model", options.model, "--sprt");
   alone("--beta", options.beta, "--sprt");
   if (!options.metric.empty()) {
-    return study::ValueTest{options.metric, parse_rate("--alpha", options.alpha.empty() ? "0.05" : options.alpha)};
+    return ValueTest{options.metric, config::parse_rate("--alpha", options.alpha.empty() ? "0.05" : options.alpha)};
   }
   alone("--alpha", options.alpha, "--sprt or --metric");
-  return study::FixedNumber{};
+  return FixedNumber{};
 }
 
 // Those that do not begin with a team's letter go to the match as they are.
-void check_overrides(const TournamentOptions& options) {
+void check_overrides(const TournamentRequest& options) {
   for (const std::string& typed : options.overrides) {
     const std::string first = typed.substr(0, typed.find('.'));
     if (first.size() == 1 && first[0] >= 'A' && first[0] <= 'Z') {
-      throw BadInput(fmt::format("--set {}: teams are called by small letters", config::one_line(typed)));
+      throw config::BadInput(fmt::format("--set {}: teams are called by small letters", config::one_line(typed)));
     }
     if (first == "home" || first == "away") {
-      throw BadInput(
+      throw config::BadInput(
           fmt::format("--set {}: in a tournament each team plays on both sides; begin the path with a for the first "
                       "team, b for the second, and so on",
                       config::one_line(typed)));
     }
     if (first == "home_disturbance" || first == "away_disturbance") {
-      throw BadInput(
+      throw config::BadInput(
           fmt::format("--set {}: in a tournament each team plays on both sides; a path that begins with disturbance is "
                       "for both teams",
                       config::one_line(typed)));
     }
     if (first.size() == 1 && first[0] >= 'a' && first[0] <= 'z' &&
         static_cast<std::size_t>(first[0] - 'a') >= options.teams.size()) {
-      throw BadInput(fmt::format("--set {}: there are {} teams, a to {}", config::one_line(typed), options.teams.size(),
-                                 study::letter(std::min<std::size_t>(options.teams.size(), 26) - 1)));
+      throw config::BadInput(fmt::format("--set {}: there are {} teams, a to {}", config::one_line(typed),
+                                         options.teams.size(),
+                                         letter(std::min<std::size_t>(options.teams.size(), 26) - 1)));
     }
   }
 }
 
 // A match of the plan, set up; errors name teams as they were typed.
-MatchSetup setup_of(const study::TournamentPlan& plan, const study::Fixture& fixture,
-                    const plugin::Catalogue& catalogue) {
+campaign::MatchSetup setup_of(const TournamentPlan& plan, const Fixture& fixture, const plugin::Catalogue& catalogue) {
   try {
-    return match_setup(request_of(study::job(plan, fixture)), catalogue);
+    return campaign::match_setup(campaign::request_of(job(plan, fixture)), catalogue);
   } catch (const config::Error& error) {
     std::string text = error.what();
     for (const auto& [side, team] : {std::pair{"--set home.", fixture.home}, {"--set away.", fixture.away}}) {
       if (text.starts_with(side)) {
-        text.replace(0, std::string_view(side).size(), fmt::format("--set {}.", study::letter(team)));
+        text.replace(0, std::string_view(side).size(), fmt::format("--set {}.", letter(team)));
       }
     }
-    throw BadInput(text);
+    throw config::BadInput(text);
   }
 }
 
 // What teams are called: their names; where these are the same, with their files; where these are too, with letters.
-void label_teams(std::vector<study::Entrant>& teams) {
+void label_teams(std::vector<Entrant>& teams) {
   const auto distinguish = [&](auto&& by) {
     std::map<std::string, int> seen;
-    for (const study::Entrant& team : teams) ++seen[team.label];
+    for (const Entrant& team : teams) ++seen[team.label];
     for (std::size_t i = 0; i < teams.size(); ++i) {
       if (seen[teams[i].label] > 1) teams[i].label = fmt::format("{} ({})", teams[i].label, by(i));
     }
   };
-  const auto same_files = [&](const study::Entrant& a) {
-    return std::ranges::count(teams, a.file, &study::Entrant::file) > 1;
-  };
+  const auto same_files = [&](const Entrant& a) { return std::ranges::count(teams, a.file, &Entrant::file) > 1; };
   distinguish([&](std::size_t i) {
-    return same_files(teams[i]) ? (i < 26 ? study::letter(i) : std::to_string(i + 1)) : teams[i].file;
+    return same_files(teams[i]) ? (i < 26 ? letter(i) : std::to_string(i + 1)) : teams[i].file;
   });
 }
 
-void require_metric(const study::Objective& objective, const mind::TeamPlan& team) {
-  const auto* const test = std::get_if<study::ValueTest>(&objective);
-  if (test == nullptr || test->value == study::goals_value) return;
+void require_metric(const Objective& objective, const mind::TeamPlan& team) {
+  const auto* const test = std::get_if<ValueTest>(&objective);
+  if (test == nullptr || test->value == goals_value) return;
   std::vector<std::string> paths = metric_paths_of(team);
   const std::string prefix = "roles.";
   const std::string path = test->value.starts_with(prefix) ? test->value.substr(prefix.size()) : test->value;
   if (std::ranges::find(paths, path) != paths.end()) return;
-  paths.insert(paths.begin(), study::goals_value);
-  throw BadInput(config::unknown("metric", test->value, fmt::format("--metric, of team {}", team.team().name), paths));
+  paths.insert(paths.begin(), goals_value);
+  throw config::BadInput(
+      config::unknown("metric", test->value, fmt::format("--metric, of team {}", team.team().name), paths));
 }
 
-void refuse_what_never_ends(const TournamentOptions& options, const study::TournamentPlan& plan) {
-  if (!options.pairs.empty() || !study::equal_teams(plan, {0, 1})) return;
-  throw BadInput(
+void refuse_what_never_ends(const TournamentRequest& options, const TournamentPlan& plan) {
+  if (!options.pairs.empty() || !equal_teams(plan, {0, 1})) return;
+  throw config::BadInput(
       "tournament: the teams are equal to the last byte, so every pair is even and --sprt would never stop; "
       "--pairs N says how many are enough");
 }
 
 // Each fixture is known with all its inputs before the first match.
-void refuse_too_many(const study::TournamentPlan& plan) {
+void refuse_too_many(const TournamentPlan& plan) {
   constexpr std::size_t most_fixtures = 50'000;
-  const std::size_t fixtures = study::Calendar(plan).fixtures();
+  const std::size_t fixtures = Calendar(plan).fixtures();
   if (fixtures <= most_fixtures) return;
-  throw BadInput(
+  throw config::BadInput(
       fmt::format("tournament: {} teams from {} openings make {} fixtures; at most {} can be kept; fewer "
                   "openings or --format gauntlet make fewer",
                   plan.teams.size(), plan.openings.size(), fixtures, most_fixtures));
@@ -146,37 +148,39 @@ void refuse_too_many(const study::TournamentPlan& plan) {
 
 }  // namespace
 
-PlannedTournament planned_tournament(const TournamentOptions& options, const plugin::Catalogue& catalogue) {
+PlannedTournament planned_tournament(const TournamentRequest& options, const plugin::Catalogue& catalogue) {
   if (options.teams.size() < 2) {
-    throw BadInput(
+    throw config::BadInput(
         fmt::format("tournament: two teams or more are wanted, each by --team FILE; {} given", options.teams.size()));
   }
   if (options.teams.size() > most_teams) {
-    throw BadInput(fmt::format("tournament: {} teams; at most {} can play", options.teams.size(), most_teams));
+    throw config::BadInput(fmt::format("tournament: {} teams; at most {} can play", options.teams.size(), most_teams));
   }
   PlannedTournament out;
-  study::TournamentPlan& plan = out.plan;
+  TournamentPlan& plan = out.plan;
   plan.objective = parse_objective(options);
-  const bool tested = !std::holds_alternative<study::FixedNumber>(plan.objective);
+  const bool tested = !std::holds_alternative<FixedNumber>(plan.objective);
   if (tested && options.teams.size() > 2) {
-    throw BadInput("tournament: a sequential test is between two teams; give --pairs alone to rank more of them");
+    throw config::BadInput(
+        "tournament: a sequential test is between two teams; give --pairs alone to rank more of them");
   }
-  if (options.pairs.empty() && !std::holds_alternative<study::ScoreTest>(plan.objective)) {
-    throw BadInput(tested ? "tournament: how many pairs of matches at most? Say --pairs N; equal teams would play on "
-                            "for ever"
-                          : "tournament: how many pairs of matches? Say --pairs N, or --sprt ELO0,ELO1 for a "
-                            "sequential test");
+  if (options.pairs.empty() && !std::holds_alternative<ScoreTest>(plan.objective)) {
+    throw config::BadInput(
+        tested ? "tournament: how many pairs of matches at most? Say --pairs N; equal teams would play on "
+                 "for ever"
+               : "tournament: how many pairs of matches? Say --pairs N, or --sprt ELO0,ELO1 for a "
+                 "sequential test");
   }
-  plan.pairs = options.pairs.empty() ? most_pairs : parse_whole("--pairs", options.pairs, 1, most_pairs);
+  plan.pairs = options.pairs.empty() ? most_pairs : config::parse_whole("--pairs", options.pairs, 1, most_pairs);
   plan.format = parse_format(options.format);
-  plan.first_seed = parse_seed(options.seed, "--seed");
+  plan.first_seed = campaign::parse_seed(options.seed, "--seed");
   if (plan.first_seed > UINT64_MAX - (plan.pairs - 1)) {
-    throw BadInput(
+    throw config::BadInput(
         fmt::format("--seed {}: {} pairs from there would need seeds beyond {}", options.seed, plan.pairs, UINT64_MAX));
   }
   plan.failures_in_a_row =
-      static_cast<int>(parse_whole("--failures-in-a-row", options.failures_in_a_row, 0, 1'000'000));
-  plan.limits = limits(options);
+      static_cast<int>(config::parse_whole("--failures-in-a-row", options.failures_in_a_row, 0, 1'000'000));
+  plan.limits = campaign::limits_of(options);
   plan.folder = std::filesystem::current_path().string();
   check_overrides(options);
   plan.common.rules = options.rules;
@@ -191,10 +195,10 @@ PlannedTournament planned_tournament(const TournamentOptions& options, const plu
   const std::vector<std::string> openings = opening_files(options.openings, "--openings");
   if (!openings.empty()) plan.openings = {{openings.front(), {}}};
   for (std::size_t team = 0; team < plan.teams.size(); ++team) {
-    study::Fixture fixture;
+    Fixture fixture;
     fixture.home = team;
     fixture.away = (team + 1) % plan.teams.size();
-    const MatchSetup prepared = setup_of(plan, fixture, catalogue);
+    const campaign::MatchSetup prepared = setup_of(plan, fixture, catalogue);
     require_metric(plan.objective, *prepared.plans[0]);
     plan.teams[team].label = prepared.plans[0]->team().name;
     plan.teams[team].inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue);
@@ -204,13 +208,13 @@ PlannedTournament planned_tournament(const TournamentOptions& options, const plu
     if (openings.empty()) plan.most_goals = match::most_goal_difference(prepared.setup);
   }
   label_teams(plan.teams);
-  std::vector<study::Opening> scenes;
+  std::vector<Opening> scenes;
   for (const std::string& file : openings) {
-    study::TournamentPlan with = plan;
+    TournamentPlan with = plan;
     with.openings = {{file, {}}};
-    study::Fixture fixture;
+    Fixture fixture;
     fixture.away = 1;
-    const MatchSetup prepared = setup_of(with, fixture, catalogue);
+    const campaign::MatchSetup prepared = setup_of(with, fixture, catalogue);
     plan.most_goals = std::max(plan.most_goals, match::most_goal_difference(prepared.setup));
     add_scene(scenes, {file, campaign::opening_input(*prepared.setup.opening)}, prepared.setup.opening->name,
               "--openings");
@@ -221,4 +225,4 @@ PlannedTournament planned_tournament(const TournamentOptions& options, const plu
   return out;
 }
 
-}  // namespace regista::cli
+}  // namespace regista::study

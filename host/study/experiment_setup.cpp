@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/experiment_setup.hpp"
+#include "study/experiment_setup.hpp"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,9 @@
 #include <optional>
 
 #include "campaign/inputs.hpp"
+#include "campaign/job_setup.hpp"
 #include "campaign/mathematics.hpp"
-#include "cli/document_settings.hpp"
-#include "cli/end_of_program.hpp"
-#include "cli/job_setup.hpp"
-#include "cli/study_inputs.hpp"
+#include "config/bad_input.hpp"
 #include "config/documents.hpp"
 #include "config/flow.hpp"
 #include "config/read.hpp"
@@ -22,10 +20,12 @@
 #include "match/names.hpp"
 #include "match/teams.hpp"
 #include "plugin/declarations.hpp"
+#include "study/document_settings.hpp"
 #include "study/experiment.hpp"
 #include "study/measure.hpp"
+#include "study/study_inputs.hpp"
 
-namespace regista::cli {
+namespace regista::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -40,7 +40,8 @@ struct Reading {
   std::vector<std::string> plugins;
 };
 
-campaign::Job job_of(const Reading& reading, std::size_t arm, std::size_t side, const std::vector<Setting>& settings) {
+campaign::Job job_of(const Reading& reading, std::size_t arm, std::size_t side,
+                               const std::vector<Setting>& settings) {
   const config::Experiment& experiment = reading.experiment;
   campaign::Job out;
   const std::string& team = experiment.arms[arm].team;
@@ -75,9 +76,10 @@ double clock_seconds(const match::Setup& setup) {
 }
 
 // With --minutes or --matches in the place of what the document says.
-config::Overrides overrides_of(const ExperimentOptions& options) {
+config::Overrides overrides_of(const ExperimentRequest& options) {
   config::Overrides out = options.overrides;
-  if (!options.minutes.empty() && !options.matches.empty()) throw BadInput("--minutes and --matches: one of them");
+  if (!options.minutes.empty() && !options.matches.empty())
+    throw config::BadInput("--minutes and --matches: one of them");
   const std::string wanted = options.minutes.empty() ? "matches" : "minutes";
   const std::string& value = options.minutes.empty() ? options.matches : options.minutes;
   if (value.empty()) return out;
@@ -91,7 +93,7 @@ config::Overrides overrides_of(const ExperimentOptions& options) {
 
 class Planner {
  public:
-  Planner(const ExperimentOptions& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes)
+  Planner(const ExperimentRequest& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes)
       : options_(options),
         mistakes_(mistakes),
         overrides_(overrides_of(options)),
@@ -99,7 +101,7 @@ class Planner {
         experiment_(config::read_experiment(document_)),
         reading_{document_, experiment_, catalogue, options.plugins} {}
 
-  study::ExperimentPlan plan() {
+  ExperimentPlan plan() {
     describe();
     make_conditions();
     if (!mistakes_.none()) return {};  // what comes next needs them all
@@ -117,12 +119,12 @@ class Planner {
     plan_.opponent = from_here(experiment_.opponent);
     plan_.first_seed = static_cast<std::uint64_t>(experiment_.seed);
     plan_.confidence = experiment_.confidence;
-    plan_.limits = limits(options_, experiment_.isolation, experiment_.play_twice);
+    plan_.limits = campaign::limits_of(options_, experiment_.isolation, experiment_.play_twice);
     plan_.folder = fs::current_path().string();
     plan_.file = options_.file;
     plan_.overrides = overrides_;
     for (const config::Experiment::Arm& arm : experiment_.arms) {
-      study::Arm& out = plan_.arms.emplace_back();
+      Arm& out = plan_.arms.emplace_back();
       out.name = arm.name;
       out.file = from_here(arm.team.empty() ? experiment_.team : arm.team);
       for (const config::Node::Entry& entry : arm.set.entries()) {
@@ -150,14 +152,15 @@ class Planner {
     };
     std::string opponent;
     const auto make = [&](std::size_t arm, std::size_t value) {
-      study::Condition& condition = plan_.conditions.emplace_back();
+      Condition& condition = plan_.conditions.emplace_back();
       condition.arm = arm;
       condition.value = value;
       const std::vector<Setting> settings = settings_of(experiment_, document_, arm, value);
       for (const std::size_t side : {0u, 1u}) {
         campaign::Job& job = condition.jobs[side];
         job = job_of(reading_, arm, side, settings);
-        MatchSetup prepared = settled_match(job, side, settings, job_of(reading_, arm, 0, {}), reading_.catalogue);
+        campaign::MatchSetup prepared =
+            settled_match(job, side, settings, job_of(reading_, arm, 0, {}), reading_.catalogue);
         job.home_inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], reading_.catalogue);
         job.away_inputs = campaign::team_inputs(*prepared.plans[1], prepared.documents[1], reading_.catalogue);
         job.common_inputs = campaign::common_inputs(prepared.setup, program, mathematics);
@@ -224,7 +227,7 @@ class Planner {
 
   // Every measure that a match of any condition has.
   std::vector<std::string> known_measures() const {
-    std::vector<std::string> out(study::measures_of_score.begin(), study::measures_of_score.end());
+    std::vector<std::string> out(measures_of_score.begin(), measures_of_score.end());
     for (const auto& of_team : paths_) {
       for (const std::string& path : of_team) {
         if (std::ranges::find(out, path) == out.end()) out.push_back(path);
@@ -245,7 +248,7 @@ class Planner {
       if (std::ranges::find(plan_.measures, measure) == plan_.measures.end()) plan_.measures.push_back(measure);
     };
     for (const config::Node& each : experiment_.measures) {
-      const std::string measure = study::without_roles(each.text());
+      const std::string measure = without_roles(each.text());
       mistakes_.attempt("", [&] { require_measure(measure, each.where(), "measures", known); });
       add(measure);
     }
@@ -253,12 +256,11 @@ class Planner {
       for (const std::string& each : usual_measures(known)) add(each);
     }
     if (!experiment_.primary) return;
-    plan_.primary = study::without_roles(experiment_.primary->measure);
+    plan_.primary = without_roles(experiment_.primary->measure);
     mistakes_.attempt(
         "", [&] { require_measure(plan_.primary, document_["primary"]["measure"].where(), "primary", known); });
     add(plan_.primary);
-    plan_.test = experiment_.primary->test == config::PairedTest::sign_flip ? study::PairTest::sign_flip
-                                                                            : study::PairTest::paired_t;
+    plan_.test = experiment_.primary->test == config::PairedTest::sign_flip ? PairTest::sign_flip : PairTest::paired_t;
   }
 
   // What all roles sum up to, then what the paper shows of each role by itself (of a sweep only the sums: each becomes
@@ -299,11 +301,10 @@ class Planner {
       for (std::size_t value = 1; value < values; ++value) plan_.comparisons.push_back({value, 0});
       return;
     }
-    std::vector<study::Comparison> of_arms;
+    std::vector<Comparison> of_arms;
     if (experiment_.primary && !experiment_.primary->compare.empty()) {
       const auto index = [&](const config::Node& name) {
-        return static_cast<std::size_t>(std::ranges::find(plan_.arms, name.text(), &study::Arm::name) -
-                                        plan_.arms.begin());
+        return static_cast<std::size_t>(std::ranges::find(plan_.arms, name.text(), &Arm::name) - plan_.arms.begin());
       };
       for (const config::Node& pair : experiment_.primary->compare) {
         of_arms.push_back({index(pair.elements()[0]), index(pair.elements()[1])});
@@ -314,19 +315,19 @@ class Planner {
       }
     }
     for (std::size_t value = 0; value < values; ++value) {
-      for (const study::Comparison& each : of_arms) {
+      for (const Comparison& each : of_arms) {
         plan_.comparisons.push_back({plan_.condition(each.first, value), plan_.condition(each.second, value)});
       }
     }
   }
 
-  const ExperimentOptions& options_;
+  const ExperimentRequest& options_;
   config::Mistakes& mistakes_;
   config::Overrides overrides_;
   config::Node document_;
   config::Experiment experiment_;
   Reading reading_;
-  study::ExperimentPlan plan_;
+  ExperimentPlan plan_;
   std::vector<match::Setup> setups_;             // by condition
   std::vector<std::vector<std::string>> paths_;  // of metrics, by condition
   std::vector<std::vector<std::string>> roles_;  // by arm
@@ -335,14 +336,14 @@ class Planner {
 
 }  // namespace
 
-study::ExperimentPlan planned_experiment(const ExperimentOptions& options, const plugin::Catalogue& catalogue) {
+ExperimentPlan planned_experiment(const ExperimentRequest& options, const plugin::Catalogue& catalogue) {
   config::Mistakes first(config::Mistakes::After::stop);
   return Planner(options, catalogue, first).plan();
 }
 
-void check_experiment(const ExperimentOptions& options, const plugin::Catalogue& catalogue,
+void check_experiment(const ExperimentRequest& options, const plugin::Catalogue& catalogue,
                       config::Mistakes& mistakes) {
   Planner(options, catalogue, mistakes).plan();
 }
 
-}  // namespace regista::cli
+}  // namespace regista::study

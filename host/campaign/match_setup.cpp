@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/match_setup.hpp"
+#include "campaign/match_setup.hpp"
 
 #include <fmt/format.h>
 
@@ -9,16 +9,17 @@
 #include <filesystem>
 #include <string_view>
 
-#include "cli/end_of_program.hpp"
-#include "cli/overrides.hpp"
+#include "campaign/overrides.hpp"
+#include "config/bad_input.hpp"
 #include "config/check.hpp"
 #include "config/documents.hpp"
 #include "config/packet_share.hpp"
 #include "config/parse.hpp"
 #include "config/read.hpp"
 #include "config/text.hpp"
+#include "config/typed.hpp"
 
-namespace regista::cli {
+namespace regista::campaign {
 namespace {
 
 constexpr double longest_limit = 1e6;  // s
@@ -28,7 +29,7 @@ double parse_limit(const std::string& text) {
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, seconds);
   if (error != std::errc() || rest != end || !(seconds > 0.0) || seconds > longest_limit) {
-    throw BadInput(
+    throw config::BadInput(
         fmt::format("--limit: {}; seconds above 0, up to {:.0f}, are wanted", config::in_quotes(text), longest_limit));
   }
   return seconds;
@@ -57,7 +58,7 @@ std::optional<config::Opening> opening_of(const MatchRequest& request, const Sor
   const std::string name(config::name_of(config::DocumentKind::opening));
   if (request.opening.empty()) {
     if (overrides.of(name).empty()) return std::nullopt;
-    throw BadInput(
+    throw config::BadInput(
         fmt::format("--set {}.{}: there is no opening; --opening FILE names one", name, overrides.of(name).front()));
   }
   return overrides.read(name, [&](const config::Overrides& of_this) {
@@ -87,7 +88,7 @@ std::uint64_t parse_seed(const std::string& text, const std::string& option) {
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, seed);
   if (error != std::errc() || rest != end) {
-    throw BadInput(
+    throw config::BadInput(
         fmt::format("{}: {}; a whole number from 0 to {} is wanted", option, config::in_quotes(text), UINT64_MAX));
   }
   return seed;
@@ -138,4 +139,4 @@ MatchSetup match_setup(const MatchRequest& request, const plugin::Catalogue& cat
   return out;
 }
 
-}  // namespace regista::cli
+}  // namespace regista::campaign

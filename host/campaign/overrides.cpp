@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "cli/overrides.hpp"
+#include "campaign/overrides.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 
-namespace regista::cli {
+namespace regista::campaign {
 namespace {
 
 constexpr std::array<std::string_view, 7> names{
@@ -61,4 +61,4 @@ config::Error SortedOverrides::as_typed(std::string_view document, const config:
   return error;
 }
 
-}  // namespace regista::cli
+}  // namespace regista::campaign

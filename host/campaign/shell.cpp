@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "cli/shell.hpp"
+#include "campaign/shell.hpp"
 
 #include <vector>
 
 #include <algorithm>
 #include <string_view>
 
-namespace regista::cli {
+namespace regista::campaign {
 namespace {
 
 bool is_plain(char c) {
@@ -44,4 +44,4 @@ std::string command_line(std::span<const std::string> words) {
   return shell_line(line);
 }
 
-}  // namespace regista::cli
+}  // namespace regista::campaign

@@ -15,7 +15,7 @@
 #include "mind/team_plan.hpp"
 #include "plugin/catalogue.hpp"
 
-namespace regista::cli {
+namespace regista::campaign {
 
 struct MatchRequest {
   std::vector<std::string> teams;         // files: home, away
@@ -34,10 +34,10 @@ struct MatchSetup {
   std::vector<config::Warning> warnings;                       // of the teams, each once
 };
 
-// Throws BadInput and config::Error.
+// Throws config::BadInput and config::Error.
 MatchSetup match_setup(const MatchRequest& request, const plugin::Catalogue& catalogue);
 
-// A whole number from 0 to 2^64 - 1 in decimal digits. `option`: who asks, for the message. Throws BadInput.
+// A whole number from 0 to 2^64 - 1 in decimal digits. `option`: who asks, for the message. Throws config::BadInput.
 std::uint64_t parse_seed(const std::string& text, const std::string& option);
 
-}  // namespace regista::cli
+}  // namespace regista::campaign

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "campaign/job.hpp"
-#include "cli/match_setup.hpp"
+#include "campaign/match_setup.hpp"
 #include "plugin/catalogue.hpp"
 
-namespace regista::cli {
+namespace regista::campaign {
 
 MatchRequest request_of(const campaign::Job& job);
 
@@ -26,4 +26,4 @@ campaign::Job job_of(const MatchRequest& request, const std::vector<std::string>
 // The line of the shell that plays this match, whatever the program was called and asked to write: "regista match ...".
 std::string plain_command(const campaign::Job& job);
 
-}  // namespace regista::cli
+}  // namespace regista::campaign
