@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "campaign/match_run.hpp"
-#include "campaign/process.hpp"
+#include "plugin/descendants.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -39,9 +39,7 @@ void watch(const Worker& worker, std::vector<pollfd>& watched, int& patient) {
 class Engine {
  public:
   Engine(const Schedule& schedule, Store& store, int workers, const Limits& limits)
-      : schedule_(schedule), store_(store), workers_(static_cast<std::size_t>(workers)), limits_(limits) {
-    adopt_orphans();
-  }
+      : schedule_(schedule), store_(store), workers_(static_cast<std::size_t>(workers)), limits_(limits) {}
 
   Finish run() {
     while (due_ < schedule_.matches) {
@@ -59,7 +57,7 @@ class Engine {
         runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(i));
         std::vector<pid_t> ours;
         for (const auto& run : runs_) ours.push_back(run->match.worker().process());
-        end_children_but(ours);
+        descendants_.end_all_but(ours);
       }
     }
     return Finish::complete;
@@ -130,6 +128,7 @@ class Engine {
   Store& store_;
   std::size_t workers_;
   Limits limits_;
+  plugin::Descendants descendants_;
   std::vector<std::unique_ptr<Run>> runs_;
   std::map<std::uint64_t, Waiting> decided_;  // by index, not yet handed on
   std::uint64_t next_ = 0, due_ = 0;
@@ -142,7 +141,7 @@ Finish run(const Schedule& schedule, Store& store, int workers, const Limits& li
 }
 
 Decided play_alone(const Job& job, const Limits& limits, bool twice) {
-  adopt_orphans();
+  const plugin::Descendants descendants;
   MatchRun match(job, limits, twice, {});
   while (!match.advance()) {
     std::vector<pollfd> watched;
@@ -150,7 +149,7 @@ Decided play_alone(const Job& job, const Limits& limits, bool twice) {
     watch(match.worker(), watched, patient);
     poll(watched.data(), watched.size(), patient);
   }
-  end_children_but({});
+  descendants.end_all();
   return match.decided();
 }
 

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -46,11 +47,11 @@ void close_all_but_standard_streams() {
 class IsolatedMatch {
  public:
   IsolatedMatch(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, const Limits& limits,
-                bool compare_inputs, const AfterDigest& after, WorkerNote& note)
+                bool closely, const AfterDigest& after, WorkerNote& note)
       : setup_(std::move(setup)),
         plans_(plans),
         limits_(limits),
-        examination_{compare_inputs, static_cast<bool>(after)},
+        examination_{closely, static_cast<bool>(after)},
         after_(after),
         note_(note) {
     for (const match::Side side : match::both_sides)
@@ -105,6 +106,9 @@ class IsolatedMatch {
       if (::getppid() != match) ::_exit(1);
       std::signal(SIGCHLD, SIG_DFL);
       close_all_but_standard_streams();
+      // Nothing that the match or the other team's minds read is left in reach of plugins.
+      team(match::opposite(side)).channel.forget();
+      ::munmap(&note_, sizeof note_);
       serve_minds(*plans_[match::index(side)], side, setup_.seed, examination_, team(side).channel);
     }
     ::setpgid(process, process);  // whoever of the two comes first
@@ -162,7 +166,11 @@ class IsolatedMatch {
     Team& asked = team(side);
     if (!asked.channel.replied()) wait_for(side);
     if (asked.channel.reply() == Reply::done) return config::BytesIn(asked.channel.bytes());
-    if (asked.channel.reply() == Reply::no_memory) throw Fault(noted(side, "no memory is left"), false);
+    if (asked.channel.reply() == Reply::no_memory) {
+      // Below half of what it may have, it is the machine that has no more.
+      const bool of_the_machine = limits_.memory == 0 || address_space_of(asked.process) < limits_.memory / 2;
+      throw Fault(noted(side, "no memory is left"), of_the_machine);
+    }
     const auto bytes = asked.channel.bytes();
     Failure failure;
     try {
@@ -205,10 +213,13 @@ class IsolatedMatch {
     const double home = waited(match::Side::home), away = waited(match::Side::away);
     if (home + away <= limits_.match_wall_seconds) return;
     const match::Side slower = home >= away ? match::Side::home : match::Side::away;
+    // Where both are slow, it may be the machine.
+    constexpr double most_of_it = 0.75;
+    const bool both = std::max(home, away) < most_of_it * (home + away);
     throw Fault({static_cast<int>(match::index(slower)), "", "", 0, 0,
                  fmt::format("kept the match waiting for {:.0f} s of the {:.0f} s that a match may last",
                              std::max(home, away), limits_.match_wall_seconds)},
-                false);
+                both);
   }
 
   void look_after(match::Side side) {
@@ -261,8 +272,8 @@ class IsolatedMatch {
 }  // namespace
 
 match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, const Limits& limits,
-                            bool compare_inputs, const AfterDigest& after, WorkerNote& note) {
-  return IsolatedMatch(std::move(setup), plans, limits, compare_inputs, after, note).play();
+                            bool closely, const AfterDigest& after, WorkerNote& note) {
+  return IsolatedMatch(std::move(setup), plans, limits, closely, after, note).play();
 }
 
 }  // namespace regista::campaign

@@ -40,6 +40,6 @@ using AfterDigest = std::function<void(const match::Decision&, const match::Deci
 // Plays `setup` as match::play(setup, plans) does. To be called by a process without threads that has loaded no plugin:
 // it is copied. `note`: the process groups are written into it. Throws Fault, and what match::play throws.
 match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, const Limits& limits,
-                            bool compare_inputs, const AfterDigest& after, WorkerNote& note);
+                            bool closely, const AfterDigest& after, WorkerNote& note);
 
 }  // namespace regista::campaign

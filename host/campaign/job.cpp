@@ -108,7 +108,8 @@ std::string to_json(const Job& job) {
                    {"record", job.record},
                    {"expects_failure", job.expects_failure},
                    {"isolated", job.isolated},
-                   {"second_play", job.second_play},
+                   {"elsewhere", job.elsewhere},
+                   {"closely", job.closely},
                    {"trail", job.trail},
                    {"limits", json_of(job.limits)},
                    {"plugin_files", job.plugin_files},
@@ -134,7 +135,8 @@ Job job_from_json(const std::string& text) {
     job.record = json.value("record", "");  // nor this
     job.expects_failure = json.value("expects_failure", false);
     job.isolated = json.value("isolated", false);
-    job.second_play = json.value("second_play", false);
+    job.elsewhere = json.value("elsewhere", false);
+    job.closely = json.value("closely", false);
     job.trail = json.value("trail", false);
     if (json.contains("limits")) job.limits = limits_of(json.at("limits"));
     if (json.contains("plugin_files")) json.at("plugin_files").get_to(job.plugin_files);

@@ -27,12 +27,11 @@ struct Job {
   std::string record;  // file that the worker records the match in, replacing it; empty: none. Part of no key.
   bool expects_failure = false;  // then as much as possible is to stand in that file when the worker dies
   // How it is played. Part of no key: the result is the same.
-  bool isolated = false;  // each team's minds in a process of their own
-  // The second play of a match that is played twice: elsewhere in memory and in the file system, and inputs of plugins
-  // are compared before and after each call.
-  bool second_play = false;
-  bool trail = false;  // digests of all decisions are written to the worker's trail
-  Limits limits;       // of the processes of an isolated match
+  bool isolated = false;   // each team's minds in a process of their own
+  bool elsewhere = false;  // in memory and in the file system, and with another environment
+  bool closely = false;    // see plugin::Noting
+  bool trail = false;      // digests of all decisions are written to the worker's trail
+  Limits limits;           // of the processes of an isolated match
   // Files of the plugins that a search of the folders has found for these teams; empty: it is searched anew.
   std::vector<std::string> plugin_files;
   // What is to be played, as inputs.hpp counts it up. A worker that finds something else in the files does not play.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sys/time.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
@@ -109,6 +110,15 @@ std::string changes(const ProcessState& before, const ProcessState& after) {
                               object == nullptr ? "" : fmt::format(" to one in {}", object->data())));
   }
   return fmt::format("{}", fmt::join(out, ", "));
+}
+
+std::string changes_since(const ProcessState& before) {
+  ProcessState now = ProcessState::now();
+  for (int i = 0; i < 20 && now.threads > before.threads; ++i) {
+    usleep(5000);
+    now = ProcessState::now();
+  }
+  return changes(before, now);
 }
 
 }  // namespace regista::campaign

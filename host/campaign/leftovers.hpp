@@ -23,4 +23,7 @@ struct ProcessState {
 // What was changed in between, in words: "left 2 threads running, changed the working folder". Empty when nothing was.
 std::string changes(const ProcessState& before, const ProcessState& after);
 
+// Until now. The kernel may still list a thread for a moment that has been joined: it is waited for.
+std::string changes_since(const ProcessState& before);
+
 }  // namespace regista::campaign

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
@@ -36,9 +37,11 @@ void MatchRun::start(Stage stage) {
   Job job = job_;
   job.limits = limits_;
   job.isolated = isolated(stage);
-  // What was found only where inputs are compared can only be found there again.
-  job.second_play = stage == Stage::second || (stage == Stage::isolated && first_);
-  job.trail = twice_ && (stage == Stage::first || job.second_play);
+  // Another folder, environment and addresses, to see whether the match depends on them. Whoever failed there may do so
+  // for want of a file: whether that is a fault, a play where the first one was decides.
+  job.elsewhere = stage == Stage::second;
+  job.closely = stage == Stage::second || stage == Stage::isolated;
+  job.trail = twice_ && (stage == Stage::first || stage == Stage::second || (stage == Stage::isolated && first_));
   // A recording needs the minds in the match's own process.
   if (stage != Stage::first || job.isolated) job.record.clear();
   if (stage == Stage::recording) {
@@ -121,13 +124,14 @@ void MatchRun::played(const Answer& answer) {
     return;
   }
   attempts_.push_back({isolated(stage_), true, false, {}, {}});
+  if (first_) {
+    compare(answer.decided);
+    return;
+  }
   switch (judge(attempts_)) {
     case Judgement::counts:
       if (attempts_.size() > 1) accident_ = attempts_.front().what;
-      if (first_)
-        compare(answer.decided);
-      else
-        decide(answer.decided);
+      decide(answer.decided);
       break;
     case Judgement::set_aside: {
       Decided out;
@@ -163,6 +167,14 @@ void MatchRun::compare(const Decided& again) {
   out.irreproducible = first_difference(first_trail_, trail_->content());
   if (!same && out.irreproducible.empty()) {
     out.irreproducible = "the results of two plays differ, though all decisions are the same";
+  }
+  // The second play itself failed. That says nothing about the first one, which was played to its end.
+  const auto failed = std::ranges::find(attempts_, false, &Attempt::played);
+  if (failed != attempts_.end()) {
+    if (failed->from_outside)
+      accident_ = failed->what;
+    else if (out.irreproducible.empty())
+      out.irreproducible = "the second play failed, in another process and folder: " + failed->what;
   }
   decide(out);
 }

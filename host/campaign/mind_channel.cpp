@@ -33,7 +33,12 @@ MindChannel::MindChannel() {
   shared_ = new (memory) Shared;
 }
 
-MindChannel::~MindChannel() { munmap(shared_, sizeof(Shared)); }
+MindChannel::~MindChannel() { forget(); }
+
+void MindChannel::forget() {
+  if (shared_ != nullptr) munmap(shared_, sizeof(Shared));
+  shared_ = nullptr;
+}
 
 void MindChannel::hand_over(std::uint32_t turn, std::uint32_t kind, std::span<const std::uint8_t> bytes) {
   assert(bytes.size() <= most_bytes);

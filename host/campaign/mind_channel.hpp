@@ -31,6 +31,8 @@ class MindChannel {
   MindChannel& operator=(const MindChannel&) = delete;
 
   WorkerNote& note() { return shared_->note; }
+  // Takes it away from this process; a copy may still have it. Nothing may be asked of it afterwards.
+  void forget();
 
   // --- The match's side
 

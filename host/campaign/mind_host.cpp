@@ -41,7 +41,7 @@ class MindHost {
   MindHost(const mind::TeamPlan& plan, match::Side side, std::uint64_t seed, const Examination& examination,
            MindChannel& channel)
       : side_(static_cast<int>(match::index(side))), examination_(examination), channel_(channel) {
-    minds_ = match::minds(plan, side, seed, {&channel.note().call, side_, examination.compare_inputs});
+    minds_ = match::minds(plan, side, seed, {&channel.note().call, side_, examination.closely});
   }
 
   void answer() {
@@ -124,7 +124,7 @@ void serve_minds(const mind::TeamPlan& plan, match::Side side, std::uint64_t see
       const bool last = channel.question() == Question::finish;
       host.answer();
       if (!last) continue;
-      const std::string left = changes(before, ProcessState::now());
+      const std::string left = changes_since(before);
       if (left.empty()) {
         channel.answer(Reply::done, {});
       } else {

@@ -13,7 +13,7 @@ namespace regista::campaign {
 
 // What a play looks at beyond what it needs itself.
 struct Examination {
-  bool compare_inputs = false;    // whether plugins change what they may only read
+  bool closely = false;           // at every call, see plugin::Noting
   bool digest_decisions = false;  // to tell where another play differs first
 };
 

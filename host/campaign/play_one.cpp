@@ -164,10 +164,10 @@ match::Result play_here(const Job& job, MatchSetup& prepared, const std::array<c
   const ProcessState before = ProcessState::now();
   const pid_t here = getpid();
   const match::Result result =
-      match::play(std::move(prepared.setup), plans, recording.observer(), after, {&note.call, 0, job.second_play});
+      match::play(std::move(prepared.setup), plans, recording.observer(), after, {&note.call, 0, job.closely});
   if (getpid() != here) _exit(1);  // a plugin has doubled the process: one of the two is enough
   note.call = {};                  // whatever dies from now on dies in no plugin's call
-  if (const std::string left = changes(before, ProcessState::now()); !left.empty()) {
+  if (const std::string left = changes_since(before); !left.empty()) {
     throw std::runtime_error("a plugin " + left);
   }
   return result;
@@ -181,7 +181,7 @@ match::Result play_isolated(const Job& job, MatchSetup& prepared, const std::arr
       trail->add(decision, digest);
     };
   }
-  return play_isolated(std::move(prepared.setup), plans, job.limits, job.second_play, after, note);
+  return play_isolated(std::move(prepared.setup), plans, job.limits, job.closely, after, note);
 }
 
 Answer play(const Job& job, const Surroundings& surroundings, WorkerNote& note) {
@@ -205,7 +205,7 @@ Answer play(const Job& job, const Surroundings& surroundings, WorkerNote& note) 
   Recording recording(job, prepared, plans, surroundings);
   std::optional<TrailWriter> trail;
   if (job.trail) trail.emplace(trail_descriptor, plans);
-  if (job.second_play) go_elsewhere();
+  if (job.elsewhere) go_elsewhere();
   try {
     played.result = job.isolated ? play_isolated(job, prepared, plans, trail, note)
                                  : play_here(job, prepared, plans, recording, trail, note);

@@ -68,7 +68,7 @@ bool limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
 
 struct Inherited {
   int job, answer, note, output, trail;  // trail: -1 for none
-  bool second_play;
+  bool elsewhere;
   pid_t coordinator;
 };
 
@@ -106,7 +106,7 @@ struct Inherited {
   std::array<char, 16> command{};
   std::strncpy(command.data(), worker_command, command.size() - 1);
   char* const arguments[] = {name.data(), command.data(), nullptr};
-  if (!given.second_play) execv("/proc/self/exe", arguments);
+  if (!given.elsewhere) execv("/proc/self/exe", arguments);
   // What a match must not depend on is another than in the first play.
   static char padding[4096] = "REGISTA_SECOND_PLAY=";
   memset(padding + 20, 'x', sizeof padding - 21);
@@ -139,8 +139,8 @@ Worker::Worker(const Job& job, const Limits& limits, SharedNote& note, int trail
   // The reading ends alone: what the worker inherits must block.
   fcntl(reading.number, F_SETFL, O_NONBLOCK);
   fcntl(reading_output.number, F_SETFL, O_NONBLOCK);
-  const Inherited inherited{given.number, writing.number,  note.descriptor(), writing_output.number,
-                            trail,        job.second_play, getpid()};
+  const Inherited inherited{given.number, writing.number, note.descriptor(), writing_output.number,
+                            trail,        job.elsewhere,  getpid()};
   process_ = fork();
   if (process_ == -1) fail("cannot start a worker");
   if (process_ == 0) become_worker(inherited, limits);
@@ -162,14 +162,16 @@ Worker::~Worker() {
 void Worker::kill() {
   // The whole group: a plugin may have started processes of its own. So may the minds of an isolated match.
   end_group(process_);
+  if (!isolated_) return;  // plugins can write that note; where minds are apart, they have lost sight of it
   for (const pid_t each : note_.note().groups) {
     if (each > 1) ::kill(-each, SIGKILL);
   }
 }
 
+// Bounded, as a plugin may write without end.
 void Worker::read() {
   std::array<char, 65536> buffer;
-  while (pipe_ != -1) {
+  for (int i = 0; i < 16 && pipe_ != -1; ++i) {
     const ssize_t count = ::read(pipe_, buffer.data(), buffer.size());
     if (count > 0) {
       if (answer_.size() < longest_answer) answer_.append(buffer.data(), static_cast<std::size_t>(count));

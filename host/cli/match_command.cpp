@@ -288,7 +288,7 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
     played.result = match::play(std::move(prepared.setup), plans, &observer, after, {&note.call});
     note.call = {};                              // whatever dies from now on dies in no plugin's call
     if (getpid() != here) _exit(exit_internal);  // a plugin has doubled the process: one of the two is enough
-    left = campaign::changes(before, campaign::ProcessState::now());
+    left = campaign::changes_since(before);
     if (recording) recording->close();
   } catch (const mcap::Error& error) {
     throw WriteError(error.what());

@@ -24,6 +24,7 @@
 
 #include "campaign/process.hpp"
 #include "cli/end_of_program.hpp"
+#include "plugin/descendants.hpp"
 #include "plugin/fatal_signal.hpp"
 
 namespace regista::cli {
@@ -37,23 +38,31 @@ struct Shared {
   std::array<char, 512> disorder{};  // what a plugin left behind; ends with a zero
 };
 
-constexpr std::array told_on{SIGINT, SIGTERM, SIGHUP};
+constexpr std::array told_on{SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGCONT};
 
 // Handlers of signals take no arguments of ours.
 std::atomic<pid_t> copy{0};
 std::atomic<int> told{0};
 
-// The terminal sends Ctrl-C to both; what was sent to this process alone is told on.
-void tell_on(int signal_number, siginfo_t* info, void*) {
-  told = signal_number;
+// The copy has a process group of its own, so that it gets no signal but by this process, and each once.
+void tell_on(int signal_number) {
+  const int error = errno;
   const pid_t process = copy;
-  if (process > 0 && info->si_code == SI_USER) ::kill(process, signal_number);
+  if (process > 0) ::kill(-process, signal_number);
+  if (signal_number == SIGTSTP) {
+    ::raise(SIGSTOP);
+  } else if (signal_number != SIGCONT) {
+    told = signal_number;
+  }
+  errno = error;
 }
 
 [[noreturn]] void work_in_copy(const std::function<int(campaign::WorkerNote&)>& work, Shared& shared,
                                pid_t parent) noexcept {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(exit_internal);
+  ::setpgid(0, 0);
+  std::signal(SIGTTOU, SIG_IGN);  // it may write to the terminal all the same
   plugin::note_fatal_signals(shared.note.fatal);
   int code = exit_internal;
   try {
@@ -142,6 +151,7 @@ int run_supervised(const campaign::Limits& limits, const std::function<int(campa
   sigemptyset(&held);
   for (const int each : told_on) sigaddset(&held, each);
   sigprocmask(SIG_BLOCK, &held, &before);  // until it is known whom to tell
+  const plugin::Descendants descendants;
   const pid_t process = ::fork();
   if (process == 0) {
     sigprocmask(SIG_SETMASK, &before, nullptr);
@@ -151,18 +161,18 @@ int run_supervised(const campaign::Limits& limits, const std::function<int(campa
     sigprocmask(SIG_SETMASK, &before, nullptr);
     throw std::system_error(errno, std::generic_category(), "cannot start a process for the match");
   }
+  ::setpgid(process, process);  // whoever of the two comes first
   copy = process;
   std::array<struct sigaction, told_on.size()> old{};
   for (std::size_t i = 0; i < told_on.size(); ++i) {
     struct sigaction action {};
     sigaction(told_on[i], nullptr, &old[i]);
     if (old[i].sa_handler == SIG_IGN) continue;  // as nohup asks for
-    action.sa_sigaction = tell_on;
-    action.sa_flags = SA_SIGINFO | SA_RESTART;
+    action.sa_handler = tell_on;
+    action.sa_flags = SA_RESTART;
     sigaction(told_on[i], &action, nullptr);
   }
   sigprocmask(SIG_SETMASK, &before, nullptr);
-  campaign::adopt_orphans();
   const int descriptor = descriptor_of(process);
   CallWatch watch(limits);
   std::string too_long;
@@ -186,7 +196,7 @@ int run_supervised(const campaign::Limits& limits, const std::function<int(campa
   }
   copy = 0;
   for (std::size_t i = 0; i < told_on.size(); ++i) sigaction(told_on[i], &old[i], nullptr);
-  campaign::end_children_but({});  // what plugins have started
+  descendants.end_all();  // what plugins have started
   Loss loss{in_words(status), false, shared.note};
   shared.disorder.back() = '\0';
   const std::string disorder = shared.disorder.data();
@@ -194,7 +204,11 @@ int run_supervised(const campaign::Limits& limits, const std::function<int(campa
   const int code = shared.code;
   ::munmap(memory, sizeof(Shared));
   if (done) return code;
-  if (told != 0) return exit_no;  // it was asked to end, and did not wait for a plugin
+  if (told != 0) {
+    // It was asked to end, and did not wait for a plugin; or it was asked twice, and said nothing.
+    if (WIFSIGNALED(status)) complain("interrupted");
+    return exit_no;
+  }
   loss.note.call.plugin.back() = loss.note.call.call.back() = '\0';
   loss.note.fatal.thread.back() = loss.note.fatal.object.back() = '\0';
   if (!disorder.empty()) loss.what = disorder;

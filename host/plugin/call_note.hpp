@@ -28,7 +28,8 @@ struct CallNote {
 struct Noting {
   CallNote* note = nullptr;  // null: nobody listens
   std::int32_t side = 0;
-  bool compare_inputs = false;  // whether inputs that are const are looked at before and after each call
+  // Whether all is looked at in every call: see AnswerRooms, and inputs that are const, before and after it.
+  bool closely = false;
 };
 
 // An id as a note holds it.

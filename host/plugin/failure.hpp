@@ -27,7 +27,7 @@ struct Caller {
   // it away from all of them.
   void begin_decision() {
     constexpr std::uint64_t one_of = 61;
-    if (rooms != nullptr) rooms->closely = tick % one_of == 0;
+    if (rooms != nullptr) rooms->closely = noting.closely || tick % one_of == 0;
     note();
   }
 

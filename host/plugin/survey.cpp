@@ -23,7 +23,9 @@
 #include <utility>
 
 #include "config/bytes.hpp"
+#include "config/sanitized.hpp"
 #include "config/text.hpp"
+#include "plugin/descendants.hpp"
 #include "plugin/idle_process.hpp"
 #include "plugin/shared_object.hpp"
 
@@ -34,9 +36,10 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr rlim_t most_processor_seconds = 2;  // that opening one file may take
-constexpr double most_idle_seconds = 2.0;     // s, for a file that sleeps
-constexpr double most_seconds = 10.0;         // s of wall time, on a machine that has much else to do
-constexpr int patience = 100;                 // ms between two looks at a child that says nothing
+constexpr rlim_t most_memory = rlim_t{2} << 30;
+constexpr double most_idle_seconds = 2.0;  // s, for a file that sleeps
+constexpr double most_seconds = 10.0;      // s of wall time, on a machine that has much else to do
+constexpr int patience = 100;              // ms between two looks at a child that says nothing
 constexpr std::uint32_t most_bytes = 16u << 20;
 
 // --- In the child ----------------------------------------------------------------------------------------------------
@@ -71,7 +74,11 @@ int threads() {
 
 // What it may not leave behind when it has been opened; empty when it does not.
 std::string left_running(int threads_before) {
-  if (threads() != threads_before) return "starts a thread when it is opened";
+  // One that has been joined may still be listed for a moment.
+  for (int i = 0; threads() > threads_before; ++i) {
+    if (i == 20) return "starts a thread when it is opened";
+    ::usleep(5000);
+  }
   for (const __itimer_which timer : {ITIMER_REAL, ITIMER_VIRTUAL, ITIMER_PROF}) {
     itimerval now{};
     if (::getitimer(timer, &now) == 0 && (now.it_value.tv_sec != 0 || now.it_value.tv_usec != 0))
@@ -90,6 +97,13 @@ void limit_processor_time() {
   ::setrlimit(RLIMIT_CPU, &limit);
 }
 
+void limit_memory() {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = std::min(most_memory, limit.rlim_max);
+  ::setrlimit(RLIMIT_AS, &limit);
+}
+
 [[noreturn]] void look(std::span<const fs::path> files, std::size_t first, int pipe, pid_t parent) noexcept {
   ::setpgid(0, 0);  // a signal to the group of a plugin is not for us
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -99,6 +113,7 @@ void limit_processor_time() {
   for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nothing, standard);
   const rlimit none{0, 0};
   ::setrlimit(RLIMIT_CORE, &none);
+  if constexpr (!sanitized) limit_memory();
   for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGPIPE, SIGXCPU}) std::signal(each, SIG_DFL);
   const int threads_before = threads();
   for (std::size_t i = first; i < files.size(); ++i) {
@@ -255,13 +270,10 @@ Looked look_at(std::span<const fs::path> files, std::size_t first, std::vector<S
   return child.hung() && sound_so_far ? Looked::until_one_that_hung : Looked::until_one;
 }
 
-}  // namespace
-
-std::vector<Surveyed> survey(std::span<const fs::path> files) {
-  std::vector<Surveyed> out(files.size());
-  if (files.empty()) return out;
+// What is said of each; all by one child, and each by one of its own where one ends it.
+void look_at_each(std::span<const fs::path> files, std::vector<Surveyed>& out) {
   const Looked looked = look_at(files, 0, out);
-  if (looked == Looked::at_all) return out;
+  if (looked == Looked::at_all) return;
   // Nobody waits twice for the same file.
   const auto hung = looked == Looked::until_one_that_hung
                         ? std::ranges::find_if(out, [](const Surveyed& each) { return !each.refusal.empty(); })
@@ -272,6 +284,16 @@ std::vector<Surveyed> survey(std::span<const fs::path> files) {
     look_at(files.subspan(i, 1), 0, one);
     out[i] = std::move(one.front());
   }
+}
+
+}  // namespace
+
+std::vector<Surveyed> survey(std::span<const fs::path> files) {
+  std::vector<Surveyed> out(files.size());
+  if (files.empty()) return out;
+  const Descendants descendants;
+  look_at_each(files, out);
+  descendants.end_all();
   return out;
 }
 

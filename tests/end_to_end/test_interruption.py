@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Ctrl-C while a match is played."""
 
+import os
 import shlex
 import signal
 import subprocess
@@ -37,6 +38,17 @@ class Interruption(program.Case):
 
     def test_a_request_to_terminate_is_the_same(self):
         self.assertIn("interrupted in half", self.interrupted(signal.SIGTERM))
+
+    def test_a_signal_to_the_whole_group_is_told_once(self):
+        for _ in range(4):
+            process = self.start("match", "small.yaml", "small.yaml", *LONG, stdout=subprocess.PIPE,
+                                 stderr=subprocess.PIPE, start_new_session=True)
+            with process:
+                time.sleep(5.0 if program.SANITIZED else 0.5)
+                os.killpg(process.pid, signal.SIGTERM)
+                out, err = process.communicate(timeout=30)
+            self.assertEqual((process.returncode, out), (1, ""))
+            self.assertEqual(err.count("interrupted"), 1, err)
 
     def test_a_plugin_that_hangs_cannot_hold_it_up(self):
         folder = program.TEST_PLUGINS / "hangs"

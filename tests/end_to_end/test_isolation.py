@@ -4,6 +4,8 @@ for, whatever killed it and whoever's call was under way."""
 
 import itertools
 import json
+import shlex
+import subprocess
 import unittest
 
 import experiment
@@ -13,6 +15,7 @@ import tournament
 
 THREADS = program.TEST_PLUGINS / "threads"
 WAITS = program.TEST_PLUGINS / "waits"
+TRESPASS = program.TEST_PLUGINS / "trespass"
 OPENING = program.SOURCE / "configs" / "openings" / "counter_two_on_one.yaml"
 
 
@@ -105,6 +108,39 @@ class Blame(tournament.Tournament):
         """No call takes long; the match does."""
         reason, = self.forfeited("dawdles", WAITS, "--match-seconds", "2")
         self.assertRegex(reason, r"^kept the match waiting for 2 s of the 2 s that a match may last$")
+
+
+    def test_what_is_shared_with_others_is_out_of_reach(self):
+        """A thread that wipes all shared memory finds its own team's alone: the other team plays on, or wins."""
+        self.with_context("wipes_shared_memory")
+        for teams in ("bad.yaml", "small.yaml"), ("small.yaml", "bad.yaml"):
+            with self.subTest(teams):
+                self.play("--plugins", TRESPASS, "--isolation", "always", *self.LIMITS, teams=teams, pairs=1)
+                report = json.loads(self.succeed("report", "tournament.db", "--json"))
+                failures = {team["name"]: team["failures"] for team in report["teams"]}
+                self.assertEqual(failures["small"], 0, report["forfeits"])
+                self.assertGreater(failures["bad"], 0)
+            (self.folder / "tournament.db").unlink()
+
+    def test_no_process_of_others_is_ended(self):
+        """Whatever a plugin writes into the note that its coordinator reads."""
+        self.with_context("names_a_stranger")
+        with subprocess.Popen(["sleep", "100"], start_new_session=True) as stranger:
+            try:
+                done = self.run_program(*self.arguments("--quiet", "--plugins", TRESPASS, *self.LIMITS,
+                                                        teams=("bad.yaml", "small.yaml"), pairs=1),
+                                        environment={"STRANGER": str(stranger.pid)})
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIsNone(stranger.poll())
+            finally:
+                stranger.kill()
+
+    def test_children_of_a_shell_that_became_the_program_are_not_its_own(self):
+        words = [str(self.program), *map(str, self.arguments("--quiet", pairs=1))]
+        command = f"exec {shlex.join(words)} > >(sleep 0.5; cat > told.txt)"
+        done = subprocess.run(["bash", "-c", command], cwd=self.folder, timeout=120, stderr=subprocess.PIPE, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.wait_for(lambda: (self.folder / "told.txt").exists() and (self.folder / "told.txt").stat().st_size > 0)
 
 
 class Documents(experiment.Experiment):

@@ -58,6 +58,20 @@ class Reproducibility(tournament.Tournament):
                                "differed, computed by asks_for_the_folder\n")
         self.assertEqual(found["matches"], 1)
 
+    def test_a_second_play_that_fails_costs_nobody_a_match(self):
+        """It goes elsewhere, where a file of the plugin is not: that is told, and the first play counts."""
+        self.with_context("reads_a_file_here")
+        self.write("weights.txt", "1")
+        done = self.run_program(*self.arguments("--quiet", "--plugins", program.TEST_PLUGINS / "trespass",
+                                                teams=("bad.yaml", "small.yaml"), pairs=2))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        report = json.loads(self.succeed("report", "tournament.db", "--json"))
+        self.assertEqual(report["forfeits"], [])
+        self.assertEqual(report["unplayed"]["pairs"], 0)
+        self.assertEqual([each["match"] for each in report["not_reproducible"]["listed"]], [1])
+        self.assertRegex(report["not_reproducible"]["listed"][0]["what"],
+                         r"^the second play failed, in another process and folder: .*weights\.txt is not there")
+
     def test_each_pairing(self):
         """The file of the first process is there from the first match on, so every other one differs."""
         text, found = self.played(teams=("small.yaml", "other.yaml", "bad.yaml"), plugin="asks_for_the_folder",

@@ -215,6 +215,15 @@ TEST_F(OverflowTest, SpoiltPointersAreNotFollowed) {
   EXPECT_EQ(message_of(decide), "");
 }
 
+// Where the edge of the pattern is over, only a close look finds it.
+TEST_F(OverflowTest, BehindTheEdge) {
+  Puppet::context.holds = [](void*, const regista_frame*, std::int32_t* out, regista_error*) {
+    out[5] = 7;
+    return Puppet::ok;
+  };
+  EXPECT_EQ(message_of(holds), Puppet::failure("holds: wrote past the end of its answer: whether it holds"));
+}
+
 // Among many calls of several plugins that share their rooms, whoever wrote pays, at once.
 TEST_F(OverflowTest, TheNextOneDoesNotPay) {
   static int when;
