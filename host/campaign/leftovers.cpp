@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -77,6 +78,9 @@ ProcessState ProcessState::now() {
   out.threads = static_cast<int>(numbers_in("/proc/self/task").size());
   out.timers = running_timers();
   out.descriptors = open_descriptors();
+  rlimit files{};
+  getrlimit(RLIMIT_NOFILE, &files);
+  out.most_descriptors = files.rlim_cur;
   std::error_code error;
   out.folder = fs::current_path(error).string();
   for (int number = 1; number < static_cast<int>(out.handlers.size()); ++number) {
@@ -95,7 +99,9 @@ std::string changes(const ProcessState& before, const ProcessState& after) {
     out.push_back(fmt::format("left {} thread{} running", more, more == 1 ? "" : "s"));
   }
   if (after.timers > before.timers) out.push_back("left a timer running");
-  if (const auto closed = without(before.descriptors, after.descriptors); !closed.empty()) {
+  if (before.most_descriptors != after.most_descriptors) {
+    out.push_back("changed the limit of open files");
+  } else if (const auto closed = without(before.descriptors, after.descriptors); !closed.empty()) {
     out.push_back(fmt::format("closed file descriptor{} {}", closed.size() == 1 ? "" : "s", fmt::join(closed, ", ")));
   }
   if (const auto open = without(after.descriptors, before.descriptors); !open.empty()) {

@@ -16,6 +16,7 @@ struct ProcessState {
   int threads = 1;
   int timers = 0;                // that will send a signal
   std::vector<int> descriptors;  // ascending
+  std::uint64_t most_descriptors = 0;
   std::string folder;
   std::array<std::uintptr_t, 65> handlers{};  // by signal
 };

@@ -37,7 +37,8 @@ void add_campaign_options(CLI::App& app, campaign::Options& options, const std::
                  "always: all matches are played so")
       ->type_name("WHEN");
   app.add_flag("--play-once", options.play_once,
-               "do not play the first match of each pairing a second time to see whether it is reproducible")
+               "do not play the first match of each pairing a second time, in which it is seen whether it is "
+               "reproducible, and whether plugins change their inputs")
       ->disable_flag_override();
   app.add_flag("--no-page", options.no_page, "write no page NAME.html beside the results NAME.db at the end")
       ->disable_flag_override();

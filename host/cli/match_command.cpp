@@ -321,7 +321,13 @@ Files files_of(const campaign::MatchSetup& prepared) {
 }
 
 // A plugin ended the process.
-int explain_loss(campaign::Job job, const campaign::Limits& limits, const Files& files, const Loss& loss) {
+int explain_loss(const Options& options, campaign::Job job, const campaign::Limits& limits, const Files& files,
+                 const Loss& loss) {
+  for (const std::string& written : {options.record, options.decisions}) {
+    std::error_code none;
+    if (!written.empty() && std::filesystem::exists(written, none))
+      complain(fmt::format("{} holds the match as far as it came", written));
+  }
   for (const auto& file : files) {
     if (file->has_changed()) {
       throw BadInput(
@@ -380,7 +386,8 @@ int play(Options options, const OutputFiles& outputs, const Invocation& invocati
     }
   }
   const campaign::Limits limits = limits_of(options);
-  return run_supervised(limits, work, [&](const Loss& loss) { return explain_loss(job, limits, files, loss); });
+  return run_supervised(limits, work,
+                        [&](const Loss& loss) { return explain_loss(options, job, limits, files, loss); });
 }
 
 }  // namespace
@@ -431,7 +438,8 @@ Command add_match(CLI::App& parent, const Invocation& invocation) {
       ->type_name("SECONDS");
   app.add_option("--wall-seconds", options->wall_seconds, "wall time of one call of a plugin; default 200")
       ->type_name("SECONDS");
-  app.add_flag("--in-process", options->in_process, "play in the program's own process: for a debugger")
+  app.add_flag("--in-process", options->in_process,
+               "play in the program's own process, for a debugger: what ends it is not told")
       ->disable_flag_override();
   app.add_flag("--verbose", options->verbose, "a line on standard error for each goal")->disable_flag_override();
   app.footer(examples);

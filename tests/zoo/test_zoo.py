@@ -7,9 +7,11 @@ What zoo.json expects of an animal:
   once     its team forfeits one match or more: what is looked for in the first match of a pairing alone
   refused  its file cannot be used: the program says so before the first match
   lost     forfeit or refused
+  dies     matches of it are forfeited, or could not be played
   either   whatever its team loses; also that matches of it could not be played
 An animal that needs longer matches says so, by `limit`; `match: false` is one that `regista match` cannot tell from
 its user, who ends it by a signal, or that writes to the terminal what it likes.
+`said` is what standard error says of it, and one that `differs` is found not to be reproducible.
 `what` is a regular expression for the report's reason, `call` the call in which its team is to be blamed, and then the
 plugin that is named is the animal itself. Of all of them holds what `Animals.holds` says, above all: the innocent team
 forfeits nothing, a match that was played is that of the sound twin, and no match ends better than that. An animal that
@@ -61,7 +63,7 @@ def _safe():
 
 def unplayed(report):
     """Pairs that could not be played, because nobody can be blamed for the deaths in them."""
-    return sum(each.get("pairs", 1) for each in report.get("unplayed_pairs", []))
+    return report["unplayed"]["pairs"]
 
 
 class Zoo(tournament.Tournament):
@@ -232,6 +234,12 @@ class Animals(Zoo):
             self.assertEqual((lost, unplayed(report)), (2, 0), report)
         elif expected == "once":
             self.assertGreater(lost, 0, report)
+        elif expected == "dies":
+            self.assertGreater(lost + unplayed(report), 0, report)
+        if "said" in animal:
+            self.assertRegex(done.stderr, animal["said"])
+        if animal.get("differs"):
+            self.assertGreater(report["not_reproducible"]["matches"], 0, report)
         for each in report["forfeits"]:
             if "call" in animal:
                 self.assertEqual((each["plugin"], each["call"]), (animal["name"], animal["call"]), each)
@@ -250,7 +258,7 @@ class Animals(Zoo):
             teams.reverse()
         done = self.run_it("match", *teams, "--opening", "scenes/left.yaml", *self.play(animal, run), "--plugins",
                            "bad", *self.limits["match"], *more)
-        if expected not in ("either", "once"):
+        if expected not in ("either", "once", "dies"):
             self.assertEqual(done.returncode, 0 if expected == "plays" else 2, done.stderr[-2000:])
         if done.returncode == 0:
             if more:
