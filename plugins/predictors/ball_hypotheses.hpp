@@ -11,6 +11,19 @@
 
 namespace ball {
 
+// What is made of sightings, and of their absence.
+struct Evidence {
+  int measurements_for_velocity = 4;   // sightings before a velocity is believed
+  double gate = 13.8155;               // squared Mahalanobis distance
+  double detection_probability = 0.6;  // of a ball well inside the visible area
+  double false_density = 0.01;         // false sightings per m^2 and image
+  double edge_margin = 0.3;            // m: nearer to the edge of the visible area a miss says nothing
+  double surprise = 0.003;             // least probability that the ball is somewhere else altogether
+  double prune_weight = 0.01;          // hypotheses below it are dropped
+  double merge_distance = 0.1;         // m, and m/s
+  double field_area = 54.0;            // m^2: where a ball can appear
+};
+
 // Hypothesis has label, sightings, weight (probability) and age (s since the last sighting behind it).
 template <class Hypothesis, int capacity>
 class Hypotheses {

@@ -10,6 +10,7 @@ struct Plugin {
   static constexpr auto id = "best_pair_first", version = "1.0.0",
                         summary = "The best pair of a free robot and a free task, again and again";
 
+  // An algorithm with a struct of settings: keep the struct here and bind to its members with regista::within().
   double at_least = 0.0;
   static constexpr std::tuple parameters{
       regista::real("at_least", &Plugin::at_least, {0.0, 1.0}, "1", "Pairs of a lower utility are not taken")

@@ -15,21 +15,23 @@ using possession::State;
 struct Possession {
   static constexpr auto id = "possession", version = "1.0.0", summary = "Who is at the ball: us, them, none or a fight";
   State who = State::us;
-  double reach = 0.5, margin = 0.2, settle = 0.3, likely = 0.5;
+  possession::Rule rule;
+  double likely = 0.5;
   static constexpr std::array<const char*, 4> states{"us", "them", "none", "fight"};
   static constexpr std::tuple parameters{
       regista::choice("who", &Possession::who, states,
                       "Who must be at the ball; fight: both sides; planned by SPQR. A ball that is unknown is none of "
                       "the four"),
-      regista::real("reach", &Possession::reach, {0.05, 5.0}, "m",
-                    "A side is at the ball when one of its robots is so near; SPQR: 0.5")
-          .tunable(),
-      regista::real("margin", &Possession::margin, {0.0, 5.0}, "m",
-                    "It stays so until all of its robots are so much farther away; our choice")
-          .tunable(),
-      regista::real("settle", &Possession::settle, {0.0, 10.0}, "s",
-                    "A change counts when it has lasted so long; our choice")
-          .tunable(),
+      regista::within(&Possession::rule,
+                      regista::real("reach", &possession::Rule::reach, {0.05, 5.0}, "m",
+                                    "A side is at the ball when one of its robots is so near; SPQR: 0.5")
+                          .tunable(),
+                      regista::real("margin", &possession::Rule::margin, {0.0, 5.0}, "m",
+                                    "It stays so until all of its robots are so much farther away; our choice")
+                          .tunable(),
+                      regista::real("settle", &possession::Rule::settle, {0.0, 10.0}, "s",
+                                    "A change counts when it has lasted so long; our choice")
+                          .tunable()),
       regista::real("likely", &Possession::likely, {0.0, 1.0}, "1",
                     "Opponents whose existence is less probable do not count; our choice")
           .tunable()};
@@ -37,9 +39,7 @@ struct Possession {
   possession::Memory memory;
 
   void reset(std::uint64_t) { memory.forget(); }
-  bool holds(const regista::Frame& frame) {
-    return memory.update({reach, margin, settle}, frame.time(), nearest(frame.world())) == who;
-  }
+  bool holds(const regista::Frame& frame) { return memory.update(rule, frame.time(), nearest(frame.world())) == who; }
 
  private:
   std::optional<possession::Nearest> nearest(const regista::World& world) const {

@@ -6,7 +6,6 @@
 
 namespace {
 
-using set_play::Whose;
 static_assert(set_play::none == REGISTA_SET_PLAY_NONE && set_play::playing == REGISTA_PHASE_PLAYING);
 
 struct SetPlay {
@@ -14,8 +13,7 @@ struct SetPlay {
   bool kick_off = false, kick_in = false, goal_kick = false, corner_kick = false, pushing_free_kick = false,
        penalty_kick = false;
   bool ready = false, set = false, playing = false;
-  Whose whose = Whose::either;
-  double at_most = 600.0, still_for = 0.0;
+  set_play::Rule rule{.at_most = 600.0};
   static constexpr std::array<const char*, 3> sides{"either", "own", "opponent"};
   static constexpr std::tuple parameters{
       regista::boolean("kick_off", &SetPlay::kick_off,
@@ -25,20 +23,23 @@ struct SetPlay {
       regista::boolean("corner_kick", &SetPlay::corner_kick, "The corner kick counts"),
       regista::boolean("pushing_free_kick", &SetPlay::pushing_free_kick, "The pushing free kick counts"),
       regista::boolean("penalty_kick", &SetPlay::penalty_kick, "The penalty kick counts"),
-      regista::choice("whose", &SetPlay::whose, sides, "The side that kicks; SPQR's code has contexts for either"),
+      regista::within(&SetPlay::rule, regista::choice("whose", &set_play::Rule::whose, sides,
+                                                      "The side that kicks; SPQR's code has contexts for either")),
       regista::boolean("ready", &SetPlay::ready,
                        "Holds in the phase Ready; when none of the three phases is chosen, it holds in all of them"),
       regista::boolean("set", &SetPlay::set, "Holds in the phase Set"),
       regista::boolean("playing", &SetPlay::playing, "Holds in the phase Playing"),
-      regista::real("at_most", &SetPlay::at_most, {0.0, 600.0}, "s",
-                    "Holds no longer than this after the set play, or its phase, began; rule book: a kick-in lasts 30; "
-                    "our choice: 600, until it ends")
-          .tunable(),
-      regista::real("still_for", &SetPlay::still_for, {0.0, 60.0}, "s",
-                    "Holds so long after the ball came free, unless another set play begins; our choice: 0")
-          .tunable()};
+      regista::within(
+          &SetPlay::rule,
+          regista::real(
+              "at_most", &set_play::Rule::at_most, {0.0, 600.0}, "s",
+              "Holds no longer than this after the set play, or its phase, began; rule book: a kick-in lasts 30; "
+              "our choice: 600, until it ends")
+              .tunable(),
+          regista::real("still_for", &set_play::Rule::still_for, {0.0, 60.0}, "s",
+                        "Holds so long after the ball came free, unless another set play begins; our choice: 0")
+              .tunable())};
 
-  set_play::Rule rule;
   set_play::Memory memory;
 
   void setup(const regista::Environment&) {
@@ -53,9 +54,6 @@ struct SetPlay {
                   if_chosen(playing, REGISTA_PHASE_PLAYING);
     if (rule.kinds == 0) rule.kinds = ~Set{0};
     if (rule.phases == 0) rule.phases = one(REGISTA_PHASE_READY) | one(REGISTA_PHASE_SET) | one(REGISTA_PHASE_PLAYING);
-    rule.whose = whose;
-    rule.at_most = at_most;
-    rule.still_for = still_for;
   }
   void reset(std::uint64_t) { memory.forget(); }
   bool holds(const regista::Frame& frame) {

@@ -19,33 +19,35 @@ struct VoronoiCells {
   static constexpr auto id = "voronoi_cells", version = "1.0.0", licence = "GPL-3.0-or-later",
                         summary = "Voronoi cells of the own robots, each with its centroid or its best point";
   Target target = Target::centroid;
-  double openness = 1.0, ball = 0.5, goal = 0.5, full_openness = 3.0;
+  voronoi::Attraction attraction;
   static constexpr std::array target_names{"centroid", "best"};
   static constexpr std::tuple parameters{
       regista::choice("target", &VoronoiCells::target, target_names,
                       "Each cell's point: centroid, which spreads the team (Cortes et al. 2004), or the best by the "
                       "weights below"),
-      regista::real("openness", &VoronoiCells::openness, {0.0, 1.0}, "1",
-                    "Weight of the distance from the nearest opponent; assumption")
-          .tunable(),
-      regista::real("ball", &VoronoiCells::ball, {0.0, 1.0}, "1", "Weight of nearness to the ball; assumption")
-          .tunable(),
-      regista::real("goal", &VoronoiCells::goal, {0.0, 1.0}, "1",
-                    "Weight of nearness to the middle of the opponent's goal; assumption")
-          .tunable(),
-      regista::real("full_openness", &VoronoiCells::full_openness, {0.1, 20.0}, "m",
-                    "Distance from the nearest opponent that counts fully; assumption, as full_score of voronoi")
-          .tunable()};
+      regista::within(
+          &VoronoiCells::attraction,
+          regista::real("openness", &voronoi::Attraction::openness, {0.0, 1.0}, "1",
+                        "Weight of the distance from the nearest opponent; assumption")
+              .tunable(),
+          regista::real("ball", &voronoi::Attraction::ball, {0.0, 1.0}, "1",
+                        "Weight of nearness to the ball; assumption")
+              .tunable(),
+          regista::real("goal", &voronoi::Attraction::goal, {0.0, 1.0}, "1",
+                        "Weight of nearness to the middle of the opponent's goal; assumption")
+              .tunable(),
+          regista::real("full_openness", &voronoi::Attraction::full_openness, {0.1, 20.0}, "m",
+                        "Distance from the nearest opponent that counts fully; assumption, as full_score of voronoi")
+              .tunable())};
 
   voronoi::TeamCells cells;
-  voronoi::Attraction attraction;
   voronoi::Point opponent_goal{};
   std::vector<voronoi::Point> opponents;
 
   void setup(const regista::Environment& environment) {
     cells.setup(environment);
     opponent_goal = {environment->field_length / 2.0, 0.0};
-    attraction = {openness, ball, goal, full_openness, std::hypot(environment->field_length, environment->field_width)};
+    attraction.reach = std::hypot(environment->field_length, environment->field_width);
     opponents.reserve(64);
   }
 

@@ -12,27 +12,32 @@
 
 namespace {
 
+using voronoi::Settings;
+
 struct Voronoi {
   static constexpr auto id = "voronoi", version = "1.0.0", licence = "GPL-3.0-or-later",
                         summary = "Nodes and edges of the Voronoi diagram of the opponents";
-  double merge = 0.75, clearance = 0.75, drop_beyond = 1.0, inset = 0.15, full_score = 3.0;
-  bool boundary = false, cells = false;
+  Settings settings;
+  double drop_beyond = 1.0, inset = 0.15;
+  bool cells = false;
   static constexpr std::tuple parameters{
-      regista::real("merge", &Voronoi::merge, {0.0, 5.0}, "m",
-                    "Nodes nearer to each other than this become one, in their middle; SPQR 2023: 0.75")
-          .tunable(),
-      regista::real("clearance", &Voronoi::clearance, {0.0, 5.0}, "m",
-                    "Edges that pass an opponent nearer than this are dropped; SPQR 2023: 0.75")
-          .tunable(),
+      regista::within(&Voronoi::settings,
+                      regista::real("merge", &Settings::merge, {0.0, 5.0}, "m",
+                                    "Nodes nearer to each other than this become one, in their middle; SPQR 2023: 0.75")
+                          .tunable(),
+                      regista::real("clearance", &Settings::clearance, {0.0, 5.0}, "m",
+                                    "Edges that pass an opponent nearer than this are dropped; SPQR 2023: 0.75")
+                          .tunable()),
       regista::real("drop_beyond", &Voronoi::drop_beyond, {0.0, 10.0}, "m",
                     "Nodes farther than this outside the lines are dropped; SPQR 2023: 1.0 (5.5 and 4.0 of 9 by 6)"),
       regista::real("inset", &Voronoi::inset, {0.0, 2.0}, "m",
                     "The other nodes are moved this far inside the lines; SPQR 2023: 0.15 (4.35 and 2.85 of 9 by 6)"),
-      regista::real("full_score", &Voronoi::full_score, {0.1, 20.0}, "m",
-                    "Distance from the nearest opponent at which a node's score reaches 1; our choice")
-          .tunable(),
-      regista::boolean("boundary", &Voronoi::boundary,
-                       "Also nodes where an edge of the diagram leaves the field; our option"),
+      regista::within(&Voronoi::settings,
+                      regista::real("full_score", &Settings::full_score, {0.1, 20.0}, "m",
+                                    "Distance from the nearest opponent at which a node's score reaches 1; our choice")
+                          .tunable(),
+                      regista::boolean("boundary", &Settings::boundary,
+                                       "Also nodes where an edge of the diagram leaves the field; our option")),
       regista::boolean("cells", &Voronoi::cells,
                        "Also the Voronoi cell of each active robot among its team, clipped to the lines; our option")};
 
@@ -42,14 +47,9 @@ struct Voronoi {
 
   void setup(const regista::Environment& environment) {
     const double x = environment->field_length / 2.0, y = environment->field_width / 2.0;
-    voronoi::Settings settings;
     settings.sites = {x, y};
     settings.keep = {x + drop_beyond, y + drop_beyond};
     settings.clip = {std::max(0.0, x - inset), std::max(0.0, y - inset)};
-    settings.merge = merge;
-    settings.clearance = clearance;
-    settings.full_score = full_score;
-    settings.boundary = boundary;
     settings.fixed = {{0.0, -y}, {0.0, y}};
     bool posts_known = false;
     for (const regista::Landmark& landmark : environment.landmarks()) {
@@ -61,7 +61,7 @@ struct Voronoi {
       settings.fixed.push_back({x, -environment->goal_width / 2.0});
       settings.fixed.push_back({x, environment->goal_width / 2.0});
     }
-    diagram.emplace(std::move(settings));
+    diagram.emplace(settings);
     opponents.reserve(32);
     if (cells) team_cells.setup(environment);
   }

@@ -10,6 +10,7 @@ namespace {
 
 using dead_reckoning::Estimate;
 using dead_reckoning::Packet;
+using dead_reckoning::Parameters;
 using dead_reckoning::Teammate;
 
 struct DeadReckoning {
@@ -17,28 +18,25 @@ struct DeadReckoning {
                         summary = "Teammates: walk to the sent target at half the sent speed";
   static constexpr unsigned subjects = REGISTA_SUBJECT_TEAMMATES;
 
-  static constexpr dead_reckoning::Parameters initial{};
-  double speed_factor = initial.speed_factor;
-  double position_noise = initial.position_noise;
-  double heading_noise = initial.heading_noise;
-
-  static constexpr std::tuple parameters{
-      regista::real("speed_factor", &DeadReckoning::speed_factor, {0.0, 2.0}, "1",
+  Parameters settings;
+  static constexpr std::tuple parameters{regista::within(
+      &DeadReckoning::settings,
+      regista::real("speed_factor", &Parameters::speed_factor, {0.0, 2.0}, "1",
                     "Share of the sent speed (of the greatest walking speed where none was sent) at which a silent "
                     "teammate is taken to walk; 0.5 by B-Human, 0 holds it where it was")
           .tunable(),
-      regista::real("position_noise", &DeadReckoning::position_noise, {0.0, 1.0}, "m/s",
+      regista::real("position_noise", &Parameters::position_noise, {0.0, 1.0}, "m/s",
                     "Growth of the standard deviation of a silent teammate's place; assumption: near half of the "
                     "walking speed")
           .tunable(),
-      regista::real("heading_noise", &DeadReckoning::heading_noise, {0.0, 2.0}, "rad/s",
+      regista::real("heading_noise", &Parameters::heading_noise, {0.0, 2.0}, "rad/s",
                     "Growth of the standard deviation of a silent teammate's heading; assumption")
-          .tunable()};
+          .tunable())};
 
   void setup(const regista::Environment& environment) {
     team_size = static_cast<int>(environment->team_size);
-    team = dead_reckoning::Team(environment->team_size,
-                                {speed_factor, position_noise, heading_noise, environment->walk_forward});
+    settings.walk_speed = environment->walk_forward;
+    team = dead_reckoning::Team(environment->team_size, settings);
   }
 
   void reset(std::uint64_t) { team.reset(); }

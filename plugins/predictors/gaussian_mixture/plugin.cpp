@@ -8,61 +8,52 @@
 namespace {
 
 using gaussian_mixture::Component;
+using gaussian_mixture::Parameters;
 
 struct GaussianMixture {
   static constexpr auto id = "gaussian_mixture", version = "1.0.0",
                         summary = "Opponents: a Gaussian mixture; predict, match, merge, prune";
   static constexpr unsigned subjects = REGISTA_SUBJECT_OPPONENTS;
 
-  static constexpr gaussian_mixture::Parameters initial{};
-  double speed = initial.speed;
-  double persistence = initial.persistence;
-  double gate = initial.gate;
-  double merge_distance = initial.merge_distance;
-  double detection_probability = initial.detection_probability;
-  double false_probability = initial.false_probability;
-  double birth_weight = initial.birth_weight;
-  double prune_weight = initial.prune_weight;
-  double forget_after = initial.forget_after;
-
-  static constexpr std::tuple parameters{
-      regista::real("speed", &GaussianMixture::speed, {0.02, 10.0}, "m/s",
+  Parameters settings;
+  static constexpr std::tuple parameters{regista::within(
+      &GaussianMixture::settings,
+      regista::real("speed", &Parameters::speed, {0.02, 10.0}, "m/s",
                     "Standard deviation of each component of an opponent's velocity; SPL teams have 0.1 to 0.4")
           .tunable()
           .log_scale(),
-      regista::real("persistence", &GaussianMixture::persistence, {0.1, 20.0}, "s",
+      regista::real("persistence", &Parameters::persistence, {0.1, 20.0}, "s",
                     "Time constant with which an opponent's velocity is forgotten; assumption: a few steps of the walk")
           .tunable()
           .log_scale(),
-      regista::real("gate", &GaussianMixture::gate, {1.0, 30.0}, "1",
+      regista::real("gate", &Parameters::gate, {1.0, 30.0}, "1",
                     "Largest squared Mahalanobis distance of a sighting to a component; 9.21 is the 0.99 quantile of "
                     "chi-square with 2 degrees of freedom")
           .tunable(),
-      regista::real("merge_distance", &GaussianMixture::merge_distance, {0.0, 2.0}, "m",
+      regista::real("merge_distance", &Parameters::merge_distance, {0.0, 2.0}, "m",
                     "Components nearer than this become one, unless both were just seen; 1.1 as SPL teams have it")
           .tunable(),
-      regista::real("detection_probability", &GaussianMixture::detection_probability, {0.05, 0.99}, "1",
+      regista::real("detection_probability", &Parameters::detection_probability, {0.05, 0.99}, "1",
                     "Probability that a robot in the visible area is seen; 0.6 up to 4 m by SPL detectors")
           .tunable(),
-      regista::real("false_probability", &GaussianMixture::false_probability, {0.001, 0.5}, "1",
+      regista::real("false_probability", &Parameters::false_probability, {0.001, 0.5}, "1",
                     "Probability of a false sighting where a component is; assumption")
           .tunable()
           .log_scale(),
-      regista::real("birth_weight", &GaussianMixture::birth_weight, {0.01, 0.99}, "1",
+      regista::real("birth_weight", &Parameters::birth_weight, {0.01, 0.99}, "1",
                     "Probability of existence after the first sighting; assumption")
           .tunable(),
-      regista::real("prune_weight", &GaussianMixture::prune_weight, {0.001, 0.5}, "1",
+      regista::real("prune_weight", &Parameters::prune_weight, {0.001, 0.5}, "1",
                     "Components below this probability are dropped; assumption")
           .tunable()
           .log_scale(),
-      regista::real("forget_after", &GaussianMixture::forget_after, {0.5, 60.0}, "s",
+      regista::real("forget_after", &Parameters::forget_after, {0.5, 60.0}, "s",
                     "A component unseen for longer is dropped; 8 as SPL teams have it")
-          .tunable()};
+          .tunable())};
 
   void setup(const regista::Environment& environment) {
-    mixture =
-        gaussian_mixture::Mixture({speed, persistence, gate, merge_distance, detection_probability, false_probability,
-                                   birth_weight, prune_weight, forget_after, 2.0 * environment->robot_radius});
+    settings.touching_distance = 2.0 * environment->robot_radius;
+    mixture = gaussian_mixture::Mixture(settings);
   }
 
   void reset(std::uint64_t) { mixture.reset(); }
@@ -84,7 +75,7 @@ struct GaussianMixture {
       component.state = planar::state_of(heard);
       if ((heard.flags & REGISTA_TRACK_VELOCITY) == 0) {
         stand(component.state);
-        component.state.velocity_covariance.diagonal().setConstant(speed * speed);
+        component.state.velocity_covariance.diagonal().setConstant(settings.speed * settings.speed);
       }
       component.label = heard.label;
       component.weight = heard.weight;

@@ -10,6 +10,7 @@
 namespace {
 
 using gm_phd::Component;
+using gm_phd::Parameters;
 using gm_phd::Sighting;
 
 struct GmPhd {
@@ -17,75 +18,67 @@ struct GmPhd {
                         summary = "Opponents: Gaussian mixture PHD filter; what is not looked at is not forgotten";
   static constexpr unsigned subjects = REGISTA_SUBJECT_OPPONENTS;
 
-  static constexpr gm_phd::Parameters initial{};
-  double speed = initial.speed;
-  double persistence = initial.persistence;
-  double survival = initial.survival;
-  double detection_probability = initial.detection;
-  double clutter_density = initial.clutter_density;
-  double birth_density = initial.birth_density;
-  double border_deviation = 0.2;
-  double gate = initial.gate;
-  double prune_weight = initial.prune_weight;
-  double merge_distance = initial.merge_distance;
-  double confirm_weight = initial.confirm_weight;
-  double told_weight = initial.told_weight;
-  double told_for = 30.0;
-
+  Parameters settings;
+  double border_deviation = 0.2, told_for = 30.0;
   static constexpr std::tuple parameters{
-      regista::real("speed", &GmPhd::speed, {0.02, 3.0}, "m/s",
-                    "Standard deviation of each component of an opponent's velocity; SPL teams have 0.1 to 0.4, "
-                    "Small Size robots drive at 1")
-          .tunable()
-          .log_scale(),
-      regista::real("persistence", &GmPhd::persistence, {0.1, 20.0}, "s",
-                    "Time constant with which an opponent's velocity decays; 0.8 s fits Small Size League robots")
-          .tunable()
-          .log_scale(),
-      regista::real("survival", &GmPhd::survival, {0.5, 1.0}, "1",
-                    "Probability that a robot is still on the field after one second; 0.99 as usual for PHD filters"),
-      regista::real(
-          "detection_probability", &GmPhd::detection_probability, {0.05, 0.999}, "1",
-          "Probability that a robot in the visible area is seen in one image; 0.98 as usual for PHD filters, SPL "
-          "detectors up to 4 m rather 0.6")
-          .tunable(),
-      regista::real("clutter_density", &GmPhd::clutter_density, {1e-6, 1.0}, "1/m^2",
-                    "False sightings per square metre of view and image; assumption: one in 250 images of 8 m^2")
-          .tunable()
-          .log_scale(),
-      regista::real("birth_density", &GmPhd::birth_density, {1e-6, 1.0}, "1/m^2",
-                    "Robots that appear, not known before, per square metre of view and image; with it a first "
-                    "sighting weighs birth_density / (birth_density + clutter_density); assumption")
-          .tunable()
-          .log_scale(),
+      regista::within(
+          &GmPhd::settings,
+          regista::real("speed", &Parameters::speed, {0.02, 3.0}, "m/s",
+                        "Standard deviation of each component of an opponent's velocity; SPL teams have 0.1 to 0.4, "
+                        "Small Size robots drive at 1")
+              .tunable()
+              .log_scale(),
+          regista::real("persistence", &Parameters::persistence, {0.1, 20.0}, "s",
+                        "Time constant with which an opponent's velocity decays; 0.8 s fits Small Size League robots")
+              .tunable()
+              .log_scale(),
+          regista::real(
+              "survival", &Parameters::survival, {0.5, 1.0}, "1",
+              "Probability that a robot is still on the field after one second; 0.99 as usual for PHD filters"),
+          regista::real(
+              "detection_probability", &Parameters::detection, {0.05, 0.999}, "1",
+              "Probability that a robot in the visible area is seen in one image; 0.98 as usual for PHD filters, SPL "
+              "detectors up to 4 m rather 0.6")
+              .tunable(),
+          regista::real("clutter_density", &Parameters::clutter_density, {1e-6, 1.0}, "1/m^2",
+                        "False sightings per square metre of view and image; assumption: one in 250 images of 8 m^2")
+              .tunable()
+              .log_scale(),
+          regista::real("birth_density", &Parameters::birth_density, {1e-6, 1.0}, "1/m^2",
+                        "Robots that appear, not known before, per square metre of view and image; with it a first "
+                        "sighting weighs birth_density / (birth_density + clutter_density); assumption")
+              .tunable()
+              .log_scale()),
       regista::real("border_deviation", &GmPhd::border_deviation, {0.0, 2.0}, "m",
                     "Standard deviation of the borders of the visible area from where they are believed to be; "
                     "assumption: the own pose's error")
           .tunable(),
-      regista::real("gate", &GmPhd::gate, {1.0, 50.0}, "1",
-                    "Largest squared Mahalanobis distance of a sighting to a component; 18.42 is the 0.9999 quantile "
-                    "of chi-square with 2 degrees of freedom"),
-      regista::real("prune_weight", &GmPhd::prune_weight, {1e-9, 0.01}, "1",
-                    "Components of a smaller expected number of robots are dropped; 1e-5 by Vo and Ma")
-          .log_scale(),
-      regista::real("merge_distance", &GmPhd::merge_distance, {0.0, 20.0}, "1",
-                    "Components whose means have a smaller squared Mahalanobis distance become one; 4 by Vo and Ma"),
-      regista::real("confirm_weight", &GmPhd::confirm_weight, {0.01, 1.0}, "1",
-                    "A component is told once it stands for so many robots; 0.5 by Vo and Ma")
-          .tunable(),
-      regista::real("told_weight", &GmPhd::told_weight, {1e-5, 1.0}, "1",
-                    "A component that was told stays so until it stands for fewer robots than this: a few misses are "
-                    "borne; assumption")
-          .tunable()
-          .log_scale(),
+      regista::within(
+          &GmPhd::settings,
+          regista::real(
+              "gate", &Parameters::gate, {1.0, 50.0}, "1",
+              "Largest squared Mahalanobis distance of a sighting to a component; 18.42 is the 0.9999 quantile "
+              "of chi-square with 2 degrees of freedom"),
+          regista::real("prune_weight", &Parameters::prune_weight, {1e-9, 0.01}, "1",
+                        "Components of a smaller expected number of robots are dropped; 1e-5 by Vo and Ma")
+              .log_scale(),
+          regista::real(
+              "merge_distance", &Parameters::merge_distance, {0.0, 20.0}, "1",
+              "Components whose means have a smaller squared Mahalanobis distance become one; 4 by Vo and Ma"),
+          regista::real("confirm_weight", &Parameters::confirm_weight, {0.01, 1.0}, "1",
+                        "A component is told once it stands for so many robots; 0.5 by Vo and Ma")
+              .tunable(),
+          regista::real(
+              "told_weight", &Parameters::told_weight, {1e-5, 1.0}, "1",
+              "A component that was told stays so until it stands for fewer robots than this: a few misses are "
+              "borne; assumption")
+              .tunable()
+              .log_scale()),
       regista::real("told_for", &GmPhd::told_for, {0.5, 600.0}, "s",
                     "A component unseen for longer is kept but not told; assumption")
           .tunable()};
 
-  void setup(const regista::Environment&) {
-    filter = gm_phd::Filter({speed, persistence, survival, detection_probability, clutter_density, birth_density, gate,
-                             prune_weight, merge_distance, confirm_weight, told_weight});
-  }
+  void setup(const regista::Environment&) { filter = gm_phd::Filter(settings); }
 
   void reset(std::uint64_t) { filter.reset(); }
 
@@ -126,7 +119,7 @@ struct GmPhd {
         component.vxy = c[11];
         component.vyy = c[15];
       } else {
-        component.vxx = component.vyy = speed * speed;
+        component.vxx = component.vyy = settings.speed * settings.speed;
       }
       component.label = heard.label;
       component.weight = heard.weight;

@@ -12,6 +12,7 @@
 namespace {
 
 using hold_last::Held;
+using hold_last::Parameters;
 using hold_last::Sighting;
 
 struct HoldLast {
@@ -19,12 +20,8 @@ struct HoldLast {
                         summary = "Ball, opponents, teammates: stay where they were last measured or said to be";
   static constexpr unsigned subjects = REGISTA_SUBJECT_BALL | REGISTA_SUBJECT_OPPONENTS | REGISTA_SUBJECT_TEAMMATES;
 
-  double ball_speed = 0.5;
-  double robot_speed = 0.2;
-  double turn_rate = 0.2;
-  double match_distance = 1.0;
-  double forget_after = 8.0;
-
+  Parameters settings;
+  double ball_speed = 0.5, robot_speed = 0.2;
   static constexpr std::tuple parameters{
       regista::real("ball_speed", &HoldLast::ball_speed, {0.0, 5.0}, "m/s",
                     "Growth of the standard deviation of a ball's place; assumption: half of a weak SPL kick")
@@ -32,20 +29,23 @@ struct HoldLast {
       regista::real("robot_speed", &HoldLast::robot_speed, {0.0, 2.0}, "m/s",
                     "Growth of the standard deviation of a robot's place; SPL teams have 0.1 to 0.4")
           .tunable(),
-      regista::real("turn_rate", &HoldLast::turn_rate, {0.0, 2.0}, "rad/s",
-                    "Growth of the standard deviation of a teammate's heading; assumption"),
-      regista::real("match_distance", &HoldLast::match_distance, {0.05, 5.0}, "m",
-                    "An opponent seen farther than this from all that are held is another one; 1.1 as SPL teams merge "
-                    "them, rounded down"),
-      regista::real("forget_after", &HoldLast::forget_after, {0.5, 600.0}, "s",
-                    "Ball and opponents without news for longer are dropped; 8 as SPL teams have it for robots")};
+      regista::within(
+          &HoldLast::settings,
+          regista::real("turn_rate", &Parameters::turn_rate, {0.0, 2.0}, "rad/s",
+                        "Growth of the standard deviation of a teammate's heading; assumption"),
+          regista::real(
+              "match_distance", &Parameters::match_distance, {0.05, 5.0}, "m",
+              "An opponent seen farther than this from all that are held is another one; 1.1 as SPL teams merge "
+              "them, rounded down"),
+          regista::real("forget_after", &Parameters::forget_after, {0.5, 600.0}, "s",
+                        "Ball and opponents without news for longer are dropped; 8 as SPL teams have it for robots"))};
 
   void setup(const regista::Environment& environment) {
     subject = environment->subject;
     team_size = static_cast<int>(environment->team_size);
-    const bool ball = subject == REGISTA_SUBJECT_BALL, team = subject == REGISTA_SUBJECT_TEAMMATES;
-    memory = hold_last::Memory({ball ? ball_speed : robot_speed, turn_rate, match_distance,
-                                team ? std::numeric_limits<double>::infinity() : forget_after});
+    settings.speed = subject == REGISTA_SUBJECT_BALL ? ball_speed : robot_speed;
+    if (subject == REGISTA_SUBJECT_TEAMMATES) settings.forget_after = std::numeric_limits<double>::infinity();
+    memory = hold_last::Memory(settings);
   }
 
   void reset(std::uint64_t) { memory.reset(); }

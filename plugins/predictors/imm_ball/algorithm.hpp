@@ -18,23 +18,17 @@
 
 namespace imm_ball {
 
+using ball::Evidence;
+
 struct Parameters {
   RollingModel rolling{.acceleration_noise = 0.3};
-  double speed_prior = 1.0;            // m/s: deviation of each component of a new or kicked ball's velocity
-  double kick_rate = 1.0;              // 1/s: kicks while a robot is in reach of the ball
-  double unseen_kick_rate = 0.02;      // 1/s: kicks while nobody is known to be in reach
-  double sliding_deceleration = 3.0;   // m/s^2, of a kicked ball until it rolls
-  double timing_noise = 0.002;         // s: deviation of the time at which an image was taken
-  double least_deviation = 0.01;       // m: by which sightings err besides what is told of them
-  int measurements_for_velocity = 4;   // sightings before a velocity is believed
-  double gate = 13.8155;               // squared Mahalanobis distance
-  double detection_probability = 0.6;  // of a ball well inside the visible area
-  double false_density = 0.01;         // false sightings per m^2 and image
-  double edge_margin = 0.3;            // m: nearer to the edge of the visible area a miss says nothing
-  double surprise = 0.003;             // least probability that the ball is somewhere else altogether
-  double prune_weight = 0.01;          // hypotheses below it are dropped
-  double merge_distance = 0.1;         // m, and m/s
-  double field_area = 54.0;            // m^2: where a ball can appear
+  Evidence evidence;
+  double speed_prior = 1.0;           // m/s: deviation of each component of a new or kicked ball's velocity
+  double kick_rate = 1.0;             // 1/s: kicks while a robot is in reach of the ball
+  double unseen_kick_rate = 0.02;     // 1/s: kicks while nobody is known to be in reach
+  double sliding_deceleration = 3.0;  // m/s^2, of a kicked ball until it rolls
+  double timing_noise = 0.002;        // s: deviation of the time at which an image was taken
+  double least_deviation = 0.01;      // m: by which sightings err besides what is told of them
 };
 
 struct Hypothesis {
@@ -78,10 +72,11 @@ class Filter {
   // `sightings`: a range of Sighting, all of one image; empty when no ball was seen.
   template <class Sightings>
   void correct(const Sightings& sightings, const View& view) {
-    const double detection = parameters_.detection_probability;
-    if (std::size(sightings) > 0) hypotheses_.expect_surprise(parameters_.surprise);
-    const double birth = hypotheses_.nowhere() * detection / (parameters_.field_area * parameters_.false_density);
-    const double least = (1.0 - detection) * parameters_.false_density / detection;
+    const Evidence& evidence = parameters_.evidence;
+    const double detection = evidence.detection_probability;
+    if (std::size(sightings) > 0) hypotheses_.expect_surprise(evidence.surprise);
+    const double birth = hypotheses_.nowhere() * detection / (evidence.field_area * evidence.false_density);
+    const double least = (1.0 - detection) * evidence.false_density / detection;
     std::uint64_t explained = 0;  // sightings that may be a ball that is known
     for (Hypothesis& hypothesis : hypotheses_) {
       hypothesis.modes = carried(hypothesis.modes, hypothesis.elapsed, hypothesis.kicks, motion_);
@@ -91,7 +86,7 @@ class Filter {
       std::uint64_t bit = 1;
       for (const Sighting& sighting : sightings) {
         const Fit fit = compare(hypothesis.modes, blurred(sighting), motion_);
-        if (fit.nearest <= parameters_.gate && fit.total > least) {
+        if (fit.nearest <= evidence.gate && fit.total > least) {
           explained |= bit;
           if (best_sighting == nullptr || fit.total > best.total) {
             best_sighting = &sighting;
@@ -101,11 +96,11 @@ class Filter {
         bit <<= 1;
       }
       if (best_sighting != nullptr) {
-        hypothesis.weight *= 1.0 - detection + detection * best.total / parameters_.false_density;
+        hypothesis.weight *= 1.0 - detection + detection * best.total / evidence.false_density;
         take(hypothesis.modes, *best_sighting, best);
         ++hypothesis.sightings;
         hypothesis.age = 0.0;
-      } else if (view.holds(likeliest(hypothesis.modes).position, parameters_.edge_margin)) {
+      } else if (view.holds(likeliest(hypothesis.modes).position, evidence.edge_margin)) {
         hypothesis.weight *= 1.0 - detection;
       }
     }
@@ -114,7 +109,7 @@ class Filter {
       if (bit != 0 && (explained & bit) == 0) start(sighting, birth);
       bit <<= 1;
     }
-    hypotheses_.weigh(parameters_.prune_weight,
+    hypotheses_.weigh(evidence.prune_weight,
                       [this](const Hypothesis& a, const Hypothesis& b) { return alike(a.modes, b.modes); });
   }
 
@@ -127,7 +122,7 @@ class Filter {
     only.modes.probability = {moves ? 0.0 : 1.0, moves ? 1.0 : 0.0, 0.0};
     only.elapsed = ago;
     only.kicks = ago * parameters_.unseen_kick_rate;
-    only.sightings = parameters_.measurements_for_velocity;
+    only.sightings = parameters_.evidence.measurements_for_velocity;
     only.age = age_then + ago;
   }
   // A packet that knows of no ball.
@@ -145,7 +140,7 @@ class Filter {
     return carried(hypothesis.modes, hypothesis.elapsed + dt, hypothesis.kicks + dt * parameters_.kick_rate, motion_);
   }
   bool velocity_believed(const Hypothesis& hypothesis) const {
-    return hypothesis.sightings >= parameters_.measurements_for_velocity;
+    return hypothesis.sightings >= parameters_.evidence.measurements_for_velocity;
   }
 
  private:
@@ -183,7 +178,7 @@ class Filter {
   }
 
   bool alike(const Modes& a, const Modes& b) const {
-    const double limit = parameters_.merge_distance * parameters_.merge_distance;
+    const double limit = parameters_.evidence.merge_distance * parameters_.evidence.merge_distance;
     const BallState &one = likeliest(a), &other = likeliest(b);
     return (one.position - other.position).squaredNorm() < limit &&
            (one.velocity - other.velocity).squaredNorm() < limit;

@@ -4,6 +4,7 @@
 #include <regista/predictor.hpp>
 
 #include "../ball_exchange.hpp"
+#include "../ball_parameters.hpp"
 #include "../planar_exchange.hpp"
 #include "algorithm.hpp"
 
@@ -11,123 +12,63 @@ namespace {
 
 using imm_ball::BallState;
 using imm_ball::Hypothesis;
+using imm_ball::Parameters;
 
 struct ImmBall {
   static constexpr auto id = "imm_ball", version = "1.0.0",
                         summary = "Ball: interacting multiple models, resting, rolling or kicked by a robot in reach";
   static constexpr unsigned subjects = REGISTA_SUBJECT_BALL;
 
-  static constexpr imm_ball::Parameters initial{};
-  double deceleration = initial.rolling.deceleration;
-  double stop_speed = initial.rolling.stop_speed;
-  double acceleration_noise = initial.rolling.acceleration_noise;
-  double direction_noise = initial.rolling.direction_noise;
-  double resting_noise = initial.rolling.resting_noise;
-  double speed_prior = initial.speed_prior;
-  double kick_rate = initial.kick_rate;
-  double unseen_kick_rate = initial.unseen_kick_rate;
-  double sliding_deceleration = initial.sliding_deceleration;
+  Parameters settings;
   double reach = 0.3;
-  double timing_noise = initial.timing_noise;
-  double least_deviation = initial.least_deviation;
-  int measurements_for_velocity = initial.measurements_for_velocity;
-  double gate = initial.gate;
-  double detection_probability = initial.detection_probability;
-  double false_density = initial.false_density;
-  double edge_margin = initial.edge_margin;
-  double surprise = initial.surprise;
-  double prune_weight = initial.prune_weight;
-  double merge_distance = initial.merge_distance;
-
   static constexpr std::tuple parameters{
-      regista::real("deceleration", &ImmBall::deceleration, {0.05, 1.0}, "m/s^2",
-                    "Deceleration of a rolling ball; 0.30 to 0.35 on SPL carpet")
-          .tunable(),
-      regista::real("stop_speed", &ImmBall::stop_speed, {0.0, 0.3}, "m/s",
-                    "A ball slower than this stands; 0.08 as SPL teams have it"),
-      regista::real("acceleration_noise", &ImmBall::acceleration_noise, {0.01, 3.0}, "m/s^1.5",
-                    "Standard deviation of the speed after one second of rolling; assumption: as much as a kick of "
-                    "1 m/s loses in sliding, 2/7 of it")
-          .tunable()
-          .log_scale(),
-      regista::real("direction_noise", &ImmBall::direction_noise, {0.0, 1.0}, "rad/s^0.5",
-                    "Standard deviation of the direction after one second of rolling; assumption")
-          .tunable(),
-      regista::real("resting_noise", &ImmBall::resting_noise, {0.0, 0.3}, "m/s^0.5",
-                    "Standard deviation of a resting ball's place after one second (nudges); assumption"),
-      regista::real("speed_prior", &ImmBall::speed_prior, {0.1, 10.0}, "m/s",
-                    "Standard deviation of the velocity of a ball just seen, and of what a kick does to it, each "
-                    "component; SPL kicks are 0.98 to 1.8 m/s")
-          .tunable()
-          .log_scale(),
-      regista::real("kick_rate", &ImmBall::kick_rate, {0.01, 10.0}, "1/s",
-                    "Kicks in a second while a robot is in reach of the ball, or while no robots are told; assumption")
-          .tunable()
-          .log_scale(),
-      regista::real("unseen_kick_rate", &ImmBall::unseen_kick_rate, {0.0, 1.0}, "1/s",
-                    "Kicks in a second while no robot is known to be in reach of the ball; assumption")
-          .tunable(),
-      regista::real("sliding_deceleration", &ImmBall::sliding_deceleration, {0.5, 10.0}, "m/s^2",
-                    "Deceleration of a kicked ball until it rolls with 5/7 of its speed; Small Size League teams have "
-                    "3.0 to 3.6"),
+      regista::within(
+          &ImmBall::settings,
+          regista::within(
+              &Parameters::rolling,
+              ball::rolling_parameters("Standard deviation of the speed after one second of rolling; "
+                                       "assumption: as much as a kick of 1 m/s loses in sliding, 2/7 of it"),
+              ball::resting_noise_parameter),
+          regista::real("speed_prior", &Parameters::speed_prior, {0.1, 10.0}, "m/s",
+                        "Standard deviation of the velocity of a ball just seen, and of what a kick does to it, each "
+                        "component; SPL kicks are 0.98 to 1.8 m/s")
+              .tunable()
+              .log_scale(),
+          regista::real(
+              "kick_rate", &Parameters::kick_rate, {0.01, 10.0}, "1/s",
+              "Kicks in a second while a robot is in reach of the ball, or while no robots are told; assumption")
+              .tunable()
+              .log_scale(),
+          regista::real("unseen_kick_rate", &Parameters::unseen_kick_rate, {0.0, 1.0}, "1/s",
+                        "Kicks in a second while no robot is known to be in reach of the ball; assumption")
+              .tunable(),
+          regista::real(
+              "sliding_deceleration", &Parameters::sliding_deceleration, {0.5, 10.0}, "m/s^2",
+              "Deceleration of a kicked ball until it rolls with 5/7 of its speed; Small Size League teams have "
+              "3.0 to 3.6")),
       regista::real("reach", &ImmBall::reach, {0.0, 2.0}, "m",
                     "Gap between ball and robot below which a kick is possible; assumption: a step and a leg")
           .tunable(),
-      regista::real("timing_noise", &ImmBall::timing_noise, {0.0, 0.05}, "s",
-                    "Standard deviation of the time of an image: fast balls are seen less well along their way; 0.002 "
-                    "by the scatter of Small Size League detections, which grows so with the speed"),
-      regista::real("least_deviation", &ImmBall::least_deviation, {0.001, 0.2}, "m",
-                    "Standard deviation of a sighting, per axis, besides what is told of it; 0.01 as two cameras of "
-                    "the Small Size League differ on one resting ball"),
-      regista::integer("measurements_for_velocity", &ImmBall::measurements_for_velocity, {2, 20}, "1",
-                       "Sightings before a velocity is believed; 4 as SPL teams have it")
-          .tunable(),
-      regista::real(
-          "gate", &ImmBall::gate, {1.0, 50.0}, "1",
-          "Largest squared Mahalanobis distance of a sighting to the nearest mode; 13.8 is the 0.999 quantile "
-          "of chi-square with 2 degrees of freedom")
-          .tunable(),
-      regista::real("detection_probability", &ImmBall::detection_probability, {0.05, 0.99}, "1",
-                    "Probability that a ball well inside the visible area is seen; below the 0.9 of SPL detectors "
-                    "because robots hide it for several images in a row")
-          .tunable(),
-      regista::real("false_density", &ImmBall::false_density, {1e-5, 1.0}, "1/m^2",
-                    "False sightings per square metre and image; well above the 0.0005 per image of SPL detectors "
-                    "because false ones come back at the same spot")
-          .tunable()
-          .log_scale(),
-      regista::real("edge_margin", &ImmBall::edge_margin, {0.0, 2.0}, "m",
-                    "Nearer than this to the edge of the visible area a miss says nothing; assumption")
-          .tunable(),
-      regista::real("surprise", &ImmBall::surprise, {1e-6, 0.2}, "1",
-                    "Least probability, at each sighting, that the ball was somewhere else altogether; assumption")
-          .tunable()
-          .log_scale(),
-      regista::real("prune_weight", &ImmBall::prune_weight, {1e-4, 0.2}, "1",
-                    "Hypotheses below this probability are dropped; assumption")
-          .log_scale(),
-      regista::real("merge_distance", &ImmBall::merge_distance, {0.0, 0.5}, "m",
-                    "Hypotheses nearer than this, in place and (m/s) velocity, become one; a ball's diameter")};
+      regista::within(
+          &ImmBall::settings,
+          regista::real(
+              "timing_noise", &Parameters::timing_noise, {0.0, 0.05}, "s",
+              "Standard deviation of the time of an image: fast balls are seen less well along their way; 0.002 "
+              "by the scatter of Small Size League detections, which grows so with the speed"),
+          regista::real(
+              "least_deviation", &Parameters::least_deviation, {0.001, 0.2}, "m",
+              "Standard deviation of a sighting, per axis, besides what is told of it; 0.01 as two cameras of "
+              "the Small Size League differ on one resting ball"),
+          regista::within(
+              &Parameters::evidence,
+              ball::evidence_parameters(
+                  "Largest squared Mahalanobis distance of a sighting to the nearest mode; 13.8 is the 0.999 "
+                  "quantile of chi-square with 2 degrees of freedom",
+                  "Hypotheses nearer than this, in place and (m/s) velocity, become one; a ball's diameter")))};
 
   void setup(const regista::Environment& environment) {
-    imm_ball::Parameters values;
-    values.rolling = {deceleration, stop_speed, acceleration_noise, direction_noise, resting_noise};
-    values.speed_prior = speed_prior;
-    values.kick_rate = kick_rate;
-    values.unseen_kick_rate = unseen_kick_rate;
-    values.sliding_deceleration = sliding_deceleration;
-    values.timing_noise = timing_noise;
-    values.least_deviation = least_deviation;
-    values.measurements_for_velocity = measurements_for_velocity;
-    values.gate = gate;
-    values.detection_probability = detection_probability;
-    values.false_density = false_density;
-    values.edge_margin = edge_margin;
-    values.surprise = surprise;
-    values.prune_weight = prune_weight;
-    values.merge_distance = merge_distance;
-    values.field_area = environment->field_length * environment->field_width;
-    filter = imm_ball::Filter(values);
+    settings.evidence.field_area = environment->field_length * environment->field_width;
+    filter = imm_ball::Filter(settings);
     touching = environment->robot_radius + environment->ball_radius + reach;
   }
 
@@ -160,12 +101,14 @@ struct ImmBall {
       write_position(ball, track);
       if (filter.velocity_believed(each)) {
         const double squared = ball.velocity.squaredNorm();
-        if (modes.probability[imm_ball::resting] < 0.5 && squared > stop_speed * stop_speed) {
+        if (modes.probability[imm_ball::resting] < 0.5 &&
+            squared > settings.rolling.stop_speed * settings.rolling.stop_speed) {
           track.flags = REGISTA_TRACK_VELOCITY;
         }
         write_velocity(ball, track);
       } else {
-        track.covariance[10] = track.covariance[15] = speed_prior * speed_prior;  // told as standing until believed
+        track.covariance[10] = track.covariance[15] =
+            settings.speed_prior * settings.speed_prior;  // told as standing until believed
       }
       track.weight = std::min(1.0, each.weight);
       track.age = each.age;

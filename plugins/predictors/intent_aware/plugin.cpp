@@ -25,6 +25,7 @@ namespace {
 
 using intent_aware::Answer;
 using intent_aware::Packet;
+using intent_aware::Parameters;
 using intent_aware::Teammate;
 
 struct IntentAware {
@@ -32,45 +33,45 @@ struct IntentAware {
                         summary = "Teammates: walk to the target that the team's rule gives them, then are held";
   static constexpr unsigned subjects = REGISTA_SUBJECT_TEAMMATES;
 
-  static constexpr intent_aware::Parameters initial{};
+  Parameters model;
   double speed_factor = 0.5;
-  double trusted_for = initial.trusted_for;
-  double fades_for = initial.fades_for;
-  double moved = initial.moved;
   bool only_common = true;
-  double position_noise = initial.position_noise;
-  double heading_noise = initial.heading_noise;
-
   static constexpr std::tuple parameters{
       regista::real("speed_factor", &IntentAware::speed_factor, {0.0, 1.0}, "1",
                     "Share of the greatest walking speed at which a silent teammate is taken to walk; 0.5 as B-Human "
                     "takes of the sent speed, 0 holds it where it was")
           .tunable(),
-      regista::real("trusted_for", &IntentAware::trusted_for, {0.0, 120.0}, "s",
-                    "Up to this age of its news a silent teammate is taken to walk; assumption: a few packets' silence")
-          .tunable(),
-      regista::real("fades_for", &IntentAware::fades_for, {0.0, 120.0}, "s",
-                    "After trusted_for its speed falls to zero within this time; assumption")
-          .tunable(),
-      regista::real("moved", &IntentAware::moved, {0.0, 20.0}, "m",
-                    "A task that a teammate said it has is followed once its place is farther than this from where it "
-                    "was; assumption: the radius in which a place of play is the same")
-          .tunable(),
+      regista::within(
+          &IntentAware::model,
+          regista::real(
+              "trusted_for", &Parameters::trusted_for, {0.0, 120.0}, "s",
+              "Up to this age of its news a silent teammate is taken to walk; assumption: a few packets' silence")
+              .tunable(),
+          regista::real("fades_for", &Parameters::fades_for, {0.0, 120.0}, "s",
+                        "After trusted_for its speed falls to zero within this time; assumption")
+              .tunable(),
+          regista::real(
+              "moved", &Parameters::moved, {0.0, 20.0}, "m",
+              "A task that a teammate said it has is followed once its place is farther than this from where it "
+              "was; assumption: the radius in which a place of play is the same")
+              .tunable()),
       regista::boolean(
           "only_common", &IntentAware::only_common,
           "Use the rule's answer only where it was computed on the common world, so that no private belief "
           "enters it"),
-      regista::real("position_noise", &IntentAware::position_noise, {0.0, 1.0}, "m/s",
-                    "Growth of the standard deviation of a silent teammate's place; assumption: near half of the "
-                    "walking speed")
-          .tunable(),
-      regista::real("heading_noise", &IntentAware::heading_noise, {0.0, 2.0}, "rad/s",
-                    "Growth of the standard deviation of a silent teammate's heading; assumption")
-          .tunable()};
+      regista::within(
+          &IntentAware::model,
+          regista::real("position_noise", &Parameters::position_noise, {0.0, 1.0}, "m/s",
+                        "Growth of the standard deviation of a silent teammate's place; assumption: near half of the "
+                        "walking speed")
+              .tunable(),
+          regista::real("heading_noise", &Parameters::heading_noise, {0.0, 2.0}, "rad/s",
+                        "Growth of the standard deviation of a silent teammate's heading; assumption")
+              .tunable())};
 
   void setup(const regista::Environment& environment) {
     team_size = static_cast<int>(environment->team_size);
-    model = {speed_factor * environment->walk_forward, trusted_for, fades_for, moved, position_noise, heading_noise};
+    model.walk_speed = speed_factor * environment->walk_forward;
     mates.reserve(environment->team_size);
     first_answer.assign(environment->team_size, 0);
   }
@@ -179,7 +180,6 @@ struct IntentAware {
   }
 
   using Count = std::size_t;
-  intent_aware::Parameters model;
   int team_size = 0;
   std::uint64_t decisions = 0;              // of this robot, as far as its frames told
   std::vector<Teammate> mates;              // by number

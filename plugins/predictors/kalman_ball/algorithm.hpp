@@ -21,24 +21,16 @@
 
 namespace kalman_ball {
 
-using ball::RollingModel, ball::View;
+using ball::Evidence, ball::RollingModel, ball::View;
 using planar::Sighting;
 using BallState = planar::State;
 
 struct Parameters {
   RollingModel rolling;
-  double timing_noise = 0.0;           // s: of the time at which a sighting was taken
-  double speed_prior = 1.0;            // m/s: deviation of each component of a new ball's velocity
-  double touch_rate = 0.0;             // 1/s: how often somebody touches the ball, so that its velocity jumps
-  int measurements_for_velocity = 4;   // sightings before a velocity is believed
-  double gate = 13.8155;               // squared Mahalanobis distance
-  double detection_probability = 0.6;  // of a ball well inside the visible area
-  double false_density = 0.01;         // false sightings per m^2 and image
-  double edge_margin = 0.3;            // m: nearer to the edge of the visible area a miss says nothing
-  double surprise = 0.003;             // least probability that the ball is somewhere else altogether
-  double prune_weight = 0.01;          // hypotheses below it are dropped
-  double merge_distance = 0.1;         // m, and m/s
-  double field_area = 54.0;            // m^2: where a ball can appear
+  Evidence evidence;
+  double timing_noise = 0.0;  // s: of the time at which a sighting was taken
+  double speed_prior = 1.0;   // m/s: deviation of each component of a new ball's velocity
+  double touch_rate = 0.0;    // 1/s: how often somebody touches the ball, so that its velocity jumps
 };
 
 enum class Kind { resting, moving };
@@ -69,9 +61,10 @@ class Filter {
   // `sightings`: a range of Sighting, all of one image; empty when no ball was seen.
   template <class Sightings>
   void correct(const Sightings& sightings, const View& view) {
-    const double detection = parameters_.detection_probability;
-    if (std::size(sightings) > 0) hypotheses_.expect_surprise(parameters_.surprise);
-    const double birth = hypotheses_.nowhere() * detection / (parameters_.field_area * parameters_.false_density);
+    const Evidence& evidence = parameters_.evidence;
+    const double detection = evidence.detection_probability;
+    if (std::size(sightings) > 0) hypotheses_.expect_surprise(evidence.surprise);
+    const double birth = hypotheses_.nowhere() * detection / (evidence.field_area * evidence.false_density);
     std::uint64_t explained = 0;  // sightings that fit a hypothesis
     for (Hypothesis& hypothesis : hypotheses_) {
       const Sighting* nearest = nullptr;
@@ -79,7 +72,7 @@ class Filter {
       std::uint64_t bit = 1;
       for (const Sighting& sighting : sightings) {
         const Fit fit = compare(hypothesis.ball, sighting.position, uncertainty(hypothesis, sighting));
-        if (fit.distance <= parameters_.gate) {
+        if (fit.distance <= evidence.gate) {
           explained |= bit;
           if (nearest == nullptr || fit.distance < best.distance) {
             nearest = &sighting;
@@ -91,9 +84,9 @@ class Filter {
       if (nearest != nullptr) {
         constexpr double two_pi = 6.28318530717958648;
         const double density = std::exp(-0.5 * best.distance) / (two_pi * std::sqrt(best.determinant));
-        hypothesis.weight *= 1.0 - detection + detection * density / parameters_.false_density;
+        hypothesis.weight *= 1.0 - detection + detection * density / evidence.false_density;
         take(hypothesis, uncertainty(hypothesis, *nearest), best);
-      } else if (view.holds(hypothesis.ball.position, parameters_.edge_margin)) {
+      } else if (view.holds(hypothesis.ball.position, evidence.edge_margin)) {
         hypothesis.weight *= 1.0 - detection;
       }
     }
@@ -102,8 +95,7 @@ class Filter {
       if (bit != 0 && (explained & bit) == 0) start(sighting, birth);
       bit <<= 1;
     }
-    hypotheses_.weigh(parameters_.prune_weight,
-                      [this](const Hypothesis& a, const Hypothesis& b) { return alike(a, b); });
+    hypotheses_.weigh(evidence.prune_weight, [this](const Hypothesis& a, const Hypothesis& b) { return alike(a, b); });
   }
 
   // What a packet said: the only hypothesis from now on. `moves`: its velocity is believed.
@@ -111,7 +103,7 @@ class Filter {
     Hypothesis& only = hypotheses_.replace(weight);
     only.ball = told;
     only.kind = moves ? Kind::moving : Kind::resting;
-    only.sightings = parameters_.measurements_for_velocity;
+    only.sightings = parameters_.evidence.measurements_for_velocity;
     only.age = age_then;
     if (!moves) stand(only.ball);
     if (ago > 0.0) advance(only, ago);
@@ -123,7 +115,7 @@ class Filter {
   const Hypothesis* begin() const { return hypotheses_.begin(); }
   const Hypothesis* end() const { return hypotheses_.end(); }
   bool velocity_believed(const Hypothesis& hypothesis) const {
-    return hypothesis.kind == Kind::moving && hypothesis.sightings >= parameters_.measurements_for_velocity;
+    return hypothesis.kind == Kind::moving && hypothesis.sightings >= parameters_.evidence.measurements_for_velocity;
   }
 
   // The hypothesis as it is to be told. A hypothesis itself takes the ball for untouched, and a sighting that tells of
@@ -201,7 +193,7 @@ class Filter {
   }
 
   bool alike(const Hypothesis& a, const Hypothesis& b) const {
-    const double limit = parameters_.merge_distance * parameters_.merge_distance;
+    const double limit = parameters_.evidence.merge_distance * parameters_.evidence.merge_distance;
     return a.kind == b.kind && (a.ball.position - b.ball.position).squaredNorm() < limit &&
            (a.ball.velocity - b.ball.velocity).squaredNorm() < limit;
   }

@@ -8,58 +8,50 @@
 namespace {
 
 using odometry_pose::Estimate;
+using odometry_pose::Parameters;
 
 struct OdometryPose {
   static constexpr auto id = "odometry_pose", version = "1.0.0",
                         summary = "Own pose: odometry corrected by landmarks (extended Kalman filter)";
   static constexpr unsigned subjects = REGISTA_SUBJECT_SELF;
 
-  static constexpr odometry_pose::Parameters initial{};
-  double distance_noise = initial.distance_noise;
-  double turn_noise = initial.turn_noise;
-  double drift_noise = initial.drift_noise;
-  double standing_noise = initial.standing_noise;
-  double gate = initial.gate;
-  double ambiguity_ratio = initial.ambiguity_ratio;
-  int doubt_after = initial.doubt_after;
-  double velocity_smoothing = initial.velocity_smoothing;
-  double velocity_deviation = initial.velocity_deviation;
-
-  static constexpr std::tuple parameters{
-      regista::real("distance_noise", &OdometryPose::distance_noise, {0.001, 0.3}, "m/m^0.5",
+  Parameters settings;
+  static constexpr std::tuple parameters{regista::within(
+      &OdometryPose::settings,
+      regista::real("distance_noise", &Parameters::distance_noise, {0.001, 0.3}, "m/m^0.5",
                     "Standard deviation of the position after one metre of walking; assumption: covers a scale error "
                     "of 3 % and noise of 5 % per step")
           .tunable()
           .log_scale(),
-      regista::real("turn_noise", &OdometryPose::turn_noise, {0.001, 0.3}, "rad^0.5",
+      regista::real("turn_noise", &Parameters::turn_noise, {0.001, 0.3}, "rad^0.5",
                     "Standard deviation of the heading after one radian of turning; assumption, as distance_noise")
           .tunable()
           .log_scale(),
-      regista::real("drift_noise", &OdometryPose::drift_noise, {0.001, 0.3}, "rad/m^0.5",
+      regista::real("drift_noise", &Parameters::drift_noise, {0.001, 0.3}, "rad/m^0.5",
                     "Standard deviation of the heading after one metre of walking; assumption")
           .tunable()
           .log_scale(),
-      regista::real("standing_noise", &OdometryPose::standing_noise, {0.0, 0.05}, "1/s^0.5",
+      regista::real("standing_noise", &Parameters::standing_noise, {0.0, 0.05}, "1/s^0.5",
                     "Standard deviation of position (m) and heading (rad) after one second of standing; assumption"),
       regista::real(
-          "gate", &OdometryPose::gate, {1.0, 50.0}, "1",
+          "gate", &Parameters::gate, {1.0, 50.0}, "1",
           "Largest squared Mahalanobis distance of a sighting to its landmark (chi-square, 2 degrees of freedom: "
           "9.21 is the 0.99 quantile); chosen by simulated walks, see algorithm.hpp")
           .tunable(),
-      regista::real("ambiguity_ratio", &OdometryPose::ambiguity_ratio, {1.0, 10000.0}, "1",
+      regista::real("ambiguity_ratio", &Parameters::ambiguity_ratio, {1.0, 10000.0}, "1",
                     "A sighting counts only if its nearest landmark is this many times likelier than the second "
                     "nearest; chosen by simulated walks, see algorithm.hpp")
           .tunable()
           .log_scale(),
       regista::integer(
-          "doubt_after", &OdometryPose::doubt_after, {1, 1000}, "1",
+          "doubt_after", &Parameters::doubt_after, {1, 1000}, "1",
           "When so many more sightings were beyond the gate than within, the covariance is doubled at each "
           "further one; assumption")
           .tunable(),
-      regista::real("velocity_smoothing", &OdometryPose::velocity_smoothing, {0.0, 5.0}, "s",
+      regista::real("velocity_smoothing", &Parameters::velocity_smoothing, {0.0, 5.0}, "s",
                     "Time constant of the smoothing of the velocity; about one step of the walk (0.25 s, SPL)"),
-      regista::real("velocity_deviation", &OdometryPose::velocity_deviation, {0.001, 0.5}, "m/s",
-                    "Standard deviation told for each component of the velocity; assumption")};
+      regista::real("velocity_deviation", &Parameters::velocity_deviation, {0.001, 0.5}, "m/s",
+                    "Standard deviation told for each component of the velocity; assumption"))};
 
   void setup(const regista::Environment& environment) {
     std::vector<odometry_pose::Landmark> landmarks;
@@ -68,9 +60,7 @@ struct OdometryPose {
     Estimate unknown;
     unknown.covariance.diagonal() << environment->field_length * environment->field_length / 12.0,
         environment->field_width * environment->field_width / 12.0, odometry_pose::pi * odometry_pose::pi / 3.0;
-    filter.emplace(odometry_pose::Parameters{distance_noise, turn_noise, drift_noise, standing_noise, gate,
-                                             ambiguity_ratio, doubt_after, velocity_smoothing, velocity_deviation},
-                   landmarks, unknown);
+    filter.emplace(settings, landmarks, unknown);
     number = environment->own_number;
   }
 

@@ -59,7 +59,6 @@ struct Settings {
   double period_alone = 4.0;                                  // s, of the only robot that sees the ball
   double period_goalkeeper = 20.0;                            // s
   double period_ready_least = 8.0, period_ready_most = 14.0;  // s, in Ready and Set; spread over the numbers
-  int reserve = 30;                                           // packets; the team is silent when no more are left
   Pace pace = Pace::linear;
   double pace_margin = 20.0;  // packets below the line at which the small causes are held back
 };
@@ -70,6 +69,7 @@ struct Situation {
   bool ready_or_set = false;      // phase Ready or Set
   bool alone_with_ball = false;   // this robot sees the ball, and nobody else tells of it
   int packets_left = 0;           // of the team
+  int reserve = 0;                // packets; the team is silent when no more are left
   double line = 0.0;              // packets that would be left if spent evenly
   double since_own = 0.0;         // s since this robot sent, since the start of the match if never
 };
@@ -91,7 +91,7 @@ class Sender {
       const Rule& rule = settings.rules[index(event.cause)];
       if (rule.heeded && event.value >= rule.threshold) happened_[index(event.cause)] = now.time;
     }
-    if (now.packets_left <= settings.reserve) return std::nullopt;
+    if (now.packets_left <= now.reserve) return std::nullopt;
     if (now.since_own < settings.minimum_interval - rounding) return std::nullopt;
     const bool in_pace = settings.pace == Pace::none || now.packets_left >= now.line - settings.pace_margin;
     for (std::size_t k = 0; k < index(Cause::period); ++k) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sender plugin around algorithm.hpp: translates the frame, the events and the budget; takes along what offers fit.
-#include <limits>
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include <regista/choose_offers.hpp>
@@ -12,192 +13,159 @@
 namespace {
 
 using event_based::Cause;
-using event_based::Pace;
+using event_based::Rule;
+using event_based::Settings;
 
-constexpr std::optional<Cause> cause_of(std::int32_t kind) {
-  switch (kind) {
-    case REGISTA_EVENT_WHISTLE:
-      return Cause::whistle;
-    case REGISTA_EVENT_BALL_FOUND:
-      return Cause::ball_found;
-    case REGISTA_EVENT_GOALKEEPER_SAW_BALL:
-      return Cause::goalkeeper_saw_ball;
-    case REGISTA_EVENT_BALL_KNOWN_AGAIN:
-      return Cause::ball_known_again;
-    case REGISTA_EVENT_ROLE_CHANGED:
-      return Cause::role_changed;
-    case REGISTA_EVENT_BALL_MOVED:
-      return Cause::ball_moved;
-    case REGISTA_EVENT_POSE_MOVED:
-      return Cause::pose_moved;
-    case REGISTA_EVENT_FELL:
-      return Cause::fell;
-    case REGISTA_EVENT_GOT_UP:
-      return Cause::got_up;
-    case REGISTA_EVENT_PHASE_CHANGED:
-      return Cause::phase_changed;
-    case REGISTA_EVENT_CONTEXT_CHANGED:
-      return Cause::context_changed;
-    case REGISTA_EVENT_RETURNED:
-      return Cause::returned;
-    default:
-      return std::nullopt;
+// What there is to send for, in the order of causes: the event as the host has it, and the rule unless a team sets
+// another.
+struct Row {
+  Cause cause;
+  std::int32_t event;
+  Rule rule;
+};
+constexpr std::array<Row, event_based::causes> rows{{
+    {Cause::whistle, REGISTA_EVENT_WHISTLE, {.interval = 1.5}},
+    {Cause::returned, REGISTA_EVENT_RETURNED, {.interval = 1.0}},
+    {Cause::ball_found, REGISTA_EVENT_BALL_FOUND, {.interval = 2.0}},
+    {Cause::goalkeeper_saw_ball, REGISTA_EVENT_GOALKEEPER_SAW_BALL, {.interval = 2.0, .threshold = 8.0}},
+    {Cause::ball_known_again, REGISTA_EVENT_BALL_KNOWN_AGAIN, {.interval = 2.0, .threshold = 5.0}},
+    {Cause::fell, REGISTA_EVENT_FELL, {.heeded = false, .interval = 5.0}},
+    {Cause::offer, REGISTA_EVENT_OFFER, {.interval = 1.0}},
+    {Cause::role_changed, REGISTA_EVENT_ROLE_CHANGED, {.interval = 1.0}},
+    {Cause::got_up, REGISTA_EVENT_GOT_UP, {.heeded = false, .interval = 5.0}},
+    {Cause::phase_changed, REGISTA_EVENT_PHASE_CHANGED, {.heeded = false, .interval = 1.0}},
+    {Cause::context_changed, REGISTA_EVENT_CONTEXT_CHANGED, {.heeded = false, .interval = 2.0}},
+    {Cause::ball_moved, REGISTA_EVENT_BALL_MOVED, {.interval = 2.0, .threshold = 1.0}},
+    {Cause::pose_moved, REGISTA_EVENT_POSE_MOVED, {.interval = 4.0, .threshold = 1.0}},
+    {Cause::period, REGISTA_EVENT_PERIOD, {}},
+}};
+
+constexpr std::size_t index(Cause cause) { return static_cast<std::size_t>(cause); }
+static_assert(std::ranges::all_of(rows, [](const Row& row) { return &row == &rows[index(row.cause)]; }));
+
+constexpr int reason_of(Cause cause) { return rows[index(cause)].event; }
+
+constexpr std::optional<Cause> cause_of(std::int32_t event) {
+  if (event == REGISTA_EVENT_OFFER || event == REGISTA_EVENT_PERIOD) return std::nullopt;  // reasons, but no events
+  for (const Row& row : rows) {
+    if (row.event == event) return row.cause;
   }
+  return std::nullopt;
 }
 
-constexpr int reason_of(Cause cause) {
-  switch (cause) {
-    case Cause::whistle:
-      return REGISTA_EVENT_WHISTLE;
-    case Cause::returned:
-      return REGISTA_EVENT_RETURNED;
-    case Cause::ball_found:
-      return REGISTA_EVENT_BALL_FOUND;
-    case Cause::goalkeeper_saw_ball:
-      return REGISTA_EVENT_GOALKEEPER_SAW_BALL;
-    case Cause::ball_known_again:
-      return REGISTA_EVENT_BALL_KNOWN_AGAIN;
-    case Cause::fell:
-      return REGISTA_EVENT_FELL;
-    case Cause::offer:
-      return REGISTA_EVENT_OFFER;
-    case Cause::role_changed:
-      return REGISTA_EVENT_ROLE_CHANGED;
-    case Cause::got_up:
-      return REGISTA_EVENT_GOT_UP;
-    case Cause::phase_changed:
-      return REGISTA_EVENT_PHASE_CHANGED;
-    case Cause::context_changed:
-      return REGISTA_EVENT_CONTEXT_CHANGED;
-    case Cause::ball_moved:
-      return REGISTA_EVENT_BALL_MOVED;
-    case Cause::pose_moved:
-      return REGISTA_EVENT_POSE_MOVED;
-    case Cause::period:
-      break;
-  }
-  return REGISTA_EVENT_PERIOD;
+constexpr Settings initial_settings() {
+  Settings settings;
+  for (const Row& row : rows) settings.rules[index(row.cause)] = row.rule;
+  return settings;
+}
+
+// Binds to the rule of one cause.
+struct RuleOf {
+  Cause cause;
+  constexpr auto& operator()(auto& settings) const { return settings.rules[index(cause)]; }
+};
+
+constexpr regista::Range seconds{0.0, 120.0}, metres{0.0, 10.0};
+
+constexpr auto heeded(const char* name, const char* doc) { return regista::boolean(name, &Rule::heeded, doc); }
+constexpr auto interval(const char* name, const char* doc = "Least time between two such packets; our choice") {
+  return regista::real(name, &Rule::interval, seconds, "s", doc);
+}
+constexpr auto threshold(const char* name, regista::Range range, const char* unit, const char* doc) {
+  return regista::real(name, &Rule::threshold, range, unit, doc).tunable();
 }
 
 struct EventBased {
   static constexpr auto id = "event_based", version = "1.1.0",
                         summary = "A packet on events, with a slow period beneath";
 
+  Settings settings = initial_settings();
   int reserve = 30;
-  double minimum_interval = 1.0, pending_for = 2.0;
-  Pace pace = Pace::linear;
-  double pace_margin = 20.0;
-  double period = 10.0, period_alone = 4.0, period_goalkeeper = 20.0, period_ready_least = 8.0,
-         period_ready_most = 14.0;
   double alone_after = 10.0;
-  bool whistle = true, returned = true, ball_found = true, goalkeeper_saw_ball = true, ball_known_again = true;
-  bool offers = true, role_changed = true, ball_moved = true, pose_moved = true;
-  bool fell = false, got_up = false, phase_changed = false, context_changed = false;
-  double whistle_interval = 1.5, returned_interval = 1.0, ball_found_interval = 2.0, goalkeeper_interval = 2.0;
-  double ball_known_again_interval = 2.0, offers_interval = 1.0, role_changed_interval = 1.0;
-  double ball_moved_interval = 2.0, pose_moved_interval = 4.0;
-  double fell_interval = 5.0, got_up_interval = 5.0, phase_changed_interval = 1.0, context_changed_interval = 2.0;
-  double goalkeeper_unseen = 8.0, ball_lacked = 5.0, ball_moved_distance = 1.0, pose_moved_distance = 1.0;
-
-  static constexpr double any = -std::numeric_limits<double>::infinity();  // as a threshold
   static constexpr std::array<const char*, 2> paces{"linear", "none"};
-  static constexpr regista::Range seconds{0.0, 120.0}, metres{0.0, 10.0};
   static constexpr std::tuple parameters{
       regista::integer("reserve", &EventBased::reserve, {0, 10000}, "1",
                        "Packets of the team at which it falls silent; SPQR: 30"),
-      regista::real("minimum_interval", &EventBased::minimum_interval, {0.0, 60.0}, "s",
-                    "Least time between two packets of this robot, whatever the cause; B-Human: 1")
-          .tunable(),
-      regista::real("pending_for", &EventBased::pending_for, {0.0, 60.0}, "s",
-                    "How long an event that had to wait still counts; our choice")
-          .tunable(),
-      regista::choice("pace", &EventBased::pace, paces,
-                      "linear: roles, moves and periods wait while more than an even share of the budget is spent, "
-                      "after B-Human; none: they never wait, as in SPQR's released code"),
-      regista::real("pace_margin", &EventBased::pace_margin, {0.0, 10000.0}, "1",
-                    "Packets below the even share at which they begin to wait; our choice")
-          .tunable(),
-      regista::real("period", &EventBased::period, {0.5, 120.0}, "s", "A packet at least so often; SPQR: 10").tunable(),
-      regista::real("period_alone", &EventBased::period_alone, {0.5, 120.0}, "s",
-                    "The same for the only robot that sees the ball; SPQR: 4")
-          .tunable(),
-      regista::real("period_goalkeeper", &EventBased::period_goalkeeper, {0.5, 120.0}, "s",
-                    "The same for robot 1; SPQR: 20")
-          .tunable(),
-      regista::real("period_ready_least", &EventBased::period_ready_least, {0.5, 120.0}, "s",
-                    "The same in Ready and Set for robot 1, growing with the number; SPQR: 8 (in Ready)"),
-      regista::real("period_ready_most", &EventBased::period_ready_most, {0.5, 120.0}, "s",
-                    "The same in Ready and Set for the last robot; SPQR: 14 (in Ready)"),
+      regista::within(
+          &EventBased::settings,
+          regista::real("minimum_interval", &Settings::minimum_interval, {0.0, 60.0}, "s",
+                        "Least time between two packets of this robot, whatever the cause; B-Human: 1")
+              .tunable(),
+          regista::real("pending_for", &Settings::pending_for, {0.0, 60.0}, "s",
+                        "How long an event that had to wait still counts; our choice")
+              .tunable(),
+          regista::choice("pace", &Settings::pace, paces,
+                          "linear: roles, moves and periods wait while more than an even share of the budget is spent, "
+                          "after B-Human; none: they never wait, as in SPQR's released code"),
+          regista::real("pace_margin", &Settings::pace_margin, {0.0, 10000.0}, "1",
+                        "Packets below the even share at which they begin to wait; our choice")
+              .tunable(),
+          regista::real("period", &Settings::period, {0.5, 120.0}, "s", "A packet at least so often; SPQR: 10")
+              .tunable(),
+          regista::real("period_alone", &Settings::period_alone, {0.5, 120.0}, "s",
+                        "The same for the only robot that sees the ball; SPQR: 4")
+              .tunable(),
+          regista::real("period_goalkeeper", &Settings::period_goalkeeper, {0.5, 120.0}, "s",
+                        "The same for robot 1; SPQR: 20")
+              .tunable(),
+          regista::real("period_ready_least", &Settings::period_ready_least, {0.5, 120.0}, "s",
+                        "The same in Ready and Set for robot 1, growing with the number; SPQR: 8 (in Ready)"),
+          regista::real("period_ready_most", &Settings::period_ready_most, {0.5, 120.0}, "s",
+                        "The same in Ready and Set for the last robot; SPQR: 14 (in Ready)")),
       regista::real("alone_after", &EventBased::alone_after, seconds, "s",
                     "A robot that sees the ball counts as the only one after so long without news from others; ours")
           .tunable(),
-      regista::boolean("whistle", &EventBased::whistle, "Send on hearing the whistle; SPQR: yes"),
-      regista::real("whistle_interval", &EventBased::whistle_interval, seconds, "s",
-                    "Least time between two such packets; SPQR: 1.5"),
-      regista::boolean("returned", &EventBased::returned, "Send on coming back from a penalty; our choice"),
-      regista::real("returned_interval", &EventBased::returned_interval, seconds, "s",
-                    "Least time between two such packets; our choice"),
-      regista::boolean("ball_found", &EventBased::ball_found, "Send when a searcher sees the ball; SPQR: yes"),
-      regista::real("ball_found_interval", &EventBased::ball_found_interval, seconds, "s",
-                    "Least time between two such packets; our choice")
-          .tunable(),
-      regista::boolean("goalkeeper_saw_ball", &EventBased::goalkeeper_saw_ball,
-                       "Send when the goalkeeper sees a ball that it had not seen for long; SPQR: yes"),
-      regista::real("goalkeeper_unseen", &EventBased::goalkeeper_unseen, seconds, "s",
-                    "How long it must not have seen the ball; SPQR: 8")
-          .tunable(),
-      regista::real("goalkeeper_interval", &EventBased::goalkeeper_interval, seconds, "s",
-                    "Least time between two such packets; our choice"),
-      regista::boolean("ball_known_again", &EventBased::ball_known_again,
-                       "Send on seeing the ball when the team lacked it for long; SPQR: yes"),
-      regista::real("ball_lacked", &EventBased::ball_lacked, seconds, "s",
-                    "How long the team must have lacked the ball; SPQR: 5")
-          .tunable(),
-      regista::real("ball_known_again_interval", &EventBased::ball_known_again_interval, seconds, "s",
-                    "Least time between two such packets; our choice"),
-      regista::boolean("offers", &EventBased::offers, "Send when a plugin offers something of urgency 1"),
-      regista::real("offers_interval", &EventBased::offers_interval, seconds, "s",
-                    "Least time between two such packets; our choice"),
-      regista::boolean("role_changed", &EventBased::role_changed, "Send on taking another role; our choice"),
-      regista::real("role_changed_interval", &EventBased::role_changed_interval, seconds, "s",
-                    "Least time between two such packets; our choice")
-          .tunable(),
-      regista::boolean("ball_moved", &EventBased::ball_moved,
-                       "Send when the ball is seen far from where the team believes it; our choice"),
-      regista::real("ball_moved_distance", &EventBased::ball_moved_distance, metres, "m", "How far; our choice")
-          .tunable(),
-      regista::real("ball_moved_interval", &EventBased::ball_moved_interval, seconds, "s",
-                    "Least time between two such packets; our choice")
-          .tunable(),
-      regista::boolean("pose_moved", &EventBased::pose_moved,
-                       "Send when this robot is far from where the team believes it, after B-Human"),
-      regista::real("pose_moved_distance", &EventBased::pose_moved_distance, metres, "m",
-                    "How far; B-Human: 0.3, with 5 degrees besides; 1 is our choice")
-          .tunable(),
-      regista::real("pose_moved_interval", &EventBased::pose_moved_interval, seconds, "s",
-                    "Least time between two such packets; our choice")
-          .tunable(),
-      regista::boolean("fell", &EventBased::fell,
-                       "Send on falling, so that others take over what this robot was to do; our choice: no"),
-      regista::real("fell_interval", &EventBased::fell_interval, seconds, "s",
-                    "Least time between two such packets; our choice")
-          .tunable(),
-      regista::boolean("got_up", &EventBased::got_up, "Send on standing again; our choice: no"),
-      regista::real("got_up_interval", &EventBased::got_up_interval, seconds, "s",
-                    "Least time between two such packets; our choice")
-          .tunable(),
-      regista::boolean("phase_changed", &EventBased::phase_changed,
-                       "Send when the phase of the game changes, which the others are told too; our choice: no"),
-      regista::real("phase_changed_interval", &EventBased::phase_changed_interval, seconds, "s",
-                    "Least time between two such packets; our choice")
-          .tunable(),
-      regista::boolean("context_changed", &EventBased::context_changed,
-                       "Send when another context comes into force; our choice: no"),
-      regista::real("context_changed_interval", &EventBased::context_changed_interval, seconds, "s",
-                    "Least time between two such packets; our choice")
-          .tunable()};
+      regista::within(
+          &EventBased::settings,
+          regista::within(RuleOf{Cause::whistle}, heeded("whistle", "Send on hearing the whistle; SPQR: yes"),
+                          interval("whistle_interval", "Least time between two such packets; SPQR: 1.5")),
+          regista::within(RuleOf{Cause::returned}, heeded("returned", "Send on coming back from a penalty; our choice"),
+                          interval("returned_interval")),
+          regista::within(RuleOf{Cause::ball_found},
+                          heeded("ball_found", "Send when a searcher sees the ball; SPQR: yes"),
+                          interval("ball_found_interval").tunable()),
+          regista::within(
+              RuleOf{Cause::goalkeeper_saw_ball},
+              heeded("goalkeeper_saw_ball",
+                     "Send when the goalkeeper sees a ball that it had not seen for long; SPQR: yes"),
+              threshold("goalkeeper_unseen", seconds, "s", "How long it must not have seen the ball; SPQR: 8"),
+              interval("goalkeeper_interval")),
+          regista::within(
+              RuleOf{Cause::ball_known_again},
+              heeded("ball_known_again", "Send on seeing the ball when the team lacked it for long; SPQR: yes"),
+              threshold("ball_lacked", seconds, "s", "How long the team must have lacked the ball; SPQR: 5"),
+              interval("ball_known_again_interval")),
+          regista::within(RuleOf{Cause::offer}, heeded("offers", "Send when a plugin offers something of urgency 1"),
+                          interval("offers_interval")),
+          regista::within(RuleOf{Cause::role_changed},
+                          heeded("role_changed", "Send on taking another role; our choice"),
+                          interval("role_changed_interval").tunable()),
+          regista::within(
+              RuleOf{Cause::ball_moved},
+              heeded("ball_moved", "Send when the ball is seen far from where the team believes it; our choice"),
+              threshold("ball_moved_distance", metres, "m", "How far; our choice"),
+              interval("ball_moved_interval").tunable()),
+          regista::within(
+              RuleOf{Cause::pose_moved},
+              heeded("pose_moved", "Send when this robot is far from where the team believes it, after B-Human"),
+              threshold("pose_moved_distance", metres, "m",
+                        "How far; B-Human: 0.3, with 5 degrees besides; 1 is our choice"),
+              interval("pose_moved_interval").tunable()),
+          regista::within(
+              RuleOf{Cause::fell},
+              heeded("fell", "Send on falling, so that others take over what this robot was to do; our choice: no"),
+              interval("fell_interval").tunable()),
+          regista::within(RuleOf{Cause::got_up}, heeded("got_up", "Send on standing again; our choice: no"),
+                          interval("got_up_interval").tunable()),
+          regista::within(
+              RuleOf{Cause::phase_changed},
+              heeded("phase_changed",
+                     "Send when the phase of the game changes, which the others are told too; our choice: no"),
+              interval("phase_changed_interval").tunable()),
+          regista::within(RuleOf{Cause::context_changed},
+                          heeded("context_changed", "Send when another context comes into force; our choice: no"),
+                          interval("context_changed_interval").tunable()))};
 
-  event_based::Settings settings;
   event_based::Sender sender;
   event_based::BallWitness witness;
   int number = 1, team_size = 1;
@@ -208,32 +176,6 @@ struct EventBased {
   void setup(const regista::Environment& environment) {
     number = environment->own_number;
     team_size = static_cast<int>(environment->team_size);
-    settings.minimum_interval = minimum_interval;
-    settings.pending_for = pending_for;
-    settings.period = period;
-    settings.period_alone = period_alone;
-    settings.period_goalkeeper = period_goalkeeper;
-    settings.period_ready_least = period_ready_least;
-    settings.period_ready_most = period_ready_most;
-    settings.reserve = reserve;
-    settings.pace = pace;
-    settings.pace_margin = pace_margin;
-    const auto rule = [this](Cause cause, bool heeded, double interval, double threshold = any) {
-      settings.rules[static_cast<std::size_t>(cause)] = {heeded, interval, threshold};
-    };
-    rule(Cause::whistle, whistle, whistle_interval);
-    rule(Cause::returned, returned, returned_interval);
-    rule(Cause::ball_found, ball_found, ball_found_interval);
-    rule(Cause::goalkeeper_saw_ball, goalkeeper_saw_ball, goalkeeper_interval, goalkeeper_unseen);
-    rule(Cause::ball_known_again, ball_known_again, ball_known_again_interval, ball_lacked);
-    rule(Cause::offer, offers, offers_interval);
-    rule(Cause::role_changed, role_changed, role_changed_interval);
-    rule(Cause::ball_moved, ball_moved, ball_moved_interval, ball_moved_distance);
-    rule(Cause::pose_moved, pose_moved, pose_moved_interval, pose_moved_distance);
-    rule(Cause::fell, fell, fell_interval);
-    rule(Cause::got_up, got_up, got_up_interval);
-    rule(Cause::phase_changed, phase_changed, phase_changed_interval);
-    rule(Cause::context_changed, context_changed, context_changed_interval);
     events.reserve(32);
     pending.reserve(16);
     chosen.reserve(16);
@@ -263,7 +205,7 @@ struct EventBased {
     now.alone_with_ball = witness.is_alone(now.time, {mine.ball_known(), mine.ball().age},
                                            {common.ball_known(), common.ball().age}, alone_after);
     now.packets_left = query.budget.packets_left;
-    settings.reserve = regista::in_this_game(reserve, query.budget);
+    now.reserve = regista::in_this_game(reserve, query.budget);
     now.line = query.budget.line;
     now.since_own = query.budget.since_own;
     const std::optional<Cause> cause = sender.decide(settings, now, events);

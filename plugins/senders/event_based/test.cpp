@@ -44,6 +44,7 @@ std::vector<Packet> run(const Settings& settings, double length,
     now.number = number;
     now.team_size = 7;
     now.packets_left = 1000;
+    now.reserve = 30;
     now.since_own = now.time - last;
     const std::vector<Event> events = at(tick, now);
     if (const auto cause = sender.decide(settings, now, events)) {
@@ -215,6 +216,7 @@ Totals play(const Settings& settings, double events_per_second, bool great_event
       now.number = number;
       now.team_size = 7;
       now.packets_left = 1200 - totals.packets;
+      now.reserve = 30;
       now.line = 1200.0 - now.time;
       now.since_own = now.time - last[i];
       std::vector<Event> events;

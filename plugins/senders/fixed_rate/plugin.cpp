@@ -11,28 +11,37 @@
 
 namespace {
 
+using fixed_rate::Settings;
+
 struct FixedRate {
   static constexpr auto id = "fixed_rate", version = "1.2.0", summary = "A packet every so many seconds";
-  double period = 8.0, fast_period = 4.0;
+  Settings settings;
   std::string fast_role = "striker";
-  int reserve = 0;
-  bool lasts = true, at_once = true;
+  bool lasts = true;
   static constexpr std::tuple parameters{
-      regista::real("period", &FixedRate::period, {0.5, 120.0}, "s", "Time between two packets of a robot; SPQR: 8")
-          .tunable(),
-      regista::real("fast_period", &FixedRate::fast_period, {0.5, 120.0}, "s",
-                    "The same for the robot that has the fast role; SPQR: 4")
-          .tunable(),
+      regista::within(
+          &FixedRate::settings,
+          regista::real("period", &Settings::period, {0.5, 120.0}, "s", "Time between two packets of a robot; SPQR: 8")
+              .tunable(),
+          regista::real("fast_period", &Settings::fast_period, {0.5, 120.0}, "s",
+                        "The same for the robot that has the fast role; SPQR: 4")
+              .tunable()),
       regista::text("fast_role", &FixedRate::fast_role, "Name of the fast role, in any list of roles; SPQR: striker"),
-      regista::integer("reserve", &FixedRate::reserve, {0, 10000}, "1",
-                       "Packets of the team that are never spent; more than 0 where the count of packets comes late"),
+      regista::within(
+          &FixedRate::settings,
+          regista::integer(
+              "reserve", &Settings::reserve, {0, 10000}, "1",
+              "Packets of the team that are never spent; more than 0 where the count of packets comes late")),
       regista::boolean(
           "lasts", &FixedRate::lasts,
           "Longer periods when less than an even share of the budget is left, so that it lasts to the end; "
           "our choice"),
-      regista::boolean("at_once", &FixedRate::at_once,
-                       "Who takes the fast role is due by the fast period at once, as in SPQR's released code; false: "
-                       "after its next packet, so that a change of role is no event")};
+      regista::within(
+          &FixedRate::settings,
+          regista::boolean(
+              "at_once", &Settings::at_once,
+              "Who takes the fast role is due by the fast period at once, as in SPQR's released code; false: "
+              "after its next packet, so that a change of role is no event"))};
 
   int team_size = 1;
 
@@ -56,10 +65,10 @@ struct FixedRate {
     const bool fast =
         task >= 0 && static_cast<std::size_t>(task) < is_fast.size() && is_fast[static_cast<std::size_t>(task)];
     const regista::Budget& budget = query.budget;
-    const int kept = regista::in_this_game(reserve, budget);
+    const int kept = regista::in_this_game(settings.reserve, budget);
     const double longer = lasts ? fixed_rate::stretch(budget.packets_left - kept, budget.line - kept, team_size) : 1.0;
-    if (!schedule.decide({longer * period, longer * fast_period, kept, at_once}, frame.time(), budget.since_own, fast,
-                         budget.packets_left)) {
+    if (!schedule.decide({longer * settings.period, longer * settings.fast_period, kept, settings.at_once},
+                         frame.time(), budget.since_own, fast, budget.packets_left)) {
       return std::nullopt;
     }
     offers.clear();

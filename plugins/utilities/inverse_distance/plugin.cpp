@@ -12,16 +12,17 @@ namespace {
 struct InverseDistance {
   static constexpr auto id = "inverse_distance", version = "1.0.0",
                         summary = "One over the distance to the task, as in SPQR 2023";
-  double eps = 1e-10, bearing_weight = 0.0;
-  static constexpr std::tuple parameters{
-      regista::real("eps", &InverseDistance::eps, {1e-10, 10.0}, "m",
+  inverse_distance::Settings settings;
+  static constexpr std::tuple parameters{regista::within(
+      &InverseDistance::settings,
+      regista::real("eps", &inverse_distance::Settings::eps, {1e-10, 10.0}, "m",
                     "Added to the distance, and as radians to the bearing error; at the task the utility is its "
                     "inverse; SPQR 2023: 1e-10")
           .tunable()
           .log_scale(),
-      regista::real("bearing_weight", &InverseDistance::bearing_weight, {0.0, 10.0}, "rad",
+      regista::real("bearing_weight", &inverse_distance::Settings::bearing_weight, {0.0, 10.0}, "rad",
                     "w in the term w / (|a| + eps) of the bearing error a that is added; SPQR 2023: 0, 2024: 0.01")
-          .tunable()};
+          .tunable())};
 
   std::vector<inverse_distance::Pose> robots;
   places::TargetList targets;
@@ -33,7 +34,7 @@ struct InverseDistance {
   void score(const regista::Frame& frame, regista::Utilities out) {
     read_robots(frame.world(), robots);
     targets.read_tasks(frame);
-    inverse_distance::score(robots, targets, {eps, bearing_weight}, out.data(), out.stride());
+    inverse_distance::score(robots, targets, settings, out.data(), out.stride());
   }
 };
 

@@ -16,27 +16,29 @@ struct Openness {
   static constexpr auto id = "openness", version = "1.0.0",
                         summary = "How free of opponents the task is, and the lines of a pass and a shot through it";
   openness::Settings settings;
-  double target_share = settings.target_share, pass_share = settings.pass_share, shot_share = settings.shot_share;
-  double target_clearance = settings.target_clearance, line_clearance = settings.line_clearance, likely = 0.5;
+  double likely = 0.5;
   static constexpr regista::Range share{0.0, 1.0}, metres{0.05, 20.0};
   static constexpr std::tuple parameters{
-      regista::real("target_share", &Openness::target_share, share, "1",
-                    "Share of the target's freedom in the score; our choice")
-          .tunable(),
-      regista::real("pass_share", &Openness::pass_share, share, "1",
-                    "Share of the freedom of the line from the ball to the target; our choice")
-          .tunable(),
-      regista::real("shot_share", &Openness::shot_share, share, "1",
-                    "Share of the freedom of the line from the target to the opponent's goal, where who stands in the "
-                    "goal area does not count; our choice")
-          .tunable(),
-      regista::real(
-          "target_clearance", &Openness::target_clearance, metres, "m",
-          "A target is free when no opponent is so near; our choice, the reach of SPQR's numbers near the ball")
-          .tunable(),
-      regista::real("line_clearance", &Openness::line_clearance, metres, "m",
-                    "A line is free when no opponent is so near; 0.75 as for SPQR's Voronoi edges")
-          .tunable(),
+      regista::within(
+          &Openness::settings,
+          regista::real("target_share", &openness::Settings::target_share, share, "1",
+                        "Share of the target's freedom in the score; our choice")
+              .tunable(),
+          regista::real("pass_share", &openness::Settings::pass_share, share, "1",
+                        "Share of the freedom of the line from the ball to the target; our choice")
+              .tunable(),
+          regista::real(
+              "shot_share", &openness::Settings::shot_share, share, "1",
+              "Share of the freedom of the line from the target to the opponent's goal, where who stands in the "
+              "goal area does not count; our choice")
+              .tunable(),
+          regista::real(
+              "target_clearance", &openness::Settings::target_clearance, metres, "m",
+              "A target is free when no opponent is so near; our choice, the reach of SPQR's numbers near the ball")
+              .tunable(),
+          regista::real("line_clearance", &openness::Settings::line_clearance, metres, "m",
+                        "A line is free when no opponent is so near; 0.75 as for SPQR's Voronoi edges")
+              .tunable()),
       regista::real("likely", &Openness::likely, {0.0, 1.0}, "1",
                     "Opponents whose existence is less probable do not count; our choice")
           .tunable()};
@@ -47,7 +49,6 @@ struct Openness {
   double goal_line = 0.0, area_line = 0.0, area_side = 0.0;
 
   void setup(const regista::Environment& environment) {
-    settings = {target_share, pass_share, shot_share, target_clearance, line_clearance};
     const std::size_t tasks = environment.roles().size();
     targets.reserve(tasks);
     scores.reserve(tasks);

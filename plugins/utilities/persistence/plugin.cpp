@@ -15,17 +15,20 @@ enum class Rows { all, own };
 
 struct Persistence {
   static constexpr auto id = "persistence", version = "1.1.0", summary = "How long the robot has held the role";
-  double full_after = 10.0, fade = 1.0;
+  persistence_utility::Settings settings;
   Rows rows = Rows::all;
   static constexpr std::array<const char*, 2> row_choices{"all", "own"};
   static constexpr std::tuple parameters{
-      regista::real("full_after", &Persistence::full_after, {0.0, 120.0}, "s",
-                    "Time from which on a held role counts fully, 0: at once; SPQR 2022: 10, 2023: 0")
-          .tunable(),
-      regista::real("fade", &Persistence::fade, {0.0, 1.0}, "1",
-                    "Factor for each whole second for which the role has been held; 1: it does not fade; SPQR 2022: 1, "
-                    "2023: 0.9")
-          .tunable(),
+      regista::within(
+          &Persistence::settings,
+          regista::real("full_after", &persistence_utility::Settings::full_after, {0.0, 120.0}, "s",
+                        "Time from which on a held role counts fully, 0: at once; SPQR 2022: 10, 2023: 0")
+              .tunable(),
+          regista::real(
+              "fade", &persistence_utility::Settings::fade, {0.0, 1.0}, "1",
+              "Factor for each whole second for which the role has been held; 1: it does not fade; SPQR 2022: 1, "
+              "2023: 0.9")
+              .tunable()),
       regista::choice("rows", &Persistence::rows, row_choices,
                       "all: every robot's role counts; own: only the own one, as in SPQR's released code")};
 
@@ -52,7 +55,7 @@ struct Persistence {
       holders.push_back(holder);
     }
     for (const regista::Task& task : frame.tasks()) tasks.push_back(task.id);
-    persistence_utility::score(holders, tasks, {full_after, fade}, out.data(), out.stride());
+    persistence_utility::score(holders, tasks, settings, out.data(), out.stride());
   }
 };
 

@@ -9,25 +9,28 @@
 
 namespace {
 
-using time_to_reach::Form;
+using time_to_reach::Settings;
 
 struct TimeToReach {
   static constexpr auto id = "time_to_reach", version = "1.0.0", summary = "How soon the robot can be at the task";
-  Form form = Form::linear;
-  double scale = 60.0, incumbent = 0.0, getting_up = 0.0;
+  Settings settings;
+  double getting_up = 0.0;
   static constexpr std::array<const char*, 2> forms{"linear", "inverse"};
   static constexpr std::tuple parameters{
-      regista::choice("form", &TimeToReach::form, forms,
-                      "linear: max(0, 1 - t / scale); inverse: 1 / (1 + t / scale); our choice"),
-      regista::real(
-          "scale", &TimeToReach::scale, {0.5, 600.0}, "s",
-          "Time at which the utility is 0 (linear) or a half (inverse); our choice: 60, from corner to corner "
-          "after getting up")
-          .tunable(),
-      regista::real("incumbent", &TimeToReach::incumbent, {0.0, 60.0}, "s",
-                    "The task that a robot holds counts as so much nearer; B-Human: 1; our choice: 0, for that is what "
-                    "`persistence` is for")
-          .tunable(),
+      regista::within(
+          &TimeToReach::settings,
+          regista::choice("form", &Settings::form, forms,
+                          "linear: max(0, 1 - t / scale); inverse: 1 / (1 + t / scale); our choice"),
+          regista::real(
+              "scale", &Settings::scale, {0.5, 600.0}, "s",
+              "Time at which the utility is 0 (linear) or a half (inverse); our choice: 60, from corner to corner "
+              "after getting up")
+              .tunable(),
+          regista::real(
+              "incumbent", &Settings::incumbent, {0.0, 60.0}, "s",
+              "The task that a robot holds counts as so much nearer; B-Human: 1; our choice: 0, for that is what "
+              "`persistence` is for")
+              .tunable()),
       regista::real("getting_up", &TimeToReach::getting_up, {0.0, 60.0}, "s",
                     "A robot on the ground counts as so much farther, besides the estimated time until it stands; "
                     "B-Human, without that estimate: 5; our choice: 0")
@@ -42,12 +45,12 @@ struct TimeToReach {
     for (const int number : world.active()) {
       const regista::Robot& robot = world.robot(number);
       const bool fallen = (robot.flags & REGISTA_ROBOT_FALLEN) != 0;
-      rows.push_back({fallen ? getting_up : 0.0, incumbent > 0.0 ? held_by(frame, robot) : time_to_reach::no_task});
+      rows.push_back(
+          {fallen ? getting_up : 0.0, settings.incumbent > 0.0 ? held_by(frame, robot) : time_to_reach::no_task});
     }
     const regista_matrix& times = frame.raw().time_to_task;
     assert(times.rows == out.rows() && times.columns == out.columns());
-    time_to_reach::score(rows, out.columns(), {times.values, times.stride}, {form, scale, incumbent},
-                         {out.data(), out.stride()});
+    time_to_reach::score(rows, out.columns(), {times.values, times.stride}, settings, {out.data(), out.stride()});
   }
 
  private:

@@ -11,18 +11,18 @@ namespace {
 struct WaypointProximity {
   static constexpr auto id = "waypoint_proximity", version = "1.0.0",
                         summary = "Nearness of the task to the nearest waypoint";
-  waypoint_utility::Form form = waypoint_utility::Form::inverse;
-  double scale = 1.0;
-  bool weighted = true;
+  waypoint_utility::Settings settings;
   static constexpr std::array<const char*, 2> forms{"inverse", "linear"};
-  static constexpr std::tuple parameters{
-      regista::choice("form", &WaypointProximity::form, forms,
+  static constexpr std::tuple parameters{regista::within(
+      &WaypointProximity::settings,
+      regista::choice("form", &waypoint_utility::Settings::form, forms,
                       "inverse: 1 / (1 + d / scale); linear: 1 - d / scale, not below 0. The paper gives no formula"),
-      regista::real("scale", &WaypointProximity::scale, {0.05, 20.0}, "m",
+      regista::real("scale", &waypoint_utility::Settings::scale, {0.05, 20.0}, "m",
                     "Distance at which the utility is half (inverse) or nothing (linear); our choice")
           .tunable()
           .log_scale(),
-      regista::boolean("weighted", &WaypointProximity::weighted, "Multiply by the score of the waypoint; our choice")};
+      regista::boolean("weighted", &waypoint_utility::Settings::weighted,
+                       "Multiply by the score of the waypoint; our choice"))};
 
   std::vector<int> numbers;
   std::vector<waypoint_utility::Point> targets;
@@ -42,7 +42,7 @@ struct WaypointProximity {
     for (const regista::Waypoint& point : frame.waypoints()) {
       waypoints.push_back({point.x, point.y, point.score, point.task, point.robot});
     }
-    waypoint_utility::score(numbers, targets, waypoints, {form, scale, weighted}, out.data(), out.stride());
+    waypoint_utility::score(numbers, targets, waypoints, settings, out.data(), out.stride());
   }
 };
 

@@ -85,7 +85,12 @@ struct Plugin {
     static const std::array<regista_parameter, count> table = [] {
       std::array<regista_parameter, count> out{};
       if constexpr (count > 0) {
-        std::apply([&out](const auto&... each) { out = {detail::describe(each, initial)...}; }, Class::parameters);
+        static_assert(detail::MemberOf<std::remove_cvref_t<decltype(Class::parameters)>, Class>,
+                      "a parameter is bound to a member of another class");
+        std::size_t next = 0;
+        detail::each_parameter(initial, Class::parameters, [&](const auto& each, const auto& member) {
+          out[next++] = detail::describe(each, member);
+        });
       }
       return out;
     }();
@@ -107,7 +112,8 @@ struct Plugin {
     const std::int32_t status = detail::guarded(error, [&] {
       plugin = std::make_unique<Class>();
       if constexpr (count > 0) {
-        std::apply([&](const auto&... each) { (detail::assign(each, *plugin, *values++), ...); }, Class::parameters);
+        detail::each_parameter(*plugin, Class::parameters,
+                               [&](const auto&, auto& member) { detail::assign(member, *values++); });
       }
       if constexpr (requires { plugin->setup(Environment(*environment), Mailbox(host)); }) {
         plugin->setup(Environment(*environment), Mailbox(host));
