@@ -11,11 +11,11 @@ namespace regista::mcap {
 
 class Compressor {
  public:
-  explicit Compressor(int level);  // 1 (fast) to 19 (small)
+  Compressor();
   ~Compressor();
   Compressor(const Compressor&) = delete;
   Compressor& operator=(const Compressor&) = delete;
-  // Appends one frame. The same bytes, level and version of the library give the same frame.
+  // Appends one frame. The same bytes and version of the library give the same frame.
   void append(std::string& to, std::string_view bytes);
 
  private:

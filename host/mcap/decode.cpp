@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "mcap/decode.hpp"
 
-#include "mcap/checksum.hpp"
-
 namespace regista::mcap {
 
 std::string_view Decoder::bytes(std::uint64_t count) {
@@ -34,7 +32,7 @@ RawRecord take_record(Decoder& from) {
 Header decode_header(std::string_view content) {
   Decoder in(content);
   Header header;
-  header.profile = in.string();
+  in.string();  // the profile
   header.library = in.string();
   return header;
 }
@@ -56,7 +54,7 @@ Channel decode_channel(std::string_view content) {
   channel.schema = static_cast<SchemaId>(in.u16());
   channel.topic = in.string();
   channel.message_encoding = in.string();
-  channel.metadata = in.pairs();
+  in.pairs();  // its metadata
   return channel;
 }
 
@@ -77,20 +75,6 @@ Metadata decode_metadata(std::string_view content) {
   metadata.name = in.string();
   metadata.pairs = in.pairs();
   return metadata;
-}
-
-Attachment decode_attachment(std::string_view content) {
-  Decoder in(content);
-  Attachment attachment;
-  attachment.log_time = in.u64();
-  attachment.create_time = in.u64();
-  attachment.name = in.string();
-  attachment.media_type = in.string();
-  attachment.data = in.bytes(in.u64());
-  const std::string_view covered = content.substr(0, content.size() - in.rest().size());
-  const std::uint32_t expected = in.u32();
-  if (expected != 0 && expected != checksum(covered)) throw Malformed{"the checksum of an attachment is wrong"};
-  return attachment;
 }
 
 ChunkIndex decode_chunk_index(std::string_view content) {
@@ -121,26 +105,13 @@ MetadataIndex decode_metadata_index(std::string_view content) {
   return index;
 }
 
-AttachmentIndex decode_attachment_index(std::string_view content) {
-  Decoder in(content);
-  AttachmentIndex index;
-  index.offset = in.u64();
-  index.length = in.u64();
-  index.log_time = in.u64();
-  index.create_time = in.u64();
-  index.data_size = in.u64();
-  index.name = in.string();
-  index.media_type = in.string();
-  return index;
-}
-
 Statistics decode_statistics(std::string_view content) {
   Decoder in(content);
   Statistics statistics;
   statistics.messages = in.u64();
   statistics.schemas = in.u16();
   statistics.channels = in.u32();
-  statistics.attachments = in.u32();
+  in.u32();  // attachments
   statistics.metadata = in.u32();
   statistics.chunks = in.u32();
   statistics.first_time = in.u64();
@@ -170,7 +141,7 @@ Footer decode_footer(std::string_view content) {
   Decoder in(content);
   Footer footer;
   footer.summary_start = in.u64();
-  footer.summary_offset_start = in.u64();
+  in.u64();  // where the summary offsets stand
   footer.summary_checksum = in.u32();
   return footer;
 }

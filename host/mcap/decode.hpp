@@ -59,10 +59,8 @@ Schema decode_schema(std::string_view content);
 Channel decode_channel(std::string_view content);
 Message decode_message(std::string_view content);  // its data points into `content`
 Metadata decode_metadata(std::string_view content);
-Attachment decode_attachment(std::string_view content);  // its checksum is compared
 ChunkIndex decode_chunk_index(std::string_view content);
 MetadataIndex decode_metadata_index(std::string_view content);
-AttachmentIndex decode_attachment_index(std::string_view content);
 Statistics decode_statistics(std::string_view content);
 
 struct Chunk {
@@ -75,7 +73,7 @@ struct Chunk {
 Chunk decode_chunk(std::string_view content);  // points into `content`
 
 struct Footer {
-  std::uint64_t summary_start = 0, summary_offset_start = 0;
+  std::uint64_t summary_start = 0;
   std::uint32_t summary_checksum = 0;
 };
 Footer decode_footer(std::string_view content);

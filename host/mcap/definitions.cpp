@@ -14,17 +14,16 @@ std::string number(ChannelId id) { return std::to_string(static_cast<unsigned>(i
 
 }  // namespace
 
-bool Definitions::define(Schema&& schema) {
-  if (schema.id == SchemaId::none) return false;  // the format has readers ignore these
+void Definitions::define(Schema&& schema) {
+  if (schema.id == SchemaId::none) return;  // the format has readers ignore these
   const auto known = schemas_.find(schema.id);
   if (known != schemas_.end()) {
     if (known->second != schema) throw Malformed{"schema " + number(schema.id) + " is given twice and differs"};
-    return false;
+    return;
   }
   take(schema.name.size() + schema.encoding.size() + schema.data.size());
   const SchemaId id = schema.id;
   schemas_.emplace(id, std::move(schema));
-  return true;
 }
 
 bool Definitions::define(Channel&& channel) {
@@ -36,9 +35,7 @@ bool Definitions::define(Channel&& channel) {
   if (channel.schema != SchemaId::none && !schemas_.contains(channel.schema)) {
     throw Malformed{"channel " + number(channel.id) + " names schema " + number(channel.schema) + ", which is missing"};
   }
-  std::size_t bytes = channel.topic.size() + channel.message_encoding.size();
-  for (const auto& [key, value] : channel.metadata) bytes += key.size() + value.size();
-  take(bytes);
+  take(channel.topic.size() + channel.message_encoding.size());
   const ChannelId id = channel.id;
   channels_.emplace(id, std::move(channel));
   return true;

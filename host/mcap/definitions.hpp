@@ -15,11 +15,10 @@ class Definitions {
   explicit Definitions(std::size_t most_bytes) : left_(most_bytes) {}
 
   // A definition may be repeated, as summaries and chunks do, but not changed; a channel comes after its schema.
-  // Otherwise Malformed. True where it is new.
-  bool define(Schema&& schema);
-  bool define(Channel&& channel);
+  // Otherwise Malformed.
+  void define(Schema&& schema);
+  bool define(Channel&& channel);  // true where it is new
 
-  const std::map<SchemaId, Schema>& schemas() const { return schemas_; }
   const std::map<ChannelId, Channel>& channels() const { return channels_; }
 
  private:

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "mcap/encode.hpp"
 
-#include "mcap/checksum.hpp"
-
 namespace regista::mcap {
 namespace {
 
@@ -39,7 +37,6 @@ class OpenRecord {
   }
   OpenRecord(const OpenRecord&) = delete;
   OpenRecord& operator=(const OpenRecord&) = delete;
-  std::string_view content() const { return std::string_view(to_).substr(begin_ + record_prefix); }
 
  private:
   std::string& to_;
@@ -50,7 +47,7 @@ class OpenRecord {
 
 void append_record(std::string& to, const Header& header) {
   const OpenRecord record(to, Opcode::header);
-  append_string(to, header.profile);
+  append_string(to, "");  // no profile
   append_string(to, header.library);
 }
 
@@ -68,7 +65,7 @@ void append_record(std::string& to, const Channel& channel) {
   append_id(to, channel.schema);
   append_string(to, channel.topic);
   append_string(to, channel.message_encoding);
-  append_pairs(to, channel.metadata);
+  append_pairs(to, {});  // its metadata
 }
 
 void append_record(std::string& to, const Message& message) {
@@ -84,17 +81,6 @@ void append_record(std::string& to, const Metadata& metadata) {
   const OpenRecord record(to, Opcode::metadata);
   append_string(to, metadata.name);
   append_pairs(to, metadata.pairs);
-}
-
-void append_record(std::string& to, const Attachment& attachment) {
-  const OpenRecord record(to, Opcode::attachment);
-  append_integer(to, attachment.log_time);
-  append_integer(to, attachment.create_time);
-  append_string(to, attachment.name);
-  append_string(to, attachment.media_type);
-  append_integer(to, static_cast<std::uint64_t>(attachment.data.size()));
-  to.append(attachment.data);
-  append_integer(to, checksum(record.content()));
 }
 
 void append_record(std::string& to, const ChunkIndex& index) {
@@ -121,23 +107,12 @@ void append_record(std::string& to, const MetadataIndex& index) {
   append_string(to, index.name);
 }
 
-void append_record(std::string& to, const AttachmentIndex& index) {
-  const OpenRecord record(to, Opcode::attachment_index);
-  append_integer(to, index.offset);
-  append_integer(to, index.length);
-  append_integer(to, index.log_time);
-  append_integer(to, index.create_time);
-  append_integer(to, index.data_size);
-  append_string(to, index.name);
-  append_string(to, index.media_type);
-}
-
 void append_record(std::string& to, const Statistics& statistics) {
   const OpenRecord record(to, Opcode::statistics);
   append_integer(to, statistics.messages);
   append_integer(to, statistics.schemas);
   append_integer(to, statistics.channels);
-  append_integer(to, statistics.attachments);
+  append_integer(to, std::uint32_t{0});  // attachments
   append_integer(to, statistics.metadata);
   append_integer(to, statistics.chunks);
   append_integer(to, statistics.first_time);

@@ -25,10 +25,8 @@ void append_record(std::string& to, const Schema& schema);
 void append_record(std::string& to, const Channel& channel);
 void append_record(std::string& to, const Message& message);
 void append_record(std::string& to, const Metadata& metadata);
-void append_record(std::string& to, const Attachment& attachment);
 void append_record(std::string& to, const ChunkIndex& index);
 void append_record(std::string& to, const MetadataIndex& index);
-void append_record(std::string& to, const AttachmentIndex& index);
 void append_record(std::string& to, const Statistics& statistics);
 
 // A chunk's record up to its compressed bytes, which follow.

@@ -36,8 +36,8 @@ inline constexpr std::size_t footer_content = 8 + 8 + 4;
 inline constexpr std::size_t footer_record = record_prefix + footer_content;
 inline constexpr std::size_t data_end_record = record_prefix + 4;
 
-// The most that is written as one message, schema, attachment or metadata record, and as one chunk before the message
-// that fills it. Together they stay below what the reader takes for one record.
+// The most that is written as one message, schema or metadata record, and as one chunk before the message that fills
+// it. Together they stay below what the reader takes for one record.
 inline constexpr std::size_t largest_item = std::size_t{32} << 20;
 inline constexpr std::size_t largest_chunk_size = std::size_t{16} << 20;
 inline constexpr std::size_t largest_record = std::size_t{64} << 20;

@@ -27,7 +27,6 @@ class OutputFile {
   const std::filesystem::path& path() const { return path_; }
   std::uint64_t size() const { return size_; }          // bytes appended
   std::uint32_t checksum() const { return checksum_; }  // of all of them
-  bool is_open() const { return descriptor_ >= 0; }
 
  private:
   [[noreturn]] void fail(int error);

@@ -12,9 +12,6 @@
 namespace regista::mcap {
 namespace {
 
-// Bytes of an attachment's record that hold its names and times.
-constexpr std::size_t attachment_front = std::size_t{64} << 10;
-
 std::string in_ascii(std::string_view bytes) {
   std::string text;
   for (const char c : bytes) {
@@ -46,11 +43,11 @@ void check_magic(const InputFile& file) {
 
 }  // namespace
 
-Reader::Reader(const std::filesystem::path& file, const ReaderOptions& options)
+Reader::Reader(const std::filesystem::path& file, std::size_t most_bytes)
     : file_(file),
-      largest_record_(options.largest_record),
-      definitions_(options.largest_record),
-      metadata_left_(options.largest_record),
+      most_bytes_(most_bytes),
+      definitions_(most_bytes),
+      metadata_left_(most_bytes),
       walk_(file_, magic.size()) {
   check_magic(file_);
   const auto place = walk_.next();
@@ -59,7 +56,7 @@ Reader::Reader(const std::filesystem::path& file, const ReaderOptions& options)
   }
   if (place->opcode != Opcode::header) damaged(place->offset, "here the header has to stand");
   try {
-    header_ = decode_header(content(place->offset, place->length(), stored_));
+    decode_header(content(place->offset, place->length(), stored_));  // throws where it is damaged
   } catch (const Malformed& malformed) {
     damaged(place->offset, malformed.why);
   }
@@ -70,7 +67,7 @@ Reader::Reader(const std::filesystem::path& file, const ReaderOptions& options)
 }
 
 void Reader::open_summary() {
-  summary_ = read_summary(file_, header_end_, largest_record_);
+  summary_ = read_summary(file_, header_end_, most_bytes_);
   if (!summary_) return;
   try {
     for (Schema& schema : summary_->schemas) definitions_.define(std::move(schema));
@@ -80,17 +77,11 @@ void Reader::open_summary() {
   }
   summary_->schemas.clear();
   summary_->channels.clear();
-  attachments_ = std::move(summary_->attachments);
   for (const MetadataIndex& index : summary_->metadata) keep_metadata(index.offset, index.length);
 }
 
 const Statistics* Reader::statistics() const {
   return summary_ && summary_->statistics ? &*summary_->statistics : nullptr;
-}
-
-const std::vector<ChunkIndex>& Reader::chunks() const {
-  static const std::vector<ChunkIndex> none;
-  return summary_ ? summary_->chunks : none;
 }
 
 void Reader::select(Selection selection) {
@@ -212,8 +203,9 @@ bool Reader::next_walked_record() {
         rest_ = Decoder(records_);
         return true;
       case Opcode::metadata:
-      case Opcode::attachment:
-        keep(*place);
+        if (place->offset < kept_until_) break;
+        kept_until_ = place->offset + place->length();
+        keep_metadata(place->offset, place->length());
         break;
       case Opcode::data_end:
         in_summary_ = true;
@@ -242,8 +234,7 @@ void Reader::end_walk(bool after_footer) {
     damaged(byte, "a record reaches beyond the end of the file");
   }
   const std::string where = in_summary_ ? ", in its summary; no message is missing" : "; what stands before is whole";
-  cut_off_ = CutOff{byte, file_.size(), in_summary_,
-                    file_.path().string() + ": is cut off at byte " + std::to_string(byte) + where};
+  cut_off_ = file_.path().string() + ": is cut off at byte " + std::to_string(byte) + where;
 }
 
 void Reader::load_chunk(std::uint64_t offset, std::uint64_t length, const ChunkIndex* index) {
@@ -258,10 +249,9 @@ void Reader::load_chunk(std::uint64_t offset, std::uint64_t length, const ChunkI
       throw Malformed{"this chunk is not the one that the summary describes"};
     }
   }
-  if (chunk.uncompressed_size > largest_record_) {
+  if (chunk.uncompressed_size > most_bytes_) {
     throw Error(file_.path(), "has a chunk of " + std::to_string(chunk.uncompressed_size) + " bytes at byte " +
-                                  std::to_string(offset) + "; at most " + std::to_string(largest_record_) +
-                                  " can be read");
+                                  std::to_string(offset) + "; at most " + std::to_string(most_bytes_) + " can be read");
   }
   if (chunk.compression == "zstd") {
     decompressor_.decompress(chunk.records, chunk.uncompressed_size, records_);
@@ -279,26 +269,6 @@ void Reader::load_chunk(std::uint64_t offset, std::uint64_t length, const ChunkI
   rest_ = Decoder(records_);
 }
 
-// Metadata or an attachment that the walk has met for the first time.
-void Reader::keep(const RecordPlace& place) {
-  if (place.offset < kept_until_) return;
-  kept_until_ = place.offset + place.length();
-  if (place.opcode == Opcode::metadata) {
-    keep_metadata(place.offset, place.length());
-    return;
-  }
-  file_.read(place.offset, static_cast<std::size_t>(std::min<std::uint64_t>(place.length(), attachment_front)),
-             stored_);
-  Decoder in(std::string_view(stored_).substr(record_prefix));
-  AttachmentIndex index{.offset = place.offset, .length = place.length(), .name = {}, .media_type = {}};
-  index.log_time = in.u64();
-  index.create_time = in.u64();
-  index.name = in.string();
-  index.media_type = in.string();
-  index.data_size = in.u64();
-  attachments_.push_back(std::move(index));
-}
-
 void Reader::keep_metadata(std::uint64_t offset, std::uint64_t length) {
   try {
     const std::string_view bytes = content(offset, length, stored_);
@@ -314,48 +284,11 @@ void Reader::keep_metadata(std::uint64_t offset, std::uint64_t length) {
   }
 }
 
-Attachment Reader::attachment(const AttachmentIndex& index) const {
-  std::string bytes;
-  try {
-    const std::string_view inside = content(index.offset, index.length, bytes);
-    Decoder prefix(bytes);
-    if (static_cast<Opcode>(prefix.u8()) != Opcode::attachment || prefix.u64() != inside.size()) {
-      throw Malformed{"here an attachment has to stand"};
-    }
-    return decode_attachment(inside);
-  } catch (const Malformed& malformed) {
-    damaged(index.offset, malformed.why);
-  }
-}
-
-void Reader::verify() const {
-  RecordWalk walk(file_, magic.size());
-  for (auto place = walk.next(); place; place = walk.next()) {
-    if (place->opcode != Opcode::data_end) continue;
-    std::string bytes;
-    std::uint32_t actual = 0;
-    constexpr std::uint64_t block = std::uint64_t{1} << 20;
-    for (std::uint64_t offset = 0; offset < place->offset; offset += block) {
-      file_.read(offset, static_cast<std::size_t>(std::min(block, place->offset - offset)), bytes);
-      actual = checksum(bytes, actual);
-    }
-    std::uint32_t expected = 0;
-    try {
-      expected = Decoder(content(place->offset, place->length(), bytes)).u32();
-    } catch (const Malformed& malformed) {
-      damaged(place->offset, malformed.why);
-    }
-    if (expected != 0 && expected != actual) damaged(place->offset, "the checksum of the file's data is wrong");
-    return;
-  }
-  if (has_footer_) damaged(walk.offset(), "the end of the data is missing");
-}
-
 // What the record at a place holds, read whole into `to`.
 std::string_view Reader::content(std::uint64_t offset, std::uint64_t length, std::string& to) const {
-  if (length > largest_record_) {
+  if (length > most_bytes_) {
     throw Error(file_.path(), "has a record of " + std::to_string(length) + " bytes at byte " + std::to_string(offset) +
-                                  "; at most " + std::to_string(largest_record_) + " can be read");
+                                  "; at most " + std::to_string(most_bytes_) + " can be read");
   }
   file_.read(offset, static_cast<std::size_t>(length), to);
   return std::string_view(to).substr(record_prefix);

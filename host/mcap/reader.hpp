@@ -4,7 +4,7 @@
 //   mcap::Reader reader("match.mcap");
 //   reader.select({.last_time = 462'000'000'000, .topics = {"/truth"}});
 //   for (mcap::Message message; reader.next(message);) use(reader.channels().at(message.channel), message.data);
-//   if (reader.cut_off()) warn(reader.cut_off()->line);
+//   if (reader.cut_off()) warn(*reader.cut_off());
 //
 // A file with an intact summary is read through it: chunks that hold nothing of the selection are passed over. One that
 // has none, because a crash or a full disk cut it off, is read from its beginning as far as its records are whole. The
@@ -31,40 +31,24 @@
 
 namespace regista::mcap {
 
-struct ReaderOptions {
-  // The most of one chunk (plain or compressed), record, summary, or all schemas and channels: what is more is refused.
-  std::size_t largest_record = mcap::largest_record;
-};
-
 struct Selection {
   std::uint64_t first_time = 0, last_time = std::numeric_limits<std::uint64_t>::max();  // log times, both included
   std::vector<std::string> topics = {};                                                 // none: all of them
 };
 
-// Where a file that was never finished ends.
-struct CutOff {
-  std::uint64_t byte = 0;  // what stands before is whole, what follows is not
-  std::uint64_t file_size = 0;
-  bool in_summary = false;  // all messages stand before the cut
-  std::string line;         // for people, with the file's name
-};
-
 class Reader {
  public:
   // Throws Error for a file that cannot be opened, is no MCAP file of version 0 or ends within its header, or whose
-  // summary is damaged.
-  explicit Reader(const std::filesystem::path& file, const ReaderOptions& options = {});
+  // summary is damaged. `most_bytes` is the most of one chunk (plain or compressed), record, summary, of all metadata,
+  // or of all schemas and channels: what is more is refused.
+  explicit Reader(const std::filesystem::path& file, std::size_t most_bytes = largest_record);
 
-  const Header& header() const { return header_; }
-  // Whether a summary leads to the messages. Then schemas, channels, metadata and attachments are known from the
-  // beginning, otherwise as far as next() has come.
+  // Whether a summary leads to the messages. Then channels and metadata are known from the beginning, otherwise as far
+  // as next() has come.
   bool indexed() const { return summary_.has_value(); }
-  const std::map<SchemaId, Schema>& schemas() const { return definitions_.schemas(); }
   const std::map<ChannelId, Channel>& channels() const { return definitions_.channels(); }
   const std::vector<Metadata>& metadata() const { return metadata_; }
-  const std::vector<AttachmentIndex>& attachments() const { return attachments_; }
-  const Statistics* statistics() const;           // null where no summary tells them
-  const std::vector<ChunkIndex>& chunks() const;  // empty where there is no summary
+  const Statistics* statistics() const;  // null where no summary tells them
 
   // Starts again from the beginning of the file, with these messages only.
   void select(Selection selection);
@@ -73,14 +57,8 @@ class Reader {
   // Error at a damaged chunk; the call after that goes on with what follows.
   bool next(Message& message);
 
-  // After next() has returned false: whether the file was cut off.
-  const std::optional<CutOff>& cut_off() const { return cut_off_; }
-
-  Attachment attachment(const AttachmentIndex& index) const;
-
-  // Reads the whole file once and compares its checksum, which also covers what chunks' checksums do not: header,
-  // metadata, message indexes. Throws Error where it is wrong; a file that was cut off has none.
-  void verify() const;
+  // After next() has returned false: where the file was cut off, if it was; for people, with the file's name.
+  const std::optional<std::string>& cut_off() const { return cut_off_; }
 
  private:
   void open_summary();
@@ -93,22 +71,19 @@ class Reader {
   bool take_message(Message& message);
   void define(const RawRecord& record);
   void note_wanted(const Channel& channel);
-  void keep(const RecordPlace& place);
   void keep_metadata(std::uint64_t offset, std::uint64_t length);
   std::string_view content(std::uint64_t offset, std::uint64_t length, std::string& to) const;
   [[noreturn]] void damaged(std::uint64_t byte, const std::string& why) const;
 
   InputFile file_;
-  std::size_t largest_record_;
-  Header header_;
+  std::size_t most_bytes_;
   std::uint64_t header_end_ = 0;
   bool has_footer_ = false;
   std::optional<Summary> summary_;
   Definitions definitions_;
   std::size_t metadata_left_;  // bytes
   std::vector<Metadata> metadata_;
-  std::vector<AttachmentIndex> attachments_;
-  std::uint64_t kept_until_ = 0;  // metadata and attachments before are known
+  std::uint64_t kept_until_ = 0;  // metadata before are known
 
   Selection selection_;
   enum class Wanted : std::uint8_t { unknown, no, yes };
@@ -122,7 +97,7 @@ class Reader {
   std::string records_;  // schemas, channels and messages of the current chunk
   Decoder rest_{{}};     // what of them has not been delivered
   std::uint64_t place_ = 0;
-  std::optional<CutOff> cut_off_;
+  std::optional<std::string> cut_off_;
 };
 
 }  // namespace regista::mcap

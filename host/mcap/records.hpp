@@ -18,9 +18,7 @@ enum class ChannelId : std::uint16_t {};
 using Pairs = std::map<std::string, std::string>;
 
 struct Header {
-  std::string profile;  // requirements on the messages that readers know by this name; mostly empty
   std::string library;  // what wrote the file
-  bool operator==(const Header&) const = default;
 };
 
 // How the messages of some channels are built.
@@ -38,7 +36,6 @@ struct Channel {
   SchemaId schema = SchemaId::none;
   std::string topic;
   std::string message_encoding;  // "json", "protobuf", ...
-  Pairs metadata;
   bool operator==(const Channel&) const = default;
 };
 
@@ -56,14 +53,6 @@ struct Metadata {
   bool operator==(const Metadata&) const = default;
 };
 
-struct Attachment {
-  std::uint64_t log_time = 0, create_time = 0;
-  std::string name;
-  std::string media_type;  // "text/plain"
-  std::string data;
-  bool operator==(const Attachment&) const = default;
-};
-
 // Places of records are byte offsets from the start of the file, lengths count the whole record.
 struct ChunkIndex {
   std::uint64_t first_time = 0, last_time = 0;  // of its messages; both 0 where it has none
@@ -79,17 +68,10 @@ struct MetadataIndex {
   std::string name;
 };
 
-struct AttachmentIndex {
-  std::uint64_t offset = 0, length = 0;
-  std::uint64_t log_time = 0, create_time = 0;
-  std::uint64_t data_size = 0;
-  std::string name, media_type;
-};
-
 struct Statistics {
   std::uint64_t messages = 0;
   std::uint16_t schemas = 0;
-  std::uint32_t channels = 0, attachments = 0, metadata = 0, chunks = 0;
+  std::uint32_t channels = 0, metadata = 0, chunks = 0;
   std::uint64_t first_time = 0, last_time = 0;     // of all messages; both 0 where there is none
   std::map<ChannelId, std::uint64_t> messages_of;  // only channels that have messages
   bool operator==(const Statistics&) const = default;

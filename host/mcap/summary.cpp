@@ -29,14 +29,11 @@ void read_record(const RawRecord& record, Summary& summary) {
     case Opcode::metadata_index:
       summary.metadata.push_back(decode_metadata_index(record.content));
       break;
-    case Opcode::attachment_index:
-      summary.attachments.push_back(decode_attachment_index(record.content));
-      break;
     case Opcode::statistics:
       summary.statistics = decode_statistics(record.content);
       break;
     default:
-      break;  // summary offsets, and what later versions add
+      break;  // attachments, summary offsets, and what later versions add
   }
 }
 
@@ -109,7 +106,6 @@ std::optional<Summary> read_summary(const InputFile& file, std::uint64_t header_
     while (!in.rest().empty()) read_record(take_record(in), summary);
     check_places(summary.chunks, header_end, data_end);
     check_places(summary.metadata, header_end, data_end);
-    check_places(summary.attachments, header_end, data_end);
   } catch (const Malformed& malformed) {
     throw damaged(data_end, malformed.why);
   }

@@ -17,7 +17,6 @@ struct Summary {
   std::vector<Channel> channels;
   std::vector<ChunkIndex> chunks;  // ascending by offset, none reaches into the next
   std::vector<MetadataIndex> metadata;
-  std::vector<AttachmentIndex> attachments;
   std::optional<Statistics> statistics;
   std::uint64_t data_end = 0;  // where the record stands that ends the messages
 };

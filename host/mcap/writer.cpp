@@ -22,11 +22,9 @@ constexpr std::size_t chunk_fields = 8 + 8 + 8 + 4 + 4 + 8;
 Writer::Writer(const std::filesystem::path& file, const WriterOptions& options)
     : file_(file, options.replace), chunk_size_(options.chunk_size) {
   assert(chunk_size_ >= 1 && chunk_size_ <= largest_chunk_size);
-  check_text("the profile", options.profile);
   check_text("the name of the library", options.library);
-  if (options.compression == Compression::zstd) compressor_.emplace(options.level);
   std::string begin(magic);
-  append_record(begin, Header{options.profile, options.library});
+  append_record(begin, Header{options.library});
   file_.append(begin);
   if (options.background) background_.emplace();
 }
@@ -47,17 +45,15 @@ SchemaId Writer::add_schema(std::string_view name, std::string_view encoding, st
   return id;
 }
 
-ChannelId Writer::add_channel(std::string_view topic, std::string_view message_encoding, SchemaId schema,
-                              const Pairs& metadata) {
+ChannelId Writer::add_channel(std::string_view topic, std::string_view message_encoding, SchemaId schema) {
   check_open();
   assert(static_cast<std::size_t>(schema) <= schemas_.size());
   check_text("a topic", topic);
   check_text("the encoding of messages", message_encoding);
-  check_pairs("the metadata of a channel", metadata);
   check_size("a channel", topic.size() + message_encoding.size());
   if (channels_.size() == most_ids) throw Error(file_.path(), "cannot hold more than 65535 channels");
   const auto id = static_cast<ChannelId>(channels_.size() + 1);
-  channels_.push_back({id, schema, std::string(topic), std::string(message_encoding), metadata});
+  channels_.push_back({id, schema, std::string(topic), std::string(message_encoding)});
   filling_.places.emplace_back();
   append_record(filling_.records, channels_.back());
   statistics_.channels = static_cast<std::uint32_t>(channels_.size());
@@ -89,26 +85,18 @@ void Writer::write(const Metadata& metadata) {
   check_open();
   settle();
   check_text("the name of metadata", metadata.name);
-  check_pairs("metadata", metadata.pairs);
+  std::size_t size = 0;
+  for (const auto& [key, value] : metadata.pairs) {
+    check_text("metadata", key);
+    check_text("metadata", value);
+    size += 4 + key.size() + 4 + value.size();
+  }
+  check_size("metadata", size);
   std::string record;
   append_record(record, metadata);
   metadata_.push_back({file_.size(), record.size(), metadata.name});
   file_.append(record);
   ++statistics_.metadata;
-}
-
-void Writer::write(const Attachment& attachment) {
-  check_open();
-  settle();
-  check_text("the name of an attachment", attachment.name);
-  check_text("the media type of an attachment", attachment.media_type);
-  check_size("an attachment", attachment.name.size() + attachment.media_type.size() + attachment.data.size());
-  std::string record;
-  append_record(record, attachment);
-  attachments_.push_back({file_.size(), record.size(), attachment.log_time, attachment.create_time,
-                          attachment.data.size(), attachment.name, attachment.media_type});
-  file_.append(record);
-  ++statistics_.attachments;
 }
 
 void Writer::finish_chunk() {
@@ -129,17 +117,13 @@ void Writer::store(Chunk& chunk) {
   index.first_time = chunk.messages == 0 ? 0 : chunk.first_time;
   index.last_time = chunk.messages == 0 ? 0 : chunk.last_time;
   index.offset = file_.size();
-  index.compression = compressor_ ? "zstd" : "";
+  index.compression = "zstd";
   index.uncompressed_size = chunk.records.size();
 
   // The fields stand before the records and tell their compressed size; they are written over once it is known.
   const std::size_t prefix = record_prefix + chunk_fields + index.compression.size();
   bytes_.assign(prefix, '\0');
-  if (compressor_) {
-    compressor_->append(bytes_, chunk.records);
-  } else {
-    bytes_.append(chunk.records);
-  }
+  compressor_.append(bytes_, chunk.records);
   index.length = bytes_.size();
   index.compressed_size = bytes_.size() - prefix;
   std::string fields;
@@ -180,11 +164,6 @@ void Writer::settle() {
   if (background_) background_->wait();
 }
 
-std::uint64_t Writer::bytes_written() {
-  settle();
-  return file_.size();
-}
-
 std::string Writer::summary() const {
   std::string bytes, offsets;
   const std::uint64_t start = file_.size();
@@ -198,7 +177,6 @@ std::string Writer::summary() const {
   append_group(Opcode::channel, channels_);
   append_group(Opcode::statistics, std::vector<Statistics>{statistics_});
   append_group(Opcode::chunk_index, chunks_);
-  append_group(Opcode::attachment_index, attachments_);
   append_group(Opcode::metadata_index, metadata_);
   const std::uint64_t offset_start = start + bytes.size();
   bytes += offsets;
@@ -226,16 +204,6 @@ void Writer::check_size(std::string_view what, std::size_t bytes) const {
   if (bytes <= largest_item) return;
   throw Error(file_.path(), "cannot hold " + std::string(what) + " of " + std::to_string(bytes) + " bytes; at most " +
                                 std::to_string(largest_item) + " are possible");
-}
-
-void Writer::check_pairs(std::string_view what, const Pairs& pairs) const {
-  std::size_t size = 0;
-  for (const auto& [key, value] : pairs) {
-    check_text(what, key);
-    check_text(what, value);
-    size += 4 + key.size() + 4 + value.size();
-  }
-  check_size(what, size);
 }
 
 }  // namespace regista::mcap

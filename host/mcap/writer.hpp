@@ -31,15 +31,10 @@
 
 namespace regista::mcap {
 
-enum class Compression { none, zstd };
-
 struct WriterOptions {
-  std::string profile = {};
   std::string library = "regista";
   std::size_t chunk_size = std::size_t{256} << 10;  // bytes; the message that reaches it ends the chunk; at most 16 MiB
-  Compression compression = Compression::zstd;
-  int level = 1;  // of zstd, 1 to 19; numbers as text get larger, not smaller, by 2, 3, 5 and 7 (benchmarks/mcap)
-  bool replace = false;  // a file of this name, instead of refusing it
+  bool replace = false;                             // a file of this name, instead of refusing it
   // Finished chunks are compressed and written by a thread of their own. Failures are then told a chunk later; the
   // bytes of the file are the same.
   bool background = false;
@@ -57,12 +52,10 @@ class Writer {
 
   SchemaId add_schema(std::string_view name, std::string_view encoding, std::string_view data);
   // `schema` is one of this writer, or none.
-  ChannelId add_channel(std::string_view topic, std::string_view message_encoding, SchemaId schema = SchemaId::none,
-                        const Pairs& metadata = {});
+  ChannelId add_channel(std::string_view topic, std::string_view message_encoding, SchemaId schema = SchemaId::none);
   // Messages may come in any order of time; readers are fastest when times rise.
   void write(const Message& message);
-  void write(const Metadata& metadata);      // at once, outside of chunks
-  void write(const Attachment& attachment);  // likewise, uncompressed
+  void write(const Metadata& metadata);  // at once, outside of chunks
 
   // Ends the chunk before it is full, so that the file holds all that has been written so far; with a background: as
   // soon as that has come to it.
@@ -70,19 +63,16 @@ class Writer {
   // Ends the file with its summary. Nothing can be written afterwards; a second close() does nothing.
   void close();
 
-  std::uint64_t bytes_written();
-
  private:
   void check_open();
   void settle();  // waits for the background
   void check_text(std::string_view what, std::string_view text) const;
   void check_size(std::string_view what, std::size_t bytes) const;
-  void check_pairs(std::string_view what, const Pairs& pairs) const;
   std::string summary() const;
 
   OutputFile file_;
   std::size_t chunk_size_;
-  std::optional<Compressor> compressor_;
+  Compressor compressor_;
 
   struct Chunk {
     std::string records;
@@ -100,7 +90,6 @@ class Writer {
   std::vector<Channel> channels_;  // likewise
   std::vector<ChunkIndex> chunks_;
   std::vector<MetadataIndex> metadata_;
-  std::vector<AttachmentIndex> attachments_;
   Statistics statistics_;
   bool closed_ = false;
   std::optional<Background> background_;  // last: it uses the others

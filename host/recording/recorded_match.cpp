@@ -210,7 +210,7 @@ RecordedMatch::RecordedMatch(const std::filesystem::path& file) : file_(file) {
     last = message.data;
     if (first.empty()) first = last;
   }
-  if (reader.cut_off() && damage_.empty()) damage_ = reader.cut_off()->line;
+  if (reader.cut_off() && damage_.empty()) damage_ = *reader.cut_off();
   const mcap::Metadata* const about = about_in(reader);
   if (about == nullptr && !damage_.empty()) throw mcap::Error(file, "breaks off before it says who plays");
   if (about == nullptr) {

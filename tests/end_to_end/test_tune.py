@@ -299,11 +299,17 @@ class BadInput(Tuning):
         self.document(algorithm="spas")
         self.assertIn('t.yaml:11:21: search.algorithm: unknown algorithm "spas"; nearest: "spsa"',
                       self.refused(*self.arguments()))
-        for name, why in (("LN_NEWUOA_BOUND", "hang"), ("ld_lbfgs", "gradient"), ("praxis", ""), ("gn_ags", "")):
+        for name, why in (("LN_NEWUOA_BOUND", "hang"), ("ld_lbfgs", "gradient"), ("praxis", "noisy"),
+                          ("GN_DIRECT", "direct_l")):
             self.document(algorithm=name)
             line = self.refused(*self.arguments())
             self.assertIn(f"t.yaml:11:21: search.algorithm: {name}: ", line)
             self.assertIn(why, line)
+            self.assertIn("; offered: sbplx, bobyqa, ", line)
+        for name in ("gn_ags", "slsqp"):
+            self.document(algorithm=name)
+            self.assertIn(f't.yaml:11:21: search.algorithm: unknown algorithm "{name}"; known: sbplx, bobyqa, ',
+                          self.refused(*self.arguments()))
         self.document(algorithm="sbplx", search=", population: 8")
         self.assertIn("search.population: sbplx has none", self.refused(*self.arguments()))
         self.document()

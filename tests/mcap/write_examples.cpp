@@ -35,10 +35,8 @@ unsigned number(Id id) {
 // Numbers of 64 bits as text: JSON's readers round them.
 Json as_json(const Example& example, const WriterOptions& options) {
   Json json;
-  json["profile"] = options.profile;
   json["library"] = options.library;
-  json["compression"] = options.compression == Compression::zstd ? "zstd" : "";
-  for (const char* list : {"schemas", "channels", "metadata", "attachments", "messages"}) json[list] = Json::array();
+  for (const char* list : {"schemas", "channels", "metadata", "messages"}) json[list] = Json::array();
   for (const Schema& schema : example.schemas) {
     json["schemas"].push_back(
         {{"id", number(schema.id)}, {"name", schema.name}, {"encoding", schema.encoding}, {"data", hex(schema.data)}});
@@ -47,18 +45,10 @@ Json as_json(const Example& example, const WriterOptions& options) {
     json["channels"].push_back({{"id", number(channel.id)},
                                 {"schema", number(channel.schema)},
                                 {"topic", channel.topic},
-                                {"encoding", channel.message_encoding},
-                                {"metadata", channel.metadata}});
+                                {"encoding", channel.message_encoding}});
   }
   for (const Metadata& metadata : example.metadata) {
     json["metadata"].push_back({{"name", metadata.name}, {"pairs", metadata.pairs}});
-  }
-  for (const Attachment& attachment : example.attachments) {
-    json["attachments"].push_back({{"log_time", std::to_string(attachment.log_time)},
-                                   {"create_time", std::to_string(attachment.create_time)},
-                                   {"name", attachment.name},
-                                   {"media_type", attachment.media_type},
-                                   {"data", hex(attachment.data)}});
   }
   for (const Kept& message : example.messages) {
     json["messages"].push_back({{"channel", number(message.channel)},
@@ -80,8 +70,8 @@ Example write_extremes(const std::filesystem::path& file) {
   for (int i = 0; i < 256; ++i) bytes += static_cast<char>(i);
   const SchemaId schema = writer.add_schema("na\xc3\xafve \xe2\x9a\xbd", "none of the known", bytes);
   example.schemas.push_back({schema, "na\xc3\xafve \xe2\x9a\xbd", "none of the known", bytes});
-  const ChannelId channel = writer.add_channel("/\xf0\x9f\xa4\x96", "bytes", schema, {{"\xc3\xa9", ""}});
-  example.channels.push_back({channel, schema, "/\xf0\x9f\xa4\x96", "bytes", {{"\xc3\xa9", ""}}});
+  const ChannelId channel = writer.add_channel("/\xf0\x9f\xa4\x96", "bytes", schema);
+  example.channels.push_back({channel, schema, "/\xf0\x9f\xa4\x96", "bytes"});
   const std::uint64_t latest = std::numeric_limits<std::uint64_t>::max();
   example.messages = {{channel, 0, 0, latest, bytes}, {channel, 0xffffffff, latest, 0, ""}, {channel, 1, 1, 1, bytes}};
   for (const Kept& message : example.messages) writer.write(message_of(message));
@@ -92,15 +82,14 @@ Example write_extremes(const std::filesystem::path& file) {
 void write_all(const std::filesystem::path& folder) {
   const std::vector<std::pair<std::string, WriterOptions>> files = {
       {"default", {}},
-      {"fast", {.profile = "x", .library = "regista test", .level = 1}},
-      {"small_chunks", {.chunk_size = 400, .level = 9}},
+      {"named", {.library = "regista test"}},
+      {"small_chunks", {.chunk_size = 400}},
       {"chunk_of_each", {.chunk_size = 1}},
-      {"plain", {.chunk_size = 400, .compression = Compression::none}},
   };
   for (const auto& [name, options] : files) {
     save(folder / (name + ".json"), as_json(write_example(folder / (name + ".mcap"), options), options));
   }
-  const WriterOptions large{.chunk_size = 100'000, .level = 3};
+  const WriterOptions large{.chunk_size = 100'000};
   save(folder / "large.json", as_json(write_example(folder / "large.mcap", large, 20'000), large));
   save(folder / "extremes.json", as_json(write_extremes(folder / "extremes.mcap"), {}));
   Writer(folder / "empty.mcap", {.replace = true}).close();
@@ -110,7 +99,7 @@ void write_all(const std::filesystem::path& folder) {
   Example kept;
   Writer writer(folder / "unfinished.mcap", {.replace = true});
   const ChannelId channel = writer.add_channel("/t", "json");
-  kept.channels.push_back({channel, SchemaId::none, "/t", "json", {}});
+  kept.channels.push_back({channel, SchemaId::none, "/t", "json"});
   kept.messages.push_back({channel, 0, 5, 6, "{}"});
   writer.write(message_of(kept.messages.back()));
   writer.finish_chunk();

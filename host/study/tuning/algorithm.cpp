@@ -40,46 +40,21 @@ const Entry& entry(Algorithm algorithm) {
 }
 
 struct Refusal {
-  const char* name;  // as NLopt calls it, without LN_, GN_, LD_, GD_
+  const char* family;  // part of the names that NLopt gives its variants
   const char* reason;
 };
 
-constexpr const char* gradients = "needs gradients, which matches do not have";
+constexpr const char* gradients = "what NLopt calls LD_ and GD_ needs gradients, which matches do not have";
 constexpr const char* nested =
     "runs other algorithms inside, whose choice and tolerances a tuning file does not give; sbplx restarts by itself";
-constexpr const char* rectangles = "another variant of dividing rectangles: direct_l is the one that is offered";
 
-constexpr std::array<Refusal, 30> refusals{{
-    {"newuoa", "ignores bounds and can hang inside NLopt; bobyqa is its successor"},
-    {"newuoa_bound", "can hang inside NLopt; bobyqa is its successor"},
+// Those of which there is more to say than that they are not offered.
+constexpr std::array<Refusal, 5> refusals{{
+    {"newuoa", "can hang inside NLopt; bobyqa is its successor"},
     {"praxis", "stops early and far from the optimum on noisy values"},
-    {"ags", "is missing from the plain library of NLopt"},
     {"mlsl", nested},
-    {"mlsl_lds", nested},
     {"auglag", nested},
-    {"auglag_eq", nested},
-    {"g_mlsl", nested},
-    {"g_mlsl_lds", nested},
-    {"direct", rectangles},
-    {"direct_noscal", rectangles},
-    {"direct_l_noscal", rectangles},
-    {"direct_l_rand", rectangles},
-    {"direct_l_rand_noscal", rectangles},
-    {"orig_direct", rectangles},
-    {"orig_direct_l", rectangles},
-    {"stogo", gradients},
-    {"stogo_rand", gradients},
-    {"lbfgs", gradients},
-    {"lbfgs_nocedal", gradients},
-    {"var1", gradients},
-    {"var2", gradients},
-    {"tnewton", gradients},
-    {"tnewton_restart", gradients},
-    {"tnewton_precond", gradients},
-    {"tnewton_precond_restart", gradients},
-    {"mma", gradients},
-    {"slsqp", gradients},
-    {"ccsaq", gradients},
+    {"direct", "another variant of dividing rectangles: direct_l is the one that is offered"},
 }};
 
 // The name in small letters, without the beginnings that NLopt gives it. `kind` becomes "ld" and the like, or stays.
@@ -117,12 +92,12 @@ std::optional<Algorithm> algorithm_named(std::string_view name) {
 const char* summary(Algorithm algorithm) { return entry(algorithm).summary; }
 
 std::optional<std::string> why_unsuitable(std::string_view name) {
+  if (algorithm_named(name)) return std::nullopt;
   std::string kind;
   const std::string asked = plain(name, kind);
+  if (kind.ends_with('d')) return gradients;
   for (const Refusal& each : refusals) {
-    if (asked != each.name) continue;
-    // The variants of MLSL and AUGLAG that are called LD_ and GD_ need gradients on top.
-    return kind.ends_with('d') ? gradients : each.reason;
+    if (asked.find(each.family) != std::string::npos) return each.reason;
   }
   return std::nullopt;
 }

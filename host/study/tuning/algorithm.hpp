@@ -33,9 +33,9 @@ std::optional<Algorithm> algorithm_named(std::string_view name);
 // In a few words, for help and reports.
 const char* summary(Algorithm algorithm);
 
-// Why an algorithm that NLopt has is not offered ("needs gradients, which matches do not have"); nothing for names that
-// NLopt has not, and for those that are offered. Names as NLopt writes them in any case, with or without the beginning
-// NLOPT_, LN_, GN_, LD_, GD_.
+// Why an algorithm of NLopt is not offered ("can hang inside NLopt; bobyqa is its successor"), where there is more to
+// say than that; nothing for those that are offered. Names as NLopt writes them in any case, with or without the
+// beginning NLOPT_, LN_, GN_, LD_, GD_.
 std::optional<std::string> why_unsuitable(std::string_view name);
 
 // Compares points as if their values were exact: needs several pairs of matches for each.

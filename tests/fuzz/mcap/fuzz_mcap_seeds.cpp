@@ -5,9 +5,11 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include "fuzz/mcap/examine.hpp"
 #include "unit/mcap/example.hpp"
+#include "unit/mcap/plain_chunks.hpp"
 
 int main(int count, char** arguments) {
   using namespace regista::mcap;
@@ -16,12 +18,12 @@ int main(int count, char** arguments) {
     return 2;
   }
   const std::filesystem::path folder = arguments[1];
-  for (const Compression compression : {Compression::none, Compression::zstd}) {
-    const std::string name = compression == Compression::none ? "plain" : "zstd";
-    const std::filesystem::path file = folder / (name + ".mcap");
-    write_example(file, {.chunk_size = 400, .compression = compression}, 6);
-    std::ifstream in(file, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  write_example(folder / "zstd.mcap", {.chunk_size = 400}, 6);
+  std::ifstream in(folder / "zstd.mcap", std::ios::binary);
+  const std::string zstd{std::istreambuf_iterator<char>(in), {}};
+  const std::string plain = with_plain_chunks(zstd);
+  std::ofstream(folder / "plain.mcap", std::ios::binary) << plain;
+  for (const auto& [name, bytes] : {std::pair<std::string, std::string>{"zstd", zstd}, {"plain", plain}}) {
     const std::string unguarded = without_checksums(bytes);
     std::ofstream(folder / (name + "_unguarded.mcap"), std::ios::binary) << unguarded;
     std::ofstream(folder / (name + "_unfinished.mcap"), std::ios::binary) << unguarded.substr(0, unguarded.size() - 1);

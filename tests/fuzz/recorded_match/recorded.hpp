@@ -37,7 +37,7 @@ struct RecordedTexts {
 };
 
 inline void write_recording(const std::filesystem::path& file, const RecordedTexts& texts) {
-  mcap::Writer writer(file, {.compression = mcap::Compression::none, .replace = true});
+  mcap::Writer writer(file, {.replace = true});
   writer.write(mcap::Metadata{"match",
                               {{"format", "1"},
                                {"program", "regista"},

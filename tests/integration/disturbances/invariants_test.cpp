@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <random>
+#include <regista/testkit/dice.hpp>
 #include <set>
 
 #include "config/sanitized.hpp"
@@ -83,51 +83,45 @@ std::string text(const State& state) {
 
 // --- Random troubles and matches -------------------------------------------------------------------------------------
 
-class Dice {
- public:
-  explicit Dice(int match) : random_(static_cast<std::uint64_t>(match)) {}
-  double in(double low, double high) { return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53; }
-  bool chance(double probability) { return in(0.0, 1.0) < probability; }
-  int below(int count) { return static_cast<int>(in(0.0, count)); }
-  template <class List>
-  const auto& one_of(const List& list) {
-    return list[static_cast<std::size_t>(below(static_cast<int>(list.size())))];
-  }
+using testkit::Dice;
 
- private:
-  std::mt19937_64 random_;
-};
+int below(Dice& dice, int count) { return dice.integer(0, count - 1); }
+
+template <class List>
+const auto& one_of(Dice& dice, const List& list) {
+  return list[static_cast<std::size_t>(below(dice, static_cast<int>(list.size())))];
+}
 
 config::Incident random_incident(Dice& dice, int team_size) {
   using config::Incident;
   using Choice = Incident::Whom::Choice;
   Incident out;
-  out.kind = static_cast<Incident::Kind>(dice.below(static_cast<int>(config::incident_kinds().size())));
-  out.robots.choice = static_cast<Choice>(dice.below(3));
-  if (out.robots.choice == Choice::listed) out.robots.numbers = {1 + dice.below(team_size)};
+  out.kind = static_cast<Incident::Kind>(below(dice, static_cast<int>(config::incident_kinds().size())));
+  out.robots.choice = static_cast<Choice>(below(dice, 3));
+  if (out.robots.choice == Choice::listed) out.robots.numbers = {1 + below(dice, team_size)};
   if (dice.chance(0.5)) {
-    out.per_hour = dice.in(10.0, 300.0);
+    out.per_hour = dice.real(10.0, 300.0);
   } else {
-    out.at = {dice.in(0.0, 20.0), dice.in(20.0, 90.0)};
+    out.at = {dice.real(0.0, 20.0), dice.real(20.0, 90.0)};
   }
-  if (dice.chance(0.8)) out.duration = dice.in(0.0, 40.0);
+  if (dice.chance(0.8)) out.duration = dice.real(0.0, 40.0);
   switch (out.kind) {
     case Incident::Kind::pose_bias:
-      out.x = dice.in(-2.0, 2.0);
-      out.y = dice.in(-2.0, 2.0);
-      out.heading = dice.in(-1.0, 1.0);
+      out.x = dice.real(-2.0, 2.0);
+      out.y = dice.real(-2.0, 2.0);
+      out.heading = dice.real(-1.0, 1.0);
       break;
     case Incident::Kind::ghost_ball:
-      if (dice.chance(0.5)) out.x = dice.in(-5.0, 5.0), out.y = dice.in(-4.0, 4.0);
+      if (dice.chance(0.5)) out.x = dice.real(-5.0, 5.0), out.y = dice.real(-4.0, 4.0);
       break;
     case Incident::Kind::radio_delay:
-      out.delay = dice.in(0.0, 10.0);
+      out.delay = dice.real(0.0, 10.0);
       break;
     case Incident::Kind::radio_jitter:
-      out.jitter = dice.in(0.0, 10.0);
+      out.jitter = dice.real(0.0, 10.0);
       break;
     case Incident::Kind::slow_robot:
-      out.speed = dice.in(0.0, 1.0);
+      out.speed = dice.real(0.0, 1.0);
       break;
     default:
       break;
@@ -137,13 +131,13 @@ config::Incident random_incident(Dice& dice, int team_size) {
 
 config::Disturbance random_disturbance(Dice& dice, int team_size) {
   config::Disturbance out;
-  if (dice.chance(0.3)) out.radio.loss = dice.in(0.0, 1.0);
-  if (dice.chance(0.3)) out.radio.delay = dice.in(0.0, 3.0);
-  if (dice.chance(0.3)) out.radio.jitter = dice.in(0.0, 3.0);
-  if (dice.chance(0.3)) out.radio.burst = {dice.in(0.1, 10.0), dice.in(0.1, 5.0), dice.in(0.0, 1.0)};
+  if (dice.chance(0.3)) out.radio.loss = dice.real(0.0, 1.0);
+  if (dice.chance(0.3)) out.radio.delay = dice.real(0.0, 3.0);
+  if (dice.chance(0.3)) out.radio.jitter = dice.real(0.0, 3.0);
+  if (dice.chance(0.3)) out.radio.burst = {dice.real(0.1, 10.0), dice.real(0.1, 5.0), dice.real(0.0, 1.0)};
   out.radio.silence = dice.chance(0.05);
-  if (dice.chance(0.3)) out.camera = {dice.in(0.0, 1.0), dice.in(0.0, 5.0)};
-  for (int i = dice.below(8); i > 0; --i) out.incidents.push_back(random_incident(dice, team_size));
+  if (dice.chance(0.3)) out.camera = {dice.real(0.0, 1.0), dice.real(0.0, 5.0)};
+  for (int i = below(dice, 8); i > 0; --i) out.incidents.push_back(random_incident(dice, team_size));
   return out;
 }
 
@@ -157,25 +151,25 @@ Fixture random_fixture(int number) {
   static const std::vector<std::string> teams{"paper", "fixed_rate", "events_only", "formation", "scram", "spqr2023"};
   static const std::vector<std::string> openings{"siege", "goalmouth_scramble", "corner_crowd_left",
                                                  "even_midfield_crowd", "open_goal_two_metres"};
-  Dice dice(number);
+  Dice dice(static_cast<std::uint64_t>(number));
   Fixture out;
   match::Setup& setup = out.setup;
   setup.seed = 1000 + static_cast<std::uint64_t>(number);
   const bool scene = number % 2 == 0;
   constexpr std::array sizes{3, 5, 7, 7, 11};
-  setup.rules.team_size = scene ? 7 : dice.one_of(sizes);
-  setup.rules.messages.budget = dice.chance(0.3) ? dice.below(20) : 1200;
-  setup.rules.durations.half = scene ? 40.0 : dice.in(60.0, 90.0);
+  setup.rules.team_size = scene ? 7 : one_of(dice, sizes);
+  setup.rules.messages.budget = dice.chance(0.3) ? below(dice, 20) : 1200;
+  setup.rules.durations.half = scene ? 40.0 : dice.real(60.0, 90.0);
   if (dice.chance(0.5)) setup.rules.durations.ready = 10.0;
   if (dice.chance(0.3)) setup.rules.mercy_difference = 1;
   if (scene) {
     setup.opening =
-        config::read_opening(std::filesystem::path(REGISTA_CONFIGS) / "openings" / (dice.one_of(openings) + ".yaml"));
+        config::read_opening(std::filesystem::path(REGISTA_CONFIGS) / "openings" / (one_of(dice, openings) + ".yaml"));
     setup.limit = 120.0;
   }
   for (const Side side : match::both_sides) {
     const std::size_t i = match::index(side);
-    out.teams[i] = dice.one_of(teams);
+    out.teams[i] = one_of(dice, teams);
     setup.disturbances[i] = random_disturbance(dice, setup.rules.team_size);
     out.spendthrift[i] = dice.chance(0.1);
     out.fidgets[i] = dice.chance(0.2);

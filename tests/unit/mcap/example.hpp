@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A small recording that uses everything the format has, and what it holds.
+// A small recording that uses everything the writer has, and what it holds.
 #pragma once
 
 #include <cstdint>
@@ -34,11 +34,10 @@ struct Example {
   std::vector<Schema> schemas;
   std::vector<Channel> channels;
   std::vector<Metadata> metadata;
-  std::vector<Attachment> attachments;
   std::vector<Kept> messages;
 };
 
-// Uses everything that the format has: several chunks, definitions in the middle, metadata between chunks, a channel
+// Uses everything that the writer has: several chunks, definitions in the middle, metadata between chunks, a channel
 // without schema and one without messages, an empty message, one larger than a chunk, times that go back.
 inline Example write_example(const std::filesystem::path& file, WriterOptions options = {}, int count = 40) {
   options.replace = true;
@@ -49,9 +48,9 @@ inline Example write_example(const std::filesystem::path& file, WriterOptions op
     example.schemas.push_back({id, name, encoding, data});
     return id;
   };
-  const auto add_channel = [&](const std::string& topic, SchemaId schema, const Pairs& pairs) {
-    const ChannelId id = writer.add_channel(topic, "json", schema, pairs);
-    example.channels.push_back({id, schema, topic, "json", pairs});
+  const auto add_channel = [&](const std::string& topic, SchemaId schema) {
+    const ChannelId id = writer.add_channel(topic, "json", schema);
+    example.channels.push_back({id, schema, topic, "json"});
     return id;
   };
   const auto write = [&](ChannelId channel, std::uint64_t time, std::string data) {
@@ -66,19 +65,17 @@ inline Example write_example(const std::filesystem::path& file, WriterOptions op
 
   write_metadata({"match", {{"teams", "paper, fixed_rate"}, {"seed", "1"}, {"", "\xc3\xa9"}}});
   const SchemaId truth = add_schema("truth", "jsonschema", R"({"type": "object"})");
-  const ChannelId ball = add_channel("/truth", truth, {{"side", "both"}});
-  add_channel("/silent", truth, {});
-  const ChannelId plain = add_channel("/plain", SchemaId::none, {});
+  const ChannelId ball = add_channel("/truth", truth);
+  add_channel("/silent", truth);
+  const ChannelId plain = add_channel("/plain", SchemaId::none);
   for (int i = 0; i < count; ++i) {
     const auto time = static_cast<std::uint64_t>(i) * 100'000'000;
     write(ball, time, R"({"ball": [)" + std::to_string(i) + ", " + std::to_string(i * i % 97) + "]}");
     if (i % 3 == 0) write(plain, time > 50'000'000 ? time - 50'000'000 : time, i % 2 == 0 ? "" : std::string(5, 'x'));
     if (i == count / 2) {
       const SchemaId late = add_schema("late", "jsonschema", "{}");
-      const ChannelId late_channel = add_channel("/late", late, {});
+      const ChannelId late_channel = add_channel("/late", late);
       write(late_channel, time, std::string(700, static_cast<char>('a' + i % 26)));
-      example.attachments.push_back({time, 7, "team.yaml", "application/yaml", "team: paper\n"});
-      writer.write(example.attachments.back());
       write_metadata({"half", {}});
     }
   }

@@ -24,36 +24,29 @@
 
 namespace regista::mcap {
 
-// How GoogleTest names the cases.
-inline void PrintTo(Compression compression, std::ostream* out) {
-  *out << (compression == Compression::zstd ? "zstd" : "plain");
-}
-
+// How GoogleTest tells the cases.
 inline void PrintTo(const WriterOptions& options, std::ostream* out) {
-  PrintTo(options.compression, out);
-  *out << " level " << options.level << " chunks of " << options.chunk_size;
+  *out << "chunks of " << options.chunk_size << (options.background ? " in the background" : "");
 }
 
 // All that came out of a file, and the error that ended it.
 struct Contents {
-  std::map<SchemaId, Schema> schemas;
   std::map<ChannelId, Channel> channels;
   std::vector<Metadata> metadata;
   std::vector<Kept> messages;
   std::string error;
   bool indexed = false;
-  std::optional<CutOff> cut_off;
+  std::optional<std::string> cut_off;
 };
 
 inline Contents read_all(const std::filesystem::path& file, const Selection& selection = {},
-                         const ReaderOptions& options = {}) {
+                         std::size_t most_bytes = largest_record) {
   Contents contents;
   try {
-    Reader reader(file, options);
+    Reader reader(file, most_bytes);
     contents.indexed = reader.indexed();
     reader.select(selection);
     for (Message message; reader.next(message);) contents.messages.push_back(kept(message));
-    contents.schemas = reader.schemas();
     contents.channels = reader.channels();
     contents.metadata = reader.metadata();
     contents.cut_off = reader.cut_off();
@@ -61,6 +54,14 @@ inline Contents read_all(const std::filesystem::path& file, const Selection& sel
     contents.error = error.what();
   }
   return contents;
+}
+
+// The index at the end of a file that has one.
+inline Summary summary_of(const std::filesystem::path& file) {
+  const InputFile input(file);
+  RecordWalk walk(input, magic.size());
+  walk.next();  // the header
+  return read_summary(input, walk.offset(), largest_record).value();
 }
 
 inline std::string bytes_of(const std::filesystem::path& file) {

@@ -7,11 +7,13 @@
 
 #include "mcap/encode.hpp"
 #include "unit/mcap/fixture.hpp"
+#include "unit/mcap/plain_chunks.hpp"
 
 namespace regista::mcap {
 namespace {
 
 using std::string_literals::operator""s;
+using std::string_view_literals::operator""sv;
 
 class ReaderTest : public McapTest {
  protected:
@@ -26,7 +28,7 @@ class ReaderTest : public McapTest {
 
 std::string beginning() {
   std::string bytes(magic);
-  append_record(bytes, Header{"", "elsewhere"});
+  append_record(bytes, Header{"elsewhere"});
   return bytes;
 }
 
@@ -86,7 +88,7 @@ TEST_F(ReaderTest, SelectsByTimeAndTopicWithAndWithoutASummary) {
 TEST_F(ReaderTest, PassesOverChunksThatTheSelectionDoesNotTouch) {
   write_example(path("a.mcap"), {.chunk_size = 400});
   std::string bytes = bytes_of(path("a.mcap"));
-  const std::vector<ChunkIndex> chunks = Reader(path("a.mcap")).chunks();
+  const std::vector<ChunkIndex> chunks = summary_of(path("a.mcap")).chunks;
   // All chunks after the first are ruined; whoever opens one of them sees an error.
   for (std::size_t i = 1; i < chunks.size(); ++i) bytes[chunks[i].offset + chunks[i].length - 1] ^= '\xff';
   write_bytes(path("b.mcap"), bytes);
@@ -101,7 +103,7 @@ TEST_F(ReaderTest, ReadsFilesWithoutChunksAndWithoutSummary) {
   std::string bytes = beginning();
   append_record(bytes, Schema{SchemaId{9}, "s", "jsonschema", "{}"});
   append_record(bytes, Schema{SchemaId::none, "to be ignored", "", ""});
-  append_record(bytes, Channel{ChannelId{0}, SchemaId{9}, "/zero", "json", {}});
+  append_record(bytes, Channel{ChannelId{0}, SchemaId{9}, "/zero", "json"});
   append_record(bytes, Message{ChannelId{0}, 1, 2, 3, "hello"});
   bytes += "\x7f\x03\0\0\0\0\0\0\0new"s;  // a kind of record that does not exist yet
   append_record(bytes, Message{ChannelId{0}, 2, 3, 4, ""});
@@ -112,7 +114,47 @@ TEST_F(ReaderTest, ReadsFilesWithoutChunksAndWithoutSummary) {
   EXPECT_FALSE(contents.cut_off.has_value());
   EXPECT_THAT(contents.messages,
               testing::ElementsAre(Kept{ChannelId{0}, 1, 2, 3, "hello"}, Kept{ChannelId{0}, 2, 3, 4, ""}));
-  EXPECT_EQ(contents.schemas.size(), 1u);
+}
+
+TEST_F(ReaderTest, ReadsChunksThatAreNotCompressed) {
+  const Example example = write_example(path("a.mcap"), {.chunk_size = 400});
+  write_bytes(path("plain.mcap"), with_plain_chunks(bytes_of(path("a.mcap"))));
+  for (const ChunkIndex& chunk : summary_of(path("plain.mcap")).chunks) EXPECT_EQ(chunk.compression, "");
+  const Contents contents = read_all(path("plain.mcap"));
+  EXPECT_EQ(contents.error, "");
+  EXPECT_TRUE(contents.indexed);
+  EXPECT_EQ(contents.messages, example.messages);
+  EXPECT_EQ(contents.metadata, example.metadata);
+}
+
+// Whatever they hold, for nobody asks.
+TEST_F(ReaderTest, PassesOverAttachments) {
+  std::string records;
+  append_record(records, Channel{ChannelId{1}, SchemaId::none, "/t", "json"});
+  append_record(records, Message{ChannelId{1}, 1, 2, 3, "hello"});
+  const std::string attachment = "\x09\x03\0\0\0\0\0\0\0abc"s;
+  const std::string before = beginning() + attachment;
+  std::string data = before + chunk_record("", records.size(), records) + attachment;
+  write_bytes(path("walked.mcap"), data + ending());
+
+  ChunkIndex index;
+  index.offset = before.size();
+  index.length = data.size() - before.size() - attachment.size();
+  index.compressed_size = index.uncompressed_size = records.size();
+  append_data_end(data, 0);
+  const std::uint64_t summary_start = data.size();
+  append_record(data, index);
+  data += "\x0a\x03\0\0\0\0\0\0\0abc"s;  // an index of attachments
+  append_footer_fields(data, summary_start, 0);
+  append_integer(data, std::uint32_t{0});
+  write_bytes(path("indexed.mcap"), data.append(magic));
+
+  for (const char* file : {"walked.mcap", "indexed.mcap"}) {
+    const Contents contents = read_all(path(file));
+    EXPECT_EQ(contents.error, "");
+    EXPECT_EQ(contents.indexed, file == "indexed.mcap"sv);
+    EXPECT_THAT(contents.messages, testing::ElementsAre(Kept{ChannelId{1}, 1, 2, 3, "hello"}));
+  }
 }
 
 TEST_F(ReaderTest, SaysInOneLineWhatIsNoRecordingOfOurs) {
@@ -144,7 +186,7 @@ TEST_F(ReaderTest, RefusesContradictions) {
   append_record(twice, Schema{SchemaId{1}, "other", "", ""});
   EXPECT_THAT(error_of(twice + ending()), testing::EndsWith(": schema 1 is given twice and differs"));
   std::string orphan = beginning();
-  append_record(orphan, Channel{ChannelId{1}, SchemaId{5}, "/t", "json", {}});
+  append_record(orphan, Channel{ChannelId{1}, SchemaId{5}, "/t", "json"});
   EXPECT_THAT(error_of(orphan + ending()), testing::EndsWith(": channel 1 names schema 5, which is missing"));
   std::string stray = beginning();
   append_record(stray, Message{ChannelId{3}, 0, 0, 0, ""});
@@ -157,9 +199,9 @@ TEST_F(ReaderTest, RefusesContradictions) {
 
 TEST_F(ReaderTest, DoesNotTrustSizesOfChunks) {
   std::string honest;
-  append_record(honest, Channel{ChannelId{1}, SchemaId::none, "/t", "json", {}});
+  append_record(honest, Channel{ChannelId{1}, SchemaId::none, "/t", "json"});
   std::string frame;
-  Compressor(1).append(frame, honest);
+  Compressor().append(frame, honest);
   EXPECT_EQ(error_of(beginning() + chunk_record("zstd", honest.size(), frame) + ending()), "");
   const std::string at_chunk = "is damaged at byte 34: ";
   EXPECT_EQ(error_of(beginning() + chunk_record("zstd", honest.size() - 1, frame) + ending()),
@@ -174,7 +216,7 @@ TEST_F(ReaderTest, DoesNotTrustSizesOfChunks) {
             at_chunk + "a chunk claims another size than it has");
   // A bomb: 100 MiB of zeros.
   std::string bomb;
-  Compressor(1).append(bomb, std::string(std::size_t{100} << 20, '\0'));
+  Compressor().append(bomb, std::string(std::size_t{100} << 20, '\0'));
   EXPECT_LT(bomb.size(), 20'000u);
   EXPECT_EQ(error_of(beginning() + chunk_record("zstd", std::uint64_t{100} << 20, bomb) + ending()),
             "has a chunk of 104857600 bytes at byte 34; at most 67108864 can be read");
@@ -188,12 +230,12 @@ TEST_F(ReaderTest, DefinitionsAreBounded) {
   for (std::uint16_t id = 1; id <= 9; ++id) {
     std::string records, frame;
     append_record(records, Schema{SchemaId{id}, "s", "e", std::string(1'000'000, 'x')});
-    Compressor(1).append(frame, records);
+    Compressor().append(frame, records);
     bytes += chunk_record("zstd", records.size(), frame);
   }
   write_bytes(path("a.mcap"), bytes + ending());
   EXPECT_EQ(read_all(path("a.mcap")).error, "");
-  EXPECT_THAT(read_all(path("a.mcap"), {}, {.largest_record = 8'000'000}).error,
+  EXPECT_THAT(read_all(path("a.mcap"), {}, 8'000'000).error,
               testing::EndsWith(": its schemas and channels are larger than this program reads"));
 }
 

@@ -7,8 +7,10 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <random>
+#include <regista/testkit/dice.hpp>
 #include <set>
 
 namespace regista::mind {
@@ -19,23 +21,24 @@ using Vector = Eigen::VectorXd;
 
 constexpr double least_variance = 1e-6;  // fusion.cpp adds it to every diagonal
 
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : engine_(seed) {}
-  double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
-  double normal() { return std::normal_distribution<double>()(engine_); }
-  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
-  std::mt19937_64& engine() { return engine_; }
+using testkit::Dice;
 
- private:
-  std::mt19937_64 engine_;
-};
+// Box and Muller (1958).
+double normal(Dice& dice) {
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - dice.real(0.0, 1.0)));
+  return radius * std::cos(dice.real(-pi, pi));
+}
+
+template <class List>
+void shuffle(List& list, Dice& dice) {
+  std::shuffle(list.begin(), list.end(), std::mt19937_64(dice.bits()));
+}
 
 // Symmetric positive definite with eigenvalues of the order of scale^2.
 Matrix random_covariance(Dice& dice, double scale) {
   Matrix root(4, 4);
   for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) root(i, j) = scale * dice.normal();
+    for (int j = 0; j < 4; ++j) root(i, j) = scale * normal(dice);
   }
   return root * root.transpose() + 0.05 * scale * scale * Matrix::Identity(4, 4);
 }
@@ -114,11 +117,11 @@ Fused read(const regista_ball& ball) {
 // Estimates so near each other that none contradicts the best.
 std::vector<Told> agreeing(Dice& dice, int count) {
   std::vector<Told> out;
-  const Vector truth{{dice.in(-4, 4), dice.in(-3, 3), dice.in(-1, 1), dice.in(-1, 1)}};
+  const Vector truth{{dice.real(-4, 4), dice.real(-3, 3), dice.real(-1, 1), dice.real(-1, 1)}};
   for (int i = 0; i < count; ++i) {
-    const Matrix covariance = random_covariance(dice, dice.in(0.2, 0.6));
+    const Matrix covariance = random_covariance(dice, dice.real(0.2, 0.6));
     Vector state = truth;
-    for (int k = 0; k < 4; ++k) state[k] += 0.05 * dice.normal();
+    for (int k = 0; k < 4; ++k) state[k] += 0.05 * normal(dice);
     out.push_back(estimate(state, covariance, i));
   }
   return out;
@@ -136,7 +139,7 @@ TEST(BallFusion, IsFastCovarianceIntersection) {
   Dice dice(2);
   for (int round = 0; round < 500; ++round) {
     std::vector<Told> estimates = agreeing(dice, dice.integer(1, 7));
-    for (Told& each : estimates) each.track.weight = dice.in(0.3, 1.0);
+    for (Told& each : estimates) each.track.weight = dice.real(0.3, 1.0);
     const Fused expected = textbook(estimates), got = read(fuse_ball(views(estimates)));
     EXPECT_LT((got.mean - expected.mean).norm(), 1e-9) << round;
     EXPECT_LT((got.covariance - expected.covariance).norm(), 1e-9 * expected.covariance.norm()) << round;
@@ -181,7 +184,7 @@ TEST(BallFusion, IsConsistentUnderFullCorrelation) {
     const Matrix p1 = textbook({estimates[0]}).covariance, p2 = textbook({estimates[1]}).covariance;
     const Matrix l1 = p1.llt().matrixL(), l2 = p2.llt().matrixL();
     Matrix random(4, 4);
-    for (int i = 0; i < 16; ++i) random(i / 4, i % 4) = dice.normal();
+    for (int i = 0; i < 16; ++i) random(i / 4, i % 4) = normal(dice);
     const Matrix rotation = Eigen::HouseholderQR<Matrix>(random).householderQ();
     const Matrix cross = l1 * rotation.transpose() * l2.transpose();  // E e_1 e_2^T
     const double t1 = p1(0, 0) + p1(1, 1), t2 = p2(0, 0) + p2(1, 1);
@@ -200,7 +203,7 @@ TEST(BallFusion, DoesNotDependOnTheOrder) {
   for (int round = 0; round < 200; ++round) {
     std::vector<Told> estimates = agreeing(dice, 5);
     const Fused before = read(fuse_ball(views(estimates)));
-    std::shuffle(estimates.begin(), estimates.end(), dice.engine());
+    shuffle(estimates, dice);
     const Fused after = read(fuse_ball(views(estimates)));
     EXPECT_LT((before.mean - after.mean).norm(), 1e-9);
     EXPECT_LT((before.covariance - after.covariance).norm(), 1e-9);
@@ -324,12 +327,12 @@ TEST(OpponentFusion, RandomSetsAgainstBruteForce) {
     std::map<std::pair<long, long>, Expected> expected;
     const int opponents = dice.integer(1, 7);
     for (int k = 0; k < opponents; ++k) {
-      const double cx = 3.0 * k - 9.0, cy = dice.in(-3, 3);
+      const double cx = 3.0 * k - 9.0, cy = dice.real(-3, 3);
       Expected truth;
       for (int source = 0; source <= 7; ++source) {
         if (dice.integer(0, 1) == 0) continue;
-        const double x = cx + dice.in(-0.2, 0.2), y = cy + dice.in(-0.2, 0.2), variance = dice.in(0.01, 0.3);
-        const double weight = dice.in(0.05, 0.95), age = dice.in(0, 4), information = 1.0 / (2.0 * variance);
+        const double x = cx + dice.real(-0.2, 0.2), y = cy + dice.real(-0.2, 0.2), variance = dice.real(0.01, 0.3);
+        const double weight = dice.real(0.05, 0.95), age = dice.real(0, 4), information = 1.0 / (2.0 * variance);
         estimates.push_back(opponent(x, y, variance, source, k, weight, age));
         truth.x += information * information * x;
         truth.y += information * information * y;
@@ -340,7 +343,7 @@ TEST(OpponentFusion, RandomSetsAgainstBruteForce) {
       }
       if (truth.i1 > 0.0) expected[{k, 0}] = truth;
     }
-    std::shuffle(estimates.begin(), estimates.end(), dice.engine());
+    shuffle(estimates, dice);
     const auto out = fused(estimates);
     ASSERT_EQ(out.size(), expected.size());
     for (const regista_opponent& each : out) {
@@ -368,7 +371,8 @@ TEST(OpponentFusion, InvariantsOnCrowds) {
     const int count = dice.integer(0, 40);
     for (int i = 0; i < count; ++i) {
       const int source = dice.integer(0, 7);
-      estimates.push_back(opponent(dice.in(-2, 2), dice.in(-2, 2), dice.in(0.01, 0.5), source, i, dice.in(0.01, 1.0)));
+      estimates.push_back(
+          opponent(dice.real(-2, 2), dice.real(-2, 2), dice.real(0.01, 0.5), source, i, dice.real(0.01, 1.0)));
       ++per_source[source];
     }
     const auto all = fused(estimates, 1000), seven = fused(estimates, 7);

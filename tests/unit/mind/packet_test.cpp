@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
+#include <regista/testkit/dice.hpp>
 
 #include "fuzz/packet/canonical.hpp"
 
@@ -14,48 +14,37 @@ namespace {
 
 constexpr PacketLimits limits{.team_size = 7, .role_count = 20, .context_count = 3, .size = 128};
 
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : engine_(seed) {}
-  double in(double low, double high) {
-    return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11), -53);
-  }
-  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
-  std::uint8_t byte() { return static_cast<std::uint8_t>(engine_()); }
-
- private:
-  std::mt19937_64 engine_;
-};
+using testkit::Dice;
 
 Report random_report(Dice& dice) {
   Report report;
   report.sender = dice.integer(1, 7);
-  report.time_sent = dice.in(0.0, 1500.0);
-  report.pose.x = dice.in(-6.0, 6.0);
-  report.pose.y = dice.in(-4.0, 4.0);
-  report.pose.heading = dice.in(-pi, pi);
-  report.position_deviation = dice.in(0.0, 2.5);
-  report.heading_deviation = dice.in(0.0, 2.5);
-  report.velocity = {dice.in(-1.2, 1.2), dice.in(-1.2, 1.2)};
-  report.target = {dice.in(-6.0, 6.0), dice.in(-4.0, 4.0)};
+  report.time_sent = dice.real(0.0, 1500.0);
+  report.pose.x = dice.real(-6.0, 6.0);
+  report.pose.y = dice.real(-4.0, 4.0);
+  report.pose.heading = dice.real(-pi, pi);
+  report.position_deviation = dice.real(0.0, 2.5);
+  report.heading_deviation = dice.real(0.0, 2.5);
+  report.velocity = {dice.real(-1.2, 1.2), dice.real(-1.2, 1.2)};
+  report.target = {dice.real(-6.0, 6.0), dice.real(-4.0, 4.0)};
   report.fallen = dice.integer(0, 1) != 0;
   report.playing = dice.integer(0, 1) != 0;
-  report.time_until_up = dice.in(0.0, 25.0);
+  report.time_until_up = dice.real(0.0, 25.0);
   report.role = dice.integer(-1, 19);
-  report.role_since = dice.in(0.0, 1500.0);
+  report.role_since = dice.real(0.0, 1500.0);
   report.context = dice.integer(0, 2);
   if (dice.integer(0, 1) != 0) {
     ReportedBall& ball = report.ball.emplace();
-    ball.position = {dice.in(-6.0, 6.0), dice.in(-4.0, 4.0)};
-    ball.velocity = {dice.in(-5.0, 5.0), dice.in(-5.0, 5.0)};
-    ball.deviation = dice.in(0.0, 2.5);
-    ball.age = dice.in(0.0, 30.0);
+    ball.position = {dice.real(-6.0, 6.0), dice.real(-4.0, 4.0)};
+    ball.velocity = {dice.real(-5.0, 5.0), dice.real(-5.0, 5.0)};
+    ball.deviation = dice.real(0.0, 2.5);
+    ball.age = dice.real(0.0, 30.0);
   }
   report.opponent_count = static_cast<std::size_t>(dice.integer(0, 5));
   for (std::size_t i = 0; i < report.opponent_count; ++i) {
-    report.opponents[i].position = {dice.in(-6.0, 6.0), dice.in(-4.0, 4.0)};
-    report.opponents[i].deviation = dice.in(0.0, 1.5);
-    report.opponents[i].age = dice.in(0.0, 7.5);
+    report.opponents[i].position = {dice.real(-6.0, 6.0), dice.real(-4.0, 4.0)};
+    report.opponents[i].deviation = dice.real(0.0, 1.5);
+    report.opponents[i].age = dice.real(0.0, 7.5);
   }
   return report;
 }
@@ -251,7 +240,7 @@ TEST(Packet, AnyBytesAreRefusedOrTheOneEncodingOfWhatTheySay) {
   for (std::size_t length = 0; length <= 200; ++length) {
     for (int round = 0; round < 300; ++round) {
       std::vector<std::uint8_t> bytes(length);
-      for (std::uint8_t& byte : bytes) byte = dice.byte();
+      for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(dice.bits());
       // Half of them pass the first checks, so that the later ones are reached.
       if (length > 22 && round % 2 == 0) {
         bytes[0] = static_cast<std::uint8_t>(dice.integer(1, 7) << 3 | 1);
