@@ -72,7 +72,7 @@ void recorded_match(benchmark::State& state) {
     bare += seconds_of([&] { hash = match::play(teams.setup, both).hash; });
     recorded += seconds_of([&] {
       recording::MatchRecording recording(file, {both, "benchmark", "benchmark", "", 1},
-                                       {.replace = true, .background = background});
+                                          {.replace = true, .background = background});
       match::Observer observer;
       observer.step = [&](const match::Snapshot& snapshot) { recording.stepped(snapshot); };
       observer.event = [&](double time, const match::Event& event, const match::GameState& now) {

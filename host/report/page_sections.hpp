@@ -4,8 +4,8 @@
 
 #include <string_view>
 
-#include "report/html_table.hpp"
 #include "report/html.hpp"
+#include "report/html_table.hpp"
 #include "report/tournament_page.hpp"
 
 namespace regista::report {

@@ -40,8 +40,7 @@ struct Reading {
   std::vector<std::string> plugins;
 };
 
-campaign::Job job_of(const Reading& reading, std::size_t arm, std::size_t side,
-                               const std::vector<Setting>& settings) {
+campaign::Job job_of(const Reading& reading, std::size_t arm, std::size_t side, const std::vector<Setting>& settings) {
   const config::Experiment& experiment = reading.experiment;
   campaign::Job out;
   const std::string& team = experiment.arms[arm].team;
