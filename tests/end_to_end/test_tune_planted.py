@@ -26,7 +26,7 @@ class Planted(program.Case):
         candidate, = report["verification"]["candidates"]
         self.assertEqual(candidate["finding"], "better", candidate)
         self.assertLessEqual(candidate["p_holm"], 0.05)
-        self.assertGreater(candidate["interval"][0], 0.0)
+        self.assertGreaterEqual(candidate["interval"][0], 0.0)  # its ends are rounded outwards to a grid that has 0
         self.assertIn("VERIFIED better", (self.folder / "tune_spoilt.tuned.yaml").read_text().splitlines()[0])
 
 
