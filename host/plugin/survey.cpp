@@ -98,6 +98,7 @@ void limit_processor_time() {
 }
 
 void limit_memory() {
+  if constexpr (sanitized) return;  // the sanitizers reserve more addresses than there is memory
   rlimit limit{};
   ::getrlimit(RLIMIT_AS, &limit);
   limit.rlim_cur = std::min(most_memory, limit.rlim_max);
@@ -113,7 +114,7 @@ void limit_memory() {
   for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nothing, standard);
   const rlimit none{0, 0};
   ::setrlimit(RLIMIT_CORE, &none);
-  if constexpr (!sanitized) limit_memory();
+  limit_memory();
   for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGPIPE, SIGXCPU}) std::signal(each, SIG_DFL);
   const int threads_before = threads();
   for (std::size_t i = first; i < files.size(); ++i) {
