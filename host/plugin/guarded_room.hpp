@@ -120,8 +120,8 @@ class GuardedRoom {
     std::byte bytes[64];
   };
 
-  std::byte* begin() { return lines_.data()->bytes + Guard::before; }
-  const std::byte* begin() const { return lines_.data()->bytes + Guard::before; }
+  std::byte* begin() { return reinterpret_cast<std::byte*>(lines_.data()) + Guard::before; }
+  const std::byte* begin() const { return reinterpret_cast<const std::byte*>(lines_.data()) + Guard::before; }
 
   void draw_pattern(std::size_t count) {
     const std::size_t used = Guard::before + count * sizeof(T) + Guard::margin;
