@@ -5,6 +5,7 @@ What zoo.json expects of an animal:
   plays    no match is lost by it, and every match is that of its sound twin
   forfeit  its team forfeits every match
   once     its team forfeits one match or more: what is looked for in the first match of a pairing alone
+  behind   the same, if its sound twin loses a match; it does in at least one run
   refused  its file cannot be used: the program says so before the first match
   lost     forfeit or refused
   dies     matches of it are forfeited, or could not be played
@@ -179,6 +180,7 @@ class Animals(Zoo):
     """A method for each animal of the group is added below."""
 
     twins = {}
+    was_behind = set()
 
     def twin(self, animal, run):
         """The same matches, played by the sound one."""
@@ -201,6 +203,8 @@ class Animals(Zoo):
                 continue
             with self.subTest(animal["name"], run=run, match=True):
                 self.match(animal, run, ["--json"] if run % 2 else [])
+        if animal["expect"] == "behind":
+            self.assertIn(animal["name"], self.was_behind)
 
     def one_line(self, animal, done):
         """The line with which the program refuses; what a plugin itself writes stands beside it."""
@@ -234,6 +238,9 @@ class Animals(Zoo):
             self.assertEqual((lost, unplayed(report)), (2, 0), report)
         elif expected == "once":
             self.assertGreater(lost, 0, report)
+        elif expected == "behind" and any(scored < conceded for (scored, conceded), *_ in twin.values()):
+            self.was_behind.add(animal["name"])
+            self.assertGreater(lost, 0, report)
         elif expected == "dies":
             self.assertGreater(lost + unplayed(report), 0, report)
         if "said" in animal:
@@ -258,7 +265,7 @@ class Animals(Zoo):
             teams.reverse()
         done = self.run_it("match", *teams, "--opening", "scenes/left.yaml", *self.play(animal, run), "--plugins",
                            "bad", *self.limits["match"], *more)
-        if expected not in ("either", "once", "dies"):
+        if expected not in ("either", "once", "behind", "dies"):
             self.assertEqual(done.returncode, 0 if expected == "plays" else 2, done.stderr[-2000:])
         if done.returncode == 0:
             if more:
