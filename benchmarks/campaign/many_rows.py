@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """A tournament of many rows: how long it takes to go on with it and to report on it, and how much memory.
 
@@ -17,6 +17,9 @@ import sys
 import tempfile
 import time
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests" / "end_to_end"))
+import results_file  # noqa: E402
+
 REAL = 20  # pairs that are played
 LIMIT = "30"
 
@@ -32,11 +35,15 @@ def fill(file, rows):
         copies = """WITH RECURSIVE place(row) AS (SELECT ? UNION ALL SELECT row + 1 FROM place WHERE row < ?)"""
         database.execute(copies + """
             INSERT INTO matches SELECT place.row, fixture, 1 + (place.row - 1) / 2, home_goals, away_goals, ended, hash,
-            failure, seconds, attempts FROM place JOIN matches ON matches.row = 1 + (place.row - 1) % ?""",
+            failure, seconds, attempts, 0 FROM place JOIN matches ON matches.row = 1 + (place.row - 1) % ?""",
                          (have + 1, rows - 2, have))
         database.execute(copies + """
-            INSERT INTO metrics SELECT place.row, json FROM place JOIN metrics ON metrics.row = 1 + (place.row - 1) % ?""",
+            INSERT INTO metrics SELECT place.row, names, size, numbers, 0 FROM place JOIN metrics ON metrics.row = 1 + (place.row - 1) % ?""",
                          (have + 1, rows - 2, have))
+        for table, columns in (("matches", results_file.TABLES["matches"][1]), ("metrics", results_file.TABLES["metrics"][1])):
+            sums = ((results_file.checksum(*row), row[0]) for row in
+                    database.execute(f"SELECT {', '.join(columns)} FROM {table} WHERE row > ?", (have,)).fetchall())
+            database.executemany(f"UPDATE {table} SET checksum = ? WHERE row = ?", sums)
     database.close()
 
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "campaign/metric_json.hpp"
 #include "campaign/whole_number.hpp"
 
 namespace regista::campaign {
@@ -166,9 +167,12 @@ std::string to_json(const Answer& answer) {
             {"score", decided.score},
             {"ended", decided.ended},
             {"hash", decided.hash},
-            {"metrics", decided.metrics},
             {"seconds", decided.seconds},
             {"from_outside", answer.from_outside}};
+  if (!decided.metrics.empty()) {
+    json["metrics"] = Json::object();
+    add_metrics(json["metrics"], decided.metrics);
+  }
   if (decided.failure) json["failure"] = json_of(*decided.failure);
   return dump(json);
 }
@@ -183,7 +187,7 @@ Answer answer_from_json(const std::string& text) {
     json.at("score").get_to(answer.decided.score);
     json.at("ended").get_to(answer.decided.ended);
     json.at("hash").get_to(answer.decided.hash);
-    json.at("metrics").get_to(answer.decided.metrics);
+    if (json.contains("metrics")) answer.decided.metrics = metrics_from_json(json.at("metrics"));
     json.at("seconds").get_to(answer.decided.seconds);
     answer.from_outside = json.value("from_outside", false);
     if (json.contains("failure")) answer.decided.failure = failure_of(json.at("failure"));

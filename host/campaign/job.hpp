@@ -10,6 +10,7 @@
 
 #include "campaign/input.hpp"
 #include "campaign/limits.hpp"
+#include "match/metric_numbers.hpp"
 
 namespace regista::campaign {
 
@@ -57,7 +58,7 @@ struct Decided {
   std::array<int, 2> score{};      // by side; a forfeit is 0:10, of one that was set aside there is none
   std::string ended;               // "full_time", "mercy", "limit", "forfeit", "set_aside"
   std::string hash;                // over the course of the match, 16 digits; empty for what was not played to its end
-  std::string metrics;             // JSON; empty for what was not played to its end: missing, not zero
+  match::MetricNumbers metrics;    // none of what was not played to its end: missing, not zero
   std::optional<Failure> failure;  // of a forfeit
   double seconds = 0.0;            // s of wall time
   std::string why_set_aside{};     // how its workers died, one line; else empty

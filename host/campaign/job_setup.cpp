@@ -11,7 +11,7 @@
 
 namespace regista::campaign {
 
-MatchRequest request_of(const campaign::Job& job) {
+MatchRequest request_of(const Job& job) {
   MatchRequest request;
   request.teams.assign(job.teams.begin(), job.teams.end());
   request.rules = job.rules;
@@ -26,8 +26,8 @@ MatchRequest request_of(const campaign::Job& job) {
   return request;
 }
 
-campaign::Job job_of(const MatchRequest& request, const std::vector<std::string>& plugins) {
-  campaign::Job job;
+Job job_of(const MatchRequest& request, const std::vector<std::string>& plugins) {
+  Job job;
   job.teams = {request.teams.at(0), request.teams.at(1)};
   job.rules = request.rules;
   job.robot = request.robot;
@@ -42,27 +42,27 @@ campaign::Job job_of(const MatchRequest& request, const std::vector<std::string>
   return job;
 }
 
-std::string plain_command(const campaign::Job& job) {
-  std::vector<std::string> words = campaign::match_arguments(job);
+std::string plain_command(const Job& job) {
+  std::vector<std::string> words = match_arguments(job);
   words.insert(words.begin(), "regista");
   return shell_line(words);
 }
 
-std::string input_of(const campaign::Job& job, const std::string& name) {
-  const auto found = std::ranges::find(job.common_inputs, name, &campaign::Input::name);
+std::string input_of(const Job& job, const std::string& name) {
+  const auto found = std::ranges::find(job.common_inputs, name, &Input::name);
   return found == job.common_inputs.end() ? std::string() : found->hash;
 }
 
-std::string what_changed(const campaign::Job& job, const MatchSetup& prepared, const plugin::Catalogue& catalogue,
+std::string what_changed(const Job& job, const MatchSetup& prepared, const plugin::Catalogue& catalogue,
                          const std::string& program, const std::string& mathematics) {
   if (job.common_inputs.empty()) return {};  // nobody has counted them up
-  const auto home = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue);
-  const auto away = campaign::team_inputs(*prepared.plans[1], prepared.documents[1], catalogue);
-  const auto common = campaign::common_inputs(prepared.setup, program, mathematics);
+  const auto home = team_inputs(*prepared.plans[0], prepared.documents[0], catalogue);
+  const auto away = team_inputs(*prepared.plans[1], prepared.documents[1], catalogue);
+  const auto common = common_inputs(prepared.setup, program, mathematics);
   std::vector<std::string> changed;
   for (const auto& [before, now] :
        {std::pair{&job.home_inputs, &home}, {&job.away_inputs, &away}, {&job.common_inputs, &common}}) {
-    for (std::string& each : campaign::differences(*before, *now)) {
+    for (std::string& each : differences(*before, *now)) {
       if (std::ranges::find(changed, each) == changed.end()) changed.push_back(std::move(each));
     }
   }

@@ -11,19 +11,19 @@
 
 namespace regista::campaign {
 
-MatchRequest request_of(const campaign::Job& job);
+MatchRequest request_of(const Job& job);
 
 // The hash of one of the inputs that both teams share; empty when the job has none of this name.
-std::string input_of(const campaign::Job& job, const std::string& name);
+std::string input_of(const Job& job, const std::string& name);
 
 // Everything that differs from what the job was, in words; empty when nothing does.
-std::string what_changed(const campaign::Job& job, const MatchSetup& prepared, const plugin::Catalogue& catalogue,
+std::string what_changed(const Job& job, const MatchSetup& prepared, const plugin::Catalogue& catalogue,
                          const std::string& program, const std::string& mathematics);
 
 // The other way round; without what is to be found in the files.
-campaign::Job job_of(const MatchRequest& request, const std::vector<std::string>& plugins);
+Job job_of(const MatchRequest& request, const std::vector<std::string>& plugins);
 
 // The line of the shell that plays this match, whatever the program was called and asked to write: "regista match ...".
-std::string plain_command(const campaign::Job& job);
+std::string plain_command(const Job& job);
 
 }  // namespace regista::campaign

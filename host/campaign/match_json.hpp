@@ -5,19 +5,20 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
-#include <vector>
 
 #include "match/match.hpp"
+#include "match/metric_table.hpp"
 
 namespace regista::campaign {
 
 struct PlayedMatch {
   std::array<std::string, 2> teams;  // names, by side
   std::uint64_t seed = 1;
-  std::string opening;                                 // name; empty: from kick-off
-  std::array<std::vector<std::string>, 2> role_names;  // by side, in the order of the table of roles
-  int budget = 0;                                      // packets of a team, without those for added time
+  std::string opening;  // name; empty: from kick-off
+  match::RoleNames role_names;
+  int budget = 0;  // packets of a team, without those for added time
   // Of that, what falls to the time that the match is planned for; nothing for one of the whole time.
   std::optional<double> packets_share;
   double wall_seconds = 0.0;
@@ -28,7 +29,10 @@ struct PlayedMatch {
 // match, and who spends it all in a few seconds looks better than it could be for long.
 std::optional<double> packets_share_of(const match::Setup& setup);
 
-// One JSON object with a newline.
-std::string summary_json(const PlayedMatch& match);
+match::MetricNumbers numbers_of(const PlayedMatch& match,
+                                std::span<const match::MetricRow> table = match::metric_table());
+
+// One JSON object with a newline: what the match was, and all its numbers.
+std::string summary_json(const PlayedMatch& match, std::span<const match::MetricRow> table = match::metric_table());
 
 }  // namespace regista::campaign

@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <filesystem>
 #include <new>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -59,14 +58,6 @@ bool write_all(int descriptor, std::string_view text) {
     text.remove_prefix(static_cast<std::size_t>(count));
   }
   return true;
-}
-
-// What a row keeps beside the score: the summary of the match without what changes from run to run.
-std::string metrics_of(const PlayedMatch& played) {
-  auto json = nlohmann::ordered_json::parse(summary_json(played));
-  json.erase("wall_seconds");
-  json.erase("failures");
-  return json.dump();
 }
 
 // The recording of a match of a campaign: when it cannot be written, the match is played to its end all the same.
@@ -218,7 +209,7 @@ Answer play(const Job& job, const Surroundings& surroundings, WorkerNote& note) 
   answer.decided.score = played.result.score;
   answer.decided.ended = match::name(played.result.ended);
   answer.decided.hash = match::hash_text(played.result.hash);
-  answer.decided.metrics = metrics_of(played);
+  answer.decided.metrics = numbers_of(played);
   return answer;
 }
 

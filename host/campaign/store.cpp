@@ -4,6 +4,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sqlite3.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -16,6 +17,9 @@
 #include <cstring>
 #include <utility>
 
+#include "campaign/row_checksum.hpp"
+#include "campaign/stored_metrics.hpp"
+
 namespace regista::campaign {
 namespace {
 
@@ -24,7 +28,12 @@ constexpr int most_goals = 100'000;      // of a row that can be believed
 constexpr int patience = 5000;           // ms to wait for somebody who is writing
 constexpr auto tables = R"(
   CREATE TABLE meta(name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
-  CREATE TABLE fixtures(id INTEGER PRIMARY KEY, key TEXT NOT NULL UNIQUE, job TEXT NOT NULL);
+  CREATE TABLE fixtures(
+    id INTEGER PRIMARY KEY,
+    key TEXT NOT NULL UNIQUE,
+    job TEXT NOT NULL,
+    checksum INTEGER NOT NULL
+  );
   CREATE TABLE matches(
     row INTEGER PRIMARY KEY,
     fixture INTEGER NOT NULL REFERENCES fixtures(id),
@@ -36,20 +45,20 @@ constexpr auto tables = R"(
     failure TEXT,
     seconds REAL NOT NULL,
     attempts INTEGER NOT NULL,
+    checksum INTEGER NOT NULL,
     UNIQUE(fixture, seed)
   );
-  CREATE TABLE metrics(row INTEGER PRIMARY KEY REFERENCES matches(row), json TEXT NOT NULL);)";
-// Of few matches, so in a table of its own. Files of before have none: it is made when they are opened to be written
-// to.
-constexpr auto remarks_table = R"(
-  CREATE TABLE IF NOT EXISTS remarks(
+  CREATE TABLE remarks(
     row INTEGER NOT NULL REFERENCES matches(row),
     kind TEXT NOT NULL,
     text TEXT NOT NULL,
+    checksum INTEGER NOT NULL,
     PRIMARY KEY(row, kind)
   ) WITHOUT ROWID;)";
 constexpr auto gone = "the file is no longer there, or is another one, so nothing more can be kept";
-constexpr auto columns = "fixture, seed, home_goals, away_goals, ended, hash, failure, seconds";
+constexpr auto columns =
+    "row, fixture, seed, home_goals, away_goals, ended, hash, failure, seconds, attempts, checksum";
+constexpr std::size_t most_named = 10;  // damaged rows
 
 // What a name leads to.
 struct Identity {
@@ -123,25 +132,35 @@ bool is_of_the_disk(const SQLite::Exception& error) {
   return error.getErrorCode() == SQLITE_FULL || error.getErrorCode() == SQLITE_IOERR;
 }
 
-// Also for what stands in the file but was not written by this program.
-template <class Work>
-auto guarded(const std::string& file, Work work) {
-  try {
-    return work();
-  } catch (const SQLite::Exception& error) {
-    const std::string text = fmt::format("results in {}: {}", file, reason(error));
-    if (is_of_the_disk(error)) throw StoreDiskError(text);
-    throw StoreError(text);
-  } catch (const std::invalid_argument& error) {
-    throw StoreError(fmt::format("results in {} are damaged: {}", file, error.what()));
-  }
-}
-
 void bind_or_null(SQLite::Statement& statement, int index, const std::string& text) {
   if (text.empty())
     statement.bind(index);
   else
     statement.bindNoCopy(index, text);
+}
+
+// Also for what stands in the file but was not written by this program.
+template <class Parts, class Work>
+auto guarded(Parts& parts, Work work) {
+  const auto about = [&](const SQLite::Exception& error) {
+    return fmt::format("results in {}: {}", parts.file, reason(error));
+  };
+  try {
+    return work();
+  } catch (const SQLite::Exception& error) {
+    if (is_of_the_disk(error)) throw StoreDiskError(about(error));
+    throw StoreError(about(error));
+  } catch (const DamagedRow& row) {
+    std::string text;
+    try {
+      text = parts.damage(row);
+    } catch (const SQLite::Exception& error) {
+      text = about(error);
+    }
+    throw StoreDamaged(text);
+  } catch (const std::invalid_argument& error) {
+    throw StoreDamaged(fmt::format("results in {} are damaged: {}", parts.file, error.what()));
+  }
 }
 
 std::string text_of(const SQLite::Column& column) { return column.isNull() ? std::string() : column.getString(); }
@@ -210,31 +229,28 @@ struct Store::Parts {
       throw StoreRefusal(fmt::format("{} is a database of another program, not results of Regista", file));
     }
     const int schema = pragma("user_version");
-    if (schema > store_schema) {
-      throw StoreRefusal(fmt::format("{} was written by a newer Regista: schema {}, this program knows up to {}", file,
+    if (schema != store_schema) {
+      const std::string by = database.tableExists("meta") ? text_in_meta("program") : "";
+      throw StoreRefusal(fmt::format("{} was written by {} Regista{}: its schema is {}, this program reads {}", file,
+                                     schema > store_schema ? "a newer" : "an older", by.empty() ? "" : ", " + by,
                                      schema, store_schema));
     }
     by_row.emplace(database, fmt::format("SELECT {} FROM matches WHERE row = ?", columns));
     by_key.emplace(database, fmt::format("SELECT {} FROM matches WHERE fixture = ? AND seed = ?", columns));
-    metrics.emplace(database, "SELECT json FROM metrics JOIN matches USING(row) WHERE fixture = ? AND seed = ?");
-    if (mode != Mode::read) database.exec(remarks_table);
-    if (database.tableExists("remarks")) {
-      remarks.emplace(database,
-                      "SELECT kind, text FROM remarks JOIN matches USING(row) WHERE fixture = ? AND seed = ?");
-      any_remarks = database.execAndGet("SELECT EXISTS(SELECT 1 FROM remarks)").getInt() != 0;
-    }
+    metrics.emplace(database, mode != Mode::read);
+    remarks.emplace(database, "SELECT kind, text, checksum FROM remarks WHERE row = ?");
+    any_remarks = database.execAndGet("SELECT EXISTS(SELECT 1 FROM remarks)").getInt() != 0;
     if (mode == Mode::read) return;
     database.exec("PRAGMA journal_mode=WAL");
     database.exec("PRAGMA synchronous=NORMAL");
-    insert.emplace(database,
-                   fmt::format("INSERT INTO matches(row, {}, attempts) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", columns));
-    insert_metrics.emplace(database, "INSERT INTO metrics(row, json) VALUES(?, ?)");
-    insert_remark.emplace(database, "INSERT INTO remarks(row, kind, text) VALUES(?, ?, ?)");
+    insert.emplace(database, fmt::format("INSERT INTO matches({}) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", columns));
+    insert_remark.emplace(database, "INSERT INTO remarks(row, kind, text, checksum) VALUES(?, ?, ?, ?)");
   }
 
   void begin(const std::string& version) {
     SQLite::Transaction transaction(database);
     database.exec(tables);
+    database.exec(StoredMetrics::tables);
     database.exec(fmt::format("PRAGMA application_id={}", application));
     database.exec(fmt::format("PRAGMA user_version={}", store_schema));
     SQLite::Statement insert_version(database, "INSERT INTO meta VALUES('program', ?)");
@@ -243,43 +259,84 @@ struct Store::Parts {
     transaction.commit();
   }
 
-  // The match under the cursor of by_row or by_key.
-  static MatchKey key_of(SQLite::Statement& row) {
-    return {row.getColumn(0).getInt64(), std::bit_cast<std::uint64_t>(row.getColumn(1).getInt64())};
+  std::string text_in_meta(const std::string& name) {
+    SQLite::Statement select(database, "SELECT value FROM meta WHERE name = ?");
+    select.bindNoCopy(1, name);
+    return select.executeStep() ? select.getColumn(0).getString() : std::string();
   }
 
-  Decided decided_of(SQLite::Statement& row, Metrics wanted) {
+  // The match under the cursor of by_row or by_key.
+  static MatchKey key_of(SQLite::Statement& row) {
+    return {row.getColumn(1).getInt64(), std::bit_cast<std::uint64_t>(row.getColumn(2).getInt64())};
+  }
+
+  Decided decided_of(SQLite::Statement& cursor, Metrics wanted) {
+    const std::int64_t row = cursor.getColumn(0).getInt64();
+    const MatchKey key = key_of(cursor);
     Decided out;
-    out.score = {row.getColumn(2).getInt(), row.getColumn(3).getInt()};
+    out.score = {cursor.getColumn(3).getInt(), cursor.getColumn(4).getInt()};
+    out.ended = cursor.getColumn(5).getString();
+    out.hash = text_of(cursor.getColumn(6));
+    const std::string failure = text_of(cursor.getColumn(7));
+    out.seconds = cursor.getColumn(8).getDouble();
+    if (checksum_of(row, key, out, failure, cursor.getColumn(9).getInt64()) != cursor.getColumn(10).getInt64()) {
+      throw DamagedRow(row, "its checksum does not fit");
+    }
     if (std::ranges::any_of(out.score, [](int goals) { return goals < 0 || goals > most_goals; })) {
-      throw std::invalid_argument("a score that no match has");
+      throw DamagedRow(row, "a score that no match has");
     }
-    out.ended = row.getColumn(4).getString();
-    out.hash = text_of(row.getColumn(5));
-    const std::string failure = text_of(row.getColumn(6));
-    if (!failure.empty()) out.failure = failure_from_json(failure);
-    out.seconds = row.getColumn(7).getDouble();
-    if (remarks && any_remarks) read_remarks(key_of(row), out);
-    if ((out.ended == "set_aside") != out.set_aside())
-      throw std::invalid_argument("a match set aside without a reason");
-    if (wanted == Metrics::wanted && !out.failure) {
-      const MatchKey key = key_of(row);
-      metrics->tryReset();
-      bind(*metrics, key);
-      if (metrics->executeStep()) out.metrics = metrics->getColumn(0).getString();
-      metrics->reset();
+    try {
+      if (!failure.empty()) out.failure = failure_from_json(failure);
+    } catch (const std::invalid_argument& error) {
+      throw DamagedRow(row, error.what());
     }
-    row.reset();
+    if (any_remarks) read_remarks(row, out);
+    if ((out.ended == "set_aside") != out.set_aside()) throw DamagedRow(row, "a match set aside without a reason");
+    if (wanted == Metrics::wanted && !out.hash.empty()) {
+      out.metrics = metrics->read(row);
+      if (out.metrics.empty()) throw DamagedRow(row, "its metrics are missing");
+    }
+    cursor.reset();
     return out;
   }
 
-  void read_remarks(const MatchKey& key, Decided& out) {
+  static std::int64_t checksum_of(std::int64_t row, const MatchKey& key, const Decided& decided,
+                                  const std::string& failure, std::int64_t attempts) {
+    return RowChecksum()
+        .whole(row)
+        .whole(key.fixture)
+        .whole(std::bit_cast<std::int64_t>(key.seed))
+        .whole(decided.score[0])
+        .whole(decided.score[1])
+        .bytes(decided.ended)
+        .bytes(decided.hash)
+        .bytes(failure)
+        .real(decided.seconds)
+        .whole(attempts)
+        .value();
+  }
+
+  // Once: one whose key is damaged would not be found, and its matches would count as not played.
+  void check_fixtures() {
+    if (std::exchange(fixtures_checked, true)) return;
+    SQLite::Statement each(database, "SELECT id, key, job, checksum FROM fixtures");
+    while (each.executeStep()) {
+      const std::string key = each.getColumn(1).getString(), job = each.getColumn(2).getString();
+      if (RowChecksum().bytes(key).bytes(job).value() == each.getColumn(3).getInt64()) continue;
+      throw std::invalid_argument(fmt::format("the checksum of fixture {} does not fit", each.getColumn(0).getInt64()));
+    }
+  }
+
+  void read_remarks(std::int64_t row, Decided& out) {
     remarks->tryReset();
-    bind(*remarks, key);
+    remarks->bind(1, row);
     while (remarks->executeStep()) {
-      const std::string kind = remarks->getColumn(0).getString();
+      const std::string kind = remarks->getColumn(0).getString(), said = remarks->getColumn(1).getString();
+      if (RowChecksum().whole(row).bytes(kind).bytes(said).value() != remarks->getColumn(2).getInt64()) {
+        throw DamagedRow(row, "the checksum of a remark does not fit");
+      }
       for (const auto& [name, text] : remarks_of(out)) {
-        if (kind == name) *text = remarks->getColumn(1).getString();
+        if (kind == name) *text = said;
       }
     }
     remarks->reset();
@@ -292,10 +349,41 @@ struct Store::Parts {
       insert_remark->bind(1, row);
       insert_remark->bind(2, name);
       insert_remark->bindNoCopy(3, *text);
+      insert_remark->bind(4, RowChecksum().whole(row).bytes(name).bytes(*text).value());
       insert_remark->exec();
       insert_remark->reset();
       any_remarks = true;
     }
+  }
+
+  // All matches that cannot be read, by their rows.
+  std::vector<std::int64_t> damaged_rows() {
+    std::vector<std::int64_t> out;
+    SQLite::Statement each(database, fmt::format("SELECT {} FROM matches ORDER BY row", columns));
+    while (each.executeStep()) {
+      const std::int64_t row = each.getColumn(0).getInt64();
+      SQLite::Statement one(database, fmt::format("SELECT {} FROM matches WHERE row = ?", columns));
+      one.bind(1, row);
+      one.executeStep();
+      try {
+        decided_of(one, Metrics::wanted);
+      } catch (const DamagedRow&) {
+        out.push_back(row);
+      }
+    }
+    return out;
+  }
+
+  // What is said of one of them: which one, why, and how many there are.
+  std::string damage(const DamagedRow& found) {
+    std::string out = fmt::format("results in {} are damaged: match {}: {}", file, found.row(), found.what());
+    std::vector<std::int64_t> others = damaged_rows();
+    std::erase(others, found.row());
+    if (others.empty()) return out;
+    const std::size_t named = std::min(others.size(), most_named);
+    out += fmt::format("; {} {} cannot be read either", others.size() == 1 ? "match" : "matches",
+                       fmt::join(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(named), ", "));
+    return named == others.size() ? out : out + fmt::format(", nor can {} more", others.size() - named);
   }
 
   static std::array<std::pair<const char*, std::string*>, 3> remarks_of(Decided& decided) {
@@ -328,8 +416,8 @@ struct Store::Parts {
     if (!std::exchange(reading, false)) return;
     by_row->tryReset();
     by_key->tryReset();
-    metrics->tryReset();
-    if (remarks) remarks->tryReset();
+    metrics->reset();
+    remarks->tryReset();
     database.exec("COMMIT");
   }
 
@@ -337,8 +425,9 @@ struct Store::Parts {
   std::optional<Identity> identity, log_identity;
   std::unique_ptr<const Hold> hold;
   SQLite::Database database;
-  std::optional<SQLite::Statement> by_row, by_key, metrics, remarks, insert, insert_metrics, insert_remark;
-  bool any_remarks = false;
+  std::optional<StoredMetrics> metrics;
+  std::optional<SQLite::Statement> by_row, by_key, remarks, insert, insert_remark;
+  bool any_remarks = false, fixtures_checked = false;
   bool reading = false;
 };
 
@@ -348,15 +437,11 @@ Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 
 std::string Store::meta(const std::string& name) const {
-  return guarded(parts_->file, [&] {
-    SQLite::Statement select(parts_->database, "SELECT value FROM meta WHERE name = ?");
-    select.bindNoCopy(1, name);
-    return select.executeStep() ? select.getColumn(0).getString() : std::string();
-  });
+  return guarded(*parts_, [&] { return parts_->text_in_meta(name); });
 }
 
 void Store::set_meta(const std::string& name, const std::string& value) {
-  guarded(parts_->file, [&] {
+  guarded(*parts_, [&] {
     parts_->end_reading();
     SQLite::Statement put(parts_->database, "INSERT OR REPLACE INTO meta VALUES(?, ?)");
     put.bindNoCopy(1, name);
@@ -366,7 +451,8 @@ void Store::set_meta(const std::string& name, const std::string& value) {
 }
 
 std::vector<std::int64_t> Store::numbers(std::span<const std::string> keys) const {
-  return guarded(parts_->file, [&] {
+  return guarded(*parts_, [&] {
+    parts_->check_fixtures();
     std::vector<std::int64_t> out;
     SQLite::Statement select(parts_->database, "SELECT id FROM fixtures WHERE key = ?");
     for (const std::string& key : keys) {
@@ -379,13 +465,15 @@ std::vector<std::int64_t> Store::numbers(std::span<const std::string> keys) cons
 }
 
 std::vector<std::int64_t> Store::add(std::span<const Fixture> fixtures) {
-  guarded(parts_->file, [&] {
+  guarded(*parts_, [&] {
     parts_->end_reading();
     SQLite::Transaction transaction(parts_->database);
-    SQLite::Statement add(parts_->database, "INSERT OR IGNORE INTO fixtures(key, job) VALUES(?, ?)");
+    SQLite::Statement add(parts_->database, "INSERT OR IGNORE INTO fixtures(key, job, checksum) VALUES(?, ?, ?)");
     for (const Fixture& fixture : fixtures) {
+      const std::string job = to_json(fixture.job);
       add.bindNoCopy(1, fixture.key);
-      add.bind(2, to_json(fixture.job));
+      add.bindNoCopy(2, job);
+      add.bind(3, RowChecksum().bytes(fixture.key).bytes(job).value());
       add.exec();
       add.reset();
     }
@@ -397,12 +485,17 @@ std::vector<std::int64_t> Store::add(std::span<const Fixture> fixtures) {
 }
 
 std::optional<Decided> Store::find(std::int64_t row, const MatchKey& key, Metrics metrics) const {
-  return guarded(parts_->file, [&]() -> std::optional<Decided> {
+  return guarded(*parts_, [&]() -> std::optional<Decided> {
     parts_->begin_reading();
     SQLite::Statement& first = *parts_->by_row;
     first.tryReset();
     first.bind(1, row);
-    if (first.executeStep() && Parts::key_of(first) == key) return parts_->decided_of(first, metrics);
+    if (first.executeStep()) {
+      const bool wanted = Parts::key_of(first) == key;
+      // Another match stands there, or its key is damaged.
+      Decided found = parts_->decided_of(first, wanted ? metrics : Metrics::left_out);
+      if (wanted) return found;
+    }
     SQLite::Statement& second = *parts_->by_key;
     second.tryReset();
     Parts::bind(second, key);
@@ -412,7 +505,7 @@ std::optional<Decided> Store::find(std::int64_t row, const MatchKey& key, Metric
 }
 
 void Store::insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts) {
-  guarded(parts_->file, [&] {
+  guarded(*parts_, [&] {
     parts_->require_file();
     const std::string failure = decided.failure ? to_json(*decided.failure) : std::string();
     parts_->end_reading();
@@ -429,23 +522,17 @@ void Store::insert(std::int64_t row, const MatchKey& key, const Decided& decided
     bind_or_null(insert, 8, failure);
     insert.bind(9, decided.seconds);
     insert.bind(10, attempts);
+    insert.bind(11, Parts::checksum_of(row, key, decided, failure, attempts));
     insert.exec();
     insert.reset();
-    if (!decided.metrics.empty()) {
-      SQLite::Statement& metrics = *parts_->insert_metrics;
-      metrics.tryReset();
-      metrics.bind(1, row);
-      metrics.bindNoCopy(2, decided.metrics);
-      metrics.exec();
-      metrics.reset();
-    }
+    if (!decided.metrics.empty()) parts_->metrics->write(row, decided.metrics);
     parts_->write_remarks(row, decided);
     transaction.commit();
   });
 }
 
 std::optional<Store::Row> Store::row(std::int64_t row) const {
-  return guarded(parts_->file, [&]() -> std::optional<Row> {
+  return guarded(*parts_, [&]() -> std::optional<Row> {
     SQLite::Statement& select = *parts_->by_row;
     select.tryReset();
     select.bind(1, row);
@@ -453,23 +540,31 @@ std::optional<Store::Row> Store::row(std::int64_t row) const {
     const MatchKey key = Parts::key_of(select);
     Row out;
     out.decided = parts_->decided_of(select, Metrics::wanted);
-    SQLite::Statement fixture(parts_->database, "SELECT job FROM fixtures WHERE id = ?");
+    SQLite::Statement fixture(parts_->database, "SELECT key, job, checksum FROM fixtures WHERE id = ?");
     fixture.bind(1, key.fixture);
-    if (!fixture.executeStep()) throw StoreError(fmt::format("{}: row {} is of no fixture", parts_->file, row));
+    if (!fixture.executeStep()) throw DamagedRow(row, "what was to be played is missing");
+    const std::string name = fixture.getColumn(0).getString(), job = fixture.getColumn(1).getString();
+    if (RowChecksum().bytes(name).bytes(job).value() != fixture.getColumn(2).getInt64()) {
+      throw DamagedRow(row, "the checksum of what was to be played does not fit");
+    }
     try {
-      out.job = job_from_json(fixture.getColumn(0).getString());
+      out.job = job_from_json(job);
     } catch (const std::invalid_argument& error) {
-      throw StoreError(fmt::format("{}: row {} is damaged: {}", parts_->file, row, error.what()));
+      throw DamagedRow(row, error.what());
     }
     out.job.seed = key.seed;
     return out;
   });
 }
 
+std::vector<std::string> Store::metric_paths(std::int64_t rows) const {
+  return guarded(*parts_, [&] { return parts_->metrics->paths(rows); });
+}
+
 void Store::require_file() const { parts_->require_file(); }
 
 std::int64_t Store::rows() const {
-  return guarded(parts_->file, [&] { return parts_->database.execAndGet("SELECT count(*) FROM matches").getInt64(); });
+  return guarded(*parts_, [&] { return parts_->database.execAndGet("SELECT count(*) FROM matches").getInt64(); });
 }
 
 }  // namespace regista::campaign

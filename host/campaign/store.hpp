@@ -4,11 +4,14 @@
 //
 //   fixtures(id, key, job)            all that a match is a function of, but its seed: see inputs.hpp
 //   matches(row, fixture, seed, ...)  one row per fixture and seed, never two; row: its place in the schedule, from 1
-//   metrics(row, json)                of matches played to their end
+//   metric_names(id, names, ...)      what numbers of matches are called: see metric_bytes.hpp
+//   metrics(row, names, size, ...)    numbers of matches played to their end, under such names
 //   remarks(row, kind, text)          why a match was set aside, where it was not reproducible, what plugins wrote
 //   meta(name, value)                 "program": version that made the file; "schedule": JSON, whatever the study says
 //
-// A seed stands there as the signed number with the same bits. What a forfeit has not is null.
+// A seed stands there as the signed number with the same bits. What a forfeit has not is null. All rows but those
+// of meta carry a checksum; one that does not fit is found when its match is read. docs/results.md describes the file
+// for other programs.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +27,7 @@
 
 namespace regista::campaign {
 
-inline constexpr int store_schema = 1;
+inline constexpr int store_schema = 2;
 
 // The file cannot be used as it is: what() is one line that names it and says why.
 class StoreRefusal : public std::runtime_error {
@@ -38,6 +41,11 @@ class StoreError : public std::runtime_error {
 
 // A StoreError that is the disk's: it is full, or fails.
 class StoreDiskError : public StoreError {
+  using StoreError::StoreError;
+};
+
+// A StoreError that no other try mends: what stands there is not what was written. what() names the matches.
+class StoreDamaged : public StoreError {
   using StoreError::StoreError;
 };
 
@@ -62,8 +70,8 @@ class Store {
     open,    // an existing one
     read,    // an existing one that is not written to, even while another process does
   };
-  // Holds the file for itself until its end, but for Mode::read. Throws StoreRefusal: another program's database, a
-  // newer schema, no permission, in use by another process; StoreDiskError when it cannot be made for lack of room.
+  // Holds the file for itself until its end, but for Mode::read. Throws StoreRefusal: another program's database,
+  // another schema, no permission, in use by another process; StoreDiskError when it cannot be made for lack of room.
   Store(const std::filesystem::path& file, Mode mode, const std::string& program_version);
   ~Store();
   Store(Store&&) noexcept;
@@ -91,6 +99,9 @@ class Store {
   std::int64_t rows() const;
   // Throws StoreGone when the name does not lead to the file that is written to any more; so does insert().
   void require_file() const;
+
+  // Paths of sides that the first rows have numbers under, each once, in the order in which they come up.
+  std::vector<std::string> metric_paths(std::int64_t rows) const;
 
   // A stored match and what it was.
   struct Row {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,13 @@ class App;
 
 namespace regista::cli {
 
-// How the program was started.
+struct StudyKind;
+
+// How the program was started, and which studies it knows.
 struct Invocation {
   std::vector<std::string> arguments;  // the first is the name of the program
-  std::filesystem::path executable;    // its own file; empty when the system does not tell
+  std::filesystem::path executable{};  // its own file; empty when the system does not tell
+  std::span<const StudyKind> studies{};
 };
 
 struct Command {
@@ -33,6 +37,7 @@ Command add_report(CLI::App& parent, const Invocation& invocation);
 Command add_sprt(CLI::App& parent, const Invocation& invocation);
 Command add_tournament(CLI::App& parent, const Invocation& invocation);
 Command add_view(CLI::App& parent, const Invocation& invocation);
+Command add_metrics(CLI::App& parent);
 Command add_plugin_list(CLI::App& parent, const Invocation& invocation);
 Command add_plugin_info(CLI::App& parent, const Invocation& invocation);
 Command add_plugin_reference(CLI::App& parent, const Invocation& invocation);

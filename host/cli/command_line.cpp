@@ -14,6 +14,7 @@
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/output.hpp"
+#include "cli/study_kinds.hpp"
 #include "config/text.hpp"
 
 namespace regista::cli {
@@ -142,10 +143,15 @@ int run_chosen(CLI::App& root, const std::vector<Command>& commands, const std::
 std::vector<Command> add_commands(CLI::App& root, const Invocation& invocation) {
   // At most one command, so that what follows it is never taken for another.
   root.require_subcommand(0, 1);
-  std::vector<Command> commands{add_match(root, invocation),      add_view(root, invocation),
-                                add_tournament(root, invocation), add_experiment(root, invocation),
-                                add_tune(root, invocation),       add_report(root, invocation),
-                                add_sprt(root, invocation),       add_evaluate_predictor(root, invocation),
+  std::vector<Command> commands{add_match(root, invocation),
+                                add_view(root, invocation),
+                                add_tournament(root, invocation),
+                                add_experiment(root, invocation),
+                                add_tune(root, invocation),
+                                add_report(root, invocation),
+                                add_sprt(root, invocation),
+                                add_evaluate_predictor(root, invocation),
+                                add_metrics(root),
                                 add_play_one(root, invocation)};
   CLI::App& plugin = *root.add_subcommand("plugin", "the plugins that there are");
   plugin.require_subcommand(0, 1);
@@ -162,23 +168,27 @@ std::vector<Command> add_commands(CLI::App& root, const Invocation& invocation) 
 
 namespace {
 
-int run(const Invocation& invocation) {
+int run(const Invocation& invocation, const Addition* addition) {
   CLI::App root("Regista: research on team strategy for robot soccer", "regista");
   root.set_version_flag("--version", fmt::format("regista {} (plugin interface {}.{}, {})", REGISTA_VERSION,
                                                  REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR, REGISTA_BUILD));
   root.footer(examples);
-  return run_chosen(root, add_commands(root, invocation), invocation.arguments);
+  std::vector<Command> commands = add_commands(root, invocation);
+  if (addition != nullptr) commands.push_back(addition->command(root, invocation));
+  return run_chosen(root, commands, invocation.arguments);
 }
 
 }  // namespace
 
-int run(int argc, char** argv) {
+int run(int argc, char** argv, const Addition* addition) {
   occupy_standard_streams();
   // A reader who goes away is an error of writing, which is told, not a signal.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error of writing like any other
   try {
-    return run(invocation_of(argc, argv));
+    Invocation invocation = invocation_of(argc, argv);
+    invocation.studies = addition == nullptr ? study_kinds() : addition->studies;
+    return run(invocation, addition);
   } catch (...) {
     return explain_current_exception();
   }

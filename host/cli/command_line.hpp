@@ -2,6 +2,8 @@
 // The command line as a whole: which commands there are, which one was meant, and what is said when none was.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "cli/command.hpp"
@@ -11,7 +13,13 @@ namespace regista::cli {
 // Adds all commands to the program's own: what there is to choose from. invocation outlives them.
 std::vector<Command> add_commands(CLI::App& root, const Invocation& invocation);
 
+// A command and the studies of a program that knows more than ours.
+struct Addition {
+  std::function<Command(CLI::App& root, const Invocation& invocation)> command;
+  std::span<const StudyKind> studies;  // all of them
+};
+
 // Runs the command that the arguments name. Returns the exit code (end_of_program.hpp); throws nothing.
-int run(int argc, char** argv);
+int run(int argc, char** argv, const Addition* addition = nullptr);
 
 }  // namespace regista::cli

@@ -10,12 +10,12 @@
 #include "campaign/shell.hpp"
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/evaluation_report.hpp"
 #include "cli/file_options.hpp"
 #include "cli/interruption.hpp"
 #include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
+#include "report/evaluation_report.hpp"
 
 namespace regista::cli {
 namespace {
@@ -94,8 +94,8 @@ int evaluate(const Options& options, const Invocation& invocation) {
         stop_if_asked(stage);
       });
   progress.clear();
-  print(options.json ? evaluation_json(study, options.data, evaluation)
-                     : evaluation_text(study, options.data, evaluation));
+  print(options.json ? report::evaluation_json(study, options.data, evaluation)
+                     : report::evaluation_text(study, options.data, evaluation));
   return exit_done;
 }
 

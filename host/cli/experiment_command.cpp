@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // `regista experiment`: what a difference between teams does to numbers of their matches, against one common opponent,
 // seed by seed.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
@@ -15,14 +13,8 @@
 #include "cli/output_files.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
-#include "cli/results_page.hpp"
-#include "cli/study_progress.hpp"
 #include "cli/study_run.hpp"
-#include "cli/terminal.hpp"
-#include "config/text.hpp"
-#include "report/experiment.hpp"
-#include "report/tournament.hpp"
-#include "study/experiment.hpp"
+#include "report/experiment_report.hpp"
 #include "study/experiment_setup.hpp"
 
 namespace regista::cli {
@@ -50,121 +42,6 @@ it, too. At its end there are, beside the results NAME.db, the page NAME.html an
 Exit codes: 0 played, whatever was found; 1 interrupted, or the results could not be written; 2 bad input; 3 a defect of
 Regista.)";
 
-class Played {
- public:
-  Played(const ExperimentOptions& options, OutputFiles outputs, const Invocation& invocation,
-         study::ExperimentPlan plan)
-      : options_(options),
-        outputs_(std::move(outputs)),
-        invocation_(invocation),
-        plan_(std::move(plan)),
-        course_(plan_),
-        view_{plan_, course_, [this](std::uint64_t index) { return play_again(job(index), invocation_); }} {}
-  Played(const Played&) = delete;
-  Played& operator=(const Played&) = delete;
-
-  int play() {
-    outputs_.check(options_.force);
-    std::optional<OutputFile> csv;
-    campaign::Store store = open_results(options_.results, options_.resume, plan_, {});
-    if (!options_.csv.empty()) {
-      csv.emplace(options_.csv);
-      csv->write(report::experiment_csv_head(plan_));
-    }
-    StudyProgress progress(words(), !options_.quiet);
-    tell_of_equal_arms(progress);
-    play_study({"experiment", plan_.matches(), [this] { return course_.taken(); }}, options_, invocation_, store,
-               progress, [&](const PlayRun& play) { play(run(csv ? &*csv : nullptr)); });
-    if (csv) csv->close();
-    if (!options_.summary.empty()) write_summary();
-    print(options_.json ? report::experiment_json(view_) : report::experiment_text(view_));
-    if (!options_.no_page) write_page(store);
-    return exit_done;
-  }
-
- private:
-  // After hours, perhaps: what stands there now need not be what stood there before the first match.
-  void write_summary() const {
-    outputs_.check(options_.force);
-    OutputFile summary(options_.summary);
-    summary.write(report::experiment_summary_csv(view_));
-    summary.close();
-  }
-
-  void write_page(const campaign::Store& store) const {
-    const StudyPlan plan = plan_;
-    const auto page = write_page_beside({options_.results, store, plan}, true);
-    if (page && !options_.quiet) say(fmt::format("page: {}\n", config::one_line(page->string())));
-  }
-
-  StudyRun run(OutputFile* csv) {
-    StudyRun out;
-    out.matches = plan_.matches();
-    out.fixtures = study::fixtures(plan_);
-    out.at = [this](std::uint64_t index) -> std::optional<StudyRun::Place> {
-      const study::Trial trial = study::trial(plan_, index);
-      return StudyRun::Place{trial.number, trial.seed};
-    };
-    out.job = [this](std::uint64_t index) { return job(index); };
-    out.take = [this, csv](std::uint64_t index, const campaign::Decided* decided) {
-      course_.take(*decided);  // all matches are wanted
-      if (csv) csv->write(report::experiment_csv_lines(plan_, index, *decided, report::CsvMeasures::all));
-      return true;
-    };
-    out.first_of_pairing = [this](std::uint64_t index) {
-      const study::Trial trial = study::trial(plan_, index);
-      return trial.pair == 0 && trial.side == 0;
-    };
-    out.limits = plan_.limits;
-    out.metrics = campaign::Metrics::wanted;
-    return out;
-  }
-
-  StudyWords words() const {
-    StudyWords out;
-    out.matches = plan_.matches();
-    out.taken = [this] { return course_.taken(); };
-    out.standing = [this] { return report::experiment_standing(view_); };
-    out.whole = [this] { return course_.taken() > 0 ? report::experiment_text(view_) : std::string(); };
-    out.match = [this](std::uint64_t index, const campaign::Decided& decided) { return match_text(index, decided); };
-    return out;
-  }
-
-  std::string match_text(std::uint64_t index, const campaign::Decided& decided) const {
-    const study::Trial trial = study::trial(plan_, index);
-    const std::string scene =
-        plan_.openings.empty() ? "" : ", " + std::filesystem::path(plan_.openings[trial.opening].file).stem().string();
-    const std::string arm = label(plan_, trial.condition);
-    std::string out =
-        fmt::format("seed {}{}: {} {} {}:{}", trial.seed, scene, config::one_line(arm),
-                    trial.side == 0 ? "at home" : "away", decided.score[trial.side], decided.score[1 - trial.side]);
-    if (decided.set_aside()) out += ", could not be played: " + config::one_line(decided.why_set_aside);
-    if (decided.failure) {
-      const bool own = static_cast<std::size_t>(decided.failure->side) == trial.side;
-      out += ", " + report::forfeit_text(own ? arm : "the opponent", *decided.failure);
-    }
-    return out;
-  }
-
-  void tell_of_equal_arms(StudyProgress& progress) const {
-    for (const study::Comparison& each : plan_.comparisons) {
-      if (!study::equal_conditions(plan_, each)) continue;
-      progress.note(fmt::format("A/A: {} and {} are equal, so they do not differ by construction",
-                                config::one_line(label(plan_, each.first)),
-                                config::one_line(label(plan_, each.second))));
-    }
-  }
-
-  campaign::Job job(std::uint64_t index) const { return study::job(plan_, study::trial(plan_, index)); }
-
-  const ExperimentOptions& options_;
-  const OutputFiles outputs_;
-  const Invocation& invocation_;
-  study::ExperimentPlan plan_;
-  study::Experiment course_;
-  report::ExperimentView view_;
-};
-
 int experiment(ExperimentOptions options, OutputFiles outputs, const Invocation& invocation) {
   campaign::check(options);
   if (options.force && options.csv.empty() && options.summary.empty()) {
@@ -178,7 +55,28 @@ int experiment(ExperimentOptions options, OutputFiles outputs, const Invocation&
   if (options.results.empty()) options.results = plan.name + ".db";
   outputs.read(folders_of(catalogue), Reads::plugins);
   outputs.write_beside(options.results, options.no_page ? OutputFiles::Page::none : OutputFiles::Page::with_figures);
-  return Played(options, std::move(outputs), invocation, std::move(plan)).play();
+  outputs.check(options.force);
+  const auto report = report::experiment_report(std::move(plan), play_again(invocation));
+  campaign::Store store = open_results(options.results, options.resume, report->study(), {}, invocation.studies);
+  const report::TableWish every{.all_metrics = true};
+  std::optional<OutputFile> csv;
+  StudyWishes wishes;
+  if (!options.csv.empty()) {
+    csv.emplace(options.csv);
+    csv->write(report->table_head(every));
+    wishes.after = [&](const study::Round& round, std::uint64_t index, const campaign::Decided* decided) {
+      csv->write(report->table_lines(round, index, *decided, every));
+    };
+  }
+  wishes.at_end = [&] {
+    if (csv) csv->close();
+    if (options.summary.empty()) return;
+    outputs.check(options.force);  // hours later, perhaps
+    OutputFile summary(options.summary);
+    summary.write(report->summary_table());
+    summary.close();
+  };
+  return play_study(*report, options, invocation, store, wishes);
 }
 
 }  // namespace

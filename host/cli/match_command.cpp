@@ -22,12 +22,10 @@
 #include "campaign/mathematics.hpp"
 #include "campaign/shell.hpp"
 #include "cli/command.hpp"
-#include "cli/decision_log.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/file_options.hpp"
 #include "cli/interruption.hpp"
 #include "cli/live_line.hpp"
-#include "cli/match_report.hpp"
 #include "cli/output.hpp"
 #include "cli/output_files.hpp"
 #include "cli/plugin_folders.hpp"
@@ -41,7 +39,9 @@
 #include "match/teams.hpp"
 #include "mcap/error.hpp"
 #include "plugin/plugin_file.hpp"
+#include "recording/decision_log.hpp"
 #include "recording/match_recording.hpp"
+#include "report/match_report.hpp"
 #include "study/sequential_test_options.hpp"
 
 namespace regista::cli {
@@ -85,7 +85,7 @@ struct Stored {
 };
 
 // Nothing when none is. The files of the match are named as they were where the tournament was begun: goes there.
-std::optional<Stored> stored_match(const Options& options) {
+std::optional<Stored> stored_match(const Options& options, const Invocation& invocation) {
   if (options.from.empty()) {
     if (!options.row.empty())
       throw BadInput(fmt::format("--row {}: belongs to --from, which is not given", options.row));
@@ -98,12 +98,14 @@ std::optional<Stored> stored_match(const Options& options) {
                     !options.away_disturbance.empty() || !options.overrides.empty() || !options.opening.empty() ||
                     !options.limit.empty() || !options.plugins.empty() || options.seed != unset.seed;
   if (more) throw BadInput("--from: the file says what is played; teams and options that change it cannot be given");
-  const StoredStudy results = read_results(options.from);
-  const std::uint64_t row = config::parse_whole("--row", options.row, 1, matches(results.plan));
+  const campaign::Store store = read_results(options.from);
+  const auto report = stored_study(options.from, store, {}, invocation.studies);
+  study::Study& study = report->study();
+  const std::uint64_t row = config::parse_whole("--row", options.row, 1, study.most_matches());
   Stored out;
-  out.limits = limits(results.plan);
+  out.limits = study.limits();
   try {
-    const auto played = cli::stored_match(results, row);
+    const auto played = cli::stored_match(store, study, row);
     if (!played) throw BadInput(fmt::format("--row {}: this match of {} has not been played", row, options.from));
     out.job = played->job;
     out.decided = played->decided;
@@ -111,10 +113,10 @@ std::optional<Stored> stored_match(const Options& options) {
     throw BadInput(error.what());
   }
   std::error_code error;
-  std::filesystem::current_path(folder(results.plan), error);
+  std::filesystem::current_path(study.folder(), error);
   if (error) {
     throw BadInput(fmt::format("--from {}: the folder it was begun in, {}, cannot be entered: {}", options.from,
-                               folder(results.plan), error.message()));
+                               study.folder(), error.message()));
   }
   return out;
 }
@@ -245,8 +247,12 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
     played.role_names[match::index(side)] = match::role_names(match::roles(*plans[match::index(side)]));
   }
 
-  std::optional<DecisionLog> log;
-  if (!options.decisions.empty()) log.emplace(options.decisions, plans, played.seed);
+  std::optional<OutputFile> decisions;
+  std::optional<recording::DecisionLog> log;
+  if (!options.decisions.empty()) {
+    decisions.emplace(options.decisions);
+    log.emplace([&decisions](std::string_view line) { decisions->write(line); }, plans, played.seed);
+  }
   std::unique_ptr<recording::MatchRecording> recording;
   if (!options.record.empty()) {
     const std::string command =
@@ -301,9 +307,9 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
   if (!left.empty()) {
     throw Disorder("a plugin " + left);
   }
-  if (log) log->close();
-  if (!options.metrics.empty()) write_whole(options.metrics, metrics_csv(played), Existing::replaced);
-  print(options.json ? campaign::summary_json(played) : summary_text(played));
+  if (log) decisions->close();
+  if (!options.metrics.empty()) write_whole(options.metrics, report::metrics_csv(played), Existing::replaced);
+  print(options.json ? campaign::summary_json(played) : report::summary_text(played));
   return stored ? compare(options, stored->decided, played.result) : exit_done;
 }
 
@@ -350,7 +356,7 @@ int play(Options options, const OutputFiles& outputs, const Invocation& invocati
     if (!options.from.empty() && !written->empty()) *written = std::filesystem::absolute(*written).string();
   }
   if (options.force && options.record.empty()) throw BadInput("--force: belongs to --record, which is not given");
-  const std::optional<Stored> stored = stored_match(options);
+  const std::optional<Stored> stored = stored_match(options, invocation);
   if (!stored && options.teams.size() != 2) {
     throw BadInput(
         fmt::format("match: two files of teams are wanted, {} given; see: regista match --help", options.teams.size()));

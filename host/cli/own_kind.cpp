@@ -8,10 +8,10 @@
 #include <string>
 #include <system_error>
 
-#include "cli/decision_log.hpp"
-#include "cli/match_report.hpp"
-#include "cli/tuned_file.hpp"
 #include "mcap/format.hpp"
+#include "recording/decision_log.hpp"
+#include "report/match_report.hpp"
+#include "report/tuned_file.hpp"
 
 namespace regista::cli {
 namespace {
@@ -19,12 +19,12 @@ namespace {
 using Begins = std::string_view;
 
 constexpr std::array recording{Begins(mcap::magic.substr(0, mcap::version_in_magic))};
-constexpr std::array decisions{decision_log_begin};
-constexpr std::array metrics{metrics_csv_head};
+constexpr std::array decisions{recording::decision_log_begin};
+constexpr std::array metrics{report::metrics_csv_head};
 constexpr std::array match_table{Begins("row,arm")};             // report::experiment_csv_head
 constexpr std::array summary_table{Begins("measure,unit,arm")};  // report::experiment_summary_csv
 constexpr std::array search_table{Begins("evaluation,pairs_from,"), Begins("algorithm,repeat,")};  // tuning_csv
-constexpr std::array tuned_team{tuned_file_begin};
+constexpr std::array tuned_team{report::tuned_file_begin};
 constexpr std::array markup{Begins("<")};
 constexpr Begins database = "SQLite format 3";
 

@@ -3,27 +3,21 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/file_options.hpp"
 #include "cli/output.hpp"
 #include "cli/output_files.hpp"
-#include "cli/report_experiment.hpp"
-#include "cli/report_tuning.hpp"
 #include "cli/results_file.hpp"
 #include "cli/results_page.hpp"
-#include "cli/stored_course.hpp"
 #include "cli/study_run.hpp"
 #include "config/text.hpp"
-#include "report/tournament.hpp"
+#include "report/study_report.hpp"
 #include "report/visible_text.hpp"
-#include "study/metric.hpp"
 
 namespace regista::cli {
 namespace {
@@ -53,15 +47,6 @@ struct Options {
 // In pieces, so that a million rows need no memory.
 constexpr std::size_t piece = std::size_t{1} << 20;
 
-// Adds what a match has and is not there yet: teams differ in the names of their roles.
-void add_columns(std::vector<std::string>& columns, const campaign::Decided& decided) {
-  for (const int side : {0, 1}) {
-    for (const std::string& path : study::metric_names(decided.metrics, side)) {
-      if (std::ranges::find(columns, path) == columns.end()) columns.push_back(path);
-    }
-  }
-}
-
 void refuse_what_does_not_go_together(const Options& options) {
   if (options.file.empty())
     throw BadInput("report: which results? Name a file that `regista tournament`, `experiment` or `tune` wrote");
@@ -81,55 +66,42 @@ void refuse_what_does_not_go_together(const Options& options) {
   if (options.force && !files) throw BadInput("report: --force belongs to -o or --figures, which are not given");
 }
 
-// Names of the metrics that matches have: until every team was seen in one that was played to its end.
-std::vector<std::string> metric_columns(const StoredCourse& stored, const study::Tournament& course) {
-  std::vector<std::string> columns;
-  const study::Calendar& calendar = course.calendar();
-  std::vector<bool> seen(course.failures().size(), false);
-  for (std::uint64_t index = 0; index < calendar.matches() && std::ranges::count(seen, false) > 0; ++index) {
-    const study::Fixture fixture = calendar.at(index);
-    if (seen[fixture.home] && seen[fixture.away]) continue;
-    const auto decided = stored.match(index, campaign::Metrics::wanted);
-    if (!decided) break;
-    if (decided->metrics.empty()) continue;
-    add_columns(columns, *decided);
-    seen[fixture.home] = seen[fixture.away] = true;
-  }
-  return columns;
+// Names of the metrics that the matches have which the study takes: what was played ahead does not count.
+std::vector<std::string> metric_columns(const Options& options, const campaign::Store& store,
+                                        const Invocation& invocation) {
+  std::uint64_t rows = 0;
+  const auto report = stored_study(options.file, store, {}, invocation.studies);
+  study::read_back(report->study(), store, report->study().metrics(),
+                   [&rows](const study::Round& round, std::uint64_t index, const campaign::Decided* /*decided*/) {
+                     rows = round.first_row + index + 1;
+                   });
+  return store.metric_paths(static_cast<std::int64_t>(rows));
 }
 
-int tell(const Options& options, const StoredStudy& results, const study::TournamentPlan& plan,
-         const Invocation& invocation) {
-  study::Tournament course(plan);
-  const report::TournamentView view{plan, course, [&plan, &course, &invocation](std::uint64_t index) {
-                                      return play_again(study::job(plan, course.calendar().at(index)), invocation);
-                                    }};
+int tell(const Options& options, const campaign::Store& store, const Invocation& invocation) {
+  const auto report = stored_study(options.file, store, play_again(invocation), invocation.studies);
+  if (options.metrics && !report->is_table_of_matches()) {
+    throw BadInput("report: --metrics: the table of a tuning has a row for each point, not for each match");
+  }
   try {
-    const StoredCourse stored(results.store, plan);
-    const bool needed = course.needs_metrics() || options.metrics;
-    const std::vector<std::string> columns =
-        options.metrics ? metric_columns(stored, course) : report::csv_metrics(plan);
-    std::string csv = options.csv ? report::csv_head(columns) : std::string();
-    stored.play(course, needed ? campaign::Metrics::wanted : campaign::Metrics::left_out,
-                [&](std::uint64_t index, const campaign::Decided* decided) {
-                  if (!options.csv || decided == nullptr) return;
-                  csv += report::csv_line(view, index, *decided, columns);
-                  if (csv.size() <= piece) return;
-                  print(csv);
-                  csv.clear();
-                });
-    if (!course.complete()) {
-      complain(not_at_its_end({options.file, results.store, results.plan}, "tournament", course.matches(),
-                              course.calendar().matches()));
+    report::TableWish wish{.all_metrics = options.metrics};
+    if (options.metrics && report->has_a_column_for_each_metric())
+      wish.metrics = metric_columns(options, store, invocation);
+    std::string csv = options.csv ? report->table_head(wish) : std::string();
+    study::read_back(report->study(), store, options.metrics ? campaign::Metrics::wanted : report->study().metrics(),
+                     [&](const study::Round& round, std::uint64_t index, const campaign::Decided* decided) {
+                       if (!options.csv || decided == nullptr) return;
+                       csv += report->table_lines(round, index, *decided, wish);
+                       if (csv.size() <= piece) return;
+                       print(csv);
+                       csv.clear();
+                     });
+    if (const std::string incomplete = report->incomplete(); !incomplete.empty()) {
+      complain(fmt::format("{} holds {}", options.file, incomplete));
     }
-    if (options.csv)
-      print(csv);
-    else
-      print(options.json ? report::tournament_json(view) : report::tournament_text(view));
+    print(options.csv ? csv + report->table_end() : options.json ? report->json() : report->text());
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
-  } catch (const std::invalid_argument& error) {
-    throw BadInput(damaged_metrics(options.file, error));
   }
   return exit_done;
 }
@@ -153,26 +125,17 @@ int tell_standard_error(const std::string& file, const campaign::Store& store, s
 int run(const Options& options, const OutputFiles& outputs, const Invocation& invocation) {
   refuse_what_does_not_go_together(options);
   outputs.check(options.force);
-  const StoredStudy results = read_results(options.file);
-  if (options.standard_error) return tell_standard_error(options.file, results.store, *options.standard_error);
+  const campaign::Store store = read_results(options.file);
+  if (options.standard_error) return tell_standard_error(options.file, store, *options.standard_error);
   if (options.page.empty() && options.figures.empty()) {
-    if (const auto* const tournament = std::get_if<study::TournamentPlan>(&results.plan)) {
-      return tell(options, results, *tournament, invocation);
-    }
-    if (std::holds_alternative<study::TuningPlan>(results.plan)) {
-      if (options.metrics)
-        throw BadInput("report: --metrics: the table of a tuning has a row for each point, not for each match");
-      return tell_tuning({options.file, results.store, results.plan}, {options.json, options.csv});
-    }
-    const ExperimentWishes wishes{options.json, options.csv, options.metrics};
-    return tell_experiment({options.file, results.store, results.plan}, wishes, invocation);
+    return tell(options, store, invocation);
   }
   PageWishes wishes;
   if (!options.page.empty()) wishes.page = options.page;
   if (!options.figures.empty()) wishes.figures = options.figures;
   wishes.png = options.png;
   wishes.existing = options.force ? Existing::replaced : Existing::refused;
-  write_page({options.file, results.store, results.plan}, wishes);
+  write_page({options.file, store, invocation.studies}, wishes);
   return exit_done;
 }
 

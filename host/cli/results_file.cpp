@@ -3,19 +3,18 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
-#include <type_traits>
 #include <utility>
 
 #include "campaign/inputs.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/output.hpp"
 #include "config/text.hpp"
-#include "study/plan_json.hpp"
+#include "study/plan_names.hpp"
 
 namespace regista::cli {
 namespace {
@@ -24,29 +23,26 @@ namespace {
 constexpr auto schedule = "schedule";
 constexpr auto teams_documents = "documents";
 
-StudyPlan plan_of(const std::string& file, const std::string& stored) {
+// The kind of study that a plan is of. Throws BadInput for a study that this program does not know.
+const StudyKind& kind_of(const std::string& file, const std::string& plan, std::span<const StudyKind> kinds) {
+  const std::string study = study::study_of(plan);
+  const auto found = std::ranges::find(kinds, study, &StudyKind::name);
+  if (found == kinds.end()) {
+    throw BadInput(
+        fmt::format("{}: {}", file, study.empty() ? "its plan is damaged" : "these are results of another study"));
+  }
+  return *found;
+}
+
+std::vector<std::string> differences(const std::string& file, const std::string& before, const study::Study& now,
+                                     std::span<const StudyKind> kinds) {
+  const StudyKind &then = kind_of(file, before, kinds), &kind = kind_of(file, now.plan(), kinds);
+  if (&then != &kind) return {fmt::format("it was {}, now {}", then.article, kind.article)};
   try {
-    if (study::study_of(stored) == study::experiment_study) return study::experiment_plan_from_json(stored);
-    if (study::study_of(stored) == study::tuning_study) return study::tuning_plan_from_json(stored);
-    return study::tournament_plan_from_json(stored);
+    return now.differences(before);
   } catch (const std::invalid_argument& error) {
     throw BadInput(fmt::format("{}: {}", file, error.what()));
   }
-}
-
-const char* with_article(const StudyPlan& plan) {
-  constexpr std::array names{"a tournament", "an experiment", "a tuning"};
-  return names[plan.index()];
-}
-
-std::vector<std::string> differences(const StudyPlan& before, const StudyPlan& now) {
-  if (before.index() != now.index()) return {fmt::format("it was {}, now {}", with_article(before), with_article(now))};
-  return std::visit(
-      [&](const auto& plan) { return study::differences(std::get<std::decay_t<decltype(plan)>>(before), plan); }, now);
-}
-
-std::string json_of(const StudyPlan& plan) {
-  return std::visit([](const auto& each) { return study::to_json(each); }, plan);
 }
 
 template <class Open>
@@ -64,8 +60,8 @@ auto opening(Open open) {
 
 }  // namespace
 
-campaign::Store open_results(const std::string& file, bool resume, const StudyPlan& plan,
-                             const std::vector<std::string>& documents) {
+campaign::Store open_results(const std::string& file, bool resume, const study::Study& study,
+                             const std::vector<std::string>& documents, std::span<const StudyKind> kinds) {
   std::error_code error;
   if (resume && std::filesystem::status(file, error).type() == std::filesystem::file_type::not_found) {
     throw BadInput(fmt::format("--resume: {}: no such file; without --resume it is begun", config::one_line(file)));
@@ -76,10 +72,10 @@ campaign::Store open_results(const std::string& file, bool resume, const StudyPl
     if (stored.empty()) {  // new, or killed before there was one
       using Json = nlohmann::json;
       store.set_meta(teams_documents, Json(documents).dump(-1, ' ', false, Json::error_handler_t::replace));
-      store.set_meta(schedule, json_of(plan));
+      store.set_meta(schedule, study.plan());
       return store;
     }
-    const std::vector<std::string> changed = differences(plan_of(file, stored), plan);
+    const std::vector<std::string> changed = differences(file, stored, study, kinds);
     if (changed.empty()) return store;
     throw BadInput(
         fmt::format("--resume: {} was begun with something else: {}; its matches would be mixed with others; "
@@ -98,50 +94,46 @@ std::vector<std::string> stored_documents(const campaign::Store& store) {
   }
 }
 
-std::uint64_t matches(const StudyPlan& plan) {
-  if (const auto* const tuning = std::get_if<study::TuningPlan>(&plan)) return study::most_matches(*tuning);
-  if (const auto* const tournament = std::get_if<study::TournamentPlan>(&plan)) return tournament->matches();
-  return std::get<study::ExperimentPlan>(plan).matches();
-}
-
-std::optional<campaign::Store::Row> stored_match(const StoredStudy& study, std::uint64_t row) {
-  const auto place = static_cast<std::int64_t>(row);
-  // What a tuning plays depends on what came before: the file alone knows.
-  if (std::holds_alternative<study::TuningPlan>(study.plan)) return study.store.row(place);
-  campaign::Job job;
-  if (const auto* const tournament = std::get_if<study::TournamentPlan>(&study.plan)) {
-    job = study::job(*tournament, study::Calendar(*tournament).at(row - 1));
-  } else {
-    const auto& experiment = std::get<study::ExperimentPlan>(study.plan);
-    job = study::job(experiment, study::trial(experiment, row - 1));
-  }
-  // Equal matches share a row.
-  const std::string key = campaign::fixture_key(job.home_inputs, job.away_inputs, job.common_inputs);
-  const std::int64_t number = study.store.numbers(std::span(&key, 1)).front();
-  const auto decided = study.store.find(place, {number, job.seed}, campaign::Metrics::left_out);
-  if (!decided) return std::nullopt;
-  return campaign::Store::Row{std::move(job), *decided};
-}
-
-const std::string& folder(const StudyPlan& plan) {
-  return std::visit([](const auto& each) -> const std::string& { return each.folder; }, plan);
-}
-
-const campaign::Limits& limits(const StudyPlan& plan) {
-  return std::visit([](const auto& each) -> const campaign::Limits& { return each.limits; }, plan);
-}
-
-std::string damaged_metrics(const std::string& file, const std::invalid_argument& error) {
-  return fmt::format("results in {} are damaged: metrics: {}", file, error.what());
-}
-
-StoredStudy read_results(const std::string& file) {
+campaign::Store read_results(const std::string& file) {
   return opening([&] {
     campaign::Store store(file, campaign::Store::Mode::read, REGISTA_VERSION);
-    const std::string stored = store.meta(schedule);
-    if (stored.empty()) throw BadInput(fmt::format("{}: holds no study yet", file));
-    return StoredStudy{std::move(store), plan_of(file, stored)};
+    if (store.meta(schedule).empty()) throw BadInput(fmt::format("{}: holds no study yet", file));
+    return store;
   });
+}
+
+std::unique_ptr<report::StudyReport> stored_study(const std::string& file, const campaign::Store& store,
+                                                  report::CommandOf again, std::span<const StudyKind> kinds) {
+  return opening([&] {
+    const std::string plan = store.meta(schedule);
+    try {
+      return kind_of(file, plan, kinds).report(plan, store, std::move(again));
+    } catch (const std::invalid_argument& error) {
+      throw BadInput(fmt::format("{}: {}", file, error.what()));
+    }
+  });
+}
+
+std::optional<campaign::Store::Row> stored_match(const campaign::Store& store, study::Study& study, std::uint64_t row) {
+  const auto place = static_cast<std::int64_t>(row);
+  if (auto found = store.row(place)) return found;
+  // Equal matches share a row. What the first round asks for is known without any result.
+  struct Asked {
+    std::optional<campaign::Job> job;
+  };
+  try {
+    study.run([row](const study::Round& round) {
+      throw Asked{row <= round.matches ? std::optional(round.job(row - 1)) : std::nullopt};
+    });
+  } catch (const Asked& asked) {
+    if (!asked.job) return std::nullopt;
+    const campaign::Job& job = *asked.job;
+    const std::string key = campaign::fixture_key(job.home_inputs, job.away_inputs, job.common_inputs);
+    const std::int64_t number = store.numbers(std::span(&key, 1)).front();
+    const auto decided = store.find(place, {number, job.seed}, campaign::Metrics::left_out);
+    if (decided) return campaign::Store::Row{job, *decided};
+  }
+  return std::nullopt;
 }
 
 }  // namespace regista::cli

@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "campaign/shell.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/output.hpp"
+#include "cli/results_file.hpp"
 #include "report/experiment_figures.hpp"
 #include "report/gnuplot.hpp"
 #include "report/page_parts.hpp"
@@ -39,10 +40,10 @@ void write_figure(const fs::path& folder, const report::Drawing& drawn, const st
 }
 
 // Draws what there is to draw; complains once for all that cannot be drawn.
-std::vector<report::PageFigure> drawn_figures(const ToldStudy& told, const PageWishes& wishes) {
+std::vector<report::PageFigure> drawn_figures(const std::vector<report::Figure>& figures, const PageWishes& wishes) {
   std::vector<report::PageFigure> out;
   std::string why_not;
-  for (const report::Figure& figure : told.figures) {
+  for (const report::Figure& figure : figures) {
     report::Drawing drawing = report::draw(figure, wishes.png ? report::Png::wanted : report::Png::left_out);
     report::PageFigure& shown = out.emplace_back();
     std::string file;
@@ -104,16 +105,31 @@ bool is_our_page(const fs::path& file) {
 
 void write_page(const StoredResults& results, const PageWishes& wishes) {
   try {
-    const ToldStudy told = told_study(results);
-    if (!told.incomplete.empty()) complain(told.incomplete);
+    // A page is read on any machine, where the program is called as it is.
+    const auto report = stored_study(
+        results.file.string(), results.store,
+        [](const campaign::Job& job) { return campaign::command_line(campaign::match_arguments(job)); }, results.kinds);
+    report->begin_page(results.file);
+    study::read_back(report->study(), results.store, report->page_metrics(),
+                     [&](const study::Round& round, std::uint64_t index, const campaign::Decided* decided) {
+                       report->take(round, index, decided);
+                     });
+    report->end_page();
+    if (const std::string incomplete = report->incomplete(); !incomplete.empty()) {
+      complain(fmt::format("{} holds {}", results.file.string(), incomplete));
+    }
     if (wishes.figures) make_folder(*wishes.figures);
     if (wishes.figures && wishes.only_these) remove_experiment_figures(*wishes.figures);
-    std::vector<report::PageFigure> figures = drawn_figures(told, wishes);
-    if (wishes.page) write_whole(*wishes.page, told.page(*wishes.page, std::move(figures)), wishes.existing);
+    report::PageFrame frame;
+    frame.figures = drawn_figures(report->figures(), wishes);
+    if (!wishes.page) return;
+    frame.results = results.file;
+    frame.page = *wishes.page;
+    frame.program = results.store.meta("program");
+    frame.documents = stored_documents(results.store);
+    write_whole(*wishes.page, report->page(std::move(frame)), wishes.existing);
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
-  } catch (const std::invalid_argument& error) {
-    throw BadInput(damaged_metrics(results.file.string(), error));
   } catch (const std::system_error& error) {
     throw WriteError(error.what());
   }

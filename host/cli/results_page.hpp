@@ -4,10 +4,12 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
+#include "campaign/store.hpp"
 #include "cli/replaced_file.hpp"
-#include "cli/told_study.hpp"
+#include "cli/study_kinds.hpp"
 
 namespace regista::cli {
 
@@ -17,6 +19,13 @@ struct PageWishes {
   bool png = false;
   Existing existing = Existing::refused;
   bool only_these = false;  // figures of an earlier experiment are removed from the folder first
+};
+
+// What is read for it.
+struct StoredResults {
+  std::filesystem::path file;
+  const campaign::Store& store;
+  std::span<const StudyKind> kinds;
 };
 
 // Complains in one line where figures cannot be drawn, or results are missing. Throws BadInput and WriteError.

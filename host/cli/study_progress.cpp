@@ -5,7 +5,6 @@
 #include <sys/ioctl.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "cli/end_of_program.hpp"
 #include "cli/terminal.hpp"
@@ -49,12 +48,14 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-StudyProgress::StudyProgress(StudyWords words, bool wanted)
-    : words_(std::move(words)), wanted_(wanted), rewrite_(wanted && can_rewrite()) {}
+StudyProgress::StudyProgress(const report::StudyReport& report, bool wanted)
+    : report_(report), wanted_(wanted), rewrite_(wanted && can_rewrite()) {}
 
 StudyProgress::~StudyProgress() { clear(); }
 
-void StudyProgress::match(std::uint64_t index, const campaign::Decided* decided, bool fresh) {
+void StudyProgress::match(const study::Round& round, std::uint64_t index, const campaign::Decided* decided,
+                          bool fresh) {
+  ++taken_;
   if (decided == nullptr) return;
   ++(fresh ? played_ : stored_);
   if (!wanted_) return;
@@ -63,8 +64,10 @@ void StudyProgress::match(std::uint64_t index, const campaign::Decided* decided,
     return;
   }
   if (!fresh) return;
-  say(fmt::format("match {} of {}, {}\n", index + 1, words_.matches, words_.match(index, *decided)));
-  if ((index + 1) % between_standings == 0) say(block());
+  const std::uint64_t number = round.first_row + index + 1;
+  say(fmt::format("match {} of {}, {}\n", number, report_.study().most_matches(),
+                  report_.match(round, index, *decided)));
+  if (number % between_standings == 0) say(block());
 }
 
 std::string StudyProgress::rate_text() const {
@@ -73,8 +76,8 @@ std::string StudyProgress::rate_text() const {
 }
 
 std::string StudyProgress::block() const {
-  const std::uint64_t matches = words_.matches, done = words_.taken();
-  std::string text = words_.standing();
+  const std::uint64_t matches = report_.study().most_matches(), done = taken_;
+  std::string text = report_.standing();
   text += fmt::format("{} of {} matches, {}", done, matches, rate_text());
   if (played_ > 0) {
     const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
@@ -118,7 +121,7 @@ void StudyProgress::finish() {
 }
 
 void StudyProgress::stopped() {
-  if (wanted_) say(words_.whole());
+  if (wanted_ && taken_ > 0) say(report_.text());
 }
 
 }  // namespace regista::cli

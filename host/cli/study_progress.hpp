@@ -5,33 +5,24 @@
 
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 
 #include "campaign/job.hpp"
+#include "report/study_report.hpp"
+#include "study/study.hpp"
 
 namespace regista::cli {
 
-// What a study has to say. Texts are lines, each ended, but for `match`.
-struct StudyWords {
-  std::uint64_t matches = 0;              // of the schedule, at most
-  std::function<std::uint64_t()> taken;   // so far
-  std::function<std::string()> standing;  // that is rewritten
-  std::function<std::string()> whole;     // when it does not go on; empty: nothing to tell
-  // "small 1:0 other": what is told of a match behind its number.
-  std::function<std::string(std::uint64_t index, const campaign::Decided& decided)> match;
-};
-
 class StudyProgress {
  public:
-  StudyProgress(StudyWords words, bool wanted);
+  StudyProgress(const report::StudyReport& report, bool wanted);
   ~StudyProgress();
   StudyProgress(const StudyProgress&) = delete;
   StudyProgress& operator=(const StudyProgress&) = delete;
 
-  // The next match of the schedule, which the study knows already; null: one that is not wanted. fresh: played now.
-  void match(std::uint64_t index, const campaign::Decided* decided, bool fresh);
+  // The next match, which the study knows already; null: one that is not wanted. fresh: played now.
+  void match(const study::Round& round, std::uint64_t index, const campaign::Decided* decided, bool fresh);
   // Something that is always said.
   void tell(std::string_view line);
   // Something that is said where progress is.
@@ -49,8 +40,8 @@ class StudyProgress {
   std::string block() const;
   std::string rate_text() const;
 
-  StudyWords words_;
-  std::uint64_t stored_ = 0, played_ = 0;
+  const report::StudyReport& report_;
+  std::uint64_t taken_ = 0, stored_ = 0, played_ = 0;  // taken: also those that are not wanted
   bool wanted_, rewrite_;
   int lines_ = 0;  // of the block that is shown
   Clock::time_point began_ = Clock::now(), drawn_{};

@@ -3,14 +3,21 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
+#include <cstdint>
+#include <optional>
 #include <system_error>
+#include <utility>
+#include <vector>
 
+#include "campaign/engine.hpp"
 #include "campaign/shell.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/interruption.hpp"
 #include "cli/output.hpp"
-#include "cli/results_file.hpp"
+#include "cli/results_page.hpp"
+#include "cli/study_progress.hpp"
+#include "cli/terminal.hpp"
+#include "config/text.hpp"
 #include "study/recording_place.hpp"
 
 namespace regista::cli {
@@ -22,96 +29,119 @@ std::string resume_line(const campaign::Options& options, const Invocation& invo
   return campaign::shell_line(words);
 }
 
-campaign::Schedule schedule_of(const StudyRun& run, const campaign::Options& options, const Invocation& invocation,
-                               StudyProgress& progress, const Interruption& interruption,
-                               std::vector<std::int64_t> numbers) {
-  const std::uint64_t first = run.first_row;
-  const auto recording = [&options, first](std::uint64_t index) {
-    return study::recording_file(options.results, static_cast<std::int64_t>(first + index) + 1).string();
+struct Playing {
+  const campaign::Options& options;
+  const Invocation& invocation;
+  StudyProgress& progress;
+  const Interruption& interruption;
+};
+
+campaign::Schedule schedule_of(const study::Round& round, const Playing& playing, std::vector<std::int64_t> numbers,
+                               campaign::Metrics metrics) {
+  const auto recording = [&playing, &round](std::uint64_t index) {
+    const auto row = static_cast<std::int64_t>(round.first_row + index) + 1;
+    return study::recording_file(playing.options.results, row).string();
   };
-  const std::uint64_t every = campaign::record_every(options);
   campaign::Schedule out;
-  out.matches = run.matches;
-  out.first_row = first;
-  out.at = [&run, numbers = std::move(numbers)](std::uint64_t index) -> std::optional<campaign::MatchKey> {
-    const std::optional<StudyRun::Place> place = run.at(index);
+  out.matches = round.matches;
+  out.first_row = round.first_row;
+  out.at = [&round, numbers = std::move(numbers)](std::uint64_t index) -> std::optional<campaign::MatchKey> {
+    const std::optional<study::Round::Place> place = round.at(index);
     if (!place) return std::nullopt;
     return campaign::MatchKey{numbers[place->fixture], place->seed};
   };
-  out.job = [&run, &options, every, first, recording](std::uint64_t index) {
-    campaign::Job match = run.job(index);
-    match.plugin_files = options.plugin_files;
-    if (every > 0 && (first + index) % every == 0) match.record = recording(index);
+  out.job = [&round, &playing, recording](std::uint64_t index) {
+    const std::uint64_t every = campaign::record_every(playing.options);
+    campaign::Job match = round.job(index);
+    match.plugin_files = playing.options.plugin_files;
+    if (every > 0 && (round.first_row + index) % every == 0) match.record = recording(index);
     return match;
   };
-  out.twice = run.first_of_pairing;
+  out.twice = round.first_of_pairing;
   out.record_failure = recording;
-  out.not_recorded = [&progress, &invocation](const campaign::Job& job, const std::string& why) {
-    progress.tell(fmt::format("a match was not recorded: {}; it can be played again with --record: {}", why,
-                              play_again(job, invocation)));
+  out.not_recorded = [&playing](const campaign::Job& job, const std::string& why) {
+    playing.progress.tell(fmt::format("a match was not recorded: {}; it can be played again with --record: {}", why,
+                                      play_again(playing.invocation)(job)));
   };
-  out.take = [&run, &progress](std::uint64_t index, const campaign::Decided* decided, bool fresh) {
-    const bool more = run.take(index, decided);
-    progress.match(run.first_row + index, decided, fresh);
+  out.take = [&round, &playing](std::uint64_t index, const campaign::Decided* decided, bool fresh) {
+    const bool more = round.take(index, decided);
+    playing.progress.match(round, index, decided, fresh);
     return more;
   };
-  out.metrics = run.metrics;
-  out.accident = [&progress, &invocation](const campaign::Job& job, const std::string& what) {
-    progress.tell(fmt::format("a worker died ({}), but not when its match was played again: {}", what,
-                              play_again(job, invocation)));
+  out.metrics = metrics;
+  out.accident = [&playing](const campaign::Job& job, const std::string& what) {
+    playing.progress.tell(fmt::format("a worker died ({}), but not when its match was played again: {}", what,
+                                      play_again(playing.invocation)(job)));
   };
-  out.asked_to_stop = [&interruption] { return interruption.requested(); };
+  out.asked_to_stop = [&playing] { return playing.interruption.requested(); };
   return out;
 }
 
-}  // namespace
-
-std::string play_again(const campaign::Job& job, const Invocation& invocation) {
-  std::vector<std::string> words = campaign::match_arguments(job);
-  words.insert(words.begin(), invocation.arguments.front());
-  return campaign::shell_line(words);
-}
-
-void play_study(const StudyNature& nature, const campaign::Options& options, const Invocation& invocation,
-                campaign::Store& store, StudyProgress& progress,
-                const std::function<void(const PlayRun& play)>& course) {
+void play(study::Study& study, const campaign::Options& options, const Invocation& invocation, campaign::Store& store,
+          StudyProgress& progress, const study::AfterMatch& after) {
   const std::string resume = resume_line(options, invocation);
   const auto to_go_on = [&resume](const char* why) { return fmt::format("{}; to go on: {}", why, resume); };
   const Interruption interruption(fmt::format("regista: interrupted; to go on: {}\n", resume));
-  const PlayRun play = [&](const StudyRun& run) {
-    const campaign::Schedule schedule =
-        schedule_of(run, options, invocation, progress, interruption, store.add(run.fixtures));
-    const campaign::Finish finish = campaign::run(schedule, store, campaign::number_of_workers(options), run.limits);
+  const Playing playing{options, invocation, progress, interruption};
+  const study::PlayRound play = [&](const study::Round& round) {
+    const campaign::Schedule schedule = schedule_of(round, playing, store.add(round.fixtures), study.metrics());
+    const campaign::Finish finish =
+        campaign::run(schedule, store, campaign::number_of_workers(options), study.limits());
     if (finish != campaign::Finish::interrupted) return;
     progress.clear();
     progress.stopped();
     throw Interrupted(
-        fmt::format("interrupted after {} of {} matches; to go on: {}", nature.counted(), nature.matches, resume));
+        fmt::format("interrupted after {} of {} matches; to go on: {}", study.counted(), study.most_matches(), resume));
   };
   try {
-    course(play);
+    study.run(study::observed(play, after));
     store.require_file();
     progress.clear();
   } catch (const campaign::CampaignError& error) {
     progress.clear();
     if (error.kind() == campaign::CampaignError::Kind::input) {
-      throw BadInput(fmt::format("while the {} was played: {}", nature.what, error.what()));
+      throw BadInput(fmt::format("while the {} was played: {}", study.what(), error.what()));
     }
     throw WriteError(to_go_on(error.what()));
+  } catch (const campaign::StoreDamaged& error) {
+    progress.clear();
+    throw BadInput(error.what());
   } catch (const campaign::StoreGone& error) {
     progress.clear();
     throw WriteError(error.what());
   } catch (const campaign::StoreError& error) {
     progress.clear();
     throw WriteError(to_go_on(error.what()));
-  } catch (const std::invalid_argument& error) {
-    progress.clear();
-    throw BadInput(damaged_metrics(options.results, error));
   } catch (const std::system_error& error) {
     progress.clear();
     throw WriteError(to_go_on(error.what()));
   }
   progress.finish();
+}
+
+}  // namespace
+
+report::CommandOf play_again(const Invocation& invocation) {
+  return [&invocation](const campaign::Job& job) {
+    std::vector<std::string> words = campaign::match_arguments(job);
+    words.insert(words.begin(), invocation.arguments.front());
+    return campaign::shell_line(words);
+  };
+}
+
+int play_study(report::StudyReport& report, const campaign::Options& options, const Invocation& invocation,
+               campaign::Store& store, const StudyWishes& wishes) {
+  {
+    StudyProgress progress(report, !options.quiet);
+    for (const std::string& each : report.notes()) progress.note(each);
+    play(report.study(), options, invocation, store, progress, wishes.after);
+  }
+  if (wishes.at_end) wishes.at_end();
+  print(options.json ? report.json() : report.text());
+  if (options.no_page) return exit_done;
+  const auto page = write_page_beside({options.results, store, invocation.studies}, wishes.figures);
+  if (page && !options.quiet) say(fmt::format("page: {}\n", config::one_line(page->string())));
+  return exit_done;
 }
 
 }  // namespace regista::cli

@@ -3,55 +3,29 @@
 // cleanly, and every end but a good one says how to go on.
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "campaign/engine.hpp"
 #include "campaign/store.hpp"
 #include "cli/campaign_options.hpp"
 #include "cli/command.hpp"
-#include "cli/study_progress.hpp"
+#include "report/study_report.hpp"
+#include "study/study.hpp"
 
 namespace regista::cli {
 
-struct StudyRun {
-  std::uint64_t matches = 0;
-  std::uint64_t first_row = 0;  // rows of the store that earlier runs of the study have taken
-  std::vector<campaign::Store::Fixture> fixtures;
-  // See campaign::Schedule; `fixture` is an index of the above.
-  struct Place {
-    std::size_t fixture;
-    std::uint64_t seed;
-  };
-  std::function<std::optional<Place>(std::uint64_t index)> at;
-  std::function<campaign::Job(std::uint64_t index)> job;
-  std::function<bool(std::uint64_t index, const campaign::Decided* decided)> take;
-  // Whether this match is the first of its pairing, which is played twice. May be empty.
-  std::function<bool(std::uint64_t index)> first_of_pairing;
-  campaign::Limits limits;  // of each match
-  campaign::Metrics metrics = campaign::Metrics::left_out;
+// What a command does besides. Each may be empty.
+struct StudyWishes {
+  study::AfterMatch after;       // each match, once the study has taken it
+  std::function<void()> at_end;  // before the report is printed
+  bool figures = true;           // beside the page
 };
 
-// What the study is, for messages.
-struct StudyNature {
-  std::string what;                        // "tournament"
-  std::uint64_t matches = 0;               // of all runs, at most
-  std::function<std::uint64_t()> counted;  // matches that were taken and count
-};
+// From the first match to the report and its page: the exit code. options.results names the file that `store` holds.
+// Throws what end_of_program.hpp explains, and study::StudyError; what was stored stays.
+int play_study(report::StudyReport& report, const campaign::Options& options, const Invocation& invocation,
+               campaign::Store& store, const StudyWishes& wishes);
 
-// Plays a run, or throws: Interrupted and others that are for play_study() alone.
-using PlayRun = std::function<void(const StudyRun& run)>;
-
-// A study in one run or in several, of which each may depend on those before: `course` plays them. options.results
-// names the file that `store` holds. Throws what end_of_program.hpp explains; what was stored stays.
-void play_study(const StudyNature& nature, const campaign::Options& options, const Invocation& invocation,
-                campaign::Store& store, StudyProgress& progress,
-                const std::function<void(const PlayRun& play)>& course);
-
-// The command that plays a match by itself, by the name the program was called by.
-std::string play_again(const campaign::Job& job, const Invocation& invocation);
+// The command that plays a match by itself, by the name the program was called by. The invocation outlives it.
+report::CommandOf play_again(const Invocation& invocation);
 
 }  // namespace regista::cli

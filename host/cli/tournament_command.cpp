@@ -1,27 +1,18 @@
 // SPDX-License-Identifier: MIT
 // `regista tournament`: which of two teams is better, or how several rank, in pairs of matches with the same seed and
 // the sides swapped.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
-#include <optional>
+#include <utility>
 
 #include "cli/command.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/file_options.hpp"
-#include "cli/output.hpp"
 #include "cli/output_files.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
-#include "cli/results_page.hpp"
-#include "cli/study_progress.hpp"
 #include "cli/study_run.hpp"
-#include "cli/terminal.hpp"
-#include "config/text.hpp"
-#include "report/tournament.hpp"
-#include "study/tournament.hpp"
+#include "report/tournament_report.hpp"
 #include "study/tournament_setup.hpp"
 
 namespace regista::cli {
@@ -46,99 +37,6 @@ forfeits its match 0:10. That keeps accidents apart; it is no protection from ma
 Exit codes: 0 played, whatever the verdict; 1 interrupted, or the results could not be written; 2 bad input; 3 a defect
 of Regista.)";
 
-class Played {
- public:
-  Played(const study::TournamentRequest& options, const Invocation& invocation, study::PlannedTournament planned)
-      : options_(options),
-        invocation_(invocation),
-        plan_(std::move(planned.plan)),
-        documents_(std::move(planned.documents)),
-        course_(plan_),
-        view_{plan_, course_, [this](std::uint64_t index) { return play_again(job(index), invocation_); }} {}
-  Played(const Played&) = delete;
-  Played& operator=(const Played&) = delete;
-
-  int play() {
-    campaign::Store store = open_results(options_.results, options_.resume, plan_, documents_);
-    StudyProgress progress(words(), !options_.quiet);
-    tell_of_equal_teams(progress);
-    play_study({"tournament", plan_.matches(), [this] { return course_.matches(); }}, options_, invocation_, store,
-               progress, [&](const PlayRun& play) { play(run()); });
-    print(options_.json ? report::tournament_json(view_) : report::tournament_text(view_));
-    if (!options_.no_page) write_page(store);
-    return exit_done;
-  }
-
- private:
-  void write_page(const campaign::Store& store) const {
-    const StudyPlan plan = plan_;
-    const auto page = write_page_beside({options_.results, store, plan}, false);
-    if (page && !options_.quiet) say(fmt::format("page: {}\n", config::one_line(page->string())));
-  }
-
-  StudyRun run() {
-    StudyRun out;
-    out.matches = course_.calendar().matches();
-    out.fixtures = study::fixtures(plan_);
-    out.at = [this](std::uint64_t index) -> std::optional<StudyRun::Place> {
-      if (!course_.wanted(index)) return std::nullopt;
-      const study::Fixture fixture = course_.calendar().at(index);
-      return StudyRun::Place{fixture.number, fixture.seed};
-    };
-    out.job = [this](std::uint64_t index) { return job(index); };
-    out.take = [this](std::uint64_t, const campaign::Decided* decided) { return course_.take(decided); };
-    out.first_of_pairing = [this](std::uint64_t index) {
-      const study::Fixture fixture = course_.calendar().at(index);
-      return fixture.pair == 0 && !fixture.swapped;
-    };
-    out.limits = plan_.limits;
-    out.metrics = course_.needs_metrics() ? campaign::Metrics::wanted : campaign::Metrics::left_out;
-    return out;
-  }
-
-  StudyWords words() const {
-    StudyWords out;
-    out.matches = course_.calendar().matches();
-    out.taken = [this] { return course_.taken(); };
-    out.standing = [this] { return fmt::format("{}\n{}", report::title(view_), report::standing_text(view_)); };
-    out.whole = [this] { return course_.matches() > 0 ? report::tournament_text(view_) : std::string(); };
-    out.match = [this](std::uint64_t index, const campaign::Decided& decided) { return match_text(index, decided); };
-    return out;
-  }
-
-  std::string match_text(std::uint64_t index, const campaign::Decided& decided) const {
-    const study::Fixture fixture = course_.calendar().at(index);
-    const std::string scene = plan_.openings.empty()
-                                  ? ""
-                                  : ", " + std::filesystem::path(plan_.openings[fixture.opening].file).stem().string();
-    std::string line = fmt::format("seed {}{}: {} {}:{} {}", fixture.seed, scene, plan_.teams[fixture.home].label,
-                                   decided.score[0], decided.score[1], plan_.teams[fixture.away].label);
-    if (decided.set_aside()) line += ", could not be played: " + config::one_line(decided.why_set_aside);
-    if (decided.failure) {
-      const std::size_t loser = decided.failure->side == 0 ? fixture.home : fixture.away;
-      line += ", " + report::forfeit_text(plan_.teams[loser].label, *decided.failure);
-    }
-    return line;
-  }
-
-  void tell_of_equal_teams(StudyProgress& progress) const {
-    for (const study::Pairing& pairing : course_.calendar().pairings()) {
-      if (!study::equal_teams(plan_, pairing)) continue;
-      progress.note(fmt::format("A/A: {} and {} are equal, so every pair is a draw by construction",
-                                plan_.teams[pairing.first].label, plan_.teams[pairing.second].label));
-    }
-  }
-
-  campaign::Job job(std::uint64_t index) const { return study::job(plan_, course_.calendar().at(index)); }
-
-  const study::TournamentRequest& options_;
-  const Invocation& invocation_;
-  study::TournamentPlan plan_;
-  std::vector<std::string> documents_;  // of the teams
-  study::Tournament course_;
-  report::TournamentView view_;
-};
-
 int tournament(study::TournamentRequest options, OutputFiles outputs, const Invocation& invocation) {
   campaign::check(options);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
@@ -148,7 +46,12 @@ int tournament(study::TournamentRequest options, OutputFiles outputs, const Invo
   outputs.read(folders_of(catalogue), Reads::plugins);
   outputs.write_beside(options.results, options.no_page ? OutputFiles::Page::none : OutputFiles::Page::alone);
   outputs.check(false);
-  return Played(options, invocation, std::move(planned)).play();
+  const auto report = report::tournament_report(std::move(planned.plan), play_again(invocation));
+  campaign::Store store =
+      open_results(options.results, options.resume, report->study(), planned.documents, invocation.studies);
+  StudyWishes wishes;
+  wishes.figures = false;
+  return play_study(*report, options, invocation, store, wishes);
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // `regista tune`: searches the numbers of a team for better ones, and says on other seeds whether they are.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <chrono>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -18,17 +17,13 @@
 #include "cli/output.hpp"
 #include "cli/output_files.hpp"
 #include "cli/plugin_folders.hpp"
+#include "cli/replaced_file.hpp"
 #include "cli/results_file.hpp"
-#include "cli/results_page.hpp"
-#include "cli/stored_tuning.hpp"
-#include "cli/study_progress.hpp"
 #include "cli/study_run.hpp"
-#include "cli/terminal.hpp"
-#include "cli/tuned_file.hpp"
-#include "config/text.hpp"
-#include "report/fingerprint.hpp"
-#include "report/tournament.hpp"
-#include "report/tuning.hpp"
+#include "report/tuned_file.hpp"
+#include "report/tuning_report.hpp"
+#include "study/recording_place.hpp"
+#include "study/tuning/search_time.hpp"
 #include "study/tuning/tuning_setup.hpp"
 
 namespace regista::cli {
@@ -56,147 +51,6 @@ each came to on seeds that none has seen; no team is written.
 Exit codes: 0 played, whatever was found; 1 interrupted, or the results could not be written; 2 bad input; 3 a defect of
 Regista.)";
 
-using Clock = std::chrono::steady_clock;
-
-class Played {
- public:
-  Played(const TuneOptions& options, OutputFiles outputs, const Invocation& invocation, study::TuningPlan plan)
-      : options_(options),
-        outputs_(std::move(outputs)),
-        invocation_(invocation),
-        plan_(std::move(plan)),
-        record_(plan_),
-        tuned_file_(options.output.empty() ? tuned_file_beside(options.results)
-                                           : std::filesystem::path(options.output)) {
-    if (!plan_.compares()) outputs_.write("the tuned team", tuned_file_, Writes::tuned_team);
-  }
-  Played(const Played&) = delete;
-  Played& operator=(const Played&) = delete;
-
-  int play() {
-    outputs_.check(options_.force);
-    std::optional<OutputFile> trace;
-    campaign::Store store = open_results(options_.results, options_.resume, plan_, {});
-    if (!options_.trace.empty()) trace.emplace(options_.trace);
-    StudyProgress progress(words(), !options_.quiet);
-    for (const std::string& each : study::notes_on(plan_)) progress.note("note: " + config::one_line(each));
-    try {
-      play_study({"tuning", most_matches(plan_), [this] { return counted_; }}, options_, invocation_, store, progress,
-                 [&](const PlayRun& play) { study::tune(plan_, hooks(store, play), record_); });
-    } catch (const study::TuningError& error) {
-      progress.clear();
-      throw BadInput(fmt::format("tune: {}", error.what()));
-    }
-    if (trace) {
-      trace->write(report::tuning_csv(view()));
-      trace->close();
-    }
-    std::exception_ptr not_written;
-    if (!plan_.compares() && record_.tuned()) {
-      try {
-        outputs_.check(options_.force);  // hours later, perhaps
-        write_tuned_file(tuned_file_, plan_, record_, fingerprint_.text());
-        written_ = tuned_file_.string();
-      } catch (...) {
-        not_written = std::current_exception();  // what was found is told all the same
-      }
-    }
-    print(options_.json ? report::tuning_json(view()) : report::tuning_text(view()));
-    if (!options_.no_page) write_page(store);
-    if (not_written) std::rethrow_exception(not_written);
-    return exit_done;
-  }
-
- private:
-  report::TuningView view() const { return {plan_, record_, written_}; }
-
-  void write_page(const campaign::Store& store) const {
-    const StudyPlan plan = plan_;
-    const auto page = write_page_beside({options_.results, store, plan}, true);
-    if (page && !options_.quiet) say(fmt::format("page: {}\n", config::one_line(page->string())));
-  }
-
-  study::TuningHooks hooks(campaign::Store& store, const PlayRun& play) {
-    study::TuningHooks out;
-    out.play = [this, &play](const study::MatchList& list, const study::TakeMatch& take) { play(run(list, take)); };
-    const std::optional<std::uint64_t> ended = stored_end_of_search(store);
-    const SearchTime before = stored_time_of_search(store);
-    out.out_of_time = [this, &store, ended, before,
-                       began = std::optional<Clock::time_point>()](std::uint64_t evaluations) mutable {
-      if (ended) return evaluations >= *ended;
-      // What an earlier run has come to is told, not played: it was in time, and takes none.
-      if (!plan_.minutes || evaluations < before.evaluations) return false;
-      if (!began) began = Clock::now();
-      const double seconds = before.seconds + std::chrono::duration<double>(Clock::now() - *began).count();
-      store_time_of_search(store, {evaluations, seconds});
-      if (seconds < 60.0 * *plan_.minutes) return false;
-      // From here on it is part of the results: however often they are read, the search ends here.
-      store_end_of_search(store, evaluations);
-      return true;
-    };
-    return out;
-  }
-
-  StudyRun run(const study::MatchList& list, const study::TakeMatch& take) {
-    StudyRun out;
-    out.matches = list.matches.size();
-    out.first_row = list.first_row;
-    out.fixtures = list.fixtures;
-    out.at = [&list](std::uint64_t index) -> std::optional<StudyRun::Place> {
-      const study::MatchList::Match& match = list.matches[index];
-      return StudyRun::Place{match.fixture, match.seed};
-    };
-    out.job = [&list](std::uint64_t index) { return list.job(index); };
-    out.take = [this, &list, &take](std::uint64_t index, const campaign::Decided* decided) {
-      fingerprint_.take(list.first_row + index, *decided);  // all matches are wanted
-      ++counted_;
-      last_ = list.job(index);
-      return take(index, *decided);
-    };
-    // Candidates differ in numbers alone: the first match of all speaks for them.
-    out.first_of_pairing = [&list](std::uint64_t index) { return list.first_row + index == 0; };
-    out.limits = plan_.limits;
-    out.metrics = metrics_wanted(plan_);
-    return out;
-  }
-
-  StudyWords words() const {
-    StudyWords out;
-    out.matches = most_matches(plan_);
-    out.taken = [this] { return counted_; };
-    out.standing = [this] { return report::tuning_standing(view()); };
-    out.whole = [this] { return counted_ > 0 ? report::tuning_text(view()) : std::string(); };
-    out.match = [this](std::uint64_t, const campaign::Decided& decided) { return match_text(decided); };
-    return out;
-  }
-
-  std::string match_text(const campaign::Decided& decided) const {
-    std::string out = record_.stage ? study::name(*record_.stage) : "";
-    if (record_.stage == study::TuningStage::search && !plan_.compares()) {
-      out += fmt::format(" after {} points", record_.trace.size());
-    }
-    out += fmt::format(", seed {}: {} {}:{} {}", last_.seed, std::filesystem::path(last_.teams[0]).stem().string(),
-                       decided.score[0], decided.score[1], std::filesystem::path(last_.teams[1]).stem().string());
-    if (decided.set_aside()) out += ", could not be played: " + decided.why_set_aside;
-    if (decided.failure) {
-      const auto side = static_cast<std::size_t>(decided.failure->side);
-      out += ", " + report::forfeit_text(std::filesystem::path(last_.teams[side]).stem().string(), *decided.failure);
-    }
-    return config::one_line(out);
-  }
-
-  const TuneOptions& options_;
-  OutputFiles outputs_;
-  const Invocation& invocation_;
-  study::TuningPlan plan_;
-  study::TuningRecord record_;
-  std::filesystem::path tuned_file_;
-  std::string written_;
-  report::Fingerprint fingerprint_;
-  campaign::Job last_;
-  std::uint64_t counted_ = 0;
-};
-
 int tune(TuneOptions options, OutputFiles outputs, const Invocation& invocation) {
   campaign::check(options);
   if (options.file.empty()) throw BadInput("tune: which one? Name its file; see: regista tune --help");
@@ -207,7 +61,49 @@ int tune(TuneOptions options, OutputFiles outputs, const Invocation& invocation)
   if (options.results.empty()) options.results = plan.name + (plan.compares() ? ".compare.db" : ".db");
   outputs.read(folders_of(catalogue), Reads::plugins);
   outputs.write_beside(options.results, options.no_page ? OutputFiles::Page::none : OutputFiles::Page::with_figures);
-  return Played(options, std::move(outputs), invocation, std::move(plan)).play();
+  const std::filesystem::path tuned =
+      options.output.empty() ? study::tuned_file(options.results) : std::filesystem::path(options.output);
+  if (!plan.compares()) outputs.write("the tuned team", tuned, Writes::tuned_team);
+  outputs.check(options.force);
+  std::function<bool(std::uint64_t)> clock;  // known once there is a file of results
+  report::TuningReport report(std::move(plan),
+                              [&clock](std::uint64_t evaluations) { return clock && clock(evaluations); });
+  campaign::Store store = open_results(options.results, options.resume, report.study(), {}, invocation.studies);
+  try {
+    clock = study::search_clock(store, report.plan());
+  } catch (const campaign::StoreError& error) {
+    throw BadInput(error.what());
+  }
+  std::optional<OutputFile> trace;
+  if (!options.trace.empty()) trace.emplace(options.trace);
+  std::exception_ptr not_written;
+  StudyWishes wishes;
+  wishes.after = [&report](const study::Round& round, std::uint64_t index, const campaign::Decided* decided) {
+    report.take(round, index, decided);
+  };
+  wishes.at_end = [&] {
+    if (trace) {
+      trace->write(report.table_end());
+      trace->close();
+    }
+    if (report.plan().compares() || !report.record().tuned()) return;
+    try {
+      outputs.check(options.force);  // hours later, perhaps
+      write_whole(tuned,
+                  report::tuned_file_text(tuned, report.plan(), report.record(), REGISTA_VERSION, report.fingerprint()),
+                  Existing::replaced);
+      report.tuned_file(tuned.string());
+    } catch (...) {
+      not_written = std::current_exception();  // what was found is told all the same
+    }
+  };
+  try {
+    const int exit = play_study(report, options, invocation, store, wishes);
+    if (not_written) std::rethrow_exception(not_written);
+    return exit;
+  } catch (const study::StudyError& error) {
+    throw BadInput(std::string("tune: ") + error.what());
+  }
 }
 
 }  // namespace

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "match/side.hpp"
 #include "report/standing.hpp"
 #include "report/verdict_interval.hpp"
 #include "statistics/bradley_terry.hpp"
 #include "statistics/rating.hpp"
-#include "study/metric.hpp"
 
 namespace regista::report {
 namespace {
@@ -22,8 +22,8 @@ void count(GoalDifferences& counts, int difference, bool forfeited) {
 }
 
 std::optional<double> packets_of(const campaign::Decided& decided) {
-  if (decided.metrics.empty()) return std::nullopt;
-  const auto home = study::metric(decided.metrics, 0, "packets"), away = study::metric(decided.metrics, 1, "packets");
+  const auto home = decided.metrics.of_side(match::Side::home, "packets"),
+             away = decided.metrics.of_side(match::Side::away, "packets");
   return home && away ? std::optional(*home + *away) : std::nullopt;
 }
 

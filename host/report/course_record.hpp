@@ -59,7 +59,7 @@ class CourseRecord {
   CourseRecord(const study::TournamentPlan& plan, const study::Tournament& course,
                std::vector<std::uint64_t> recorded = {});
 
-  // To be called after every course.take(), with the same. Throws std::invalid_argument for metrics that are no JSON.
+  // To be called after every course.take(), with the same.
   void take(const campaign::Decided* decided);
   // No more matches come: the first of a pair whose second is missing counts, too.
   void end();

@@ -36,7 +36,7 @@ auto* search(Entries& entries, const std::string& path) {
 MatchNumbers::MatchNumbers(const study::TournamentPlan& plan)
     : teams_(plan.teams.size()), paired_(plan.teams.size() == 2) {}
 
-MatchNumbers::Values MatchNumbers::values(const std::string& metrics, int side) {
+MatchNumbers::Values MatchNumbers::values(const match::MetricNumbers& metrics, int side) {
   Values out;
   std::array<std::optional<double>, role_measures.size()> sums;
   for (study::NamedValue& each : study::metric_values(metrics, side)) {

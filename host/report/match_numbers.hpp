@@ -35,8 +35,7 @@ class MatchNumbers {
  public:
   explicit MatchNumbers(const study::TournamentPlan& plan);
 
-  // The next match that counts, in the order of the schedule. Throws std::invalid_argument for metrics that are no
-  // JSON.
+  // The next match that counts, in the order of the schedule.
   void take(const study::Fixture& fixture, const campaign::Decided& decided);
 
   // In the order in which they came up; the first six hundred.
@@ -52,7 +51,7 @@ class MatchNumbers {
     double number;
   };
   using Values = std::vector<Value>;
-  static Values values(const std::string& metrics, int side);
+  static Values values(const match::MetricNumbers& metrics, int side);
   void finish_pair(const Values& a1, const Values& b1, const Values& a2, const Values& b2);
 
   std::vector<std::vector<TeamNumber>> teams_;

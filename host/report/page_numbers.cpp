@@ -205,20 +205,9 @@ Html roles_section(const PageSource& source) {
   if (teams > 2) return section("roles", "Coordination"_html, out << roles_of_several(source, roles, teams));
   out << roles_of_two(source, roles);
   std::vector<Row> others;
-  for (const auto& [title, path, digits] :
-       {Row{"Agreement of all robots on the assignment, share of time", "agreement", 3},
-        Row{"Silent to the end, s of play", "silent_seconds", 1},
-        Row{"Error of the ball, m", "world_model.ball.rmse_metres", 2},
-        Row{"Error of teammates, m", "world_model.teammates.rmse_metres", 2},
-        Row{"Error of the own place, m", "world_model.self.rmse_metres", 2},
-        Row{"Error of opponents, m (OSPA)", "world_model.opponents.ospa_metres", 2},
-        Row{"Ball seen, share of time", "ball_seen_share", 3}, Row{"Possession, s", "possession_seconds", 1},
-        Row{"Ball in the other half, share of time in play", "territory.opponent_half_share", 3},
-        Row{"Shots", "shots", 2}, Row{"Shots saved by the others", "shots_saved", 2}, Row{"Passes", "passes", 1},
-        Row{"Interceptions", "interceptions", 1}, Row{"Distance walked, m", "distance_walked_metres", 1},
-        Row{"Touches", "touches", 1}, Row{"Kicks", "kicks", 1}, Row{"Falls", "falls", 2},
-        Row{"Penalties", "penalties", 2}}) {
-    if (source.record.numbers().find(0, path) != nullptr) others.push_back({title, path, digits});
+  for (const match::MetricRow& row : source.metrics) {
+    if (row.title.empty() || source.record.numbers().find(0, row.name) == nullptr) continue;
+    others.push_back({row.title, row.name, row.digits});
   }
   if (!others.empty()) out << compared(source, "Of a match"_html, others);
   out << "<p class=\"note\">Differences with margins that hold at any time once there are many pairs (95 %), in bold "

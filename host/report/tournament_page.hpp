@@ -5,9 +5,11 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "match/metric_table.hpp"
 #include "report/course_record.hpp"
 #include "report/page_parts.hpp"
 #include "report/page_recordings.hpp"
@@ -30,6 +32,7 @@ struct PageSource {
   std::string command;                 // that plays it again
   PageRecordings recordings;
   std::function<RecordingLink(std::uint64_t match)> recording;
+  std::span<const match::MetricRow> metrics = match::metric_table();  // numbers of matches, as far as they have titles
 };
 
 std::string tournament_page(const PageSource& source);

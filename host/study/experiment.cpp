@@ -38,6 +38,26 @@ Experiment::Experiment(const ExperimentPlan& plan)
       unplayed_(plan.conditions.size()),
       forfeits_(plan.conditions.size() + 1) {}
 
+void Experiment::run(const PlayRound& play) {
+  Round round;
+  round.matches = plan_.matches();
+  round.fixtures = fixtures(plan_);
+  round.at = [this](std::uint64_t index) -> std::optional<Round::Place> {
+    const Trial each = trial(plan_, index);
+    return Round::Place{each.number, each.seed};
+  };
+  round.job = [this](std::uint64_t index) { return job(plan_, trial(plan_, index)); };
+  round.take = [this](std::uint64_t, const campaign::Decided* decided) {
+    take(*decided);  // all matches are wanted
+    return true;
+  };
+  round.first_of_pairing = [this](std::uint64_t index) {
+    const Trial each = trial(plan_, index);
+    return each.pair == 0 && each.side == 0;
+  };
+  play(round);
+}
+
 void Experiment::take(const campaign::Decided& decided) {
   assert(next_ < plan_.matches());
   const Trial trial = study::trial(plan_, next_);

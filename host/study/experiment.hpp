@@ -18,14 +18,28 @@
 #include "study/measure.hpp"
 #include "study/packets_spent.hpp"
 #include "study/paired_estimates.hpp"
+#include "study/study.hpp"
 
 namespace regista::study {
 
-class Experiment {
+class Experiment final : public Study {
  public:
+  // The plan outlives it.
   explicit Experiment(const ExperimentPlan& plan);
 
-  // Precondition: match 0, then 1, ... Throws std::invalid_argument for metrics that are no JSON.
+  const char* what() const override { return "experiment"; }
+  std::uint64_t most_matches() const override { return plan_.matches(); }
+  std::uint64_t counted() const override { return next_; }
+  campaign::Metrics metrics() const override { return campaign::Metrics::wanted; }
+  const campaign::Limits& limits() const override { return plan_.limits; }
+  const std::string& folder() const override { return plan_.folder; }
+  std::string plan() const override { return to_json(plan_); }
+  std::vector<std::string> differences(const std::string& before) const override {
+    return study::differences(experiment_plan_from_json(before), plan_);
+  }
+  void run(const PlayRound& play) override;
+
+  // Precondition: match 0, then 1, ...
   void take(const campaign::Decided& decided);
 
   std::uint64_t taken() const { return next_; }

@@ -247,7 +247,7 @@ class Planner {
       if (std::ranges::find(plan_.measures, measure) == plan_.measures.end()) plan_.measures.push_back(measure);
     };
     for (const config::Node& each : experiment_.measures) {
-      const std::string measure = without_roles(each.text());
+      const std::string measure(match::without_roles(each.text()));
       mistakes_.attempt("", [&] { require_measure(measure, each.where(), "measures", known); });
       add(measure);
     }
@@ -255,7 +255,7 @@ class Planner {
       for (const std::string& each : usual_measures(known)) add(each);
     }
     if (!experiment_.primary) return;
-    plan_.primary = without_roles(experiment_.primary->measure);
+    plan_.primary = match::without_roles(experiment_.primary->measure);
     mistakes_.attempt(
         "", [&] { require_measure(plan_.primary, document_["primary"]["measure"].where(), "primary", known); });
     add(plan_.primary);

@@ -4,7 +4,16 @@
 #include <algorithm>
 #include <limits>
 
+#include "match/metric_table.hpp"
+
 namespace regista::study {
+
+bool is_time(std::string_view measure) {
+  const match::MetricRow* const row = match::find_metric(match::metric_table(), measure);
+  return row != nullptr && row->unit == "s" && row->total == match::MetricRow::Total::sum;
+}
+
+const char* unit_of(std::string_view measure) { return is_time(measure) ? "min per 60 min" : "per match"; }
 
 double pair_in_unit(std::string_view measure, double sum, double playing_seconds) {
   if (!is_time(measure)) return sum / 2.0;
@@ -23,7 +32,7 @@ std::optional<double> measure_of_score(std::string_view measure, const campaign:
 }
 
 MatchMeasures::MatchMeasures(const campaign::Decided& decided, int side)
-    : playing_seconds_(match_number(decided.metrics, "playing_seconds").value_or(0.0)) {
+    : playing_seconds_(decided.metrics.of_match("playing_seconds").value_or(0.0)) {
   for (const char* const each : measures_of_score) values_.push_back({each, *measure_of_score(each, decided, side)});
   for (NamedValue& each : all_metric_values(decided.metrics, side)) {
     if (std::ranges::find(measures_of_score, each.path) == measures_of_score.end()) values_.push_back(std::move(each));
@@ -31,7 +40,7 @@ MatchMeasures::MatchMeasures(const campaign::Decided& decided, int side)
 }
 
 std::optional<double> MatchMeasures::value(const std::string& measure) const {
-  const auto found = std::ranges::find(values_, without_roles(measure), &NamedValue::path);
+  const auto found = std::ranges::find(values_, match::without_roles(measure), &NamedValue::path);
   return found == values_.end() ? std::nullopt : std::optional(found->value);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The measures of an experiment: numbers of one team in one match. "goals", "goals_against", "goal_difference" and
 // "points" (1 for a match won, 1/2 for one drawn) come from the score; all others are paths of the match's metrics, see
-// study/metric.hpp. Times are told as minutes in 60 minutes of play, so that matches of any length compare; everything
-// else per match, as it stands.
+// match/metric_table.hpp. Times are told as minutes in 60 minutes of play, so that matches of any length compare;
+// everything else per match, as it stands.
 #pragma once
 
 #include <array>
@@ -18,11 +18,11 @@ namespace regista::study {
 
 inline constexpr std::array<const char*, 4> measures_of_score{"goals", "goals_against", "goal_difference", "points"};
 
-// Its name says that it is a time: "striker.overlap_seconds".
-constexpr bool is_time(std::string_view measure) { return measure.ends_with("_seconds"); }
+// How long something held, by match::metric_table(): "striker.overlap_seconds".
+bool is_time(std::string_view measure);
 
 // "min per 60 min" or "per match"
-constexpr const char* unit_of(std::string_view measure) { return is_time(measure) ? "min per 60 min" : "per match"; }
+const char* unit_of(std::string_view measure);
 
 // Of a pair of matches, in that unit: from the sum over both, and the time that both were in the phase Playing, s. Not
 // a number for a time where nothing was played.
@@ -34,7 +34,7 @@ std::optional<double> measure_of_score(std::string_view measure, const campaign:
 // What a team did in a match that was played to its end.
 class MatchMeasures {
  public:
-  // side: of the team. Throws std::invalid_argument for metrics that are no JSON.
+  // side: of the team.
   MatchMeasures(const campaign::Decided& decided, int side);
 
   // As the match has it, times in seconds; nothing where it has none.

@@ -7,8 +7,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 
+#include "match/metric_numbers.hpp"
 #include "statistics/moments.hpp"
 
 namespace regista::study {
@@ -17,10 +17,9 @@ namespace regista::study {
 // budget.
 inline constexpr std::array<const char*, 3> packet_metrics{"packets", "packets_share", "packets_over_share"};
 
-// As they stand, by side; nothing where there is no number. Reads no further than where all are found. Throws
-// std::invalid_argument when what was read is no JSON.
+// As they stand, by side; nothing where there is no number.
 using PacketMetrics = std::array<std::array<std::optional<double>, 2>, packet_metrics.size()>;
-PacketMetrics packet_metrics_of(const std::string& metrics);
+PacketMetrics packet_metrics_of(const match::MetricNumbers& metrics);
 
 // Of one team in one such game.
 struct ShortGamePackets {
@@ -28,8 +27,8 @@ struct ShortGamePackets {
   double over = 0.0;  // the share; below 0 where less was spent
 };
 
-// By side; nothing for a match that has not all of these. Throws as packet_metrics_of().
-std::optional<std::array<ShortGamePackets, 2>> short_game_packets(const std::string& metrics);
+// By side; nothing for a match that has not all of these.
+std::optional<std::array<ShortGamePackets, 2>> short_game_packets(const match::MetricNumbers& metrics);
 
 // Of one team in many.
 class PacketsSpent {

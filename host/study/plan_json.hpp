@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What plans of studies have in common as JSON: which study they are of, openings, limits; and what is said of a text
+// What plans of studies have in common as JSON: openings, limits; and what is said of a text
 // that no plan was written as.
 #pragma once
 
@@ -16,12 +16,9 @@
 #include "campaign/whole_number.hpp"
 #include "campaign/worker.hpp"
 #include "study/opening.hpp"
+#include "study/plan_names.hpp"
 
 namespace regista::study {
-
-inline constexpr const char* tournament_study = "tournament";
-inline constexpr const char* experiment_study = "experiment";
-inline constexpr const char* tuning_study = "tuning";
 
 inline nlohmann::ordered_json json_of(const std::vector<campaign::Input>& inputs) {
   return nlohmann::ordered_json::parse(campaign::to_json(inputs));
@@ -56,13 +53,6 @@ inline campaign::Limits limits_of(const nlohmann::ordered_json& json) {
   json.at("wall_seconds").get_to(out.wall_seconds);
   out.match_wall_seconds = json.value("match_wall_seconds", out.match_wall_seconds);  // results of before know none
   return out;
-}
-
-// The study that a plan is of; empty where that is not told.
-inline std::string study_of(const std::string& text) {
-  const auto json = nlohmann::ordered_json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.contains("study") || !json["study"].is_string()) return {};
-  return json["study"].get<std::string>();
 }
 
 // read(json), or std::invalid_argument with the reason.

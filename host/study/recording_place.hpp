@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Where files stand that belong to a file of results: beside it, and called like it. NAME.db has the page NAME.html and
-// the folders NAME.recordings and NAME.figures; any other name keeps its ending, so that b.sqlite (b.sqlite.html,
-// b.sqlite.recordings) shares nothing with b.db. Recordings are called by the match's place in the schedule, from 1, as
-// the row of the results is: NAME.recordings/12.mcap.
+// Where files stand that belong to a file of results: beside it, and called like it. NAME.db has the page NAME.html,
+// the tuned team NAME.tuned.yaml, and the folders NAME.recordings and NAME.figures; any other name keeps its ending, so
+// that b.sqlite (b.sqlite.html, b.sqlite.recordings) shares nothing with b.db. Recordings are called by the match's
+// place in the schedule, from 1, as the row of the results is: NAME.recordings/12.mcap.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +19,8 @@ inline std::filesystem::path beside(const std::filesystem::path& results, const 
 }
 
 inline std::filesystem::path page_file(const std::filesystem::path& results) { return beside(results, ".html"); }
+
+inline std::filesystem::path tuned_file(const std::filesystem::path& results) { return beside(results, ".tuned.yaml"); }
 
 inline std::filesystem::path figure_folder(const std::filesystem::path& results) { return beside(results, ".figures"); }
 

@@ -9,7 +9,6 @@
 
 #include "campaign/inputs.hpp"
 #include "campaign/job_setup.hpp"
-#include "campaign/match_json.hpp"
 #include "config/bad_input.hpp"
 #include "config/documents.hpp"
 #include "config/parse.hpp"
@@ -17,10 +16,10 @@
 #include "config/profiles.hpp"
 #include "config/read.hpp"
 #include "config/typed.hpp"
+#include "match/metric_table.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
 #include "plugin/declarations.hpp"
-#include "study/metric.hpp"
 
 namespace regista::study {
 
@@ -105,12 +104,7 @@ match::Setup without_opening(match::Setup setup) {
 }
 
 std::vector<std::string> metric_paths_of(const mind::TeamPlan& team) {
-  campaign::PlayedMatch played;
-  played.role_names[0] = played.role_names[1] = match::role_names(match::roles(team));
-  for (match::TeamMetrics& metrics : played.result.metrics.teams) {
-    metrics.coordination.roles.resize(played.role_names[0].size());
-  }
-  return metric_paths(campaign::summary_json(played), 0);
+  return match::metric_paths(match::metric_table(), match::role_names(match::roles(team)));
 }
 
 }  // namespace regista::study

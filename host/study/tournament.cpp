@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "study/metric.hpp"
+#include "match/side.hpp"
 
 namespace regista::study {
 namespace {
@@ -83,7 +83,29 @@ Tournament::Tournament(const TournamentPlan& plan)
   for (const Pairing& pairing : calendar_.pairings()) meetings_.emplace_back(plan, pairing);
 }
 
-bool Tournament::needs_metrics() const { return tested_metric(plan_.objective) != nullptr || plan_.short_games(); }
+campaign::Metrics Tournament::metrics() const {
+  // Its test is one of them, or its games are short, see packets().
+  const bool looks = tested_metric(plan_.objective) != nullptr || plan_.short_games();
+  return looks ? campaign::Metrics::wanted : campaign::Metrics::left_out;
+}
+
+void Tournament::run(const PlayRound& play) {
+  Round round;
+  round.matches = calendar_.matches();
+  round.fixtures = fixtures(plan_);
+  round.at = [this](std::uint64_t index) -> std::optional<Round::Place> {
+    if (!wanted(index)) return std::nullopt;
+    const Fixture fixture = calendar_.at(index);
+    return Round::Place{fixture.number, fixture.seed};
+  };
+  round.job = [this](std::uint64_t index) { return job(plan_, calendar_.at(index)); };
+  round.take = [this](std::uint64_t, const campaign::Decided* decided) { return take(decided); };
+  round.first_of_pairing = [this](std::uint64_t index) {
+    const Fixture fixture = calendar_.at(index);
+    return fixture.pair == 0 && !fixture.swapped;
+  };
+  play(round);
+}
 
 std::uint64_t Tournament::matches() const {
   std::uint64_t sum = 0;
@@ -179,10 +201,12 @@ void Tournament::finish_pair(Meeting& meeting, const campaign::Decided& second) 
   if (meeting.metric) {
     const std::string& path = *tested_metric(plan_.objective);
     const bool forfeited = first.failure || second.failure;
-    const auto value = [&](const campaign::Decided& match, int side) {
-      return forfeited ? std::nullopt : metric(match.metrics, side, path);
+    const auto value = [&](const campaign::Decided& decided, match::Side side) {
+      return forfeited ? std::nullopt : decided.metrics.of_side(side, path);
     };
-    const auto a1 = value(first, 0), b1 = value(first, 1), b2 = value(second, 0), a2 = value(second, 1);
+    using match::Side;
+    const auto a1 = value(first, Side::home), b1 = value(first, Side::away);
+    const auto b2 = value(second, Side::home), a2 = value(second, Side::away);
     if (a1 && b1 && a2 && b2) {
       const double of_first = (*a1 + *a2) / 2.0, of_second = (*b1 + *b2) / 2.0;
       meeting.metric->add(of_first, of_second);

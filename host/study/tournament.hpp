@@ -23,6 +23,7 @@
 #include "study/metric_difference.hpp"
 #include "study/objective_test.hpp"
 #include "study/packets_spent.hpp"
+#include "study/study.hpp"
 #include "study/tournament_plan.hpp"
 
 namespace regista::study {
@@ -60,13 +61,24 @@ struct SetAside {
   std::uint64_t pair = 0;      // the last in which it played, from 0
 };
 
-class Tournament {
+class Tournament final : public Study {
  public:
+  // The plan outlives it.
   explicit Tournament(const TournamentPlan& plan);
 
+  const char* what() const override { return "tournament"; }
+  std::uint64_t most_matches() const override { return calendar_.matches(); }
+  std::uint64_t counted() const override { return matches(); }
+  campaign::Metrics metrics() const override;
+  const campaign::Limits& limits() const override { return plan_.limits; }
+  const std::string& folder() const override { return plan_.folder; }
+  std::string plan() const override { return to_json(plan_); }
+  std::vector<std::string> differences(const std::string& before) const override {
+    return study::differences(tournament_plan_from_json(before), plan_);
+  }
+  void run(const PlayRound& play) override;
+
   const Calendar& calendar() const { return calendar_; }
-  // Of the results that it takes: its test is one of them, or its games are short, see packets().
-  bool needs_metrics() const;
 
   // False for a match of a team that was set aside.
   bool wanted(std::uint64_t index) const;

@@ -28,7 +28,7 @@ class Match(program.Case):
     def test_json_keys(self):
         result = self.play()
         self.assertEqual(list(result)[:10], ["teams", "score", "seed", "ended", "simulated_seconds", "wall_seconds",
-                                             "state_hash", "packets", "roles", "failures"])
+                                             "state_hash", "failures", "playing_seconds", "in_play_seconds"])
         self.assertEqual(result["teams"], ["small", "small"])
         self.assertEqual(result["ended"], "limit")
         self.assertEqual(result["simulated_seconds"], 30.0)

@@ -53,11 +53,29 @@ class Metrics(program.Case):
             if role in roles:
                 path = f"<role>.{rest}"
             found.add(re.sub(r"^packets_by_reason\..+", "packets_by_reason.<event>", path))
-        found.remove("wall_seconds")
+        found -= {"wall_seconds", "seed"}
         # The match is shorter than a minute of the clock.
         self.assertEqual(set(documented) - {"budget_curve"}, found - {"budget_curve"})
         self.assertIn("budget_curve", documented)
         self.assertIn("budget_curve", self.result)
+
+    def test_documentation_has_the_tables_of_the_program(self):
+        page = program.SOURCE / "docs" / "metrics.md"
+        self.assertEqual(self.succeed("metrics", "--page", page), page.read_text(),
+                         "write it anew: regista metrics --page docs/metrics.md")
+        rows = json.loads(self.succeed("metrics", "--json"))
+        documented = re.findall(r"^\| `([^`]+)` \|", page.read_text(), re.MULTILINE)
+        self.assertEqual([row["path"] for row in rows], documented)
+        self.assertEqual([line.split()[0] for line in self.succeed("metrics").splitlines()], documented)
+
+    def test_what_cannot_be_written_with_tables(self):
+        self.assertIn("nobody.md: no such file", self.refused("metrics", "--page", "nobody.md"))
+        self.write("page.md", "# Numbers\n")
+        self.assertEqual(self.refused("metrics", "--page", "page.md"),
+                         'page.md: there is no line "<!-- metrics: match -->"')
+        self.write("page.md", "<!-- metrics: weather -->\n")
+        self.assertIn('"weather" is no part of the metrics', self.refused("metrics", "--page", "page.md"))
+        self.assertIn("--json and --page", self.refused("metrics", "--json", "--page", "page.md"))
 
     def test_table_holds_what_the_json_holds(self):
         with open(self.folder / "numbers.csv", newline="") as file:

@@ -291,8 +291,8 @@ class Pages(tournament.Tournament):
         self.change("DELETE FROM metrics WHERE row = 3")
         self.change("UPDATE matches SET ended = 'forfeit', hash = NULL, failure = '"
                     + failure.replace("'", "''") + "' WHERE row = 3")
-        self.change("UPDATE metrics SET json = replace(replace(json, '\"striker\"', '\"=a,\\\"b\\n`id`''\"'), "
-                    "'\"period\"', '\"<b>\\\" %s\"')")
+        self.change("UPDATE metric_names SET names = replace(replace(names, '\"striker\"', '\"=a,\\\"b\\n`id`''\"'), "
+                    "'\"packets_by_reason.period\"', '\"packets_by_reason.<b>\\\" %s\"')")
         self.succeed("report", "tournament.db", "-o", "a.html", "--figures", "figures")
         page = self.page("a.html")
         self.assertEqual(len(page.of("svg")), 5)

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: MIT
 """`regista report`: what is stored says what the tournament said, whole, killed, under way or damaged."""
 
+import contextlib
 import json
+import sqlite3
 import subprocess
 import unittest
 
+import results_file
 import tournament
 
 THREE = ("small.yaml", "worse.yaml", "other.yaml")
@@ -85,8 +88,8 @@ class Report(tournament.Tournament):
         """Everywhere the same numbers, which are those of the matches: 10 s are 10 of 1200 packets."""
         told = self.play(pairs=2)
         spent = {"small": [], "other": []}
-        for row, (metrics,) in zip(self.table(), self.stored("SELECT json FROM metrics ORDER BY row")):
-            for side, packets in zip(("home", "away"), json.loads(metrics)["packets"]):
+        for row, metrics in zip(self.table(), self.metrics().values(), strict=True):
+            for side, packets in zip(("home", "away"), metrics["packets"]):
                 spent[row[side]].append(packets)
                 self.assertEqual([float(row[f"{side}.{name}"]) for name in
                                   ("packets", "packets_share", "packets_over_share")], [packets, 10, packets - 10])
@@ -110,9 +113,8 @@ class Report(tournament.Tournament):
         columns = [column for column in table[0] if column not in plain[0] or column.endswith(".packets")]
         self.assertEqual(len(columns), len(set(columns)))
         self.assertIn("home.striker.overlap_seconds", columns)
-        for row, short, (metrics,) in zip(table, plain, self.stored("SELECT json FROM metrics ORDER BY row")):
+        for row, short, metrics in zip(table, plain, self.metrics().values(), strict=True):
             self.assertEqual({key: row[key] for key in short}, short)
-            metrics = json.loads(metrics)
             for side, name in enumerate(("home", "away")):
                 self.assertEqual(float(row[f"{name}.packets"]), metrics["packets"][side])
                 for role, numbers in metrics["roles"][side].items():
@@ -172,18 +174,62 @@ class Report(tournament.Tournament):
             return line
 
         self.assertIn("database of another program", changed("PRAGMA application_id=7"))
-        self.assertIn("was written by a newer Regista: schema 99", changed("PRAGMA user_version=99"))
+        self.assertIn(": its schema is 99, this program reads 2", changed("PRAGMA user_version=99"))
         self.assertIn("its plan is damaged", changed("UPDATE meta SET value = '{' WHERE name = 'schedule'"))
         self.assertIn("holds no study yet", changed("DELETE FROM meta WHERE name = 'schedule'"))
         self.assertIn("another study", changed("UPDATE meta SET value = replace(value, '\"tournament\"', '\"season\"')"))
         self.assertIn("damaged", changed("UPDATE matches SET failure = '{' WHERE row = 2"))
-        self.assertIn("damaged", changed("UPDATE metrics SET json = '{' WHERE row = 2", "--csv", "--metrics"))
+        self.assertIn("match 2: metrics: ", changed("UPDATE metrics SET numbers = x'00' WHERE row = 2", "--csv",
+                                                    "--metrics"))
+        self.assertIn("match 2: metrics: ", changed("UPDATE metrics SET names = 7 WHERE row = 2", "--csv", "--metrics"))
         (self.folder / "tournament.db").write_bytes(whole[:len(whole) // 2])
         self.assertIn("tournament.db", ask("tournament.db"))
 
+    def test_rows_that_are_not_what_was_written_are_named(self):
+        self.play(pairs=2)
+        with contextlib.closing(sqlite3.connect(self.folder / "tournament.db")) as database:
+            self.assertEqual(results_file.unfit(database), [])
+        whole = (self.folder / "tournament.db").read_bytes()
+        for statement, line in (
+                ("UPDATE matches SET home_goals = home_goals + 1 WHERE row = 2", "match 2: its checksum does not fit"),
+                ("UPDATE matches SET seconds = 0.5 WHERE row > 1",
+                 "match 2: its checksum does not fit; matches 3, 4 cannot be read either"),
+                ("UPDATE metric_names SET names = replace(names, 'striker', 'stroker')",
+                 "match 1: metrics: the checksum of metric names 1 does not fit; matches 2, 3, 4 cannot be read either"),
+                ("UPDATE matches SET seed = seed + 7 WHERE row = 2", "match 2: its checksum does not fit"),
+                ("UPDATE fixtures SET key = key || 'x' WHERE id = 1", "the checksum of fixture 1 does not fit"),
+                ("DELETE FROM metrics WHERE row = 2", "match 2: its metrics are missing"),
+                ("UPDATE metrics SET size = size + 1 WHERE row = 3",
+                 "match 3: the checksum of its metrics does not fit")):
+            (self.folder / "tournament.db").write_bytes(whole)
+            self.change(statement, mend=False)
+            # The numbers are read where they are told.
+            for more in ((), ("--csv", "--metrics")) if "UPDATE matches" in statement else (("--csv", "--metrics"),):
+                self.assertEqual(self.refused("report", "tournament.db", *more),
+                                 "results in tournament.db are damaged: " + line)
+        (self.folder / "tournament.db").write_bytes(whole)
+        self.change("UPDATE fixtures SET job = replace(job, 'small', 'other')", mend=False)
+        self.assertIn("match 1: the checksum of what was to be played does not fit",
+                      self.refused("match", "--from", "tournament.db", "--row", "1"))
+
+    def test_files_of_an_older_schema_are_refused(self):
+        self.play(pairs=1)
+        self.change("PRAGMA user_version=1", mend=False)
+        for ask in (("report", "tournament.db"), self.arguments("--quiet", "--resume", pairs=1)):
+            self.assertIn("tournament.db was written by an older Regista, ", self.refused(*ask))
+            self.assertIn(": its schema is 1, this program reads 2", self.refused(*ask))
+
+    def test_metrics_take_little_room(self):
+        """At most 3 KB a match, names left aside: there is one text of them for all matches of these teams."""
+        self.play(pairs=2)
+        (names, matches, most), = self.stored("SELECT count(DISTINCT names), count(*), max(length(numbers)) FROM metrics")
+        self.assertEqual(matches, 4)
+        self.assertLessEqual(names, 2)
+        self.assertLess(most, 3000)
+
     def test_damaged_metrics_of_a_tournament_that_tests_them(self):
         self.play("--metric", "packets", pairs=2)
-        self.change("UPDATE metrics SET json = 'nonsense' WHERE row = 1")
+        self.change("UPDATE metrics SET size = 7 WHERE row = 1")
         self.assertIn("damaged", self.refused("report", "tournament.db"))
         self.assertIn("damaged", self.refused(*self.arguments("--quiet", "--metric", "packets", "--resume", pairs=2)))
 

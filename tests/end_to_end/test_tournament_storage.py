@@ -26,7 +26,7 @@ class NoRoom(tournament.Tournament):
     def test_a_limit_on_the_size_of_files(self):
         """What a quota does: at some point nothing more can be written. Python ignores SIGXFSZ, and so does what it
         starts, if it may: then writing fails."""
-        size = 80_000
+        size = 160_000
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
         began = self.run_program(*self.arguments("--quiet", "--workers", "2", pairs=PAIRS), preexec_fn=limit,
                                  restore_signals=False)

@@ -77,8 +77,8 @@ class Verdicts(tournament.Tournament):
         self.assertEqual((told["name"], told["alpha"]), (metric, 0.2))
         # The rows say the same.
         mine, theirs, signs = [], [], [0, 0, 0]
-        stored = self.stored("SELECT json FROM metrics ORDER BY row", "1.db")[:report["matches"]]
-        of = lambda text, side: json.loads(text[0])["roles"][side]["striker"]["overlap_seconds"]
+        stored = list(self.metrics("1.db").values())[:report["matches"]]
+        of = lambda match, side: match["roles"][side]["striker"]["overlap_seconds"]
         for first, second in zip(stored[::2], stored[1::2]):
             mine.append((of(first, 0) + of(second, 1)) / 2)
             theirs.append((of(first, 1) + of(second, 0)) / 2)

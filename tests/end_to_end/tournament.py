@@ -13,6 +13,7 @@ import subprocess
 import time
 
 import program
+import results_file
 
 # The home team before an empty goal, the away team's robots too far away to help.
 SCENE = """\
@@ -72,16 +73,26 @@ class Tournament(program.Case):
 
     def rows(self, file="tournament.db"):
         """Every match that is stored, without what changes from run to run."""
-        return self.stored("SELECT row, key, seed, home_goals, away_goals, ended, hash, failure, metrics.json "
-                           "FROM matches JOIN fixtures ON fixture = id LEFT JOIN metrics USING(row) ORDER BY row", file)
+        return self.stored("SELECT row, key, seed, home_goals, away_goals, ended, hash, failure, "
+                           "metric_names.names, numbers FROM matches JOIN fixtures ON fixture = fixtures.id "
+                           "LEFT JOIN metrics USING(row) LEFT JOIN metric_names ON metric_names.id = metrics.names "
+                           "ORDER BY row", file)
 
     def stored(self, query, file="tournament.db"):
         with contextlib.closing(sqlite3.connect(self.folder / file)) as database:
             return database.execute(query).fetchall()
 
-    def change(self, statement, file="tournament.db"):
+    def metrics(self, file="tournament.db"):
+        """By row."""
+        with contextlib.closing(sqlite3.connect(self.folder / file)) as database:
+            return results_file.metrics(database)
+
+    def change(self, statement, file="tournament.db", mend=True):
+        """mend: checksums fit afterwards, as if the program had written it so."""
         with contextlib.closing(sqlite3.connect(self.folder / file)) as database, database:
             database.execute(statement)
+            if mend:
+                results_file.mend(database)
 
     def table(self, *more, file="tournament.db"):
         """Rows of `regista report --csv`, by the names of the columns."""

@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "study/forfeits.hpp"
 #include "study/paired_estimates.hpp"
+#include "study/study.hpp"
 #include "study/tuning/pair_batch.hpp"
 #include "study/tuning/search.hpp"
 #include "study/tuning/slices.hpp"
@@ -84,9 +84,9 @@ struct TuningRecord {
   bool verified() const;  // it was found better
 };
 
-// A tuning that cannot go on: what() is one line that says why.
-class TuningError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+// The base team forfeits, or has no number for the objective.
+class TuningError : public StudyError {
+  using StudyError::StudyError;
 };
 
 struct TuningHooks {

@@ -270,7 +270,7 @@ class Planner {
     known.insert(known.end(), paths_.begin(), paths_.end());
     for (const auto* const terms : {&tuning_.objective.maximise, &tuning_.objective.minimise}) {
       for (const config::TuningObjective::Term& each : *terms) {
-        const std::string measure = without_roles(each.measure);
+        const std::string measure(match::without_roles(each.measure));
         if (std::ranges::find(known, measure) == known.end()) {
           mistakes_.add(config::Error(each.where, "objective: " + config::unknown("measure", measure, "", known)),
                         "objective");

@@ -2,6 +2,7 @@
 // The engine with results that are all there already: what it hands on, and that it plays none of them again; and with
 // the workers of main.cpp, which play nothing. Real ones are tested with the program itself, in tests/end_to_end.
 #include "campaign/engine.hpp"
+#include "campaign/metric_json.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -24,7 +25,8 @@ class EngineTest : public testing::Test {
   void fill(Store& store, std::uint64_t count) {
     fixture = store.add(std::vector<Store::Fixture>{{"key", {}}}).front();
     for (std::uint64_t seed = count; seed-- > 0;) {
-      const Decided decided{{static_cast<int>(seed), 0}, "full_time", "h", R"({"packets":[1,2]})", std::nullopt, 1.0};
+      const Decided decided{
+          {static_cast<int>(seed), 0}, "full_time", "h", metrics_from_json(R"({"packets":[1,2]})"), std::nullopt, 1.0};
       store.insert(static_cast<std::int64_t>(seed) + 1, {fixture, seed}, decided, 1);
     }
   }
@@ -43,7 +45,7 @@ class EngineTest : public testing::Test {
       order.push_back(index);
       if (decided != nullptr) {
         EXPECT_EQ(decided->score[0], static_cast<int>(index));
-        metrics.insert(decided->metrics);
+        metrics.insert(decided->metrics.of_side(match::Side::home, "packets"));
       } else {
         missing.insert(index);
       }
@@ -57,7 +59,7 @@ class EngineTest : public testing::Test {
   std::int64_t fixture = 0;
   std::vector<std::uint64_t> order;
   std::set<std::uint64_t> missing;
-  std::set<std::string> metrics;
+  std::set<std::optional<double>> metrics;
 };
 
 TEST_F(EngineTest, HandsOnInTheOrderOfTheScheduleUntilItIsEnough) {
@@ -133,11 +135,11 @@ TEST_F(EngineTest, MetricsAreReadWhenTheyAreWanted) {
   fill(store, 3);
   Schedule schedule = schedule_of(3);
   run(schedule, store, 1, {});
-  EXPECT_EQ(metrics, std::set<std::string>{""});
+  EXPECT_EQ(metrics, std::set<std::optional<double>>{std::nullopt});
   metrics.clear();
   schedule.metrics = Metrics::wanted;
   run(schedule, store, 1, {});
-  EXPECT_EQ(metrics, std::set<std::string>{R"({"packets":[1,2]})"});
+  EXPECT_EQ(metrics, std::set<std::optional<double>>{1.0});
 }
 
 // Two places of the schedule mean the same match where equal teams play each other: it is stored at the first.
@@ -145,7 +147,7 @@ TEST_F(EngineTest, AMatchThatStandsTwiceInTheScheduleIsReadTwice) {
   Store store(file, Store::Mode::create, "1.0");
   const auto number = store.add(std::vector<Store::Fixture>{{"key", {}}}).front();
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const Decided decided{{static_cast<int>(seed), 0}, "full_time", "h", "{}", std::nullopt, 1.0};
+    const Decided decided{{static_cast<int>(seed), 0}, "full_time", "h", metrics_from_json("{}"), std::nullopt, 1.0};
     store.insert(static_cast<std::int64_t>(2 * seed) + 1, {number, seed}, decided, 1);
   }
   std::vector<int> scores;

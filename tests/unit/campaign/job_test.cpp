@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/job.hpp"
+#include "campaign/metric_json.hpp"
 
 #include <gtest/gtest.h>
 
@@ -83,14 +84,17 @@ TEST(Forfeit, IsLostByTheSideThatFailed) {
   EXPECT_EQ(home.score, (std::array{0, 10}));
   EXPECT_EQ(away.score, (std::array{10, 0}));
   EXPECT_EQ(home.ended, "forfeit");
-  EXPECT_EQ(home.metrics + home.hash, "");
+  EXPECT_TRUE(home.metrics.empty());
+  EXPECT_EQ(home.hash, "");
   EXPECT_EQ(home.seconds, 1.5);
 }
 
 TEST(Answer, SurvivesTheWayBack) {
   Answer played;
   played.kind = Answer::Kind::played;
-  played.decided = {{3, 1}, "full_time", "9f2c", R"({"roles":[{},{}]})", std::nullopt, 1.25};
+  played.decided = {{3, 1},       "full_time",
+                    "9f2c",       metrics_from_json(R"({"packets":[3,null],"roles":[{"a":{"x":1}},{}]})"),
+                    std::nullopt, 1.25};
   const Answer back = answer_from_json(to_json(played));
   EXPECT_EQ(back.kind, Answer::Kind::played);
   EXPECT_EQ(back.decided, played.decided);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "campaign/job.hpp"
+#include "campaign/metric_json.hpp"
 #include "campaign/worker.hpp"
 
 using namespace regista::campaign;
@@ -17,7 +18,7 @@ static int answer() {
   const Job job = job_from_json({std::istreambuf_iterator<char>(std::cin), {}});
   Answer out;
   out.kind = Answer::Kind::played;
-  out.decided = {{static_cast<int>(job.seed), 0}, "full_time", "h", "{}", std::nullopt, 0.0};
+  out.decided = {{static_cast<int>(job.seed), 0}, "full_time", "h", metrics_from_json("{}"), std::nullopt, 0.0};
   const std::string text = std::string(answer_mark) + to_json(out) + '\n';
   return write(answer_descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size()) ? 0 : 1;
 }

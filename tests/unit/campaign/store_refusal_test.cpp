@@ -90,12 +90,12 @@ TEST_F(StoreRefusalTest, ANewerSchema) {
   make_file();
   execute("PRAGMA user_version=7");
   for (const Mode mode : {Mode::open, Mode::read}) {
-    EXPECT_THAT(refusal(mode), HasSubstr("was written by a newer Regista: schema 7, this program knows up to 1"));
+    EXPECT_THAT(refusal(mode), HasSubstr("was written by a newer Regista, 1.0: its schema is 7, this program reads 2"));
   }
 }
 
 TEST_F(StoreRefusalTest, AFileThatMissesATable) {
-  for (const char* table : {"matches", "metrics"}) {
+  for (const char* table : {"matches", "metrics", "metric_names", "remarks"}) {
     make_file();
     execute(std::string("DROP TABLE ") + table);
     for (const Mode mode : {Mode::open, Mode::read}) EXPECT_THAT(refusal(mode), HasSubstr("no such table"));
@@ -148,10 +148,12 @@ TEST_F(StoreRefusalTest, DamagedTextsAreErrorsOfTheStore) {
     EXPECT_THROW(store.find(1, {1, 1}, Metrics::left_out), StoreError);
     EXPECT_EQ(store.row(2)->decided, played);
   }
-  execute("UPDATE matches SET failure = NULL; UPDATE fixtures SET job = '[]'");
-  EXPECT_THAT(damage(), HasSubstr("row 1 is damaged"));
+  std::filesystem::remove(file);
+  make_file();
+  execute("UPDATE fixtures SET job = '[]'");
+  EXPECT_THAT(damage(), HasSubstr("match 1: the checksum of what was to be played does not fit"));
   execute("PRAGMA foreign_keys=OFF; DELETE FROM fixtures");
-  EXPECT_THAT(damage(), HasSubstr("row 1 is of no fixture"));
+  EXPECT_THAT(damage(), HasSubstr("match 1: what was to be played is missing"));
 }
 
 }  // namespace

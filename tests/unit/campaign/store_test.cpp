@@ -57,7 +57,7 @@ TEST_F(StoreTest, LeavesMetricsOutWhereTheyAreNotWanted) {
   const auto fixture = number(store, "key");
   store.insert(1, {fixture, 1}, played, 1);
   Decided without = played;
-  without.metrics.clear();
+  without.metrics = {};
   EXPECT_EQ(store.find(1, {fixture, 1}, Metrics::left_out), without);
   EXPECT_EQ(store.find(7, {fixture, 1}, Metrics::left_out), without);
   EXPECT_EQ(store.find(1, {fixture, 1}, Metrics::wanted), played);

@@ -10,13 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "campaign/metric_json.hpp"
 #include "report/tournament.hpp"
 #include "study/tournament.hpp"
 
 namespace regista::report {
 
 inline campaign::Decided match(int home, int away, const std::string& metrics = "{}") {
-  return {{home, away}, "full_time", "9f2c", metrics, std::nullopt, 1.0};
+  return {{home, away}, "full_time", "9f2c", campaign::metrics_from_json(metrics), std::nullopt, 1.0};
 }
 
 inline campaign::Decided failed(int side, const std::string& what = "Segmentation fault") {

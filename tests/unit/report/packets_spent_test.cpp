@@ -103,7 +103,7 @@ TEST(PacketsSpent, OfATunedTeam) {
   const TunedCourse course(plan, [&](const campaign::Job& job) {
     campaign::Decided decided = decided_by(plan, job, peak);
     const bool at_home = job.overrides.front().starts_with("home.");
-    decided.metrics = at_home ? metrics(45, 20) : metrics(20, 45);
+    decided.metrics = campaign::metrics_from_json(at_home ? metrics(45, 20) : metrics(20, 45));
     return decided;
   });
   EXPECT_THAT(tuning_text(course.view()),
@@ -125,7 +125,7 @@ ToldExperiment told(const study::ExperimentPlan& plan) {
     const study::Trial each = trial(plan, index);
     campaign::Decided decided = study::played(each.side, 1.0, 0, 0, 0);
     const int own = 10 + 10 * static_cast<int>(each.condition);
-    decided.metrics = each.side == 0 ? metrics(own, 999) : metrics(999, own);
+    decided.metrics = campaign::metrics_from_json(each.side == 0 ? metrics(own, 999) : metrics(999, own));
     course.take(decided);
   }
   const ExperimentView view{plan, course, [](std::uint64_t) { return std::string(); }};

@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 
+#include "campaign/metric_json.hpp"
 #include "report/tuning.hpp"
 #include "study/tuning/tuning.hpp"
 
@@ -87,7 +88,8 @@ inline campaign::Decided decided_by(const study::TuningPlan& plan, const campaig
   const auto role = [&](std::size_t each) {
     return fmt::format(R"({{"striker":{{"overlap_seconds":{}}}}})", each == side ? 60.0 - 5.0 * (of + shift) : 90.0);
   };
-  out.metrics = fmt::format(R"({{"playing_seconds":600,"roles":[{},{}]}})", role(0), role(1));
+  out.metrics =
+      campaign::metrics_from_json(fmt::format(R"({{"playing_seconds":600,"roles":[{},{}]}})", role(0), role(1)));
   return out;
 }
 

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "campaign/metric_json.hpp"
 #include "study/experiment.hpp"
 
 namespace regista::study {
@@ -57,8 +58,9 @@ inline campaign::Decided played(std::size_t side, double overlap, int packets, i
     return side == 0 ? mine + ", " + theirs : theirs + ", " + mine;
   };
   const auto role = [](double seconds) { return fmt::format(R"({{"striker": {{"overlap_seconds": {}}}}})", seconds); };
-  out.metrics = fmt::format(R"({{"playing_seconds": {}, "packets": [{}], "roles": [{}]}})", playing_seconds,
-                            both(std::to_string(packets), "-5"), both(role(overlap), role(999.0)));
+  out.metrics = campaign::metrics_from_json(fmt::format(R"({{"playing_seconds": {}, "packets": [{}], "roles": [{}]}})",
+                                                        playing_seconds, both(std::to_string(packets), "-5"),
+                                                        both(role(overlap), role(999.0))));
   return out;
 }
 

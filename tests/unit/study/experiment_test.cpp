@@ -187,13 +187,5 @@ TEST(Experiment, EveryComparisonOfThePlanCountsForHolm) {
   EXPECT_FALSE(course.playing_seconds_of_a_match(2));
 }
 
-TEST(Experiment, MetricsThatAreNoJsonAreRefused) {
-  const ExperimentPlan plan = experiment_of(1, 1, 1);
-  Experiment course(plan);
-  campaign::Decided bad = played(0, 1.0, 1, 0, 0);
-  bad.metrics = "{";
-  EXPECT_THROW(course.take(bad), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace regista::study

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/metric_json.hpp"
 #include "study/tournament_plan.hpp"
 
 namespace regista::study {
@@ -24,7 +25,7 @@ inline TournamentPlan plan_of(std::size_t teams, std::uint64_t pairs, Objective 
 }
 
 inline campaign::Decided match(int home, int away, const std::string& metrics = "{}") {
-  return {{home, away}, "full_time", "h", metrics, std::nullopt, 1.0};
+  return {{home, away}, "full_time", "h", campaign::metrics_from_json(metrics), std::nullopt, 1.0};
 }
 
 // side: 0 home, 1 away

@@ -180,7 +180,7 @@ TEST(Tournament, TheTestOnGoalsStopsWhenNoDifferenceIsExcluded) {
     for (unsigned seed = 0; seed < 10; ++seed) {
       const TournamentPlan plan = plan_of(2, 100'000, ValueTest{goals_value, 0.02});
       Tournament course(plan);
-      EXPECT_FALSE(course.needs_metrics());
+      EXPECT_EQ(course.metrics(), campaign::Metrics::left_out);
       statistics::BettingSequence alone({-10, 10, 0.02, 1.0});
       std::mt19937_64 random(seed);
       bool more = true;
@@ -237,7 +237,7 @@ std::string packets(double home, double away) {
 TEST(Tournament, AMetricIsTakenFromTheSideThatTheTeamHad) {
   const TournamentPlan plan = plan_of(2, 100, ValueTest{"packets", 0.05});
   Tournament course(plan);
-  EXPECT_TRUE(course.needs_metrics());
+  EXPECT_EQ(course.metrics(), campaign::Metrics::wanted);
   // First team: 10 and 20, second: 4 and 6. Then 1 and 1 against 8 and 2. Then both 3.
   take(course, {match(0, 0, packets(10, 4)), match(0, 0, packets(6, 20))});
   take(course, {match(0, 0, packets(1, 8)), match(0, 0, packets(2, 1))});

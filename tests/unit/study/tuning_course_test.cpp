@@ -320,7 +320,7 @@ TEST(Tune, MetricsThatAreMissingNowAndThen) {
   plan.verification_pairs = 60;
   Course run(plan);
   run.matches.judge = [](const campaign::Job& job, campaign::Decided& out) {
-    if (job.seed % 3 == 0) out.metrics = R"({"playing_seconds": 600})";
+    if (job.seed % 3 == 0) out.metrics = campaign::metrics_from_json(R"({"playing_seconds": 600})");
   };
   const TuningRecord& record = run.tune();
   for (const SearchStep& each : record.trace) EXPECT_TRUE(std::isfinite(each.played.counted));

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "campaign/job.hpp"
+#include "campaign/metric_json.hpp"
 #include "plugin/content_hash.hpp"
 #include "study/tuning/tuning.hpp"
 
@@ -100,7 +101,8 @@ inline campaign::Decided goals(double stronger, double noise, std::uint64_t seed
   out.score = {std::max(difference, 0), std::max(-difference, 0)};
   out.ended = "full_time";
   out.hash = "h";
-  out.metrics = fmt::format(R"({{"playing_seconds": 600, "packets": [{}, {}]}})", 100 + difference, 100 - difference);
+  out.metrics = campaign::metrics_from_json(
+      fmt::format(R"({{"playing_seconds": 600, "packets": [{}, {}]}})", 100 + difference, 100 - difference));
   return out;
 }
 

@@ -22,7 +22,7 @@ campaign::Decided match(int home, int away, const std::string& metrics = "{}") {
   out.score = {home, away};
   out.ended = "full_time";
   out.hash = "h";
-  out.metrics = metrics;
+  out.metrics = campaign::metrics_from_json(metrics);
   return out;
 }
 

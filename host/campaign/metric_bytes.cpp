@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/metric_bytes.hpp"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "match/side.hpp"
+
+namespace regista::campaign {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double unit = 1e6;
+constexpr double most_units = 9e15;  // whole numbers up to here are exact as doubles
+constexpr std::uint64_t none = 0, raw = 1, first_code = 2;
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+
+void write(std::string& out, std::uint64_t number) {
+  for (; number >= 0x80; number >>= 7) out += static_cast<char>(number | 0x80);
+  out += static_cast<char>(number);
+}
+
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+
+  std::uint64_t number() {
+    std::uint64_t out = 0;
+    for (int shift = 0; shift < 64; shift += 7) {
+      const std::uint64_t byte = next();
+      out |= (byte & 0x7f) << shift;
+      if (byte < 0x80) return out;
+    }
+    throw std::invalid_argument("a number of more than 64 bits");
+  }
+
+  double real() {
+    std::uint64_t bits = 0;
+    for (int shift = 0; shift < 64; shift += 8) bits |= next() << shift;
+    return std::bit_cast<double>(bits);
+  }
+
+  bool at_end() const { return bytes_.empty(); }
+
+ private:
+  std::uint64_t next() {
+    if (bytes_.empty()) throw std::invalid_argument("fewer numbers than names");
+    const auto out = static_cast<unsigned char>(bytes_.front());
+    bytes_.remove_prefix(1);
+    return out;
+  }
+
+  std::string_view bytes_;
+};
+
+}  // namespace
+
+std::string names_text(const match::MetricNames& names) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const match::MetricName& each = names[i];
+    Json name = Json::object();
+    if (each.side) name["side"] = match::name(*each.side);
+    if (!each.role.empty()) name["role"] = each.role;
+    name["name"] = each.name;
+    if (each.place > 0) name["place"] = each.place;
+    out.push_back(std::move(name));
+  }
+  return out.dump();
+}
+
+std::shared_ptr<const match::MetricNames> names_of(const std::string& text) {
+  try {
+    std::vector<match::MetricName> names;
+    for (const Json& each : Json::parse(text)) {
+      match::MetricName name{.role = each.value("role", ""), .name = each.at("name"), .place = each.value("place", 0)};
+      if (each.contains("side")) {
+        const std::string side = each.at("side");
+        if (side != match::name(match::Side::home) && side != match::name(match::Side::away)) {
+          throw std::invalid_argument("no side is called " + side);
+        }
+        name.side = side == match::name(match::Side::home) ? match::Side::home : match::Side::away;
+      }
+      names.push_back(std::move(name));
+    }
+    return std::make_shared<const match::MetricNames>(std::move(names));
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
+std::string number_bytes(std::span<const double> values) {
+  std::string out;
+  for (const double value : values) {
+    const double units = std::round(value * unit);
+    if (std::isnan(value)) {
+      write(out, none);
+    } else if (std::abs(units) < most_units &&
+               same_bits(static_cast<double>(static_cast<std::int64_t>(units)) / unit, value)) {
+      const auto whole = static_cast<std::int64_t>(units);
+      const std::uint64_t zigzag = (static_cast<std::uint64_t>(whole) << 1) ^ static_cast<std::uint64_t>(whole >> 63);
+      write(out, zigzag + first_code);
+    } else {
+      write(out, raw);
+      const auto bits = std::bit_cast<std::uint64_t>(value);
+      for (int shift = 0; shift < 64; shift += 8) out += static_cast<char>(bits >> shift);
+    }
+  }
+  return out;
+}
+
+std::vector<double> numbers_of(std::string_view bytes, std::size_t count) {
+  Reader reader(bytes);
+  std::vector<double> out;
+  out.reserve(count);
+  while (out.size() < count) {
+    const std::uint64_t code = reader.number();
+    if (code == none) {
+      out.push_back(nothing);
+    } else if (code == raw) {
+      out.push_back(reader.real());
+    } else {
+      const std::uint64_t zigzag = code - first_code;
+      const std::int64_t whole = static_cast<std::int64_t>(zigzag >> 1) ^ -static_cast<std::int64_t>(zigzag & 1);
+      out.push_back(static_cast<double>(whole) / unit);
+    }
+  }
+  if (!reader.at_end()) throw std::invalid_argument("more numbers than names");
+  return out;
+}
+
+}  // namespace regista::campaign

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/stored_metrics.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "campaign/metric_bytes.hpp"
+#include "campaign/row_checksum.hpp"
+#include "mcap/compression.hpp"
+#include "mcap/decode.hpp"
+
+namespace regista::campaign {
+namespace {
+
+using Names = std::shared_ptr<const match::MetricNames>;
+
+std::int64_t checksum_of(std::int64_t row, std::int64_t names, std::int64_t size, std::string_view numbers) {
+  return RowChecksum().whole(row).whole(names).whole(size).bytes(numbers).value();
+}
+
+}  // namespace
+
+struct StoredMetrics::Parts {
+  explicit Parts(SQLite::Database& in)
+      : database(in), select(in, "SELECT names, size, numbers, checksum FROM metrics WHERE row = ?") {}
+
+  const Names& names(std::int64_t id) {
+    if (const auto known = by_id.find(id); known != by_id.end()) return known->second;
+    SQLite::Statement find(database, "SELECT names, checksum FROM metric_names WHERE id = ?");
+    find.bind(1, id);
+    if (!find.executeStep()) throw std::invalid_argument(fmt::format("metric names {} are missing", id));
+    const std::string text = find.getColumn(0).getString();
+    if (RowChecksum().bytes(text).value() != find.getColumn(1).getInt64()) {
+      throw std::invalid_argument(fmt::format("the checksum of metric names {} does not fit", id));
+    }
+    return by_id.emplace(id, names_of(text)).first->second;
+  }
+
+  // The same names come with almost every match. Names that are new are known from the next match on: the transaction
+  // that adds them may fail.
+  std::int64_t id_of(const Names& names) {
+    const auto known =
+        std::ranges::find_if(by_id, [&](const auto& each) { return each.second == names || *each.second == *names; });
+    if (known != by_id.end()) return known->first;
+    const std::string text = names_text(*names);
+    SQLite::Statement find(database, "SELECT id FROM metric_names WHERE names = ?");
+    find.bindNoCopy(1, text);
+    if (find.executeStep()) return by_id.emplace(find.getColumn(0).getInt64(), names).first->first;
+    SQLite::Statement add(database, "INSERT INTO metric_names(names, checksum) VALUES(?, ?)");
+    add.bindNoCopy(1, text);
+    add.bind(2, RowChecksum().bytes(text).value());
+    add.exec();
+    return database.getLastInsertRowid();
+  }
+
+  SQLite::Database& database;
+  SQLite::Statement select;
+  std::optional<SQLite::Statement> insert;
+  std::map<std::int64_t, Names> by_id;
+  mcap::Compressor compressor;
+  mcap::Decompressor decompressor;
+};
+
+StoredMetrics::StoredMetrics(SQLite::Database& database, bool written_to) : parts_(std::make_unique<Parts>(database)) {
+  // Refuses a file without them; they are read when the first match asks for them.
+  SQLite::Statement(database, "SELECT id, names, checksum FROM metric_names");
+  if (written_to) {
+    parts_->insert.emplace(database, "INSERT INTO metrics(row, names, size, numbers, checksum) VALUES(?, ?, ?, ?, ?)");
+  }
+}
+
+StoredMetrics::~StoredMetrics() = default;
+
+void StoredMetrics::reset() { parts_->select.tryReset(); }
+
+match::MetricNumbers StoredMetrics::read(std::int64_t row) {
+  SQLite::Statement& select = parts_->select;
+  select.tryReset();
+  select.bind(1, row);
+  if (!select.executeStep()) return {};
+  const std::int64_t id = select.getColumn(0).getInt64(), size = select.getColumn(1).getInt64();
+  const SQLite::Column column = select.getColumn(2);
+  const std::string_view frame(static_cast<const char*>(column.getBlob()), static_cast<std::size_t>(column.getBytes()));
+  if (checksum_of(row, id, size, frame) != select.getColumn(3).getInt64()) {
+    throw DamagedRow(row, "the checksum of its metrics does not fit");
+  }
+  try {
+    const Names& known = parts_->names(id);
+    std::string bytes;
+    parts_->decompressor.decompress(frame, static_cast<std::uint64_t>(size), bytes);
+    return {known, numbers_of(bytes, known->size())};
+  } catch (const std::invalid_argument& error) {
+    throw DamagedRow(row, std::string("metrics: ") + error.what());
+  } catch (const mcap::Malformed& error) {
+    throw DamagedRow(row, "metrics: " + error.why);
+  }
+}
+
+std::vector<std::string> StoredMetrics::paths(std::int64_t rows) {
+  std::vector<std::string> out;
+  SQLite::Statement each(parts_->database, "SELECT names FROM metrics WHERE row <= ? GROUP BY names ORDER BY min(row)");
+  each.bind(1, rows);
+  while (each.executeStep()) {
+    const Names& names = parts_->names(each.getColumn(0).getInt64());
+    for (const match::Side side : match::both_sides) {
+      for (const std::size_t place : names->of(side)) {
+        if (std::ranges::find(out, names->path(place)) == out.end()) out.push_back(names->path(place));
+      }
+    }
+  }
+  return out;
+}
+
+void StoredMetrics::write(std::int64_t row, const match::MetricNumbers& numbers) {
+  const std::int64_t id = parts_->id_of(numbers.shared_names());
+  const std::string bytes = number_bytes(numbers.values());
+  std::string frame;
+  parts_->compressor.append(frame, bytes);
+  const auto size = static_cast<std::int64_t>(bytes.size());
+  SQLite::Statement& insert = *parts_->insert;
+  insert.tryReset();
+  insert.bind(1, row);
+  insert.bind(2, id);
+  insert.bind(3, size);
+  insert.bindNoCopy(4, frame.data(), static_cast<int>(frame.size()));
+  insert.bind(5, checksum_of(row, id, size, frame));
+  insert.exec();
+  insert.reset();
+}
+
+}  // namespace regista::campaign

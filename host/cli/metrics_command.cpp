@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// `regista metrics`: which numbers matches have.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <stdexcept>
+
+#include "cli/command.hpp"
+#include "cli/end_of_program.hpp"
+#include "cli/file_options.hpp"
+#include "cli/output.hpp"
+#include "config/bad_input.hpp"
+#include "config/file.hpp"
+#include "match/metric_table.hpp"
+#include "report/metric_reference.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr auto examples = R"(Examples:
+  regista metrics
+  regista metrics --json
+  regista metrics --page docs/metrics.md > new.md
+Each number can be named as a metric of a tournament or a measure of a study, but for lists and numbers of the match as a
+whole; with the name of a role in the place of <role>, and without "<role>." as the sum over all roles.
+Exit codes: 0 done; 1 the output could not be written; 2 bad input; 3 a defect of Regista.)";
+
+struct Options {
+  bool json = false;
+  std::string page;
+};
+
+std::string told(const Options& options) {
+  if (options.json && !options.page.empty()) throw config::BadInput("metrics: --json and --page: one of them");
+  if (options.json) return report::metrics_json(match::metric_table());
+  if (options.page.empty()) return report::metrics_text(match::metric_table());
+  const std::string page = config::read_file(options.page);
+  try {
+    return report::with_metric_tables(page, match::metric_table());
+  } catch (const std::invalid_argument& error) {
+    throw config::BadInput(options.page + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+Command add_metrics(CLI::App& parent) {
+  CLI::App& app = *parent.add_subcommand("metrics", "list the numbers that every match has");
+  const auto options = std::make_shared<Options>();
+  app.add_flag("--json", options->json, "write JSON")->disable_flag_override();
+  reads(
+      app.add_option("--page", options->page, "write this page of Markdown, with its tables of metrics as they are now")
+          ->type_name("FILE"),
+      Reads::data);
+  app.footer(examples);
+  return {&app, [options] {
+            print(told(*options));
+            return exit_done;
+          }};
+}
+
+}  // namespace regista::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "cli/study_kinds.hpp"
+
+#include <array>
+#include <utility>
+
+#include "report/experiment_report.hpp"
+#include "report/tournament_report.hpp"
+#include "report/tuning_report.hpp"
+#include "study/plan_names.hpp"
+#include "study/tuning/search_time.hpp"
+#include "study/tuning/tuning_plan.hpp"
+
+namespace regista::cli {
+
+std::span<const StudyKind> study_kinds() {
+  using Report = std::unique_ptr<report::StudyReport>;
+  static const std::array<StudyKind, 3> kinds{{
+      {study::tournament_study, "a tournament",
+       [](const std::string& plan, const campaign::Store&, report::CommandOf again) -> Report {
+         return report::tournament_report(study::tournament_plan_from_json(plan), std::move(again));
+       }},
+      {study::experiment_study, "an experiment",
+       [](const std::string& plan, const campaign::Store&, report::CommandOf again) -> Report {
+         return report::experiment_report(study::experiment_plan_from_json(plan), std::move(again));
+       }},
+      {study::tuning_study, "a tuning",
+       [](const std::string& plan, const campaign::Store& store, const report::CommandOf&) -> Report {
+         return std::make_unique<report::TuningReport>(study::tuning_plan_from_json(plan),
+                                                       study::stored_end_of_search(store));
+       }},
+  }};
+  return kinds;
+}
+
+}  // namespace regista::cli

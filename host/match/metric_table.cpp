@@ -1,0 +1,493 @@
+// SPDX-License-Identifier: MIT
+#include "match/metric_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "match/names.hpp"
+
+namespace regista::match {
+namespace {
+
+using Source = MetricSource;
+using Of = MetricRow::Of;
+using Total = MetricRow::Total;
+
+std::vector<double> reals(const std::vector<int>& values) { return {values.begin(), values.end()}; }
+
+std::vector<MetricRow> numbers_of_the_match() {
+  const std::string_view part = "match";
+  return {
+      {.part = part,
+       .name = "score",
+       .unit = "goals",
+       .total = Total::sum,
+       .meaning = "that count, at the end",
+       .get = [](const Source& from) { return from.result.score[index(from.side)]; }},
+      {.of = Of::match,
+       .part = part,
+       .name = "simulated_seconds",
+       .unit = "s",
+       .total = Total::sum,
+       .meaning = "from the placement to the end, breaks left out",
+       .get = [](const Source& from) { return from.result.simulated_seconds; }},
+      {.of = Of::match,
+       .part = part,
+       .name = "playing_seconds",
+       .unit = "s",
+       .total = Total::sum,
+       .meaning = "phase Playing",
+       .get = [](const Source& from) { return from.result.metrics.playing_seconds; }},
+      {.of = Of::match,
+       .part = part,
+       .name = "in_play_seconds",
+       .unit = "s",
+       .total = Total::sum,
+       .meaning = "ball in play",
+       .get = [](const Source& from) { return from.result.metrics.in_play_seconds; }},
+  };
+}
+
+// A number of one role; all of them add up to one of the team.
+MetricRow of_role(std::string name, const char* unit, std::string meaning, MetricRow::Number get) {
+  return {.of = Of::role,
+          .part = "coordination",
+          .name = std::move(name),
+          .unit = unit,
+          .total = Total::sum,
+          .meaning = std::move(meaning),
+          .get = std::move(get)};
+}
+
+using Counts = RoleMetrics::Counts;
+
+std::vector<MetricRow> numbers_of_roles() {
+  std::vector<MetricRow> rows{
+      of_role("overlap_seconds", "s", "`h_r >= 2`", [](const Source& from) { return from.role().all.overlap_seconds; }),
+      of_role("uncovered_seconds", "s",
+              "`h_r = 0` though the role was wanted: it is in the list in force, its place in that list (from 0) is "
+              "below `R`, and the robot it is bound to, if any, is active. In force is the list in which most active "
+              "robots hold a role; while nobody holds one, none",
+              [](const Source& from) { return from.role().all.uncovered_seconds; }),
+      of_role("switches", "times", "a robot takes the role in Playing that it did not hold at its last decision",
+              [](const Source& from) { return from.role().all.switches; }),
+      of_role("unplayed_seconds", "s",
+              "`h_r = 0` though more than `R / 2` of the active robots last decided on an assignment in which somebody "
+              "has the role",
+              [](const Source& from) { return from.role().all.unplayed_seconds; })};
+  struct Span {
+    const char *name, *meaning;
+    Counts RoleMetrics::*counts;
+  };
+  constexpr Span before{"before", "the part of it before the team's silence", &RoleMetrics::before_silence};
+  constexpr Span after{"after", "the part after it began", &RoleMetrics::after_silence};
+  for (const auto& [name, value] :
+       {std::pair{"overlap", &Counts::overlap_seconds}, std::pair{"uncovered", &Counts::uncovered_seconds}}) {
+    for (const Span& span : {before, after}) {
+      rows.push_back(
+          of_role(std::string(name) + '_' + span.name + "_silence_seconds", "s", span.meaning,
+                  [value = value, counts = span.counts](const Source& from) { return from.role().*counts.*value; }));
+    }
+  }
+  for (const Span& span : {before, after}) {
+    rows.push_back(of_role(std::string("switches_") + span.name + "_silence", "times", span.meaning,
+                           [counts = span.counts](const Source& from) { return (from.role().*counts).switches; }));
+  }
+  rows.push_back({.of = Of::role,
+                  .part = "coordination",
+                  .name = "robot_seconds",
+                  .unit = "s",
+                  .total = Total::sum,
+                  .meaning = "by robot: time it was active and held the role",
+                  .get = [](const Source& from) { return from.role().robot_seconds; }});
+  return rows;
+}
+
+// Of all roles together, by the minute of play: spans of different length beside each other.
+MetricRow rate(const std::string& what, const char* unit, const std::string& span, std::string meaning,
+               Counts RoleMetrics::*counts, double Counts::*seconds, double (*length)(const Source& from)) {
+  return {.part = "coordination",
+          .name = "rates." + what + "_per_minute" + span,
+          .unit = unit,
+          .meaning = std::move(meaning),
+          .get = [counts, seconds, length](const Source& from) -> std::optional<double> {
+            if (!(length(from) > 0.0)) return std::nullopt;
+            double sum = 0.0;
+            for (const RoleMetrics& role : from.team().coordination.roles) {
+              sum += seconds == nullptr ? (role.*counts).switches : role.*counts.*seconds;
+            }
+            return 60.0 * sum / length(from);
+          }};
+}
+
+std::vector<MetricRow> rates() {
+  constexpr auto playing = [](const Source& from) { return from.result.metrics.playing_seconds; };
+  constexpr auto silent = [](const Source& from) { return from.team().coordination.silent_seconds; };
+  constexpr auto heard = [](const Source& from) {
+    return from.result.metrics.playing_seconds - from.team().coordination.silent_seconds;
+  };
+  struct Span {
+    const char *name, *meaning;
+    Counts RoleMetrics::*counts;
+    double (*length)(const Source& from);
+  };
+  std::vector<MetricRow> rows;
+  for (const Span& span :
+       {Span{"", "`60 * sum over roles / playing_seconds`", &RoleMetrics::all, playing},
+        Span{"_before_silence", "over `playing_seconds - silent_seconds`", &RoleMetrics::before_silence, heard},
+        Span{"_after_silence", "over `silent_seconds`", &RoleMetrics::after_silence, silent}}) {
+    const auto add = [&](const char* what, const char* unit, double Counts::*seconds) {
+      rows.push_back(rate(what, unit, span.name, span.meaning, span.counts, seconds, span.length));
+    };
+    add("overlap_seconds", "s/min", &Counts::overlap_seconds);
+    add("uncovered_seconds", "s/min", &Counts::uncovered_seconds);
+    add("switches", "1/min", nullptr);
+  }
+  return rows;
+}
+
+std::vector<MetricRow> numbers_of_coordination() {
+  const std::string_view part = "coordination";
+  std::vector<MetricRow> rows = numbers_of_roles();
+  rows.push_back({.part = part,
+                  .name = "silent_seconds",
+                  .unit = "s",
+                  .total = Total::sum,
+                  .title = "Silent to the end, s of play",
+                  .digits = 1,
+                  .meaning = "of Playing, after the silence began; 0 without one",
+                  .get = [](const Source& from) { return from.team().coordination.silent_seconds; }});
+  rows.push_back({.part = part,
+                  .name = "agreement",
+                  .unit = "share",
+                  .title = "Agreement of all robots on the assignment, share of time",
+                  .digits = 3,
+                  .meaning = "of the samples with `R >= 2`: all active robots last decided on the same assignment of "
+                             "the whole team; `null` without such samples",
+                  .get = [](const Source& from) { return from.team().coordination.agreement; }});
+  rows.push_back({.part = part,
+                  .name = "agreement_before_silence",
+                  .unit = "share",
+                  .meaning = "the same, of the samples before the team's silence",
+                  .get = [](const Source& from) { return from.team().coordination.agreement_before_silence; }});
+  rows.push_back({.part = part,
+                  .name = "agreement_after_silence",
+                  .unit = "share",
+                  .meaning = "of those after it began",
+                  .get = [](const Source& from) { return from.team().coordination.agreement_after_silence; }});
+  std::ranges::move(rates(), std::back_inserter(rows));
+  return rows;
+}
+
+std::vector<MetricRow> numbers_of_packets() {
+  const std::string_view part = "packets";
+  return {
+      {.part = part,
+       .name = "packets",
+       .unit = "packets",
+       .total = Total::sum,
+       .meaning = "charged to the budget, too long ones included",
+       .get = [](const Source& from) { return from.result.packets[index(from.side)]; }},
+      {.of = Of::event,
+       .part = part,
+       .name = "packets_by_reason",
+       .unit = "packets",
+       .total = Total::sum,
+       .meaning = "those that the sender plugin sent for this reason",
+       .get = [](const Source& from) { return from.team().packets_by_reason[from.member]; }},
+      {.part = part,
+       .name = "packets_share",
+       .unit = "packets",
+       .total = Total::sum,
+       .meaning = "of a match that is ended before its time (`--limit`, an opening), else `null`: the budget times the "
+                  "share of the time it may last",
+       .get = [](const Source& from) { return from.packets_share; }},
+      {.part = part,
+       .name = "packets_over_share",
+       .unit = "packets",
+       .total = Total::sum,
+       .meaning = "`packets` less that share; above 0 is overspent: the team could not go on like this for a whole "
+                  "match",
+       .get = [](const Source& from) -> std::optional<double> {
+         if (!from.packets_share) return std::nullopt;
+         return from.result.packets[index(from.side)] - rounded_metric(*from.packets_share);
+       }},
+      {.part = part,
+       .name = "budget_curve",
+       .unit = "packets",
+       .total = Total::sum,
+       .meaning =
+           "what is left of the budget when the clock of the match shows 1, 2, 3 ... minutes, through all halves",
+       .get = [](const Source& from) { return reals(from.team().budget_curve); }},
+  };
+}
+
+// The four numbers of the estimates of one thing. error: the title of rmse_metres.
+struct Estimates {
+  const char* name;
+  EstimateMetrics WorldModelMetrics::*of;
+  const char *error, *known, *rmse, *nees, *coverage;  // meanings, but for the first
+};
+
+void add(std::vector<MetricRow>& rows, const Estimates& what) {
+  const std::string name = std::string("world_model.") + what.name + '.';
+  const auto get = [of = what.of](std::optional<double> EstimateMetrics::*value) {
+    return [of, value](const Source& from) { return from.team().world_model.*of.*value; };
+  };
+  const auto row = [&](const char* last, const char* unit, const char* title, const char* meaning,
+                       std::optional<double> EstimateMetrics::*value) {
+    rows.push_back(
+        {.part = "world", .name = name + last, .unit = unit, .title = title, .meaning = meaning, .get = get(value)});
+  };
+  row("known_share", "share", "", what.known, &EstimateMetrics::known_share);
+  row("rmse_metres", "m", what.error, what.rmse, &EstimateMetrics::rmse_metres);
+  row("nees", "", "", what.nees, &EstimateMetrics::nees);
+  row("coverage_95", "share", "", what.coverage, &EstimateMetrics::coverage_95);
+}
+
+std::vector<MetricRow> numbers_of_the_world() {
+  const std::string_view part = "world";
+  std::vector<MetricRow> rows{{.part = part,
+                               .name = "ball_seen_share",
+                               .unit = "share",
+                               .title = "Ball seen, share of time",
+                               .digits = 3,
+                               .meaning = "samples (10 Hz) in which an active robot saw the ball in the image of its "
+                                          "last decision: a sighting within 1 m of it",
+                               .get = [](const Source& from) { return from.team().world_model.ball_seen_share; }}};
+  constexpr auto as_before = "as of the ball";
+  add(rows,
+      {"ball", &WorldModelMetrics::ball, "Error of the ball, m",
+       "`K / A`: it believes to know where the ball is, and its own eyes have not refuted that",
+       "`sqrt(sum of e'e / K)`", "mean of `e' P^-1 e`; 2 when covariances are true, more when they promise too much",
+       "`e' P^-1 e <= 5.991`, the 0.95 quantile of chi-square with two degrees of freedom; 0.95 when they are "
+       "true"});
+  add(rows, {"self", &WorldModelMetrics::self, "Error of the own place, m", "1: every robot has a pose",
+             "of the robot's own place", as_before, as_before});
+  add(rows, {"teammates", &WorldModelMetrics::teammates, "Error of teammates, m",
+             "over pairs of active robots: it reckons with the other (heard of, not believed penalised, not given up "
+             "for lost)",
+             "over the pairs with `K`", as_before, as_before});
+  const auto opponents = [&](const char* name, const char* title, const char* meaning,
+                             std::optional<double> WorldModelMetrics::*value) {
+    rows.push_back({.part = part,
+                    .name = std::string("world_model.opponents.") + name,
+                    .unit = "m",
+                    .title = title,
+                    .meaning = meaning,
+                    .get = [value](const Source& from) { return from.team().world_model.*value; }});
+  };
+  opponents("ospa_metres", "Error of opponents, m (OSPA)",
+            "mean OSPA between the opponents it lists and the active ones", &WorldModelMetrics::ospa_metres);
+  opponents("ospa_location_metres", "", "its part from places", &WorldModelMetrics::ospa_location_metres);
+  opponents("ospa_cardinality_metres", "", "its part from numbers; the two add up",
+            &WorldModelMetrics::ospa_cardinality_metres);
+  return rows;
+}
+
+// How often something happened.
+template <class Get>
+MetricRow count(const char* name, const char* title, int digits, const char* meaning, Get get) {
+  return {.part = "soccer",
+          .name = name,
+          .unit = "times",
+          .total = Total::sum,
+          .title = title,
+          .digits = digits,
+          .meaning = meaning,
+          .get = get};
+}
+
+std::vector<MetricRow> numbers_of_soccer() {
+  const std::string_view part = "soccer";
+  return {
+      count("shots", "Shots", 2,
+            "a touch in Playing after which the ball, if nobody touched it again, would roll all over the opponent's "
+            "goal line between the posts: the way there is at most `v^2 / (2 a)`. A shot lasts until the ball is on no "
+            "such course any more or is dead; touches that leave it there are part of it",
+            [](const Source& from) { return from.team().play.shots; }),
+      count("shots_scored", "", 2, "a goal that counts ended the shot",
+            [](const Source& from) { return from.team().play.shots_scored; }),
+      count("shots_saved", "Shots saved by the others", 2,
+            "the touch of an opponent, goalkeeper or not, turned the ball away",
+            [](const Source& from) { return from.team().play.shots_saved; }),
+      count("passes", "Passes", 1,
+            "the next robot to touch the ball after one of the team is another one of the team, more than 0.5 m from "
+            "where it was touched last; nobody put the ball down in between",
+            [](const Source& from) { return from.team().play.passes; }),
+      count("interceptions", "Interceptions", 1, "the same, but the robot before was an opponent; a save is none",
+            [](const Source& from) { return from.team().play.interceptions; }),
+      {.part = part,
+       .name = "possession_seconds",
+       .unit = "s",
+       .total = Total::sum,
+       .title = "Possession, s",
+       .digits = 1,
+       .meaning = "in play, last touched by this team",
+       .get = [](const Source& from) { return from.team().play.possession_seconds; }},
+      {.part = part,
+       .name = "possession_share",
+       .unit = "share",
+       .meaning = "of the time in play that either team had it",
+       .get = [](const Source& from) { return from.team().play.possession_share; }},
+      {.part = part,
+       .name = "territory.ball_x_metres",
+       .unit = "m",
+       .meaning = "mean of the ball's x in the field frame of the team, in play",
+       .get = [](const Source& from) { return from.team().play.ball_x_metres; }},
+      {.part = part,
+       .name = "territory.opponent_half_share",
+       .unit = "share",
+       .title = "Ball in the other half, share of time in play",
+       .digits = 3,
+       .meaning = "in play, `x > 0`",
+       .get = [](const Source& from) { return from.team().play.opponent_half_share; }},
+      {.part = part,
+       .name = "distance_walked_metres",
+       .unit = "m",
+       .total = Total::sum,
+       .title = "Distance walked, m",
+       .digits = 1,
+       .meaning = "sum of the team's `robot_distance_metres`",
+       .get = [](const Source& from) { return from.team().play.distance_walked_metres; }},
+      {.part = part,
+       .name = "robot_distance_metres",
+       .unit = "m",
+       .total = Total::sum,
+       .meaning = "by robot: sum of `0.1 s * speed` of its body in Playing while active; being pushed counts",
+       .get = [](const Source& from) { return from.team().play.robot_distance_metres; }},
+      count("kicks", "Kicks", 1, "kicks that reached the ball", [](const Source& from) { return from.team().kicks; }),
+      count("touches", "Touches", 1,
+            "physics steps (0.02 s) in which a robot of the team touched the ball; where two touch it in one step, "
+            "only the harder touch counts",
+            [](const Source& from) { return from.team().touches; }),
+      count("falls", "Falls", 2, "of robots of the team", [](const Source& from) { return from.team().falls; }),
+      count("penalties", "Penalties", 2,
+            "of robots: removals, and robots that are penalised where they stand for moving in Set (Motion in Set, "
+            "15 s without being taken out)",
+            [](const Source& from) { return from.team().penalties; }),
+  };
+}
+
+// One row's numbers of one source.
+void take(const MetricRow& row, const MetricSource& source, const MetricName& name, std::vector<MetricName>& names,
+          std::vector<double>& values) {
+  if (const auto* const number = std::get_if<MetricRow::Number>(&row.get)) {
+    const std::optional<double> value = (*number)(source);
+    names.push_back(name);
+    values.push_back(value ? rounded_metric(*value) : std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
+  int place = 0;
+  for (const double value : std::get<MetricRow::List>(row.get)(source)) {
+    names.push_back(name);
+    names.back().place = ++place;
+    values.push_back(rounded_metric(value));
+  }
+}
+
+bool ends_with_name(std::string_view path, const std::string& name) {
+  return path == name || (path.ends_with(name) && path[path.size() - name.size() - 1] == '.');
+}
+
+}  // namespace
+
+std::string MetricRow::path(const std::string& role_or_event) const {
+  switch (of) {
+    case Of::match:
+    case Of::team:
+      break;
+    case Of::role:
+      return role_or_event + '.' + name;
+    case Of::event:
+      return name + '.' + role_or_event;
+  }
+  return name;
+}
+
+std::string MetricRow::pattern() const { return path(of == Of::role ? "<role>" : "<event>"); }
+
+double rounded_metric(double value) { return std::round(value * 1e6) / 1e6 + 0.0; }  // never -0
+
+const std::vector<MetricRow>& metric_table() {
+  static const std::vector<MetricRow> table = [] {
+    std::vector<MetricRow> rows = numbers_of_the_match();
+    for (auto* const part : {numbers_of_coordination, numbers_of_packets, numbers_of_the_world, numbers_of_soccer}) {
+      std::ranges::move(part(), std::back_inserter(rows));
+    }
+    return rows;
+  }();
+  return table;
+}
+
+std::vector<std::string> metric_members(const MetricRow& row, const std::vector<std::string>& roles) {
+  if (row.of == Of::role) return roles;
+  if (row.of != Of::event) return {""};
+  std::vector<std::string> events;
+  for (int reason = 0; reason < static_cast<int>(TeamMetrics().packets_by_reason.size()); ++reason) {
+    events.emplace_back(reason_name(reason));
+  }
+  return events;
+}
+
+MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSource& source, const RoleNames& roles) {
+  std::vector<MetricName> names;
+  std::vector<double> values;
+  MetricSource from = source;
+  from.member = 0;
+  for (const MetricRow& row : table) {
+    if (row.of == Of::match) take(row, from, {.name = row.name}, names, values);
+  }
+  for (const Side side : both_sides) {
+    from.side = side;
+    const std::vector<std::string>& own_roles = roles[index(side)];
+    for (const MetricRow& row : table) {
+      if (row.of != Of::team && row.of != Of::event) continue;
+      const std::vector<std::string> members = metric_members(row, own_roles);
+      for (from.member = 0; from.member < members.size(); ++from.member) {
+        take(row, from, {.side = side, .name = row.path(members[from.member])}, names, values);
+      }
+    }
+    // A role's numbers stand together.
+    for (from.member = 0; from.member < own_roles.size(); ++from.member) {
+      for (const MetricRow& row : table) {
+        if (row.of != Of::role) continue;
+        take(row, from, {.side = side, .role = own_roles[from.member], .name = row.name}, names, values);
+      }
+    }
+  }
+  return {std::make_shared<const MetricNames>(std::move(names)), std::move(values)};
+}
+
+const MetricRow* find_metric(std::span<const MetricRow> table, std::string_view path) {
+  path = without_roles(path);
+  for (const MetricRow& row : table) {
+    if (row.of == Of::role ? ends_with_name(path, row.name)
+                           : path == row.name || (row.of == Of::event && path.starts_with(row.name + '.'))) {
+      return &row;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<std::string> metric_paths(std::span<const MetricRow> table, const std::vector<std::string>& roles) {
+  std::vector<std::string> out;
+  for (const MetricRow& row : table) {
+    if (row.is_list() || (row.of != Of::team && row.of != Of::event)) continue;
+    for (const std::string& each : metric_members(row, roles)) out.push_back(row.path(each));
+  }
+  const auto of_role = [](const MetricRow& row) { return row.of == Of::role && !row.is_list(); };
+  for (const std::string& role : roles) {
+    for (const MetricRow& row : table) {
+      if (of_role(row)) out.push_back(row.path(role));
+    }
+  }
+  for (const MetricRow& row : table) {
+    if (of_role(row) && row.total == Total::sum) out.push_back(row.name);
+  }
+  return out;
+}
+
+}  // namespace regista::match

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// The table of metrics: a row for each number of a match. Whoever stores, prints, explains or checks these numbers
+// reads this table: the file of results, JSON, CSV, the page of a tournament, the names that studies may use, and the
+// tables of docs/metrics.md. A number is added by adding its row. Every function that reads a table takes any, so that
+// rows may also be declared while the program runs.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "match/match.hpp"
+#include "match/metric_numbers.hpp"
+#include "match/side.hpp"
+
+namespace regista::match {
+
+// What numbers are taken from.
+struct MetricSource {
+  const Result& result;
+  std::optional<double> packets_share{};  // see campaign/match_json.hpp
+  Side side = Side::home;                 // of numbers of a team
+  std::size_t member = 0;                 // of numbers by role or by event: which one
+
+  const TeamMetrics& team() const { return result.metrics.teams[index(side)]; }
+  const RoleMetrics& role() const { return team().coordination.roles[member]; }
+};
+
+struct MetricRow {
+  enum class Of {
+    match,  // one number
+    team,   // one of each side
+    role,   // one of each role of each side: "striker.overlap_seconds"
+    event,  // one of each cause of packets, of each side: "packets_by_reason.whistle"
+  };
+  // What a number says of the time it is taken over. Only sums can be added up, and told by the hour.
+  enum class Total {
+    sum,  // grows with it: how often, how long
+    mean  // does not: shares, errors, rates
+  };
+  using Number = std::function<std::optional<double>(const MetricSource&)>;
+  using List = std::function<std::vector<double>(const MetricSource&)>;  // no metric that a study can name
+
+  Of of = Of::team;
+  std::string_view part{};  // of docs/metrics.md: one of metric_parts
+  std::string name{};       // without side, role or event
+  std::string unit{};       // "s", "share"; empty: a plain number
+  Total total = Total::mean;
+  std::string title{};    // of its row on a page; empty: it has none
+  int digits = 2;         // of a mean, after the point
+  std::string meaning{};  // Markdown
+  std::variant<Number, List> get{};
+
+  bool is_list() const { return std::holds_alternative<List>(get); }
+  // The path of one number: "striker.overlap_seconds", "packets_by_reason.whistle".
+  std::string path(const std::string& role_or_event) const;
+  // With "<role>." or "<event>" where these stand.
+  std::string pattern() const;
+};
+
+// In the order of the documentation.
+inline constexpr std::array<std::string_view, 5> metric_parts{"match", "coordination", "packets", "world", "soccer"};
+
+// Those that every match has.
+const std::vector<MetricRow>& metric_table();
+
+// Names of roles, by side, in the order of the tables of roles.
+using RoleNames = std::array<std::vector<std::string>, 2>;
+
+// What a row has a number of on a side with these roles: of each role, of each event, or of "" alone.
+std::vector<std::string> metric_members(const MetricRow& row, const std::vector<std::string>& roles);
+
+// All numbers of a match. Those of lists have a place in their list, from 1.
+MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSource& source, const RoleNames& roles);
+
+// The row that numbers under this path come from: "striker.overlap_seconds" and "overlap_seconds" are of the same.
+// Null for a path of no row. A path may begin with "roles.".
+const MetricRow* find_metric(std::span<const MetricRow> table, std::string_view path);
+
+// What a study may name of a team with these roles: paths of a side in the order of the table, then sums over roles.
+std::vector<std::string> metric_paths(std::span<const MetricRow> table, const std::vector<std::string>& roles);
+
+// To the sixth decimal: sums and shares have no more to say, and campaigns keep them for every match.
+double rounded_metric(double value);
+
+}  // namespace regista::match

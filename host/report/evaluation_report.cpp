@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "report/evaluation_report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace regista::report {
+namespace {
+
+constexpr double per_metre = 1000.0;  // mm
+
+template <class Value>
+std::string row(std::string_view name, const study::Evaluation& evaluation, Value value) {
+  std::string line = fmt::format("  {:<24}", name);
+  for (const study::AtHorizon& each : evaluation.horizons) line += fmt::format("{:>17}", value(each));
+  return line + '\n';
+}
+
+std::string both(const study::Errors& errors, std::size_t answers) {
+  if (answers == 0) return "-";
+  return fmt::format("{:.1f} / {:.0f}", per_metre * errors.median, per_metre * errors.ninetieth);
+}
+
+template <class Value>
+std::string consistency_row(std::string_view name, const study::Evaluation& evaluation, Value value) {
+  return row(name, evaluation, [&](const study::AtHorizon& each) {
+    return each.answers == 0 ? std::string("-") : value(each.consistency);
+  });
+}
+
+nlohmann::ordered_json json_of(const study::Errors& errors) {
+  return {{"median", errors.median}, {"ninetieth_percentile", errors.ninetieth}};
+}
+
+}  // namespace
+
+std::string evaluation_text(const config::PredictorStudy& study, const std::string& data,
+                            const study::Evaluation& evaluation) {
+  using study::AtHorizon;
+  using study::Consistency;
+  std::string out = fmt::format("{} on {}\n{} detections, {} of them shown; {} starts\n\n", study.predictor.plugin,
+                                data, evaluation.detections, evaluation.observations, evaluation.starts);
+  out += row("seconds ahead", evaluation, [](const AtHorizon& at) { return fmt::format("{:g}", at.horizon); });
+  out += "error in mm: median / 90th percentile\n";
+  out += row(study.predictor.plugin, evaluation, [](const AtHorizon& at) { return both(at.predictor, at.answers); });
+  out += row("hold last", evaluation, [](const AtHorizon& at) { return both(at.hold, at.truths); });
+  out += row("constant velocity", evaluation, [](const AtHorizon& at) { return both(at.constant, at.truths); });
+  out += row("decayed velocity", evaluation, [](const AtHorizon& at) { return both(at.decayed, at.truths); });
+  out += row("truths", evaluation, [](const AtHorizon& at) { return fmt::format("{}", at.truths); });
+  out += row("answered", evaluation, [](const AtHorizon& at) {
+    const double share = at.truths == 0 ? 0.0 : static_cast<double>(at.answers) / static_cast<double>(at.truths);
+    return fmt::format("{:.1f} %", 100.0 * share);
+  });
+  out += "covariance: share of truths within its ellipses; normalised error squared (2, median 1.39)\n";
+  const auto percent = [](double share) { return fmt::format("{:.1f} %", 100.0 * share); };
+  out += consistency_row("50 %", evaluation, [&](const Consistency& each) { return percent(each.within_50); });
+  out += consistency_row("90 %", evaluation, [&](const Consistency& each) { return percent(each.within_90); });
+  out += consistency_row("95 %", evaluation, [&](const Consistency& each) { return percent(each.within_95); });
+  out += consistency_row("NEES mean / median", evaluation, [](const Consistency& each) {
+    return fmt::format("{:.2f} / {:.2f}", each.nees_mean, each.nees_median);
+  });
+  return out;
+}
+
+std::string evaluation_json(const config::PredictorStudy& study, const std::string& data,
+                            const study::Evaluation& evaluation) {
+  nlohmann::ordered_json out{{"study", study.name},
+                             {"predictor", study.predictor.plugin},
+                             {"data", data},
+                             {"detections", evaluation.detections},
+                             {"observations", evaluation.observations},
+                             {"starts", evaluation.starts},
+                             {"horizons", nlohmann::ordered_json::array()}};
+  for (const study::AtHorizon& at : evaluation.horizons) {
+    nlohmann::ordered_json each{{"seconds", at.horizon}, {"truths", at.truths}, {"answers", at.answers}};
+    each["error_m"] = {
+        {"hold", json_of(at.hold)}, {"constant", json_of(at.constant)}, {"decayed", json_of(at.decayed)}};
+    if (at.answers > 0) {
+      const study::Consistency& c = at.consistency;
+      each["error_m"]["predictor"] = json_of(at.predictor);
+      each["covariance"] = {{"within_50", c.within_50},
+                            {"within_90", c.within_90},
+                            {"within_95", c.within_95},
+                            {"nees_mean", c.nees_mean},
+                            {"nees_median", c.nees_median}};
+    }
+    out["horizons"].push_back(std::move(each));
+  }
+  return out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace regista::report

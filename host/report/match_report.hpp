@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What `regista match` says about a match that was played.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "campaign/match_json.hpp"
+
+namespace regista::report {
+
+// A page that ends with a newline.
+std::string summary_text(const campaign::PlayedMatch& match);
+
+// All its numbers as a long table with a head: a line for each number, without a side those of the match, then home's
+// and away's. Elements of a list are counted from 1.
+std::string metrics_csv(const campaign::PlayedMatch& match,
+                        std::span<const match::MetricRow> table = match::metric_table());
+inline constexpr std::string_view metrics_csv_head = "side,metric,value\n";
+
+}  // namespace regista::report

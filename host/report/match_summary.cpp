@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "match/names.hpp"
+#include "report/match_report.hpp"
+
+namespace regista::report {
+namespace {
+
+std::string in_words(std::string_view name) {
+  std::string words(name);
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
+const char* in_words(match::Ended ended) {
+  switch (ended) {
+    case match::Ended::mercy:
+      return "by the mercy rule";
+    case match::Ended::limit:
+      return "at the time limit";
+    default:
+      return "at full time";
+  }
+}
+
+double share(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
+
+std::string packets(const match::TeamMetrics& team, int charged, int budget, const std::optional<double>& of_time) {
+  std::string out = fmt::format("  packets {} of {}", charged, budget);
+  if (of_time) {
+    out += fmt::format(" (share of this length: {:.4g}{})", *of_time, charged > *of_time ? ", OVERSPENT" : "");
+  }
+  std::vector<std::size_t> order;
+  for (std::size_t reason = 0; reason < team.packets_by_reason.size(); ++reason) {
+    if (team.packets_by_reason[reason] > 0) order.push_back(reason);
+  }
+  std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t r) { return team.packets_by_reason[r]; });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    out += fmt::format("{} {} {}", i == 0 ? ":" : ",", team.packets_by_reason[order[i]],
+                       in_words(match::reason_name(static_cast<int>(order[i]))));
+  }
+  return out + '\n';
+}
+
+std::string table(const match::TeamMetrics& team, const std::vector<std::string>& names) {
+  std::size_t width = 4;
+  for (const std::string& role : names) width = std::max(width, role.size());
+  std::string out =
+      fmt::format("  {:<{}}  {:>9}  {:>11}  {:>8}\n", "role", width, "overlap s", "uncovered s", "switches");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const match::RoleMetrics::Counts& role = team.coordination.roles[i].all;
+    out += fmt::format("  {:<{}}  {:>9.1f}  {:>11.1f}  {:>8}\n", names[i], width, role.overlap_seconds,
+                       role.uncovered_seconds, role.switches);
+  }
+  return out;
+}
+
+// Errors of what robots believe; without a belief there is nothing to say.
+std::string world_model(const match::WorldModelMetrics& model) {
+  if (!model.self.rmse_metres) return "";
+  const auto metres = [](const std::optional<double>& error) { return error ? fmt::format("{:.2f} m", *error) : "–"; };
+  return fmt::format("  errors: ball {}, teammates {}, self {}, opponents {} (OSPA); ball seen {:.0f} % of the time\n",
+                     metres(model.ball.rmse_metres), metres(model.teammates.rmse_metres),
+                     metres(model.self.rmse_metres), metres(model.ospa_metres),
+                     100.0 * model.ball_seen_share.value_or(0.0));
+}
+
+}  // namespace
+
+std::string summary_text(const campaign::PlayedMatch& match) {
+  const match::Result& result = match.result;
+  std::string out = fmt::format("{} {} : {} {}\n\n", match.teams[0], result.score[0], result.score[1], match.teams[1]);
+  out += fmt::format("ended       {}, after {:.1f} s\n", in_words(result.ended), result.simulated_seconds);
+  out += fmt::format("seed        {}\n", match.seed);
+  if (!match.opening.empty()) out += fmt::format("opening     {}\n", match.opening);
+  out += fmt::format("state hash  {}\n", match::hash_text(result.hash));
+  out += fmt::format("wall time   {:.2f} s, {:.0f} times faster than the game\n", match.wall_seconds,
+                     share(result.simulated_seconds, match.wall_seconds));
+  for (const match::Side side : match::both_sides) {
+    const std::size_t i = match::index(side);
+    const match::TeamMetrics& team = result.metrics.teams[i];
+    out += fmt::format("\n{} ({})\n", match.teams[i], match::name(side));
+    out += table(team, match.role_names[i]);
+    out += packets(team, result.packets[i], match.budget, match.packets_share);
+    if (const double silent = team.coordination.silent_seconds; silent > 0.0) {
+      out += fmt::format("  silent for the last {:.0f} s of play\n", silent);
+    }
+    const match::PlayMetrics& play = team.play;
+    const std::optional<double>& agreement = team.coordination.agreement;
+    out += fmt::format("  possession {:.0f} %, agreement {}, falls {}, penalties {}, kicks {}\n",
+                       100.0 * play.possession_share.value_or(0.0),
+                       agreement ? fmt::format("{:.1f} %", 100.0 * *agreement) : "-", team.falls, team.penalties,
+                       team.kicks);
+    out += fmt::format("  shots {}, {} of them saved; passes {}, interceptions {}; walked {:.0f} m\n", play.shots,
+                       play.shots_saved, play.passes, play.interceptions, play.distance_walked_metres);
+    out += world_model(team.world_model);
+  }
+  return out;
+}
+
+}  // namespace regista::report

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The program with one more study: a file for the study, one for its report, and this one for its command.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "cli/campaign_options.hpp"
+#include "cli/command_line.hpp"
+#include "cli/plugin_folders.hpp"
+#include "cli/results_file.hpp"
+#include "cli/study_kinds.hpp"
+#include "cli/study_run.hpp"
+#include "goal_count_report.hpp"
+#include "study/tournament_setup.hpp"
+
+namespace regista::cli {
+namespace {
+
+int count_goals(study::TournamentRequest options, const Invocation& invocation) {
+  const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
+  study::PlannedTournament planned = study::planned_tournament(options, catalogue);
+  options.plugin_files = catalogue.used_files();
+  report::GoalCountReport report(std::move(planned.plan));
+  campaign::Store store =
+      open_results(options.results, options.resume, report.study(), planned.documents, invocation.studies);
+  return play_study(report, options, invocation, store, {});
+}
+
+Command add_count_goals(CLI::App& parent, const Invocation& invocation) {
+  CLI::App& app = *parent.add_subcommand("count-goals", "how many goals fall in a match");
+  const auto options = std::make_shared<study::TournamentRequest>();
+  app.add_option("--team", options->teams);
+  app.add_option("--openings", options->openings);
+  app.add_option("--pairs", options->pairs);
+  add_campaign_options(app, *options, options->results);
+  return {&app, [options, &invocation] { return count_goals(*options, invocation); }};
+}
+
+}  // namespace
+}  // namespace regista::cli
+
+int main(int argc, char** argv) {
+  using namespace regista;
+  std::vector<cli::StudyKind> kinds(cli::study_kinds().begin(), cli::study_kinds().end());
+  kinds.push_back({study::GoalCount::name, "a count of goals",
+                   [](const std::string& plan, const campaign::Store&,
+                      const report::CommandOf&) -> std::unique_ptr<report::StudyReport> {
+                     return std::make_unique<report::GoalCountReport>(study::GoalCount::schedule_of(plan));
+                   }});
+  const cli::Addition addition{cli::add_count_goals, kinds};
+  return cli::run(argc, argv, &addition);
+}
