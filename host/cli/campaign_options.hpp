@@ -5,14 +5,11 @@
 #include <string>
 
 #include "campaign/options.hpp"
-
-namespace CLI {
-class App;
-}
+#include "cli/command.hpp"
 
 namespace regista::cli {
 
 // default_results: what the help says.
-void add_campaign_options(CLI::App& app, campaign::Options& options, const std::string& default_results);
+void add_campaign_options(Command& command, campaign::Options& options, const std::string& default_results);
 
 }  // namespace regista::cli

@@ -4,18 +4,17 @@
 
 #include <functional>
 #include <span>
-#include <vector>
 
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 
 namespace regista::cli {
 
-// Adds all commands to the program's own: what there is to choose from. invocation outlives them.
-std::vector<Command> add_commands(CLI::App& root, const Invocation& invocation);
+// All commands: what there is to choose from. invocation outlives them.
+void add_commands(Command& program, const Invocation& invocation);
 
 // A command and the studies of a program that knows more than ours.
 struct Addition {
-  std::function<Command(CLI::App& root, const Invocation& invocation)> command;
+  std::function<void(Command& program, const Invocation& invocation)> command;
   std::span<const StudyKind> studies;  // all of them
 };
 

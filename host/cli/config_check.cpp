@@ -4,22 +4,20 @@
 // they can be played by rules and a robot.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/file_options.hpp"
-#include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
 #include "config/team_size.hpp"
 #include "mind/mind.hpp"
 #include "mind/team_plan.hpp"
+#include "output/output.hpp"
 #include "plugin/failure.hpp"
 #include "study/experiment_setup.hpp"
 #include "study/prediction/forecast.hpp"
@@ -173,7 +171,7 @@ void tell(const Verdict& verdict) {
   for (std::size_t i = 0; i < told; ++i) complain(verdict.mistakes[i].line);
   if (all > told) complain(fmt::format("{}: ... and {} more", verdict.file, all - told));
   for (const config::Warning& each : verdict.warnings) complain(to_string(each));
-  if (all == 0) print(fmt::format("{}: {}, sound\n", verdict.file, verdict.kind));
+  if (all == 0) output::print(fmt::format("{}: {}, sound\n", verdict.file, verdict.kind));
 }
 
 Json placed(const config::Location& where, const std::string& message) {
@@ -210,29 +208,26 @@ int check(const Options& options, const Invocation& invocation) {
   }
   if (options.json) {
     const Json out{{"documents", documents}};
-    print(out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+    output::print(out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
   }
   return sound ? exit_done : exit_bad_input;
 }
 
 }  // namespace
 
-Command add_config_check(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand(
-      "check", "say what is wrong with rules, robots, disturbances, openings, teams and studies");
+void add_config_check(Command& parent, const Invocation& invocation) {
+  Command& command =
+      parent.add("check", "say what is wrong with rules, robots, disturbances, openings, teams and studies");
   const auto options = std::make_shared<Options>();
-  reads(app.add_option("files", options->files, "documents of any kind")->type_name("FILE..."), Reads::documents);
-  reads(app.add_option("--rules", options->rules,
-                       "rules that openings and teams must go with; default: spl2023, built in")
-            ->type_name("FILE"),
-        Reads::documents);
-  reads(app.add_option("--robot", options->robot, "robot that openings and teams must go with; default: nao, built in")
-            ->type_name("FILE"),
-        Reads::documents);
-  app.add_flag("--json", options->json, "every mistake and warning as JSON, on standard output");
-  add_plugin_folders(app, options->plugins);
-  app.footer(examples);
-  return {&app, [options, &invocation] { return check(*options, invocation); }};
+  command.take("files", options->files, "FILE...", "documents of any kind", Reads::documents);
+  command.take("--rules", options->rules, "FILE",
+               "rules that openings and teams must go with; default: spl2023, built in", Reads::documents);
+  command.take("--robot", options->robot, "FILE", "robot that openings and teams must go with; default: nao, built in",
+               Reads::documents);
+  command.flag("--json", options->json, "every mistake and warning as JSON, on standard output");
+  add_plugin_folders(command, options->plugins);
+  command.notes(examples);
+  command.run = [options, &invocation] { return check(*options, invocation); };
 }
 
 }  // namespace regista::cli

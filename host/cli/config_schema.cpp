@@ -3,16 +3,15 @@
 // typing.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <memory>
 
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
 #include "config/text.hpp"
+#include "output/output.hpp"
 #include "plugin/declarations.hpp"
 
 namespace regista::cli {
@@ -48,21 +47,20 @@ int schema(const Options& options, const Invocation& invocation) {
   }
   const config::DocumentKind kind = kind_named(options.kinds.front());
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  print(config::schema(kind, plugin::declarations(catalogue.plugins())));
+  output::print(config::schema(kind, plugin::declarations(catalogue.plugins())));
   return exit_done;
 }
 
 }  // namespace
 
-Command add_config_schema(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("schema", "write the JSON Schema of a kind of document");
+void add_config_schema(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("schema", "write the JSON Schema of a kind of document");
   const auto options = std::make_shared<Options>();
-  app.add_option("kind", options->kinds,
-                 "rules, robot, disturbance, opening, team, predictor_study, experiment or tuning")
-      ->type_name("KIND");
-  add_plugin_folders(app, options->plugins);
-  app.footer(examples);
-  return {&app, [options, &invocation] { return schema(*options, invocation); }};
+  command.take("kind", options->kinds, "KIND",
+               "rules, robot, disturbance, opening, team, predictor_study, experiment or tuning");
+  add_plugin_folders(command, options->plugins);
+  command.notes(examples);
+  command.run = [options, &invocation] { return schema(*options, invocation); };
 }
 
 }  // namespace regista::cli

@@ -2,15 +2,13 @@
 // `regista config show FILE`: a document with every value that is in force, its unit, its meaning and where it is from.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/file_options.hpp"
-#include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
+#include "output/output.hpp"
 #include "plugin/declarations.hpp"
 
 namespace regista::cli {
@@ -37,22 +35,20 @@ int show(const Options& options, const Invocation& invocation) {
     throw BadInput(fmt::format("config show: one file is wanted, {} given", options.files.size()));
   }
   const config::Node document = config::load(options.files.front(), options.overrides);
-  print(config::show(document, declarations_for(document, options, invocation)));
+  output::print(config::show(document, declarations_for(document, options, invocation)));
   return exit_done;
 }
 
 }  // namespace
 
-Command add_config_show(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("show", "write a document with every value that is in force");
+void add_config_show(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("show", "write a document with every value that is in force");
   const auto options = std::make_shared<Options>();
-  reads(app.add_option("file", options->files, "a document of any kind")->type_name("FILE"), Reads::documents);
-  app.add_option("--set", options->overrides, "a value laid over the document; may be repeated")
-      ->type_name("PATH=VALUE")
-      ->allow_extra_args(false);
-  add_plugin_folders(app, options->plugins);
-  app.footer(examples);
-  return {&app, [options, &invocation] { return show(*options, invocation); }};
+  command.take("file", options->files, "FILE", "a document of any kind", Reads::documents);
+  command.take("--set", options->overrides, "PATH=VALUE", "a value laid over the document; may be repeated");
+  add_plugin_folders(command, options->plugins);
+  command.notes(examples);
+  command.run = [options, &invocation] { return show(*options, invocation); };
 }
 
 }  // namespace regista::cli

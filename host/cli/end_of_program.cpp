@@ -7,9 +7,9 @@
 #include <exception>
 #include <filesystem>
 
-#include "cli/output.hpp"
 #include "config/node.hpp"
 #include "config/text.hpp"
+#include "output/output.hpp"
 #include "plugin/failure.hpp"
 
 namespace regista::cli {
@@ -36,7 +36,7 @@ int explain_current_exception() {
   } catch (const Interrupted& error) {
     complain(error.what());
     return exit_no;
-  } catch (const WriteError& error) {
+  } catch (const output::WriteError& error) {
     complain(error.what());
     return exit_no;
   } catch (const std::filesystem::filesystem_error& error) {

@@ -3,18 +3,16 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
 
 #include "campaign/shell.hpp"
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/file_options.hpp"
 #include "cli/interruption.hpp"
-#include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
+#include "output/output.hpp"
 #include "report/evaluation_report.hpp"
 
 namespace regista::cli {
@@ -94,32 +92,27 @@ int evaluate(const Options& options, const Invocation& invocation) {
         stop_if_asked(stage);
       });
   progress.clear();
-  print(options.json ? report::evaluation_json(study, options.data, evaluation)
-                     : report::evaluation_text(study, options.data, evaluation));
+  output::print(options.json ? report::evaluation_json(study, options.data, evaluation)
+                             : report::evaluation_text(study, options.data, evaluation));
   return exit_done;
 }
 
 }  // namespace
 
-Command add_evaluate_predictor(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app =
-      *parent.add_subcommand("evaluate-predictor", "measure a predictor on a recording, beside simple baselines");
+void add_evaluate_predictor(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("evaluate-predictor", "measure a predictor on a recording, beside simple baselines");
   const auto options = std::make_shared<Options>();
-  reads(app.add_option("study", options->studies, "the study's file")->type_name("STUDY.yaml"), Reads::documents);
-  reads(app.add_option("--data", options->data, "the recording: CSV, plain or .gz")->type_name("FILE"), Reads::data);
-  reads(app.add_option(
-               "--referee", options->referee,
-               "states of the referee (Small Size League); default: NAME_referee.csv.gz beside NAME_ball_raw.csv.gz")
-            ->type_name("FILE"),
-        Reads::data);
-  app.add_option("--set", options->overrides, "a value laid over the study; may be repeated")
-      ->type_name("PATH=VALUE")
-      ->allow_extra_args(false);
-  add_plugin_folders(app, options->plugins);
-  app.add_flag("--json", options->json, "write the result as JSON");
-  app.add_flag("--quiet", options->quiet, "no progress on the terminal");
-  app.footer(examples);
-  return {&app, [options, &invocation] { return evaluate(*options, invocation); }};
+  command.take("study", options->studies, "STUDY.yaml", "the study's file", Reads::documents);
+  command.take("--data", options->data, "FILE", "the recording: CSV, plain or .gz", Reads::data);
+  command.take("--referee", options->referee, "FILE",
+               "states of the referee (Small Size League); default: NAME_referee.csv.gz beside NAME_ball_raw.csv.gz",
+               Reads::data);
+  command.take("--set", options->overrides, "PATH=VALUE", "a value laid over the study; may be repeated");
+  add_plugin_folders(command, options->plugins);
+  command.flag("--json", options->json, "write the result as JSON");
+  command.flag("--quiet", options->quiet, "no progress on the terminal");
+  command.notes(examples);
+  command.run = [options, &invocation] { return evaluate(*options, invocation); };
 }
 
 }  // namespace regista::cli

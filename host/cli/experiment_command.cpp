@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 // `regista experiment`: what a difference between teams does to numbers of their matches, against one common opponent,
 // seed by seed.
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/file_options.hpp"
-#include "cli/output.hpp"
-#include "cli/output_files.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
 #include "cli/study_run.hpp"
+#include "output/output.hpp"
+#include "output/output_files.hpp"
 #include "report/experiment_report.hpp"
 #include "study/experiment_setup.hpp"
 
@@ -42,7 +40,7 @@ it, too. At its end there are, beside the results NAME.db, the page NAME.html an
 Exit codes: 0 played, whatever was found; 1 interrupted, or the results could not be written; 2 bad input; 3 a defect of
 Regista.)";
 
-int experiment(ExperimentOptions options, OutputFiles outputs, const Invocation& invocation) {
+int experiment(ExperimentOptions options, output::OutputFiles outputs, const Invocation& invocation) {
   campaign::check(options);
   if (options.force && options.csv.empty() && options.summary.empty()) {
     throw BadInput("--force: belongs to --csv and --summary, which are not given");
@@ -54,12 +52,13 @@ int experiment(ExperimentOptions options, OutputFiles outputs, const Invocation&
   options.plugin_files = catalogue.used_files();
   if (options.results.empty()) options.results = plan.name + ".db";
   outputs.read(folders_of(catalogue), Reads::plugins);
-  outputs.write_beside(options.results, options.no_page ? OutputFiles::Page::none : OutputFiles::Page::with_figures);
+  outputs.write_beside(options.results,
+                       options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::with_figures);
   outputs.check(options.force);
   const auto report = report::experiment_report(std::move(plan), play_again(invocation));
   campaign::Store store = open_results(options.results, options.resume, report->study(), {}, invocation.studies);
   const report::TableWish every{.all_metrics = true};
-  std::optional<OutputFile> csv;
+  std::optional<output::OutputFile> csv;
   StudyWishes wishes;
   if (!options.csv.empty()) {
     csv.emplace(options.csv);
@@ -72,7 +71,7 @@ int experiment(ExperimentOptions options, OutputFiles outputs, const Invocation&
     if (csv) csv->close();
     if (options.summary.empty()) return;
     outputs.check(options.force);  // hours later, perhaps
-    OutputFile summary(options.summary);
+    output::OutputFile summary(options.summary);
     summary.write(report->summary_table());
     summary.close();
   };
@@ -81,29 +80,23 @@ int experiment(ExperimentOptions options, OutputFiles outputs, const Invocation&
 
 }  // namespace
 
-Command add_experiment(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("experiment", "compare arms in numbers of their matches");
+void add_experiment(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("experiment", "compare arms in numbers of their matches");
   const auto options = std::make_shared<ExperimentOptions>();
-  reads(app.add_option("file", options->file, "the experiment's document")->type_name("E.yaml"), Reads::documents);
-  app.add_option("--set", options->overrides, "a value laid over that document; may be repeated")
-      ->type_name("PATH=VALUE")
-      ->allow_extra_args(false);
-  app.add_option("--minutes", options->minutes,
-                 "play so much of the game's clock for each arm, whatever the document says")
-      ->type_name("N");
-  app.add_option("--matches", options->matches, "play so many matches for each arm, whatever the document says")
-      ->type_name("N");
-  writes(app.add_option("--csv", options->csv, "write every number of every match of the arms as a table")
-             ->type_name("FILE"),
-         Writes::match_table);
-  writes(app.add_option("--summary", options->summary, "write means and intervals as a table")->type_name("FILE"),
-         Writes::summary_table);
-  app.add_flag("--force", options->force, "let --csv and --summary replace files of another kind")
-      ->disable_flag_override();
-  add_campaign_options(app, *options, "the experiment's name with .db");
-  app.footer(examples);
-  return {&app,
-          [options, &app, &invocation] { return experiment(*options, OutputFiles(app, "experiment"), invocation); }};
+  command.take("file", options->file, "E.yaml", "the experiment's document", Reads::documents);
+  command.take("--set", options->overrides, "PATH=VALUE", "a value laid over that document; may be repeated");
+  command.take("--minutes", options->minutes, "N",
+               "play so much of the game's clock for each arm, whatever the document says");
+  command.take("--matches", options->matches, "N", "play so many matches for each arm, whatever the document says");
+  command.take("--csv", options->csv, "FILE", "write every number of every match of the arms as a table",
+               Writes::match_table);
+  command.take("--summary", options->summary, "FILE", "write means and intervals as a table", Writes::summary_table);
+  command.flag("--force", options->force, "let --csv and --summary replace files of another kind");
+  add_campaign_options(command, *options, "the experiment's name with .db");
+  command.notes(examples);
+  command.run = [options, &command, &invocation] {
+    return experiment(*options, output::OutputFiles(command.given(), "experiment"), invocation);
+  };
 }
 
 }  // namespace regista::cli

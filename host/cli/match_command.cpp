@@ -4,7 +4,6 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -21,23 +20,22 @@
 #include "campaign/match_setup.hpp"
 #include "campaign/mathematics.hpp"
 #include "campaign/shell.hpp"
-#include "cli/command.hpp"
+#include "campaign/supervised.hpp"
+#include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/file_options.hpp"
 #include "cli/interruption.hpp"
 #include "cli/live_line.hpp"
-#include "cli/output.hpp"
-#include "cli/output_files.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/replaced_file.hpp"
 #include "cli/results_file.hpp"
-#include "cli/supervised.hpp"
 #include "config/packet_share.hpp"
 #include "config/text.hpp"
 #include "config/typed.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
 #include "mcap/error.hpp"
+#include "output/output.hpp"
+#include "output/output_files.hpp"
+#include "output/replaced_file.hpp"
 #include "plugin/plugin_file.hpp"
 #include "recording/decision_log.hpp"
 #include "recording/match_recording.hpp"
@@ -160,11 +158,11 @@ int play_failed(const Options& options, const Stored& stored) {
     now = campaign::play_alone(job, stored.limits);
   } catch (const campaign::CampaignError& error) {
     if (error.kind() == campaign::CampaignError::Kind::input) throw BadInput(error.what());
-    throw WriteError(error.what());
+    throw output::WriteError(error.what());
   }
   const bool same_side = now.failure && stored.decided.failure && now.failure->side == stored.decided.failure->side;
   if (same_side || (now.set_aside() && stored.decided.set_aside())) {
-    print(config::one_line(fmt::format("row {}, again: {}", options.row, end_in_words(now))) + '\n');
+    output::print(config::one_line(fmt::format("row {}, again: {}", options.row, end_in_words(now))) + '\n');
     return exit_done;
   }
   complain(config::one_line(
@@ -186,7 +184,7 @@ int compare(const Options& options, const campaign::Decided& stored, const match
 
 // outputs: as they were named before stored_match() went elsewhere. What can be known before the match is refused
 // before.
-void check_what_is_written(OutputFiles outputs, const Options& options, const campaign::MatchRequest& played,
+void check_what_is_written(output::OutputFiles outputs, const Options& options, const campaign::MatchRequest& played,
                            const plugin::Catalogue& catalogue) {
   std::vector<std::string> documents = played.teams;
   documents.insert(documents.end(), {played.rules, played.robot, played.disturbance, played.home_disturbance,
@@ -247,7 +245,7 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
     played.role_names[match::index(side)] = match::role_names(match::roles(*plans[match::index(side)]));
   }
 
-  std::optional<OutputFile> decisions;
+  std::optional<output::OutputFile> decisions;
   std::optional<recording::DecisionLog> log;
   if (!options.decisions.empty()) {
     decisions.emplace(options.decisions);
@@ -287,7 +285,7 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
 
   const auto began = std::chrono::steady_clock::now();
   const pid_t here = getpid();
-  std::optional<StandardOutputKept> kept(std::in_place);
+  std::optional<campaign::StandardOutputKept> kept(std::in_place);
   const campaign::ProcessState before = campaign::ProcessState::now();
   std::string left;
   try {
@@ -297,7 +295,7 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
     left = campaign::changes_since(before);
     if (recording) recording->close();
   } catch (const mcap::Error& error) {
-    throw WriteError(error.what());
+    throw output::WriteError(error.what());
   } catch (const std::invalid_argument& error) {
     throw BadInput(error.what());  // profiles and teams that do not go together
   }
@@ -305,11 +303,12 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
   kept.reset();
   live.clear();
   if (!left.empty()) {
-    throw Disorder("a plugin " + left);
+    throw campaign::Disorder("a plugin " + left);
   }
   if (log) decisions->close();
-  if (!options.metrics.empty()) write_whole(options.metrics, report::metrics_csv(played), Existing::replaced);
-  print(options.json ? campaign::summary_json(played) : report::summary_text(played));
+  if (!options.metrics.empty())
+    output::write_whole(options.metrics, report::metrics_csv(played), output::Existing::replaced);
+  output::print(options.json ? campaign::summary_json(played) : report::summary_text(played));
   return stored ? compare(options, stored->decided, played.result) : exit_done;
 }
 
@@ -328,7 +327,7 @@ Files files_of(const campaign::MatchSetup& prepared) {
 
 // A plugin ended the process.
 int explain_loss(const Options& options, campaign::Job job, const campaign::Limits& limits, const Files& files,
-                 const Loss& loss) {
+                 const campaign::Loss& loss) {
   for (const std::string& written : {options.record, options.decisions}) {
     std::error_code none;
     if (!written.empty() && std::filesystem::exists(written, none))
@@ -350,7 +349,7 @@ int explain_loss(const Options& options, campaign::Job job, const campaign::Limi
   throw BadInput(fmt::format("the match died: {}; {}", died, not_alone));
 }
 
-int play(Options options, const OutputFiles& outputs, const Invocation& invocation) {
+int play(Options options, const output::OutputFiles& outputs, const Invocation& invocation) {
   // Before stored_match() goes elsewhere.
   for (std::string* written : {&options.decisions, &options.record, &options.metrics}) {
     if (!options.from.empty() && !written->empty()) *written = std::filesystem::absolute(*written).string();
@@ -387,69 +386,71 @@ int play(Options options, const OutputFiles& outputs, const Invocation& invocati
     campaign::WorkerNote note;
     try {
       return work(note);
-    } catch (const Disorder& disorder) {
+    } catch (const campaign::Disorder& disorder) {
       throw BadInput(disorder.what());
     }
   }
   const campaign::Limits limits = limits_of(options);
-  return run_supervised(limits, work,
-                        [&](const Loss& loss) { return explain_loss(options, job, limits, files, loss); });
+  const auto explained = [&](campaign::WorkerNote& note) {
+    try {
+      return work(note);
+    } catch (const campaign::Disorder&) {
+      throw;  // told by the program itself, as what ends the copy is
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (...) {
+      return explain_current_exception();
+    }
+  };
+  const auto interrupted = [] {
+    complain("interrupted");
+    return exit_no;
+  };
+  return campaign::run_supervised(
+      limits, {explained, [&](const campaign::Loss& loss) { return explain_loss(options, job, limits, files, loss); },
+               interrupted});
 }
 
 }  // namespace
 
-Command add_match(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("match", "play one match between two teams");
+void add_match(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("match", "play one match between two teams");
   const auto options = std::make_shared<Options>();
-  reads(app.add_option("teams", options->teams, "the teams' files: home, then away")->type_name("A.yaml B.yaml"),
-        Reads::documents);
-  app.add_option("--seed", options->seed, "all chance of the match comes from it; default 1")->type_name("N");
-  reads(app.add_option("--rules", options->rules, "rules profile; default: spl2023, built in")->type_name("FILE"),
-        Reads::documents);
-  reads(app.add_option("--robot", options->robot, "robot profile of both teams; default: nao, built in")
-            ->type_name("FILE"),
-        Reads::documents);
-  reads(app.add_option("--disturbance", options->disturbance, "disturbance profile of both teams; default: none")
-            ->type_name("FILE"),
-        Reads::documents);
-  reads(app.add_option("--home-disturbance", options->home_disturbance, "of the home team alone")->type_name("FILE"),
-        Reads::documents);
-  reads(app.add_option("--away-disturbance", options->away_disturbance, "of the away team alone")->type_name("FILE"),
-        Reads::documents);
-  reads(app.add_option("--opening", options->opening, "scene that the game starts from; default: kick-off")
-            ->type_name("FILE"),
-        Reads::documents);
-  app.add_option("--set", options->overrides, "a value laid over a document; may be repeated")
-      ->type_name("PATH=VALUE")
-      ->allow_extra_args(false);
-  app.add_option("--limit", options->limit, "end the match after so many simulated seconds")->type_name("SECONDS");
-  reads(app.add_option("--from", options->from, "play a match of these results again")->type_name("RESULTS.db"),
-        Reads::results);
-  app.add_option("--row", options->row, "which one, from 1")->type_name("N");
-  add_plugin_folders(app, options->plugins);
-  app.add_flag("--json", options->json, "write the result as JSON")->disable_flag_override();
-  writes(app.add_option("--decisions", options->decisions, "write what the robots believed and chose as JSON lines")
-             ->type_name("FILE"),
-         Writes::decisions);
-  writes(app.add_option("--record", options->record, "write the match as an MCAP file, for `regista view` and others")
-             ->type_name("FILE"),
-         Writes::recording);
-  writes(app.add_option("--metrics", options->metrics, "write all numbers of the match as a table (CSV)")
-             ->type_name("FILE"),
-         Writes::metrics);
-  app.add_flag("--force", options->force, "let --record replace a recording")->disable_flag_override();
-  app.add_flag("--quiet", options->quiet, "no live line on the terminal")->disable_flag_override();
-  app.add_option("--processor-seconds", options->processor_seconds,
-                 "processor time of one call of a plugin; default 10")
-      ->type_name("SECONDS");
-  app.add_option("--wall-seconds", options->wall_seconds, "wall time of one call of a plugin; default 200")
-      ->type_name("SECONDS");
-  app.add_flag("--in-process", options->in_process,
-               "play in the program's own process, for a debugger: what ends it is not told")
-      ->disable_flag_override();
-  app.add_flag("--verbose", options->verbose, "a line on standard error for each goal")->disable_flag_override();
-  app.footer(examples);
-  return {&app, [options, &app, &invocation] { return play(*options, OutputFiles(app, "match"), invocation); }};
+  command.take("teams", options->teams, "A.yaml B.yaml", "the teams' files: home, then away", Reads::documents);
+  command.take("--seed", options->seed, "N", "all chance of the match comes from it; default 1");
+  command.take("--rules", options->rules, "FILE", "rules profile; default: spl2023, built in", Reads::documents);
+  command.take("--robot", options->robot, "FILE", "robot profile of both teams; default: nao, built in",
+               Reads::documents);
+  command.take("--disturbance", options->disturbance, "FILE", "disturbance profile of both teams; default: none",
+               Reads::documents);
+  command.take("--home-disturbance", options->home_disturbance, "FILE", "of the home team alone", Reads::documents);
+  command.take("--away-disturbance", options->away_disturbance, "FILE", "of the away team alone", Reads::documents);
+  command.take("--opening", options->opening, "FILE", "scene that the game starts from; default: kick-off",
+               Reads::documents);
+  command.take("--set", options->overrides, "PATH=VALUE", "a value laid over a document; may be repeated");
+  command.take("--limit", options->limit, "SECONDS", "end the match after so many simulated seconds");
+  command.take("--from", options->from, "RESULTS.db", "play a match of these results again", Reads::results);
+  command.take("--row", options->row, "N", "which one, from 1");
+  add_plugin_folders(command, options->plugins);
+  command.flag("--json", options->json, "write the result as JSON");
+  command.take("--decisions", options->decisions, "FILE", "write what the robots believed and chose as JSON lines",
+               Writes::decisions);
+  command.take("--record", options->record, "FILE", "write the match as an MCAP file, for `regista view` and others",
+               Writes::recording);
+  command.take("--metrics", options->metrics, "FILE", "write all numbers of the match as a table (CSV)",
+               Writes::metrics);
+  command.flag("--force", options->force, "let --record replace a recording");
+  command.flag("--quiet", options->quiet, "no live line on the terminal");
+  command.take("--processor-seconds", options->processor_seconds, "SECONDS",
+               "processor time of one call of a plugin; default 10");
+  command.take("--wall-seconds", options->wall_seconds, "SECONDS", "wall time of one call of a plugin; default 200");
+  command.flag("--in-process", options->in_process,
+               "play in the program's own process, for a debugger: what ends it is not told");
+  command.flag("--verbose", options->verbose, "a line on standard error for each goal");
+  command.notes(examples);
+  command.run = [options, &command, &invocation] {
+    return play(*options, output::OutputFiles(command.given(), "match"), invocation);
+  };
 }
 
 }  // namespace regista::cli

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 // `regista metrics`: which numbers matches have.
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <stdexcept>
 
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/file_options.hpp"
-#include "cli/output.hpp"
 #include "config/bad_input.hpp"
 #include "config/file.hpp"
 #include "match/metric_table.hpp"
+#include "output/output.hpp"
 #include "report/metric_reference.hpp"
 
 namespace regista::cli {
@@ -43,19 +41,17 @@ std::string told(const Options& options) {
 
 }  // namespace
 
-Command add_metrics(CLI::App& parent) {
-  CLI::App& app = *parent.add_subcommand("metrics", "list the numbers that every match has");
+void add_metrics(Command& parent) {
+  Command& command = parent.add("metrics", "list the numbers that every match has");
   const auto options = std::make_shared<Options>();
-  app.add_flag("--json", options->json, "write JSON")->disable_flag_override();
-  reads(
-      app.add_option("--page", options->page, "write this page of Markdown, with its tables of metrics as they are now")
-          ->type_name("FILE"),
-      Reads::data);
-  app.footer(examples);
-  return {&app, [options] {
-            print(told(*options));
-            return exit_done;
-          }};
+  command.flag("--json", options->json, "write JSON");
+  command.take("--page", options->page, "FILE",
+               "write this page of Markdown, with its tables of metrics as they are now", Reads::data);
+  command.notes(examples);
+  command.run = [options] {
+    output::print(told(*options));
+    return exit_done;
+  };
 }
 
 }  // namespace regista::cli

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/plugin_folders.hpp"
-#include "cli/file_options.hpp"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 
@@ -12,11 +10,8 @@
 
 namespace regista::cli {
 
-void add_plugin_folders(CLI::App& app, std::vector<std::string>& folders) {
-  reads(app.add_option("--plugins", folders, "search this folder for plugins first; may be repeated")
-            ->type_name("DIR")
-            ->allow_extra_args(false),
-        Reads::plugins);
+void add_plugin_folders(Command& command, std::vector<std::string>& folders) {
+  command.take("--plugins", folders, "DIR", "search this folder for plugins first; may be repeated", Reads::plugins);
 }
 
 plugin::Catalogue open_plugins(const std::vector<std::string>& folders, const Invocation& invocation) {

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "plugin/catalogue.hpp"
 
 namespace regista::cli {
 
 // Adds the option `--plugins DIR`, which may come several times.
-void add_plugin_folders(CLI::App& app, std::vector<std::string>& folders);
+void add_plugin_folders(Command& command, std::vector<std::string>& folders);
 
 // Throws config::Error for a folder of an option that is none.
 plugin::Catalogue open_plugins(const std::vector<std::string>& folders, const Invocation& invocation);

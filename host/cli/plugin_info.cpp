@@ -2,15 +2,14 @@
 // `regista plugin info ID`: all that a plugin says about itself, its parameters first of all.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/plugin_json.hpp"
 #include "config/text.hpp"
+#include "output/output.hpp"
 #include "plugin/info.hpp"
 
 namespace regista::cli {
@@ -53,21 +52,20 @@ int show(const Options& options, const Invocation& invocation) {
     out += plugin::info_text(*plugin);
     json.push_back(plugin_json(*plugin));
   }
-  print(options.json ? text_of(json) : out);
+  output::print(options.json ? text_of(json) : out);
   return exit_done;
 }
 
 }  // namespace
 
-Command add_plugin_info(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("info", "describe a plugin and its parameters");
+void add_plugin_info(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("info", "describe a plugin and its parameters");
   const auto options = std::make_shared<Options>();
-  app.add_option("id", options->ids, "name of the plugin, as teams use it")->type_name("ID");
-  add_plugin_folders(app, options->plugins);
-  app.add_flag("--json", options->json, "write JSON: a list, with one element for each build of the plugin")
-      ->disable_flag_override();
-  app.footer(examples);
-  return {&app, [options, &invocation] { return show(*options, invocation); }};
+  command.take("id", options->ids, "ID", "name of the plugin, as teams use it");
+  add_plugin_folders(command, options->plugins);
+  command.flag("--json", options->json, "write JSON: a list, with one element for each build of the plugin");
+  command.notes(examples);
+  command.run = [options, &invocation] { return show(*options, invocation); };
 }
 
 }  // namespace regista::cli

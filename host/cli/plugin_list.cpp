@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // `regista plugin list`: which plugins there are, which files were refused, and where was looked.
-#include <CLI/CLI.hpp>
 #include <memory>
 
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/plugin_json.hpp"
+#include "output/output.hpp"
 #include "plugin/info.hpp"
 
 namespace regista::cli {
@@ -35,17 +34,17 @@ std::string list_json(const plugin::Catalogue& catalogue) {
 
 }  // namespace
 
-Command add_plugin_list(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("list", "list the plugins that a team can name");
+void add_plugin_list(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("list", "list the plugins that a team can name");
   const auto options = std::make_shared<Options>();
-  add_plugin_folders(app, options->plugins);
-  app.add_flag("--json", options->json, "write JSON")->disable_flag_override();
-  app.footer(examples);
-  return {&app, [options, &invocation] {
-            const plugin::Catalogue catalogue = open_plugins(options->plugins, invocation);
-            print(options->json ? list_json(catalogue) : plugin::list_text(catalogue));
-            return exit_done;
-          }};
+  add_plugin_folders(command, options->plugins);
+  command.flag("--json", options->json, "write JSON");
+  command.notes(examples);
+  command.run = [options, &invocation] {
+    const plugin::Catalogue catalogue = open_plugins(options->plugins, invocation);
+    output::print(options->json ? list_json(catalogue) : plugin::list_text(catalogue));
+    return exit_done;
+  };
 }
 
 }  // namespace regista::cli

@@ -2,13 +2,12 @@
 // `regista plugin reference`: a page of Markdown about all plugins, for a web site or a repository.
 #include "plugin/reference.hpp"
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/output.hpp"
 #include "cli/plugin_folders.hpp"
+#include "output/output.hpp"
 
 namespace regista::cli {
 namespace {
@@ -19,15 +18,15 @@ constexpr auto examples = R"(Examples:
 
 }  // namespace
 
-Command add_plugin_reference(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("reference", "write the reference of all plugins as Markdown");
+void add_plugin_reference(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("reference", "write the reference of all plugins as Markdown");
   const auto folders = std::make_shared<std::vector<std::string>>();
-  add_plugin_folders(app, *folders);
-  app.footer(examples);
-  return {&app, [folders, &invocation] {
-            print(plugin::reference_text(open_plugins(*folders, invocation)));
-            return exit_done;
-          }};
+  add_plugin_folders(command, *folders);
+  command.notes(examples);
+  command.run = [folders, &invocation] {
+    output::print(plugin::reference_text(open_plugins(*folders, invocation)));
+    return exit_done;
+  };
 }
 
 }  // namespace regista::cli

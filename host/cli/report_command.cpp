@@ -2,20 +2,20 @@
 // `regista report`: what the stored results of a study say, without playing any match; while it is still played, too.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/file_options.hpp"
-#include "cli/output.hpp"
-#include "cli/output_files.hpp"
 #include "cli/results_file.hpp"
 #include "cli/results_page.hpp"
 #include "cli/study_run.hpp"
 #include "config/text.hpp"
+#include "config/typed.hpp"
+#include "output/output.hpp"
+#include "output/output_files.hpp"
 #include "report/study_report.hpp"
 #include "report/visible_text.hpp"
 
@@ -39,8 +39,7 @@ an experiment has a row for each number of each match, that of a tuning one for 
 Exit codes: 0 done; 1 the report could not be written; 2 bad input; 3 a defect of Regista.)";
 
 struct Options {
-  std::string file, page, figures;
-  std::optional<std::int64_t> standard_error;  // of this match, from 1
+  std::string file, page, figures, standard_error;  // the last: of this match, from 1
   bool json = false, csv = false, metrics = false, png = false, force = false;
 };
 
@@ -57,10 +56,8 @@ void refuse_what_does_not_go_together(const Options& options) {
     throw BadInput(fmt::format("report: {} and {}: one of them", options.page.empty() ? "--figures" : "-o",
                                options.csv ? "--csv" : "--json"));
   }
-  if (options.standard_error) {
-    if (files || options.csv || options.json)
-      throw BadInput("report: --standard-error writes the text of a match, and nothing else");
-    if (*options.standard_error < 1) throw BadInput("report: --standard-error: matches are counted from 1");
+  if (!options.standard_error.empty() && (files || options.csv || options.json)) {
+    throw BadInput("report: --standard-error writes the text of a match, and nothing else");
   }
   if (options.png && options.figures.empty()) throw BadInput("report: --png adds to --figures, which is not given");
   if (options.force && !files) throw BadInput("report: --force belongs to -o or --figures, which are not given");
@@ -93,13 +90,13 @@ int tell(const Options& options, const campaign::Store& store, const Invocation&
                        if (!options.csv || decided == nullptr) return;
                        csv += report->table_lines(round, index, *decided, wish);
                        if (csv.size() <= piece) return;
-                       print(csv);
+                       output::print(csv);
                        csv.clear();
                      });
     if (const std::string incomplete = report->incomplete(); !incomplete.empty()) {
       complain(fmt::format("{} holds {}", options.file, incomplete));
     }
-    print(options.csv ? csv + report->table_end() : options.json ? report->json() : report->text());
+    output::print(options.csv ? csv + report->table_end() : options.json ? report->json() : report->text());
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
   }
@@ -115,18 +112,23 @@ int tell_standard_error(const std::string& file, const campaign::Store& store, s
       throw BadInput(fmt::format("{}: in match {} no plugin wrote to standard error", file, match));
     }
     const std::string text = report::visible_lines(row->decided.output);
-    print(text.ends_with('\n') ? text : text + '\n');
+    output::print(text.ends_with('\n') ? text : text + '\n');
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
   }
   return exit_done;
 }
 
-int run(const Options& options, const OutputFiles& outputs, const Invocation& invocation) {
+int run(const Options& options, const output::OutputFiles& outputs, const Invocation& invocation) {
   refuse_what_does_not_go_together(options);
   outputs.check(options.force);
+  std::int64_t match = 0;  // none
+  if (!options.standard_error.empty()) {
+    constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
+    match = static_cast<std::int64_t>(config::parse_whole("--standard-error", options.standard_error, 1, most));
+  }
   const campaign::Store store = read_results(options.file);
-  if (options.standard_error) return tell_standard_error(options.file, store, *options.standard_error);
+  if (match != 0) return tell_standard_error(options.file, store, match);
   if (options.page.empty() && options.figures.empty()) {
     return tell(options, store, invocation);
   }
@@ -134,37 +136,34 @@ int run(const Options& options, const OutputFiles& outputs, const Invocation& in
   if (!options.page.empty()) wishes.page = options.page;
   if (!options.figures.empty()) wishes.figures = options.figures;
   wishes.png = options.png;
-  wishes.existing = options.force ? Existing::replaced : Existing::refused;
+  wishes.existing = options.force ? output::Existing::replaced : output::Existing::refused;
   write_page({options.file, store, invocation.studies}, wishes);
   return exit_done;
 }
 
 }  // namespace
 
-Command add_report(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("report", "what stored results say");
+void add_report(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("report", "what stored results say");
   const auto options = std::make_shared<Options>();
-  reads(app.add_option("results", options->file, "file that a tournament, an experiment or a tuning wrote")
-            ->type_name("RESULTS.db"),
-        Reads::results);
-  app.add_flag("--json", options->json, "write the report as JSON")->disable_flag_override();
-  app.add_flag("--csv", options->csv,
-               "write a table with a row for each match, of an experiment for each number, of a tuning for each point")
-      ->disable_flag_override();
-  app.add_flag("--metrics", options->metrics, "with --csv: all numbers of the matches, too")->disable_flag_override();
-  writes(app.add_option("-o,--output", options->page, "write the report as a page that needs nothing else")
-             ->type_name("PAGE.html"),
-         Writes::page);
-  writes(app.add_option("--figures", options->figures, "write the figures of the page as files of this folder")
-             ->type_name("FOLDER"),
-         Writes::figures);
-  app.add_flag("--png", options->png, "with --figures: each as PNG, too")->disable_flag_override();
-  app.add_option("--standard-error", options->standard_error,
-                 "write what plugins wrote to standard error in this match")
-      ->type_name("MATCH");
-  app.add_flag("--force", options->force, "replace files that exist already")->disable_flag_override();
-  app.footer(examples);
-  return {&app, [options, &app, &invocation] { return run(*options, OutputFiles(app, "report"), invocation); }};
+  command.take("results", options->file, "RESULTS.db", "file that a tournament, an experiment or a tuning wrote",
+               Reads::results);
+  command.flag("--json", options->json, "write the report as JSON");
+  command.flag("--csv", options->csv,
+               "write a table with a row for each match, of an experiment for each number, of a tuning for each point");
+  command.flag("--metrics", options->metrics, "with --csv: all numbers of the matches, too");
+  command.take("-o,--output", options->page, "PAGE.html", "write the report as a page that needs nothing else",
+               Writes::page);
+  command.take("--figures", options->figures, "FOLDER", "write the figures of the page as files of this folder",
+               Writes::figures);
+  command.flag("--png", options->png, "with --figures: each as PNG, too");
+  command.take("--standard-error", options->standard_error, "MATCH",
+               "write what plugins wrote to standard error in this match");
+  command.flag("--force", options->force, "replace files that exist already");
+  command.notes(examples);
+  command.run = [options, &command, &invocation] {
+    return run(*options, output::OutputFiles(command.given(), "report"), invocation);
+  };
 }
 
 }  // namespace regista::cli

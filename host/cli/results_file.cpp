@@ -12,8 +12,8 @@
 
 #include "campaign/inputs.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/output.hpp"
 #include "config/text.hpp"
+#include "output/output.hpp"
 #include "study/plan_names.hpp"
 
 namespace regista::cli {
@@ -52,7 +52,7 @@ auto opening(Open open) {
   } catch (const campaign::StoreRefusal& error) {
     throw BadInput(error.what());
   } catch (const campaign::StoreDiskError& error) {
-    throw WriteError(error.what());
+    throw output::WriteError(error.what());
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
   }

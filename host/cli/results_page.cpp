@@ -12,8 +12,8 @@
 
 #include "campaign/shell.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/output.hpp"
 #include "cli/results_file.hpp"
+#include "output/output.hpp"
 #include "report/experiment_figures.hpp"
 #include "report/gnuplot.hpp"
 #include "report/page_parts.hpp"
@@ -28,10 +28,11 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 4> figure_endings{".csv", ".gnuplot", ".svg", ".png"};
 
-void write_figure(const fs::path& folder, const report::Drawing& drawn, const std::string& svg, Existing existing) {
+void write_figure(const fs::path& folder, const report::Drawing& drawn, const std::string& svg,
+                  output::Existing existing) {
   const report::Figure& figure = drawn.figure;
   const auto write = [&](std::string_view end, std::string_view bytes) {
-    if (!bytes.empty()) write_whole(folder / (figure.name + std::string(end)), bytes, existing);
+    if (!bytes.empty()) output::write_whole(folder / (figure.name + std::string(end)), bytes, existing);
   };
   write(figure_endings[0], figure.csv);
   write(figure_endings[1], report::gnuplot_script(figure, report::Picture::svg));
@@ -127,11 +128,11 @@ void write_page(const StoredResults& results, const PageWishes& wishes) {
     frame.page = *wishes.page;
     frame.program = results.store.meta("program");
     frame.documents = stored_documents(results.store);
-    write_whole(*wishes.page, report->page(std::move(frame)), wishes.existing);
+    output::write_whole(*wishes.page, report->page(std::move(frame)), wishes.existing);
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
   } catch (const std::system_error& error) {
-    throw WriteError(error.what());
+    throw output::WriteError(error.what());
   }
 }
 
@@ -144,11 +145,11 @@ std::optional<fs::path> write_page_beside(const StoredResults& results, bool fig
       complain(fmt::format("no page is written: {} is none of Regista's pages, and stays", page.string()));
       return std::nullopt;
     }
-    PageWishes wishes{page, std::nullopt, false, exists ? Existing::replaced : Existing::refused};
+    PageWishes wishes{page, std::nullopt, false, exists ? output::Existing::replaced : output::Existing::refused};
     if (figures) {
       wishes.figures = study::figure_folder(results.file);
       wishes.png = true;
-      wishes.existing = Existing::replaced;
+      wishes.existing = output::Existing::replaced;
       wishes.only_these = true;
     }
     write_page(results, wishes);

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "campaign/store.hpp"
-#include "cli/replaced_file.hpp"
 #include "cli/study_kinds.hpp"
+#include "output/replaced_file.hpp"
 
 namespace regista::cli {
 
@@ -17,7 +17,7 @@ struct PageWishes {
   std::optional<std::filesystem::path> page;     // the file
   std::optional<std::filesystem::path> figures;  // a folder, which is made where it is missing
   bool png = false;
-  Existing existing = Existing::refused;
+  output::Existing existing = output::Existing::refused;
   bool only_these = false;  // figures of an earlier experiment are removed from the folder first
 };
 
@@ -28,7 +28,7 @@ struct StoredResults {
   std::span<const StudyKind> kinds;
 };
 
-// Complains in one line where figures cannot be drawn, or results are missing. Throws BadInput and WriteError.
+// Complains in one line where figures cannot be drawn, or results are missing. Throws BadInput and output::WriteError.
 void write_page(const StoredResults& results, const PageWishes& wishes);
 
 // After a study: its page beside the results (study/recording_place.hpp), in the place of an older page of ours,

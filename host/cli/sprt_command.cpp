@@ -2,17 +2,16 @@
 // `regista sprt --elo ELO0,ELO1 COUNTS`: what counts of games or pairs say, without playing any.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/output.hpp"
 #include "config/text.hpp"
+#include "output/output.hpp"
 #include "report/counts.hpp"
 #include "statistics/sequential_test.hpp"
 #include "study/sequential_test_options.hpp"
@@ -74,23 +73,21 @@ report::SequentialTestOfCounts evaluate(const Options& options) {
 
 }  // namespace
 
-Command add_sprt(CLI::App& parent, const Invocation&) {
-  CLI::App& app = *parent.add_subcommand("sprt", "what counts of games or pairs say: LLR, Elo, nElo, LOS");
+void add_sprt(Command& parent) {
+  Command& command = parent.add("sprt", "what counts of games or pairs say: LLR, Elo, nElo, LOS");
   const auto options = std::make_shared<Options>();
-  app.add_option("counts", options->counts, "five counts of pairs or three of games")->type_name("COUNTS");
-  app.add_option("--model", options->model, "normalized (default) or logistic: what the hypotheses are in")
-      ->type_name("MODEL");
-  app.add_option("--elo", options->elo, "strengths of H0 and H1, of the first team against the other")
-      ->type_name("ELO0,ELO1");
-  app.add_option("--alpha", options->alpha, "rate of accepting H1 in error; default 0.05")->type_name("RATE");
-  app.add_option("--beta", options->beta, "rate of accepting H0 in error; default 0.05")->type_name("RATE");
-  app.add_flag("--json", options->json, "write the result as JSON");
-  app.footer(notes);
-  return {&app, [options] {
-            const report::SequentialTestOfCounts test = evaluate(*options);
-            print(options->json ? report::counts_json(test) : report::counts_text(test));
-            return exit_done;
-          }};
+  command.take("counts", options->counts, "COUNTS", "five counts of pairs or three of games");
+  command.take("--model", options->model, "MODEL", "normalized (default) or logistic: what the hypotheses are in");
+  command.take("--elo", options->elo, "ELO0,ELO1", "strengths of H0 and H1, of the first team against the other");
+  command.take("--alpha", options->alpha, "RATE", "rate of accepting H1 in error; default 0.05");
+  command.take("--beta", options->beta, "RATE", "rate of accepting H0 in error; default 0.05");
+  command.flag("--json", options->json, "write the result as JSON");
+  command.notes(notes);
+  command.run = [options] {
+    const report::SequentialTestOfCounts test = evaluate(*options);
+    output::print(options->json ? report::counts_json(test) : report::counts_text(test));
+    return exit_done;
+  };
 }
 
 }  // namespace regista::cli

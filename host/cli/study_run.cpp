@@ -13,11 +13,11 @@
 #include "campaign/shell.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/interruption.hpp"
-#include "cli/output.hpp"
 #include "cli/results_page.hpp"
 #include "cli/study_progress.hpp"
 #include "cli/terminal.hpp"
 #include "config/text.hpp"
+#include "output/output.hpp"
 #include "study/recording_place.hpp"
 
 namespace regista::cli {
@@ -102,19 +102,19 @@ void play(study::Study& study, const campaign::Options& options, const Invocatio
     if (error.kind() == campaign::CampaignError::Kind::input) {
       throw BadInput(fmt::format("while the {} was played: {}", study.what(), error.what()));
     }
-    throw WriteError(to_go_on(error.what()));
+    throw output::WriteError(to_go_on(error.what()));
   } catch (const campaign::StoreDamaged& error) {
     progress.clear();
     throw BadInput(error.what());
   } catch (const campaign::StoreGone& error) {
     progress.clear();
-    throw WriteError(error.what());
+    throw output::WriteError(error.what());
   } catch (const campaign::StoreError& error) {
     progress.clear();
-    throw WriteError(to_go_on(error.what()));
+    throw output::WriteError(to_go_on(error.what()));
   } catch (const std::system_error& error) {
     progress.clear();
-    throw WriteError(to_go_on(error.what()));
+    throw output::WriteError(to_go_on(error.what()));
   }
   progress.finish();
 }
@@ -137,7 +137,7 @@ int play_study(report::StudyReport& report, const campaign::Options& options, co
     play(report.study(), options, invocation, store, progress, wishes.after);
   }
   if (wishes.at_end) wishes.at_end();
-  print(options.json ? report.json() : report.text());
+  output::print(options.json ? report.json() : report.text());
   if (options.no_page) return exit_done;
   const auto page = write_page_beside({options.results, store, invocation.studies}, wishes.figures);
   if (page && !options.quiet) say(fmt::format("page: {}\n", config::one_line(page->string())));

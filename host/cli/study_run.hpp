@@ -7,7 +7,7 @@
 
 #include "campaign/store.hpp"
 #include "cli/campaign_options.hpp"
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "report/study_report.hpp"
 #include "study/study.hpp"
 

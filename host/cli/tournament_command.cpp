@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // `regista tournament`: which of two teams is better, or how several rank, in pairs of matches with the same seed and
 // the sides swapped.
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <utility>
 
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/file_options.hpp"
-#include "cli/output_files.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
 #include "cli/study_run.hpp"
+#include "output/output_files.hpp"
 #include "report/tournament_report.hpp"
 #include "study/tournament_setup.hpp"
 
@@ -37,14 +35,15 @@ forfeits its match 0:10. That keeps accidents apart; it is no protection from ma
 Exit codes: 0 played, whatever the verdict; 1 interrupted, or the results could not be written; 2 bad input; 3 a defect
 of Regista.)";
 
-int tournament(study::TournamentRequest options, OutputFiles outputs, const Invocation& invocation) {
+int tournament(study::TournamentRequest options, output::OutputFiles outputs, const Invocation& invocation) {
   campaign::check(options);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   study::PlannedTournament planned = study::planned_tournament(options, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();
   outputs.read(folders_of(catalogue), Reads::plugins);
-  outputs.write_beside(options.results, options.no_page ? OutputFiles::Page::none : OutputFiles::Page::alone);
+  outputs.write_beside(options.results,
+                       options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::alone);
   outputs.check(false);
   const auto report = report::tournament_report(std::move(planned.plan), play_again(invocation));
   campaign::Store store =
@@ -56,52 +55,37 @@ int tournament(study::TournamentRequest options, OutputFiles outputs, const Invo
 
 }  // namespace
 
-Command add_tournament(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("tournament", "find out which team is better");
+void add_tournament(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("tournament", "find out which team is better");
   const auto options = std::make_shared<study::TournamentRequest>();
-  reads(app.add_option("--team", options->teams, "a team's file; to be given twice, or more often")
-            ->type_name("FILE")
-            ->allow_extra_args(false),
-        Reads::documents);
-  app.add_option("--format", options->format,
-                 "of more than two teams: round-robin (default), or gauntlet: the first "
-                 "against each of the others")
-      ->type_name("FORMAT");
-  app.add_option("--pairs", options->pairs, "play so many pairs of matches of each pairing; with a test: at most")
-      ->type_name("N");
-  app.add_option("--sprt", options->sprt, "stop when the scores tell a strength of ELO0 from one of ELO1")
-      ->type_name("ELO0,ELO1");
-  app.add_option("--model", options->model, "what --sprt is in: normalized (default) or logistic Elo")
-      ->type_name("MODEL");
-  app.add_option("--metric", options->metric,
-                 "stop when this differs: goals, or a number of a match such as "
-                 "striker.overlap_seconds")
-      ->type_name("NAME");
-  app.add_option("--alpha", options->alpha, "rate of finding a difference in error; default 0.05")->type_name("RATE");
-  app.add_option("--beta", options->beta, "of --sprt: rate of missing it; default 0.05")->type_name("RATE");
-  reads(app.add_option("--openings", options->openings, "scenes that matches start from: a file, or a folder of them")
-            ->type_name("PATH")
-            ->allow_extra_args(false),
-        Reads::documents);
-  app.add_option("--seed", options->seed, "of the first pair; default 1")->type_name("N");
-  app.add_option("--limit", options->limit, "end each match after so many simulated seconds")->type_name("SECONDS");
-  reads(app.add_option("--rules", options->rules, "rules profile; default: spl2023, built in")->type_name("FILE"),
-        Reads::documents);
-  reads(app.add_option("--robot", options->robot, "robot profile of all teams; default: nao, built in")
-            ->type_name("FILE"),
-        Reads::documents);
-  reads(app.add_option("--disturbance", options->disturbance, "disturbance profile; default: none")->type_name("FILE"),
-        Reads::documents);
-  app.add_option("--set", options->overrides, "a value laid over a document; may be repeated")
-      ->type_name("PATH=VALUE")
-      ->allow_extra_args(false);
-  app.add_option("--failures-in-a-row", options->failures_in_a_row,
-                 "set a team aside after so many forfeits by the same plugin; default 10; 0: never")
-      ->type_name("N");
-  add_campaign_options(app, *options, options->results);
-  app.footer(examples);
-  return {&app,
-          [options, &app, &invocation] { return tournament(*options, OutputFiles(app, "tournament"), invocation); }};
+  command.take("--team", options->teams, "FILE", "a team's file; to be given twice, or more often", Reads::documents);
+  command.take("--format", options->format, "FORMAT",
+               "of more than two teams: round-robin (default), or gauntlet: the first "
+               "against each of the others");
+  command.take("--pairs", options->pairs, "N", "play so many pairs of matches of each pairing; with a test: at most");
+  command.take("--sprt", options->sprt, "ELO0,ELO1", "stop when the scores tell a strength of ELO0 from one of ELO1");
+  command.take("--model", options->model, "MODEL", "what --sprt is in: normalized (default) or logistic Elo");
+  command.take("--metric", options->metric, "NAME",
+               "stop when this differs: goals, or a number of a match such as "
+               "striker.overlap_seconds");
+  command.take("--alpha", options->alpha, "RATE", "rate of finding a difference in error; default 0.05");
+  command.take("--beta", options->beta, "RATE", "of --sprt: rate of missing it; default 0.05");
+  command.take("--openings", options->openings, "PATH", "scenes that matches start from: a file, or a folder of them",
+               Reads::documents);
+  command.take("--seed", options->seed, "N", "of the first pair; default 1");
+  command.take("--limit", options->limit, "SECONDS", "end each match after so many simulated seconds");
+  command.take("--rules", options->rules, "FILE", "rules profile; default: spl2023, built in", Reads::documents);
+  command.take("--robot", options->robot, "FILE", "robot profile of all teams; default: nao, built in",
+               Reads::documents);
+  command.take("--disturbance", options->disturbance, "FILE", "disturbance profile; default: none", Reads::documents);
+  command.take("--set", options->overrides, "PATH=VALUE", "a value laid over a document; may be repeated");
+  command.take("--failures-in-a-row", options->failures_in_a_row, "N",
+               "set a team aside after so many forfeits by the same plugin; default 10; 0: never");
+  add_campaign_options(command, *options, options->results);
+  command.notes(examples);
+  command.run = [options, &command, &invocation] {
+    return tournament(*options, output::OutputFiles(command.given(), "tournament"), invocation);
+  };
 }
 
 }  // namespace regista::cli

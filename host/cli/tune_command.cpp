@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // `regista tune`: searches the numbers of a team for better ones, and says on other seeds whether they are.
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -11,15 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/file_options.hpp"
-#include "cli/output.hpp"
-#include "cli/output_files.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/replaced_file.hpp"
 #include "cli/results_file.hpp"
 #include "cli/study_run.hpp"
+#include "output/output.hpp"
+#include "output/output_files.hpp"
+#include "output/replaced_file.hpp"
 #include "report/tuned_file.hpp"
 #include "report/tuning_report.hpp"
 #include "study/recording_place.hpp"
@@ -51,7 +49,7 @@ each came to on seeds that none has seen; no team is written.
 Exit codes: 0 played, whatever was found; 1 interrupted, or the results could not be written; 2 bad input; 3 a defect of
 Regista.)";
 
-int tune(TuneOptions options, OutputFiles outputs, const Invocation& invocation) {
+int tune(TuneOptions options, output::OutputFiles outputs, const Invocation& invocation) {
   campaign::check(options);
   if (options.file.empty()) throw BadInput("tune: which one? Name its file; see: regista tune --help");
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
@@ -60,7 +58,8 @@ int tune(TuneOptions options, OutputFiles outputs, const Invocation& invocation)
   options.plugin_files = catalogue.used_files();
   if (options.results.empty()) options.results = plan.name + (plan.compares() ? ".compare.db" : ".db");
   outputs.read(folders_of(catalogue), Reads::plugins);
-  outputs.write_beside(options.results, options.no_page ? OutputFiles::Page::none : OutputFiles::Page::with_figures);
+  outputs.write_beside(options.results,
+                       options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::with_figures);
   const std::filesystem::path tuned =
       options.output.empty() ? study::tuned_file(options.results) : std::filesystem::path(options.output);
   if (!plan.compares()) outputs.write("the tuned team", tuned, Writes::tuned_team);
@@ -74,7 +73,7 @@ int tune(TuneOptions options, OutputFiles outputs, const Invocation& invocation)
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
   }
-  std::optional<OutputFile> trace;
+  std::optional<output::OutputFile> trace;
   if (!options.trace.empty()) trace.emplace(options.trace);
   std::exception_ptr not_written;
   StudyWishes wishes;
@@ -89,9 +88,9 @@ int tune(TuneOptions options, OutputFiles outputs, const Invocation& invocation)
     if (report.plan().compares() || !report.record().tuned()) return;
     try {
       outputs.check(options.force);  // hours later, perhaps
-      write_whole(tuned,
-                  report::tuned_file_text(tuned, report.plan(), report.record(), REGISTA_VERSION, report.fingerprint()),
-                  Existing::replaced);
+      output::write_whole(
+          tuned, report::tuned_file_text(tuned, report.plan(), report.record(), REGISTA_VERSION, report.fingerprint()),
+          output::Existing::replaced);
       report.tuned_file(tuned.string());
     } catch (...) {
       not_written = std::current_exception();  // what was found is told all the same
@@ -108,29 +107,23 @@ int tune(TuneOptions options, OutputFiles outputs, const Invocation& invocation)
 
 }  // namespace
 
-Command add_tune(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("tune", "search a team's numbers for better ones, and verify what was found");
+void add_tune(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("tune", "search a team's numbers for better ones, and verify what was found");
   const auto options = std::make_shared<TuneOptions>();
-  reads(app.add_option("file", options->file, "the tuning's document")->type_name("T.yaml"), Reads::documents);
-  app.add_option("--set", options->overrides, "a value laid over that document; may be repeated")
-      ->type_name("PATH=VALUE")
-      ->allow_extra_args(false);
-  app.add_option("--matches", options->matches, "search with so many matches, whatever the document says")
-      ->type_name("N");
-  app.add_option("--compare", options->compare, "compare these algorithms instead, divided by commas")
-      ->type_name("A,B,...");
-  app.add_option("--repeats", options->repeats, "of each algorithm that is compared; default 5")->type_name("N");
-  writes(app.add_option("--trace", options->trace, "write every point of the search as a table")->type_name("FILE"),
-         Writes::search_table);
-  writes(app.add_option("--output", options->output,
-                        "file for the tuned team; default: NAME.tuned.yaml beside the results")
-             ->type_name("FILE"),
-         Writes::tuned_team);
-  app.add_flag("--force", options->force, "let --trace and the tuned team replace files of another kind")
-      ->disable_flag_override();
-  add_campaign_options(app, *options, "the tuning's name with .db");
-  app.footer(examples);
-  return {&app, [options, &app, &invocation] { return tune(*options, OutputFiles(app, "tuning"), invocation); }};
+  command.take("file", options->file, "T.yaml", "the tuning's document", Reads::documents);
+  command.take("--set", options->overrides, "PATH=VALUE", "a value laid over that document; may be repeated");
+  command.take("--matches", options->matches, "N", "search with so many matches, whatever the document says");
+  command.take("--compare", options->compare, "A,B,...", "compare these algorithms instead, divided by commas");
+  command.take("--repeats", options->repeats, "N", "of each algorithm that is compared; default 5");
+  command.take("--trace", options->trace, "FILE", "write every point of the search as a table", Writes::search_table);
+  command.take("--output", options->output, "FILE",
+               "file for the tuned team; default: NAME.tuned.yaml beside the results", Writes::tuned_team);
+  command.flag("--force", options->force, "let --trace and the tuned team replace files of another kind");
+  add_campaign_options(command, *options, "the tuning's name with .db");
+  command.notes(examples);
+  command.run = [options, &command, &invocation] {
+    return tune(*options, output::OutputFiles(command.given(), "tuning"), invocation);
+  };
 }
 
 }  // namespace regista::cli

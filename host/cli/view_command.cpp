@@ -2,7 +2,6 @@
 // `regista view`: a recorded match as a page that plays it back, or one moment of it as a picture.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -15,14 +14,13 @@
 #include <string_view>
 #include <system_error>
 
-#include "cli/command.hpp"
+#include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/file_options.hpp"
-#include "cli/output.hpp"
-#include "cli/output_files.hpp"
-#include "cli/replaced_file.hpp"
 #include "config/text.hpp"
 #include "mcap/error.hpp"
+#include "output/output.hpp"
+#include "output/output_files.hpp"
+#include "output/replaced_file.hpp"
 #include "recording/match_page.hpp"
 #include "recording/moment_svg.hpp"
 #include "recording/recorded_match.hpp"
@@ -163,7 +161,7 @@ std::filesystem::path output_of(const Options& options) {
   return std::filesystem::path(options.file).replace_extension(options.at.empty() ? ".html" : ".svg");
 }
 
-int run(const Options& options, OutputFiles outputs, const Invocation& invocation) {
+int run(const Options& options, output::OutputFiles outputs, const Invocation& invocation) {
   if (options.file.empty()) {
     throw BadInput("view: which recording? Name a file that `regista match --record FILE` wrote");
   }
@@ -189,11 +187,11 @@ int run(const Options& options, OutputFiles outputs, const Invocation& invocatio
       written = page(options, invocation);
     }
     if (output == "-") {
-      print(written);
+      output::print(written);
       return exit_done;
     }
-    write_whole(output, written, options.force ? Existing::replaced : Existing::refused);
-    print(output.string() + '\n');
+    output::write_whole(output, written, options.force ? output::Existing::replaced : output::Existing::refused);
+    output::print(output.string() + '\n');
   } catch (const mcap::Error& error) {
     throw BadInput(error.what());
   }
@@ -202,21 +200,19 @@ int run(const Options& options, OutputFiles outputs, const Invocation& invocatio
 
 }  // namespace
 
-Command add_view(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("view", "see a recorded match");
+void add_view(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("view", "see a recorded match");
   const auto options = std::make_shared<Options>();
-  reads(app.add_option("recording", options->file, "file that `regista match --record` wrote")->type_name("FILE.mcap"),
-        Reads::data);
-  writes(app.add_option("-o,--output", options->output,
-                        "write this file, - for standard output; default: beside the recording, as .html or .svg")
-             ->type_name("FILE"),
-         Writes::page);
-  app.add_option("--at", options->at, "a picture of this moment instead of the page")->type_name("[HALF/]M:SS");
-  app.add_option("--robot", options->robot, "of --at: the world as this robot believed it")
-      ->type_name("[home/|away/]N");
-  app.add_flag("--force", options->force, "replace an existing file")->disable_flag_override();
-  app.footer(examples);
-  return {&app, [options, &app, &invocation] { return run(*options, OutputFiles(app, "view"), invocation); }};
+  command.take("recording", options->file, "FILE.mcap", "file that `regista match --record` wrote", Reads::data);
+  command.take("-o,--output", options->output, "FILE",
+               "write this file, - for standard output; default: beside the recording, as .html or .svg", Writes::page);
+  command.take("--at", options->at, "[HALF/]M:SS", "a picture of this moment instead of the page");
+  command.take("--robot", options->robot, "[home/|away/]N", "of --at: the world as this robot believed it");
+  command.flag("--force", options->force, "replace an existing file");
+  command.notes(examples);
+  command.run = [options, &command, &invocation] {
+    return run(*options, output::OutputFiles(command.given(), "view"), invocation);
+  };
 }
 
 }  // namespace regista::cli

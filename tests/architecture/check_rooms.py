@@ -75,6 +75,8 @@ def confined(path, names, name):
             return library.name
         if library.sources_only and path.endswith((".h", ".hpp", ".hh", ".inl", ".ipp")):
             return f"{library.name} outside of .cpp files"
+        if library.only_file and not path.endswith("CMakeLists.txt") and path != library.only_file:
+            return f"{library.name} outside of {library.only_file}"
     return None
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Who may know whom: the arrows of docs/architecture.md as data. A change here is a change of the architecture.
 
-    cli -> report -> study -> campaign -> recording -> match -> mind -> plugin -> sdk
+    cli -> output -> report -> study -> campaign -> recording -> match -> mind -> plugin -> sdk
     config, statistics, mcap, markup are leaves
 
 An arrow may skip rooms (match may include plugin), never run backwards or sideways.
@@ -20,7 +20,9 @@ KNOWS = {
     "campaign": {"sdk", "config", "plugin", "mind", "match", "statistics", "recording", "mcap"},
     "study": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign"},
     "report": {"sdk", "config", "plugin", "match", "statistics", "campaign", "study", "recording", "markup"},
-    "cli": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "recording", "mcap"},
+    "output": {"config", "mcap", "recording", "study", "report"},
+    "cli": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "recording", "mcap",
+            "output"},
 }
 
 # What of the SDK the host may include.
@@ -30,13 +32,15 @@ HOST_SEES_OF_SDK = "regista/abi.h"
 class Library:
     """A library that only one place of the tree may know, and there perhaps only its .cpp files."""
 
-    def __init__(self, name, place, headers, targets, sources_only=False):
+    def __init__(self, name, place, headers, targets, sources_only=False, only_file=None):
         self.name, self.place, self.sources_only = name, place, sources_only
+        self.only_file = only_file  # that may include it
         self.headers = headers  # how an include of it begins
         self.targets = targets  # how a build file names it
 
 
 CONFINED = [
+    Library("CLI11", "host/cli/", ("CLI/",), ("CLI11", "CLI11::CLI11"), only_file="host/cli/command.cpp"),
     Library("Boost", "host/statistics/", ("boost/",), ("Boost::headers", "Boost::boost", "Boost"), sources_only=True),
     Library("box2d", "host/match/", ("box2d/", "Box2D/"), ("box2d", "box2d::box2d")),
     Library("CGAL", "plugins/positioners/voronoi/", ("CGAL/",), ("CGAL", "CGAL::CGAL")),

@@ -7,6 +7,7 @@ label_exchange. One coin says little of a rate so small, so the coin is thrown a
 
     REGISTA_TOURNAMENTS   of 50 pairs; default 200
     REGISTA_SEED          first seed of the coin; default 1
+    REGISTA_MATCH_SEED    seed of the first pair of matches; default 1
 
 The results stay in FOLDER, and are gone on with where they ended.
 """
@@ -33,9 +34,10 @@ def main(program, label_exchange, source, folder):
     source, folder = pathlib.Path(source), pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     tournaments = int(os.environ.get("REGISTA_TOURNAMENTS", "200"))
-    results = folder / f"labels_{tournaments}.db"
+    match_seed = os.environ.get("REGISTA_MATCH_SEED", "1")
+    results = folder / f"labels_{tournaments}_{match_seed}.db"
     words = [program, "tournament", "--openings", source / "configs/openings", "--limit", SECONDS, "--pairs",
-             tournaments * PAIRS, "--results", results, "--no-page", "--quiet"]
+             tournaments * PAIRS, "--seed", match_seed, "--results", results, "--no-page", "--quiet"]
     for team in TEAMS:
         words += ["--team", source / f"configs/teams/{team}.yaml"]
     if results.exists():

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The program with one more study: a file for the study, one for its report, and this one for its command.
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -27,14 +26,14 @@ int count_goals(study::TournamentRequest options, const Invocation& invocation) 
   return play_study(report, options, invocation, store, {});
 }
 
-Command add_count_goals(CLI::App& parent, const Invocation& invocation) {
-  CLI::App& app = *parent.add_subcommand("count-goals", "how many goals fall in a match");
+void add_count_goals(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("count-goals", "how many goals fall in a match");
   const auto options = std::make_shared<study::TournamentRequest>();
-  app.add_option("--team", options->teams);
-  app.add_option("--openings", options->openings);
-  app.add_option("--pairs", options->pairs);
-  add_campaign_options(app, *options, options->results);
-  return {&app, [options, &invocation] { return count_goals(*options, invocation); }};
+  command.take("--team", options->teams, "TEXT", "");
+  command.take("--openings", options->openings, "TEXT", "");
+  command.take("--pairs", options->pairs, "TEXT", "");
+  add_campaign_options(command, *options, options->results);
+  command.run = [options, &invocation] { return count_goals(*options, invocation); };
 }
 
 }  // namespace

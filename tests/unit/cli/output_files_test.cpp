@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Every option of every command that takes a value is known to name a file that is read, one that is written, or none;
 // and none that is written to can be made to write over one that is read, or over another.
-#include "cli/output_files.hpp"
+#include "output/output_files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "cli/command_line.hpp"
 #include "cli/end_of_program.hpp"
-#include "cli/file_options.hpp"
 
 namespace regista::cli {
 namespace {
@@ -31,7 +31,9 @@ constexpr std::array plain{"N",    "SECONDS", "MIB",    "RATE",   "ELO0,ELO1", "
 
 class OutputFilesTest : public testing::Test {
  protected:
-  OutputFilesTest() : commands_(add_commands(root_, invocation_)) {
+  OutputFilesTest() {
+    add_commands(program_, invocation_);
+    gather(program_);
     const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
     folder_ = fs::path(testing::TempDir()) / (std::string("regista_output_files_") + test->name());
     fs::remove_all(folder_);
@@ -44,53 +46,61 @@ class OutputFilesTest : public testing::Test {
     return folder_ / name;
   }
 
-  // Fresh, as an App keeps what it was given.
+  // A fresh program, as one keeps what it was given.
   std::string refusal(const std::vector<std::string>& command, std::vector<std::string> words) const {
-    CLI::App root;
-    const std::vector<Command> all = add_commands(root, invocation_);
+    Command program("regista", "");
+    add_commands(program, invocation_);
     words.insert(words.begin(), command.begin(), command.end());
-    root.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-    const CLI::App* app = &root;
-    for (const std::string& each : command) app = app->get_subcommand(each);
+    const Command::Typed typed = program.read(words);
     try {
-      OutputFiles(*app, "test").check(true);
+      output::OutputFiles(typed.command->given(), "test").check(true);
     } catch (const BadInput& error) {
       return error.what();
     }
     return "";
   }
 
-  std::vector<std::string> name_of(const CLI::App& app) const {
-    std::vector<std::string> out;
-    for (const CLI::App* each = &app; each->get_parent() != nullptr; each = each->get_parent()) {
-      out.insert(out.begin(), each->get_name());
-    }
-    return out;
+  // "regista plugin info" as the words that follow the program's name.
+  static std::vector<std::string> name_of(const Command& command) {
+    std::istringstream words(command.full_name());
+    return {std::next(std::istream_iterator<std::string>(words)), {}};
   }
 
   // The words that give an option this value.
-  static std::vector<std::string> given(const CLI::Option& option, const std::string& value) {
-    if (option.nonpositional()) return {option.get_name(), value};
-    return {value};
+  static std::vector<std::string> given(const Command::Option& option, const std::string& value) {
+    if (option.is_positional()) return {value};
+    return {option.name(), value};
+  }
+
+  void gather(const Command& command) {
+    for (const auto& each : command.commands()) {
+      if (each->run) commands_.push_back(each.get());
+      gather(*each);
+    }
   }
 
   fs::path folder_;
   Invocation invocation_;
-  CLI::App root_;
-  std::vector<Command> commands_;
+  Command program_{"regista", ""};
+  std::vector<const Command*> commands_;  // that do something
 };
+
+bool is_read(const Command::Option& option) { return std::holds_alternative<Reads>(option.use()); }
+bool is_written(const Command::Option& option) { return std::holds_alternative<Writes>(option.use()); }
+bool is_written_file(const Command::Option& option) {
+  return is_written(option) && option.use() != output::FileUse(Writes::figures);
+}
 
 TEST_F(OutputFilesTest, EveryOptionSaysWhatItNames) {
   int written = 0, read = 0;
-  for (const Command& command : commands_) {
-    for (const CLI::Option* const option : command.app->get_options()) {
-      if (option->get_expected_max() == 0) continue;  // a flag
-      const bool reads = read_by(*option).has_value(), writes = written_by(*option).has_value();
+  for (const Command* const command : commands_) {
+    for (const Command::Option& option : command->options()) {
+      if (option.type().empty()) continue;  // a flag
+      const bool reads = is_read(option), writes = is_written(option);
       read += reads;
       written += writes;
-      const bool none = std::ranges::find(plain, option->get_type_name()) != plain.end();
-      EXPECT_EQ(reads + writes + none, 1)
-          << command.app->get_name() << ' ' << option->get_name() << ' ' << option->get_type_name();
+      const bool none = std::ranges::find(plain, option.type()) != plain.end();
+      EXPECT_EQ(reads + writes + none, 1) << command->full_name() << ' ' << option.name() << ' ' << option.type();
     }
   }
   EXPECT_GE(read, 20);
@@ -99,30 +109,27 @@ TEST_F(OutputFilesTest, EveryOptionSaysWhatItNames) {
 
 TEST_F(OutputFilesTest, NoOutputOfAnyCommandIsWrittenOverAnInputOrAnotherOutput) {
   int checked = 0;
-  for (const Command& command : commands_) {
-    const std::vector<const CLI::Option*> options = [&] {
-      const CLI::App& app = *command.app;
-      return app.get_options();
-    }();
-    for (const CLI::Option* const output : options) {
-      if (!written_by(*output) || written_by(*output) == Writes::figures) continue;
-      const auto check = [&](const CLI::Option& other, const char* say) {
+  for (const Command* const command : commands_) {
+    for (const Command::Option& written : command->options()) {
+      if (!is_written_file(written)) continue;
+      const auto check = [&](const Command::Option& other, const char* say) {
         const std::string one = file("one");
         fs::remove(folder_ / "link");
         fs::create_hard_link(one, folder_ / "link");
         for (const std::string& value : {one, (folder_ / "." / "one").string(), (folder_ / "link").string()}) {
           std::vector<std::string> words = given(other, one);
-          const std::vector<std::string> more = given(*output, value);
+          const std::vector<std::string> more = given(written, value);
           words.insert(words.end(), more.begin(), more.end());
-          EXPECT_THAT(refusal(name_of(*command.app), words), HasSubstr(say))
-              << command.app->get_name() << ' ' << output->get_name() << ' ' << other.get_name();
+          EXPECT_THAT(refusal(name_of(*command), words), HasSubstr(say))
+              << command->full_name() << ' ' << written.name() << ' ' << other.name();
           ++checked;
         }
       };
-      for (const CLI::Option* const other : options) {
-        const auto reads = read_by(*other);
-        if (reads && reads != Reads::plugins) check(*other, "is a file that this test reads");
-        if (other != output && written_by(*other) && written_by(*other) != Writes::figures) check(*other, "both name");
+      for (const Command::Option& other : command->options()) {
+        if (is_read(other) && other.use() != output::FileUse(Reads::plugins)) {
+          check(other, "is a file that this test reads");
+        }
+        if (other.name() != written.name() && is_written_file(other)) check(other, "both name");
       }
     }
   }

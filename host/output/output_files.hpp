@@ -13,14 +13,14 @@
 #include <utility>
 #include <vector>
 
-#include "cli/file_options.hpp"
+#include "output/file_use.hpp"
 
-namespace regista::cli {
+namespace regista::output {
 
 class OutputFiles {
  public:
-  // All that the options of a command name which were given. work: "match", for messages.
-  OutputFiles(const CLI::App& app, std::string work);
+  // All that the given options of a command name; those of --set lead to files, too. work: "match", for messages.
+  OutputFiles(const std::vector<GivenOption>& given, std::string work);
 
   // More of the same, which no option names.
   void read(const std::vector<std::string>& files, Reads what, const std::vector<std::string>& overrides = {});
@@ -75,4 +75,4 @@ class OutputFiles {
   std::vector<Folder> folders_;
 };
 
-}  // namespace regista::cli
+}  // namespace regista::output

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/supervised.hpp"
+#include "campaign/supervised.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -17,22 +17,22 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <string_view>
 #include <system_error>
 
 #include "campaign/process.hpp"
-#include "cli/end_of_program.hpp"
 #include "plugin/descendants.hpp"
 #include "plugin/fatal_signal.hpp"
 
-namespace regista::cli {
+namespace regista::campaign {
 namespace {
 
 // Memory that both processes see.
 struct Shared {
-  campaign::WorkerNote note;
+  WorkerNote note;
   std::atomic<int> done{0};  // 1: `code` is the exit code of the work
   std::atomic<int> code{0};
   std::array<char, 512> disorder{};  // what a plugin left behind; ends with a zero
@@ -57,27 +57,24 @@ void tell_on(int signal_number) {
   errno = error;
 }
 
-[[noreturn]] void work_in_copy(const std::function<int(campaign::WorkerNote&)>& work, Shared& shared,
-                               pid_t parent) noexcept {
+[[noreturn]] void work_in_copy(const std::function<int(WorkerNote&)>& work, Shared& shared, pid_t parent) noexcept {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(exit_internal);
+  if (::getppid() != parent) ::_exit(EXIT_FAILURE);
   ::setpgid(0, 0);
   std::signal(SIGTTOU, SIG_IGN);  // it may write to the terminal all the same
   plugin::note_fatal_signals(shared.note.fatal);
-  int code = exit_internal;
+  int code = EXIT_FAILURE;
   try {
     code = work(shared.note);
   } catch (const Disorder& disorder) {
     const std::string_view what = disorder.what();
     std::copy_n(what.data(), std::min(what.size(), shared.disorder.size() - 1), shared.disorder.data());
     std::fflush(nullptr);
-    ::_exit(exit_internal);
+    ::_exit(EXIT_FAILURE);
   } catch (const std::bad_alloc&) {
     constexpr std::string_view what = "no memory is left";
     std::copy_n(what.data(), what.size(), shared.disorder.data());
-    ::_exit(exit_internal);
-  } catch (...) {
-    code = explain_current_exception();
+    ::_exit(EXIT_FAILURE);
   }
   shared.code = code;
   shared.done = 1;
@@ -95,10 +92,10 @@ std::string in_words(int status) {
 // Whether the call under way has used up its time. Looked at every now and then.
 class CallWatch {
  public:
-  explicit CallWatch(const campaign::Limits& limits) : limits_(limits) {}
+  explicit CallWatch(const Limits& limits) : limits_(limits) {}
   // In words; empty while it has not.
   std::string look(const plugin::CallNote& call, pid_t process) {
-    const double processor = campaign::processor_seconds_of(process);
+    const double processor = processor_seconds_of(process);
     const auto now = std::chrono::steady_clock::now();
     if (call != call_ || call.inside == 0) {
       call_ = call;
@@ -116,7 +113,7 @@ class CallWatch {
   }
 
  private:
-  const campaign::Limits& limits_;
+  const Limits& limits_;
   plugin::CallNote call_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   double processor_at_call_ = 0.0;
@@ -140,8 +137,7 @@ StandardOutputKept::~StandardOutputKept() {
   ::close(kept_);
 }
 
-int run_supervised(const campaign::Limits& limits, const std::function<int(campaign::WorkerNote&)>& work,
-                   const std::function<int(const Loss&)>& lost) {
+int run_supervised(const Limits& limits, const SupervisedWork& supervised) {
   void* const memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "cannot share memory");
   Shared& shared = *new (memory) Shared;
@@ -155,7 +151,7 @@ int run_supervised(const campaign::Limits& limits, const std::function<int(campa
   const pid_t process = ::fork();
   if (process == 0) {
     sigprocmask(SIG_SETMASK, &before, nullptr);
-    work_in_copy(work, shared, parent);
+    work_in_copy(supervised.work, shared, parent);
   }
   if (process == -1) {
     sigprocmask(SIG_SETMASK, &before, nullptr);
@@ -206,8 +202,7 @@ int run_supervised(const campaign::Limits& limits, const std::function<int(campa
   if (done) return code;
   if (told != 0) {
     // It was asked to end, and did not wait for a plugin; or it was asked twice, and said nothing.
-    if (WIFSIGNALED(status)) complain("interrupted");
-    return exit_no;
+    return WIFSIGNALED(status) ? supervised.interrupted() : EXIT_FAILURE;
   }
   loss.note.call.plugin.back() = loss.note.call.call.back() = '\0';
   loss.note.fatal.thread.back() = loss.note.fatal.object.back() = '\0';
@@ -215,10 +210,10 @@ int run_supervised(const campaign::Limits& limits, const std::function<int(campa
   loss.what += where(loss.note.fatal);
   if (!too_long.empty()) {
     loss.what = too_long;
-    return lost(loss);
+    return supervised.lost(loss);
   }
-  loss.from_outside = WIFSIGNALED(status) && campaign::comes_from_outside(WTERMSIG(status));
-  return lost(loss);
+  loss.from_outside = WIFSIGNALED(status) && comes_from_outside(WTERMSIG(status));
+  return supervised.lost(loss);
 }
 
-}  // namespace regista::cli
+}  // namespace regista::campaign

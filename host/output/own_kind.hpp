@@ -7,9 +7,9 @@
 #include <span>
 #include <string_view>
 
-#include "cli/file_options.hpp"
+#include "output/file_use.hpp"
 
-namespace regista::cli {
+namespace regista::output {
 
 struct OwnKind {
   std::string_view what;  // "recording"
@@ -32,4 +32,4 @@ enum class Found {
 };
 Found found_in(const std::filesystem::path& file, const OwnKind& kind);
 
-}  // namespace regista::cli
+}  // namespace regista::output

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace regista::cli {
+namespace regista::output {
 
 // what() names the target and the reason of the system.
 class WriteError : public std::runtime_error {
@@ -40,4 +40,4 @@ class OutputFile {
   std::FILE* file_;
 };
 
-}  // namespace regista::cli
+}  // namespace regista::output

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include "cli/output_files.hpp"
+#include "output/output_files.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <system_error>
 
-#include "cli/end_of_program.hpp"
-#include "cli/own_kind.hpp"
+#include "config/bad_input.hpp"
 #include "config/named_files.hpp"
 #include "config/text.hpp"
+#include "output/own_kind.hpp"
 #include "study/recording_place.hpp"
 
-namespace regista::cli {
+namespace regista::output {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,12 +46,6 @@ fs::path where_it_leads(const fs::path& named) {
 
 std::string shown(const fs::path& file) { return config::one_line(file.string()); }
 
-// Every value that was given; the words of --set, too.
-std::vector<std::string> values_of(const CLI::App& app, const std::string& option) {
-  const CLI::Option* const found = app.get_option_no_throw(option);
-  return found == nullptr ? std::vector<std::string>() : found->results();
-}
-
 }  // namespace
 
 OutputFiles::Place::Place(const fs::path& file) : named(file), path(where_it_leads(file)) {
@@ -64,13 +57,13 @@ bool OutputFiles::Place::same(const Place& other) const {
   return path == other.path || (identity && identity == other.identity);
 }
 
-OutputFiles::OutputFiles(const CLI::App& app, std::string work) : work_(std::move(work)) {
-  const std::vector<std::string> overrides = values_of(app, "--set");
-  for (const CLI::Option* const option : app.get_options()) {
-    if (option->count() == 0) continue;
-    if (const auto what = read_by(*option)) read(option->results(), *what, overrides);
-    if (const auto what = written_by(*option)) {
-      for (const std::string& file : option->results()) write(option->get_name(), file, *what);
+OutputFiles::OutputFiles(const std::vector<GivenOption>& given, std::string work) : work_(std::move(work)) {
+  const auto set = std::ranges::find(given, "--set", &GivenOption::name);
+  const std::vector<std::string> overrides = set == given.end() ? std::vector<std::string>() : set->values;
+  for (const GivenOption& option : given) {
+    if (const Reads* const what = std::get_if<Reads>(&option.use)) read(option.values, *what, overrides);
+    if (const Writes* const what = std::get_if<Writes>(&option.use)) {
+      for (const std::string& file : option.values) write(option.name, file, *what);
     }
   }
 }
@@ -142,7 +135,7 @@ void OutputFiles::write_beside(const fs::path& results, Page page) {
 void OutputFiles::check_reads(const Output& output, const std::vector<Read>& reads) {
   for (const Read& each : reads) {
     if (!each.place.same(output.place)) continue;
-    throw BadInput(fmt::format("{} {}: is {}", output.who, shown(output.place.named), each.what));
+    throw config::BadInput(fmt::format("{} {}: is {}", output.who, shown(output.place.named), each.what));
   }
 }
 
@@ -151,7 +144,7 @@ void OutputFiles::check_others(std::size_t output) const {
   for (std::size_t i = 0; i < output; ++i) {
     const Output& other = outputs_[i];
     if (!one.place.same(other.place)) continue;
-    throw BadInput(fmt::format("{} and {}: both name {}", other.who, one.who, shown(one.place.named)));
+    throw config::BadInput(fmt::format("{} and {}: both name {}", other.who, one.who, shown(one.place.named)));
   }
 }
 
@@ -163,10 +156,11 @@ void OutputFiles::check_folder(const Folder& folder, const std::vector<Output>& 
   };
   for (const Output& each : outputs) {
     if (!written_there(each.place.path)) continue;
-    throw BadInput(fmt::format("{} {}: {} are written to that folder", each.who, shown(each.place.named), folder.who));
+    throw config::BadInput(
+        fmt::format("{} {}: {} are written to that folder", each.who, shown(each.place.named), folder.who));
   }
   const auto refuse = [&](const fs::path& file, const Read& read) {
-    throw BadInput(fmt::format("{}: {} is {}", folder.who, shown(file), read.what));
+    throw config::BadInput(fmt::format("{}: {} is {}", folder.who, shown(file), read.what));
   };
   for (const Read& each : reads) {
     if (written_there(each.place.path)) refuse(each.place.named, each);
@@ -187,7 +181,7 @@ void OutputFiles::check_folder(const Folder& folder, const std::vector<Output>& 
 void OutputFiles::check_existing(const Output& output, bool force) {
   const fs::path& file = output.place.path;
   const auto refuse = [&](const std::string& why) {
-    throw BadInput(fmt::format("{} {}: {}", output.who, shown(output.place.named), why));
+    throw config::BadInput(fmt::format("{} {}: {}", output.who, shown(output.place.named), why));
   };
   const auto cannot = [&](int error) { refuse("cannot be written there: " + std::generic_category().message(error)); };
   const OwnKind kind = own_kind(output.what);
@@ -222,4 +216,4 @@ void OutputFiles::check(bool force) const {
   }
 }
 
-}  // namespace regista::cli
+}  // namespace regista::output

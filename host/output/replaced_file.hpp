@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace regista::cli {
+namespace regista::output {
 
 enum class Existing { refused, replaced };
 
@@ -15,4 +15,4 @@ enum class Existing { refused, replaced };
 // full disk.
 void write_whole(const std::filesystem::path& file, std::string_view bytes, Existing existing);
 
-}  // namespace regista::cli
+}  // namespace regista::output

@@ -9,7 +9,7 @@
 #include "campaign/limits.hpp"
 #include "campaign/shared_note.hpp"
 
-namespace regista::cli {
+namespace regista::campaign {
 
 // Thrown by the work: it came to its end, but a plugin left the process in disorder. what() says how.
 class Disorder : public std::runtime_error {
@@ -20,15 +20,21 @@ class Disorder : public std::runtime_error {
 struct Loss {
   std::string what;           // "Segmentation fault, in crashes.so", "ended the process (exit code 0)"
   bool from_outside = false;  // by a signal that people and systems send
-  campaign::WorkerNote note;  // what was under way
+  WorkerNote note;            // what was under way
 };
 
-// Runs `work` in a copy, which also writes to the standard streams, and returns its exit code; exceptions are explained
-// there. `note` is where the work is to note its calls, whose time is limited. Signals to this process go to the copy.
-// When the copy is lost, or throws Disorder, calls `lost` here and returns what it returns. What the copy has started
-// is ended. This process must have no threads and no other children.
-int run_supervised(const campaign::Limits& limits, const std::function<int(campaign::WorkerNote& note)>& work,
-                   const std::function<int(const Loss& loss)>& lost);
+// What is done in the copy, and what is done here when that did not come to its end. Each returns an exit code.
+struct SupervisedWork {
+  // In the copy, which also writes to the standard streams. `note` is where it is to note its calls, whose time is
+  // limited. Throws Disorder or std::bad_alloc; explains any other exception itself.
+  std::function<int(WorkerNote& note)> work;
+  std::function<int(const Loss& loss)> lost;  // the copy was lost, or threw
+  std::function<int()> interrupted;           // a signal that asked to end has ended it before it could say so
+};
+
+// Signals to this process go to the copy. What the copy has started is ended. This process must have no threads and no
+// other children.
+int run_supervised(const Limits& limits, const SupervisedWork& supervised);
 
 // While it lives, what others print goes to standard error, for standard output is for results.
 class StandardOutputKept {
@@ -42,4 +48,4 @@ class StandardOutputKept {
   int kept_;
 };
 
-}  // namespace regista::cli
+}  // namespace regista::campaign

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/replaced_file.hpp"
+#include "output/replaced_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -11,11 +11,11 @@
 #include <string>
 #include <system_error>
 
-#include "cli/end_of_program.hpp"
-#include "cli/output.hpp"
-#include "cli/own_kind.hpp"
+#include "config/bad_input.hpp"
+#include "output/output.hpp"
+#include "output/own_kind.hpp"
 
-namespace regista::cli {
+namespace regista::output {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,7 +27,8 @@ class Draft {
  public:
   explicit Draft(const fs::path& beside) : name_(beside.string() + ".XXXXXX") {
     descriptor_ = mkostemp(name_.data(), O_CLOEXEC);
-    if (descriptor_ == -1) throw BadInput(fmt::format("cannot write {}: {}", beside.string(), reason_of(errno)));
+    if (descriptor_ == -1)
+      throw config::BadInput(fmt::format("cannot write {}: {}", beside.string(), reason_of(errno)));
     const mode_t mask = umask(0);
     umask(mask);
     fchmod(descriptor_, 0666 & ~mask);  // as any new file; mkostemp's are for their owner alone
@@ -69,16 +70,18 @@ class Draft {
 void write_whole(const fs::path& file, std::string_view bytes, Existing existing) {
   std::error_code error;
   const fs::file_status now = fs::status(file, error);
-  const auto exists = [&] { return BadInput(fmt::format("{} exists already; --force replaces it", file.string())); };
+  const auto exists = [&] {
+    return config::BadInput(fmt::format("{} exists already; --force replaces it", file.string()));
+  };
   if (fs::exists(now)) {
     if (!fs::is_regular_file(now))
-      throw BadInput(fmt::format("cannot write {}: it is no ordinary file", file.string()));
+      throw config::BadInput(fmt::format("cannot write {}: it is no ordinary file", file.string()));
     if (existing == Existing::refused) throw exists();
     const OwnKind page = own_kind(Writes::page);
     const Found found = bytes.starts_with('<') ? found_in(file, page) : Found::own;
     if (found == Found::database || found == Found::other) {
-      throw BadInput(fmt::format("cannot write {}: there is a file of another kind, which no {} replaces",
-                                 file.string(), page.what));
+      throw config::BadInput(fmt::format("cannot write {}: there is a file of another kind, which no {} replaces",
+                                         file.string(), page.what));
     }
   }
   // What a link points to is meant, not the link.
@@ -90,4 +93,4 @@ void write_whole(const fs::path& file, std::string_view bytes, Existing existing
   throw WriteError(fmt::format("cannot write to {}: {}", file.string(), reason_of(errno)));
 }
 
-}  // namespace regista::cli
+}  // namespace regista::output

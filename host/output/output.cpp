@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/output.hpp"
+#include "output/output.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,9 +9,9 @@
 #include <system_error>
 #include <utility>
 
-#include "cli/end_of_program.hpp"
+#include "config/bad_input.hpp"
 
-namespace regista::cli {
+namespace regista::output {
 namespace {
 
 std::string reason_of(int error) { return std::generic_category().message(error); }
@@ -34,7 +34,7 @@ void print(std::string_view text) {
 
 OutputFile::OutputFile(const std::filesystem::path& path)
     : name_(path.string()), file_(std::fopen(path.c_str(), "wb")) {
-  if (file_ == nullptr) throw BadInput(fmt::format("cannot write {}: {}", name_, reason_of(errno)));
+  if (file_ == nullptr) throw config::BadInput(fmt::format("cannot write {}: {}", name_, reason_of(errno)));
 }
 
 OutputFile::~OutputFile() {
@@ -52,4 +52,4 @@ void OutputFile::close() {
 
 void OutputFile::fail() const { throw WriteError(fmt::format("cannot write to {}: {}", name_, reason_of(errno))); }
 
-}  // namespace regista::cli
+}  // namespace regista::output

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/own_kind.hpp"
+#include "output/own_kind.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include "report/match_report.hpp"
 #include "report/tuned_file.hpp"
 
-namespace regista::cli {
+namespace regista::output {
 namespace {
 
 using Begins = std::string_view;
@@ -73,4 +73,4 @@ Found found_in(const std::filesystem::path& file, const OwnKind& kind) {
   return begins(database) ? Found::database : Found::other;
 }
 
-}  // namespace regista::cli
+}  // namespace regista::output

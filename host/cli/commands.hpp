@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The commands of the program: each declares itself, its options and its examples on its parent.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+
+namespace regista::cli {
+
+struct StudyKind;
+
+// How the program was started, and which studies it knows. Outlives the commands.
+struct Invocation {
+  std::vector<std::string> arguments;  // the first is the name of the program
+  std::filesystem::path executable{};  // its own file; empty when the system does not tell
+  std::span<const StudyKind> studies{};
+};
+
+void add_match(Command& program, const Invocation& invocation);
+void add_experiment(Command& program, const Invocation& invocation);
+void add_tune(Command& program, const Invocation& invocation);
+void add_evaluate_predictor(Command& program, const Invocation& invocation);
+void add_play_one(Command& program, const Invocation& invocation);
+void add_report(Command& program, const Invocation& invocation);
+void add_sprt(Command& program);
+void add_tournament(Command& program, const Invocation& invocation);
+void add_view(Command& program, const Invocation& invocation);
+void add_metrics(Command& program);
+void add_plugin_list(Command& parent, const Invocation& invocation);
+void add_plugin_info(Command& parent, const Invocation& invocation);
+void add_plugin_reference(Command& parent, const Invocation& invocation);
+void add_config_check(Command& parent, const Invocation& invocation);
+void add_config_show(Command& parent, const Invocation& invocation);
+void add_config_schema(Command& parent, const Invocation& invocation);
+
+}  // namespace regista::cli
