@@ -105,7 +105,9 @@ std::string answers(const FrameBuilder& frame) {
   std::string out;
   for (const char* who : {"us", "them", "none", "fight"}) {
     Instance context(plugin, EnvironmentBuilder{}, Values(plugin).set("who", who));
-    if (context.holds(frame.build().before_tasks()) == 1) out += (out.empty() ? "" : " ") + std::string(who);
+    if (context.holds(frame.build().before_tasks()) != 1) continue;
+    if (!out.empty()) out += " ";
+    out += who;
   }
   return out;
 }

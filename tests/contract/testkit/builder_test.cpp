@@ -7,7 +7,12 @@
 #include <cmath>
 #include <set>
 
-#include <regista/testkit/checks.hpp>
+#include <regista/testkit/check_tracks.hpp>
+#include <regista/testkit/dice.hpp>
+#include <regista/testkit/frame_builder.hpp>
+#include <regista/testkit/instance.hpp>
+#include <regista/testkit/measurement_course.hpp>
+#include <regista/testkit/scenes.hpp>
 
 namespace {
 

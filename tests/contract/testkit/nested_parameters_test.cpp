@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
-#include <regista/testkit/checks.hpp>
+#include <regista/testkit/check_descriptor.hpp>
+#include <regista/testkit/frame_builder.hpp>
+#include <regista/testkit/instance.hpp>
 #include <regista/utility.hpp>
 
 namespace {

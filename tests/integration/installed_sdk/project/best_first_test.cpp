@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The shared object of best_first, called as a host calls it.
+// The shared object of best_first, called as a host calls it, and by the installed testkit.
 #include <dlfcn.h>
 #include <gmock/gmock.h>
 
 #include <array>
 
 #include <regista/abi.h>
+#include <regista/testkit/contract.hpp>
 
 namespace {
 
@@ -45,5 +46,7 @@ TEST(BestFirst, GivesEachTaskInOrderToItsBestFreeRobot) {
   EXPECT_THAT(out, testing::ElementsAre(0, REGISTA_NO_TASK, 1));
   plugin->destroy(instance);
 }
+
+REGISTA_ASSIGNER_CONTRACT(REGISTA_PLUGIN_FILE, "best_first", {.may_idle = true});
 
 }  // namespace

@@ -4,25 +4,10 @@
 
 #include <vector>
 
-#include <regista/testkit/rehearse_scenes.hpp>
+#include <regista/testkit/rehearsal.hpp>
 
 namespace regista::testkit {
 
-inline std::vector<Rehearsal> context_rehearsals(const Options&) {
-  std::vector<Rehearsal> out;
-  for (const int size : team_sizes) {
-    std::vector<Scene> course;
-    for (const Scene& scene : scenes(size)) {
-      course.push_back(scene.before_tasks());
-    }
-    const auto play = [](Instance& instance, const Scene& scene, std::size_t, Findings& findings, Trail& trail) {
-      const std::int32_t answer = instance.holds(scene);
-      trail.add(answer);
-      if (answer != 0 && answer != 1) findings.say("holds: answered ", answer, ", neither 0 nor 1");
-    };
-    out.push_back(rehearse_scenes(size, "holds", course, play));
-  }
-  return out;
-}
+std::vector<Rehearsal> context_rehearsals(const Options& options);
 
 }  // namespace regista::testkit

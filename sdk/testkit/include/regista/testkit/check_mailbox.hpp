@@ -2,7 +2,7 @@
 // The contract of plugins that receive messages, of any kind: regista_mailbox in <regista/abi.h>.
 #pragma once
 
-#include <vector>
+#include <cstdint>
 
 #include <regista/testkit/rehearsal.hpp>
 
@@ -10,33 +10,6 @@ namespace regista::testkit {
 
 // Segments of any content may arrive (another version of the plugin may have written them). To refuse one is sound; to
 // break the rules of every call is not.
-inline Findings check_mailbox(const Loaded& plugin, const Options& options, std::uint32_t subject) {
-  Rehearsal rehearsal;
-  rehearsal.environment = EnvironmentBuilder{}.team_size(7).own(2).subject(subject);
-  return detail::everywhere(
-      plugin, options, {rehearsal}, [&plugin](const Corner& corner, const Rehearsal& r, Findings& f) {
-        Instance instance(plugin, r.environment, corner.values);
-        Dice dice(5);
-        const auto attempt = [&f](auto&& call) {
-          try {
-            call();
-          } catch (const CallFailed& failure) {
-            const std::string text = failure.what();
-            for (const char* broken : {"across the boundary", "did not say why", "more than one line", "returned "}) {
-              if (text.find(broken) != std::string::npos) f.say(text);
-            }
-          }
-        };
-        for (int k = 0; k < 200; ++k) {
-          std::vector<std::uint8_t> bytes(static_cast<std::size_t>(dice.integer(0, 120)));
-          for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(dice.bits());
-          const int sender = dice.integer(0, 1) == 0 ? 1 : dice.integer(3, 7);
-          attempt([&] { instance.receive(sender, bytes, 0.1 * k, 0.1 * k + 0.05); });
-        }
-        const auto handle = instance.host().offers.empty() ? 1 : instance.host().offers.front().handle;
-        attempt([&] { instance.transmitted(handle); });
-        attempt([&] { instance.dropped(handle); });
-      });
-}
+Findings check_mailbox(const Loaded& plugin, const Options& options, std::uint32_t subject);
 
 }  // namespace regista::testkit

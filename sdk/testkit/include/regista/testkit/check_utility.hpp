@@ -2,72 +2,15 @@
 // The contract of utilities: regista_utility in <regista/abi.h>.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
-#include <regista/testkit/rehearse_scenes.hpp>
+#include <regista/testkit/rehearsal.hpp>
 
 namespace regista::testkit {
 
-namespace detail {
-
-inline void check_scores(const Matrix& scores, Findings& findings, Trail& trail) {
-  for (std::size_t i = 0; i < scores.rows(); ++i) {
-    for (std::size_t j = 0; j < scores.columns(); ++j) {
-      const double value = scores(i, j);
-      trail.add(value);
-      if (!std::isfinite(value) || value < 0.0) findings.say("score: row ", i, ", column ", j, " is ", value);
-    }
-  }
-}
-
-inline Scene opponents_reversed(const Scene& scene) {
-  SceneData data = scene.data();
-  std::reverse(data.mine.opponents.begin(), data.mine.opponents.end());
-  std::reverse(data.common.opponents.begin(), data.common.opponents.end());
-  return Scene(std::move(data));
-}
-
-}  // namespace detail
-
-inline std::vector<Rehearsal> utility_rehearsals(const Options&) {
-  std::vector<Rehearsal> out;
-  for (const int size : team_sizes) {
-    std::vector<Scene> course;
-    for (const Scene& scene : scenes(size)) {
-      if (scene.rows() == 0 || scene.columns() == 0) continue;  // never called then
-      course.push_back(scene);
-    }
-    const auto play = [](Instance& instance, const Scene& scene, std::size_t, Findings& findings, Trail& trail) {
-      detail::check_scores(instance.score(scene), findings, trail);
-    };
-    out.push_back(rehearse_scenes(size, "score", course, play));
-  }
-  return out;
-}
+std::vector<Rehearsal> utility_rehearsals(const Options& options);
 
 // The same scores, but for rounding, when the opponents stand in another order. Not every utility promises it.
-inline Findings check_order_of_opponents(const Loaded& plugin, const Options& options) {
-  return detail::everywhere(
-      plugin, options, utility_rehearsals(options),
-      [&](const Corner& corner, const Rehearsal& rehearsal, Findings& findings) {
-        Instance one(plugin, rehearsal.environment, corner.values), other(plugin, rehearsal.environment, corner.values);
-        const int size = static_cast<int>(EnvironmentBuilder(rehearsal.environment).raw().team_size);
-        for (const Scene& scene : scenes(size)) {
-          if (scene.rows() == 0 || scene.columns() == 0) continue;
-          findings.where(corner.name, scene.name());
-          const Matrix a = one.score(scene), b = other.score(detail::opponents_reversed(scene));
-          for (std::size_t i = 0; i < a.rows(); ++i) {
-            for (std::size_t j = 0; j < a.columns(); ++j) {
-              if (std::abs(a(i, j) - b(i, j)) > 1e-9 * std::max(1.0, std::abs(a(i, j)))) {
-                findings.say("score: depends on the order in which the opponents are listed");
-                return;
-              }
-            }
-          }
-        }
-      });
-}
+Findings check_order_of_opponents(const Loaded& plugin, const Options& options);
 
 }  // namespace regista::testkit

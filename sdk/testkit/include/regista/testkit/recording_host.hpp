@@ -20,21 +20,7 @@ class RecordingHost {
     bool withdrawn = false;
   };
 
-  explicit RecordingHost(std::uint32_t bytes_free = 64, Growth growth = {}) : bytes_free_(bytes_free) {
-    regista_host raw{};
-    raw.context = this;
-    raw.offer = [](void* context, const std::uint8_t* bytes, std::uint32_t count, double urgency, double expiry,
-                   std::int32_t medium, std::uint64_t replaces) {
-      return static_cast<RecordingHost*>(context)->offer(bytes, count, urgency, expiry, medium, replaces);
-    };
-    raw.withdraw = [](void* context, std::uint64_t handle) {
-      for (Offered& each : static_cast<RecordingHost*>(context)->offers) {
-        if (each.handle == handle) each.withdrawn = true;
-      }
-    };
-    raw.bytes_free = [](void* context) { return static_cast<RecordingHost*>(context)->bytes_free_; };
-    raw_ = Grown<regista_host>(raw, growth);
-  }
+  explicit RecordingHost(std::uint32_t bytes_free = 64, Growth growth = {});
   RecordingHost(const RecordingHost&) = delete;
   RecordingHost& operator=(const RecordingHost&) = delete;
 
@@ -48,13 +34,7 @@ class RecordingHost {
 
  private:
   std::uint64_t offer(const std::uint8_t* bytes, std::uint32_t count, double urgency, double expiry,
-                      std::int32_t medium, std::uint64_t replaces) {
-    const bool sound =
-        count <= bytes_free_ && urgency >= 0.0 && urgency <= 1.0 && medium == REGISTA_MEDIUM_RADIO && expiry > time_;
-    if (!sound) return ++refused, 0;
-    offers.push_back({++last_handle_, {bytes, bytes + count}, urgency, expiry, medium, replaces});
-    return last_handle_;
-  }
+                      std::int32_t medium, std::uint64_t replaces);
 
   Grown<regista_host> raw_;
   std::uint32_t bytes_free_;

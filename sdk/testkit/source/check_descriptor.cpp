@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Name by name, parameter by parameter, table by table.
+#include <regista/testkit/check_descriptor.hpp>
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace regista::testkit {
+
+namespace {
+
+bool is_lower_snake_case(std::string_view text) {
+  if (text.empty() || !(text.front() >= 'a' && text.front() <= 'z') || text.back() == '_') return false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (!((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_')) return false;
+    if (c == '_' && text[i - 1] == '_') return false;
+  }
+  return true;
+}
+
+// One line of text that says something.
+void need_line(Findings& findings, const std::string& what, const char* text) {
+  if (text == nullptr) return findings.say(what, " is null");
+  if (text[0] == '\0') return findings.say(what, " is empty");
+  if (std::string_view(text).find('\n') != std::string_view::npos) findings.say(what, " has more than one line");
+}
+
+void check_number(Findings& f, const std::string& name, const regista_parameter& p) {
+  if (!std::isfinite(p.minimum) || !std::isfinite(p.maximum)) return f.say(name, ": its range is not finite");
+  if (p.minimum > p.maximum) f.say(name, ": its range [", p.minimum, ", ", p.maximum, "] is empty");
+  if (!(p.initial >= p.minimum && p.initial <= p.maximum)) {
+    f.say(name, ": its default ", p.initial, " is outside [", p.minimum, ", ", p.maximum, "]");
+  }
+  if (p.type == REGISTA_TYPE_INTEGER && p.initial != std::floor(p.initial)) f.say(name, ": its default is no integer");
+  if ((p.flags & REGISTA_PARAMETER_LOG_SCALE) != 0 && !(p.minimum > 0.0)) {
+    f.say(name, ": a logarithmic scale needs a positive range");
+  }
+}
+
+void check_choice(Findings& f, const std::string& name, const regista_parameter& p) {
+  if (p.choices == nullptr || p.choice_count == 0) return f.say(name, ": has no choices");
+  std::set<std::string> seen;
+  for (std::uint32_t c = 0; c < p.choice_count; ++c) {
+    const char* word = p.choices[c];
+    need_line(f, name + ": choice " + std::to_string(c), word);
+    if (word != nullptr && !seen.insert(word).second) f.say(name, ": choice \"", word, "\" stands twice");
+  }
+  if (!(p.initial >= 0.0 && p.initial < p.choice_count && p.initial == std::floor(p.initial))) {
+    f.say(name, ": its default is none of its choices");
+  }
+}
+
+void check_parameter(Findings& f, const regista_parameter& p, std::size_t index, std::set<std::string>& names) {
+  const std::string name = "parameter " + (p.name == nullptr ? std::to_string(index) : std::string(p.name));
+  if (p.size < sizeof(regista_parameter)) return f.say(name, ": its size field says ", p.size, " bytes");
+  if (p.name == nullptr || !is_lower_snake_case(p.name)) {
+    f.say(name, ": its name is not in lower_snake_case");
+  } else if (!names.insert(p.name).second) {
+    f.say(name, ": stands twice");
+  }
+  need_line(f, name + ": its doc", p.doc);
+  if (p.unit == nullptr) f.say(name, ": its unit is null");
+  switch (p.type) {
+    case REGISTA_TYPE_REAL:
+    case REGISTA_TYPE_INTEGER:
+      if (p.unit != nullptr && p.unit[0] == '\0') f.say(name, ": has no unit (\"1\" for a plain number)");
+      return check_number(f, name, p);
+    case REGISTA_TYPE_BOOLEAN:
+      if (p.initial != 0.0 && p.initial != 1.0) f.say(name, ": its default is neither 0 nor 1");
+      return;
+    case REGISTA_TYPE_CHOICE:
+      return check_choice(f, name, p);
+    case REGISTA_TYPE_TEXT:
+      if (p.initial_text == nullptr) f.say(name, ": its default text is null");
+      return;
+    case REGISTA_TYPE_FILE:
+      if (p.initial_text != nullptr) f.say(name, ": a file has no default");
+      return;
+    default:
+      f.say(name, ": unknown type ", p.type);
+  }
+}
+
+}  // namespace
+
+Findings check_descriptor(const Loaded& plugin) {
+  Findings f;
+  const regista_descriptor& d = plugin.descriptor();
+  if (d.size < sizeof(regista_descriptor)) {
+    f.say("descriptor: its size field says ", d.size, " bytes");
+    return f;
+  }
+  if (d.abi_major != REGISTA_ABI_MAJOR || d.abi_minor > REGISTA_ABI_MINOR) {
+    f.say("descriptor: built for plugin interface ", d.abi_major, ".", d.abi_minor);
+  }
+  if (d.id == nullptr || !is_lower_snake_case(d.id)) f.say("descriptor: its id is not in lower_snake_case");
+  need_line(f, "descriptor: its version", d.version);
+  need_line(f, "descriptor: its summary", d.summary);
+  need_line(f, "descriptor: its licence", d.licence);
+  need_line(f, "descriptor: its build tag", d.build_tag);
+  if (d.version != nullptr && !(d.version[0] >= '0' && d.version[0] <= '9')) {
+    f.say("descriptor: its version \"", d.version, "\" does not begin with a number");
+  }
+  if (d.table == nullptr || d.create == nullptr || d.reset == nullptr || d.destroy == nullptr) {
+    f.say("descriptor: table, create, reset and destroy must not be null");
+    return f;
+  }
+  if (d.parameter_count > 0 && (d.parameters == nullptr || d.parameter_stride < sizeof(regista_parameter))) {
+    f.say("descriptor: its parameters have no place or too small a stride");
+    return f;
+  }
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < plugin.parameter_count(); ++i) check_parameter(f, plugin.parameter(i), i, names);
+
+  int kinds = 0;
+  for (std::int32_t kind = -1; kind <= REGISTA_KIND_END + 1; ++kind) {
+    const void* table = d.table(kind);
+    if (table != d.table(kind)) f.say("descriptor: its table of kind ", kind, " changes from call to call");
+    if (table == nullptr) continue;
+    if (kind < REGISTA_KIND_PREDICTOR || kind >= REGISTA_KIND_END) {
+      f.say("descriptor: has a table for kind ", kind, ", which does not exist");
+    } else if (kind != REGISTA_KIND_MAILBOX) {
+      ++kinds;
+    }
+  }
+  if (kinds == 0) f.say("descriptor: implements no kind");
+  const auto table_size = [&](std::int32_t kind, const char* name, std::size_t needed) {
+    const void* table = d.table(kind);
+    if (table == nullptr) return;
+    const std::uint32_t size = *static_cast<const std::uint32_t*>(table);
+    if (size < needed) f.say(name, ": the size field of its table says ", size, " bytes");
+  };
+  table_size(REGISTA_KIND_PREDICTOR, "predictor", sizeof(regista_predictor));
+  table_size(REGISTA_KIND_CONTEXT, "context", sizeof(regista_context));
+  table_size(REGISTA_KIND_POSITIONER, "positioner", sizeof(regista_positioner));
+  table_size(REGISTA_KIND_UTILITY, "utility", sizeof(regista_utility));
+  table_size(REGISTA_KIND_ASSIGNER, "assigner", sizeof(regista_assigner));
+  table_size(REGISTA_KIND_SENDER, "sender", sizeof(regista_sender));
+  table_size(REGISTA_KIND_MAILBOX, "mailbox", sizeof(regista_mailbox));
+  return f;
+}
+
+}  // namespace regista::testkit

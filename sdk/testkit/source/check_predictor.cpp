@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// A predictor lives through measurement courses; what it holds is looked at after every call.
+#include <regista/testkit/check_predictor.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <regista/testkit/measurement_course.hpp>
+#include <regista/testkit/scenes.hpp>
+
+namespace regista::testkit {
+
+namespace {
+
+constexpr int predictor_own = 2, predictor_team = 7;
+
+const char* subject_name(std::uint32_t subject) {
+  switch (subject) {
+    case REGISTA_SUBJECT_SELF:
+      return "own pose";
+    case REGISTA_SUBJECT_BALL:
+      return "ball";
+    case REGISTA_SUBJECT_OPPONENTS:
+      return "opponents";
+    default:
+      return "teammates";
+  }
+}
+
+EnvironmentBuilder predictor_environment(std::uint32_t subject) {
+  return EnvironmentBuilder{}.team_size(predictor_team).own(predictor_own).subject(subject);
+}
+
+void check_absorbed(const Tick& tick, const std::vector<regista_track>& tracks, std::uint32_t subject, Findings& f) {
+  if (subject != REGISTA_SUBJECT_TEAMMATES) {
+    if (tracks.size() > tick.absorbs->size()) f.say("absorb: a packet replaces the whole model, but more is there");
+    return;
+  }
+  for (const regista_track& said : *tick.absorbs) {
+    const bool there = std::any_of(tracks.begin(), tracks.end(), [&](const auto& t) { return t.label == said.label; });
+    if (!there) f.say("absorb: a teammate that was heard of has no track");
+  }
+}
+
+void play_tick(Instance& instance, const Tick& tick, const regista_frame* last, std::uint32_t subject,
+               Findings& findings, Trail& trail) {
+  const auto look = [&] {
+    std::vector<regista_track> tracks = instance.tracks();
+    trail.add_all(tracks);
+    check_tracks(tracks, subject, predictor_own, predictor_team, findings);
+    return tracks;
+  };
+  const std::vector<regista_track> before = look();
+  instance.predict(tick.dt, tick.motion ? &*tick.motion : nullptr, last);
+  check_no_new_labels(before, look(), findings);
+  if (tick.corrects) {
+    instance.correct(tick.measurements, tick.area);
+    look();
+  }
+  if (tick.absorbs) {
+    instance.absorb(*tick.absorbs, tick.packet_age);
+    check_absorbed(tick, look(), subject, findings);
+  }
+}
+
+regista_track only_track(Instance& instance) {
+  const std::vector<regista_track> tracks = instance.tracks();
+  if (tracks.size() != 1) throw CallFailed("tracks: the own pose must be exactly one track");
+  return tracks.front();
+}
+
+}  // namespace
+
+std::uint32_t detail::subjects_of(const Loaded& plugin) {
+  const auto* table = static_cast<const regista_predictor*>(plugin.descriptor().table(REGISTA_KIND_PREDICTOR));
+  return table == nullptr ? 0 : table->subjects;
+}
+
+std::vector<Rehearsal> predictor_rehearsals(const Loaded& plugin) {
+  std::vector<Rehearsal> out;
+  const Scene frame = scenes(predictor_team).front(), later = frame.grown({24});
+  for (const std::uint32_t subject : {1u, 2u, 4u, 8u}) {
+    if ((detail::subjects_of(plugin) & subject) == 0) continue;
+    for (const bool observer : {true, false}) {
+      if (observer ? subject == REGISTA_SUBJECT_TEAMMATES : subject == REGISTA_SUBJECT_SELF) continue;
+      const std::vector<Tick> course = measurement_course(subject, observer, subject);
+      Rehearsal r;
+      r.environment = predictor_environment(subject);
+      r.steps = course.size();
+      r.name = [subject, observer](std::size_t i) {
+        return std::string(subject_name(subject)) + (observer ? ", own model" : ", by packets") + ", tick " +
+               std::to_string(i);
+      };
+      r.play = [course, frame, later, subject](Instance& instance, std::size_t i, Growth growth, Findings& findings,
+                                               Trail& trail) {
+        const Scene& last = growth.bytes == 0 ? frame : later;
+        play_tick(instance, course[i], i == 0 ? nullptr : &last.raw(), subject, findings, trail);
+        if (!last.unchanged()) findings.say("predict: wrote to its input");
+      };
+      out.push_back(std::move(r));
+    }
+  }
+  return out;
+}
+
+Findings check_uncertainty_grows(const Loaded& plugin, const Options& options) {
+  Findings findings;
+  if ((detail::subjects_of(plugin) & REGISTA_SUBJECT_SELF) == 0) return findings;
+  Rehearsal rehearsal;
+  rehearsal.environment = predictor_environment(REGISTA_SUBJECT_SELF);
+  return detail::everywhere(plugin, options, {rehearsal},
+                            [&plugin](const Corner& corner, const Rehearsal& r, Findings& f) {
+                              for (const double ahead : {0.0, 0.025}) {
+                                Instance instance(plugin, r.environment, corner.values);
+                                regista_measurement placed{};
+                                placed.kind = REGISTA_MEASURED_POSE;
+                                placed.position[0] = -2.0;
+                                placed.heading = 0.4;
+                                for (const std::size_t i : {0u, 4u, 8u}) placed.covariance[i] = 0.01;
+                                const regista_visible_area area{-2.0, 0.0, 0.4, 0.48, 5.0, 4.0};
+                                instance.correct(std::vector{placed}, area);
+                                const regista_motion motion{ahead, 0.0, 0.0};
+                                f.where(corner.name, ahead == 0.0 ? "standing" : "walking straight ahead");
+                                regista_track before = only_track(instance);
+                                for (int tick = 0; tick < 100; ++tick) {
+                                  instance.predict(0.1, &motion);
+                                  const regista_track after = only_track(instance);
+                                  const double position_before = before.covariance[0] + before.covariance[5];
+                                  const double position_after = after.covariance[0] + after.covariance[5];
+                                  if (position_after < position_before * (1.0 - 1e-9))
+                                    f.say("predict: the own position became surer by itself");
+                                  if (after.heading_variance < before.heading_variance * (1.0 - 1e-9)) {
+                                    f.say("predict: the own heading became surer by itself");
+                                  }
+                                  before = after;
+                                }
+                              }
+                            });
+}
+
+Findings check_labels_are_stable(const Loaded& plugin, const Options& options) {
+  Findings findings;
+  if ((detail::subjects_of(plugin) & REGISTA_SUBJECT_OPPONENTS) == 0) return findings;
+  Values values(plugin);
+  options.base(values);
+  Instance instance(plugin, predictor_environment(REGISTA_SUBJECT_OPPONENTS), values);
+  const regista_motion stands{};
+  const regista_visible_area area{-3.0, 0.0, 0.0, 0.9, 8.0, 8.0};
+  std::vector<regista_measurement> seen(2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    seen[k].kind = REGISTA_MEASURED_ROBOT;
+    seen[k].position[0] = 1.0;
+    seen[k].position[1] = k == 0 ? -2.0 : 2.0;
+    seen[k].covariance[0] = seen[k].covariance[4] = 0.02;
+  }
+  std::int32_t labels[2] = {0, 0};
+  for (int tick = 0; tick < 60; ++tick) {
+    std::swap(seen[0], seen[1]);  // the order of measurements says nothing
+    instance.predict(0.1, &stands);
+    instance.correct(seen, area);
+    const std::vector<regista_track> tracks = instance.tracks();
+    for (int k = 0; k < 2; ++k) {
+      const double y = k == 0 ? -2.0 : 2.0;
+      const auto nearest = std::min_element(tracks.begin(), tracks.end(), [y](const auto& a, const auto& b) {
+        return std::hypot(a.x - 1.0, a.y - y) < std::hypot(b.x - 1.0, b.y - y);
+      });
+      if (tick < 10) {
+        if (nearest != tracks.end()) labels[k] = nearest->label;
+      } else if (nearest == tracks.end() || nearest->label != labels[k] || std::abs(nearest->y - y) > 1.0) {
+        findings.say("tracks: an opponent that stands still in view does not keep its track and label");
+      }
+    }
+  }
+  return findings;
+}
+
+}  // namespace regista::testkit

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Which checks make up the contract of a kind.
+#include <regista/testkit/checks.hpp>
+
+#include <exception>
+
+namespace regista::testkit {
+
+namespace {
+
+std::vector<Rehearsal> rehearsals(std::int32_t kind, const Loaded& plugin, const Options& options) {
+  switch (kind) {
+    case REGISTA_KIND_PREDICTOR:
+      return predictor_rehearsals(plugin);
+    case REGISTA_KIND_CONTEXT:
+      return context_rehearsals(options);
+    case REGISTA_KIND_POSITIONER:
+      return positioner_rehearsals(options);
+    case REGISTA_KIND_UTILITY:
+      return utility_rehearsals(options);
+    case REGISTA_KIND_ASSIGNER:
+      return assigner_rehearsals(options);
+    default:
+      return sender_rehearsals(options);
+  }
+}
+
+// An exception of the suite itself, or a plugin without this kind, is a finding and not a crash.
+Check guarded_check(std::int32_t kind, Check check) {
+  check.run = [kind, run = check.run](const Loaded& plugin, const Options& options) {
+    Findings findings;
+    if (!plugin.implements(kind)) {
+      findings.say("\"", plugin.descriptor().id, "\" does not implement this kind");
+      return findings;
+    }
+    try {
+      return run(plugin, options);
+    } catch (const std::exception& exception) {
+      findings.say(exception.what());
+    }
+    return findings;
+  };
+  return check;
+}
+
+template <class Rehearse>
+Check rehearsed(std::int32_t kind, const char* name, const char* promise, Rehearse check) {
+  return {name, promise, [kind, check](const Loaded& plugin, const Options& options) {
+            return check(plugin, options, rehearsals(kind, plugin, options));
+          }};
+}
+
+bool models(const Loaded& plugin, std::uint32_t subject) { return (detail::subjects_of(plugin) & subject) != 0; }
+
+}  // namespace
+
+std::vector<Check> contract(std::int32_t kind) {
+  std::vector<Check> out{
+      {"descriptor", "describes itself", [](const Loaded& plugin, const Options&) { return check_descriptor(plugin); }},
+      rehearsed(kind, "promises", "every output is as abi.h promises", check_promises),
+      rehearsed(kind, "determinism", "the same calls give the same bytes, also after a reset", check_determinism),
+      rehearsed(kind, "growth", "works with a host of a later minor version", check_growth),
+      {"mailbox", "bears any message",
+       [kind](const Loaded& plugin, const Options& options) {
+         const std::uint32_t all = kind == REGISTA_KIND_PREDICTOR ? detail::subjects_of(plugin) : 0;
+         return check_mailbox(plugin, options, all & (~all + 1));
+       },
+       [](const Loaded& plugin, const Options&) { return plugin.implements(REGISTA_KIND_MAILBOX); }}};
+  if (kind == REGISTA_KIND_PREDICTOR) {
+    out.push_back({"uncertainty", "the own pose does not become surer without news", check_uncertainty_grows,
+                   [](const Loaded& p, const Options&) { return models(p, REGISTA_SUBJECT_SELF); }});
+    out.push_back({"labels", "opponents in view keep their labels", check_labels_are_stable,
+                   [](const Loaded& p, const Options&) { return models(p, REGISTA_SUBJECT_OPPONENTS); }});
+  }
+  if (kind == REGISTA_KIND_POSITIONER) {
+    out.push_back({"capacity", "writes no further than it may", check_small_capacity});
+  }
+  if (kind == REGISTA_KIND_UTILITY) {
+    out.push_back({"order", "the order of opponents does not matter", check_order_of_opponents,
+                   [](const Loaded&, const Options& options) { return options.order_of_opponents_is_irrelevant; }});
+  }
+  for (Check& check : out) check = guarded_check(kind, check);
+  return out;
+}
+
+}  // namespace regista::testkit

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// The usual field, and how an environment is laid out in the memory that a plugin reads.
+#include <regista/testkit/environment_builder.hpp>
+
+#include <cstdint>
+#include <utility>
+
+namespace regista::testkit {
+
+const std::vector<std::string>& usual_roles() {
+  static const std::vector<std::string> names{"goalkeeper", "striker", "supporter",  "defender_left", "defender_right",
+                                              "jolly",      "libero",  "midfielder", "wing_left",     "wing_right",
+                                              "sweeper",    "stopper", "search_1",   "search_2"};
+  return names;
+}
+
+struct Setting::Stored {
+  std::vector<std::string> names, lists;
+  Strided<regista_landmark> landmarks;
+  Strided<regista_role> roles;
+  Grown<regista_environment> environment;
+};
+
+const regista_environment& Setting::raw() const { return stored_->environment.get(); }
+
+regista::Environment Setting::environment() const { return regista::Environment(raw()); }
+
+void Setting::end_of_create() const {
+  stored_->landmarks.scribble();
+  stored_->environment.scribble();
+}
+
+EnvironmentBuilder::EnvironmentBuilder() {
+  e_.team_size = 7;
+  e_.own_number = 2;
+  e_.field_length = 9.0;
+  e_.field_width = 6.0;
+  e_.border_strip = 0.7;
+  e_.goal_width = 1.5;
+  e_.goal_depth = 0.5;
+  e_.goal_area_length = 0.6;
+  e_.goal_area_width = 2.2;
+  e_.penalty_area_length = 1.65;
+  e_.penalty_area_width = 4.0;
+  e_.penalty_mark_distance = 1.3;
+  e_.centre_circle_radius = 0.75;
+  e_.ball_radius = 0.05;
+  e_.robot_radius = 0.15;
+  e_.walk_forward = 0.25;
+  e_.walk_sideways = 0.18;
+  e_.walk_backward = 0.20;
+  e_.turn_rate = 1.5707963267948966;
+  e_.decision_period = 0.1;
+  e_.packet_size = 128;
+  e_.packet_budget = 1200;
+  roles(usual_roles());
+  roles_.front().robot = 1;  // the goalkeeper is number 1
+}
+
+EnvironmentBuilder& EnvironmentBuilder::field(double length, double width, double border_strip) {
+  e_.field_length = length;
+  e_.field_width = width;
+  e_.border_strip = border_strip;
+  return *this;
+}
+
+EnvironmentBuilder& EnvironmentBuilder::walk(double forward, double sideways, double backward, double turn_rate) {
+  e_.walk_forward = forward;
+  e_.walk_sideways = sideways;
+  e_.walk_backward = backward;
+  e_.turn_rate = turn_rate;
+  return *this;
+}
+
+EnvironmentBuilder& EnvironmentBuilder::packets(unsigned size, unsigned budget) {
+  e_.packet_size = size;
+  e_.packet_budget = budget;
+  return *this;
+}
+
+EnvironmentBuilder& EnvironmentBuilder::roles(const std::vector<std::string>& names) {
+  roles_.clear();
+  for (const std::string& name : names) role(name);
+  return *this;
+}
+
+EnvironmentBuilder& EnvironmentBuilder::role(std::string name, int robot, std::string list) {
+  int priority = 0;
+  for (const RoleRow& row : roles_) priority += row.list == list ? 1 : 0;
+  roles_.push_back({std::move(name), std::move(list), priority, robot});
+  return *this;
+}
+
+EnvironmentBuilder& EnvironmentBuilder::no_landmarks() { return landmarks_ = false, *this; }
+
+Setting EnvironmentBuilder::build(Growth growth) const {
+  Setting setting;
+  setting.stored_ = std::make_shared<Setting::Stored>();
+  Setting::Stored& s = *setting.stored_;
+  s.names.reserve(roles_.size());
+  s.lists.reserve(roles_.size());
+  std::vector<regista_role> roles;
+  for (const RoleRow& row : roles_) {
+    s.names.push_back(row.name);
+    s.lists.push_back(row.list);
+    roles.push_back({s.names.back().c_str(), s.lists.back().c_str(), row.priority, row.robot});
+  }
+  s.roles = Strided<regista_role>(roles, growth);
+  s.landmarks = Strided<regista_landmark>(landmarks_ ? landmarks() : std::vector<regista_landmark>{}, growth);
+  regista_environment e = e_;
+  e.roles = s.roles.span();
+  e.landmarks = s.landmarks.span();
+  s.environment = Grown<regista_environment>(e, growth);
+  return setting;
+}
+
+std::vector<regista_landmark> EnvironmentBuilder::landmarks() const {
+  const double x = e_.field_length / 2, y = e_.field_width / 2;
+  std::vector<regista_landmark> out{{REGISTA_LANDMARK_CENTRE, 0, 0.0, 0.0}};
+  const auto four = [&](std::int32_t kind, double px, double py) {
+    for (const double sx : {-1.0, 1.0}) {
+      for (const double sy : {-1.0, 1.0}) out.push_back({kind, 0, sx * px, sy * py});
+    }
+  };
+  four(REGISTA_LANDMARK_GOAL_POST, x, e_.goal_width / 2 + 0.05);
+  out.push_back({REGISTA_LANDMARK_PENALTY_MARK, 0, -(x - e_.penalty_mark_distance), 0.0});
+  out.push_back({REGISTA_LANDMARK_PENALTY_MARK, 0, x - e_.penalty_mark_distance, 0.0});
+  four(REGISTA_LANDMARK_CORNER, x, y);
+  out.push_back({REGISTA_LANDMARK_T_JUNCTION, 0, 0.0, -y});
+  out.push_back({REGISTA_LANDMARK_T_JUNCTION, 0, 0.0, y});
+  four(REGISTA_LANDMARK_T_JUNCTION, x, e_.goal_area_width / 2);
+  four(REGISTA_LANDMARK_T_JUNCTION, x, e_.penalty_area_width / 2);
+  return out;
+}
+
+}  // namespace regista::testkit

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Keeps findings short: each once, and not more than a person reads.
+#include <regista/testkit/findings.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace regista::testkit {
+
+void Findings::where(std::string corner, std::string scene) {
+  corner_ = std::move(corner);
+  scene_ = std::move(scene);
+}
+
+std::string Findings::text() const {
+  std::string out;
+  for (const std::string& line : lines_) out += line + "\n";
+  if (left_out_ > 0) out += "and " + std::to_string(left_out_) + " more like these\n";
+  return out;
+}
+
+void Findings::add(const std::string& finding) {
+  if (std::find(seen_.begin(), seen_.end(), finding) != seen_.end()) return;
+  seen_.push_back(finding);
+  if (lines_.size() == most) {
+    ++left_out_;
+    return;
+  }
+  std::string place = corner_ + (corner_.empty() || scene_.empty() ? "" : "; ") + scene_;
+  lines_.push_back(finding + (place.empty() ? "" : " (" + place + ")"));
+}
+
+}  // namespace regista::testkit
