@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <climits>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
 
 #include "campaign/metric_json.hpp"
 #include "campaign/whole_number.hpp"
+#include "config/json.hpp"
 
 namespace regista::campaign {
 namespace {

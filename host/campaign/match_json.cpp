@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/match_json.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "campaign/metric_json.hpp"
+#include "config/json.hpp"
 #include "match/names.hpp"
 
 namespace regista::campaign {

@@ -4,10 +4,10 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
+#include "config/json.hpp"
 #include "match/side.hpp"
 
 namespace regista::campaign {

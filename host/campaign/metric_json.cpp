@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/metric_json.hpp"
+#include "config/json.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string_view>

@@ -4,8 +4,9 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "config/json.hpp"
 
 namespace regista::campaign {
 

@@ -8,12 +8,12 @@
 #include <array>
 #include <iterator>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
+#include "config/json.hpp"
 #include "config/team_size.hpp"
 #include "mind/mind.hpp"
 #include "mind/team_plan.hpp"

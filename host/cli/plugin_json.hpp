@@ -2,8 +2,7 @@
 // What there is to say about a plugin, for programs: numbers as numbers.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "config/json.hpp"
 #include "plugin/found.hpp"
 
 namespace regista::cli {

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "campaign/inputs.hpp"
 #include "cli/end_of_program.hpp"
+#include "config/json.hpp"
 #include "config/text.hpp"
 #include "output/output.hpp"
 #include "study/plan_names.hpp"

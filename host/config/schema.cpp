@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "config/json.hpp"
 #include "config/place.hpp"
 #include "config/scalar.hpp"
 #include "config/team_page.hpp"

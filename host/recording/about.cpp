@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <span>
 
+#include "config/json.hpp"
 #include "config/packet_share.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "config/json.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
 

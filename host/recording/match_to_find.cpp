@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "config/json.hpp"
 #include "mcap/error.hpp"
 #include "mcap/reader.hpp"
 #include "recording/about.hpp"

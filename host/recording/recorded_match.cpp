@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "config/json.hpp"
 #include "mcap/error.hpp"
 #include "recording/about.hpp"
 

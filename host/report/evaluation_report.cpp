@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report/evaluation_report.hpp"
+#include "config/json.hpp"
 
 #include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
 
 namespace regista::report {
 namespace {

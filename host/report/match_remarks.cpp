@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "config/json.hpp"
 #include "report/html_table.hpp"
 #include "report/page_parts.hpp"
 #include "report/visible_text.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "report/metric_reference.hpp"
+#include "config/json.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <vector>
 

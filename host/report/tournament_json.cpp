@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <nlohmann/json.hpp>
 
+#include "config/json.hpp"
 #include "report/match_remarks.hpp"
 #include "report/packets_spent.hpp"
 #include "report/standing.hpp"

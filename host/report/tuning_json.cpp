@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "config/json.hpp"
 #include "report/match_remarks.hpp"
 #include "report/packets_spent.hpp"
 #include "report/tuning_sentences.hpp"

@@ -5,10 +5,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "campaign/inputs.hpp"
+#include "config/json.hpp"
 #include "study/plan_differences.hpp"
 #include "study/plan_json.hpp"
 

@@ -7,7 +7,6 @@
 
 #include <climits>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "campaign/job.hpp"
 #include "campaign/whole_number.hpp"
 #include "campaign/worker.hpp"
+#include "config/json.hpp"
 #include "study/opening.hpp"
 #include "study/plan_names.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "study/study.hpp"
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
+#include "config/json.hpp"
 #include "study/plan_names.hpp"
 
 namespace regista::study {

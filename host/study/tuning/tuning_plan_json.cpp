@@ -4,9 +4,9 @@
 #include <climits>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "config/json.hpp"
 #include "study/plan_json.hpp"
 #include "study/tuning/tuning_plan.hpp"
 

@@ -5,13 +5,13 @@
 
 #include <cstdint>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "config/json.hpp"
 #include "study/plan_names.hpp"
 #include "study/study.hpp"
 #include "study/tournament_plan.hpp"

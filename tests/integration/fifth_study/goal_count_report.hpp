@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "config/json.hpp"
 #include "goal_count.hpp"
 #include "report/html.hpp"
 #include "report/page_parts.hpp"

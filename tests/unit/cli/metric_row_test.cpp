@@ -4,12 +4,12 @@
 #include <gmock/gmock.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "campaign/match_json.hpp"
 #include "campaign/metric_bytes.hpp"
+#include "config/json.hpp"
 #include "report/match_report.hpp"
 #include "report/metric_reference.hpp"
 #include "report/tournament_page.hpp"

@@ -5,9 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <random>
 
+#include "config/json.hpp"
 #include "markup/base64.hpp"
 #include "markup/json_text.hpp"
 #include "recording/match_page.hpp"

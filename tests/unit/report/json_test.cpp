@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
+#include "config/json.hpp"
 #include "course.hpp"
 #include "report/standing.hpp"
 #include "report/tournament.hpp"

@@ -5,8 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
+#include "config/json.hpp"
 #include "course.hpp"
 #include "report/standing.hpp"
 #include "report/tournament_page.hpp"

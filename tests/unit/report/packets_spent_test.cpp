@@ -2,8 +2,7 @@
 // Reports of short games say what was spent of the share of the budget that their length has, and who overspent.
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
+#include "config/json.hpp"
 #include "course.hpp"
 #include "report/course_record.hpp"
 #include "report/experiment.hpp"

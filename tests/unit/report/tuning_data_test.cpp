@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "config/json.hpp"
 #include "report/tuning_numbers.hpp"
 #include "tuning_course.hpp"
 

@@ -4,10 +4,10 @@
 #include <gmock/gmock.h>
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 
+#include "config/json.hpp"
 #include "tournament_fixture.hpp"
 
 namespace regista::study {

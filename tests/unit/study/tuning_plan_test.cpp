@@ -4,10 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <random>
 #include <stdexcept>
 
+#include "config/json.hpp"
 #include "tuning_fixture.hpp"
 
 namespace regista::study {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// nlohmann::json and ordered_json for all rooms. Parser, writer and the values' own functions are compiled once, in
+// json.cpp and ordered_json.cpp: a file that includes <nlohmann/json.hpp> itself pays two seconds of the compiler for
+// them.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace regista::config::json {
+
+using Characters = nlohmann::detail::iterator_input_adapter<const char*>;
+using Text = nlohmann::detail::iterator_input_adapter<std::string::const_iterator>;
+
+}  // namespace regista::config::json
+
+extern template class nlohmann::basic_json<>;
+extern template class nlohmann::basic_json<nlohmann::ordered_map>;
+extern template class nlohmann::detail::serializer<nlohmann::json>;
+extern template class nlohmann::detail::serializer<nlohmann::ordered_json>;
+extern template class nlohmann::detail::parser<nlohmann::json, regista::config::json::Characters>;
+extern template class nlohmann::detail::parser<nlohmann::json, regista::config::json::Text>;
+extern template class nlohmann::detail::parser<nlohmann::ordered_json, regista::config::json::Characters>;
+extern template class nlohmann::detail::parser<nlohmann::ordered_json, regista::config::json::Text>;
