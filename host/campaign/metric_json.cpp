@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/metric_json.hpp"
-#include "config/json.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -11,6 +10,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "config/json.hpp"
 
 namespace regista::campaign {
 namespace {

@@ -134,9 +134,9 @@ int run(const Options& options, const output::OutputFiles& outputs, const Invoca
   }
   PageWishes wishes;
   if (!options.page.empty()) wishes.page = options.page;
-  if (!options.figures.empty()) wishes.figures = options.figures;
-  wishes.png = options.png;
-  wishes.existing = options.force ? output::Existing::replaced : output::Existing::refused;
+  if (!options.figures.empty()) wishes.figures.folder = options.figures;
+  wishes.figures.png = options.png;
+  wishes.figures.existing = options.force ? output::Existing::replaced : output::Existing::refused;
   write_page({options.file, store, invocation.studies}, wishes);
   return exit_done;
 }

@@ -9,16 +9,13 @@
 
 #include "campaign/store.hpp"
 #include "cli/study_kinds.hpp"
-#include "output/replaced_file.hpp"
+#include "output/figure_folder.hpp"
 
 namespace regista::cli {
 
 struct PageWishes {
-  std::optional<std::filesystem::path> page;     // the file
-  std::optional<std::filesystem::path> figures;  // a folder, which is made where it is missing
-  bool png = false;
-  output::Existing existing = output::Existing::refused;
-  bool only_these = false;  // figures of an earlier experiment are removed from the folder first
+  std::optional<std::filesystem::path> page;  // the file
+  output::FigureWishes figures;               // what it says of existing files goes for the page, too
 };
 
 // What is read for it.

@@ -2,21 +2,16 @@
 // `regista view`: a recorded match as a page that plays it back, or one moment of it as a picture.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <system_error>
 
 #include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
-#include "config/text.hpp"
 #include "mcap/error.hpp"
 #include "output/output.hpp"
 #include "output/output_files.hpp"
@@ -24,6 +19,7 @@
 #include "recording/match_page.hpp"
 #include "recording/moment_svg.hpp"
 #include "recording/recorded_match.hpp"
+#include "recording/typed_moment.hpp"
 
 namespace regista::cli {
 namespace {
@@ -45,80 +41,6 @@ struct Options {
   std::string file, output, at, robot;
   bool force = false;
 };
-
-template <class Number>
-std::optional<Number> number_in(std::string_view text) {
-  Number out{};
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), out);
-  if (error != std::errc() || rest != text.data() + text.size()) return std::nullopt;
-  return out;
-}
-
-// A moment as it was typed.
-struct Moment {
-  int half = 0;          // 0: seconds since the match began
-  double seconds = 0.0;  // else of the clock of this half
-};
-
-Moment parse_moment(const std::string& typed) {
-  const auto refuse = [&] {
-    throw BadInput(
-        fmt::format("--at: {}; wanted is the time since the match began, 7:42 or 462.3, or the clock of a half, 2/7:42",
-                    config::in_quotes(typed)));
-  };
-  Moment out;
-  std::string_view rest = typed;
-  if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
-    const auto half = number_in<int>(rest.substr(0, slash));
-    if (!half || *half < 1 || *half > 99) refuse();
-    out.half = *half;
-    rest.remove_prefix(slash + 1);
-  }
-  double minutes = 0.0;
-  if (const std::size_t colon = rest.find(':'); colon != std::string_view::npos) {
-    const auto whole = number_in<int>(rest.substr(0, colon));
-    if (!whole || *whole < 0) refuse();
-    minutes = *whole;
-    rest.remove_prefix(colon + 1);
-  }
-  const auto seconds = number_in<double>(rest);
-  if (!seconds || !(*seconds >= 0.0) || *seconds > 1e6) refuse();
-  // 7:4 may mean 7:40 as well as 7:04.
-  const bool two_digits = rest.size() == 2 || (rest.size() > 2 && rest[2] == '.');
-  if (typed.find(':') != std::string::npos && (*seconds >= 60.0 || !two_digits)) refuse();
-  out.seconds = 60.0 * minutes + *seconds;
-  return out;
-}
-
-recording::RobotName parse_robot(const std::string& typed, int team_size) {
-  std::string_view rest = typed;
-  recording::RobotName out;
-  if (rest.starts_with("home/")) {
-    rest.remove_prefix(5);
-  } else if (rest.starts_with("away/")) {
-    out.side = 1;
-    rest.remove_prefix(5);
-  }
-  const auto number = number_in<int>(rest);
-  if (!number || *number < 1 || *number > team_size) {
-    throw BadInput(fmt::format("--robot: {}; wanted is 1 to {}, home/1 to home/{} or away/1 to away/{}",
-                               config::in_quotes(typed), team_size, team_size, team_size));
-  }
-  out.number = *number;
-  return out;
-}
-
-double time_of(const recording::RecordedMatch& match, const Moment& moment, const Options& options) {
-  if (moment.half == 0) {
-    if (moment.seconds <= match.end() + 1e-9) return std::max(moment.seconds, match.begin());
-    throw BadInput(fmt::format("--at {}: the recording ends at {:.1f} s", options.at, match.end()));
-  }
-  if (const auto time = match.time_of(moment.half, moment.seconds)) return *time;
-  throw BadInput(
-      fmt::format("--at {}: the clock of half {} does not show that in this recording, which ends {:.1f} s "
-                  "after the match began",
-                  options.at, moment.half, match.end()));
-}
 
 std::string content_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -173,7 +95,7 @@ int run(const Options& options, output::OutputFiles outputs, const Invocation& i
   outputs.read({viewer_of(invocation).string()}, Reads::data);
   try {
     const bool picture = !options.at.empty();
-    const Moment wanted = picture ? parse_moment(options.at) : Moment{};
+    const recording::Moment wanted = picture ? recording::parse_moment(options.at) : recording::Moment{};
     if (!picture) refuse_what_no_browser_opens(options.file);
     const recording::RecordedMatch match(options.file);
     outputs.check(options.force);
@@ -181,8 +103,8 @@ int run(const Options& options, output::OutputFiles outputs, const Invocation& i
     std::string written;
     if (picture) {
       std::optional<recording::RobotName> robot;
-      if (!options.robot.empty()) robot = parse_robot(options.robot, match.team_size());
-      written = recording::moment_svg(match, match.at(time_of(match, wanted, options), robot), robot);
+      if (!options.robot.empty()) robot = recording::parse_robot(options.robot, match.team_size());
+      written = recording::moment_svg(match, match.at(recording::time_of(match, wanted), robot), robot);
     } else {
       written = page(options, invocation);
     }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "report/counts.hpp"
-#include "config/json.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+
+#include "config/json.hpp"
 
 namespace regista::report {
 namespace {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "report/metric_reference.hpp"
-#include "config/json.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 #include <vector>
+
+#include "config/json.hpp"
 
 namespace regista::report {
 namespace {

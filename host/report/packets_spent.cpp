@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "report/packets_spent.hpp"
-#include "config/json.hpp"
 
 #include <fmt/format.h>
+
+#include "config/json.hpp"
 
 namespace regista::report {
 

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "study/document_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "mind/mind.hpp"
+#include "mind/team_plan.hpp"
+#include "plugin/failure.hpp"
+#include "study/experiment_setup.hpp"
+#include "study/prediction/forecast.hpp"
+#include "study/tuning/tuning_setup.hpp"
+
+namespace regista::study {
+namespace {
+
+DocumentMistake of_file(const std::string& file, const std::string& message, const std::string& line) {
+  DocumentMistake out;
+  out.where.file = file;
+  out.message = message;
+  out.line = line;
+  return out;
+}
+
+class Checker {
+ public:
+  Checker(const Profiles& by, const plugin::Catalogue& catalogue, const std::vector<std::string>& plugins)
+      : by_(by), catalogue_(catalogue), plugins_(plugins) {}
+
+  DocumentCheck check(const std::string& file) const {
+    DocumentCheck out;
+    out.file = file;
+    config::Mistakes mistakes(config::Mistakes::After::go_on);
+    std::vector<DocumentMistake> others;
+    try {
+      mistakes.attempt("", [&] { look_at(config::load(file), out, mistakes); });
+    } catch (const config::BadInput& error) {
+      others.push_back(of_file(file, error.what(), error.what()));
+    } catch (const plugin::Failure& failure) {
+      others.push_back(of_file(file, failure.what(), fmt::format("{}: {}", file, failure.what())));
+    }
+    for (const config::Error& each : mistakes.in_order(file)) {
+      out.mistakes.push_back({each.where(), each.message(), each.what()});
+    }
+    out.more = mistakes.total() - out.mistakes.size();
+    std::ranges::move(others, std::back_inserter(out.mistakes));
+    return out;
+  }
+
+ private:
+  void look_at(const config::Node& document, DocumentCheck& out, config::Mistakes& mistakes) const {
+    using config::DocumentKind;
+    const DocumentKind kind = config::kind_of(document);
+    out.kind = config::name_of(kind);
+    switch (kind) {
+      case DocumentKind::rules:
+        config::read_rules(document, mistakes);
+        break;
+      case DocumentKind::robot:
+        config::read_robot(document, mistakes);
+        break;
+      case DocumentKind::disturbance:
+        config::read_disturbance(document, mistakes);
+        break;
+      case DocumentKind::opening:
+        config::check(config::read_opening(document, mistakes), by_.rules, by_.robots, document, mistakes);
+        break;
+      case DocumentKind::team:
+        look_at_team(document, out, mistakes);
+        break;
+      case DocumentKind::predictor_study: {
+        const config::PredictorStudy study = config::read_predictor_study(document, mistakes);
+        if (mistakes.none()) const Forecaster forecaster(study, catalogue_);  // what its plugin refuses
+        break;
+      }
+      case DocumentKind::experiment: {
+        config::read_experiment(document, mistakes);
+        if (!mistakes.none()) break;
+        ExperimentRequest experiment;
+        experiment.file = out.file;
+        experiment.plugins = plugins_;
+        check_experiment(experiment, catalogue_, mistakes);  // every arm at every value
+        break;
+      }
+      case DocumentKind::tuning: {
+        config::read_tuning(document, mistakes);
+        if (!mistakes.none()) break;
+        TuningRequest tuning;
+        tuning.file = out.file;
+        tuning.plugins = plugins_;
+        check_tuning(tuning, catalogue_, mistakes);  // team, opponents, parameters
+        break;
+      }
+    }
+  }
+
+  void look_at_team(const config::Node& document, DocumentCheck& out, config::Mistakes& mistakes) const {
+    const config::Team team = config::read_team(document, mistakes);
+    config::check(team, by_.rules, document, mistakes);
+    const mind::TeamPlan plan(team, by_.rules, by_.robots[0], catalogue_, mistakes);  // what is wrong with plugins
+    if (!mistakes.none()) return;
+    const mind::Mind first(plan, 1, 0);  // and what they refuse, files too
+    out.warnings = config::warnings(team, by_.rules, document);
+  }
+
+  const Profiles& by_;
+  const plugin::Catalogue& catalogue_;
+  const std::vector<std::string>& plugins_;
+};
+
+}  // namespace
+
+DocumentCheck check_document(const std::string& file, const Profiles& played_by, const plugin::Catalogue& catalogue,
+                             const std::vector<std::string>& plugin_folders) {
+  return Checker(played_by, catalogue, plugin_folders).check(file);
+}
+
+}  // namespace regista::study
