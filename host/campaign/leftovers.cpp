@@ -17,6 +17,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "config/text.hpp"
 #include "plugin/address_ranges.hpp"
 
 namespace regista::campaign {
@@ -96,7 +97,8 @@ ProcessState ProcessState::now() {
 std::string changes(const ProcessState& before, const ProcessState& after) {
   std::vector<std::string> out;
   if (const int more = after.threads - before.threads; more > 0) {
-    out.push_back(fmt::format("left {} thread{} running", more, more == 1 ? "" : "s"));
+    out.push_back(
+        fmt::format("left {} running", config::counted(static_cast<std::uint64_t>(more), "thread", "threads")));
   }
   if (after.timers > before.timers) out.push_back("left a timer running");
   if (before.most_descriptors != after.most_descriptors) {

@@ -6,6 +6,7 @@
 //   matches(row, fixture, seed, ...)  one row per fixture and seed, never two; row: its place in the schedule, from 1
 //   metric_names(id, names, ...)      what numbers of matches are called: see metric_bytes.hpp
 //   metrics(row, names, size, ...)    numbers of matches played to their end, under such names
+//   documents(path, content)          the files that the study was begun with
 //   remarks(row, kind, text)          why a match was set aside, where it was not reproducible, what plugins wrote
 //   meta(name, value)                 "program": version that made the file; "schedule": JSON, whatever the study says
 //
@@ -19,57 +20,21 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "campaign/job.hpp"
+#include "campaign/match_key.hpp"
+#include "campaign/store_error.hpp"
+#include "campaign/store_file.hpp"
+#include "campaign/stored_documents.hpp"
+#include "campaign/stored_fixtures.hpp"
 
 namespace regista::campaign {
 
-inline constexpr int store_schema = 2;
-
-// The file cannot be used as it is: what() is one line that names it and says why.
-class StoreRefusal : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-// Writing or reading failed later on, such as on a full disk.
-class StoreError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-// A StoreError that is the disk's: it is full, or fails.
-class StoreDiskError : public StoreError {
-  using StoreError::StoreError;
-};
-
-// A StoreError that no other try mends: what stands there is not what was written. what() names the matches.
-class StoreDamaged : public StoreError {
-  using StoreError::StoreError;
-};
-
-// A StoreError after which there is nothing to go on with: the file was deleted, replaced or moved while it was open.
-class StoreGone : public StoreError {
-  using StoreError::StoreError;
-};
-
-// What a stored match is found by: the number that the store gave to a fixture, and the seed.
-struct MatchKey {
-  std::int64_t fixture = 0;
-  std::uint64_t seed = 0;
-  friend bool operator==(const MatchKey&, const MatchKey&) = default;
-};
-
-enum class Metrics { wanted, left_out };  // they are some kilobytes a match
-
 class Store {
  public:
-  enum class Mode {
-    create,  // a new file; refuses one that exists
-    open,    // an existing one
-    read,    // an existing one that is not written to, even while another process does
-  };
+  using Mode = StoreMode;
   // Holds the file for itself until its end, but for Mode::read. Throws StoreRefusal: another program's database,
   // another schema, no permission, in use by another process; StoreDiskError when it cannot be made for lack of room.
   Store(const std::filesystem::path& file, Mode mode, const std::string& program_version);
@@ -84,13 +49,14 @@ class Store {
   void set_meta(const std::string& name, const std::string& value);
 
   // The numbers of fixtures, in this order; those that are new are added, all at once.
-  struct Fixture {
-    std::string key;
-    Job job;  // with any seed
-  };
+  using Fixture = campaign::Fixture;
   std::vector<std::int64_t> add(std::span<const Fixture> fixtures);
   // The same of those that there are; 0 for others.
   std::vector<std::int64_t> numbers(std::span<const std::string> keys) const;
+
+  // The files that the study was begun with.
+  void keep(std::span<const Document> documents);
+  std::vector<Document> documents() const;
 
   // The match of a key. `row`: where it is looked for first.
   std::optional<Decided> find(std::int64_t row, const MatchKey& key, Metrics metrics) const;

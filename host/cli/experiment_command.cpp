@@ -56,7 +56,8 @@ int experiment(ExperimentOptions options, output::OutputFiles outputs, const Inv
                        options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::with_figures);
   outputs.check(options.force);
   const auto report = report::experiment_report(std::move(plan), play_again(invocation));
-  campaign::Store store = open_results(options.results, options.resume, report->study(), {}, invocation.studies);
+  campaign::Store store =
+      open_results(options.results, options.resume, report->study(), {outputs.documents(), {}}, invocation.studies);
   const report::TableWish every{.all_metrics = true};
   std::optional<output::OutputFile> csv;
   StudyWishes wishes;

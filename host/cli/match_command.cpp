@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "campaign/blame.hpp"
+#include "campaign/document_copies.hpp"
 #include "campaign/engine.hpp"
 #include "campaign/inputs.hpp"
 #include "campaign/job_setup.hpp"
@@ -80,6 +81,7 @@ struct Stored {
   campaign::Job job;
   campaign::Decided decided;
   campaign::Limits limits;
+  std::vector<campaign::Document> documents;  // that the study was begun with
 };
 
 // Nothing when none is. The files of the match are named as they were where the tournament was begun: goes there.
@@ -107,6 +109,7 @@ std::optional<Stored> stored_match(const Options& options, const Invocation& inv
     if (!played) throw BadInput(fmt::format("--row {}: this match of {} has not been played", row, options.from));
     out.job = played->job;
     out.decided = played->decided;
+    out.documents = store.documents();
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
   }
@@ -119,16 +122,63 @@ std::optional<Stored> stored_match(const Options& options, const Invocation& inv
   return out;
 }
 
-void require_unchanged(const Options& options, const campaign::Job& job, const campaign::MatchSetup& prepared,
-                       const plugin::Catalogue& catalogue, const Invocation& invocation) {
-  const std::string changed =
-      campaign::what_changed(job, prepared, catalogue, campaign::program_hash(), campaign::mathematics_fingerprint());
-  if (changed.empty()) return;
-  std::vector<std::string> now = campaign::match_arguments(job);
-  now.insert(now.begin(), invocation.arguments.front());
-  throw BadInput(fmt::format("--row {}: was played with something else: {}; as things are now it would be: {}",
-                             options.row, changed, campaign::shell_line(now)));
-}
+// A match of a study as it was, from the files as they are or, where these have changed, as the study found them.
+class StoredSetup {
+ public:
+  // Throws BadInput where it cannot be set up as it was. Goes to another folder where it takes the copies.
+  StoredSetup(const Options& options, const Stored& stored, const plugin::Catalogue& catalogue,
+              const Invocation& invocation)
+      : catalogue_(catalogue), job_(stored.job) {
+    const std::string now = set_up();
+    if (now.empty()) return;
+    std::string then = now;
+    if (!stored.documents.empty()) {
+      take_copies(stored);
+      then = set_up();
+    }
+    if (then.empty()) {
+      if (!options.quiet)
+        complain(fmt::format("row {}: its files have changed ({}); played as {} holds them", options.row, now,
+                             options.from));
+      return;
+    }
+    std::vector<std::string> words = campaign::match_arguments(stored.job);
+    words.insert(words.begin(), invocation.arguments.front());
+    throw BadInput(fmt::format("--row {}: was played with something else: {}; as things are now it would be: {}",
+                               options.row, then, campaign::shell_line(words)));
+  }
+
+  const campaign::Job& job() const { return job_; }
+  campaign::MatchSetup take() { return std::move(prepared_); }
+
+ private:
+  void take_copies(const Stored& stored) try {
+    const std::filesystem::path given_in = std::filesystem::current_path();
+    copies_.emplace(stored.documents);
+    job_ = copies_->job(stored.job, given_in);
+    std::filesystem::current_path(copies_->folder(given_in));
+  } catch (const std::system_error& error) {
+    throw output::WriteError(fmt::format("the files of the match cannot be laid out again: {}", error.what()));
+  }
+
+  // What is not as it was; empty when nothing.
+  std::string set_up() {
+    try {
+      prepared_ = campaign::match_setup(campaign::request_of(job_), catalogue_);
+    } catch (const config::Error& error) {
+      return error.what();
+    } catch (const BadInput& error) {
+      return error.what();
+    }
+    return campaign::what_changed(job_, prepared_, catalogue_, campaign::program_hash(),
+                                  campaign::mathematics_fingerprint());
+  }
+
+  const plugin::Catalogue& catalogue_;
+  campaign::Job job_;
+  campaign::MatchSetup prepared_;
+  std::optional<campaign::DocumentCopies> copies_;
+};
 
 // "plugin greedy of away (b.yaml), robot 3, tick 41: assign: Segmentation fault"
 std::string failure_text(const campaign::Job& job, const campaign::Failure& failure) {
@@ -149,10 +199,9 @@ std::string end_in_words(const campaign::Decided& decided) {
 }
 
 // A match that was forfeited, or could not be played: by workers, as then, for its plugin may hang or take all memory.
-int play_failed(const Options& options, const Stored& stored) {
+int play_failed(const Options& options, const Stored& stored, campaign::Job job) {
   campaign::Decided now;
   try {
-    campaign::Job job = stored.job;
     job.record = options.record;
     job.expects_failure = stored.decided.failure.has_value();
     now = campaign::play_alone(job, stored.limits);
@@ -360,23 +409,25 @@ int play(Options options, const output::OutputFiles& outputs, const Invocation& 
     throw BadInput(
         fmt::format("match: two files of teams are wanted, {} given; see: regista match --help", options.teams.size()));
   }
-  const std::vector<std::string>& folders = stored ? stored->job.plugins : options.plugins;
+  std::vector<std::string> folders = stored ? stored->job.plugins : options.plugins;
+  // Its documents may be read in another folder.
+  for (std::string& each : folders) each = stored ? std::filesystem::absolute(each).string() : each;
   const plugin::Catalogue catalogue = open_plugins(folders, invocation);
-  const campaign::MatchRequest wanted =
-      stored ? campaign::request_of(stored->job) : static_cast<const campaign::MatchRequest&>(options);
-  campaign::MatchSetup prepared = campaign::match_setup(wanted, catalogue);
+  std::optional<StoredSetup> as_then;
+  if (stored) as_then.emplace(options, *stored, catalogue, invocation);
+  campaign::Job job = as_then ? as_then->job() : campaign::job_of(options, options.plugins);
+  const campaign::MatchRequest wanted = campaign::request_of(job);
+  campaign::MatchSetup prepared = as_then ? as_then->take() : campaign::match_setup(wanted, catalogue);
   tell_what_is_not_used(catalogue, folders);
   for (const config::Warning& each : prepared.warnings) complain(to_string(each));
-  if (stored) require_unchanged(options, stored->job, prepared, catalogue, invocation);
   check_what_is_written(outputs, options, wanted, catalogue);
   if (stored && (stored->decided.failure || stored->decided.set_aside())) {
     if (!options.metrics.empty()) {
       throw BadInput(fmt::format("--metrics: row {} {}, so it has none", options.row,
                                  stored->decided.failure ? "was forfeited" : "could not be played"));
     }
-    return play_failed(options, *stored);
+    return play_failed(options, *stored, std::move(job));
   }
-  campaign::Job job = stored ? stored->job : campaign::job_of(options, options.plugins);
   job.plugin_files = catalogue.used_files();
   const Files files = files_of(prepared);
   const auto work = [&](campaign::WorkerNote& note) {

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "campaign/document_copies.hpp"
 #include "campaign/inputs.hpp"
 #include "cli/end_of_program.hpp"
 #include "config/json.hpp"
@@ -61,7 +62,7 @@ auto opening(Open open) {
 }  // namespace
 
 campaign::Store open_results(const std::string& file, bool resume, const study::Study& study,
-                             const std::vector<std::string>& documents, std::span<const StudyKind> kinds) {
+                             const BegunWith& begun_with, std::span<const StudyKind> kinds) {
   std::error_code error;
   if (resume && std::filesystem::status(file, error).type() == std::filesystem::file_type::not_found) {
     throw BadInput(fmt::format("--resume: {}: no such file; without --resume it is begun", config::one_line(file)));
@@ -71,7 +72,8 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
     const std::string stored = store.meta(schedule);
     if (stored.empty()) {  // new, or killed before there was one
       using Json = nlohmann::json;
-      store.set_meta(teams_documents, Json(documents).dump(-1, ' ', false, Json::error_handler_t::replace));
+      store.keep(campaign::documents_in(begun_with.files));
+      store.set_meta(teams_documents, Json(begun_with.teams).dump(-1, ' ', false, Json::error_handler_t::replace));
       store.set_meta(schedule, study.plan());
       return store;
     }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -17,13 +18,19 @@
 
 namespace regista::cli {
 
-// Opens the file of results for this study. documents: of the teams, resolved, which the file keeps for its readers.
+// What a file of results keeps of what its study was begun with.
+struct BegunWith {
+  std::vector<std::filesystem::path> files;  // documents that were read, so that a match can be played again
+  std::vector<std::string> teams;            // documents of the teams, resolved, for readers
+};
+
+// Opens the file of results for this study.
 // Throws BadInput: it exists and is not to be continued, or the other way round, holds something else, or cannot be
 // used.
 campaign::Store open_results(const std::string& file, bool resume, const study::Study& study,
-                             const std::vector<std::string>& documents, std::span<const StudyKind> kinds);
+                             const BegunWith& begun_with, std::span<const StudyKind> kinds);
 
-// The documents that a file keeps, by team; none where it has none. Throws campaign::StoreError.
+// The teams' documents that a file keeps, by team; none where it has none. Throws campaign::StoreError.
 std::vector<std::string> stored_documents(const campaign::Store& store);
 
 // A file of results to be read. Throws BadInput.

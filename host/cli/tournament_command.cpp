@@ -46,8 +46,8 @@ int tournament(study::TournamentRequest options, output::OutputFiles outputs, co
                        options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::alone);
   outputs.check(false);
   const auto report = report::tournament_report(std::move(planned.plan), play_again(invocation));
-  campaign::Store store =
-      open_results(options.results, options.resume, report->study(), planned.documents, invocation.studies);
+  campaign::Store store = open_results(options.results, options.resume, report->study(),
+                                       {outputs.documents(), planned.documents}, invocation.studies);
   StudyWishes wishes;
   wishes.figures = false;
   return play_study(*report, options, invocation, store, wishes);

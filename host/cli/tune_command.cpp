@@ -67,7 +67,8 @@ int tune(TuneOptions options, output::OutputFiles outputs, const Invocation& inv
   std::function<bool(std::uint64_t)> clock;  // known once there is a file of results
   report::TuningReport report(std::move(plan),
                               [&clock](std::uint64_t evaluations) { return clock && clock(evaluations); });
-  campaign::Store store = open_results(options.results, options.resume, report.study(), {}, invocation.studies);
+  campaign::Store store =
+      open_results(options.results, options.resume, report.study(), {outputs.documents(), {}}, invocation.studies);
   try {
     clock = study::search_clock(store, report.plan());
   } catch (const campaign::StoreError& error) {

@@ -10,6 +10,7 @@
 #include "config/place.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
+#include "config/text.hpp"
 
 namespace regista::config {
 namespace {
@@ -98,8 +99,8 @@ std::vector<Misfit> misfits(const Opening& opening, const Rules& rules, const st
   };
   for (const auto& [side, players] : {std::pair{"home", &opening.home}, {"away", &opening.away}}) {
     if (players->size() < static_cast<std::size_t>(rules.team_size)) {
-      found(side, fmt::format("{} has {} place{}, a team has {} robots", side, players->size(),
-                              players->size() == 1 ? "" : "s", rules.team_size));
+      found(side, fmt::format("{} has {}, a team has {} robots", side, counted(players->size(), "place", "places"),
+                              rules.team_size));
     }
   }
   const FieldSize& field = rules.field;

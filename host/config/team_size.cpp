@@ -44,7 +44,7 @@ std::string contexts_that_play(const Team& team, std::size_t list) {
   for (const Context& context : team.contexts) {
     if (static_cast<std::size_t>(context.role_list) == list) names.push_back(context.name);
   }
-  return names.empty() ? "" : fmt::format("context{} {}", names.size() == 1 ? "" : "s", join(names));
+  return names.empty() ? "" : fmt::format("{} {}", names.size() == 1 ? "context" : "contexts", join(names));
 }
 
 Location key_of(const Node& roles, const std::string& name) {
@@ -63,8 +63,8 @@ void check(const Team& team, const Rules& rules, const Node& document, Mistakes&
       if (role.robot <= rules.team_size) continue;
       const std::string path = fmt::format("roles.{}.{}.robot", list.name, i);
       refuse(document, {path},
-             fmt::format("{}: the role {} is for robot {}, a team has {} robot{} by the rules {}", path, role.name,
-                         role.robot, rules.team_size, rules.team_size == 1 ? "" : "s", rules.name),
+             fmt::format("{}: the role {} is for robot {}, a team has {} by the rules {}", path, role.name, role.robot,
+                         counted(static_cast<std::uint64_t>(rules.team_size), "robot", "robots"), rules.name),
              mistakes);
     }
   }
@@ -89,7 +89,7 @@ std::vector<Warning> warnings(const Team& team, const Rules& rules, const Node& 
     if (contexts.empty() || played >= rules.team_size) continue;
     const int left = rules.team_size - played;
     const std::string who = roles.for_all == 0 ? those_left(roles.certain, rules.team_size)
-                                               : fmt::format("{} robot{}", left, left == 1 ? "" : "s");
+                                               : counted(static_cast<std::uint64_t>(left), "robot", "robots");
     out.push_back({key_of(document["roles"], list.name),
                    fmt::format("roles.{}: role{} for {} of {} robots in {}: {} will stand", list.name,
                                played == 1 ? "" : "s", played, rules.team_size, contexts, who)});

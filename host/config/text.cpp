@@ -27,6 +27,10 @@ std::string join(std::span<const std::string> names) {
   return list;
 }
 
+std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
 std::string unknown(std::string_view what, std::string_view asked, std::string_view where,
                     std::span<const std::string> known) {
   std::string message = fmt::format("unknown {} {}", what, in_quotes(asked));

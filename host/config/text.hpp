@@ -2,6 +2,7 @@
 // How texts of users are put into messages: in one line, and not too long.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,9 @@ std::string in_quotes(std::string_view text);
 
 // "a, b, c"
 std::string join(std::span<const std::string> names);
+
+// "1 pair", "3 pairs"
+std::string counted(std::uint64_t count, std::string_view one, std::string_view many);
 
 // `unknown key "a" in b; nearest: "c"; known: c, d`, the message for anything that is asked for by name. `what` is what
 // was asked for ("key"), `where` where it was looked for, "" where that is plain.

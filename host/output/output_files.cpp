@@ -77,17 +77,26 @@ void OutputFiles::read(const std::vector<std::string>& files, Reads what, const 
   }
 }
 
+std::vector<fs::path> OutputFiles::documents() const {
+  std::vector<fs::path> out;
+  for (const Named& named : reads_) {
+    if (named.what == Reads::documents)
+      std::ranges::move(config::named_files(named.files, named.overrides), std::back_inserter(out));
+  }
+  return out;
+}
+
 std::vector<OutputFiles::Read> OutputFiles::all_reads() const {
   std::vector<Read> out;
   const auto add = [&](const fs::path& file) {
     out.push_back({Place(file), fmt::format("a file that this {} reads", work_)});
   };
   std::error_code none;
+  for (const fs::path& file : documents()) add(file);
   for (const Named& named : reads_) {
     switch (named.what) {
       case Reads::documents:
-        for (const fs::path& file : config::named_files(named.files, named.overrides)) add(file);
-        break;
+        break;  // below
       case Reads::results:
         for (const fs::path& file : named.files) {
           add(file);

@@ -30,6 +30,9 @@ class OutputFiles {
   enum class Page { none, alone, with_figures };
   void write_beside(const std::filesystem::path& results, Page page);
 
+  // All documents that are read: those that were named, and those that they lead to.
+  std::vector<std::filesystem::path> documents() const;
+
   // Throws BadInput for the first output that cannot be allowed, or not be written where it is.
   void check(bool force) const;
 

@@ -22,9 +22,9 @@ void Assigner::assign(const regista_frame& frame, const regista_matrix& utilitie
   std::fill_n(room, out.size(), REGISTA_NO_TASK);
   const regista_matrix shown = utilities;  // a plugin that writes over it does not change what is checked
   instance_->call_with(
-      [&](Inputs& inputs) {
-        inputs.add("frame", &frame);
-        inputs.add("utilities", &shown);
+      [](Inputs& inputs, const regista_frame* seen, const regista_matrix* scored, auto*) {
+        inputs.add("frame", seen);
+        inputs.add("utilities", scored);
       },
       "assign", calls_->assign, &frame, &shown, room);
   instance_->check("assign", Instance::Written{instance_->rooms().columns, "columns"});

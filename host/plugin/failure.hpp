@@ -26,7 +26,7 @@ struct Caller {
   // At the beginning of each decision. One of so many is looked at closely; a prime, so that no plugin's period keeps
   // it away from all of them.
   void begin_decision() {
-    constexpr std::uint64_t one_of = 61;
+    constexpr std::uint64_t one_of = 127;
     if (rooms != nullptr) rooms->closely = noting.closely || tick % one_of == 0;
     note();
   }

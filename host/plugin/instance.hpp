@@ -11,6 +11,7 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include <regista/abi.h>
@@ -48,9 +49,11 @@ class alignas(64) Instance {
 
   // Calls `function` of a table of this plugin; `name` is the call's, for the note and the Failure. Fails when the
   // plugin says so, changed the floating-point state, which is restored, or wrote outside of the room for its error's
-  // text; and where inputs are compared when it changed one: `add` tells an Inputs& what they are.
+  // text; and where inputs are compared when it changed one: `add` tells an Inputs& which of the arguments they are. It
+  // captures nothing, so that the usual call, which does not need it, does not pay for it.
   template <class Add, std::size_t Size, class Function, class... Arguments>
-  void call_with(const Add& add, const char (&name)[Size], Function function, Arguments... arguments) {
+  void call_with(Add add, const char (&name)[Size], Function function, Arguments... arguments) {
+    static_assert(std::is_empty_v<Add>);
     if (rooms_->closely) [[unlikely]]
       call_closely(add, name, function, arguments...);
     else
@@ -60,7 +63,7 @@ class alignas(64) Instance {
   // The same of a call without inputs.
   template <std::size_t Size, class Function, class... Arguments>
   void call(const char (&name)[Size], Function function, Arguments... arguments) {
-    call_with([](Inputs&) {}, name, function, arguments...);
+    call_with([](Inputs&, const Arguments&...) {}, name, function, arguments...);
   }
 
   // A room for the answer to the next call.
@@ -128,10 +131,10 @@ class alignas(64) Instance {
 
   // Apart, so that the usual call stays short.
   template <class Add, std::size_t Size, class Function, class... Arguments>
-  [[gnu::noinline, gnu::cold]] void call_closely(const Add& add, const char (&name)[Size], Function function,
+  [[gnu::noinline, gnu::cold]] void call_closely(Add add, const char (&name)[Size], Function function,
                                                  Arguments... arguments) {
     Inputs inputs;
-    if (compares_inputs_) add(inputs);
+    if (compares_inputs_) add(inputs, arguments...);
     mend();
     invoke(name, function, arguments...);
     examine(name, REGISTA_OK);

@@ -19,7 +19,8 @@ void Mailbox::transmitted(std::uint64_t handle) { instance_->call("transmitted",
 void Mailbox::dropped(std::uint64_t handle) { instance_->call("dropped", calls_->dropped, handle); }
 
 void Mailbox::receive(const regista_message& message) {
-  instance_->call_with([&](Inputs& inputs) { inputs.add("message", &message); }, "receive", calls_->receive, &message);
+  instance_->call_with([](Inputs& inputs, const regista_message* heard) { inputs.add("message", heard); }, "receive",
+                       calls_->receive, &message);
 }
 
 }  // namespace regista::plugin

@@ -34,7 +34,8 @@ void Positioner::place(const regista_frame& frame, Placement& out) {
   raw.edges = instance_->open(rooms.edges, edge_capacity);
   raw.cells = instance_->open(rooms.cells, cell_capacity);
   raw.vertices = instance_->open(rooms.vertices, vertex_capacity);
-  instance_->call_with([&](Inputs& inputs) { inputs.add("frame", &frame); }, "place", calls_->place, &frame, &raw);
+  instance_->call_with([](Inputs& inputs, const regista_frame* seen, auto*) { inputs.add("frame", seen); }, "place",
+                       calls_->place, &frame, &raw);
   instance_->check("place", Instance::Written{rooms.placement, "the placement itself"},
                    Instance::Written{rooms.points, "points"}, Instance::Written{rooms.edges, "edges"},
                    Instance::Written{rooms.cells, "cells"}, Instance::Written{rooms.vertices, "vertices"});

@@ -48,9 +48,9 @@ Predictor::Predictor(std::shared_ptr<Instance> instance)
 void Predictor::predict(double dt, const regista_motion* motion, const regista_frame* last) {
   assert(dt > 0.0);
   instance_->call_with(
-      [&](Inputs& inputs) {
-        inputs.add("motion", motion);
-        inputs.add("last", last);
+      [](Inputs& inputs, double, const regista_motion* moved, const regista_frame* before) {
+        inputs.add("motion", moved);
+        inputs.add("last", before);
       },
       "predict", calls_->predict, dt, motion, last);
 }
@@ -59,9 +59,9 @@ void Predictor::correct(std::span<const regista_measurement> measurements, const
   const regista_span raw{measurements.data(), static_cast<std::uint32_t>(measurements.size()),
                          sizeof(regista_measurement)};
   instance_->call_with(
-      [&](Inputs& inputs) {
-        inputs.add("measurements", raw);
-        inputs.add("area", &area);
+      [](Inputs& inputs, regista_span measured, const regista_visible_area* seen) {
+        inputs.add("measurements", measured);
+        inputs.add("area", seen);
       },
       "correct", calls_->correct, raw, &area);
 }
@@ -69,7 +69,8 @@ void Predictor::correct(std::span<const regista_measurement> measurements, const
 void Predictor::absorb(std::span<const regista_track> tracks, double age) {
   assert(age >= 0.0);
   const regista_span raw{tracks.data(), static_cast<std::uint32_t>(tracks.size()), sizeof(regista_track)};
-  instance_->call_with([&](Inputs& inputs) { inputs.add("tracks", raw); }, "absorb", calls_->absorb, raw, age);
+  instance_->call_with([](Inputs& inputs, regista_span heard, double) { inputs.add("tracks", heard); }, "absorb",
+                       calls_->absorb, raw, age);
 }
 
 std::span<const regista_track> Predictor::tracks() {

@@ -22,11 +22,12 @@ SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_
   const regista_span raw_events{events.data(), static_cast<std::uint32_t>(events.size()), sizeof(regista_event)};
   const regista_span raw_offers{offers.data(), static_cast<std::uint32_t>(offers.size()), sizeof(regista_offer)};
   instance_->call_with(
-      [&](Inputs& inputs) {
-        inputs.add("frame", &frame);
-        inputs.add("events", raw_events);
-        inputs.add("offers", raw_offers);
-        inputs.add("budget", &budget);
+      [](Inputs& inputs, const regista_frame* seen, regista_span happened, regista_span offered,
+         const regista_budget* left, auto*) {
+        inputs.add("frame", seen);
+        inputs.add("events", happened);
+        inputs.add("offers", offered);
+        inputs.add("budget", left);
       },
       "decide", calls_->decide, &frame, raw_events, raw_offers, &budget, answer.data());
   instance_->check("decide", Instance::Written{answer, "whether to send"},

@@ -61,9 +61,9 @@ void Utility::score(const regista_frame& frame, const regista_matrix& out) {
   const regista_matrix answer{room, out.rows, out.columns, out.stride, 0};
   const regista_matrix shown = answer;  // a plugin that writes over it does not change what is checked
   instance_->call_with(
-      [&](Inputs& inputs) {
-        inputs.add("frame", &frame);
-        inputs.add("out", &shown, sizeof shown);
+      [](Inputs& inputs, const regista_frame* seen, const regista_matrix* written_to) {
+        inputs.add("frame", seen);
+        inputs.add("out", written_to, sizeof *written_to);
       },
       "score", calls_->score, &frame, &shown);
   instance_->check("score", Instance::Written{entries, "utilities"});

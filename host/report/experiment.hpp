@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "campaign/job.hpp"
+#include "report/estimate_text.hpp"
 #include "study/experiment.hpp"
 #include "study/experiment_plan.hpp"
 
@@ -49,11 +50,5 @@ std::string experiment_csv_lines(const study::ExperimentPlan& plan, std::uint64_
 
 // A table with a row for each measure of each condition: what experiment_text shows, in full precision.
 std::string experiment_summary_csv(const ExperimentView& view);
-
-// A number with as many digits as its margin makes sensible, without exponent: "12.3", "0.045".
-std::string rounded(double value, double margin);
-
-// "3.21 +/- 0.40"; "3.21" without an interval, "-" without pairs.
-std::string estimate_text(const study::MeanEstimate& estimate, const char* margin = "+/-");
 
 }  // namespace regista::report

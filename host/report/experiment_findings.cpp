@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text.hpp"
+#include "report/estimate_text.hpp"
 #include "report/experiment.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
@@ -14,10 +16,6 @@ namespace regista::report {
 namespace {
 
 using study::Finding;
-
-double margin_of(const study::MeanEstimate& estimate) {
-  return estimate.interval ? (estimate.interval->high - estimate.interval->low) / 2.0 : 0.0;
-}
 
 const char* by_text(study::PairMethod by) {
   switch (by) {
@@ -48,7 +46,7 @@ std::string order_text(const ExperimentView& view, std::size_t measure, std::siz
   for (std::size_t i = 0; i < placed.size(); ++i) {
     if (i > 0) out += placed[i].mean.mean == placed[i - 1].mean.mean ? " = " : " > ";
     out += fmt::format("{} {}", visible(plan.arms[placed[i].arm].name),
-                       rounded(placed[i].mean.mean, margin_of(placed[i].mean)));
+                       rounded(placed[i].mean.mean, half_width(placed[i].mean.interval)));
   }
   return out.empty() ? "no arm has a value" : out;
 }
@@ -59,7 +57,7 @@ std::string comparison_text(const ExperimentView& view, const Finding& finding) 
   const std::string second = visible(label(plan, finding.comparison.second));
   const study::MeanEstimate& difference = finding.difference;
   if (difference.pairs == 0) return fmt::format("{} and {}: no pair has both values.", first, second);
-  const double margin = margin_of(difference), size = std::abs(difference.mean);
+  const double margin = half_width(difference.interval), size = std::abs(difference.mean);
   std::string out = difference.mean == 0.0 ? fmt::format("{} has as much as {}", first, second)
                                            : fmt::format("{} has {} {} than {}", first, rounded(size, margin),
                                                          difference.mean > 0.0 ? "more" : "less", second);
@@ -67,7 +65,7 @@ std::string comparison_text(const ExperimentView& view, const Finding& finding) 
     out += fmt::format(" (difference {} to {}, {:.4g} % by itself)", rounded(difference.interval->low, margin),
                        rounded(difference.interval->high, margin), 100.0 * plan.confidence);
   }
-  out += fmt::format(", {} {}", difference.pairs, difference.pairs == 1 ? "pair" : "pairs");
+  out += ", " + config::counted(static_cast<std::uint64_t>(difference.pairs), "pair", "pairs");
   if (study::equal_conditions(plan, finding.comparison)) {
     return out + ": the two are equal to the last byte, so there is no difference by construction.";
   }
@@ -103,12 +101,11 @@ std::vector<std::string> finding_sentences(const ExperimentView& view) {
   }
   for (const Finding& each : study::findings(plan, view.course)) out.push_back(comparison_text(view, each));
   if (!plan.comparisons.empty() && view.course.complete()) {
-    out.push_back(fmt::format("The test was fixed beforehand: {}, {} {} at {:.4g} %, two-sided, corrected by Holm.",
-                              plan.test == study::PairTest::paired_t
-                                  ? "Student's t on differences of pairs"
-                                  : "all signs that differences of pairs could have had",
-                              plan.comparisons.size(), plan.comparisons.size() == 1 ? "comparison" : "comparisons",
-                              100.0 * (1.0 - plan.confidence)));
+    out.push_back(fmt::format(
+        "The test was fixed beforehand: {}, {} at {:.4g} %, two-sided, corrected by Holm.",
+        plan.test == study::PairTest::paired_t ? "Student's t on differences of pairs"
+                                               : "all signs that differences of pairs could have had",
+        config::counted(plan.comparisons.size(), "comparison", "comparisons"), 100.0 * (1.0 - plan.confidence)));
   }
   return out;
 }

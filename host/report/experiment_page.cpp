@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "report/experiment_page.hpp"
+#include "report/estimate_text.hpp"
 
 #include <fmt/format.h>
 
@@ -96,9 +97,7 @@ Html means_section(const ExperimentView& view) {
 std::string difference_text(const study::MeanEstimate& difference) {
   if (difference.pairs == 0) return "–";
   if (!difference.interval) return rounded(difference.mean, 0.0);
-  const double margin = (difference.interval->high - difference.interval->low) / 2.0;
-  return fmt::format("{} [{}, {}]", rounded(difference.mean, margin), rounded(difference.interval->low, margin),
-                     rounded(difference.interval->high, margin));
+  return rounded(difference.mean, half_width(difference.interval)) + ' ' + interval_text(difference);
 }
 
 Html differences_section(const ExperimentView& view) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "config/text.hpp"
+#include "report/estimate_text.hpp"
 #include "report/experiment.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
@@ -55,17 +57,9 @@ std::string sweep_table(const ExperimentView& view, std::size_t measure) {
   return with_unit(plan.measures[measure]) + '\n' + table.text();
 }
 
-std::string interval_text(const MeanEstimate& estimate) {
-  if (!estimate.interval) return "no interval";
-  const double margin = (estimate.interval->high - estimate.interval->low) / 2.0;
-  return fmt::format("[{}, {}]", rounded(estimate.interval->low, margin), rounded(estimate.interval->high, margin));
-}
-
 std::string with_sign(const MeanEstimate& estimate) {
-  const double margin =
-      estimate.interval ? (estimate.interval->high - estimate.interval->low) / 2.0 : std::abs(estimate.mean) / 100.0;
-  const std::string text = rounded(estimate.mean, margin);
-  return text.starts_with('-') ? text : '+' + text;
+  return rounded_with_sign(estimate.mean,
+                           estimate.interval ? half_width(estimate.interval) : std::abs(estimate.mean) / 100.0);
 }
 
 // Not of a single role, but for the primary one: a terminal has room for these.
@@ -101,7 +95,7 @@ std::string failures_text(const ExperimentView& view) {
   const study::ForfeitList& forfeits = view.course.forfeits();
   for (const study::Forfeits& each : forfeits.listed()) {
     const bool opponent = each.team == view.plan.conditions.size();
-    out += fmt::format("{} {} {}; the first again: {}\n", each.count, each.count == 1 ? "match" : "matches",
+    out += fmt::format("{} {}; the first again: {}\n", config::counted(each.count, "match", "matches"),
                        forfeit_text(opponent ? std::string("the opponent") : label(view.plan, each.team), each.failure),
                        view.again(each.first_match));
   }
@@ -124,37 +118,23 @@ std::string pairs_text(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   const std::uint64_t pairs = view.course.taken() / 2 / plan.conditions.size();
   return fmt::format(
-      "Means of a match{}, +/- what holds with {:.4g} % by Student's t over {} {} of matches (same seed, both sides)\n",
+      "Means of a match{}, +/- what holds with {:.4g} % by Student's t over {} of matches (same seed, both sides)\n",
       std::ranges::any_of(plan.measures, [](const auto& each) { return study::is_time(each); })
           ? ", times in minutes of 60 minutes of play"
           : "",
-      100.0 * plan.confidence, pairs, pairs == 1 ? "pair" : "pairs");
+      100.0 * plan.confidence, config::counted(pairs, "pair", "pairs"));
 }
 
 }  // namespace
 
-std::string rounded(double value, double margin) {
-  const double size = margin > 0.0 ? margin : std::abs(value) / 10.0;
-  const int digits = size > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(size))), 0, 6) : 2;
-  return fixed(value, digits);
-}
-
-std::string estimate_text(const MeanEstimate& estimate, const char* between) {
-  if (estimate.pairs == 0) return "-";
-  if (!estimate.interval) return rounded(estimate.mean, 0.0);
-  const double margin = (estimate.interval->high - estimate.interval->low) / 2.0;
-  return fmt::format("{} {} {}", rounded(estimate.mean, margin), between, rounded(margin, margin));
-}
-
 std::string experiment_title(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
-  std::string out =
-      fmt::format("{}: {} {}", visible(plan.name), plan.arms.size(), plan.arms.size() == 1 ? "arm" : "arms");
+  std::string out = fmt::format("{}: {}", visible(plan.name), config::counted(plan.arms.size(), "arm", "arms"));
   if (plan.swept()) out += fmt::format(" at {} values of {}", plan.values.size(), visible(plan.sweep));
   out += fmt::format(" against {}, {} matches each", visible(std::filesystem::path(plan.opponent).stem().string()),
                      2 * plan.pairs);
   if (!plan.openings.empty()) {
-    out += fmt::format(" from {} {}", plan.openings.size(), plan.openings.size() == 1 ? "opening" : "openings");
+    out += " from " + config::counted(plan.openings.size(), "opening", "openings");
   }
   return out;
 }

@@ -19,6 +19,7 @@
 #include <system_error>
 #include <utility>
 
+#include "campaign/temporary_folder.hpp"
 #include "report/visible_text.hpp"
 
 namespace regista::report {
@@ -31,27 +32,6 @@ constexpr std::size_t longest_complaint = 4096;
 constexpr auto cannot_start = 127;  // exit code of a child that found no program
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
-
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::error_code error;
-    const fs::path parent = fs::temp_directory_path(error);
-    std::string pattern = ((error ? fs::path("/tmp") : parent) / "regista-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) fail("no folder for temporary files");
-    path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 bool write(const fs::path& file, const std::string& bytes) {
   std::ofstream out(file, std::ios::binary);
@@ -152,7 +132,7 @@ std::string picture(const fs::path& folder, Drawing& drawing, Picture kind) {
 }
 
 void draw_into(Drawing& out, Png png) {
-  const TemporaryFolder folder;
+  const campaign::TemporaryFolder folder;
   if (!write(folder.path() / (out.figure.name + ".csv"), out.figure.csv)) {
     out.why_not = "temporary files cannot be written";
     return;

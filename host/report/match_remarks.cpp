@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "config/json.hpp"
+#include "config/text.hpp"
 #include "report/html_table.hpp"
 #include "report/page_parts.hpp"
 #include "report/visible_text.hpp"
@@ -13,9 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string matches_in_words(std::uint64_t count) {
-  return fmt::format("{} {}", count, count == 1 ? "match" : "matches");
-}
+std::string matches_in_words(std::uint64_t count) { return config::counted(count, "match", "matches"); }
 
 std::string written_sentence(const study::MatchRemarks& remarks) {
   const std::uint64_t first = remarks.written().front() + 1;
@@ -32,7 +31,7 @@ Json listed(const study::RemarkList& list) {
 
 }  // namespace
 
-std::string pairs_in_words(std::uint64_t count) { return fmt::format("{} {}", count, count == 1 ? "pair" : "pairs"); }
+std::string pairs_in_words(std::uint64_t count) { return config::counted(count, "pair", "pairs"); }
 
 std::string prevented_headline(std::uint64_t pairs) {
   return fmt::format("No verdict: {} could not be played", pairs_in_words(pairs));
@@ -108,7 +107,7 @@ Html unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks) {
   }
   Html out = "<p>"_html;
   out << text(fmt::format("{} left out of every number, the other match of each included.",
-                          pairs == 1 ? std::string("1 pair is") : fmt::format("{} pairs are", pairs)))
+                          config::counted(pairs, "pair is", "pairs are")))
       << "</p>\n<div class=\"values\">"_html << table.html() << "</div>\n"_html;
   if (list.unlisted() > 0) {
     out << "<p>"_html << text(fmt::format("And {} more.", matches_in_words(list.unlisted()))) << "</p>\n"_html;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "config/text.hpp"
 #include "report/html_table.hpp"
 #include "report/page_sections.hpp"
 
@@ -76,7 +77,7 @@ Html recordings_section(const PageSource& source) {
     out << "<p class=\"note\">"_html << text(line) << "</p>\n"_html;
   };
   if (found.not_read > 0) {
-    note(fmt::format("And {} more {}, not looked into.", found.not_read, found.not_read == 1 ? "file" : "files"));
+    note(fmt::format("And {}, not looked into.", config::counted(found.not_read, "more file", "more files")));
   }
   return section("recordings", "Recorded matches"_html, out);
 }

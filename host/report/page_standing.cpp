@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "report/estimate_text.hpp"
 #include "report/number.hpp"
 #include "report/page_sections.hpp"
 #include "report/standing.hpp"
@@ -21,18 +22,6 @@ constexpr std::size_t most_open = 15;      // pairings that are shown without be
 constexpr std::size_t most_listed = 2000;  // pairings at all
 
 Html count(std::uint64_t number) { return text(fmt::format("{}", number)); }
-
-std::string interval_text(const statistics::Interval& interval, int digits) {
-  const auto bound = [digits](double value) {
-    return std::isfinite(value) ? with_sign(value, digits) : std::string(value < 0.0 ? "-∞" : "∞");
-  };
-  return fmt::format("[{}, {}]", bound(interval.low), bound(interval.high));
-}
-
-std::string estimate_text(const statistics::Estimate& estimate, int digits) {
-  if (!std::isfinite(estimate.value)) return estimate.value < 0.0 ? "-∞" : "∞";
-  return fmt::format("{} {}", with_sign(estimate.value, digits), interval_text(estimate.interval, digits));
-}
 
 bool fixed_number_is_played(const PageSource& source) {
   return std::holds_alternative<study::FixedNumber>(source.view.plan.objective) && source.view.course.complete();
@@ -108,11 +97,11 @@ Html pairing_table(const PageSource& source) {
   const std::optional<Strength> known = strength(meeting);
   if (!known) return {};
   HtmlTable table({{"Number"_html, Column::words}, {"Value"_html}, {"What it says"_html, Column::words}});
-  table.row({"Elo"_html, text(estimate_text(known->elo, 1)),
+  table.row({"Elo"_html, text(signed_text(known->elo, 1)),
              enough_for_interval(meeting.pairs)
                  ? "strength; 400 are ten to one"_html
                  : "strength; 400 are ten to one. Too few pairs for the interval to hold"_html});
-  table.row({"Normalised Elo"_html, text(estimate_text(known->normalized_elo, 1)),
+  table.row({"Normalised Elo"_html, text(signed_text(known->normalized_elo, 1)),
              "strength in spreads of a match: how soon it is seen"_html});
   table.row({"Pairs by points"_html, text(fmt::format("{}", fmt::join(meeting.pairs.seen, " · "))),
              "both lost · lost and drawn · even · won and drawn · both won"_html});
@@ -127,10 +116,10 @@ Html pairing_table(const PageSource& source) {
   }
   table.row({"Goal difference of a match"_html,
              text(fmt::format("{} {}", with_sign(meeting.goals_of_pairs.mean(), 3),
-                              interval_text(meeting.goals_sequence.interval(), 3))),
+                              signed_interval_text(meeting.goals_sequence.interval(), 3))),
              "the interval holds however often one looks"_html});
   if (played && known->goals_t && meeting.unplayed_pairs == 0) {
-    table.row({"The same, for this number of pairs"_html, text(interval_text(known->goals_t->interval, 3)),
+    table.row({"The same, for this number of pairs"_html, text(signed_interval_text(known->goals_t->interval, 3)),
                text(fmt::format("t test: p {:.2g}", known->goals_t->p))});
   }
   add_test(table, meeting, source);
@@ -184,7 +173,7 @@ Html pairings_table(const PageSource& source) {
     std::vector<Html> cells{who << " – "_html << team_name(source, meeting.pairing.second),
                             text(fmt::format("{} – {} – {}", wins, draws, losses)),
                             text(fmt::format("{}:{}", meeting.goals[0], meeting.goals[1])),
-                            text(known ? estimate_text(known->elo, 1) : "–")};
+                            text(known ? signed_text(known->elo, 1) : "–")};
     if (with_unplayed) cells.push_back(count(meeting.unplayed_pairs));
     if (with_p) cells.push_back(text(fmt::format("{:.2g}", p[i])));
     table.row(cells);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "config/text.hpp"
+#include "report/estimate_text.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/packets_spent.hpp"
@@ -19,16 +20,6 @@ namespace {
 using study::Meeting;
 
 const std::string& label(const TournamentView& view, std::size_t team) { return view.plan.teams[team].label; }
-
-std::string interval_text(const statistics::Interval& interval, int digits) {
-  return fmt::format("[{}, {}]", fixed(interval.low, digits), fixed(interval.high, digits));
-}
-
-std::string with_margin(const statistics::Estimate& estimate) {
-  const std::string value = fixed(estimate.value, 2);
-  return estimate.interval.bounded() ? fmt::format("{} +/- {:.2f}", value, estimate.margin())
-                                     : fmt::format("{} {}", value, interval_text(estimate.interval, 2));
-}
 
 std::string or_none(const std::optional<double>& number) { return number ? fmt::format("{:.2f}", *number) : "-"; }
 
@@ -55,8 +46,8 @@ std::string metric_text(const TournamentView& view, const Meeting& meeting, cons
   out += fmt::format("{} has less in {}, as much in {}, more in {} pairs, p at any time {:.2g}\n",
                      label(view, meeting.pairing.first), less, equal, more, metric.test().p());
   if (meeting.pairs_without_metric > 0) {
-    out += fmt::format("{} {} without it: a match was forfeited, or has no such number\n", meeting.pairs_without_metric,
-                       meeting.pairs_without_metric == 1 ? "pair" : "pairs");
+    out += fmt::format("{} without it: a match was forfeited, or has no such number\n",
+                       config::counted(meeting.pairs_without_metric, "pair", "pairs"));
   }
   return out;
 }
@@ -177,7 +168,8 @@ std::string verdict_text(const TournamentView& view) {
   }
   if (verdict == study::Verdict::none) return "";
   const statistics::Count pairs = total(view.course.meetings().front().pairs);
-  std::string out = fmt::format("Verdict after {} {}: {}", pairs, pairs == 1 ? "pair" : "pairs", name(verdict));
+  std::string out = fmt::format("Verdict after {}: {}",
+                                config::counted(static_cast<std::uint64_t>(pairs), "pair", "pairs"), name(verdict));
   if (verdict == study::Verdict::inconclusive) return out + '\n';
   const auto* const score = std::get_if<study::ScoreTest>(&view.plan.objective);
   out += score != nullptr ? score_verdict(*score, verdict)
@@ -192,7 +184,7 @@ std::string failures_text(const TournamentView& view) {
                        each.pair + 1, plugin_text(each.plugin, label(view, each.team)), each.failures);
   }
   for (const study::Forfeits& each : view.course.forfeits()) {
-    out += fmt::format("{} {} {}\n  the first again: {}\n", each.count, each.count == 1 ? "match" : "matches",
+    out += fmt::format("{} {}\n  the first again: {}\n", config::counted(each.count, "match", "matches"),
                        forfeit_text(label(view, each.team), each.failure), view.again(each.first_match));
   }
   if (view.course.unlisted_forfeits() > 0) {
@@ -236,13 +228,12 @@ std::string title(const TournamentView& view) {
                                             view.plan.format == study::Format::gauntlet ? "gauntlet" : "round robin");
   const std::size_t pairings = view.course.calendar().pairings().size();
   const std::uint64_t played = view.course.taken() / 2 / pairings;  // whoever was set aside on the way
-  std::string out = fmt::format("{} ({} {}", who, played, played == 1 ? "pair" : "pairs");
+  std::string out = fmt::format("{} ({}", who, config::counted(played, "pair", "pairs"));
   if (played < view.plan.pairs) out += fmt::format(" of {}", view.plan.pairs);
   if (pairings > 1) out += " each";
   out += fmt::format(", seeds from {}", view.plan.first_seed);
   if (!view.plan.openings.empty()) {
-    const std::size_t openings = view.plan.openings.size();
-    out += fmt::format(", {} {}", openings, openings == 1 ? "opening" : "openings");
+    out += ", " + config::counted(view.plan.openings.size(), "opening", "openings");
   }
   if (!view.plan.common.limit.empty()) out += fmt::format(", {} s a match", view.plan.common.limit);
   return out + ')';

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "config/text.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
@@ -21,9 +22,7 @@ constexpr double level = significance_level;
 
 Html team(const TournamentView& view, std::size_t index) { return name(view.plan.teams[index].label); }
 
-Html counted(std::uint64_t count, const char* one, const char* more) {
-  return text(fmt::format("{} {}", count, count == 1 ? one : more));
-}
+Html counted(std::uint64_t count, const char* one, const char* more) { return text(config::counted(count, one, more)); }
 
 Html numbers_of(const TournamentView& view, const Meeting& meeting) {
   const auto pairs = static_cast<std::uint64_t>(total(meeting.pairs));

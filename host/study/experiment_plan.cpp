@@ -8,36 +8,13 @@
 #include <stdexcept>
 
 #include "campaign/inputs.hpp"
-#include "config/json.hpp"
 #include "study/plan_differences.hpp"
-#include "study/plan_json.hpp"
+#include "study/plan_fields.hpp"
 
 namespace regista::study {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr int plan_version = 1;
-
-Json json_of(const std::vector<Condition>& conditions) {
-  Json out = Json::array();
-  for (const Condition& each : conditions) {
-    out.push_back({{"arm", each.arm},
-                   {"value", each.value},
-                   {"home", Json::parse(campaign::to_json(each.jobs[0]))},
-                   {"away", Json::parse(campaign::to_json(each.jobs[1]))}});
-  }
-  return out;
-}
-
-Condition condition_of(const Json& json) {
-  Condition out;
-  json.at("arm").get_to(out.arm);
-  json.at("value").get_to(out.value);
-  out.jobs[0] = campaign::job_from_json(json.at("home").dump());
-  out.jobs[1] = campaign::job_from_json(json.at("away").dump());
-  return out;
-}
 
 // What the course of an experiment relies on.
 bool sound(const ExperimentPlan& plan) {
@@ -68,6 +45,68 @@ std::string in_words(const ExperimentPlan& plan) {
 }  // namespace
 
 const char* name(PairTest test) { return test == PairTest::sign_flip ? "sign_flip" : "paired_t"; }
+
+// Found by their arguments: not in the namespace above.
+
+static bool named(const std::string& text, PairTest& test) {
+  for (const PairTest each : {PairTest::paired_t, PairTest::sign_flip}) {
+    if (text != name(each)) continue;
+    test = each;
+    return true;
+  }
+  return false;
+}
+
+static PlanJson json_of(const Comparison& comparison) { return {comparison.first, comparison.second}; }
+static void read(const PlanJson& json, Comparison& comparison) {
+  read(json.at(0), comparison.first);
+  read(json.at(1), comparison.second);
+}
+
+template <Like<Arm> Value, class Visit>
+static void fields(Value& arm, Visit& visit) {
+  visit("name", arm.name);
+  visit("file", arm.file);
+  visit("settings", arm.settings);
+}
+
+template <Like<Condition> Value, class Visit>
+static void fields(Value& condition, Visit& visit) {
+  visit("arm", condition.arm);
+  visit("value", condition.value);
+  visit("home", condition.jobs[0]);
+  visit("away", condition.jobs[1]);
+}
+
+template <Like<ExperimentPlan> Plan, class Visit>
+static void fields(Plan& plan, Visit& visit) {
+  visit("name", plan.name, "the experiment");
+  visit("question", plan.question);
+  visit("arms", plan.arms, "the arms", [](const std::vector<Arm>& arms) {
+    std::vector<std::string> names;
+    for (const Arm& each : arms) names.push_back(each.name);
+    return in_words(names);
+  });
+  visit("opponent", plan.opponent);
+  visit("sweep", plan.sweep, "the path of the sweep");
+  visit("values", plan.values, "the values of the sweep");
+  visit("conditions", plan.conditions);
+  visit("openings", plan.openings);
+  visit("pairs", plan.pairs, "the number of matches for each arm",
+        [](std::uint64_t pairs) { return std::to_string(2 * pairs); });
+  visit("first_seed", plan.first_seed, "the first seed");
+  visit("measures", plan.measures, "the measures");
+  visit("primary", plan.primary);
+  visit("comparisons", plan.comparisons, "what it compares",
+        [&plan](const std::vector<Comparison>& comparisons) { return in_words(plan, comparisons); });
+  visit("test", plan.test, "the test", [&plan](PairTest) { return in_words(plan); });
+  visit("confidence", plan.confidence, "the confidence");
+  visit.inner("limits", [&plan](auto& inner) { limit_fields(plan.limits, inner); });
+  visit("folder", plan.folder);
+  visit("file", plan.file);
+  visit("overrides", plan.overrides);
+  visit("documents", plan.documents);
+}
 
 Trial trial(const ExperimentPlan& plan, std::uint64_t index) {
   const std::size_t openings = std::max<std::size_t>(plan.openings.size(), 1);
@@ -117,98 +156,15 @@ bool equal_conditions(const ExperimentPlan& plan, const Comparison& comparison) 
   return key(comparison.first, 0) == key(comparison.second, 0) && key(comparison.first, 1) == key(comparison.second, 1);
 }
 
-std::string to_json(const ExperimentPlan& plan) {
-  Json arms = Json::array(), comparisons = Json::array();
-  for (const Arm& arm : plan.arms) {
-    arms.push_back({{"name", arm.name}, {"file", arm.file}, {"settings", arm.settings}});
-  }
-  for (const Comparison& each : plan.comparisons) comparisons.push_back({each.first, each.second});
-  return Json{{"study", experiment_study},
-              {"version", plan_version},
-              {"name", plan.name},
-              {"question", plan.question},
-              {"arms", arms},
-              {"opponent", plan.opponent},
-              {"sweep", plan.sweep},
-              {"values", plan.values},
-              {"conditions", json_of(plan.conditions)},
-              {"openings", json_of(plan.openings)},
-              {"pairs", plan.pairs},
-              {"first_seed", plan.first_seed},
-              {"measures", plan.measures},
-              {"primary", plan.primary},
-              {"comparisons", comparisons},
-              {"test", name(plan.test)},
-              {"confidence", plan.confidence},
-              {"limits", json_of(plan.limits)},
-              {"folder", plan.folder},
-              {"file", plan.file},
-              {"overrides", plan.overrides},
-              {"documents", plan.documents}}
-      .dump(-1, ' ', false, Json::error_handler_t::replace);  // names of files may be anything, JSON must be UTF-8
-}
+std::string to_json(const ExperimentPlan& plan) { return plan_text(experiment_study, plan_version, plan); }
 
 ExperimentPlan experiment_plan_from_json(const std::string& text) {
-  return read_plan(text, experiment_study, plan_version, [](const Json& json) {
-    ExperimentPlan plan;
-    json.at("name").get_to(plan.name);
-    json.at("question").get_to(plan.question);
-    for (const Json& each : json.at("arms")) {
-      Arm& arm = plan.arms.emplace_back();
-      each.at("name").get_to(arm.name);
-      each.at("file").get_to(arm.file);
-      each.at("settings").get_to(arm.settings);
-    }
-    json.at("opponent").get_to(plan.opponent);
-    json.at("sweep").get_to(plan.sweep);
-    json.at("values").get_to(plan.values);
-    for (const Json& each : json.at("conditions")) plan.conditions.push_back(condition_of(each));
-    plan.openings = openings_of(json.at("openings"));
-    json.at("pairs").get_to(plan.pairs);
-    json.at("first_seed").get_to(plan.first_seed);
-    json.at("measures").get_to(plan.measures);
-    json.at("primary").get_to(plan.primary);
-    for (const Json& each : json.at("comparisons")) {
-      plan.comparisons.push_back({each.at(0).get<std::size_t>(), each.at(1).get<std::size_t>()});
-    }
-    plan.test = json.at("test") == name(PairTest::sign_flip) ? PairTest::sign_flip : PairTest::paired_t;
-    json.at("confidence").get_to(plan.confidence);
-    plan.limits = limits_of(json.at("limits"));
-    json.at("folder").get_to(plan.folder);
-    json.at("file").get_to(plan.file);
-    json.at("overrides").get_to(plan.overrides);
-    json.at("documents").get_to(plan.documents);
-    if (!sound(plan)) throw std::out_of_range("a number that no experiment has");
-    return plan;
-  });
+  return plan_of<ExperimentPlan>(experiment_study, plan_version, text,
+                                 [](const ExperimentPlan& plan) { return sound(plan); });
 }
 
 std::vector<std::string> differences(const ExperimentPlan& before, const ExperimentPlan& now) {
-  std::vector<std::string> out;
-  const auto note = [&](const std::string& what, const auto& then, const auto& today, const char* verb = "was") {
-    if (then != today) out.push_back(fmt::format("{} {} {}, now {}", what, verb, then, today));
-  };
-  const auto lists = [&](const std::string& what, const std::vector<std::string>& then,
-                         const std::vector<std::string>& today) {
-    note(what, fmt::format("{}", fmt::join(then, ", ")), fmt::format("{}", fmt::join(today, ", ")), "were");
-  };
-  const auto names = [](const ExperimentPlan& plan) {
-    std::vector<std::string> all;
-    for (const Arm& arm : plan.arms) all.push_back(arm.name);
-    return all;
-  };
-  note("the experiment", before.name, now.name);
-  lists("the arms", names(before), names(now));
-  note("the path of the sweep", before.sweep, now.sweep);
-  lists("the values of the sweep", before.values, now.values);
-  note("the number of matches for each arm", 2 * before.pairs, 2 * now.pairs);
-  note("the first seed", before.first_seed, now.first_seed);
-  lists("the measures", before.measures, now.measures);
-  note("the test", in_words(before), in_words(now));
-  note("what it compares", in_words(before, before.comparisons), in_words(now, now.comparisons));
-  note("the confidence", before.confidence, now.confidence);
-  note("--processor-seconds", before.limits.processor_seconds, now.limits.processor_seconds);
-  note("--memory", before.limits.memory >> 20, now.limits.memory >> 20);
+  std::vector<std::string> out = field_differences(before, now);
   if (!out.empty()) return out;  // else the same conditions, which can be compared one by one
   InputDifferences inputs;
   for (std::size_t i = 0; i < now.conditions.size(); ++i) {

@@ -5,62 +5,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <stdexcept>
 
 #include "campaign/inputs.hpp"
-#include "config/json.hpp"
 #include "match/side.hpp"
-#include "study/plan_json.hpp"
+#include "study/plan_fields.hpp"
 
 namespace regista::study {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr int plan_version = 1;
 
-const char* name(Format format) { return format == Format::gauntlet ? "gauntlet" : "round_robin"; }
-
-// Of a text of the plan, the value that is called so.
-template <class Value>
-Value named(const Json& json, Value first, Value second) {
-  const auto text = json.get<std::string>();
-  if (text == name(first)) return first;
-  if (text == name(second)) return second;
-  throw std::out_of_range(text);
-}
-
 bool is_rate(double rate) { return rate > 0.0 && rate < 1.0; }
-
-Json json_of(const Objective& objective) {
-  if (const auto* score = std::get_if<ScoreTest>(&objective)) {
-    const statistics::SequentialDesign& design = score->design;
-    return {{"test", "score"},
-            {"model", name(design.model)},
-            {"elo0", design.hypotheses.elo0},
-            {"elo1", design.hypotheses.elo1},
-            {"alpha", design.rates.alpha},
-            {"beta", design.rates.beta}};
-  }
-  if (const auto* value = std::get_if<ValueTest>(&objective)) {
-    return {{"test", "value"}, {"value", value->value}, {"alpha", value->alpha}};
-  }
-  return {{"test", "none"}};
-}
-
-Objective objective_of(const Json& json) {
-  const auto test = json.at("test").get<std::string>();
-  if (test == "score") {
-    ScoreTest out;
-    out.design.model = named(json.at("model"), statistics::Model::normalized, statistics::Model::logistic);
-    out.design.hypotheses = {json.at("elo0").get<double>(), json.at("elo1").get<double>()};
-    out.design.rates = {json.at("alpha").get<double>(), json.at("beta").get<double>()};
-    return out;
-  }
-  if (test == "value") return ValueTest{json.at("value").get<std::string>(), json.at("alpha").get<double>()};
-  if (test == "none") return FixedNumber{};
-  throw std::out_of_range(test);
-}
 
 bool sound(const Objective& objective) {
   if (const auto* score = std::get_if<ScoreTest>(&objective)) {
@@ -111,6 +68,81 @@ std::vector<std::string> overrides_of(const TournamentPlan& plan, const Fixture&
 }
 
 }  // namespace
+
+// Found by their arguments: not in the namespace above.
+
+static const char* name(Format format) { return format == Format::gauntlet ? "gauntlet" : "round_robin"; }
+
+// Whether the text is a value's name, which is then set.
+template <class Value>
+static bool named(const std::string& text, Value& value, std::initializer_list<Value> values) {
+  const auto found = std::ranges::find_if(values, [&](Value each) { return text == name(each); });
+  if (found != values.end()) value = *found;
+  return found != values.end();
+}
+static bool named(const std::string& text, Format& format) {
+  return named(text, format, {Format::round_robin, Format::gauntlet});
+}
+
+static PlanJson json_of(const Objective& objective) {
+  if (const auto* score = std::get_if<ScoreTest>(&objective)) {
+    const statistics::SequentialDesign& design = score->design;
+    return {{"test", "score"},
+            {"model", name(design.model)},
+            {"elo0", design.hypotheses.elo0},
+            {"elo1", design.hypotheses.elo1},
+            {"alpha", design.rates.alpha},
+            {"beta", design.rates.beta}};
+  }
+  if (const auto* value = std::get_if<ValueTest>(&objective)) {
+    return {{"test", "value"}, {"value", value->value}, {"alpha", value->alpha}};
+  }
+  return {{"test", "none"}};
+}
+
+static void read(const PlanJson& json, Objective& objective) {
+  const auto test = json.at("test").get<std::string>();
+  if (test == "score") {
+    ScoreTest out;
+    using statistics::Model;
+    if (!named(json.at("model").get<std::string>(), out.design.model, {Model::normalized, Model::logistic})) {
+      throw std::out_of_range("model");
+    }
+    out.design.hypotheses = {json.at("elo0").get<double>(), json.at("elo1").get<double>()};
+    out.design.rates = {json.at("alpha").get<double>(), json.at("beta").get<double>()};
+    objective = out;
+  } else if (test == "value") {
+    objective = ValueTest{json.at("value").get<std::string>(), json.at("alpha").get<double>()};
+  } else if (test == "none") {
+    objective = FixedNumber{};
+  } else {
+    throw std::out_of_range(test);
+  }
+}
+
+template <Like<Entrant> Team, class Visit>
+static void fields(Team& team, Visit& visit) {
+  visit("label", team.label);
+  visit("file", team.file);
+  visit("inputs", team.inputs);
+}
+
+template <Like<TournamentPlan> Plan, class Visit>
+static void fields(Plan& plan, Visit& visit) {
+  visit("teams", plan.teams, "the number of teams",
+        [](const std::vector<Entrant>& teams) { return std::to_string(teams.size()); });
+  visit("format", plan.format, "--format");
+  visit("openings", plan.openings);
+  visit("pairs", plan.pairs, "--pairs");
+  visit("first_seed", plan.first_seed, "--seed");
+  visit("objective", plan.objective, "the test", [](const Objective& objective) { return in_words(objective); });
+  visit("most_goals", plan.most_goals);
+  visit("failures_in_a_row", plan.failures_in_a_row, "--failures-in-a-row");
+  limit_fields(plan.limits, visit);
+  visit("folder", plan.folder);
+  visit("common", plan.common);
+  visit("common_inputs", plan.common_inputs);
+}
 
 std::vector<Pairing> TournamentPlan::pairings() const {
   std::vector<Pairing> out;
@@ -183,68 +215,17 @@ bool equal_teams(const TournamentPlan& plan, const Pairing& pairing) {
   return campaign::fixture_key(a, b, {}) == campaign::fixture_key(b, a, {});
 }
 
-std::string to_json(const TournamentPlan& plan) {
-  Json teams = Json::array();
-  for (const Entrant& team : plan.teams) {
-    teams.push_back({{"label", team.label}, {"file", team.file}, {"inputs", json_of(team.inputs)}});
-  }
-  return Json{{"study", tournament_study},
-              {"version", plan_version},
-              {"teams", teams},
-              {"format", name(plan.format)},
-              {"openings", json_of(plan.openings)},
-              {"pairs", plan.pairs},
-              {"first_seed", plan.first_seed},
-              {"objective", json_of(plan.objective)},
-              {"most_goals", plan.most_goals},
-              {"failures_in_a_row", plan.failures_in_a_row},
-              {"processor_seconds", plan.limits.processor_seconds},
-              {"memory", plan.limits.memory},
-              {"wall_seconds", plan.limits.wall_seconds},
-              {"match_wall_seconds", plan.limits.match_wall_seconds},
-              {"folder", plan.folder},
-              {"common", Json::parse(campaign::to_json(plan.common))},
-              {"common_inputs", json_of(plan.common_inputs)}}
-      .dump(-1, ' ', false, Json::error_handler_t::replace);  // names of files may be anything, JSON must be UTF-8
-}
+std::string to_json(const TournamentPlan& plan) { return plan_text(tournament_study, plan_version, plan); }
 
 TournamentPlan tournament_plan_from_json(const std::string& text) {
-  return read_plan(text, tournament_study, plan_version, [](const Json& json) {
-    TournamentPlan plan;
-    for (const Json& each : json.at("teams")) {
-      plan.teams.push_back(
-          {each.at("label").get<std::string>(), each.at("file").get<std::string>(), inputs_of(each.at("inputs"))});
-    }
+  return plan_of<TournamentPlan>(tournament_study, plan_version, text, [](const TournamentPlan& plan) {
     if (plan.teams.size() < 2) throw std::invalid_argument("its plan has fewer than two teams");
-    plan.format = named(json.at("format"), Format::round_robin, Format::gauntlet);
-    plan.openings = openings_of(json.at("openings"));
-    json.at("pairs").get_to(plan.pairs);
-    json.at("first_seed").get_to(plan.first_seed);
-    plan.objective = objective_of(json.at("objective"));
-    json.at("most_goals").get_to(plan.most_goals);
-    json.at("failures_in_a_row").get_to(plan.failures_in_a_row);
-    plan.limits = limits_of(json);
-    json.at("folder").get_to(plan.folder);
-    plan.common = campaign::job_from_json(json.at("common").dump());
-    plan.common_inputs = inputs_of(json.at("common_inputs"));
-    if (!sound(plan)) throw std::out_of_range("a number that no tournament has");
-    return plan;
+    return sound(plan);
   });
 }
 
 std::vector<std::string> differences(const TournamentPlan& before, const TournamentPlan& now) {
-  std::vector<std::string> out;
-  const auto note = [&](const char* what, const auto& then, const auto& today) {
-    if (then != today) out.push_back(fmt::format("{} was {}, now {}", what, then, today));
-  };
-  note("the number of teams", before.teams.size(), now.teams.size());
-  note("--format", std::string(name(before.format)), std::string(name(now.format)));
-  note("--pairs", before.pairs, now.pairs);
-  note("--seed", before.first_seed, now.first_seed);
-  note("the test", in_words(before.objective), in_words(now.objective));
-  note("--failures-in-a-row", before.failures_in_a_row, now.failures_in_a_row);
-  note("--processor-seconds", before.limits.processor_seconds, now.limits.processor_seconds);
-  note("--memory", before.limits.memory >> 20, now.limits.memory >> 20);
+  std::vector<std::string> out = field_differences(before, now);
   for (std::size_t team = 0; team < std::min(before.teams.size(), now.teams.size()); ++team) {
     for (const std::string& each : campaign::differences(before.teams[team].inputs, now.teams[team].inputs)) {
       out.push_back(fmt::format("team {}: {}", before.teams[team].label, each));

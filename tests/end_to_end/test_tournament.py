@@ -41,6 +41,29 @@ class Matches(tournament.Tournament):
             self.assertEqual((done.returncode, json.loads(done.stdout)["state_hash"]), (0, state_hash), done.stderr)
             self.assertIn(f"the same match as row {row}: hash {state_hash}", done.stderr)
 
+    def test_a_match_is_played_again_though_its_files_were_edited_or_removed(self):
+        self.play("--seed", "7", "--set", "a.utility.terms.near.params.scale=3")
+        stored = self.stored("SELECT row, hash FROM matches ORDER BY row")
+        self.write("small.yaml", program.TEAM.format(name="small").replace("scale: 2", "scale: 5"))
+        shutil.rmtree(self.folder / "scenes")
+        for row, state_hash in stored:
+            done = self.run_program("match", "--from", "tournament.db", "--row", row, "--json", "--record", f"{row}.mcap")
+            self.assertEqual((done.returncode, json.loads(done.stdout)["state_hash"]), (0, state_hash), done.stderr)
+            self.assertRegex(done.stderr, f"row {row}: its files have changed \\(.*no such file.*\\); played as tournament.db "
+                                          "holds them\n")
+            self.assertIn(f"the same match as row {row}: hash {state_hash}", done.stderr)
+            self.assertTrue((self.folder / f"{row}.mcap").exists())
+        # Nothing is left of the copies.
+        self.assertEqual(self.succeed("match", "--from", "tournament.db", "--row", "1", "--quiet", "--json",
+                                      environment={"TMPDIR": str(self.write("aside/none", "").parent)}).count("hash"), 1)
+        self.assertEqual(os.listdir(self.folder / "aside"), ["none"])
+        # No copy is kept of plugins.
+        with (self.plugin_folder / program.SOUND.name).open("ab") as plugin:
+            plugin.write(b"more")
+        line = self.refused("match", "--from", "tournament.db", "--row", "1")
+        self.assertIn("--row 1: was played with something else: plugin ", line)
+        self.assertNotIn("small.yaml has changed", line)
+
     def test_the_report_counts_the_rows(self):
         report = self.only(pairs=12)
         goals = [0, 0]
@@ -129,9 +152,9 @@ class Changes(tournament.Tournament):
     def test_what_has_changed_is_named(self):
         self.play()
         rows = self.rows()
-        self.assertIn("--pairs was 3, now 4", self.refused(*self.arguments("--quiet", "--resume", pairs=4)))
-        self.assertIn("--seed was 1, now 2", self.change("--seed", "2"))
-        self.assertIn("--processor-seconds was 10, now 7", self.change("--processor-seconds", "7"))
+        self.assertIn("--pairs: was 3, now 4", self.refused(*self.arguments("--quiet", "--resume", pairs=4)))
+        self.assertIn("--seed: was 1, now 2", self.change("--seed", "2"))
+        self.assertIn("--processor-seconds: was 10, now 7", self.change("--processor-seconds", "7"))
         self.assertIn("rules spl2023 has changed", self.change("--set", "rules.durations.set=2"))
         self.assertIn("team other: team other.yaml has changed", self.change("--set", "b.teammates_forgotten_after=20"))
         plugin = self.plugin_folder / program.SOUND.name

@@ -157,7 +157,7 @@ class Formats(tournament.Tournament):
         self.assertEqual(self.labels(), expected)
         self.assertEqual((report["format"], len(report["pairings"])), ("gauntlet", 2))
         changed = self.refused(*self.arguments("--resume", teams=THREE, pairs=2))
-        self.assertIn("--format was gauntlet, now round_robin", changed)
+        self.assertIn("--format: was gauntlet, now round_robin", changed)
 
     def test_values_for_the_third_team(self):
         changed = ("--set", "c.utility.terms.near.params.scale=3")

@@ -31,7 +31,7 @@ class FifthStudy(tournament.Tournament):
 
     def test_is_not_taken_for_another_study(self):
         self.succeed(*self.count(pairs=1))
-        self.assertIn("pairs was 1, now 2", self.refused(*self.count("--resume", pairs=2)).replace("--pairs", "pairs"))
+        self.assertIn("pairs: was 1, now 2", self.refused(*self.count("--resume", pairs=2)).replace("--pairs", "pairs"))
         line = self.refused(*self.arguments("--quiet", "--resume", "--results", "count.db", pairs=1))
         self.assertIn("it was a count of goals, now a tournament", line)
 

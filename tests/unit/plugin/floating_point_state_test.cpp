@@ -99,8 +99,8 @@ TEST_F(FloatingPointStateTest, SaysWhatChangedInTheStateOfLongDouble) {
 #endif
 
 #if defined(__GLIBC__)
-// Masks change no number, and reading them is dear: the calls of one decision of 61 are looked at.
-TEST_F(FloatingPointStateTest, FindsUnmaskedExceptionsWithin61Decisions) {
+// Masks change no number, and reading them is dear: the calls of one decision of 127 are looked at.
+TEST_F(FloatingPointStateTest, FindsUnmaskedExceptionsWithin127Decisions) {
   Puppet::context.holds = [](void*, const regista_frame*, std::int32_t*, regista_error*) -> std::int32_t {
     feenableexcept(FE_DIVBYZERO);
     return REGISTA_OK;
@@ -111,11 +111,11 @@ TEST_F(FloatingPointStateTest, FindsUnmaskedExceptionsWithin61Decisions) {
   Context context(std::make_shared<Instance>(Found{"puppet.so", &puppet}, resolve(puppet, use("puppet")), environment(),
                                              nullptr, &caller));
   std::string message;
-  for (; caller.tick < 100 && message.empty(); ++caller.tick) {
+  for (; caller.tick < 200 && message.empty(); ++caller.tick) {
     caller.begin_decision();
     message = message_of([&] { context.holds(Scene().frame); });
   }
-  EXPECT_EQ(message, std::string("plugin puppet (puppet.so) of team paper, robot 3, tick 61: holds: ") + exceptions);
+  EXPECT_EQ(message, std::string("plugin puppet (puppet.so) of team paper, robot 3, tick 127: holds: ") + exceptions);
   expect_usual();
 }
 

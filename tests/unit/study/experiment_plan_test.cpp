@@ -96,8 +96,8 @@ TEST(ExperimentPlan, EveryDifferenceIsNamed) {
     return differences(plan, now);
   };
   EXPECT_THAT(changed([](auto& now) { now.pairs = 3; }),
-              ElementsAre("the number of matches for each arm was 4, now 6"));
-  EXPECT_THAT(changed([](auto& now) { now.first_seed = 8; }), ElementsAre("the first seed was 7, now 8"));
+              ElementsAre("the number of matches for each arm: was 4, now 6"));
+  EXPECT_THAT(changed([](auto& now) { now.first_seed = 8; }), ElementsAre("the first seed: was 7, now 8"));
   EXPECT_THAT(changed([](auto& now) { now.arms[1].name = "other"; }), testing::Contains(HasSubstr("the arms were")));
   EXPECT_THAT(changed([](auto& now) { now.test = PairTest::sign_flip; }), ElementsAre(HasSubstr("the test")));
   EXPECT_THAT(changed([](auto& now) { now.confidence = 0.9; }), ElementsAre(HasSubstr("the confidence")));

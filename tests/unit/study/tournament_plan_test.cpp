@@ -309,11 +309,11 @@ TEST(PlanDifferences, InWords) {
   now.format = Format::round_robin;
   now.failures_in_a_row = 0;
   EXPECT_THAT(differences(before, now),
-              ElementsAre("--format was gauntlet, now round_robin", "--pairs was 7, now 8",
-                          "--seed was 18446744073709551609, now 3", "--failures-in-a-row was 3, now 0"));
+              ElementsAre("--format: was gauntlet, now round_robin", "--pairs: was 7, now 8",
+                          "--seed: was 18446744073709551609, now 3", "--failures-in-a-row: was 3, now 0"));
   now = before;
   now.teams.pop_back();
-  EXPECT_THAT(differences(before, now), ElementsAre("the number of teams was 3, now 2"));
+  EXPECT_THAT(differences(before, now), ElementsAre("the number of teams: was 3, now 2"));
   now = before;
   now.teams[1].inputs[0].hash = "other";
   now.common_inputs[1].hash = "other";
@@ -334,16 +334,16 @@ TEST(PlanDifferences, OfTheTest) {
   score.design = {statistics::Model::normalized, {0, 12.5}, {0.05, 0.1}, true};
   now.objective = score;
   EXPECT_THAT(differences(before, now),
-              ElementsAre("the test was no test, now --sprt 0,12.5 --model normalized --alpha 0.05 --beta 0.1"));
+              ElementsAre("the test: was no test, now --sprt 0,12.5 --model normalized --alpha 0.05 --beta 0.1"));
   before.objective = ValueTest{"goals", 0.01};
   score.design.model = statistics::Model::logistic;
   now.objective = score;
   EXPECT_THAT(differences(before, now),
-              ElementsAre("the test was --metric goals --alpha 0.01, now --sprt 0,12.5 --model logistic --alpha 0.05 "
+              ElementsAre("the test: was --metric goals --alpha 0.01, now --sprt 0,12.5 --model logistic --alpha 0.05 "
                           "--beta 0.1"));
   now.objective = ValueTest{"packets", 0.01};
   EXPECT_THAT(differences(before, now),
-              ElementsAre("the test was --metric goals --alpha 0.01, now --metric packets --alpha 0.01"));
+              ElementsAre("the test: was --metric goals --alpha 0.01, now --metric packets --alpha 0.01"));
 }
 
 }  // namespace

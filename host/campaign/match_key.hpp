@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What a stored match is found by, and how much of it is asked for.
+#pragma once
+
+#include <cstdint>
+
+namespace regista::campaign {
+
+// The number that the store gave to a fixture, and the seed.
+struct MatchKey {
+  std::int64_t fixture = 0;
+  std::uint64_t seed = 0;
+  friend bool operator==(const MatchKey&, const MatchKey&) = default;
+};
+
+enum class Metrics { wanted, left_out };  // they are some kilobytes a match
+
+}  // namespace regista::campaign

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/store_file.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sqlite3.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace regista::campaign {
+namespace {
+
+constexpr int application = 0x52475354;  // "RGST": tells our files from those of other programs
+constexpr int patience = 5000;           // ms to wait for somebody who is writing
+constexpr auto gone = "the file is no longer there, or is another one, so nothing more can be kept";
+
+// Before it is opened: a pipe would wait for ever.
+void refuse_what_is_no_file(const std::filesystem::path& file) {
+  std::error_code none;
+  const std::filesystem::file_status status = std::filesystem::status(file, none);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
+  throw StoreRefusal(std::filesystem::is_directory(status)
+                         ? fmt::format("{} is a folder, not a file of results", file.string())
+                         : fmt::format("{} is no ordinary file, so it holds no results", file.string()));
+}
+
+// What would mean something in an address of a file.
+std::string in_address(const std::string& path) {
+  std::string out;
+  for (const char c : path) {
+    if (c == '%' || c == '?' || c == '#')
+      out += fmt::format("%{:02x}", static_cast<int>(c));
+    else
+      out += c;
+  }
+  return out;
+}
+
+}  // namespace
+
+// What a name leads to.
+struct StoreFile::Identity {
+  dev_t device = 0;
+  ino_t number = 0;
+  friend bool operator==(const Identity&, const Identity&) = default;
+};
+
+std::optional<StoreFile::Identity> StoreFile::identity_of(const std::string& name) {
+  struct stat about {};
+  if (::stat(name.c_str(), &about) != 0) return std::nullopt;
+  return Identity{about.st_dev, about.st_ino};
+}
+
+// Held from before the database is opened until after it is closed: closing any descriptor of a file gives up the
+// locks that SQLite itself has on it.
+class StoreFile::Hold {
+ public:
+  Hold(const std::filesystem::path& file, bool create) {
+    const int flags = O_RDWR | O_CLOEXEC | (create ? O_CREAT | O_EXCL : 0);
+    descriptor_ = ::open(file.c_str(), flags, 0666);
+    if (descriptor_ == -1 && errno == EEXIST) {
+      throw StoreRefusal(
+          fmt::format("{} exists already; --resume continues it, --results names another", file.string()));
+    }
+    if (descriptor_ == -1) {
+      throw StoreRefusal(fmt::format("cannot write results to {}: {}", file.string(), std::strerror(errno)));
+    }
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+    const int error = errno;
+    close(descriptor_);
+    throw StoreRefusal(error == EWOULDBLOCK ? fmt::format("{} is in use by another process", file.string())
+                                            : fmt::format("cannot lock {}: {}", file.string(), std::strerror(error)));
+  }
+  ~Hold() { close(descriptor_); }
+  Hold(const Hold&) = delete;
+  Hold& operator=(const Hold&) = delete;
+
+ private:
+  int descriptor_ = -1;
+};
+
+std::string reason(const SQLite::Exception& error) {
+  switch (error.getErrorCode()) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return "locked by another process";
+    case SQLITE_NOTADB:
+      return "is no database";
+    case SQLITE_FULL:
+      return "the disk is full";
+    case SQLITE_IOERR:
+      if (error.getExtendedErrorCode() == SQLITE_IOERR_SHMSIZE) return "the disk is full";
+      return error.what();
+    default:
+      return error.what();
+  }
+}
+
+bool is_of_the_disk(const SQLite::Exception& error) {
+  return error.getErrorCode() == SQLITE_FULL || error.getErrorCode() == SQLITE_IOERR;
+}
+
+StoreFile::StoreFile(const std::filesystem::path& file, StoreMode mode, const std::string& program_version,
+                     const std::string& tables)
+    : name_(file.string()), mode_(mode) {
+  open();
+  try {
+    prepare(program_version, tables);
+    if (const auto identity = identity_of(name_)) identity_ = std::make_unique<const Identity>(*identity);
+  } catch (const SQLite::Exception& error) {
+    const std::string text = fmt::format("{}: {}", name_, reason(error));
+    if (mode == StoreMode::read || !is_of_the_disk(error)) throw StoreRefusal(text);
+    if (mode == StoreMode::create) std::filesystem::remove(file);  // ours, and nothing is in it
+    throw StoreDiskError("cannot write results to " + text);
+  }
+}
+
+StoreFile::~StoreFile() = default;
+
+void StoreFile::open() {
+  if (mode_ != StoreMode::create) refuse_what_is_no_file(name_);
+  if (mode_ != StoreMode::read) {
+    hold_ = std::make_unique<const Hold>(name_, mode_ == StoreMode::create);
+  } else if (const int descriptor = ::open(name_.c_str(), O_RDONLY | O_CLOEXEC); descriptor != -1) {
+    close(descriptor);  // before SQLite has locks on it
+  } else {
+    throw StoreRefusal(fmt::format("cannot read {}: {}", name_, std::strerror(errno)));
+  }
+  try {
+    // A file in the current folder may be called ":memory:", which SQLite takes for no file at all.
+    const std::string path = std::filesystem::absolute(name_).string();
+    if (mode_ != StoreMode::read) {
+      database_ = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READWRITE, patience);
+    } else if (std::filesystem::exists(path + "-wal")) {
+      // A log beside it holds what was written last. Where there is none nobody writes, and none need be made.
+      database_ = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READONLY, patience);
+    } else {
+      database_ = std::make_unique<SQLite::Database>("file:" + in_address(path) + "?immutable=1",
+                                                     SQLite::OPEN_READONLY | SQLite::OPEN_URI, patience);
+    }
+  } catch (const SQLite::Exception& error) {
+    throw StoreRefusal(fmt::format("cannot open {}: {}", name_, reason(error)));
+  }
+}
+
+int StoreFile::pragma(const char* name) { return database_->execAndGet(fmt::format("PRAGMA {}", name)).getInt(); }
+
+void StoreFile::prepare(const std::string& version, const std::string& tables) {
+  if (mode_ == StoreMode::create) begin(version, tables);
+  // Killed between the creation of the file and that of its tables: as good as new.
+  const bool blank = pragma("application_id") == 0 && pragma("page_count") == 0;
+  if (mode_ == StoreMode::open && blank) begin(version, tables);
+  if (mode_ == StoreMode::read && blank) throw StoreRefusal(fmt::format("{} holds no results yet", name_));
+  if (pragma("application_id") != application) {
+    throw StoreRefusal(fmt::format("{} is a database of another program, not results of Regista", name_));
+  }
+  const int schema = pragma("user_version");
+  if (schema != store_schema) {
+    const std::string by = database_->tableExists("meta") ? meta("program") : "";
+    throw StoreRefusal(fmt::format("{} was written by {} Regista{}: its schema is {}, this program reads {}", name_,
+                                   schema > store_schema ? "a newer" : "an older", by.empty() ? "" : ", " + by, schema,
+                                   store_schema));
+  }
+  if (mode_ == StoreMode::read) return;
+  database_->exec("PRAGMA journal_mode=WAL");
+  database_->exec("PRAGMA synchronous=NORMAL");
+}
+
+void StoreFile::begin(const std::string& version, const std::string& tables) {
+  SQLite::Transaction transaction(*database_);
+  database_->exec("CREATE TABLE meta(name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;");
+  database_->exec(tables);
+  database_->exec(fmt::format("PRAGMA application_id={}", application));
+  database_->exec(fmt::format("PRAGMA user_version={}", store_schema));
+  set_meta("program", version);
+  transaction.commit();
+}
+
+std::string StoreFile::meta(const std::string& name) {
+  SQLite::Statement select(*database_, "SELECT value FROM meta WHERE name = ?");
+  select.bindNoCopy(1, name);
+  return select.executeStep() ? select.getColumn(0).getString() : std::string();
+}
+
+void StoreFile::set_meta(const std::string& name, const std::string& value) {
+  SQLite::Statement put(*database_, "INSERT OR REPLACE INTO meta VALUES(?, ?)");
+  put.bindNoCopy(1, name);
+  put.bindNoCopy(2, value);
+  put.exec();
+}
+
+void StoreFile::require() {
+  const auto same = [](const std::unique_ptr<const Identity>& before, const std::optional<Identity>& now) {
+    return before ? now && *now == *before : !now;
+  };
+  if (!same(identity_, identity_of(name_))) throw StoreGone(fmt::format("results in {}: {}", name_, gone));
+  // The log is there from the first row that is written on.
+  const std::string log = name_ + "-wal";
+  const std::optional<Identity> now = identity_of(log);
+  if (log_identity_ && !same(log_identity_, now)) throw StoreGone(fmt::format("results in {}: {}", log, gone));
+  log_identity_ = now ? std::make_unique<const Identity>(*now) : nullptr;
+}
+
+}  // namespace regista::campaign

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The file of results as a database: created or opened, held against other processes, and known again should its name
+// come to mean another file.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "campaign/store_error.hpp"
+
+namespace SQLite {
+class Database;
+class Exception;
+}  // namespace SQLite
+
+namespace regista::campaign {
+
+inline constexpr int store_schema = 2;
+
+enum class StoreMode {
+  create,  // a new file; refuses one that exists
+  open,    // an existing one
+  read,    // an existing one that is not written to, even while another process does
+};
+
+class StoreFile {
+ public:
+  // tables: what a new file begins with. Throws StoreRefusal and StoreDiskError, as Store does.
+  StoreFile(const std::filesystem::path& file, StoreMode mode, const std::string& program_version,
+            const std::string& tables);
+  ~StoreFile();
+  StoreFile(const StoreFile&) = delete;
+  StoreFile& operator=(const StoreFile&) = delete;
+
+  const std::string& name() const { return name_; }
+  SQLite::Database& database() { return *database_; }
+  bool written_to() const { return mode_ != StoreMode::read; }
+
+  // A text of the table meta; empty when it is not there. Throw SQLite::Exception.
+  std::string meta(const std::string& name);
+  void set_meta(const std::string& name, const std::string& value);
+
+  // Throws StoreGone when the name does not lead to this file any more. What is written to a file that nobody finds by
+  // its name is lost, and so is a log that was deleted should we die.
+  void require();
+
+ private:
+  struct Identity;
+  class Hold;
+  void open();
+  void prepare(const std::string& version, const std::string& tables);
+  void begin(const std::string& version, const std::string& tables);
+  int pragma(const char* name);
+  static std::optional<Identity> identity_of(const std::string& name);
+
+  std::string name_;
+  StoreMode mode_;
+  std::unique_ptr<const Hold> hold_;  // until the database is closed
+  std::unique_ptr<SQLite::Database> database_;
+  std::unique_ptr<const Identity> identity_, log_identity_;
+};
+
+// Why something failed, in words.
+std::string reason(const SQLite::Exception& error);
+bool is_of_the_disk(const SQLite::Exception& error);
+
+}  // namespace regista::campaign

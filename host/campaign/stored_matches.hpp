@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Matches in a file of results: the tables matches, remarks, metric_names and metrics.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/job.hpp"
+#include "campaign/match_key.hpp"
+
+namespace SQLite {
+class Database;
+}
+
+namespace regista::campaign {
+
+class StoredMatches {
+ public:
+  // Of the tables, as SQL.
+  static std::string tables();
+
+  // In a database that has these tables and outlives this. All throw SQLite::Exception; what reads also DamagedRow.
+  StoredMatches(SQLite::Database& database, bool written_to);
+  ~StoredMatches();
+  StoredMatches(const StoredMatches&) = delete;
+  StoredMatches& operator=(const StoredMatches&) = delete;
+
+  // The match of a key. `row`: where it is looked for first.
+  std::optional<Decided> find(std::int64_t row, const MatchKey& key, Metrics metrics);
+  struct Row {
+    MatchKey key;
+    Decided decided;  // with metrics
+  };
+  std::optional<Row> row(std::int64_t row);
+  std::int64_t rows();
+  // Paths of sides that the first rows have numbers under, each once, in the order in which they come up.
+  std::vector<std::string> metric_paths(std::int64_t rows);
+
+  // Within a transaction. Also refuses a key that there is already, and a row that is taken.
+  void insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts);
+
+  // All that cannot be read, by their rows.
+  std::vector<std::int64_t> damaged_rows();
+  // Lets go of what was read last.
+  void reset();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace regista::campaign

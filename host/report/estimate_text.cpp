@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "report/estimate_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/number.hpp"
+
+namespace regista::report {
+
+std::string interval_text(const statistics::Interval& interval, int digits) {
+  return fmt::format("[{}, {}]", fixed(interval.low, digits), fixed(interval.high, digits));
+}
+
+std::string signed_interval_text(const statistics::Interval& interval, int digits) {
+  const auto bound = [digits](double value) {
+    return std::isfinite(value) ? with_sign(value, digits) : std::string(value < 0.0 ? "-∞" : "∞");
+  };
+  return fmt::format("[{}, {}]", bound(interval.low), bound(interval.high));
+}
+
+std::string signed_text(const statistics::Estimate& estimate, int digits) {
+  if (!std::isfinite(estimate.value)) return estimate.value < 0.0 ? "-∞" : "∞";
+  return fmt::format("{} {}", with_sign(estimate.value, digits), signed_interval_text(estimate.interval, digits));
+}
+
+std::string with_margin(const statistics::Estimate& estimate) {
+  const std::string value = fixed(estimate.value, 2);
+  return estimate.interval.bounded() ? fmt::format("{} +/- {:.2f}", value, estimate.margin())
+                                     : fmt::format("{} {}", value, interval_text(estimate.interval, 2));
+}
+
+double half_width(const std::optional<statistics::Interval>& interval) {
+  return interval ? (interval->high - interval->low) / 2.0 : 0.0;
+}
+
+std::string rounded(double value, double margin) {
+  const double size = margin > 0.0 ? margin : std::abs(value) / 10.0;
+  const int digits = size > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(size))), 0, 6) : 2;
+  return fixed(value, digits);
+}
+
+std::string rounded_with_sign(double value, double margin) {
+  const std::string text = rounded(value, margin);
+  return text.starts_with('-') ? text : '+' + text;
+}
+
+std::string estimate_text(const study::MeanEstimate& estimate, const char* between) {
+  if (estimate.pairs == 0) return "-";
+  if (!estimate.interval) return rounded(estimate.mean, 0.0);
+  const double margin = half_width(estimate.interval);
+  return fmt::format("{} {} {}", rounded(estimate.mean, margin), between, rounded(margin, margin));
+}
+
+std::string interval_text(const study::MeanEstimate& estimate) {
+  if (!estimate.interval) return "no interval";
+  const double margin = half_width(estimate.interval);
+  return fmt::format("[{}, {}]", rounded(estimate.interval->low, margin), rounded(estimate.interval->high, margin));
+}
+
+}  // namespace regista::report

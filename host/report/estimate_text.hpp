@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Estimates and their intervals as all reports write them. Two ways of choosing digits: as many as are asked for, and
+// as many as the width of the interval leaves a meaning.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "statistics/interval.hpp"
+#include "study/paired_estimates.hpp"
+
+namespace regista::report {
+
+// "[-0.07, 0.12]"
+std::string interval_text(const statistics::Interval& interval, int digits);
+// "[-0.07, +0.12]"; a side without a bound is ∞.
+std::string signed_interval_text(const statistics::Interval& interval, int digits);
+// "+0.03 [-0.07, +0.12]"
+std::string signed_text(const statistics::Estimate& estimate, int digits);
+// "12.50 +/- 3.10"; with the interval where a side has no bound.
+std::string with_margin(const statistics::Estimate& estimate);
+
+// Half the width; 0 where there is none.
+double half_width(const std::optional<statistics::Interval>& interval);
+// With as many digits as the margin makes sensible, without exponent: "12.3", "0.045".
+std::string rounded(double value, double margin);
+// The same, with a plus before what is not negative.
+std::string rounded_with_sign(double value, double margin);
+// "3.21 +/- 0.40"; "3.21" without an interval, "-" without pairs.
+std::string estimate_text(const study::MeanEstimate& estimate, const char* margin = "+/-");
+// "[2.81, 3.61]"; "no interval"
+std::string interval_text(const study::MeanEstimate& estimate);
+
+}  // namespace regista::report

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/document_copies.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "store_fixture.hpp"
+
+namespace regista::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::string content(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(DocumentCopies, NamesLeadToTheCopies) {
+  const DocumentCopies copies(
+      {{"/league/teams/a.yaml", "extends: ../base.yaml"}, {"/league/base.yaml", "team: base"}, {"/league/empty", ""}});
+  Job job;
+  job.teams = {"teams/a.yaml", "/league/base.yaml"};
+  job.rules = "spl2023";
+  job.opening = "../league/empty";
+  job.plugins = {"plugins", "/elsewhere"};
+  const Job here = copies.job(job, "/league");
+  EXPECT_EQ(content(here.teams[0]), "extends: ../base.yaml");
+  EXPECT_EQ(content(fs::path(here.teams[0]).parent_path() / "../base.yaml"), "team: base");
+  EXPECT_EQ(content(here.teams[1]), "team: base");
+  EXPECT_TRUE(fs::is_regular_file(here.opening));
+  EXPECT_EQ(here.rules, "spl2023");
+  EXPECT_EQ(here.robot, "");
+  EXPECT_THAT(here.plugins, ElementsAre("/league/plugins", "/elsewhere"));
+  EXPECT_EQ(content(copies.folder("/league") / "base.yaml"), "team: base");
+  EXPECT_TRUE(fs::is_directory(copies.folder("/another/folder")));
+}
+
+TEST(DocumentCopies, OfSharedObjectsThePathAlone) {
+  const TemporaryFolder folder;
+  const fs::path object = folder.path() / "plugin.so", text = folder.path() / "text";
+  std::ofstream(object) << "\x7f" "ELF and more";
+  std::ofstream(text) << "words";
+  const std::vector<fs::path> files{text, folder.path() / "x" / ".." / "plugin.so", text, folder.path() / "none"};
+  fs::create_directory(folder.path() / "x");
+  const std::vector<Document> found = documents_in(files);
+  EXPECT_THAT(found, ElementsAre(Document{object.string(), std::nullopt}, Document{text.string(), "words"}));
+  Job job;
+  job.teams = {object.string(), text.string()};
+  const DocumentCopies copies(found);
+  const Job here = copies.job(job, "/");
+  EXPECT_TRUE(fs::equivalent(here.teams[0], object));
+  EXPECT_FALSE(fs::equivalent(here.teams[1], text));
+}
+
+TEST(DocumentCopies, LeaveNothingBehind) {
+  fs::path folder;
+  {
+    const DocumentCopies copies(std::vector<Document>{{"/a", "text"}});
+    folder = copies.folder("/");
+    EXPECT_EQ(content(folder / "a"), "text");
+  }
+  EXPECT_FALSE(fs::exists(folder));
+}
+
+using StoredDocumentsTest = StoreTest;
+
+TEST_F(StoredDocumentsTest, AreGivenBack) {
+  const std::vector<Document> documents{{"/a", std::string("\0\n", 2)}, {"/b", std::nullopt}, {"/c", ""}};
+  {
+    Store store(file, Mode::create, "1.0");
+    EXPECT_THAT(store.documents(), IsEmpty());
+    store.keep(documents);
+    const std::vector<Document> again{{"/a", "what the study was begun with stands"}};
+    store.keep(again);
+  }
+  const Store store(file, Mode::read, "1.0");
+  EXPECT_EQ(store.documents(), documents);
+}
+
+TEST_F(StoredDocumentsTest, DamageIsNoticed) {
+  const std::vector<Document> documents{{"/a", "text"}};
+  { Store(file, Mode::create, "1.0").keep(documents); }
+  execute("UPDATE documents SET path='/b'");
+  const Store store(file, Mode::read, "1.0");
+  EXPECT_THAT([&] { (void)store.documents(); },
+              testing::ThrowsMessage<StoreDamaged>(
+                  "results in " + file.string() + " are damaged: the checksum of the document /b does not fit"));
+}
+
+TEST_F(StoredDocumentsTest, NoneInAFileOfAProgramThatKeptNone) {
+  { Store(file, Mode::create, "1.0"); }
+  execute("DROP TABLE documents");
+  const Store store(file, Mode::read, "1.0");
+  EXPECT_THAT(store.documents(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace regista::campaign
