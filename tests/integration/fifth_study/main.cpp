@@ -22,7 +22,7 @@ int count_goals(study::TournamentRequest options, const Invocation& invocation) 
   options.plugin_files = catalogue.used_files();
   report::GoalCountReport report(std::move(planned.plan));
   campaign::Store store =
-      open_results(options.results, options.resume, report.study(), planned.documents, invocation.studies);
+      open_results(options.results, options.resume, report.study(), {{}, planned.documents}, invocation.studies);
   return play_study(report, options, invocation, store, {});
 }
 

@@ -98,10 +98,10 @@ TEST(ExperimentPlan, EveryDifferenceIsNamed) {
   EXPECT_THAT(changed([](auto& now) { now.pairs = 3; }),
               ElementsAre("the number of matches for each arm: was 4, now 6"));
   EXPECT_THAT(changed([](auto& now) { now.first_seed = 8; }), ElementsAre("the first seed: was 7, now 8"));
-  EXPECT_THAT(changed([](auto& now) { now.arms[1].name = "other"; }), testing::Contains(HasSubstr("the arms were")));
+  EXPECT_THAT(changed([](auto& now) { now.arms[1].name = "other"; }), testing::Contains(HasSubstr("the arms: was")));
   EXPECT_THAT(changed([](auto& now) { now.test = PairTest::sign_flip; }), ElementsAre(HasSubstr("the test")));
   EXPECT_THAT(changed([](auto& now) { now.confidence = 0.9; }), ElementsAre(HasSubstr("the confidence")));
-  EXPECT_THAT(changed([](auto& now) { now.measures.pop_back(); }), ElementsAre(HasSubstr("the measures were")));
+  EXPECT_THAT(changed([](auto& now) { now.measures.pop_back(); }), ElementsAre(HasSubstr("the measures: was")));
   EXPECT_THAT(changed([](auto& now) {
                 for (const std::size_t side : {0u, 1u}) {
                   auto& job = now.conditions[1].jobs[side];
