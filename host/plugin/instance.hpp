@@ -113,18 +113,19 @@ class alignas(64) Instance {
  private:
   template <std::size_t Size, class Function, class... Arguments>
   void invoke(const char (&name)[Size], Function function, Arguments... arguments) {
-    rooms_->error.data()->text[0] = '\0';
+    GuardedValue<regista_error>& error = rooms_->error;
+    error.data()->text[0] = '\0';
     std::int32_t status = REGISTA_FAILED;
     begin(name);
     try {
-      status = function(raw_, arguments..., rooms_->error.data());
+      status = function(raw_, arguments..., error.data());
     } catch (...) {
       threw(name);
     }
     end();
     static_assert(REGISTA_OK == 0);
-    const std::uint64_t wrong = rooms_->error.difference_at_edges() | static_cast<std::uint32_t>(status) |
-                                FloatingPointState::difference_for_numbers();
+    const std::uint64_t wrong =
+        error.difference_at_edges() | static_cast<std::uint32_t>(status) | FloatingPointState::difference_for_numbers();
     if (wrong != 0) [[unlikely]]
       examine(name, status);
   }
@@ -145,13 +146,14 @@ class alignas(64) Instance {
   template <std::size_t Size>
   void begin(const char (&name)[Size]) {
     static_assert(Size <= std::tuple_size_v<decltype(CallNote::call)>);
+    CallNote& note = *note_;
     // An instance is mostly called several times in a row.
-    if (note_->instance != this) {
-      note_->plugin = noted_id_;
-      note_->instance = this;
+    if (note.instance != this) {
+      note.plugin = noted_id_;
+      note.instance = this;
     }
-    std::memcpy(note_->call.data(), name, Size);
-    note_->inside = 1;
+    std::memcpy(note.call.data(), name, Size);
+    note.inside = 1;
   }
   void end() { note_->inside = 0; }
 
