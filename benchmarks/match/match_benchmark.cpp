@@ -25,17 +25,17 @@ double seconds_of(const auto& work) {
 
 void whole_match(benchmark::State& state) {
   static const Teams teams;
-  match::Recording recording;
+  match::PhysicsLog log;
   std::size_t decisions = 0;
   match::Observer observer;
-  observer.recording = &recording;
+  observer.physics_log = &log;
   observer.decision = [&decisions](const match::Decision&) { ++decisions; };
   const std::array<const mind::TeamPlan*, 2> both{&teams.paper, &teams.fixed_rate};
   const match::Result recorded = match::play(teams.setup, both, &observer);
 
   double bare = 0.0, whole = 0.0;
   for (auto _ : state) {
-    match::Replay replay(recording);
+    match::Replay replay(log);
     bare += seconds_of([&replay] { replay.run(); });
     match::Result result;
     whole += seconds_of([&] { result = match::play(teams.setup, both); });
@@ -47,7 +47,7 @@ void whole_match(benchmark::State& state) {
   state.counters["r"] = whole / bare;
   state.counters["us_per_match_second"] = 1e6 * whole / matches / recorded.simulated_seconds;
   state.counters["us_per_decision"] = 1e6 * (whole - bare) / matches / static_cast<double>(decisions);
-  state.counters["us_per_physics_step"] = 1e6 * bare / matches / static_cast<double>(recording.step_ends.size());
+  state.counters["us_per_physics_step"] = 1e6 * bare / matches / static_cast<double>(log.step_ends.size());
   state.counters["peak_mb"] = static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 

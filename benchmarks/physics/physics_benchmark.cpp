@@ -17,7 +17,7 @@ namespace {
 
 struct Recorded {
   Setup setup = scripted::setup(1);
-  Recording recording;
+  PhysicsLog log;
   std::array<std::vector<std::vector<mind::Outcome>>, 2> outcomes;  // by side, number - 1, decision
   Result result;
 
@@ -25,7 +25,7 @@ struct Recorded {
     const int size = setup.rules.team_size;
     for (auto& side : outcomes) side.resize(static_cast<std::size_t>(size));
     Observer observer;
-    observer.recording = &recording;
+    observer.physics_log = &log;
     observer.decision = [this](const Decision& decision) {
       outcomes[index(decision.side)][static_cast<std::size_t>(decision.number - 1)].push_back(decision.outcome);
     };
@@ -56,7 +56,7 @@ double seconds_of(const auto& work) {
 
 void count(benchmark::State& state, double seconds) {
   const double matches = static_cast<double>(state.iterations());
-  const double steps = static_cast<double>(recorded().recording.step_ends.size());
+  const double steps = static_cast<double>(recorded().log.step_ends.size());
   state.counters["us_per_step"] = 1e6 * seconds / matches / steps;
   state.counters["us_per_match_second"] = 1e6 * seconds / matches / recorded().result.simulated_seconds;
 }
@@ -64,7 +64,7 @@ void count(benchmark::State& state, double seconds) {
 void bare_physics(benchmark::State& state) {
   double seconds = 0.0;
   for (auto _ : state) {
-    Replay replay(recorded().recording);
+    Replay replay(recorded().log);
     seconds += seconds_of([&replay] { replay.run(); });
   }
   count(state, seconds);
@@ -73,7 +73,7 @@ void bare_physics(benchmark::State& state) {
 void match_without_minds(benchmark::State& state) {
   double seconds = 0.0, bare = 0.0;
   for (auto _ : state) {
-    Replay replay(recorded().recording);
+    Replay replay(recorded().log);
     bare += seconds_of([&replay] { replay.run(); });
     const auto home = recorded().puppets(Side::home), away = recorded().puppets(Side::away);
     Result again;

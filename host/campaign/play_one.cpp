@@ -61,10 +61,10 @@ bool write_all(int descriptor, std::string_view text) {
 }
 
 // The recording of a match of a campaign: when it cannot be written, the match is played to its end all the same.
-class Recording {
+class JobRecording {
  public:
-  Recording(const Job& job, const MatchSetup& prepared, const std::array<const mind::TeamPlan*, 2>& plans,
-            const Surroundings& surroundings) {
+  JobRecording(const Job& job, const MatchSetup& prepared, const std::array<const mind::TeamPlan*, 2>& plans,
+               const Surroundings& surroundings) {
     if (job.record.empty()) return;
     place_ = job.record;
     const std::string opening = prepared.setup.opening ? prepared.setup.opening->name : "";
@@ -88,8 +88,8 @@ class Recording {
       write([&] { file_->decided(mind, decision); });
     };
   }
-  Recording(const Recording&) = delete;
-  Recording& operator=(const Recording&) = delete;
+  JobRecording(const JobRecording&) = delete;
+  JobRecording& operator=(const JobRecording&) = delete;
 
   const match::Observer* observer() const { return &observer_; }
   const match::AfterDecision& after() const { return after_; }
@@ -144,7 +144,7 @@ void go_elsewhere() {
 }
 
 match::Result play_here(const Job& job, MatchSetup& prepared, const std::array<const mind::TeamPlan*, 2>& plans,
-                        Recording& recording, std::optional<TrailWriter>& trail, WorkerNote& note) {
+                        JobRecording& recording, std::optional<TrailWriter>& trail, WorkerNote& note) {
   match::AfterDecision after = recording.after();
   if (trail) {
     after = [&trail, recorded = recording.after()](const mind::Mind& mind, const match::Decision& decision) {
@@ -193,7 +193,7 @@ Answer play(const Job& job, const Surroundings& surroundings, WorkerNote& note) 
     played.teams[match::index(side)] = plans[match::index(side)]->team().name;
     played.role_names[match::index(side)] = match::role_names(match::roles(*plans[match::index(side)]));
   }
-  Recording recording(job, prepared, plans, surroundings);
+  JobRecording recording(job, prepared, plans, surroundings);
   std::optional<TrailWriter> trail;
   if (job.trail) trail.emplace(trail_descriptor, plans);
   if (job.elsewhere) go_elsewhere();

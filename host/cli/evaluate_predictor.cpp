@@ -79,7 +79,7 @@ int evaluate(const Options& options, const Invocation& invocation) {
     progress.clear();
     throw Interrupted(fmt::format("interrupted while {}; the same study again: {}", stage, again));
   };
-  const study::Recording recording =
+  const study::GameRecording recording =
       study::read_recording(study, options.data, options.referee, [&](std::size_t lines) {
         const std::string stage = fmt::format("reading {}, line {}", options.data, lines);
         progress.show(stage);

@@ -78,7 +78,7 @@ struct Arena::World {
   std::vector<b2Body*> bodies;  // robots by id, then the ball; owned by box2d
   std::vector<BodyState> states;
   config::BallSize ball_size;
-  Recording* recording = nullptr;
+  PhysicsLog* log = nullptr;
 
   World(const config::FieldSize& field, const config::BallSize& ball, std::span<const config::Body> robots)
       : touches(static_cast<int>(robots.size())), ball_size(ball) {
@@ -169,8 +169,8 @@ struct Arena::World {
   }
 
   void note(int id, Operation::Kind kind, b2Vec2 value, float turn) {
-    if (recording == nullptr) return;
-    recording->operations.push_back({static_cast<std::uint16_t>(id), kind, value.x, value.y, turn});
+    if (log == nullptr) return;
+    log->operations.push_back({static_cast<std::uint16_t>(id), kind, value.x, value.y, turn});
   }
 
   void set_velocity(int id, b2Vec2 velocity, float turn) {
@@ -265,8 +265,8 @@ void Arena::step() {
   World& world = *world_;
   world.touches.begin_step();
   world.brake_ball(false);
-  if (world.recording != nullptr) {
-    world.recording->step_ends.push_back(static_cast<std::uint32_t>(world.recording->operations.size()));
+  if (world.log != nullptr) {
+    world.log->step_ends.push_back(static_cast<std::uint32_t>(world.log->operations.size()));
   }
   world.box2d.Step(step_seconds, velocity_iterations, position_iterations);
   world.brake_ball(true);
@@ -274,7 +274,7 @@ void Arena::step() {
 }
 
 const Contacts& Arena::contacts() const { return world_->touches.contacts(); }
-void Arena::record(Recording* recording) { world_->recording = recording; }
+void Arena::record(PhysicsLog* log) { world_->log = log; }
 
 void Arena::replay_step(std::span<const Operation> operations) {
   World& world = *world_;

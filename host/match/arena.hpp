@@ -13,7 +13,7 @@
 #include "config/robot.hpp"
 #include "config/rules.hpp"
 #include "match/geometry.hpp"
-#include "match/recording.hpp"
+#include "match/physics_log.hpp"
 #include "match/side.hpp"
 #include "mind/percepts.hpp"
 
@@ -65,8 +65,8 @@ class Arena {
   Vector ball_position() const { return {ball().x, ball().y}; }
   const Contacts& contacts() const;
 
-  // From now on everything that is done to the bodies is appended to `recording`, which is the caller's; null: no more.
-  void record(Recording* recording);
+  // From now on everything that is done to the bodies is appended to `log`, which is the caller's; null: no more.
+  void record(PhysicsLog* log);
 
   // Does what was recorded, then steps Box2D, and nothing else: no contacts, no states (see observe()).
   void replay_step(std::span<const Operation> operations);

@@ -90,10 +90,10 @@ struct Robot {
   mind::Outcome outcome;
 };
 
-class Course {
+class OngoingMatch {
  public:
-  Course(const Setup& setup, std::span<const mind::Think> home, std::span<const mind::Think> away,
-         const Observer& observer, const Beliefs& beliefs);
+  OngoingMatch(const Setup& setup, std::span<const mind::Think> home, std::span<const mind::Think> away,
+               const Observer& observer, const Beliefs& beliefs);
   Result run();
 
  private:
@@ -137,8 +137,8 @@ class Course {
   double time_ = 0.0;
 };
 
-Course::Course(const Setup& setup, std::span<const mind::Think> home, std::span<const mind::Think> away,
-               const Observer& observer, const Beliefs& beliefs)
+OngoingMatch::OngoingMatch(const Setup& setup, std::span<const mind::Think> home, std::span<const mind::Think> away,
+                           const Observer& observer, const Beliefs& beliefs)
     : setup_(setup),
       observer_(observer),
       beliefs_(beliefs),
@@ -152,9 +152,9 @@ Course::Course(const Setup& setup, std::span<const mind::Think> home, std::span<
       radio_{Radio(setup.robots[0].radio, trouble_[0], roster_.team_size, setup.seed, Side::home),
              Radio(setup.robots[1].radio, trouble_[1], roster_.team_size, setup.seed, Side::away)},
       metrics_(setup.rules, setup.roles) {
-  if (observer.recording != nullptr) {
-    *observer.recording = {setup.rules.field, setup.rules.ball, bodies_of(setup), {}, {}};
-    arena_.record(observer.recording);
+  if (observer.physics_log != nullptr) {
+    *observer.physics_log = {setup.rules.field, setup.rules.ball, bodies_of(setup), {}, {}};
+    arena_.record(observer.physics_log);
   }
   robots_.reserve(static_cast<std::size_t>(roster_.count()));
   heard_.reserve(64);
@@ -175,12 +175,12 @@ Course::Course(const Setup& setup, std::span<const mind::Think> home, std::span<
   }
 }
 
-void Course::refuse(int id, const std::string& why) const {
+void OngoingMatch::refuse(int id, const std::string& why) const {
   throw std::runtime_error(std::string(name(side_of(id))) + " robot " + std::to_string(roster_.number(id)) + " at " +
                            std::to_string(time_) + " s: " + why);
 }
 
-double Course::ball_distance(int id) const {
+double OngoingMatch::ball_distance(int id) const {
   const BodyState& body = arena_.robot(id);
   const Vector way = arena_.ball_position() - Vector{body.x, body.y};
   const double distance = length(way);
@@ -189,7 +189,7 @@ double Course::ball_distance(int id) const {
   return in_front ? distance : std::numeric_limits<double>::infinity();
 }
 
-Result Course::run() {
+Result OngoingMatch::run() {
   const std::optional<double> limit = limit_of(setup_);
   judge(-1);
   while (referee_.state().ended == Ended::no) {
@@ -220,7 +220,7 @@ Result Course::run() {
 }
 
 // What the troubles of a side mean to its bodies; radio and sensing ask for themselves.
-void Course::suffer(Side side) {
+void OngoingMatch::suffer(Side side) {
   for (int number = 1; number <= roster_.team_size; ++number) {
     const Affliction& affliction = trouble_[index(side)].of(number);
     const int id = roster_.id(side, number);
@@ -237,7 +237,7 @@ void Course::suffer(Side side) {
   }
 }
 
-void Course::decide(int id) {
+void OngoingMatch::decide(int id) {
   Robot& robot = this->robot(id);
   robot.next_decision += static_cast<std::uint32_t>(robot.steps_between);
   const Side side = roster_.side(id);
@@ -290,7 +290,7 @@ void Course::decide(int id) {
   if (in_the_air) radio_[index(side)].send(number, outcome.packet, time_, tick_);
 }
 
-void Course::feel_contact(int id, Robot& robot) {
+void OngoingMatch::feel_contact(int id, Robot& robot) {
   robot.percepts.contact.reset();
   const int other = std::exchange(robot.touches, -1);
   if (other < 0) return;
@@ -302,7 +302,7 @@ void Course::feel_contact(int id, Robot& robot) {
 }
 
 // In the image that it has just decided on: the ball, not something that is taken for it.
-bool Course::sees_ball(int id) const {
+bool OngoingMatch::sees_ball(int id) const {
   const Robot& robot = robots_[static_cast<std::size_t>(id)];
   if (robot.percepts.balls.empty()) return false;
   const BodyState& body = arena_.robot(id);
@@ -313,7 +313,7 @@ bool Course::sees_ball(int id) const {
 }
 
 // Once a second, at its first decision in it, what a robot in play believes.
-void Course::ask(int id) {
+void OngoingMatch::ask(int id) {
   const GameState& state = referee_.state();
   const auto first_ones = static_cast<std::uint32_t>(robots_[static_cast<std::size_t>(id)].steps_between);
   if (!beliefs_ || state.phase != mind::Phase::playing || contains(out_of_play_, id)) return;
@@ -323,7 +323,7 @@ void Course::ask(int id) {
 }
 
 // Returns the robot that kicked the ball in this step, or -1.
-int Course::move_bodies() {
+int OngoingMatch::move_bodies() {
   int kicker = -1;
   Vector kicked{};
   for (int id = 0; id < roster_.count(); ++id) {
@@ -350,7 +350,7 @@ int Course::move_bodies() {
   return kicker;
 }
 
-void Course::jostle() {
+void OngoingMatch::jostle() {
   const Contacts& contacts = arena_.contacts();
   for (int i = 0; i < contacts.pair_count; ++i) {
     const auto& pair = contacts.pairs[static_cast<std::size_t>(i)];
@@ -366,7 +366,7 @@ void Course::jostle() {
   }
 }
 
-void Course::judge(int kicker) {
+void OngoingMatch::judge(int kicker) {
   RobotSet fallen = 0, kicking = 0;
   for (int id = 0; id < roster_.count(); ++id) {
     const BodyState& body = arena_.robot(id);
@@ -398,7 +398,7 @@ void Course::judge(int kicker) {
   }
 }
 
-void Course::follow(const Calls& calls) {
+void OngoingMatch::follow(const Calls& calls) {
   const GameState& state = referee_.state();
   for (const int id : calls.removed) {
     arena_.place(id, waiting_pose(setup_.rules.field, id, largest_radius(setup_)));
@@ -444,7 +444,7 @@ void Course::follow(const Calls& calls) {
   if (calls.ball) metrics_.ball_placed();
 }
 
-void Course::observe() {
+void OngoingMatch::observe() {
   if (observer_.step) {
     RobotSet fallen = 0, kicking = 0;
     for (int id = 0; id < roster_.count(); ++id) {
@@ -467,7 +467,7 @@ Result play(const Setup& setup, std::span<const mind::Think> home, std::span<con
             const Observer* observer, const Beliefs& beliefs) {
   check(setup, home.size(), away.size());
   static const Observer nobody;
-  return Course(setup, home, away, observer != nullptr ? *observer : nobody, beliefs).run();
+  return OngoingMatch(setup, home, away, observer != nullptr ? *observer : nobody, beliefs).run();
 }
 
 std::optional<double> limit_of(const Setup& setup) {

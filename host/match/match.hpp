@@ -23,7 +23,7 @@
 #include "match/digest.hpp"
 #include "match/game_state.hpp"
 #include "match/metrics.hpp"
-#include "match/recording.hpp"
+#include "match/physics_log.hpp"
 #include "mind/command.hpp"
 #include "mind/percepts.hpp"
 
@@ -85,7 +85,7 @@ struct Observer {
   std::function<void(double time, const Event&, const GameState&)> event;
   std::function<void(const Snapshot&)> step;
   std::function<void(const Decision&)> decision;
-  Recording* recording = nullptr;  // of what is done to the bodies, for Replay
+  PhysicsLog* physics_log = nullptr;  // of what is done to the bodies, for Replay
 };
 
 // Plays. home, away: a mind for each robot, number n at n - 1. Throws std::invalid_argument when the setup cannot be

@@ -3,13 +3,12 @@
 
 namespace regista::match {
 
-Replay::Replay(const Recording& recording)
-    : recording_(recording), arena_(recording.field, recording.ball, recording.robots) {}
+Replay::Replay(const PhysicsLog& log) : log_(log), arena_(log.field, log.ball, log.robots) {}
 
 bool Replay::step() {
-  if (next_ == recording_.step_ends.size()) return false;
-  const std::size_t end = recording_.step_ends[next_++];
-  arena_.replay_step(std::span(recording_.operations).subspan(done_, end - done_));
+  if (next_ == log_.step_ends.size()) return false;
+  const std::size_t end = log_.step_ends[next_++];
+  arena_.replay_step(std::span(log_.operations).subspan(done_, end - done_));
   done_ = end;
   return true;
 }

@@ -6,24 +6,24 @@
 #include <cstddef>
 
 #include "match/arena.hpp"
-#include "match/recording.hpp"
+#include "match/physics_log.hpp"
 
 namespace regista::match {
 
 class Replay {
  public:
-  // `recording` is the caller's and must live as long. It must have been started before the first step.
-  explicit Replay(const Recording& recording);
+  // `log` is the caller's and must live as long. It must have been started before the first step.
+  explicit Replay(const PhysicsLog& log);
 
-  std::size_t steps() const { return recording_.step_ends.size(); }
-  bool step();  // one physics step; false when the recording is over
+  std::size_t steps() const { return log_.step_ends.size(); }
+  bool step();  // one physics step; false when the log is over
   void run();   // all that is left
   // As after the last step, so equal to the match's states there, but for the ball's velocity, which lacks the second
   // half of that step's rolling friction.
   std::span<const BodyState> states();
 
  private:
-  const Recording& recording_;
+  const PhysicsLog& log_;
   Arena arena_;
   std::size_t next_ = 0, done_ = 0;
 };

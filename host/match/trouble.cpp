@@ -37,79 +37,79 @@ Trouble::Trouble(const config::Disturbance& disturbance, const config::FieldSize
       side_(side),
       now_(static_cast<std::size_t>(team_size)) {
   const auto add = [&](const config::Incident& incident, int object) {
-    courses_.push_back({incident, object, never, 0, std::vector<Victim>(now_.size())});
-    schedule(courses_.back(), 0.0);
+    incidents_.push_back({incident, object, never, 0, std::vector<Victim>(now_.size())});
+    schedule(incidents_.back(), 0.0);
   };
   const config::Burst& burst = disturbance.radio.burst;
   if (burst.loss > 0.0) add(standing(burst), 0);
   for (std::size_t i = 0; i < disturbance.incidents.size(); ++i) {
     add(disturbance.incidents[i], static_cast<int>(i) + 1);
   }
-  if (courses_.empty() && !disturbance.radio.silence) next_ = never;
+  if (incidents_.empty() && !disturbance.radio.silence) next_ = never;
 }
 
 // When the next occurrence begins.
-void Trouble::schedule(Course& course, double after) const {
-  const config::Incident& incident = course.incident;
+void Trouble::schedule(OngoingIncident& ongoing, double after) const {
+  const config::Incident& incident = ongoing.incident;
   if (!incident.per_hour) {
-    course.next = course.occurrence < incident.at.size() ? incident.at[course.occurrence] : never;
+    ongoing.next = ongoing.occurrence < incident.at.size() ? incident.at[ongoing.occurrence] : never;
     return;
   }
   if (*incident.per_hour <= 0.0) return;
-  Chance chance(seed_, Purpose::incident_time, side_, 0, course.object, course.occurrence);
-  course.next = after + exponential(chance, 3600.0 / *incident.per_hour);
+  Chance chance(seed_, Purpose::incident_time, side_, 0, ongoing.object, ongoing.occurrence);
+  ongoing.next = after + exponential(chance, 3600.0 / *incident.per_hour);
 }
 
-void Trouble::strike(Course& course, double time) const {
-  const config::Incident& incident = course.incident;
+void Trouble::strike(OngoingIncident& ongoing, double time) const {
+  const config::Incident& incident = ongoing.incident;
   Vector ghost;
   if (incident.kind == Kind::ghost_ball) {
     if (incident.x) {
       ghost = {*incident.x, *incident.y};
     } else {
-      Chance chance(seed_, Purpose::incident_place, side_, 0, course.object, course.occurrence);
+      Chance chance(seed_, Purpose::incident_place, side_, 0, ongoing.object, ongoing.occurrence);
       ghost.x = field_.length * (chance.uniform() - 0.5);
       ghost.y = field_.width * (chance.uniform() - 0.5);
     }
   }
   int drawn = 0;
   if (incident.robots.choice == Choice::any) {
-    Chance chance(seed_, Purpose::incident_robot, side_, 0, course.object, course.occurrence);
+    Chance chance(seed_, Purpose::incident_robot, side_, 0, ongoing.object, ongoing.occurrence);
     drawn = 1 + static_cast<int>(chance.uniform() * team_size_);
   }
   for (int number = 1; number <= team_size_; ++number) {
     const bool listed = std::ranges::find(incident.robots.numbers, number) != incident.robots.numbers.end();
     if (incident.robots.choice != Choice::all && number != drawn && !listed) continue;
-    strike(course, course.victims[static_cast<std::size_t>(number - 1)], number, ghost, time);
+    strike(ongoing, ongoing.victims[static_cast<std::size_t>(number - 1)], number, ghost, time);
   }
 }
 
-void Trouble::strike(Course& course, Victim& victim, int number, Vector ghost, double time) const {
+void Trouble::strike(OngoingIncident& ongoing, Victim& victim, int number, Vector ghost, double time) const {
   const bool was_over = victim.until <= time;
-  victim.until = course.incident.duration ? time + *course.incident.duration : never;
+  victim.until = ongoing.incident.duration ? time + *ongoing.incident.duration : never;
   victim.ghost = ghost;
   ++victim.strikes;
-  if (course.incident.kind != Kind::burst_loss || !was_over) return;
-  // In the middle of its course, as if it had been so for long.
+  if (ongoing.incident.kind != Kind::burst_loss || !was_over) return;
+  // In the middle of its ongoing, as if it had been so for long.
   const config::Burst usual;
-  const double bad = course.incident.mean_bad.value_or(usual.mean_bad);
-  const double good = course.incident.mean_good.value_or(usual.mean_good);
-  Chance chance(seed_, Purpose::burst, side_, number, course.object, victim.drawn++);
+  const double bad = ongoing.incident.mean_bad.value_or(usual.mean_bad);
+  const double good = ongoing.incident.mean_good.value_or(usual.mean_good);
+  Chance chance(seed_, Purpose::burst, side_, number, ongoing.object, victim.drawn++);
   victim.bad = !chance.bernoulli(bad / (bad + good));
-  switch_channel(course, victim, number, time);
+  switch_channel(ongoing, victim, number, time);
 }
 
-void Trouble::switch_channel(const Course& course, Victim& victim, int number, double time) const {
+void Trouble::switch_channel(const OngoingIncident& ongoing, Victim& victim, int number, double time) const {
   const config::Burst usual;
   victim.bad = !victim.bad;
-  const double mean = victim.bad ? course.incident.mean_bad.value_or(usual.mean_bad)
-                                 : course.incident.mean_good.value_or(usual.mean_good);
-  Chance chance(seed_, Purpose::burst, side_, number, course.object, victim.drawn++);
+  const double mean = victim.bad ? ongoing.incident.mean_bad.value_or(usual.mean_bad)
+                                 : ongoing.incident.mean_good.value_or(usual.mean_good);
+  Chance chance(seed_, Purpose::burst, side_, number, ongoing.object, victim.drawn++);
   victim.switches = time + exponential(chance, mean);
 }
 
-void Trouble::afflict(const Course& course, const Victim& victim, Affliction& out) const {
-  const config::Incident& incident = course.incident;
+void Trouble::afflict(const OngoingIncident& ongoing, const Victim& victim, Affliction& out) const {
+  const config::Incident& incident = ongoing.incident;
   switch (incident.kind) {
     case Kind::pose_bias:
       out.bias.x += incident.x.value_or(0.0);
@@ -153,28 +153,28 @@ bool Trouble::update(double time) {
     each = {};
     each.silent = disturbance_->radio.silence;
   }
-  for (Course& course : courses_) {
-    while (time >= course.next - instant) {
-      strike(course, time);
-      const double began = course.next;
-      ++course.occurrence;
-      schedule(course, began);
+  for (OngoingIncident& ongoing : incidents_) {
+    while (time >= ongoing.next - instant) {
+      strike(ongoing, time);
+      const double began = ongoing.next;
+      ++ongoing.occurrence;
+      schedule(ongoing, began);
     }
-    next_ = std::min(next_, course.next);
+    next_ = std::min(next_, ongoing.next);
     for (int number = 1; number <= team_size_; ++number) {
-      Victim& victim = course.victims[static_cast<std::size_t>(number - 1)];
+      Victim& victim = ongoing.victims[static_cast<std::size_t>(number - 1)];
       Affliction& affliction = now_[static_cast<std::size_t>(number - 1)];
-      if (course.incident.kind == Kind::mirror_flip) affliction.flips += victim.strikes;
+      if (ongoing.incident.kind == Kind::mirror_flip) affliction.flips += victim.strikes;
       if (time >= victim.until - instant) {
         victim.until = -never;
         continue;
       }
       next_ = std::min(next_, victim.until);
-      if (course.incident.kind == Kind::burst_loss) {
-        while (time >= victim.switches - instant) switch_channel(course, victim, number, victim.switches);
+      if (ongoing.incident.kind == Kind::burst_loss) {
+        while (time >= victim.switches - instant) switch_channel(ongoing, victim, number, victim.switches);
         next_ = std::min(next_, victim.switches);
       }
-      afflict(course, victim, affliction);
+      afflict(ongoing, victim, affliction);
     }
   }
   return true;

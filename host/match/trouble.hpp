@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The troubles of one team in the course of a match: which of its robots suffers what at this moment, by the team's
+// The troubles of one team in the ongoing of a match: which of its robots suffers what at this moment, by the team's
 // disturbance profile. It only says what is wrong; sensing, body and radio make it felt, and minds are told nothing.
 //
 // Incidents at random are a Poisson process of their own each; bursts of packet loss are a channel with two states for
@@ -64,7 +64,7 @@ class Trouble {
     double switches = never;  // when that changes
     std::uint32_t drawn = 0;  // numbers drawn for it so far
   };
-  struct Course {
+  struct OngoingIncident {
     config::Incident incident;
     int object;  // of its streams of chance
     double next = never;
@@ -72,18 +72,18 @@ class Trouble {
     std::vector<Victim> victims;  // by number
   };
 
-  void schedule(Course& course, double after) const;
-  void strike(Course& course, double time) const;
-  void strike(Course& course, Victim& victim, int number, Vector ghost, double time) const;
-  void switch_channel(const Course& course, Victim& victim, int number, double time) const;
-  void afflict(const Course& course, const Victim& victim, Affliction& out) const;
+  void schedule(OngoingIncident& ongoing, double after) const;
+  void strike(OngoingIncident& ongoing, double time) const;
+  void strike(OngoingIncident& ongoing, Victim& victim, int number, Vector ghost, double time) const;
+  void switch_channel(const OngoingIncident& ongoing, Victim& victim, int number, double time) const;
+  void afflict(const OngoingIncident& ongoing, const Victim& victim, Affliction& out) const;
 
   const config::Disturbance* disturbance_;
   config::FieldSize field_;
   int team_size_;
   std::uint64_t seed_;
   Side side_;
-  std::vector<Course> courses_;
+  std::vector<OngoingIncident> incidents_;
   std::vector<Affliction> now_;  // by number
   double next_ = 0.0;            // nothing changes before
 };

@@ -173,8 +173,8 @@ class Scores {
 
 }  // namespace
 
-Evaluation evaluate(const config::PredictorStudy& study, const Recording& recording, const plugin::Catalogue* catalogue,
-                    const EvaluationProgress& progress) {
+Evaluation evaluate(const config::PredictorStudy& study, const GameRecording& recording,
+                    const plugin::Catalogue* catalogue, const EvaluationProgress& progress) {
   std::optional<Forecaster> forecaster;
   if (catalogue != nullptr) forecaster.emplace(study, *catalogue);
   Evaluation out;

@@ -52,7 +52,7 @@ struct Evaluation {
 using EvaluationProgress = std::function<void(std::size_t done, std::size_t of)>;
 
 // catalogue null: the baselines alone. Throws config::Error, plugin::Failure.
-Evaluation evaluate(const config::PredictorStudy& study, const Recording& recording, const plugin::Catalogue* catalogue,
-                    const EvaluationProgress& progress = {});
+Evaluation evaluate(const config::PredictorStudy& study, const GameRecording& recording,
+                    const plugin::Catalogue* catalogue, const EvaluationProgress& progress = {});
 
 }  // namespace regista::study

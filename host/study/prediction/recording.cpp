@@ -31,10 +31,10 @@ std::filesystem::path referee_file(const std::filesystem::path& data) {
                       "with --referee FILE");
 }
 
-Recording read_recording(const config::PredictorStudy& study, const std::filesystem::path& data,
-                         const std::filesystem::path& referee, const Progress& progress) {
+GameRecording read_recording(const config::PredictorStudy& study, const std::filesystem::path& data,
+                             const std::filesystem::path& referee, const Progress& progress) {
   using Format = config::PredictorStudy::Format;
-  Recording recording;
+  GameRecording recording;
   switch (study.format) {
     case Format::ssl_ball:
       recording = read_ssl_ball(data, referee, progress);

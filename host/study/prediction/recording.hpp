@@ -36,15 +36,15 @@ struct Stretch {
   bool runs_at(double time) const;
 };
 
-struct Recording {
+struct GameRecording {
   std::string file;
   std::vector<Stretch> stretches;
 };
 
 // Reads a recording of the study's format. `referee`: file of the referee's states (Small Size League only); empty: the
 // one beside the data, see referee_file(). Throws config::Error at the place that is wrong.
-Recording read_recording(const config::PredictorStudy& study, const std::filesystem::path& data,
-                         const std::filesystem::path& referee, const Progress& progress = {});
+GameRecording read_recording(const config::PredictorStudy& study, const std::filesystem::path& data,
+                             const std::filesystem::path& referee, const Progress& progress = {});
 
 // Where the states of the referee are expected: NAME_referee.csv.gz or NAME_referee.csv beside NAME_ball_*.csv.gz or
 // NAME_robots_*.csv.gz. Throws config::Error at `data` when there is none.

@@ -38,8 +38,8 @@ double metres(const Table& table, std::size_t column) {
 
 }  // namespace
 
-Recording read_simulation_2d(const std::filesystem::path& data, config::PredictorStudy::Subject subject,
-                             const Progress& progress) {
+GameRecording read_simulation_2d(const std::filesystem::path& data, config::PredictorStudy::Subject subject,
+                                 const Progress& progress) {
   Table table(data, progress);
   const std::size_t number = table.column("#"), mode = table.column("playmode");
   const std::vector<Column> wanted = columns(table, subject);
@@ -56,7 +56,7 @@ Recording read_simulation_2d(const std::filesystem::path& data, config::Predicto
       stretch.samples.push_back({time, each.object, x, -y});
     }
   }
-  Recording out;
+  GameRecording out;
   if (!stretch.samples.empty()) out.stretches.push_back(std::move(stretch));
   return out;
 }

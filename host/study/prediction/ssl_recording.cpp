@@ -62,7 +62,7 @@ std::map<int, std::vector<PlayChange>> read_referee(const std::filesystem::path&
   return out;
 }
 
-Recording with_referee(std::vector<Stretch> stretches, const std::filesystem::path& file) {
+GameRecording with_referee(std::vector<Stretch> stretches, const std::filesystem::path& file) {
   std::map<int, std::vector<PlayChange>> play = read_referee(file);
   for (Stretch& stretch : stretches) stretch.play = std::move(play[stretch.number]);
   return {{}, std::move(stretches)};
@@ -70,8 +70,8 @@ Recording with_referee(std::vector<Stretch> stretches, const std::filesystem::pa
 
 }  // namespace
 
-Recording read_ssl_ball(const std::filesystem::path& data, const std::filesystem::path& referee,
-                        const Progress& progress) {
+GameRecording read_ssl_ball(const std::filesystem::path& data, const std::filesystem::path& referee,
+                            const Progress& progress) {
   Table table(data, progress);
   const std::size_t x = table.column("x_mm"), y = table.column("y_mm");
   if (table.has_column("team")) {
@@ -86,8 +86,8 @@ Recording read_ssl_ball(const std::filesystem::path& data, const std::filesystem
   return with_referee(std::move(stretches.all), referee.empty() ? referee_file(data) : referee);
 }
 
-Recording read_ssl_robots(const std::filesystem::path& data, const std::filesystem::path& referee,
-                          const Progress& progress) {
+GameRecording read_ssl_robots(const std::filesystem::path& data, const std::filesystem::path& referee,
+                              const Progress& progress) {
   Table table(data, progress);
   const std::size_t x = table.column("x_mm"), y = table.column("y_mm");
   const std::size_t team = table.column("team"), id = table.column("id");

@@ -239,14 +239,14 @@ TEST(Match, PenalisedRobotsHearAndKnowButDoNotSee) {
 TEST(Match, TheBarePhysicsOfARecordingEndsInTheSameState) {
   match::Setup s = setup(4);
   s.limit = 200.0;
-  Recording recording;
+  PhysicsLog log;
   std::vector<BodyState> last;
   Observer observer;
-  observer.recording = &recording;
+  observer.physics_log = &log;
   observer.step = [&last](const Snapshot& now) { last.assign(now.bodies.begin(), now.bodies.end()); };
   const Result result = play(s, chasers(7), chasers(7), &observer);
-  ASSERT_EQ(recording.step_ends.size(), static_cast<std::size_t>(std::lround(result.simulated_seconds * 50.0)));
-  Replay replay(recording);
+  ASSERT_EQ(log.step_ends.size(), static_cast<std::size_t>(std::lround(result.simulated_seconds * 50.0)));
+  Replay replay(log);
   replay.run();
   ASSERT_EQ(replay.states().size(), last.size());
   for (std::size_t i = 0; i < last.size(); ++i) {
@@ -259,10 +259,10 @@ TEST(Match, TheBarePhysicsOfARecordingEndsInTheSameState) {
 TEST(Match, AnObserverChangesNothing) {
   match::Setup s = setup(8);
   s.limit = 80.0;
-  Recording recording;
+  PhysicsLog log;
   int seconds = 0;
   Observer observer;
-  observer.recording = &recording;
+  observer.physics_log = &log;
   observer.second = [&seconds](double time, const GameState&) { EXPECT_NEAR(time, ++seconds, 1e-9); };
   EXPECT_EQ(play(s, chasers(7), chasers(7), &observer).hash, play(s, chasers(7), chasers(7)).hash);
   EXPECT_EQ(seconds, 80);

@@ -110,16 +110,16 @@ TEST(RefereeFromAnOpening, BallThatNobodyTouchesIsStuck) {
 
 TEST(MatchFromAnOpening, BodiesAreWhereTheSceneSaysBeforeAnythingMoves) {
   const config::Opening opening = scene();
-  Recording recording;
+  PhysicsLog log;
   Observer observer;
-  observer.recording = &recording;
+  observer.physics_log = &log;
   play(setup_of(opening), statues(3), statues(3), &observer);
-  ASSERT_FALSE(recording.step_ends.empty());
+  ASSERT_FALSE(log.step_ends.empty());
   const Roster roster{3};
   int robots = 0, balls = 0;
   Vector velocity;
-  for (std::size_t i = 0; i < recording.step_ends[0]; ++i) {
-    const Operation& done = recording.operations[i];
+  for (std::size_t i = 0; i < log.step_ends[0]; ++i) {
+    const Operation& done = log.operations[i];
     const int id = done.body;
     if (done.kind == Operation::Kind::velocity && id == roster.count() && i < 8) velocity = {done.x, done.y};
     if (done.kind != Operation::Kind::place) continue;
@@ -300,13 +300,13 @@ TEST(MatchFromAnOpening, LuckDiffersFromTheFirstMoment) {
 }
 
 TEST(MatchFromAnOpening, PhysicsCanBeReplayed) {
-  Recording recording;
+  PhysicsLog log;
   std::vector<BodyState> last;
   Observer observer;
-  observer.recording = &recording;
+  observer.physics_log = &log;
   observer.step = [&](const Snapshot& now) { last.assign(now.bodies.begin(), now.bodies.end()); };
   play(setup_of(scene()), chasers(3), chasers(3), &observer);
-  Replay replay(recording);
+  Replay replay(log);
   replay.run();
   const auto states = replay.states();
   ASSERT_EQ(states.size(), last.size());

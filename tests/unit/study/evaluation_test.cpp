@@ -14,7 +14,7 @@ namespace {
 
 // The ball for 10 s at 100 Hz along x, running from 2 s on.
 template <class Place>
-Recording path(Place place) {
+GameRecording path(Place place) {
   Stretch stretch{1, {}, {{0.0, false}, {2.0, true}}};
   for (int i = 0; i <= 1000; ++i) stretch.samples.push_back({0.01 * i, ball_object, place(0.01 * i), 0.0});
   return {"made up", {stretch}};
@@ -61,7 +61,7 @@ TEST(Evaluation, RefusesARecordingWithoutStarts) {
 }
 
 TEST(Observations, AreLostIndependentlyAndAlwaysTheSame) {
-  const Recording recording = path([](double) { return 0.0; });
+  const GameRecording recording = path([](double) { return 0.0; });
   config::PredictorStudy::Observations half{0.0, 0.3, 7};
   const std::vector<bool> once = shown(recording.stretches[0], half);
   EXPECT_EQ(once, shown(recording.stretches[0], half));

@@ -64,7 +64,7 @@ class Recordings : public testing::Test {
 TEST_F(Recordings, OfTheBallAreReadInMetresWithTheStatesOfTheReferee) {
   const std::string text = "event,t,x_mm,y_mm\r\n3,1.9,-1500,250.5\r\n3,2.5,-1400,0\n\n4,0.5,0,0";
   for (const fs::path& file : {write("m_ball_raw.csv", text), compress("m_ball_raw.csv.gz", text)}) {
-    const Recording recording = read_ssl_ball(file, {}, {});
+    const GameRecording recording = read_ssl_ball(file, {}, {});
     ASSERT_EQ(recording.stretches.size(), 2u);
     const Stretch& first = recording.stretches[0];
     EXPECT_EQ(first.number, 3);
@@ -84,7 +84,7 @@ TEST_F(Recordings, OfTheBallAreReadInMetresWithTheStatesOfTheReferee) {
 TEST_F(Recordings, OfRobotsTellThemApart) {
   const fs::path file =
       write("m_robots_raw.csv", "event,t,team,id,x_mm,y_mm,theta\n3,2,b,7,1000,0,0\n3,2,y,7,0,1000,0\n");
-  const Recording recording = read_ssl_robots(file, {}, {});
+  const GameRecording recording = read_ssl_robots(file, {}, {});
   ASSERT_EQ(recording.stretches.at(0).samples.size(), 2u);
   EXPECT_EQ(recording.stretches[0].samples[0].object, robot_object(1, 7));
   EXPECT_EQ(recording.stretches[0].samples[1].object, robot_object(2, 7));
@@ -93,7 +93,7 @@ TEST_F(Recordings, OfRobotsTellThemApart) {
 TEST_F(Recordings, OfTheSimulationAreTurnedToTheLeft) {
   const fs::path file =
       write("s.csv", "#,playmode,b_x,b_y\n1,kick_off_l,0,0\n2,play_on,1,2\n4,play_on,2,-3\n5,goal_l,0,0\n");
-  const Recording recording = read_simulation_2d(file, config::PredictorStudy::Subject::ball, {});
+  const GameRecording recording = read_simulation_2d(file, config::PredictorStudy::Subject::ball, {});
   const Stretch& all = recording.stretches.at(0);
   ASSERT_EQ(all.samples.size(), 4u);
   EXPECT_DOUBLE_EQ(all.samples[1].time, 0.2);

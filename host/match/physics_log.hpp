@@ -18,7 +18,7 @@ struct Operation {
   float x, y, turn;
 };
 
-struct Recording {
+struct PhysicsLog {
   config::FieldSize field;
   config::BallSize ball;
   std::vector<config::Body> robots;
