@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 #include <system_error>
 #include <utility>
+
+#include "config/file.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -31,10 +32,9 @@ std::vector<Document> documents_in(std::span<const fs::path> files) {
     const std::uintmax_t size = fs::file_size(file, none);
     if (none) continue;  // gone since it was read
     if (size <= largest) {
-      std::ifstream in(file, std::ios::binary);
-      document.content.emplace(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-      if (document.content->starts_with("\x7f"
-                                        "ELF"))
+      document.content = config::content_of(file);
+      if (document.content && document.content->starts_with("\x7f"
+                                                            "ELF"))
         document.content.reset();
     }
     out.push_back(std::move(document));

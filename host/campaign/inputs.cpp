@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
-#include <sstream>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "config/documents.hpp"
+#include "config/file.hpp"
 #include "config/profiles.hpp"
 #include "config/show.hpp"
 #include "plugin/content_hash.hpp"
@@ -19,11 +19,10 @@
 namespace regista::campaign {
 namespace {
 
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  if (!in || !(bytes << in.rdbuf())) throw std::runtime_error("cannot read " + file.string());
-  return std::move(bytes).str();
+std::string required_content(const std::filesystem::path& file) {
+  std::optional<std::string> out = config::content_of(file);
+  if (!out) throw std::runtime_error("cannot read " + file.string());
+  return std::move(*out);
 }
 
 template <class Profile>
@@ -43,7 +42,7 @@ class Collected {
     const std::filesystem::path& file = part.found->file;
     const std::string id = part.found->descriptor->id;
     put(fmt::format("plugin {} ({})", id, file.string()),
-        [&] { return id + ' ' + plugin::content_hash(content_of(file)); });
+        [&] { return id + ' ' + plugin::content_hash(required_content(file)); });
     // Read when the parameters were: by now the file may be another.
     for (const plugin::FileUsed& used : part.parameters.files()) {
       put(fmt::format("file {} of plugin {}", used.path.string(), id), [&] { return used.hash; });
@@ -102,6 +101,6 @@ std::string fixture_key(std::span<const Input> home, std::span<const Input> away
   return plugin::content_hash(all);
 }
 
-std::string program_hash() { return plugin::content_hash(content_of("/proc/self/exe")); }
+std::string program_hash() { return plugin::content_hash(required_content("/proc/self/exe")); }
 
 }  // namespace regista::campaign

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
+#include "config/file.hpp"
 #include "mcap/error.hpp"
 #include "output/output.hpp"
 #include "output/output_files.hpp"
@@ -42,11 +41,10 @@ struct Options {
   bool force = false;
 };
 
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string out((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (!in) throw BadInput(fmt::format("{}: cannot be read", file.string()));
-  return out;
+std::string required_content(const std::filesystem::path& file) {
+  std::optional<std::string> out = config::content_of(file);
+  if (!out) throw BadInput(fmt::format("{}: cannot be read", file.string()));
+  return std::move(*out);
 }
 
 void refuse_what_no_browser_opens(const std::string& file) {
@@ -73,7 +71,7 @@ std::string page(const Options& options, const Invocation& invocation) {
                     viewer.string()));
   }
   const std::string name = std::filesystem::path(options.file).filename().string();
-  const auto out = recording::match_page(content_of(viewer), content_of(options.file), name);
+  const auto out = recording::match_page(required_content(viewer), required_content(options.file), name);
   if (!out) throw BadInput(fmt::format("view: {} belongs to another version of Regista", viewer.string()));
   return *out;
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <sstream>
+#include <utility>
 #include <vector>
 
 #include "config/nearest.hpp"
@@ -60,6 +62,15 @@ std::string read_file(const fs::path& file, const Location& asked_by) {
     throw Error(here, name + "cannot be read");
   }
   throw Error(here, name + (failed ? "cannot be read: " + failed.message() : "is not a regular file"));
+}
+
+std::optional<std::string> content_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream bytes;
+  // An empty file gives nothing to the stream, which takes that for a failure.
+  if (!in || (in.peek() != std::ifstream::traits_type::eof() && !(bytes << in.rdbuf())) || in.bad())
+    return std::nullopt;
+  return std::move(bytes).str();
 }
 
 fs::path named_file(const Node& value, std::string_view what) {

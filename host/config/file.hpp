@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,9 @@ namespace regista::config {
 // The whole content of a regular file of at most `largest_file` bytes. Throws Error at `asked_by` (at the file itself
 // when that is not given) where there is none, and at the file where it is too large or not a file.
 std::string read_file(const std::filesystem::path& file, const Location& asked_by = {});
+
+// The whole content, whatever its size; nothing where it cannot be read.
+std::optional<std::string> content_of(const std::filesystem::path& file);
 
 // A file that a value names: relative to the file the value stands in, for a value of the command line to the current
 // folder. Throws Error at the value when that is not text, or empty; `what` is its path, such as "sender.file".

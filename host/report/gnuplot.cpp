@@ -15,11 +15,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
 #include "campaign/temporary_folder.hpp"
+#include "config/file.hpp"
 #include "report/visible_text.hpp"
 
 namespace regista::report {
@@ -38,11 +38,6 @@ bool write(const fs::path& file, const std::string& bytes) {
   out << bytes;
   out.close();
   return out.good();
-}
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 struct Ended {
@@ -127,7 +122,7 @@ std::string picture(const fs::path& folder, Drawing& drawing, Picture kind) {
   if (!WIFEXITED(ended.status)) return fmt::format("gnuplot was stopped by signal {}", WTERMSIG(ended.status));
   if (WEXITSTATUS(ended.status) != 0) return "gnuplot: " + last_line(ended.complaint);
   std::string& bytes = kind == Picture::svg ? drawing.svg : drawing.png;
-  bytes = read(folder / (drawing.figure.name + (kind == Picture::svg ? ".svg" : ".png")));
+  bytes = config::content_of(folder / (drawing.figure.name + (kind == Picture::svg ? ".svg" : ".png"))).value_or("");
   return bytes.empty() ? "gnuplot wrote no picture" : "";
 }
 

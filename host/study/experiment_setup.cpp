@@ -23,6 +23,7 @@
 #include "study/document_settings.hpp"
 #include "study/experiment.hpp"
 #include "study/measure.hpp"
+#include "study/packets_spent.hpp"
 #include "study/study_inputs.hpp"
 
 namespace regista::study {
@@ -237,6 +238,10 @@ class Planner {
 
   void require_measure(const std::string& measure, const config::Location& where, const char* what,
                        const std::vector<std::string>& known) const {
+    const bool short_games = !plan_.openings.empty() || !plan_.conditions.front().jobs[0].limit.empty();
+    if (const std::string why = why_missing(measure, short_games); !why.empty()) {
+      throw config::Error(where, fmt::format("{}: {}", what, why));
+    }
     if (std::ranges::find(known, measure) != known.end()) return;
     throw config::Error(where, config::unknown("measure", measure, what, known));
   }

@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "study/packets_spent.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "match/side.hpp"
 
 namespace regista::study {
+
+std::string why_missing(std::string_view metric, bool short_games) {
+  if (short_games || metric == packet_metrics[0]) return {};
+  if (std::ranges::find(packet_metrics, metric) == packet_metrics.end()) return {};
+  return fmt::format(
+      "{}: whole matches have none; only games that a limit or an opening ends before their time have it", metric);
+}
 
 PacketMetrics packet_metrics_of(const match::MetricNumbers& metrics) {
   PacketMetrics out;

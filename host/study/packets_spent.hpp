@@ -7,6 +7,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "match/metric_numbers.hpp"
 #include "statistics/moments.hpp"
@@ -16,6 +18,9 @@ namespace regista::study {
 // Metrics of a match. But for the first, only games have them that are ended before their time and have the whole
 // budget.
 inline constexpr std::array<const char*, 3> packet_metrics{"packets", "packets_share", "packets_over_share"};
+
+// Why the matches of a study have no such metric, in words; empty where they have.
+std::string why_missing(std::string_view metric, bool short_games);
 
 // As they stand, by side; nothing where there is no number.
 using PacketMetrics = std::array<std::array<std::optional<double>, 2>, packet_metrics.size()>;

@@ -17,6 +17,7 @@
 #include "config/typed.hpp"
 #include "match/match.hpp"
 #include "plugin/declarations.hpp"
+#include "study/packets_spent.hpp"
 #include "study/sequential_test_options.hpp"
 #include "study/study_inputs.hpp"
 
@@ -116,12 +117,15 @@ void label_teams(std::vector<Entrant>& teams) {
   });
 }
 
-void require_metric(const Objective& objective, const mind::TeamPlan& team) {
-  const auto* const test = std::get_if<ValueTest>(&objective);
+void require_metric(const TournamentPlan& plan, const mind::TeamPlan& team) {
+  const auto* const test = std::get_if<ValueTest>(&plan.objective);
   if (test == nullptr || test->value == goals_value) return;
   std::vector<std::string> paths = metric_paths_of(team);
   const std::string prefix = "roles.";
   const std::string path = test->value.starts_with(prefix) ? test->value.substr(prefix.size()) : test->value;
+  if (const std::string why = why_missing(path, plan.short_games()); !why.empty()) {
+    throw config::BadInput("--metric " + why);
+  }
   if (std::ranges::find(paths, path) != paths.end()) return;
   paths.insert(paths.begin(), goals_value);
   throw config::BadInput(
@@ -199,7 +203,7 @@ PlannedTournament planned_tournament(const TournamentRequest& options, const plu
     fixture.home = team;
     fixture.away = (team + 1) % plan.teams.size();
     const campaign::MatchSetup prepared = setup_of(plan, fixture, catalogue);
-    require_metric(plan.objective, *prepared.plans[0]);
+    require_metric(plan, *prepared.plans[0]);
     plan.teams[team].label = prepared.plans[0]->team().name;
     plan.teams[team].inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue);
     out.documents.push_back(

@@ -108,6 +108,8 @@ class Verdicts(tournament.Tournament):
         self.assertIn("a sequential test is between two teams", ask("--metric", "goals", teams=THREE))
         self.assertIn('nearest: "striker.overlap_seconds"', ask("--metric", "striker.overlap_secnods"))
         self.assertIn('nearest: "goals"', ask("--metric", "gaols"))
+        self.assertIn("--metric packets_share: whole matches have none",
+                      self.refused("tournament", *teams, "--metric", "packets_share", "--pairs", "2"))
         self.assertIn('--model; nearest: "logistic"', ask("--sprt", "0,10", "--model", "logistics"))
         self.assertEqual([file.name for file in self.folder.glob("*.db*")], [])
 
