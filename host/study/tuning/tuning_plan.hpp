@@ -6,6 +6,7 @@
 // Unit of everything is the pair: a match with the tuned team at home, then the same with the sides swapped, against
 // every opponent. Pairs are numbered from 0 in each of four stages, whose seeds are disjoint:
 //   seed = stage * 2^50 + repeat * 2^40 + first seed + number of the pair.
+// The repeat is 0, but for searches of a comparison (search_comparison_plan.hpp).
 // Those of the verification begin at a number drawn from all that was chosen before, so that another choice is never
 // verified on seeds that an earlier one was seen to do well on.
 #pragma once
