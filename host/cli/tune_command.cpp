@@ -148,7 +148,8 @@ void add_tune(Command& parent, const Invocation& invocation) {
   command.take("--matches", options->matches, "N", "search with so many matches, whatever the document says");
   command.take("--compare", options->compare, "A,B,...", "compare these algorithms instead, divided by commas");
   command.take("--repeats", options->repeats, "N", "of each algorithm that is compared; default 5");
-  command.take("--trace", options->trace, "FILE", "write every point of the search as a table", Writes::search_table);
+  command.take("--trace", options->trace, "FILE",
+               "write every point of the search as a table; with --compare every run", Writes::search_table);
   command.take("--output", options->output, "FILE",
                "file for the tuned team; default: NAME.tuned.yaml beside the results", Writes::tuned_team);
   command.flag("--force", options->force, "let --trace and the tuned team replace files of another kind");
