@@ -29,6 +29,7 @@ ComparedRun run_of(const MatchSource& source, Algorithm algorithm, std::uint64_t
 void judge(const MatchSource& source, std::vector<ComparedRun>& runs) {
   const TuningPlan& plan = source.plan;
   std::vector<ParameterValues> points;
+  points.reserve(runs.size() + 1);
   for (const ComparedRun& each : runs) points.push_back(each.values);
   const std::uint64_t first_seed = drawn_seed(plan, source.document, points);
   points.push_back(start_values(plan));

@@ -20,6 +20,7 @@ constexpr int plan_version_of_before = 1;  // of a tuning that held a comparison
 
 std::vector<std::string> names(const std::vector<Algorithm>& algorithms) {
   std::vector<std::string> out;
+  out.reserve(algorithms.size());
   for (const Algorithm each : algorithms) out.emplace_back(name(each));
   return out;
 }
