@@ -34,7 +34,8 @@ constexpr auto examples = R"(Examples:
 -o writes one page that needs nothing else, --figures each of its figures as NAME.svg, its data as NAME.csv, and
 NAME.gnuplot, which draws the one from the other. What is told is what a tournament, an experiment or a tuning
 told at its end; of a study that is not at its end, as far as its matches have been played without a gap. The table of
-an experiment has a row for each number of each match, that of a tuning one for each point of its search.
+an experiment has a row for each number of each match, that of a tuning one for each point of its search, that of a
+comparison of search algorithms one for each run.
 --standard-error writes what plugins wrote to standard error in a match, as far as it was kept.
 Exit codes: 0 done; 1 the report could not be written; 2 bad input; 3 a defect of Regista.)";
 
@@ -78,7 +79,8 @@ std::vector<std::string> metric_columns(const Options& options, const campaign::
 int tell(const Options& options, const campaign::Store& store, const Invocation& invocation) {
   const auto report = stored_study(options.file, store, play_again(invocation), invocation.studies);
   if (options.metrics && !report->is_table_of_matches()) {
-    throw BadInput("report: --metrics: the table of a tuning has a row for each point, not for each match");
+    throw BadInput(
+        fmt::format("report: --metrics: the table of a {} has no row for each match", report->study().what()));
   }
   try {
     report::TableWish wish{.all_metrics = options.metrics};

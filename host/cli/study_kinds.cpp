@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "report/experiment_report.hpp"
+#include "report/search_comparison_report.hpp"
 #include "report/tournament_report.hpp"
 #include "report/tuning_report.hpp"
 #include "study/plan_names.hpp"
+#include "study/tuning/search_comparison_plan.hpp"
 #include "study/tuning/search_time.hpp"
 #include "study/tuning/tuning_plan.hpp"
 
@@ -15,7 +17,7 @@ namespace regista::cli {
 
 std::span<const StudyKind> study_kinds() {
   using Report = std::unique_ptr<report::StudyReport>;
-  static const std::array<StudyKind, 3> kinds{{
+  static const std::array<StudyKind, 4> kinds{{
       {study::tournament_study, "a tournament",
        [](const std::string& plan, const campaign::Store&, report::CommandOf again) -> Report {
          return report::tournament_report(study::tournament_plan_from_json(plan), std::move(again));
@@ -28,6 +30,10 @@ std::span<const StudyKind> study_kinds() {
        [](const std::string& plan, const campaign::Store& store, const report::CommandOf&) -> Report {
          return std::make_unique<report::TuningReport>(study::tuning_plan_from_json(plan),
                                                        study::stored_end_of_search(store));
+       }},
+      {study::search_comparison_study, "a comparison of search algorithms",
+       [](const std::string& plan, const campaign::Store&, const report::CommandOf&) -> Report {
+         return report::search_comparison_report(study::search_comparison_plan_from_json(plan));
        }},
   }};
   return kinds;

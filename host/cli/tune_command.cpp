@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// `regista tune`: searches the numbers of a team for better ones, and says on other seeds whether they are.
+// `regista tune`: searches the numbers of a team for better ones, and says on other seeds whether they are; with
+// --compare it plays another study, which compares search algorithms on the same document.
 #include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <system_error>
+#include <string>
 #include <utility>
-#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
@@ -18,16 +18,18 @@
 #include "output/output.hpp"
 #include "output/output_files.hpp"
 #include "output/replaced_file.hpp"
+#include "report/search_comparison_report.hpp"
 #include "report/tuned_file.hpp"
 #include "report/tuning_report.hpp"
 #include "study/recording_place.hpp"
+#include "study/tuning/search_comparison_setup.hpp"
 #include "study/tuning/search_time.hpp"
 #include "study/tuning/tuning_setup.hpp"
 
 namespace regista::cli {
 namespace {
 
-struct TuneOptions : study::TuningRequest {
+struct TuneOptions : study::SearchComparisonRequest {
   std::string trace, output;  // files; empty: none, beside the results
   bool force = false;         // they may replace files of another kind
 };
@@ -49,34 +51,22 @@ each came to on seeds that none has seen; no team is written.
 Exit codes: 0 played, whatever was found; 1 interrupted, or the results could not be written; 2 bad input; 3 a defect of
 Regista.)";
 
-int tune(TuneOptions options, output::OutputFiles outputs, const Invocation& invocation) {
-  campaign::check(options);
-  if (options.file.empty()) throw BadInput("tune: which one? Name its file; see: regista tune --help");
-  const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  study::TuningPlan plan = study::planned_tuning(options, catalogue);
+// Where the results go, and which files are not to be written over. name: of the results where none is given.
+void choose_outputs(TuneOptions& options, output::OutputFiles& outputs, const plugin::Catalogue& catalogue,
+                    const std::string& name) {
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();
-  if (options.results.empty()) options.results = plan.name + (plan.compares() ? ".compare.db" : ".db");
+  if (options.results.empty()) options.results = name;
   outputs.read(folders_of(catalogue), Reads::plugins);
   outputs.write_beside(options.results,
                        options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::with_figures);
-  const std::filesystem::path tuned =
-      options.output.empty() ? study::tuned_file(options.results) : std::filesystem::path(options.output);
-  if (!plan.compares()) outputs.write("the tuned team", tuned, Writes::tuned_team);
-  outputs.check(options.force);
-  std::function<bool(std::uint64_t)> clock;  // known once there is a file of results
-  report::TuningReport report(std::move(plan),
-                              [&clock](std::uint64_t evaluations) { return clock && clock(evaluations); });
-  campaign::Store store =
-      open_results(options.results, options.resume, report.study(), {outputs.documents(), {}}, invocation.studies);
-  try {
-    clock = study::search_clock(store, report.plan());
-  } catch (const campaign::StoreError& error) {
-    throw BadInput(error.what());
-  }
+}
+
+// To its end, with the table that was asked for. at_end: before the report is printed; may be empty.
+int play(report::StudyReport& report, const TuneOptions& options, const Invocation& invocation, campaign::Store& store,
+         const std::function<void()>& at_end) {
   std::optional<output::OutputFile> trace;
   if (!options.trace.empty()) trace.emplace(options.trace);
-  std::exception_ptr not_written;
   StudyWishes wishes;
   wishes.after = [&report](const study::Round& round, std::uint64_t index, const campaign::Decided* decided) {
     report.take(round, index, decided);
@@ -86,7 +76,37 @@ int tune(TuneOptions options, output::OutputFiles outputs, const Invocation& inv
       trace->write(report.table_end());
       trace->close();
     }
-    if (report.plan().compares() || !report.record().tuned()) return;
+    if (at_end) at_end();
+  };
+  try {
+    return play_study(report, options, invocation, store, wishes);
+  } catch (const study::StudyError& error) {
+    throw BadInput(std::string("tune: ") + error.what());
+  }
+}
+
+int tune_team(TuneOptions options, output::OutputFiles outputs, const plugin::Catalogue& catalogue,
+              const Invocation& invocation) {
+  if (!options.repeats.empty()) throw BadInput("--repeats: belongs to --compare, which is not given");
+  study::TuningPlan plan = study::planned_tuning(options, catalogue);
+  choose_outputs(options, outputs, catalogue, plan.name + ".db");
+  const std::filesystem::path tuned =
+      options.output.empty() ? study::tuned_file(options.results) : std::filesystem::path(options.output);
+  outputs.write("the tuned team", tuned, Writes::tuned_team);
+  outputs.check(options.force);
+  study::OutOfTime clock;  // known once there is a file of results
+  report::TuningReport report(std::move(plan),
+                              [&clock](std::uint64_t evaluations) { return clock && clock(evaluations); });
+  campaign::Store store =
+      open_results(options.results, options.resume, report.study(), {outputs.documents(), {}}, invocation.studies);
+  try {
+    clock = study::search_clock(store, report.plan());
+  } catch (const campaign::StoreError& error) {
+    throw BadInput(error.what());
+  }
+  std::exception_ptr not_written;
+  const int exit = play(report, options, invocation, store, [&] {
+    if (!report.record().tuned()) return;
     try {
       outputs.check(options.force);  // hours later, perhaps
       output::write_whole(
@@ -96,14 +116,28 @@ int tune(TuneOptions options, output::OutputFiles outputs, const Invocation& inv
     } catch (...) {
       not_written = std::current_exception();  // what was found is told all the same
     }
-  };
-  try {
-    const int exit = play_study(report, options, invocation, store, wishes);
-    if (not_written) std::rethrow_exception(not_written);
-    return exit;
-  } catch (const study::StudyError& error) {
-    throw BadInput(std::string("tune: ") + error.what());
-  }
+  });
+  if (not_written) std::rethrow_exception(not_written);
+  return exit;
+}
+
+int compare_searches(TuneOptions options, output::OutputFiles outputs, const plugin::Catalogue& catalogue,
+                     const Invocation& invocation) {
+  study::SearchComparisonPlan plan = study::planned_search_comparison(options, catalogue);
+  choose_outputs(options, outputs, catalogue, plan.tuning.name + ".compare.db");
+  outputs.check(options.force);
+  const auto report = report::search_comparison_report(std::move(plan));
+  campaign::Store store =
+      open_results(options.results, options.resume, report->study(), {outputs.documents(), {}}, invocation.studies);
+  return play(*report, options, invocation, store, {});
+}
+
+int tune(const TuneOptions& options, const output::OutputFiles& outputs, const Invocation& invocation) {
+  campaign::check(options);
+  if (options.file.empty()) throw BadInput("tune: which one? Name its file; see: regista tune --help");
+  const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
+  return options.compare.empty() ? tune_team(options, outputs, catalogue, invocation)
+                                 : compare_searches(options, outputs, catalogue, invocation);
 }
 
 }  // namespace
@@ -116,7 +150,8 @@ void add_tune(Command& parent, const Invocation& invocation) {
   command.take("--matches", options->matches, "N", "search with so many matches, whatever the document says");
   command.take("--compare", options->compare, "A,B,...", "compare these algorithms instead, divided by commas");
   command.take("--repeats", options->repeats, "N", "of each algorithm that is compared; default 5");
-  command.take("--trace", options->trace, "FILE", "write every point of the search as a table", Writes::search_table);
+  command.take("--trace", options->trace, "FILE",
+               "write every point of the search as a table; with --compare every run", Writes::search_table);
   command.take("--output", options->output, "FILE",
                "file for the tuned team; default: NAME.tuned.yaml beside the results", Writes::tuned_team);
   command.flag("--force", options->force, "let --trace and the tuned team replace files of another kind");

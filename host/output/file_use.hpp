@@ -24,7 +24,7 @@ enum class Writes {
   metrics,        // of a match, as a table
   match_table,    // of an experiment
   summary_table,  // of an experiment
-  search_table,   // of a tuning
+  search_table,   // of a tuning, or of a comparison of search algorithms
   tuned_team,
   page,     // or a picture
   figures,  // a folder

@@ -12,7 +12,7 @@
 #include "campaign/shell.hpp"
 #include "config/text.hpp"
 #include "report/number.hpp"
-#include "report/tuning.hpp"
+#include "report/tuning_problem.hpp"
 #include "study/tuning/tuned_team.hpp"
 
 namespace regista::report {

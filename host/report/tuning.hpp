@@ -4,7 +4,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "study/tuning/tuning.hpp"
 #include "study/tuning/tuning_plan.hpp"
@@ -27,11 +26,7 @@ std::string tuning_text(const TuningView& view);
 // One JSON object with a newline.
 std::string tuning_json(const TuningView& view);
 
-// The trace as a table, with a head: a line for each evaluation of the search. Of a comparison of algorithms a line for
-// each of its runs.
+// The trace as a table, with a head: a line for each evaluation of the search.
 std::string tuning_csv(const TuningView& view);
-
-// What was asked for, as words of the command line: "tune", "configs/studies/weights.yaml", ...
-std::vector<std::string> tuning_arguments(const study::TuningPlan& plan);
 
 }  // namespace regista::report

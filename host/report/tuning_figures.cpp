@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "report/objective_axis.hpp"
 #include "report/thinned.hpp"
 #include "report/tuning_sentences.hpp"
 #include "report/visible_text.hpp"
@@ -20,32 +21,6 @@ constexpr std::size_t most_points = 1000;  // of the search that are drawn
 constexpr std::size_t most_slices = 40;
 constexpr std::string_view slice_prefix = "slice_";
 
-std::string field(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
-
-class Range {
- public:
-  void take(double value) {
-    if (!std::isfinite(value)) return;
-    low_ = std::min(low_, value);
-    high_ = std::max(high_, value);
-  }
-  void take(const study::MeanEstimate& estimate) {
-    if (estimate.pairs == 0) return;
-    take(estimate.mean);
-    if (!estimate.interval) return;
-    take(estimate.interval->low);
-    take(estimate.interval->high);
-  }
-  bool empty() const { return low_ > high_; }
-  double bottom() const { return low_ - room(); }
-  std::string axis() const { return fmt::format("[{:.6g}:{:.6g}]", bottom(), high_ + room()); }
-
- private:
-  // A little more on both sides; of a single value as much as it can be told from others.
-  double room() const { return high_ > low_ ? 0.06 * (high_ - low_) : std::max(0.5, 0.1 * std::abs(high_)); }
-  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
-};
-
 // The end of a path says most; an axis has room for so much.
 std::string short_path(const std::string& path) {
   constexpr std::size_t most = 31;
@@ -54,12 +29,7 @@ std::string short_path(const std::string& path) {
   return dot == std::string::npos ? path.substr(path.size() - most) : path.substr(dot + 1);
 }
 
-// "goal_difference, per match", short enough to stand beside an axis.
-std::string value_label(const study::TuningObjective& objective) {
-  const std::string unit = unit_of(objective);
-  return gnuplot_text(unit.empty() ? std::string("objective") : in_words(objective).substr(0, 40)) +
-         (unit.empty() ? std::string() : fmt::format(".', {}'", unit));
-}
+std::string field(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
 
 std::string with_interval(const study::MeanEstimate& estimate) {
   const bool known = estimate.pairs > 0, bounded = estimate.interval.has_value();
@@ -111,7 +81,7 @@ std::optional<Figure> convergence(const TuningView& view) {
   const study::TuningObjective& objective = view.plan.objective;
   const std::vector<Level> levels = verified_levels(view);
   Thinned<const study::SearchStep*> kept(most_points);
-  Range range;
+  AxisRange range;
   for (const study::SearchStep& each : trace) {
     kept.offer([&] { return &each; });
     if (!each.played.failed) range.take(told(objective, each.played.counted));
@@ -225,7 +195,7 @@ std::optional<Figure> slice(const TuningView& view, const study::Slice& of, std:
       *centre + 1, 100.0 * view.plan.confidence,
       more_than_chance(of) ? fmt::format("Importance {:.3g}, ", of.importance) : std::string("Importance: "),
       importance_text(of));
-  Range range;
+  AxisRange range;
   out.csv = "value,mean,low,high,tuned\n";
   for (const study::SlicePoint& each : of.points) {
     const study::MeanEstimate score = told(objective, each.score);
@@ -245,53 +215,6 @@ std::optional<Figure> slice(const TuningView& view, const study::Slice& of, std:
   return out;
 }
 
-// --- Comparison ------------------------------------------------------------------------------------------------------
-
-std::optional<Figure> algorithms(const TuningView& view) {
-  std::vector<AlgorithmSummary> placed = algorithm_summaries(view);
-  std::erase_if(placed, [](const AlgorithmSummary& each) { return !each.difference; });
-  if (placed.empty()) return std::nullopt;
-  const study::TuningObjective& objective = view.plan.objective;
-  Figure out;
-  out.name = "algorithms";
-  out.title = "What the algorithms came to";
-  out.description = fmt::format(
-      "{}, less the base team's, on pairs that no search has seen; {} is better. Circles: single runs; box: from the "
-      "lower to the upper quartile; bar: median.",
-      objective_text(objective), objective.minimise ? "less" : "more");
-  out.csv = "algorithm,row,repeat,difference,lower_quartile,median,upper_quartile\n";
-  Range range;
-  range.take(0.0);
-  std::string tics;
-  std::size_t widest = 0;
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    const std::string mark = gnuplot_mark(name(placed[i].algorithm));
-    widest = std::max(widest, mark.size() - 2);
-    tics += fmt::format("{}{} {}", i == 0 ? "" : ", ", mark, -static_cast<int>(i));
-    bool first = true;
-    for (const study::ComparedRun* const run : placed[i].runs) {
-      if (run->judged.pairs == 0) continue;
-      const double value = told(objective, run->judged.mean);
-      range.take(value);
-      const statistics::Quartiles& of = *placed[i].difference;
-      out.csv += fmt::format("{},{},{},{},{}\n", name(placed[i].algorithm), i, run->repeat + 1, value,
-                             first ? fmt::format("{},{},{}", of.lower, of.median, of.upper) : std::string(",,"));
-      first = false;
-    }
-  }
-  out.height = 80 + 34 * static_cast<int>(placed.size());
-  out.commands = fmt::format(
-      "set ytics scale 0 ({0})\nset grid noytics\nset grid xtics lt 1 lc rgb '{1}' lw 0.7\nset yrange [{2}:0.6]\n"
-      "set xrange {3}\nset xlabel {4}\nset lmargin at screen {5:.4f}\nset yzeroaxis lt 1 lc rgb '{6}' lw 1\nunset key\n"
-      "plot 'algorithms.csv' using 6:(-$2):5:7:(-$2-0.3):(-$2+0.3) with boxxyerror lc rgb '{7}' fs transparent solid "
-      "0.25 noborder, \\\n"
-      "  '' using 6:(-$2-0.3):(0):(0.6) with vectors nohead lw 2.5 lc rgb '{7}', \\\n"
-      "  '' using 4:(-$2) with points pt 6 ps 0.7 lc rgb '{8}'\n",
-      tics, grid_colour, -static_cast<double>(placed.size()) + 0.4, range.axis(), value_label(objective),
-      (8.2 * static_cast<double>(widest) + 16.0) / out.width, colours[7], colours[0], colours[1]);
-  return out;
-}
-
 }  // namespace
 
 std::vector<Figure> tuning_figures(const TuningView& view) {
@@ -299,10 +222,6 @@ std::vector<Figure> tuning_figures(const TuningView& view) {
   const auto add = [&out](std::optional<Figure> figure) {
     if (figure) out.push_back(std::move(*figure));
   };
-  if (view.plan.compares()) {
-    add(algorithms(view));
-    return out;
-  }
   add(convergence(view));
   add(importance(view));
   for (std::size_t i = 0; i < std::min(view.record.slices.size(), most_slices); ++i) {
@@ -312,7 +231,7 @@ std::vector<Figure> tuning_figures(const TuningView& view) {
 }
 
 bool is_tuning_figure(std::string_view name) {
-  if (name == "convergence" || name == "importance" || name == "algorithms") return true;
+  if (name == "convergence" || name == "importance") return true;
   if (!name.starts_with(slice_prefix)) return false;
   const std::string_view number = name.substr(slice_prefix.size());
   return !number.empty() && number.size() <= 3 && number.find_first_not_of("0123456789") == number.npos;

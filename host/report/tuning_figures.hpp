@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Figures of a tuning: how the search converged, and one slice for each parameter; of a comparison of algorithms, what
-// each of them came to.
+// Figures of a tuning: how the search converged, and one slice for each parameter.
 #pragma once
 
 #include <string_view>
@@ -11,8 +10,7 @@
 
 namespace regista::report {
 
-// "convergence", "importance", "slice_1", ... in the order of importance; of a comparison "algorithms". One that has
-// nothing to show is left out.
+// "convergence", "importance", "slice_1", ... in the order of importance. One that has nothing to show is left out.
 std::vector<Figure> tuning_figures(const TuningView& view);
 
 // Whether figures of some tuning are called so.

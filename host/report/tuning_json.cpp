@@ -1,88 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 
 #include "config/json.hpp"
-#include "report/match_remarks.hpp"
 #include "report/packets_spent.hpp"
+#include "report/tuning_json_parts.hpp"
 #include "report/tuning_sentences.hpp"
-#include "study/measure.hpp"
 
 namespace regista::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// JSON has no infinite numbers.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json or_null(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
-
-// A score, or a difference of scores.
-Json told_or_null(const study::TuningObjective& objective, const std::optional<double>& score) {
-  if (!score) return nullptr;
-  return number(told(objective, *score));
-}
-
-Json ends(const statistics::Interval& interval) { return Json::array({number(interval.low), number(interval.high)}); }
-
-// Of the user's terms.
-Json json_of(const study::MeanEstimate& estimate) {
-  const bool any = estimate.pairs > 0;
-  return {{"pairs", estimate.pairs},
-          {"mean", any ? Json(estimate.mean) : Json(nullptr)},
-          {"standard_deviation", estimate.pairs > 1 ? Json(estimate.standard_deviation) : Json(nullptr)},
-          {"interval", estimate.interval ? ends(*estimate.interval) : Json(nullptr)}};
-}
-
-Json json_of(const statistics::Quartiles& of) { return Json::array({of.lower, of.median, of.upper}); }
-
-Json objective(const study::TuningObjective& of) {
-  Json terms = Json::array();
-  for (const study::ObjectiveTerm& each : of.terms) {
-    terms.push_back({{"measure", each.measure}, {"unit", study::unit_of(each.measure)}, {"weight", each.weight}});
-  }
-  return {{"in_words", in_words(of)}, {"minimise", of.minimise}, {"terms", terms}};
-}
-
-Json parameters(const study::TuningPlan& plan) {
-  Json out = Json::array();
-  for (const study::Parameter& each : plan.parameters) {
-    out.push_back({{"path", each.path},
-                   {"base", each.start},
-                   {"least", each.least},
-                   {"most", each.most},
-                   {"integer", each.integer},
-                   {"log_scale", each.log_scale},
-                   {"unit", each.unit}});
-  }
-  return out;
-}
-
-Json opponents(const study::TuningPlan& plan) {
-  Json out = Json::array();
-  for (const study::TuningOpponent& each : plan.opponents) {
-    out.push_back({{"name", each.label}, {"team", each.file}, {"weight", each.weight}});
-  }
-  return out;
-}
-
 // In the order of "parameters".
 Json values(const study::ParameterValues& of) { return Json(of); }
 
 Json budget(const study::TuningPlan& plan) {
-  Json out;
-  if (!plan.compares()) {
-    out["evaluations"] = plan.evaluations(plan.algorithm);
-    out["pairs_of_an_evaluation"] = plan.pairs_of(plan.algorithm);
-  }
-  out["search_pairs"] = plan.search_pairs;
-  out["minutes"] = or_null(plan.minutes);
-  out["finalists"] = plan.finalists;
-  out["selection_pairs"] = plan.selection_pairs;
-  out["candidates"] = plan.candidates;
-  out["verification_pairs"] = plan.verification_pairs;
-  out["slice_points"] = plan.slice_points;
-  out["slice_pairs"] = plan.slice_pairs;
+  Json out{{"evaluations", plan.evaluations(plan.algorithm)},
+           {"pairs_of_an_evaluation", plan.pairs_of(plan.algorithm)}};
+  out.update(budget_json(plan));
   return out;
 }
 
@@ -133,10 +68,10 @@ Json verification(const TuningView& view) {
                           {"value", each.value ? json_of(*each.value) : Json(nullptr)},
                           {"base", each.base ? json_of(*each.base) : Json(nullptr)},
                           {"difference", any ? Json(each.difference.value) : Json(nullptr)},
-                          {"interval", any ? ends(each.difference.interval) : Json(nullptr)},
+                          {"interval", any ? json_of(each.difference.interval) : Json(nullptr)},
                           {"p", each.p},
                           {"p_holm", each.adjusted},
-                          {"search_less_verified", told_or_null(view.plan.objective, each.optimism)},
+                          {"search_less_verified", json_of_score(view.plan.objective, each.optimism)},
                           {"packets_of_short_games", packets_json(each.packets)}});
   }
   return {{"pairs", view.record.verification.pairs()},
@@ -170,56 +105,21 @@ Json slices(const TuningView& view) {
     }
     out.push_back({{"path", view.plan.parameters[slice.parameter].path},
                    {"importance", slice.p ? Json(slice.importance) : Json(nullptr)},
-                   {"p", or_null(slice.p)},
+                   {"p", json_or_null(slice.p)},
                    {"more_than_chance", more_than_chance(slice)},
                    {"points", points}});
   }
   return out;
 }
 
-Json compared(const TuningView& view) {
-  if (!view.plan.compares()) return nullptr;
-  Json out = Json::array();
-  for (const AlgorithmSummary& each : algorithm_summaries(view)) {
-    Json runs = Json::array();
-    for (const study::ComparedRun* const run : each.runs) {
-      runs.push_back({{"repeat", run->repeat + 1},
-                      {"evaluations", run->evaluations},
-                      {"matches", run->matches},
-                      {"ended", run->ended},
-                      {"values", values(run->values)},
-                      {"seen", told_or_null(view.plan.objective, run->seen)},
-                      {"judged", json_of(told(view.plan.objective, run->judged))}});
-    }
-    const bool any = !each.runs.empty();
-    out.push_back({{"algorithm", name(each.algorithm)},
-                   {"difference_quartiles", each.difference ? json_of(*each.difference) : Json(nullptr)},
-                   {"better", each.better},
-                   {"judged", each.judged},
-                   {"evaluations_quartiles", any ? json_of(each.evaluations) : Json(nullptr)},
-                   {"matches_quartiles", any ? json_of(each.matches) : Json(nullptr)},
-                   {"runs", runs}});
-  }
-  return out;
-}
-
-Json forfeits(const TuningView& view) {
-  Json listed = Json::array();
-  for (const study::Forfeits& each : view.record.forfeits.listed()) {
-    listed.push_back({{"by", forfeiter(view.plan, each.team)},
-                      {"plugin", each.failure.plugin},
-                      {"call", each.failure.call},
-                      {"what", each.failure.what},
-                      {"matches", each.count},
-                      {"first_match", each.first_match + 1}});
-  }
-  return {{"listed", listed}, {"unlisted", view.record.forfeits.unlisted()}};
-}
-
 Json matches(const TuningView& view) {
   const MatchesByStage by = matches_by_stage(view);
-  return {{"search", by.search}, {"selection", by.selection},        {"verification", by.verification},
-          {"slices", by.slices}, {"asked_for", view.record.matches}, {"at_most", most_matches(view.plan)}};
+  return {{"search", by.search},
+          {"selection", by.selection},
+          {"verification", by.verification},
+          {"slices", by.slices},
+          {"asked_for", view.record.tally.matches},
+          {"at_most", most_matches(view.plan)}};
 }
 
 }  // namespace
@@ -227,16 +127,8 @@ Json matches(const TuningView& view) {
 std::string tuning_json(const TuningView& view) {
   const study::TuningPlan& plan = view.plan;
   const TuningVerdict verdict = tuning_verdict(view);
-  Json out;
-  out["tuning"] = plan.name;
-  out["question"] = plan.question;
-  out["team"] = plan.team;
-  out["set"] = plan.settings;
-  out["objective"] = objective(plan.objective);
-  out["parameters"] = parameters(plan);
-  out["opponents"] = opponents(plan);
-  out["openings"] = plan.openings.size();
-  out["algorithm"] = plan.compares() ? Json(nullptr) : Json(name(plan.algorithm));
+  Json out = problem_json(plan);
+  out["algorithm"] = name(plan.algorithm);
   out["seed"] = plan.seed;
   out["confidence"] = plan.confidence;
   out["budget"] = budget(plan);
@@ -245,19 +137,14 @@ std::string tuning_json(const TuningView& view) {
   out["matches"] = matches(view);
   out["verdict"] = verdict.headline;
   out["findings"] = verdict.beside;
-  if (!plan.compares()) {
-    out["search"] = search_json(view);
-    out["finalists"] = finalists(view);
-    out["verification"] = verification(view);
-    out["verified"] = view.record.verified();
-    out["tuned"] = tuned(view);
-    out["slices"] = slices(view);
-  }
-  out["compared"] = compared(view);
-  out["forfeits"] = forfeits(view);
-  out["unplayed"] = unplayed_json(view.record.unplayed_pairs, view.record.remarks);
-  out["not_reproducible"] = irreproducible_json(view.record.remarks);
-  out["standard_error"] = written_json(view.record.remarks);
+  out["search"] = search_json(view);
+  out["finalists"] = finalists(view);
+  out["verification"] = verification(view);
+  out["verified"] = view.record.verified();
+  out["tuned"] = tuned(view);
+  out["slices"] = slices(view);
+  out["compared"] = nullptr;  // what a comparison of search algorithms has in its place
+  out.update(tally_json(plan, view.record.tally));
   out["tuned_file"] = view.tuned_file.empty() ? Json(nullptr) : Json(view.tuned_file);
   return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "report/tuning_numbers.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "report/experiment.hpp"
-#include "report/number.hpp"
 #include "statistics/distributions.hpp"
-#include "study/measure.hpp"
 
 namespace regista::report {
 namespace {
-
-// No minus before nought.
-double without_sign_of_nought(double value) { return value == 0.0 ? 0.0 : value; }
-
-statistics::Interval told(const study::TuningObjective& objective, const statistics::Interval& scores) {
-  const double a = report::told(objective, scores.low), b = report::told(objective, scores.high);
-  return {std::min(a, b), std::max(a, b)};
-}
 
 study::MeanEstimate mean_of(const statistics::Moments& moments, double confidence) {
   study::MeanEstimate out;
@@ -40,53 +27,13 @@ RangeEnd end_of(const study::Parameter& parameter, double value) {
   return share <= near ? RangeEnd::lower : share >= 1.0 - near ? RangeEnd::upper : RangeEnd::none;
 }
 
-double margin_of(const std::optional<statistics::Interval>& interval) {
-  return interval && has_width(*interval) ? (interval->high - interval->low) / 2.0 : 0.0;
-}
-
-// An end beside nought must not look as if it were nought.
-std::string end_text(double end, double margin) {
-  const std::string text = rounded(end, margin);
-  return end != 0.0 && shows_nothing(end, text) ? rounded(end, std::abs(end)) : text;
-}
-
-std::string ends_text(const std::optional<statistics::Interval>& interval) {
-  if (!interval || !has_width(*interval)) return {};
-  const double margin = margin_of(interval);
-  return fmt::format(" [{}, {}]", end_text(interval->low, margin), end_text(interval->high, margin));
-}
-
 }  // namespace
-
-double told(const study::TuningObjective& objective, double score) {
-  return without_sign_of_nought(study::value_of(objective, score));
-}
-
-statistics::Estimate told(const study::TuningObjective& objective, const statistics::Estimate& score) {
-  return {told(objective, score.value), told(objective, score.interval)};
-}
-
-study::MeanEstimate told(const study::TuningObjective& objective, study::MeanEstimate score) {
-  score.mean = told(objective, score.mean);
-  if (score.interval) score.interval = told(objective, *score.interval);
-  return score;
-}
-
-std::string unit_of(const study::TuningObjective& objective) {
-  const bool one = objective.terms.size() == 1 && objective.terms.front().weight == 1.0;
-  return one ? study::unit_of(objective.terms.front().measure) : std::string();
-}
 
 MatchesByStage matches_by_stage(const TuningView& view) {
   const study::TuningPlan& plan = view.plan;
   const study::TuningRecord& record = view.record;
   const std::uint64_t pair = plan.matches_of_pair();
   MatchesByStage out;
-  if (plan.compares()) {
-    for (const study::ComparedRun& run : record.compared) out.search += run.matches;
-    if (!record.stage) out.verification = (record.compared.size() + 1) * plan.verification_pairs * pair;
-    return out;
-  }
   if (!record.trace.empty()) out.search = record.trace.back().matches;
   out.selection = record.finalists.size() * plan.selection_pairs * pair;
   const std::uint64_t candidates = record.verification.of().size();
@@ -156,56 +103,6 @@ std::vector<CandidateVerdict> candidate_verdicts(const TuningView& view) {
     }
   }
   return out;
-}
-
-std::vector<AlgorithmSummary> algorithm_summaries(const TuningView& view) {
-  std::vector<AlgorithmSummary> out;
-  for (const study::Algorithm algorithm : view.plan.compared) {
-    AlgorithmSummary& each = out.emplace_back();
-    each.algorithm = algorithm;
-    std::vector<double> evaluations, matches, differences;
-    for (const study::ComparedRun& run : view.record.compared) {
-      if (run.algorithm != algorithm) continue;
-      each.runs.push_back(&run);
-      evaluations.push_back(static_cast<double>(run.evaluations));
-      matches.push_back(static_cast<double>(run.matches));
-      if (run.judged.pairs == 0) continue;
-      differences.push_back(told(view.plan.objective, run.judged.mean));
-      if (run.judged.mean > 0.0) ++each.better;
-    }
-    if (!each.runs.empty()) {
-      each.evaluations = statistics::quartiles(evaluations);
-      each.matches = statistics::quartiles(matches);
-    }
-    each.judged = differences.size();
-    if (!differences.empty()) each.difference = statistics::quartiles(differences);
-  }
-  return out;
-}
-
-bool has_width(const statistics::Interval& interval) {
-  constexpr double rounding = 1e-9;
-  return interval.bounded() &&
-         interval.high - interval.low > rounding * std::max(std::abs(interval.low), std::abs(interval.high));
-}
-
-std::string signed_text(double value, double margin) {
-  const std::string text = rounded(value, std::isfinite(margin) ? margin : 0.0);
-  return text.starts_with('-') ? text : '+' + text;
-}
-
-std::string told_text(const study::MeanEstimate& estimate) {
-  if (estimate.pairs == 0) return "-";
-  return rounded(estimate.mean, margin_of(estimate.interval)) + ends_text(estimate.interval);
-}
-
-std::string told_text(const statistics::Estimate& estimate) {
-  return signed_text(estimate.value, margin_of(estimate.interval)) + ends_text(estimate.interval);
-}
-
-std::string difference_text(const study::MeanEstimate& difference) {
-  if (difference.pairs == 0) return "-";
-  return signed_text(difference.mean, margin_of(difference.interval)) + ends_text(difference.interval);
 }
 
 }  // namespace regista::report

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The numbers that a report tells of a tuning, worked out once for its text, its JSON, its figures and its page. Within
-// a tuning a larger score is better; here everything is told as the user's objective has it: of a minimised one the
-// sign is turned back.
+// The numbers that a report tells of a tuning, worked out once for its text, its JSON, its figures and its page; values
+// of the objective as that has them (objective_numbers.hpp).
 #pragma once
 
 #include <cstddef>
@@ -10,19 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "report/objective_numbers.hpp"
 #include "report/tuning.hpp"
 #include "statistics/interval.hpp"
-#include "statistics/quantile.hpp"
 
 namespace regista::report {
-
-// Scores, or differences of scores, as the objective tells them.
-double told(const study::TuningObjective& objective, double score);
-statistics::Estimate told(const study::TuningObjective& objective, const statistics::Estimate& score);
-study::MeanEstimate told(const study::TuningObjective& objective, study::MeanEstimate score);
-
-// "per match", "min per 60 min"; empty for a weighted sum, whose terms have units of their own.
-std::string unit_of(const study::TuningObjective& objective);
 
 // Matches that what is told rests on, by stage. A verification that stopped early has asked for more.
 struct MatchesByStage {
@@ -64,26 +55,5 @@ struct CandidateVerdict {
   std::optional<double> optimism;
 };
 std::vector<CandidateVerdict> candidate_verdicts(const TuningView& view);
-
-// How an algorithm did over its runs.
-struct AlgorithmSummary {
-  study::Algorithm algorithm = study::Algorithm::sbplx;
-  std::vector<const study::ComparedRun*> runs;      // by repeat
-  statistics::Quartiles evaluations{}, matches{};   // of a run
-  std::size_t judged = 0;                           // runs that were, with a pair or more
-  std::optional<statistics::Quartiles> difference;  // less the base team's; of those that were judged
-  std::size_t better = 0;                           // of them, whose mean is better than the base team's
-};
-// In the plan's order; those without a run are there, too.
-std::vector<AlgorithmSummary> algorithm_summaries(const TuningView& view);
-
-// It has ends, and more between them than rounding makes of values that are all the same.
-bool has_width(const statistics::Interval& interval);
-
-// "0.85 [0.40, 1.30]"; "0.85" without an interval that has a width, "-" without a pair.
-std::string told_text(const study::MeanEstimate& estimate);
-std::string told_text(const statistics::Estimate& estimate);         // with a sign
-std::string difference_text(const study::MeanEstimate& difference);  // with a sign
-std::string signed_text(double value, double margin);                // "+0.75"
 
 }  // namespace regista::report

@@ -7,15 +7,14 @@
 
 #include "report/page_parts.hpp"
 #include "report/tuning.hpp"
+#include "report/tuning_page_parts.hpp"
 
 namespace regista::report {
 
 struct TuningPage {
   TuningView view;
   std::vector<PageFigure> figures;
-  std::string program;      // version that played
-  std::string fingerprint;  // of the results
-  std::string command;      // that plays it again
+  PlayedBy played;
 };
 
 std::string tuning_page(const TuningPage& page);

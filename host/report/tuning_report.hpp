@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,8 +16,8 @@ namespace regista::report {
 
 class TuningReport final : public StudyReport {
  public:
-  // out_of_time: see study/tuning/search_time.hpp.
-  TuningReport(study::TuningPlan plan, std::function<bool(std::uint64_t evaluations)> out_of_time);
+  // out_of_time: of the search; see study/tuning/search_time.hpp.
+  TuningReport(study::TuningPlan plan, study::OutOfTime out_of_time);
   TuningReport(const TuningReport&) = delete;
   TuningReport& operator=(const TuningReport&) = delete;
 

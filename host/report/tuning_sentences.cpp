@@ -2,11 +2,9 @@
 #include "report/tuning_sentences.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "report/experiment.hpp"
 #include "report/match_remarks.hpp"
@@ -19,50 +17,6 @@ namespace regista::report {
 namespace {
 
 using study::TuningStage;
-
-std::string counted(std::uint64_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-std::string pairs_text(std::uint64_t count) { return counted(count, "pair", "pairs"); }
-
-// To the nearest name of a file that people say.
-std::string file_name(const std::string& path) { return visible(std::filesystem::path(path).filename().string()); }
-
-bool is_base(const study::TuningPlan& plan, const study::TuningOpponent& opponent) {
-  const auto& inputs = opponent.jobs[0].away_inputs;
-  return !inputs.empty() && inputs == plan.base.jobs[0].away_inputs;
-}
-
-std::string opponents_text(const study::TuningPlan& plan) {
-  std::vector<std::string> out;
-  for (const study::TuningOpponent& each : plan.opponents) {
-    out.push_back(plan.opponents.size() == 1 ? visible(each.label)
-                                             : fmt::format("{} ({:.4g} %)", visible(each.label), 100.0 * each.weight));
-  }
-  return fmt::format("{}", fmt::join(out, ", "));
-}
-
-std::string base_sentence(const study::TuningPlan& plan) {
-  std::string out = fmt::format("Base team: {}", visible(plan.team));
-  for (std::size_t i = 0; i < plan.settings.size(); ++i) {
-    out += fmt::format("{}{}", i == 0 ? " with " : ", ", visible(plan.settings[i]));
-  }
-  out += fmt::format(". {}: {}", plan.opponents.size() == 1 ? "Opponent" : "Opponents, with their weights",
-                     opponents_text(plan));
-  for (const study::TuningOpponent& each : plan.opponents) {
-    if (is_base(plan, each)) out += fmt::format("; {} is the base team itself", visible(each.label));
-  }
-  return out + ".";
-}
-
-std::string unit_sentence(const study::TuningPlan& plan) {
-  return fmt::format(
-      "A pair is {}: with the tuned team at home and away{}, all with the same seed{}.",
-      counted(plan.matches_of_pair(), "match", "matches"),
-      plan.opponents.size() == 1 ? std::string() : fmt::format(", against each of {} opponents", plan.opponents.size()),
-      plan.openings.empty() ? std::string(", from kick-off")
-                            : fmt::format(" and opening, of {}", counted(plan.openings.size(), "opening", "openings")));
-}
 
 std::string search_plan_sentence(const study::TuningPlan& plan) {
   std::string out = fmt::format("Search: {} ({}), at most {} of {}", name(plan.algorithm), summary(plan.algorithm),
@@ -85,18 +39,6 @@ std::string verification_plan_sentence(const study::TuningPlan& plan) {
       plan.head_to_head ? "playing each other" : "both against the same opponents", pairs_text(plan.verification_pairs),
       100.0 * (1.0 - plan.confidence));
   return out + (plan.candidates > 1 ? ", corrected by Holm." : ".");
-}
-
-std::string compared_plan_sentence(const study::TuningPlan& plan) {
-  std::vector<std::string> names;
-  for (const study::Algorithm each : plan.compared) {
-    names.push_back(fmt::format("{} ({} for each evaluation)", name(each), pairs_text(plan.pairs_of(each))));
-  }
-  return fmt::format(
-      "Compared: {}; {} of each, seeds from {}. Each has the same budget, {}, and what it recommends is judged with "
-      "all others on the same {} that no search has seen.",
-      fmt::join(names, ", "), counted(plan.repeats, "run", "runs"), plan.seed,
-      counted(plan.search_pairs * plan.matches_of_pair(), "match", "matches"), pairs_text(plan.verification_pairs));
 }
 
 std::string interval_words(const study::TuningPlan& plan, std::size_t candidates) {
@@ -215,53 +157,7 @@ std::string headline_of_tuning(const TuningView& view, const std::vector<Candida
       pairs_text(record.verification.pairs()));
 }
 
-std::string headline_of_comparison(const TuningView& view) {
-  std::vector<AlgorithmSummary> placed = algorithm_summaries(view);
-  std::erase_if(placed, [](const AlgorithmSummary& each) { return !each.difference; });
-  if (placed.empty()) return "No run has been judged yet, so nothing can be said.";
-  std::ranges::stable_sort(placed, std::greater(), [&](const AlgorithmSummary& each) {
-    return study::score_of(view.plan.objective, each.difference->median);
-  });
-  std::string order;
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    const double median = placed[i].difference->median;
-    if (i > 0) order += median == placed[i - 1].difference->median ? " = " : ", ";
-    order += fmt::format("{} {}", name(placed[i].algorithm), signed_text(median, 0.0));
-  }
-  return fmt::format("{}, median difference from the base team, the best first: {}.",
-                     visible(in_words(view.plan.objective)), order);
-}
-
-TuningVerdict comparison_verdict(const TuningView& view) {
-  TuningVerdict out{headline_of_comparison(view), {}};
-  if (view.record.stage) return out;
-  out.beside.push_back(fmt::format(
-      "All had the same budget, {}, and were judged on the same {} that no search has seen; one that ended by itself "
-      "played fewer.",
-      counted(view.plan.search_pairs * view.plan.matches_of_pair(), "match", "matches"),
-      pairs_text(view.plan.verification_pairs)));
-  out.beside.push_back(fmt::format(
-      "The order is that of medians over {}, with no test: it says how these runs went, not which algorithm is the "
-      "better one.",
-      counted(view.plan.repeats, "run", "runs")));
-  return out;
-}
-
 }  // namespace
-
-std::string objective_text(const study::TuningObjective& objective) {
-  const std::string unit = unit_of(objective);
-  return visible(in_words(objective)) + (unit.empty() ? std::string() : fmt::format(" ({})", unit));
-}
-
-std::string tuning_title(const TuningView& view) {
-  const study::TuningPlan& plan = view.plan;
-  return fmt::format("{}: {} of {}, {} as {} as possible{}", visible(plan.name),
-                     counted(plan.free_parameters(), "parameter", "parameters"), file_name(plan.team),
-                     visible(in_words(plan.objective)), plan.objective.minimise ? "small" : "large",
-                     plan.compares() ? fmt::format(", by {}", counted(plan.compared.size(), "algorithm", "algorithms"))
-                                     : std::string());
-}
 
 std::string unfinished_sentence(const TuningView& view) {
   const study::TuningPlan& plan = view.plan;
@@ -270,16 +166,13 @@ std::string unfinished_sentence(const TuningView& view) {
   const char* const begin = "Not at its end: ";
   switch (*record.stage) {
     case TuningStage::search:
-      return plan.compares()
-                 ? fmt::format("{}{} of {} runs.", begin, record.compared.size(), plan.compared.size() * plan.repeats)
-                 : fmt::format("{}search, {} of at most {}.", begin, record.trace.size(),
-                               counted(plan.evaluations(plan.algorithm), "evaluation", "evaluations"));
+      return fmt::format("{}search, {} of at most {}.", begin, record.trace.size(),
+                         counted(plan.evaluations(plan.algorithm), "evaluation", "evaluations"));
     case TuningStage::selection:
       return fmt::format("{}selection of the finalists.", begin);
     case TuningStage::verification:
-      return plan.compares() ? fmt::format("{}the runs are being judged.", begin)
-                             : fmt::format("{}verification, {} of at most {}.", begin, record.verification.pairs(),
-                                           pairs_text(plan.verification_pairs));
+      return fmt::format("{}verification, {} of at most {}.", begin, record.verification.pairs(),
+                         pairs_text(plan.verification_pairs));
     case TuningStage::slices:
       return fmt::format("{}slices around what was found.", begin);
   }
@@ -287,24 +180,16 @@ std::string unfinished_sentence(const TuningView& view) {
 }
 
 std::vector<std::string> setup_sentences(const TuningView& view) {
-  const study::TuningPlan& plan = view.plan;
-  std::vector<std::string> out{base_sentence(plan),
-                               fmt::format("Objective: {}, the {} the better.", objective_text(plan.objective),
-                                           plan.objective.minimise ? "smaller" : "larger"),
-                               unit_sentence(plan)};
-  if (plan.compares()) {
-    out.push_back(compared_plan_sentence(plan));
-    return out;
-  }
-  out.push_back(search_plan_sentence(plan));
-  out.push_back(verification_plan_sentence(plan));
+  std::vector<std::string> out = problem_sentences(view.plan);
+  out.push_back(search_plan_sentence(view.plan));
+  out.push_back(verification_plan_sentence(view.plan));
   return out;
 }
 
 std::vector<std::string> search_sentences(const TuningView& view) {
   const study::TuningRecord& record = view.record;
   const study::SearchStep* const best = best_step(record);
-  if (view.plan.compares() || best == nullptr) return {};
+  if (best == nullptr) return {};
   const auto value = [&](const study::SearchStep& step) {
     return told_text(told(view.plan.objective, step.played.score));
   };
@@ -331,7 +216,6 @@ std::vector<std::string> search_sentences(const TuningView& view) {
 }
 
 TuningVerdict tuning_verdict(const TuningView& view) {
-  if (view.plan.compares()) return comparison_verdict(view);
   const std::vector<CandidateVerdict> candidates = candidate_verdicts(view);
   TuningVerdict out{headline_of_tuning(view, candidates), {}};
   for (const CandidateVerdict& each : candidates) {
@@ -342,7 +226,7 @@ TuningVerdict tuning_verdict(const TuningView& view) {
         "On the {} of the selection the base team came first, with {}.", pairs_text(view.plan.selection_pairs),
         told_text(told(view.plan.objective, view.record.finalists.front().selected.score))));
   }
-  if (view.record.unplayed_pairs > 0) out.beside.push_back(unplayed_sentence(view.record.unplayed_pairs));
+  if (view.record.tally.unplayed_pairs > 0) out.beside.push_back(unplayed_sentence(view.record.tally.unplayed_pairs));
   if (const std::string note = several_note(candidates.size()); !note.empty()) out.beside.push_back(note);
   return out;
 }
@@ -361,19 +245,6 @@ const char* name(study::VerifiedAs finding) {
   return "undecided";
 }
 
-std::string scale_text(const study::Parameter& parameter) {
-  const std::string scale = parameter.log_scale ? "log" : "linear";
-  return parameter.integer ? scale + ", whole numbers" : scale;
-}
-
-bool has_unit(const study::Parameter& parameter) { return !parameter.unit.empty() && parameter.unit != "1"; }
-
-std::string range_text(const study::Parameter& parameter) {
-  const std::string unit = has_unit(parameter) ? fmt::format(" {}", visible(parameter.unit)) : std::string();
-  if (parameter.fixed()) return fmt::format("fixed at {}{}", text_of(parameter, parameter.least), unit);
-  return fmt::format("{} to {}{}", text_of(parameter, parameter.least), text_of(parameter, parameter.most), unit);
-}
-
 std::string end_text(RangeEnd end) {
   return end == RangeEnd::none    ? std::string()
          : end == RangeEnd::lower ? std::string("at the lower end")
@@ -389,20 +260,6 @@ std::string importance_value(const study::Slice& slice) { return slice.p ? round
 std::string importance_text(const study::Slice& slice) {
   if (!slice.p) return "too few pairs";
   return fmt::format("{}{}", p_text(*slice.p), more_than_chance(slice) ? "" : ": no more than chance");
-}
-
-std::string values_text(const study::TuningPlan& plan, const study::ParameterValues& values) {
-  std::vector<std::string> out;
-  for (std::size_t i = 0; i < plan.parameters.size(); ++i) {
-    if (plan.parameters[i].fixed()) continue;
-    out.push_back(fmt::format("{}={}", visible(plan.parameters[i].path), text_of(plan.parameters[i], values[i])));
-  }
-  return fmt::format("{}", fmt::join(out, ", "));
-}
-
-std::string forfeiter(const study::TuningPlan& plan, std::size_t team) {
-  if (team == 0) return "the team that is tuned";  // with whatever values, those of the base team among them
-  return team <= plan.opponents.size() ? plan.opponents[team - 1].label : std::string("the base team");
 }
 
 std::string seen_text(const study::TuningPlan& plan, const study::Finalist& finalist) {

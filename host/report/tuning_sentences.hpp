@@ -8,14 +8,9 @@
 
 #include "report/tuning.hpp"
 #include "report/tuning_numbers.hpp"
+#include "report/tuning_problem.hpp"
 
 namespace regista::report {
-
-// "weights: 3 parameters of paper.yaml, goal_difference as large as possible"
-std::string tuning_title(const TuningView& view);
-
-// "goal_difference (per match)"
-std::string objective_text(const study::TuningObjective& objective);
 
 // "Not at its end: ..."; empty where all is done.
 std::string unfinished_sentence(const TuningView& view);
@@ -33,16 +28,11 @@ struct TuningVerdict {
 TuningVerdict tuning_verdict(const TuningView& view);
 
 // A table's words.
-const char* name(study::VerifiedAs finding);                // "undecided"
-std::string scale_text(const study::Parameter& parameter);  // "linear", "log", "whole numbers"
-bool has_unit(const study::Parameter& parameter);           // not a bare number, whose unit is "1"
-std::string range_text(const study::Parameter& parameter);  // "0.1 to 10 m"
-std::string end_text(RangeEnd end);                         // empty inside
-std::string importance_value(const study::Slice& slice);    // "0.64", "-" where unknown
-std::string importance_text(const study::Slice& slice);     // "no more than chance"
+const char* name(study::VerifiedAs finding);              // "undecided"
+std::string end_text(RangeEnd end);                       // empty inside
+std::string importance_value(const study::Slice& slice);  // "0.64", "-" where unknown
+std::string importance_text(const study::Slice& slice);   // "no more than chance"
 bool more_than_chance(const study::Slice& slice);
-std::string values_text(const study::TuningPlan& plan, const study::ParameterValues& values);  // "a=1, b=0.5"
-std::string forfeiter(const study::TuningPlan& plan, std::size_t team);  // of record.forfeits; not yet visible
 std::string seen_text(const study::TuningPlan& plan, const study::Finalist& finalist);  // "not played"
 std::string slices_note(const TuningView& view);
 

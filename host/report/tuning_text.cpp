@@ -7,39 +7,14 @@
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/text_table.hpp"
-#include "report/tournament.hpp"
 #include "report/tuning_sentences.hpp"
+#include "report/tuning_tables.hpp"
 #include "report/visible_text.hpp"
 
 namespace regista::report {
 namespace {
 
 using study::TuningStage;
-
-std::string paragraph(const char* title, const std::vector<std::string>& sentences) {
-  if (sentences.empty()) return {};
-  std::string out = fmt::format("\n{}\n", title);
-  for (const std::string& each : sentences) out += fmt::format("  {}\n", each);
-  return out;
-}
-
-std::string indented(const std::string& lines) {
-  std::string out = "  ";
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    out += lines[i];
-    if (lines[i] == '\n' && i + 1 < lines.size()) out += "  ";
-  }
-  return out;
-}
-
-std::string parameters_table(const study::TuningPlan& plan) {
-  TextTable table;
-  table.row({"parameter", "start", "range", "scale"});
-  for (const study::Parameter& each : plan.parameters) {
-    table.row({visible(each.path), text_of(each, each.start), range_text(each), scale_text(each)});
-  }
-  return "\nParameters\n" + indented(table.text());
-}
 
 std::string finalists_table(const TuningView& view) {
   const study::TuningRecord& record = view.record;
@@ -88,58 +63,11 @@ std::string importance_table(const TuningView& view) {
   return "\nImportance of the parameters\n" + indented(table.text()) + fmt::format("  {}\n", slices_note(view));
 }
 
-std::string quartiles_text(const std::optional<statistics::Quartiles>& of) {
-  if (!of) return "-";
-  const double margin = (of->upper - of->lower) / 2.0;
-  return fmt::format("{} [{}, {}]", signed_text(of->median, margin), signed_text(of->lower, margin),
-                     signed_text(of->upper, margin));
-}
-
-std::string algorithms_table(const TuningView& view) {
-  if (!view.plan.compares()) return {};
-  TextTable table;
-  table.row({"algorithm", "difference", "better", "evaluations", "matches", "runs"});
-  for (const AlgorithmSummary& each : algorithm_summaries(view)) {
-    table.row({name(each.algorithm), quartiles_text(each.difference),
-               each.judged == 0 ? "-" : fmt::format("{} of {}", each.better, each.judged),
-               each.runs.empty() ? "-" : fmt::format("{:.0f}", each.evaluations.median),
-               each.runs.empty() ? "-" : fmt::format("{:.0f}", each.matches.median), std::to_string(each.runs.size())});
-  }
-  return fmt::format(
-             "\nAlgorithms: difference of {} from the base team, median and quartiles over runs; runs whose mean is "
-             "better than the base team; evaluations and matches of a run, median\n",
-             objective_text(view.plan.objective)) +
-         indented(table.text());
-}
-
-std::string forfeits_text(const TuningView& view) {
-  std::string out;
-  for (const study::Forfeits& each : view.record.forfeits.listed()) {
-    out += fmt::format("  {} {}\n", each.count == 1 ? "1 match" : fmt::format("{} matches", each.count),
-                       visible(forfeit_text(forfeiter(view.plan, each.team), each.failure)));
-  }
-  const std::uint64_t more = view.record.forfeits.unlisted();
-  if (more > 0) out += fmt::format("  {} more {} forfeited for other reasons\n", more, more == 1 ? "was" : "were");
-  if (out.empty()) return out;
-  return "\nForfeits: those of the team that is tuned count against it, in the search as the worst value there is; "
-         "pairs "
-         "with others' are left out\n" +
-         out;
-}
-
-std::string left_out_text(const TuningView& view) {
-  if (view.record.unplayed_pairs == 0) return {};
-  return fmt::format("\nLeft out: {} that could not be played; nobody can be blamed\n",
-                     pairs_in_words(view.record.unplayed_pairs)) +
-         unplayed_text(view.record.remarks);
-}
-
 std::string matches_text(const TuningView& view) {
   const MatchesByStage matches = matches_by_stage(view);
   std::string out = fmt::format("\nMatches: search {}", matches.search);
-  if (!view.plan.compares()) out += fmt::format(", selection {}", matches.selection);
-  out += fmt::format(", verification {}", matches.verification);
-  if (!view.plan.compares()) out += fmt::format(", slices {}", matches.slices);
+  out += fmt::format(", selection {}, verification {}, slices {}", matches.selection, matches.verification,
+                     matches.slices);
   return out + fmt::format("; at most {}\n", most_matches(view.plan));
 }
 
@@ -168,11 +96,6 @@ std::string stage_line(const TuningView& view) {
   const study::TuningPlan& plan = view.plan;
   const study::TuningRecord& record = view.record;
   if (!record.stage) return "all is done";
-  if (plan.compares()) {
-    return record.stage == TuningStage::verification
-               ? "judging the runs"
-               : fmt::format("run {} of {}", record.compared.size() + 1, plan.compared.size() * plan.repeats);
-  }
   switch (*record.stage) {
     case TuningStage::search:
       return fmt::format("search, evaluation {} of at most {}", record.trace.size(), plan.evaluations(plan.algorithm));
@@ -189,15 +112,9 @@ std::string stage_line(const TuningView& view) {
 
 std::string tuning_standing(const TuningView& view) {
   const study::TuningRecord& record = view.record;
-  std::string out = tuning_title(view) + '\n';
-  out += fmt::format("{}; matches asked for: {} of at most {}\n", stage_line(view), record.matches,
+  std::string out = problem_title(view.plan) + '\n';
+  out += fmt::format("{}; matches asked for: {} of at most {}\n", stage_line(view), record.tally.matches,
                      most_matches(view.plan));
-  if (view.plan.compares()) {
-    if (record.compared.empty()) return out;
-    const study::ComparedRun& last = record.compared.back();
-    return out + fmt::format("last: {}, run {}: {} in its search (optimistic)\n", name(last.algorithm), last.repeat + 1,
-                             last.seen ? rounded(told(view.plan.objective, *last.seen), 0.0) : "not played");
-  }
   if (const study::SearchStep* const best = best_step(record)) {
     out += fmt::format("best so far: {} {} at evaluation {} (optimistic), the base team {}\n",
                        visible(in_words(view.plan.objective)), told_text(told(view.plan.objective, best->played.score)),
@@ -207,20 +124,20 @@ std::string tuning_standing(const TuningView& view) {
 }
 
 std::string tuning_text(const TuningView& view) {
-  std::string out = irreproducible_text(view.record.remarks) + tuning_title(view) + '\n';
+  std::string out = irreproducible_text(view.record.tally.remarks) + problem_title(view.plan) + '\n';
   if (!view.plan.question.empty()) out += visible(view.plan.question) + '\n';
   if (const std::string unfinished = unfinished_sentence(view); !unfinished.empty()) out += unfinished + '\n';
   const TuningVerdict verdict = tuning_verdict(view);
   out += '\n' + verdict.headline + '\n';
   for (const std::string& each : verdict.beside) out += fmt::format("  {}\n", each);
-  if (!view.tuned_file.empty() && !view.plan.compares()) {
+  if (!view.tuned_file.empty()) {
     out += fmt::format("\nThe tuned team is in {}{}\n", visible(view.tuned_file),
                        view.record.verified() ? "." : ", although it was not found better.");
   }
-  out += algorithms_table(view) + tuned_table(view) + importance_table(view) + finalists_table(view);
+  out += tuned_table(view) + importance_table(view) + finalists_table(view);
   out += paragraph("Search", search_sentences(view)) + paragraph("How it was tuned", setup_sentences(view));
-  return out + parameters_table(view.plan) + matches_text(view) + left_out_text(view) + forfeits_text(view) +
-         written_text(view.record.remarks);
+  return out + parameters_table(view.plan) + matches_text(view) + left_out_text(view.record.tally) +
+         forfeits_text(view.plan, view.record.tally) + written_text(view.record.tally.remarks);
 }
 
 }  // namespace regista::report

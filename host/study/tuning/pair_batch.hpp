@@ -23,7 +23,7 @@ namespace regista::study {
 // Which pairs a batch plays: `first` and those after it.
 struct PairRange {
   TuningStage stage = TuningStage::search;
-  std::uint64_t repeat = 0;      // of a comparison of algorithms
+  std::uint64_t repeat = 0;      // of the search
   std::uint64_t first_seed = 0;  // below 2^32
   std::uint64_t first = 0, count = 1;
 

@@ -46,7 +46,7 @@ SearchTime stored_time(const campaign::Store& store) {
 
 }  // namespace
 
-std::function<bool(std::uint64_t evaluations)> search_clock(campaign::Store& store, const TuningPlan& plan) {
+OutOfTime search_clock(campaign::Store& store, const TuningPlan& plan) {
   if (stored_end(store)) return stored_end_of_search(store);
   if (!plan.minutes) return {};
   return [&store, most = 60.0 * *plan.minutes, before = stored_time(store),
@@ -63,7 +63,7 @@ std::function<bool(std::uint64_t evaluations)> search_clock(campaign::Store& sto
   };
 }
 
-std::function<bool(std::uint64_t evaluations)> stored_end_of_search(const campaign::Store& store) {
+OutOfTime stored_end_of_search(const campaign::Store& store) {
   return [ended = stored_end(store)](std::uint64_t evaluations) { return ended && evaluations >= *ended; };
 }
 

@@ -13,6 +13,7 @@
 #include "config/overlay.hpp"
 #include "config/parse.hpp"
 #include "config/typed.hpp"
+#include "study/measure.hpp"
 #include "study/plan_differences.hpp"
 
 namespace regista::study {
@@ -25,7 +26,7 @@ std::vector<std::pair<std::string, std::string>> said(const TuningPlan& plan) {
   const auto list = [&](const char* what, const std::vector<std::string>& values) {
     out.emplace_back(what, fmt::format("{}", fmt::join(values, ", ")));
   };
-  std::vector<std::string> paths, opponents, compared;
+  std::vector<std::string> paths, opponents;
   for (const Parameter& each : plan.parameters) {
     paths.push_back(fmt::format("{} {} to {} from {}{}{}", each.path, each.least, each.most, each.start,
                                 each.integer ? ", whole" : "", each.log_scale ? ", logarithmic" : ""));
@@ -33,14 +34,11 @@ std::vector<std::pair<std::string, std::string>> said(const TuningPlan& plan) {
   for (const TuningOpponent& each : plan.opponents) {
     opponents.push_back(fmt::format("{} ({})", each.label, each.weight));
   }
-  for (const Algorithm each : plan.compared) compared.emplace_back(name(each));
   add("the tuning", plan.name);
   list("the parameters", paths);
   list("the opponents", opponents);
   add("the objective", (plan.objective.minimise ? "minimise " : "maximise ") + in_words(plan.objective));
   add("the algorithm", name(plan.algorithm));
-  list("--compare", compared);
-  add("--repeats", plan.repeats);
   add("the seed", plan.seed);
   add("pairs of the search", plan.search_pairs);
   add("pairs for each evaluation", fmt::format("{}{}", plan.pairs, plan.pairs_for_all ? "" : " where replicated"));
@@ -208,13 +206,16 @@ std::uint64_t verification_pairs_of(const TuningPlan& plan, std::size_t candidat
          matches_of_verified_pair(plan, candidates);
 }
 
+campaign::Metrics wanted_metrics(const TuningPlan& plan) {
+  const auto of_score = [](const ObjectiveTerm& each) {
+    return std::ranges::find(measures_of_score, each.measure) != measures_of_score.end();
+  };
+  const bool of_scores = std::ranges::all_of(plan.objective.terms, of_score);
+  return of_scores && !plan.short_games() ? campaign::Metrics::left_out : campaign::Metrics::wanted;
+}
+
 std::uint64_t most_matches(const TuningPlan& plan, TuningStage stage) {
   const std::uint64_t pair = plan.matches_of_pair();
-  if (plan.compares()) {
-    const std::uint64_t searches = plan.compared.size() * plan.repeats;
-    if (stage == TuningStage::search) return searches * plan.search_pairs * pair;
-    return stage == TuningStage::verification ? (searches + 1) * plan.verification_pairs * pair : 0;
-  }
   switch (stage) {
     case TuningStage::search:
       return plan.evaluations(plan.algorithm) * plan.pairs_of(plan.algorithm) * pair;

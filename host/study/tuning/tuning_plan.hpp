@@ -6,6 +6,7 @@
 // Unit of everything is the pair: a match with the tuned team at home, then the same with the sides swapped, against
 // every opponent. Pairs are numbered from 0 in each of four stages, whose seeds are disjoint:
 //   seed = stage * 2^50 + repeat * 2^40 + first seed + number of the pair.
+// The repeat is 0, but for searches of a comparison (search_comparison_plan.hpp).
 // Those of the verification begin at a number drawn from all that was chosen before, so that another choice is never
 // verified on seeds that an earlier one was seen to do well on.
 #pragma once
@@ -19,6 +20,7 @@
 
 #include "campaign/input.hpp"
 #include "campaign/job.hpp"
+#include "campaign/store.hpp"
 #include "campaign/worker.hpp"
 #include "study/opening.hpp"
 #include "study/tuning/algorithm.hpp"
@@ -77,15 +79,11 @@ struct TuningPlan {
   double confidence = 0.95;
   std::uint64_t slice_points = 0, slice_pairs = 0;  // 0 points: none
 
-  std::vector<Algorithm> compared;  // algorithms that are compared, each with the same budget; none: one is used
-  std::uint64_t repeats = 1;        // of each of them
-
   campaign::Limits limits;             // of each match: they decide who forfeits
   std::string folder;                  // in which it was begun, absolute: paths are relative to it
   std::string file;                    // the tuning's document
   std::vector<std::string> overrides;  // of that document, as typed
 
-  bool compares() const { return !compared.empty(); }
   // All of them end before a match would.
   bool short_games() const { return !openings.empty() || !base.jobs[0].limit.empty(); }
   std::size_t free_parameters() const;
@@ -146,6 +144,9 @@ std::uint64_t least_verification_pairs(const TuningPlan& plan);
 
 // At most, of so many candidates: what fewer of them leave over goes to these.
 std::uint64_t verification_pairs_of(const TuningPlan& plan, std::size_t candidates);
+
+// Whether the matches' metrics are looked at: by the objective, or for the packets of short games.
+campaign::Metrics wanted_metrics(const TuningPlan& plan);
 
 // How many matches each stage can take at most, and all of them.
 std::uint64_t most_matches(const TuningPlan& plan, TuningStage stage);

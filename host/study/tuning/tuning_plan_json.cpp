@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A tuning's plan as JSON, which the file of results keeps.
+#include "study/tuning/tuning_plan_json.hpp"
+
 #include <algorithm>
 #include <climits>
 #include <cmath>
@@ -8,7 +10,6 @@
 
 #include "config/json.hpp"
 #include "study/plan_json.hpp"
-#include "study/tuning/tuning_plan.hpp"
 
 namespace regista::study {
 namespace {
@@ -70,21 +71,8 @@ TuningObjective objective_of(const Json& json) {
   return out;
 }
 
-Algorithm algorithm_of(const Json& json) {
-  const auto found = algorithm_named(json.get<std::string>());
-  if (!found) throw std::out_of_range("algorithm");
-  return *found;
-}
-
 bool sound(const Parameter& each) {
   return each.least <= each.start && each.start <= each.most && (!each.log_scale || each.fixed() || each.least > 0.0);
-}
-
-// Its budget is enough for its first round, the base team's evaluation aside.
-bool can_search(const TuningPlan& plan, Algorithm algorithm) {
-  const std::uint64_t population = has_population(algorithm) ? plan.population : 0;
-  return plan.evaluations(algorithm) >
-         least_evaluations(algorithm, plan.free_parameters(), static_cast<std::size_t>(population));
 }
 
 bool sound_weights(const std::vector<TuningOpponent>& opponents) {
@@ -96,7 +84,7 @@ bool sound_weights(const std::vector<TuningOpponent>& opponents) {
   return std::abs(sum - 1.0) < 1e-9;
 }
 
-// What the course of a tuning relies on; upper bounds are those of its document.
+// What every search of its points relies on; upper bounds are those of its document.
 bool sound(const TuningPlan& plan) {
   constexpr std::uint64_t most_seed = std::uint64_t{1} << 31, most_pairs = 10'000'000;
   const auto within = [](std::uint64_t least, std::uint64_t count, std::uint64_t most) {
@@ -105,25 +93,32 @@ bool sound(const TuningPlan& plan) {
   return plan.free_parameters() > 0 && !plan.objective.terms.empty() && sound_weights(plan.opponents) &&
          plan.most_goals >= 1 && plan.seed < most_seed && within(1, plan.pairs, most_pairs) &&
          within(plan.pairs, plan.search_pairs, most_pairs) && within(0, plan.population, 10'000) &&
-         within(1, plan.repeats, 1024) && within(1, plan.finalists, 64) && within(1, plan.candidates, plan.finalists) &&
+         within(1, plan.finalists, 64) && within(1, plan.candidates, plan.finalists) &&
          within(1, plan.selection_pairs, most_pairs) && within(0, plan.verification_pairs, most_pairs) &&
          within(0, plan.slice_points, 101) && within(0, plan.slice_pairs, 10'000) && plan.confidence > 0.0 &&
          plan.confidence < 1.0 &&
-         std::ranges::all_of(plan.parameters, [](const Parameter& each) { return sound(each); }) &&
-         (plan.compares() ? std::ranges::all_of(plan.compared, [&](Algorithm each) { return can_search(plan, each); })
-                          : can_search(plan, plan.algorithm));
+         std::ranges::all_of(plan.parameters, [](const Parameter& each) { return sound(each); });
 }
 
 }  // namespace
 
-std::string to_json(const TuningPlan& plan) {
-  Json parameters = Json::array(), opponents = Json::array(), compared = Json::array();
+Algorithm algorithm_of(const Json& json) {
+  const auto found = algorithm_named(json.get<std::string>());
+  if (!found) throw std::out_of_range("algorithm");
+  return *found;
+}
+
+bool can_search(const TuningPlan& plan, Algorithm algorithm) {
+  const std::uint64_t population = has_population(algorithm) ? plan.population : 0;
+  return plan.evaluations(algorithm) >
+         least_evaluations(algorithm, plan.free_parameters(), static_cast<std::size_t>(population));
+}
+
+Json json_of(const TuningPlan& plan) {
+  Json parameters = Json::array(), opponents = Json::array();
   for (const Parameter& each : plan.parameters) parameters.push_back(json_of(each));
   for (const TuningOpponent& each : plan.opponents) opponents.push_back(json_of(each));
-  for (const Algorithm each : plan.compared) compared.push_back(name(each));
-  return Json{{"study", tuning_study},
-              {"version", plan_version},
-              {"name", plan.name},
+  return Json{{"name", plan.name},
               {"question", plan.question},
               {"team", plan.team},
               {"document", plan.document},
@@ -150,52 +145,61 @@ std::string to_json(const TuningPlan& plan) {
               {"confidence", plan.confidence},
               {"slice_points", plan.slice_points},
               {"slice_pairs", plan.slice_pairs},
-              {"compared", compared},
-              {"repeats", plan.repeats},
               {"limits", json_of(plan.limits)},
               {"folder", plan.folder},
               {"file", plan.file},
-              {"overrides", plan.overrides}}
-      .dump(-1, ' ', false, Json::error_handler_t::replace);  // names of files may be anything, JSON must be UTF-8
+              {"overrides", plan.overrides}};
+}
+
+TuningPlan tuning_plan_of(const Json& json) {
+  TuningPlan plan;
+  json.at("name").get_to(plan.name);
+  json.at("question").get_to(plan.question);
+  json.at("team").get_to(plan.team);
+  json.at("document").get_to(plan.document);
+  json.at("settings").get_to(plan.settings);
+  for (const Json& each : json.at("parameters")) plan.parameters.push_back(parameter_of(each));
+  for (const Json& each : json.at("opponents")) plan.opponents.push_back(opponent_of(each));
+  plan.base = opponent_of(json.at("base"));
+  plan.objective = objective_of(json.at("objective"));
+  plan.openings = openings_of(json.at("openings"));
+  plan.most_goals = static_cast<int>(campaign::whole_number(json.at("most_goals"), INT_MAX));
+  plan.seed = campaign::whole_number(json.at("seed"));
+  plan.algorithm = algorithm_of(json.at("algorithm"));
+  plan.pairs = campaign::whole_number(json.at("pairs"));
+  plan.search_pairs = campaign::whole_number(json.at("search_pairs"));
+  json.at("pairs_for_all").get_to(plan.pairs_for_all);
+  if (!json.at("minutes").is_null()) plan.minutes = json.at("minutes").get<double>();
+  plan.population = campaign::whole_number(json.at("population"));
+  plan.finalists = campaign::whole_number(json.at("finalists"));
+  plan.selection_pairs = campaign::whole_number(json.at("selection_pairs"));
+  plan.candidates = campaign::whole_number(json.at("candidates"));
+  json.at("head_to_head").get_to(plan.head_to_head);
+  plan.verification_pairs = campaign::whole_number(json.at("verification_pairs"));
+  json.at("symmetric").get_to(plan.symmetric);
+  json.at("confidence").get_to(plan.confidence);
+  plan.slice_points = campaign::whole_number(json.at("slice_points"));
+  plan.slice_pairs = campaign::whole_number(json.at("slice_pairs"));
+  plan.limits = limits_of(json.at("limits"));
+  json.at("folder").get_to(plan.folder);
+  json.at("file").get_to(plan.file);
+  json.at("overrides").get_to(plan.overrides);
+  if (!sound(plan)) throw std::out_of_range("a number that no tuning has");
+  return plan;
+}
+
+std::string to_json(const TuningPlan& plan) {
+  Json out{{"study", tuning_study}, {"version", plan_version}};
+  out.update(json_of(plan));
+  return out.dump(-1, ' ', false,
+                  Json::error_handler_t::replace);  // names of files may be anything, JSON must be UTF-8
 }
 
 TuningPlan tuning_plan_from_json(const std::string& text) {
   return read_plan(text, tuning_study, plan_version, [](const Json& json) {
-    TuningPlan plan;
-    json.at("name").get_to(plan.name);
-    json.at("question").get_to(plan.question);
-    json.at("team").get_to(plan.team);
-    json.at("document").get_to(plan.document);
-    json.at("settings").get_to(plan.settings);
-    for (const Json& each : json.at("parameters")) plan.parameters.push_back(parameter_of(each));
-    for (const Json& each : json.at("opponents")) plan.opponents.push_back(opponent_of(each));
-    plan.base = opponent_of(json.at("base"));
-    plan.objective = objective_of(json.at("objective"));
-    plan.openings = openings_of(json.at("openings"));
-    plan.most_goals = static_cast<int>(campaign::whole_number(json.at("most_goals"), INT_MAX));
-    plan.seed = campaign::whole_number(json.at("seed"));
-    plan.algorithm = algorithm_of(json.at("algorithm"));
-    plan.pairs = campaign::whole_number(json.at("pairs"));
-    plan.search_pairs = campaign::whole_number(json.at("search_pairs"));
-    json.at("pairs_for_all").get_to(plan.pairs_for_all);
-    if (!json.at("minutes").is_null()) plan.minutes = json.at("minutes").get<double>();
-    plan.population = campaign::whole_number(json.at("population"));
-    plan.finalists = campaign::whole_number(json.at("finalists"));
-    plan.selection_pairs = campaign::whole_number(json.at("selection_pairs"));
-    plan.candidates = campaign::whole_number(json.at("candidates"));
-    json.at("head_to_head").get_to(plan.head_to_head);
-    plan.verification_pairs = campaign::whole_number(json.at("verification_pairs"));
-    json.at("symmetric").get_to(plan.symmetric);
-    json.at("confidence").get_to(plan.confidence);
-    plan.slice_points = campaign::whole_number(json.at("slice_points"));
-    plan.slice_pairs = campaign::whole_number(json.at("slice_pairs"));
-    for (const Json& each : json.at("compared")) plan.compared.push_back(algorithm_of(each));
-    plan.repeats = campaign::whole_number(json.at("repeats"));
-    plan.limits = limits_of(json.at("limits"));
-    json.at("folder").get_to(plan.folder);
-    json.at("file").get_to(plan.file);
-    json.at("overrides").get_to(plan.overrides);
-    if (!sound(plan)) throw std::out_of_range("a number that no tuning has");
+    if (holds_comparison_of_before(json)) throw std::invalid_argument("these are results of another study");
+    TuningPlan plan = tuning_plan_of(json);
+    if (!can_search(plan, plan.algorithm)) throw std::out_of_range("a budget that no tuning has");
     return plan;
   });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a tuning's document to its plan: everything that can be wrong is found before the first match.
+// From a tuning's document to its plan: what its planner (tuning_planner.hpp) reads of every search, and the stages
+// after it. Everything that can be wrong is found before the first match.
 #pragma once
 
 #include <string>
@@ -16,7 +17,6 @@ struct TuningRequest : campaign::Options {
   std::string file;
   std::vector<std::string> overrides;  // of the tuning's document
   std::string matches;                 // of the search, instead of what the document says; empty: as it says
-  std::string compare, repeats;        // algorithms, divided by commas; empty: the document's alone
 };
 
 // Throws config::BadInput and config::Error, at the place in the tuning's document that asks for what is not there.

@@ -3,7 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <string>
+#include <vector>
 
 #include "study/study.hpp"
 #include "study/tuning/tuning.hpp"
@@ -12,13 +13,13 @@ namespace regista::study {
 
 class TuningStudy final : public Study {
  public:
-  // out_of_time: see TuningHooks; may be empty. The plan outlives it.
-  TuningStudy(const TuningPlan& plan, std::function<bool(std::uint64_t evaluations)> out_of_time);
+  // out_of_time: of the search; may be empty. The plan outlives it.
+  TuningStudy(const TuningPlan& plan, OutOfTime out_of_time);
 
   const char* what() const override { return "tuning"; }
-  std::uint64_t most_matches() const override;
+  std::uint64_t most_matches() const override { return study::most_matches(plan_); }
   std::uint64_t counted() const override { return counted_; }
-  campaign::Metrics metrics() const override;
+  campaign::Metrics metrics() const override { return wanted_metrics(plan_); }
   const campaign::Limits& limits() const override { return plan_.limits; }
   const std::string& folder() const override { return plan_.folder; }
   std::string plan() const override { return to_json(plan_); }
@@ -31,7 +32,7 @@ class TuningStudy final : public Study {
 
  private:
   const TuningPlan& plan_;
-  std::function<bool(std::uint64_t evaluations)> out_of_time_;
+  OutOfTime out_of_time_;
   TuningRecord record_;
   std::uint64_t counted_ = 0;
 };

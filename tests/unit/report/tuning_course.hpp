@@ -95,13 +95,26 @@ inline campaign::Decided decided_by(const study::TuningPlan& plan, const campaig
 
 struct Stopped {};
 
+using Decide = std::function<campaign::Decided(const campaign::Job&)>;
+
+// Plays by `decide`, and counts; after so many matches it is stopped as by Ctrl-C.
+inline study::PlayMatches played_by(const Decide& decide, std::uint64_t& played,
+                                    std::uint64_t most = ~std::uint64_t{0}) {
+  return [&decide, &played, most](const study::MatchList& list, const study::TakeMatch& take) {
+    for (std::size_t i = 0; i < list.matches.size(); ++i) {
+      if (played == most) throw Stopped{};
+      ++played;
+      if (!take(i, decide(list.job(i)))) return;
+    }
+  };
+}
+
 struct TunedCourse {
   explicit TunedCourse(study::TuningPlan asked, const Quality& quality = peak, std::uint64_t most = ~std::uint64_t{0})
       : plan(std::move(asked)), record(plan) {
     run([&](const campaign::Job& job) { return decided_by(plan, job, quality); }, most);
   }
-  TunedCourse(study::TuningPlan asked, const std::function<campaign::Decided(const campaign::Job&)>& decide)
-      : plan(std::move(asked)), record(plan) {
+  TunedCourse(study::TuningPlan asked, const Decide& decide) : plan(std::move(asked)), record(plan) {
     run(decide, ~std::uint64_t{0});
   }
   TunedCourse(const TunedCourse&) = delete;
@@ -115,25 +128,12 @@ struct TunedCourse {
   std::uint64_t played = 0;
 
  private:
-  // most: matches, after which it is stopped as by Ctrl-C.
-  void run(const std::function<campaign::Decided(const campaign::Job&)>& decide, std::uint64_t most) {
-    study::TuningHooks hooks;
-    hooks.play = [&](const study::MatchList& list, const study::TakeMatch& take) {
-      for (std::size_t i = 0; i < list.matches.size(); ++i) {
-        if (played == most) throw Stopped{};
-        ++played;
-        if (!take(i, decide(list.job(i)))) return;
-      }
-    };
-    hooks.progress = [&] { standings += tuning_standing(view()); };
+  void run(const Decide& decide, std::uint64_t most) {
     try {
-      tune(plan, hooks, record);
+      tune(plan, {played_by(decide, played, most), {}}, record);
     } catch (const Stopped&) {
     }
   }
-
- public:
-  std::string standings;
 };
 
 }  // namespace regista::report

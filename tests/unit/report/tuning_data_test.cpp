@@ -115,40 +115,6 @@ TEST(TuningJson, OfAMinimisedObjectiveInTheUsersTerms) {
   }
 }
 
-study::TuningPlan comparison() {
-  study::TuningPlan plan = tuning_plan();
-  plan.compared = {study::Algorithm::random_search, study::Algorithm::spsa};
-  plan.search_pairs = 24;
-  plan.pairs = 2;
-  plan.repeats = 5;
-  plan.verification_pairs = 20;
-  return plan;
-}
-
-// Of five runs the quartiles are the second, third and fourth in order.
-TEST(TuningJson, QuartilesOfAComparison) {
-  const TunedCourse course(comparison());
-  const Json json = read(course);
-  EXPECT_TRUE(json["algorithm"].is_null());
-  EXPECT_FALSE(json.contains("tuned"));
-  ASSERT_EQ(json["compared"].size(), 2u);
-  for (const Json& each : json["compared"]) {
-    std::vector<double> judged;
-    std::size_t better = 0;
-    for (const Json& run : each["runs"]) {
-      judged.push_back(run["judged"]["mean"]);
-      if (judged.back() > 0.0) ++better;
-      EXPECT_LE(run["matches"].get<std::uint64_t>(), 96u);
-    }
-    ASSERT_EQ(judged.size(), 5u);
-    std::ranges::sort(judged);
-    EXPECT_EQ(each["difference_quartiles"], (Json{judged[1], judged[2], judged[3]}));
-    EXPECT_EQ(each["better"], better);
-  }
-  EXPECT_EQ(json["matches"]["search"].get<std::uint64_t>() + json["matches"]["verification"].get<std::uint64_t>(),
-            course.played);
-}
-
 TEST(TuningJson, WhateverTheBytesItIsJson) {
   TunedCourse course(tuning_plan());
   course.plan.name = course.plan.question = course.plan.opponents[0].label = course.file = "\xff\"\\\n\u202e";
@@ -193,17 +159,6 @@ TEST(TuningCsv, ALineForAnEvaluationThatReadsBackExactly) {
       EXPECT_NE(table[i][6], "-0");
     }
   }
-}
-
-TEST(TuningCsv, ALineForARunOfAComparison) {
-  const TunedCourse course(comparison());
-  const auto table = rows(tuning_csv(course.view()));
-  ASSERT_EQ(table.size(), 11u);
-  EXPECT_EQ(table[1][0], "random_search");
-  EXPECT_EQ(table[1][1], "1");
-  EXPECT_EQ(table[10][0], "spsa");
-  EXPECT_EQ(table[10][1], "5");
-  EXPECT_EQ(std::strtod(table[1][7].c_str(), nullptr), course.record.compared[0].judged.mean);
 }
 
 TEST(TuningCsv, HostilePathsStayInTheirField) {

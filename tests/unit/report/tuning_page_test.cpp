@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include "page_soundness.hpp"
 #include "report/tuning_figures.hpp"
+#include "report/tuning_problem.hpp"
 #include "tuning_course.hpp"
 
 namespace regista::report {
@@ -17,46 +19,7 @@ using testing::Not;
 std::string page_of(const TunedCourse& course, const std::string& why_not = "gnuplot is not installed") {
   std::vector<PageFigure> figures;
   for (Figure& each : tuning_figures(course.view())) figures.push_back({std::move(each), "", why_not});
-  return tuning_page({course.view(), std::move(figures), "1.2.3", "9f2c", "regista tune x"});
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t out = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++out;
-  return out;
-}
-
-std::vector<std::string> ids(const std::string& page) {
-  std::vector<std::string> out;
-  constexpr std::string_view before = "<section id=\"";
-  for (std::size_t at = page.find(before); at != std::string::npos; at = page.find(before, at + 1)) {
-    const std::size_t begin = at + before.size();
-    out.push_back(page.substr(begin, page.find('"', begin) - begin));
-  }
-  return out;
-}
-
-void expect_sound(const std::string& page) {
-  EXPECT_TRUE(is_our_page(page.substr(0, page_beginning)));
-  EXPECT_THAT(page, testing::EndsWith("</html>\n"));
-  for (const char* each : {"section", "details", "table", "figure", "ul", "li", "header", "p", "pre", "tr"}) {
-    EXPECT_EQ(count(page, std::string("<") + each + ">") + count(page, std::string("<") + each + " "),
-              count(page, std::string("</") + each + ">"))
-        << each;
-  }
-  for (const char* each : {"<script", "<link", "<img", "<iframe", "@import", "url(", "src=", "http:", "https:"}) {
-    EXPECT_THAT(page, Not(HasSubstr(each)));
-  }
-}
-
-study::TuningPlan comparison() {
-  study::TuningPlan plan = tuning_plan();
-  plan.compared = {study::Algorithm::random_search, study::Algorithm::spsa};
-  plan.search_pairs = 24;
-  plan.pairs = 2;
-  plan.repeats = 3;
-  plan.verification_pairs = 20;
-  return plan;
+  return tuning_page({course.view(), std::move(figures), {"1.2.3", "9f2c", "regista tune x"}});
 }
 
 // A tuned team that forfeits a match of the search.
@@ -80,22 +43,12 @@ TEST(TuningPage, HasItsPartsInTheirOrder) {
   EXPECT_EQ(page, page_of(course));
 }
 
-TEST(TuningPage, OfAComparison) {
-  const std::string page = page_of(TunedCourse(comparison()));
-  EXPECT_THAT(ids(page), ElementsAre("findings", "algorithms", "setup", "reproduction"));
-  expect_sound(page);
-  EXPECT_THAT(page, AllOf(HasSubstr("<code>random_search</code>"), HasSubstr("download=\"runs.csv\"")));
-}
-
 TEST(TuningPage, StoppedAnywhere) {
-  for (const study::TuningPlan& plan : {tuning_plan(), comparison()}) {
-    const std::uint64_t all = TunedCourse(plan).played;
-    for (std::uint64_t most = 0; most < all; most += 61) {
-      const TunedCourse course(plan, peak, most);
-      const std::string page = page_of(course);
-      expect_sound(page);
-      EXPECT_THAT(page, HasSubstr("Not at its end: "));
-    }
+  const std::uint64_t all = TunedCourse(tuning_plan()).played;
+  for (std::uint64_t most = 0; most < all; most += 61) {
+    const std::string page = page_of(TunedCourse(tuning_plan(), peak, most));
+    expect_sound(page);
+    EXPECT_THAT(page, HasSubstr("Not at its end: "));
   }
 }
 
@@ -147,10 +100,6 @@ TEST(TuningFigures, TheirNamesAndTables) {
     EXPECT_EQ(count(figures[i].commands, "set logscale x"), bearing ? 1u : 0u);
     EXPECT_THAT(figures[i].commands, HasSubstr(bearing ? "from first 1," : "from first 5,"));  // the base team's
   }
-  const std::vector<Figure> compared = tuning_figures(TunedCourse(comparison()).view());
-  ASSERT_EQ(compared.size(), 1u);
-  EXPECT_EQ(compared[0].name, "algorithms");
-  EXPECT_EQ(count(compared[0].csv, "\n"), 7u);
   EXPECT_TRUE(tuning_figures(TunedCourse(tuning_plan(), peak, 0).view()).empty());
 }
 
@@ -182,12 +131,10 @@ TEST(TuningArguments, TheWordsThatPlayItAgain) {
   EXPECT_THAT(tuning_arguments(plan), ElementsAre("tune", "configs/studies/weights.yaml", "--set", "search.matches=100",
                                                   "--set", "seed=4", "--processor-seconds", "20", "--memory", "2048"));
   plan.overrides.clear();
-  plan.compared = {study::Algorithm::spsa, study::Algorithm::sbplx};
-  plan.repeats = 7;
   for (campaign::Job& job : plan.base.jobs) job.plugins = {"my plugins"};
-  EXPECT_THAT(tuning_arguments(plan),
-              ElementsAre("tune", "configs/studies/weights.yaml", "--compare", "spsa,sbplx", "--repeats", "7",
-                          "--plugins", "my plugins", "--processor-seconds", "20", "--memory", "2048"));
+  EXPECT_THAT(tuning_arguments(plan, {"--more", "1"}),
+              ElementsAre("tune", "configs/studies/weights.yaml", "--more", "1", "--plugins", "my plugins",
+                          "--processor-seconds", "20", "--memory", "2048"));
 }
 
 }  // namespace

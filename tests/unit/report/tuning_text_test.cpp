@@ -184,62 +184,42 @@ TEST(TuningText, AnOpponentThatIsTheBaseTeamIsNoted) {
   EXPECT_THAT(setup_sentences(TunedCourse(plan).view()).front(), HasSubstr("; spqr is the base team itself."));
 }
 
-study::TuningPlan comparison() {
-  study::TuningPlan plan = tuning_plan();
-  plan.compared = {study::Algorithm::random_search, study::Algorithm::spsa};
-  plan.search_pairs = 24;
-  plan.pairs = 2;
-  plan.repeats = 5;
-  plan.verification_pairs = 20;
-  return plan;
-}
-
-TEST(TuningText, AComparisonIsOrderedByMediansAndSaysThatItIsNoTest) {
-  const TunedCourse course(comparison());
-  const std::string text = tuning_text(course.view());
-  const std::vector<AlgorithmSummary> of = algorithm_summaries(course.view());
-  ASSERT_EQ(of.size(), 2u);
-  const bool first = of[0].difference->median >= of[1].difference->median;
-  EXPECT_THAT(text, AllOf(HasSubstr(first ? "the best first: random_search +" : "the best first: spsa +"),
-                          HasSubstr("with no test"), HasSubstr("All had the same budget, 96 matches"),
-                          HasSubstr(fmt::format("{} of 5", of[0].better)), HasSubstr("same 20 pairs")));
-}
-
-TEST(TuningText, AlgorithmsThatCameToTheSameAreEqual) {
-  const TunedCourse course(comparison(), [](double, double) { return 0.3; });
-  EXPECT_THAT(tuning_text(course.view()), HasSubstr("the best first: random_search +0.00 = spsa +0.00."));
-}
-
 // Stopped by Ctrl-C at any place: everything can be told, is told the same way twice, and says that it is not its end.
 TEST(TuningText, StoppedAnywhere) {
-  study::TuningPlan single = tuning_plan(), several = comparison();
-  single.candidates = 2;
-  for (const study::TuningPlan& plan : {single, several}) {
-    const std::uint64_t all = TunedCourse(plan).played;
-    std::array<bool, 4> seen{};
-    for (std::uint64_t most = 0; most < all; most += most < 8 ? 1 : 23) {
-      const TunedCourse course(plan, peak, most);
-      ASSERT_TRUE(course.record.stage.has_value());
-      seen[static_cast<std::size_t>(*course.record.stage)] = true;
-      const std::string text = tuning_text(course.view());
-      EXPECT_THAT(text, HasSubstr("Not at its end: "));
-      EXPECT_EQ(text, tuning_text(course.view()));
-      EXPECT_FALSE(tuning_json(course.view()).empty());
-      const std::string standing = tuning_standing(course.view());
-      const auto lines = std::ranges::count(standing, '\n');
-      EXPECT_GE(lines, 2);
-      EXPECT_LE(lines, 6);
-    }
-    EXPECT_TRUE(seen[0] && seen[2]);
-    // The selection is over with its one batch; the slices with theirs.
-    EXPECT_TRUE(plan.compares() || (seen[1] && seen[3]));
+  study::TuningPlan plan = tuning_plan();
+  plan.candidates = 2;
+  const std::uint64_t all = TunedCourse(plan).played;
+  std::array<bool, 4> seen{};
+  for (std::uint64_t most = 0; most < all; most += most < 8 ? 1 : 23) {
+    const TunedCourse course(plan, peak, most);
+    ASSERT_TRUE(course.record.stage.has_value());
+    seen[static_cast<std::size_t>(*course.record.stage)] = true;
+    const std::string text = tuning_text(course.view());
+    EXPECT_THAT(text, HasSubstr("Not at its end: "));
+    EXPECT_EQ(text, tuning_text(course.view()));
+    EXPECT_FALSE(tuning_json(course.view()).empty());
+    const std::string standing = tuning_standing(course.view());
+    const auto lines = std::ranges::count(standing, '\n');
+    EXPECT_GE(lines, 2);
+    EXPECT_LE(lines, 6);
   }
+  for (const bool each : seen) EXPECT_TRUE(each);
 }
 
 TEST(TuningStanding, ShowsWhereItIs) {
-  const TunedCourse course(tuning_plan());
-  EXPECT_THAT(course.standings,
-              AllOf(HasSubstr("search, evaluation 1 of at most 60; matches asked for: 4 of at most 2424\n"),
+  const study::TuningPlan plan = tuning_plan();
+  study::TuningRecord record(plan);
+  std::string standings;
+  const Decide decide = [&](const campaign::Job& job) {
+    standings += tuning_standing({plan, record, ""});
+    return decided_by(plan, job, peak);
+  };
+  std::uint64_t played = 0;
+  tune(plan, {played_by(decide, played), {}}, record);
+  standings += tuning_standing({plan, record, ""});
+  EXPECT_THAT(standings,
+              AllOf(HasSubstr("search, evaluation 0 of at most 60; matches asked for: 4 of at most 2424\n"),
+                    HasSubstr("search, evaluation 1 of at most 60; matches asked for: 12 of at most 2424\n"),
                     HasSubstr("(optimistic), the base team "), HasSubstr("on the selection, not played in the search"),
                     HasSubstr("verification, pair 3 of at most 200"), HasSubstr(", undecided\n"),
                     HasSubstr(", better\n"), HasSubstr("all is done")));

@@ -136,7 +136,7 @@ TEST(Tune, EveryMatchIsAskedForOnceAndInItsOwnRow) {
     EXPECT_EQ(run.matches.played, run.matches.store.size());
     const std::set<std::uint64_t> rows(run.matches.rows.begin(), run.matches.rows.end());
     EXPECT_EQ(rows.size(), run.matches.rows.size());
-    EXPECT_LT(*rows.rbegin(), record.matches);
+    EXPECT_LT(*rows.rbegin(), record.tally.matches);
   }
 }
 
@@ -177,7 +177,7 @@ TEST(Tune, NoStageGoesBeyondItsBudget) {
       };
       const TuningRecord& record = run.tune();
       for (const auto& [stage, count] : taken) EXPECT_LE(count, most_matches(plan, stage)) << name(plan.algorithm);
-      EXPECT_LE(record.matches, most_matches(plan));
+      EXPECT_LE(record.tally.matches, most_matches(plan));
       const auto fresh = std::ranges::count(record.trace, false, &SearchStep::repeated);
       EXPECT_LE(static_cast<std::uint64_t>(fresh), plan.evaluations(plan.algorithm));
     }
@@ -294,7 +294,7 @@ TEST(Tune, OpponentsThatForfeitLeaveTheirPairsOut) {
     EXPECT_LE(each.played.score.pairs, 2);
     EXPECT_TRUE(std::isfinite(each.played.counted));
   }
-  EXPECT_EQ(record.forfeits.of_team()[0], 0u);
+  EXPECT_EQ(record.tally.forfeits.of_team()[0], 0u);
 }
 
 TEST(Tune, AnObjectiveThatNoMatchHasEndsIt) {
@@ -444,27 +444,6 @@ TEST(Tune, SlicesOfEveryFreeParameter) {
   EXPECT_EQ(record.slices[0].parameter, 0u);
   EXPECT_GE(record.slices[0].points.size(), 5u);
   EXPECT_LT(*record.slices[0].p, 0.01);
-}
-
-TEST(Tune, ComparesAlgorithmsOnEqualTerms) {
-  TuningPlan plan = small();
-  plan.compared = {Algorithm::random_search, Algorithm::sbplx, Algorithm::spsa};
-  plan.repeats = 2;
-  plan.search_pairs = 40;
-  plan.slice_points = 0;
-  Course run(plan), again(plan);
-  const TuningRecord& record = run.tune();
-  ASSERT_EQ(record.compared.size(), 6u);
-  for (std::size_t i = 0; i < 6; ++i) {
-    EXPECT_EQ(record.compared[i].algorithm, plan.compared[i % 3]);
-    EXPECT_EQ(record.compared[i].repeat, i / 3);
-    EXPECT_LE(record.compared[i].matches, plan.search_pairs * plan.matches_of_pair());
-    EXPECT_EQ(record.compared[i].judged.pairs, 6);
-  }
-  EXPECT_TRUE(record.trace.empty());
-  EXPECT_LE(record.matches, most_matches(plan));
-  EXPECT_EQ(told(again.tune()), told(record));
-  EXPECT_NE(record.compared[0].values, record.compared[3].values);  // another seed
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "campaign/job.hpp"
 #include "campaign/metric_json.hpp"
 #include "plugin/content_hash.hpp"
+#include "study/tuning/search_comparison.hpp"
 #include "study/tuning/tuning.hpp"
 
 namespace regista::study {
@@ -125,7 +126,7 @@ class FakeMatches {
     return out;
   }
 
-  // As TuningHooks wants it. Before each match `before` is asked, which may throw.
+  // As a study's course wants it. Before each match `before` is asked, which may throw.
   PlayMatches hook() {
     return [this](const MatchList& list, const TakeMatch& take) {
       for (std::uint64_t i = 0; i < list.matches.size(); ++i) {
@@ -155,24 +156,32 @@ class FakeMatches {
   double noise_;
 };
 
+inline std::string words(const ParameterValues& values) {
+  std::string out;
+  for (const double each : values) out += fmt::format("{} ", each);
+  return out;
+}
+
+inline std::string told(const MatchTally& tally) {
+  std::string out;
+  for (const Forfeits& each : tally.forfeits.listed())
+    out += fmt::format("forfeit {} {} {}\n", each.team, each.first_match, each.count);
+  return out;
+}
+
 // Everything a record says, in words: equal for equal courses.
 inline std::string told(const TuningRecord& record) {
-  std::string out = fmt::format("{} {}\n", record.ended, record.matches);
-  const auto values = [](const ParameterValues& all) {
-    std::string text;
-    for (const double each : all) text += fmt::format("{} ", each);
-    return text;
-  };
+  std::string out = fmt::format("{} {}\n", record.ended, record.tally.matches);
   const auto played = [](const PlayedScore& each) {
     return fmt::format("{} {} {} {} {}", each.score.pairs, each.score.mean, each.score.standard_deviation, each.failed,
                        each.counted);
   };
   for (const SearchStep& each : record.trace) {
-    out += fmt::format("{} {} {}{} {} {} {}\n", each.evaluation, each.pairs_from, values(each.values),
+    out += fmt::format("{} {} {}{} {} {} {}\n", each.evaluation, each.pairs_from, words(each.values),
                        played(each.played), each.repeated, each.best, each.matches);
   }
   for (const Finalist& each : record.finalists) {
-    out += fmt::format("finalist {}{} {}\n", values(each.values), played(each.selected),
+    out += fmt::format("finalist {}{} {}\n", words(each.values), played(each.selected),
                        each.seen ? played(*each.seen) : "");
   }
   for (const ScoreDifference& each : record.verification.of()) {
@@ -186,13 +195,16 @@ inline std::string told(const TuningRecord& record) {
     for (const SlicePoint& point : each.points)
       out += fmt::format("  {} {} {}\n", point.value, point.score.mean, point.difference.mean);
   }
-  for (const ComparedRun& each : record.compared) {
+  return out + told(record.tally);
+}
+
+inline std::string told(const SearchComparisonRecord& record) {
+  std::string out = fmt::format("{}\n", record.tally.matches);
+  for (const ComparedRun& each : record.runs) {
     out += fmt::format("run {} {} {} {} {}{} {}\n", name(each.algorithm), each.repeat, each.evaluations, each.matches,
-                       values(each.values), each.judged.mean, each.ended);
+                       words(each.values), each.judged.mean, each.ended);
   }
-  for (const Forfeits& each : record.forfeits.listed())
-    out += fmt::format("forfeit {} {} {}\n", each.team, each.first_match, each.count);
-  return out;
+  return out + told(record.tally);
 }
 
 }  // namespace regista::study

@@ -42,8 +42,6 @@ TuningPlan every_value() {
   plan.confidence = 0.99;
   plan.slice_points = 5;
   plan.slice_pairs = 4;
-  plan.compared = {Algorithm::sbplx, Algorithm::sep_cma_es};
-  plan.repeats = 9;
   plan.limits.processor_seconds = 3;
   plan.limits.memory = std::uint64_t{1} << 30;
   plan.folder = "/tmp";
@@ -62,7 +60,6 @@ TEST(TuningPlan, IsReadAsItWasWritten) {
     EXPECT_EQ(read.document, plan.document);
     EXPECT_EQ(read.minutes, plan.minutes);
     EXPECT_EQ(read.objective, plan.objective);
-    EXPECT_EQ(read.compared, plan.compared);
     for (std::size_t i = 0; i < plan.opponents.size(); ++i) {
       EXPECT_EQ(read.opponents[i].jobs, plan.opponents[i].jobs);
       EXPECT_EQ(read.opponents[i].weight, plan.opponents[i].weight);
@@ -94,10 +91,9 @@ void try_plan(const std::string& text) {
     EXPECT_GE(plan.free_parameters(), 1u);
     EXPECT_GE(plan.finalists, 1u);
     EXPECT_GE(plan.candidates, 1u);
-    for (const Algorithm each : plan.compares() ? plan.compared : std::vector{plan.algorithm}) {
-      EXPECT_GT(plan.evaluations(each),
-                least_evaluations(each, plan.free_parameters(), has_population(each) ? plan.population : 0));
-    }
+    EXPECT_GT(plan.evaluations(plan.algorithm),
+              least_evaluations(plan.algorithm, plan.free_parameters(),
+                                has_population(plan.algorithm) ? plan.population : 0));
     values_of(plan, point_of(plan, start_values(plan)));
     TunedDocument(plan).with(start_values(plan));
   } catch (const std::invalid_argument&) {
@@ -196,8 +192,6 @@ TEST(TuningPlan, NumbersThatNoTuningHasAreRefused) {
   refused("large population", [](TuningPlan& p) { p.population = std::uint64_t{1} << 40; });
   refused("search too short", [](TuningPlan& p) { p.search_pairs = p.pairs; });
   refused("search too long", [](TuningPlan& p) { p.search_pairs = std::uint64_t{1} << 40; });
-  refused("no repeats", [](TuningPlan& p) { p.repeats = 0; });
-  refused("many repeats", [](TuningPlan& p) { p.repeats = 1025; });
   refused("confidence", [](TuningPlan& p) { p.confidence = 1.0; });
   refused("seed", [](TuningPlan& p) { p.seed = std::uint64_t{1} << 32; });
 }
@@ -222,8 +216,6 @@ TEST(TuningPlan, WhatHasChangedIsNamed) {
           [](TuningPlan& p) { p.objective.minimise = false; });
   changed("the objective", [](TuningPlan& p) { p.objective.terms[0].weight = 10.000001; });
   changed("the algorithm: was spsa, now bobyqa", [](TuningPlan& p) { p.algorithm = Algorithm::bobyqa; });
-  changed("--compare", [](TuningPlan& p) { p.compared.pop_back(); });
-  changed("--repeats: was 9, now 8", [](TuningPlan& p) { p.repeats = 8; });
   changed("the seed: was 12345, now 1", [](TuningPlan& p) { p.seed = 1; });
   changed("pairs of the search", [](TuningPlan& p) { p.search_pairs = 76; });
   changed("pairs for each evaluation", [](TuningPlan& p) { p.pairs = 4; });
