@@ -4,38 +4,61 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
+#include <optional>
 #include <set>
-#include <string>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "config/file.hpp"
+#include "config/text.hpp"
 
 namespace regista::campaign {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t largest = std::uintmax_t{16} << 20;  // bytes
+constexpr std::uintmax_t largest = std::uintmax_t{16} << 20, most = std::uintmax_t{64} << 20;  // bytes
+constexpr std::string_view shared_object = "\x7f\x45LF";                                       // how its content begins
 
-fs::path plain(const fs::path& path) { return fs::absolute(path).lexically_normal(); }
+bool is_plain(const std::string& name) {
+  const fs::path path = name;
+  return path.is_absolute() && path.has_filename() && !name.starts_with("//") && path == path.lexically_normal() &&
+         name.find('\0') == std::string::npos;
+}
+
+// A file of results may come from anybody: nothing may be written but below the root, and nothing through a link.
+void require_sound(const std::vector<Document>& documents) {
+  std::set<std::string> paths;
+  for (const Document& each : documents) paths.insert(each.path);
+  for (const Document& each : documents) {
+    bool sound = is_plain(each.path);
+    for (fs::path folder = fs::path(each.path).parent_path(); sound && folder != folder.parent_path();
+         folder = folder.parent_path()) {
+      sound = !paths.contains(folder.string());
+    }
+    if (!sound) throw std::invalid_argument("no document has the path " + config::in_quotes(each.path));
+  }
+}
 
 }  // namespace
 
 std::vector<Document> documents_in(std::span<const fs::path> files) {
   std::vector<Document> out;
   std::set<std::string> seen;
+  std::uintmax_t sum = 0;
   for (const fs::path& file : files) {
-    Document document{plain(file).string(), std::nullopt};
+    Document document{fs::absolute(file).lexically_normal().string(), std::nullopt};
     if (!seen.insert(document.path).second) continue;
     std::error_code none;
     const std::uintmax_t size = fs::file_size(file, none);
     if (none) continue;  // gone since it was read
-    if (size <= largest) {
-      document.content = config::content_of(file);
-      if (document.content && document.content->starts_with("\x7f"
-                                                            "ELF"))
-        document.content.reset();
+    if (size <= largest && sum + size <= most) {
+      std::optional<std::string> content = config::content_of(file);
+      if (content && !content->starts_with(shared_object)) {
+        sum += content->size();
+        document.content = std::move(content);
+      }
     }
     out.push_back(std::move(document));
   }
@@ -44,6 +67,7 @@ std::vector<Document> documents_in(std::span<const fs::path> files) {
 }
 
 DocumentCopies::DocumentCopies(std::vector<Document> documents) {
+  require_sound(documents);
   for (Document& each : documents) {
     const fs::path file = at(each.path);
     fs::create_directories(file.parent_path());
@@ -70,9 +94,8 @@ fs::path DocumentCopies::folder(const fs::path& given_in) const {
 Job DocumentCopies::job(Job job, const fs::path& given_in) const {
   for (std::string* name : {&job.teams[0], &job.teams[1], &job.rules, &job.robot, &job.disturbance,
                             &job.home_disturbance, &job.away_disturbance, &job.opening}) {
-    const fs::path path = (given_in / *name).lexically_normal();
-    // What is not here is the name of a built-in profile.
-    if (!name->empty() && std::ranges::find(paths_, path.string()) != paths_.end()) *name = at(path).string();
+    const fs::path path = fs::path(*name).lexically_normal();
+    if (path.is_absolute() && std::ranges::find(paths_, path.string()) != paths_.end()) *name = at(path).string();
   }
   for (std::string& each : job.plugins) each = (given_in / each).lexically_normal().string();
   return job;

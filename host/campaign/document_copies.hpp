@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "campaign/job.hpp"
@@ -13,22 +14,25 @@
 
 namespace regista::campaign {
 
-// What these files contain, by path, each once. Of shared objects and of files above 16 MiB only the path: whether they
-// are what they were is told by the inputs of the match.
+// What these files contain, by path, each once. Of shared objects, of files above 16 MiB and of what comes after 64 MiB
+// in all only the path: whether they are what they were is told by the inputs of the match.
 std::vector<Document> documents_in(std::span<const std::filesystem::path> files);
 
-// The documents in a folder of their own, which stands for the root: what names another by a relative path finds it.
+// The documents in a folder of their own, which stands for the root of the file system: a relative name in a document
+// or a job finds the copy, an absolute name in a document finds the file itself.
 class DocumentCopies {
  public:
-  // Those without content are links to what stands there now. Throws std::system_error and
-  // std::filesystem::filesystem_error.
+  // Those without content are links to what stands there now. Throws std::system_error; std::invalid_argument for paths
+  // that are not absolute and normal, or lead through one another: nobody has written such a file of results.
   explicit DocumentCopies(std::vector<Document> documents);
+
+  const std::filesystem::path& root() const { return root_.path(); }
 
   // The folder in which the names of a job are to be read that were given in this one, an absolute path. It is there.
   std::filesystem::path folder(const std::filesystem::path& given_in) const;
 
-  // The job with its documents here, where there are copies; given_in: where its names were given. Folders of plugins
-  // are absolute then.
+  // The job to be read in folder(given_in): what it names by an absolute path is the copy, where there is one. Folders
+  // of plugins become absolute, as there are no copies of them.
   Job job(Job job, const std::filesystem::path& given_in) const;
 
  private:

@@ -15,7 +15,7 @@ struct Input {
 };
 
 // Which inputs have changed, are gone or are new, in words: "plugin greedy (lib/greedy.so) has changed". Each name
-// once.
+// once; what stands in brackets, where a file was found, makes no other thing of it.
 std::vector<std::string> differences(std::span<const Input> before, std::span<const Input> now);
 
 }  // namespace regista::campaign

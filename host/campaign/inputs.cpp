@@ -36,8 +36,17 @@ Input of_side(const char* side, const Input& input) {
   return {side + input.name, plugin::content_hash(side + input.hash)};
 }
 
+std::string without(const std::string& root, std::string text) {
+  for (std::size_t at = 0; !root.empty() && (at = text.find(root + '/', at)) != std::string::npos;) {
+    text.erase(at, root.size());
+  }
+  return text;
+}
+
 class Collected {
  public:
+  explicit Collected(const std::string& root) : root_(root) {}
+
   void add(const mind::Part& part) {
     const std::filesystem::path& file = part.found->file;
     const std::string id = part.found->descriptor->id;
@@ -45,7 +54,7 @@ class Collected {
         [&] { return id + ' ' + plugin::content_hash(required_content(file)); });
     // Read when the parameters were: by now the file may be another.
     for (const plugin::FileUsed& used : part.parameters.files()) {
-      put(fmt::format("file {} of plugin {}", used.path.string(), id), [&] { return used.hash; });
+      put(fmt::format("file {} of plugin {}", without(root_, used.path.string()), id), [&] { return used.hash; });
     }
   }
   std::vector<Input> take() {
@@ -58,17 +67,19 @@ class Collected {
   void put(const std::string& name, Hash hash) {
     if (std::ranges::find(inputs_, name, &Input::name) == inputs_.end()) inputs_.push_back({name, hash()});
   }
+  const std::string& root_;
   std::vector<Input> inputs_;
 };
 
 }  // namespace
 
 std::vector<Input> team_inputs(const mind::TeamPlan& plan, const config::Node& document,
-                               const plugin::Catalogue& catalogue) {
-  Collected plugins;
+                               const plugin::Catalogue& catalogue, const std::string& root) {
+  Collected plugins(root);
   for (const mind::Part* part : plan.parts()) plugins.add(*part);
-  const std::string shown = config::show(document, plugin::declarations(catalogue.plugins()), config::Remarks::without);
-  std::vector<Input> out{{"team " + plan.team().file, plugin::content_hash(shown)}};
+  const std::string shown =
+      without(root, config::show(document, plugin::declarations(catalogue.plugins()), config::Remarks::without));
+  std::vector<Input> out{{"team " + without(root, plan.team().file), plugin::content_hash(shown)}};
   std::ranges::move(plugins.take(), std::back_inserter(out));
   return out;
 }

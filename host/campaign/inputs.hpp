@@ -16,9 +16,10 @@
 namespace regista::campaign {
 
 // What one team brings along: its resolved document, the plugins it names, the files their parameters name. In an
-// order that depends on contents and ids alone.
+// order that depends on contents and ids alone. root: of copies of the files (document_copies.hpp); it is left out, so
+// that copies are the same inputs as the files.
 std::vector<Input> team_inputs(const mind::TeamPlan& plan, const config::Node& document,
-                               const plugin::Catalogue& catalogue);
+                               const plugin::Catalogue& catalogue, const std::string& root = {});
 
 inline constexpr const char* program_input = "program";
 inline constexpr const char* mathematics_input = "mathematics library";

@@ -54,10 +54,10 @@ std::string input_of(const Job& job, const std::string& name) {
 }
 
 std::string what_changed(const Job& job, const MatchSetup& prepared, const plugin::Catalogue& catalogue,
-                         const std::string& program, const std::string& mathematics) {
+                         const std::string& program, const std::string& mathematics, const std::string& root) {
   if (job.common_inputs.empty()) return {};  // nobody has counted them up
-  const auto home = team_inputs(*prepared.plans[0], prepared.documents[0], catalogue);
-  const auto away = team_inputs(*prepared.plans[1], prepared.documents[1], catalogue);
+  const auto home = team_inputs(*prepared.plans[0], prepared.documents[0], catalogue, root);
+  const auto away = team_inputs(*prepared.plans[1], prepared.documents[1], catalogue, root);
   const auto common = common_inputs(prepared.setup, program, mathematics);
   std::vector<std::string> changed;
   for (const auto& [before, now] :

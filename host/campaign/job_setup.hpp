@@ -16,9 +16,9 @@ MatchRequest request_of(const Job& job);
 // The hash of one of the inputs that both teams share; empty when the job has none of this name.
 std::string input_of(const Job& job, const std::string& name);
 
-// Everything that differs from what the job was, in words; empty when nothing does.
+// Everything that differs from what the job was, in words; empty when nothing does. root: see team_inputs().
 std::string what_changed(const Job& job, const MatchSetup& prepared, const plugin::Catalogue& catalogue,
-                         const std::string& program, const std::string& mathematics);
+                         const std::string& program, const std::string& mathematics, const std::string& root = {});
 
 // The other way round; without what is to be found in the files.
 Job job_of(const MatchRequest& request, const std::vector<std::string>& plugins);

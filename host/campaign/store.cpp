@@ -56,7 +56,7 @@ struct Store::Parts {
     try {
       return StoredMatches(file.database(), file.written_to());
     } catch (const SQLite::Exception& error) {
-      throw StoreRefusal(fmt::format("{}: {}", file.name(), reason(error)));
+      file.refuse(error);
     }
   }
 

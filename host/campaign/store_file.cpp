@@ -113,11 +113,20 @@ StoreFile::StoreFile(const std::filesystem::path& file, StoreMode mode, const st
     prepare(program_version, tables);
     if (const auto identity = identity_of(name_)) identity_ = std::make_unique<const Identity>(*identity);
   } catch (const SQLite::Exception& error) {
-    const std::string text = fmt::format("{}: {}", name_, reason(error));
-    if (mode == StoreMode::read || !is_of_the_disk(error)) throw StoreRefusal(text);
-    if (mode == StoreMode::create) std::filesystem::remove(file);  // ours, and nothing is in it
-    throw StoreDiskError("cannot write results to " + text);
+    refuse(error);
   }
+}
+
+void StoreFile::refuse(const SQLite::Exception& error) const {
+  const std::string text = fmt::format("{}: {}", name_, reason(error));
+  if (mode_ == StoreMode::read || !is_of_the_disk(error)) throw StoreRefusal(text);
+  if (mode_ == StoreMode::create) {  // ours, and nothing is in it
+    for (const char* const each : {"", "-wal", "-shm"}) {
+      std::error_code none;
+      std::filesystem::remove(name_ + each, none);
+    }
+  }
+  throw StoreDiskError("cannot write results to " + text);
 }
 
 StoreFile::~StoreFile() = default;

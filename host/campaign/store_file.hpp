@@ -38,6 +38,9 @@ class StoreFile {
   SQLite::Database& database() { return *database_; }
   bool written_to() const { return mode_ != StoreMode::read; }
 
+  // Throws StoreRefusal, or StoreDiskError where the disk is full; then a new file is removed again.
+  [[noreturn]] void refuse(const SQLite::Exception& error) const;
+
   // A text of the table meta; empty when it is not there. Throw SQLite::Exception.
   std::string meta(const std::string& name);
   void set_meta(const std::string& name, const std::string& value);

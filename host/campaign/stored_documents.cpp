@@ -22,6 +22,8 @@ std::int64_t checksum_of(std::string_view path, std::int64_t size, std::string_v
 
 void StoredDocuments::keep(std::span<const Document> documents) {
   SQLite::Transaction transaction(database_);
+  database_.exec(tables);
+  database_.exec("DELETE FROM documents");
   SQLite::Statement add(database_, "INSERT OR IGNORE INTO documents(path, size, content, checksum) VALUES(?, ?, ?, ?)");
   mcap::Compressor compressor;
   for (const Document& each : documents) {

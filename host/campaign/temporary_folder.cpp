@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 TemporaryFolder::TemporaryFolder() {
   std::error_code error;
   const fs::path parent = fs::temp_directory_path(error);
-  std::string pattern = ((error ? fs::path("/tmp") : parent) / "regista-XXXXXX").string();
+  // Absolute, for the process may go to another folder.
+  std::string pattern = (error ? fs::path("/tmp") : fs::absolute(parent)) / "regista-XXXXXX";
   if (mkdtemp(pattern.data()) == nullptr) {
     throw std::system_error(errno, std::generic_category(), "no folder for temporary files");
   }

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "campaign/blame.hpp"
-#include "campaign/document_copies.hpp"
 #include "campaign/engine.hpp"
 #include "campaign/inputs.hpp"
 #include "campaign/job_setup.hpp"
@@ -27,7 +26,7 @@
 #include "cli/interruption.hpp"
 #include "cli/live_line.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/results_file.hpp"
+#include "cli/stored_match.hpp"
 #include "config/packet_share.hpp"
 #include "config/text.hpp"
 #include "config/typed.hpp"
@@ -76,16 +75,8 @@ std::string interrupted_text(const std::string& again, const match::GameState& s
                      state.half, clock_text(state.clock), time, state.goals[0], state.goals[1], again);
 }
 
-// The stored match that is to be played again.
-struct Stored {
-  campaign::Job job;
-  campaign::Decided decided;
-  campaign::Limits limits;
-  std::vector<campaign::Document> documents;  // that the study was begun with
-};
-
-// Nothing when none is. The files of the match are named as they were where the tournament was begun: goes there.
-std::optional<Stored> stored_match(const Options& options, const Invocation& invocation) {
+// Nothing when none is to be played again.
+std::optional<StoredMatch> stored_match_of(const Options& options, const Invocation& invocation) {
   if (options.from.empty()) {
     if (!options.row.empty())
       throw BadInput(fmt::format("--row {}: belongs to --from, which is not given", options.row));
@@ -98,87 +89,8 @@ std::optional<Stored> stored_match(const Options& options, const Invocation& inv
                     !options.away_disturbance.empty() || !options.overrides.empty() || !options.opening.empty() ||
                     !options.limit.empty() || !options.plugins.empty() || options.seed != unset.seed;
   if (more) throw BadInput("--from: the file says what is played; teams and options that change it cannot be given");
-  const campaign::Store store = read_results(options.from);
-  const auto report = stored_study(options.from, store, {}, invocation.studies);
-  study::Study& study = report->study();
-  const std::uint64_t row = config::parse_whole("--row", options.row, 1, study.most_matches());
-  Stored out;
-  out.limits = study.limits();
-  try {
-    const auto played = cli::stored_match(store, study, row);
-    if (!played) throw BadInput(fmt::format("--row {}: this match of {} has not been played", row, options.from));
-    out.job = played->job;
-    out.decided = played->decided;
-    out.documents = store.documents();
-  } catch (const campaign::StoreError& error) {
-    throw BadInput(error.what());
-  }
-  std::error_code error;
-  std::filesystem::current_path(study.folder(), error);
-  if (error) {
-    throw BadInput(fmt::format("--from {}: the folder it was begun in, {}, cannot be entered: {}", options.from,
-                               study.folder(), error.message()));
-  }
-  return out;
+  return read_stored_match(options.from, options.row, invocation.studies);
 }
-
-// A match of a study as it was, from the files as they are or, where these have changed, as the study found them.
-class StoredSetup {
- public:
-  // Throws BadInput where it cannot be set up as it was. Goes to another folder where it takes the copies.
-  StoredSetup(const Options& options, const Stored& stored, const plugin::Catalogue& catalogue,
-              const Invocation& invocation)
-      : catalogue_(catalogue), job_(stored.job) {
-    const std::string now = set_up();
-    if (now.empty()) return;
-    std::string then = now;
-    if (!stored.documents.empty()) {
-      take_copies(stored);
-      then = set_up();
-    }
-    if (then.empty()) {
-      if (!options.quiet)
-        complain(fmt::format("row {}: its files have changed ({}); played as {} holds them", options.row, now,
-                             options.from));
-      return;
-    }
-    std::vector<std::string> words = campaign::match_arguments(stored.job);
-    words.insert(words.begin(), invocation.arguments.front());
-    throw BadInput(fmt::format("--row {}: was played with something else: {}; as things are now it would be: {}",
-                               options.row, then, campaign::shell_line(words)));
-  }
-
-  const campaign::Job& job() const { return job_; }
-  campaign::MatchSetup take() { return std::move(prepared_); }
-
- private:
-  void take_copies(const Stored& stored) try {
-    const std::filesystem::path given_in = std::filesystem::current_path();
-    copies_.emplace(stored.documents);
-    job_ = copies_->job(stored.job, given_in);
-    std::filesystem::current_path(copies_->folder(given_in));
-  } catch (const std::system_error& error) {
-    throw output::WriteError(fmt::format("the files of the match cannot be laid out again: {}", error.what()));
-  }
-
-  // What is not as it was; empty when nothing.
-  std::string set_up() {
-    try {
-      prepared_ = campaign::match_setup(campaign::request_of(job_), catalogue_);
-    } catch (const config::Error& error) {
-      return error.what();
-    } catch (const BadInput& error) {
-      return error.what();
-    }
-    return campaign::what_changed(job_, prepared_, catalogue_, campaign::program_hash(),
-                                  campaign::mathematics_fingerprint());
-  }
-
-  const plugin::Catalogue& catalogue_;
-  campaign::Job job_;
-  campaign::MatchSetup prepared_;
-  std::optional<campaign::DocumentCopies> copies_;
-};
 
 // "plugin greedy of away (b.yaml), robot 3, tick 41: assign: Segmentation fault"
 std::string failure_text(const campaign::Job& job, const campaign::Failure& failure) {
@@ -199,7 +111,7 @@ std::string end_in_words(const campaign::Decided& decided) {
 }
 
 // A match that was forfeited, or could not be played: by workers, as then, for its plugin may hang or take all memory.
-int play_failed(const Options& options, const Stored& stored, campaign::Job job) {
+int play_failed(const Options& options, const StoredMatch& stored, campaign::Job job) {
   campaign::Decided now;
   try {
     job.record = options.record;
@@ -277,7 +189,7 @@ void blame(campaign::Job job, campaign::Limits limits) {
 }
 
 // Plays what was set up, in a process that a plugin may end.
-int play_prepared(const Options& options, const Invocation& invocation, const std::optional<Stored>& stored,
+int play_prepared(const Options& options, const Invocation& invocation, const std::optional<StoredMatch>& stored,
                   campaign::MatchSetup prepared, campaign::WorkerNote& note) {
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
   std::vector<std::string> words = invocation.arguments;
@@ -404,7 +316,7 @@ int play(Options options, const output::OutputFiles& outputs, const Invocation& 
     if (!options.from.empty() && !written->empty()) *written = std::filesystem::absolute(*written).string();
   }
   if (options.force && options.record.empty()) throw BadInput("--force: belongs to --record, which is not given");
-  const std::optional<Stored> stored = stored_match(options, invocation);
+  const std::optional<StoredMatch> stored = stored_match_of(options, invocation);
   if (!stored && options.teams.size() != 2) {
     throw BadInput(
         fmt::format("match: two files of teams are wanted, {} given; see: regista match --help", options.teams.size()));
@@ -414,7 +326,13 @@ int play(Options options, const output::OutputFiles& outputs, const Invocation& 
   for (std::string& each : folders) each = stored ? std::filesystem::absolute(each).string() : each;
   const plugin::Catalogue catalogue = open_plugins(folders, invocation);
   std::optional<StoredSetup> as_then;
-  if (stored) as_then.emplace(options, *stored, catalogue, invocation);
+  if (stored) {
+    as_then.emplace(*stored, catalogue, invocation.arguments.front());
+    if (!as_then->changed().empty() && !options.quiet) {
+      complain(fmt::format("row {}: its files have changed ({}); played as {} holds them", options.row,
+                           as_then->changed(), options.from));
+    }
+  }
   campaign::Job job = as_then ? as_then->job() : campaign::job_of(options, options.plugins);
   const campaign::MatchRequest wanted = campaign::request_of(job);
   campaign::MatchSetup prepared = as_then ? as_then->take() : campaign::match_setup(wanted, catalogue);

@@ -22,7 +22,7 @@ namespace {
 
 // Their names in the file.
 constexpr auto schedule = "schedule";
-constexpr auto teams_documents = "documents";
+constexpr auto resolved_teams = "documents";
 
 // The kind of study that a plan is of. Throws BadInput for a study that this program does not know.
 const StudyKind& kind_of(const std::string& file, const std::string& plan, std::span<const StudyKind> kinds) {
@@ -73,7 +73,7 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
     if (stored.empty()) {  // new, or killed before there was one
       using Json = nlohmann::json;
       store.keep(campaign::documents_in(begun_with.files));
-      store.set_meta(teams_documents, Json(begun_with.teams).dump(-1, ' ', false, Json::error_handler_t::replace));
+      store.set_meta(resolved_teams, Json(begun_with.teams).dump(-1, ' ', false, Json::error_handler_t::replace));
       store.set_meta(schedule, study.plan());
       return store;
     }
@@ -87,7 +87,7 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
 }
 
 std::vector<std::string> stored_documents(const campaign::Store& store) {
-  const std::string stored = store.meta(teams_documents);
+  const std::string stored = store.meta(resolved_teams);
   if (stored.empty()) return {};
   try {
     return nlohmann::json::parse(stored).get<std::vector<std::string>>();

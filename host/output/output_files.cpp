@@ -96,7 +96,7 @@ std::vector<OutputFiles::Read> OutputFiles::all_reads() const {
   for (const Named& named : reads_) {
     switch (named.what) {
       case Reads::documents:
-        break;  // below
+        break;  // above
       case Reads::results:
         for (const fs::path& file : named.files) {
           add(file);

@@ -57,12 +57,43 @@ class Matches(tournament.Tournament):
         self.assertEqual(self.succeed("match", "--from", "tournament.db", "--row", "1", "--quiet", "--json",
                                       environment={"TMPDIR": str(self.write("aside/none", "").parent)}).count("hash"), 1)
         self.assertEqual(os.listdir(self.folder / "aside"), ["none"])
+        # Nor does it matter where copies are laid out.
+        done = self.run_program("match", "--from", "tournament.db", "--row", "1", environment={"TMPDIR": "aside"})
+        self.assertIn(f"the same match as row 1: hash {stored[0][1]}", done.stderr)
+        self.assertEqual(os.listdir(self.folder / "aside"), ["none"])
+        for recording in self.folder.glob("*.mcap"):
+            self.assertNotIn(b"regista-", recording.read_bytes().replace(str(self.folder).encode(), b""))
         # No copy is kept of plugins.
         with (self.plugin_folder / program.SOUND.name).open("ab") as plugin:
             plugin.write(b"more")
         line = self.refused("match", "--from", "tournament.db", "--row", "1")
         self.assertIn("--row 1: was played with something else: plugin ", line)
-        self.assertNotIn("small.yaml has changed", line)
+        self.assertRegex(line, r"something else: plugin [a-z_]+ \(\S+\) has changed, plugin [^;]* has changed; as things ")
+        self.assertNotIn("yaml has changed", line)
+
+    def test_what_documents_name_is_kept_with_them(self):
+        """Files that a team extends, and those of parameters, the opponent's too."""
+        plugins = program.PROGRAM.parent.parent / "lib/regista/plugins"
+        configs = program.SOURCE / "configs"
+        for folder in ("teams", "formations"):
+            shutil.copytree(configs / folder, self.folder / folder)
+        self.write("mine.yaml", "extends: teams/formation.yaml\nteam: mine\n")
+        self.succeed("tournament", "--team", "mine.yaml", "--team", self.folder / "teams/fixed_rate.yaml", "--pairs", 1,
+                     "--limit", 5, "--plugins", plugins, "--no-page", "--quiet")
+        state_hash = self.stored("SELECT hash FROM matches ORDER BY row")[1][0]
+        again = lambda: self.run_program("match", "--from", "tournament.db", "--row", "2").stderr
+        self.assertNotIn("have changed", again())
+        with (self.folder / "teams/fixed_rate.yaml").open("a") as team:
+            team.write("tasks: {offset: {at_most: 0.1}}\n")
+        self.assertIn(f"the same match as row 2: hash {state_hash}", again())
+        shutil.rmtree(self.folder / "formations")
+        (self.folder / "teams/formation.yaml").unlink()
+        said = again()
+        self.assertIn("row 2: its files have changed (", said)
+        self.assertIn(f"the same match as row 2: hash {state_hash}", said)
+        # Damaged documents are no obstacle to what needs none.
+        self.change("UPDATE documents SET size = size + 1", mend=False)
+        self.assertIn("tournament.db are damaged: the checksum of the document /", again())
 
     def test_the_report_counts_the_rows(self):
         report = self.only(pairs=12)

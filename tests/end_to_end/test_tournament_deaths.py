@@ -73,6 +73,11 @@ class Deaths(tournament.Tournament):
                                       rf"{re.escape(what)}$")
         again = self.succeed("match", "--from", "tournament.db", "--row", "1")
         self.assertRegex(again, rf"^row 1, again: was forfeited: home, plugin crashes, holds: {re.escape(what)}\n$")
+        # So it is though the team was edited.
+        self.with_context("ball_seen")
+        edited = self.succeed("match", "--from", "tournament.db", "--row", "1", "--quiet", "--record", "again.mcap")
+        self.assertEqual(edited, again)
+        self.assertNotIn(b"regista-", (self.folder / "again.mcap").read_bytes().replace(bytes(self.folder), b""))
 
     def test_abort(self):
         self.assertEqual(self.blamed("aborts")["what"], ABORTED)

@@ -28,14 +28,17 @@ TEST(DocumentCopies, NamesLeadToTheCopies) {
   job.teams = {"teams/a.yaml", "/league/base.yaml"};
   job.rules = "spl2023";
   job.opening = "../league/empty";
+  job.robot = "/league/none.yaml";
   job.plugins = {"plugins", "/elsewhere"};
   const Job here = copies.job(job, "/league");
-  EXPECT_EQ(content(here.teams[0]), "extends: ../base.yaml");
-  EXPECT_EQ(content(fs::path(here.teams[0]).parent_path() / "../base.yaml"), "team: base");
+  const fs::path folder = copies.folder("/league");
+  EXPECT_EQ(here.teams[0], "teams/a.yaml");
+  EXPECT_EQ(content(folder / here.teams[0]), "extends: ../base.yaml");
+  EXPECT_EQ(content((folder / here.teams[0]).parent_path() / "../base.yaml"), "team: base");
   EXPECT_EQ(content(here.teams[1]), "team: base");
-  EXPECT_TRUE(fs::is_regular_file(here.opening));
+  EXPECT_TRUE(fs::is_regular_file(folder / here.opening));
   EXPECT_EQ(here.rules, "spl2023");
-  EXPECT_EQ(here.robot, "");
+  EXPECT_EQ(here.robot, "/league/none.yaml");
   EXPECT_THAT(here.plugins, ElementsAre("/league/plugins", "/elsewhere"));
   EXPECT_EQ(content(copies.folder("/league") / "base.yaml"), "team: base");
   EXPECT_TRUE(fs::is_directory(copies.folder("/another/folder")));
@@ -58,6 +61,24 @@ TEST(DocumentCopies, OfSharedObjectsThePathAlone) {
   EXPECT_FALSE(fs::equivalent(here.teams[1], text));
 }
 
+// A file of results may come from anybody.
+TEST(DocumentCopies, NothingIsWrittenElsewhere) {
+  const auto refused = [](const std::vector<Document>& documents) {
+    try {
+      DocumentCopies{documents};
+      return std::string("taken");
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+  };
+  for (const char* const path : {"/../../tmp/out", "/a/../b", "relative", "", "/", "/a/", "//a/b", "/a/./b"}) {
+    EXPECT_EQ(refused({{path, "text"}}), "no document has the path \"" + std::string(path) + '"');
+  }
+  EXPECT_EQ(refused({{"/a", std::nullopt}, {"/a/b", "text"}}), "no document has the path \"/a/b\"");
+  EXPECT_EQ(refused({{"/a/b/c", "text"}, {"/a", "text"}}), "no document has the path \"/a/b/c\"");
+  EXPECT_EQ(refused({{"/a/b", "text"}, {"/ab", "text"}}), "taken");
+}
+
 TEST(DocumentCopies, LeaveNothingBehind) {
   fs::path folder;
   {
@@ -76,8 +97,12 @@ TEST_F(StoredDocumentsTest, AreGivenBack) {
     Store store(file, Mode::create, "1.0");
     EXPECT_THAT(store.documents(), IsEmpty());
     store.keep(documents);
-    const std::vector<Document> again{{"/a", "what the study was begun with stands"}};
-    store.keep(again);
+  }
+  {
+    Store store(file, Mode::open, "1.0");
+    const std::vector<Document> before{{"/d", "of a study that was killed before its first match"}};
+    store.keep(before);
+    store.keep(documents);
   }
   const Store store(file, Mode::read, "1.0");
   EXPECT_EQ(store.documents(), documents);
