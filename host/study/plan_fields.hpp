@@ -96,6 +96,7 @@ PlanJson json_of(const std::vector<T>& values) {
 }
 template <class T>
 void read(const PlanJson& json, std::vector<T>& values) {
+  if (!json.is_array()) throw std::out_of_range("a list is wanted");
   values.clear();
   for (const PlanJson& each : json) read(each, values.emplace_back());
 }
@@ -218,17 +219,14 @@ std::string plan_text(const char* study, int version, const Plan& plan) {
   return out.dump(-1, ' ', false, PlanJson::error_handler_t::replace);
 }
 
-// sound(plan): whether it is one that the study could have written. Throws std::invalid_argument with the reason.
-template <class Plan, class Sound>
-Plan plan_of(const char* study, int version, const std::string& text, Sound sound) {
+// read(json), or std::invalid_argument with the reason.
+template <class Read>
+auto read_plan(const std::string& text, const char* study, int version, Read read) {
   try {
     const PlanJson json = PlanJson::parse(text);
     if (json.at("study") != study) throw std::invalid_argument("these are results of another study");
     if (json.at("version") != version) throw std::invalid_argument("its plan is of another version");
-    Plan plan;
-    read(json, plan);
-    if (!sound(plan)) throw std::out_of_range("a number that none has");
-    return plan;
+    return read(json);
   } catch (const PlanJson::exception& error) {
     throw std::invalid_argument(fmt::format("its plan is damaged: {}", error.what()));
   } catch (const std::out_of_range&) {
@@ -236,7 +234,18 @@ Plan plan_of(const char* study, int version, const std::string& text, Sound soun
   }
 }
 
-// What is told of the fields that differ: "--pairs was 3, now 4".
+// sound(plan): whether it is one that the study could have written. Throws std::invalid_argument with the reason.
+template <class Plan, class Sound>
+Plan plan_of(const char* study, int version, const std::string& text, Sound sound) {
+  return read_plan(text, study, version, [&](const PlanJson& json) {
+    Plan plan;
+    read(json, plan);
+    if (!sound(plan)) throw std::out_of_range("a number that none has");
+    return plan;
+  });
+}
+
+// What is told of the fields that differ: "--pairs: was 3, now 4".
 template <class Plan>
 std::vector<std::string> field_differences(const Plan& before, const Plan& now) {
   PlanWords then, today;

@@ -2,7 +2,6 @@
 #include "study/tuning/tuning_plan.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -14,51 +13,8 @@
 #include "config/parse.hpp"
 #include "config/typed.hpp"
 #include "study/measure.hpp"
-#include "study/plan_differences.hpp"
 
 namespace regista::study {
-namespace {
-
-// Everything a plan says beside who plays, with the words for it: what a comparison of two plans goes through.
-std::vector<std::pair<std::string, std::string>> said(const TuningPlan& plan) {
-  std::vector<std::pair<std::string, std::string>> out;
-  const auto add = [&](const char* what, const auto& value) { out.emplace_back(what, fmt::format("{}", value)); };
-  const auto list = [&](const char* what, const std::vector<std::string>& values) {
-    out.emplace_back(what, fmt::format("{}", fmt::join(values, ", ")));
-  };
-  std::vector<std::string> paths, opponents;
-  for (const Parameter& each : plan.parameters) {
-    paths.push_back(fmt::format("{} {} to {} from {}{}{}", each.path, each.least, each.most, each.start,
-                                each.integer ? ", whole" : "", each.log_scale ? ", logarithmic" : ""));
-  }
-  for (const TuningOpponent& each : plan.opponents) {
-    opponents.push_back(fmt::format("{} ({})", each.label, each.weight));
-  }
-  add("the tuning", plan.name);
-  list("the parameters", paths);
-  list("the opponents", opponents);
-  add("the objective", (plan.objective.minimise ? "minimise " : "maximise ") + in_words(plan.objective));
-  add("the algorithm", name(plan.algorithm));
-  add("the seed", plan.seed);
-  add("pairs of the search", plan.search_pairs);
-  add("pairs for each evaluation", fmt::format("{}{}", plan.pairs, plan.pairs_for_all ? "" : " where replicated"));
-  add("the minutes of the search", plan.minutes ? fmt::format("{}", *plan.minutes) : std::string("none"));
-  add("the population", plan.population);
-  add("the finalists", plan.finalists);
-  add("pairs of the selection", plan.selection_pairs);
-  add("the candidates", plan.candidates);
-  add("pairs of the verification", plan.verification_pairs);
-  add("verification.against", plan.head_to_head ? "base" : "opponents");
-  add("verification.test", plan.symmetric ? "symmetric" : "betting");
-  add("the confidence", plan.confidence);
-  add("points of the slices", plan.slice_points);
-  add("pairs of the slices", plan.slice_pairs);
-  add("--processor-seconds", plan.limits.processor_seconds);
-  add("--memory", plan.limits.memory >> 20);
-  return out;
-}
-
-}  // namespace
 
 const char* name(TuningStage stage) {
   constexpr std::array names{"search", "selection", "verification", "slices"};
@@ -236,31 +192,6 @@ std::uint64_t most_matches(const TuningPlan& plan) {
     sum += most_matches(plan, stage);
   }
   return sum;
-}
-
-std::vector<std::string> differences(const TuningPlan& before, const TuningPlan& now) {
-  std::vector<std::string> out;
-  const auto then = said(before), today = said(now);
-  for (std::size_t i = 0; i < today.size(); ++i) {
-    if (then[i].second == today[i].second) continue;
-    out.push_back(fmt::format("{}: was {}, now {}", today[i].first, then[i].second, today[i].second));
-  }
-  if (!out.empty()) return out;  // else the same opponents, which can be compared one by one
-  InputDifferences inputs;
-  for (std::size_t i = 0; i < now.opponents.size(); ++i) {
-    const campaign::Job &old = before.opponents[i].jobs[0], &fresh = now.opponents[i].jobs[0];
-    inputs.add("the team: ", old.home_inputs, fresh.home_inputs);
-    inputs.add(now.opponents[i].label + ": ", old.away_inputs, fresh.away_inputs);
-    inputs.add("", old.common_inputs, fresh.common_inputs);
-    inputs.add("", before.opponents[i].jobs[1].common_inputs, now.opponents[i].jobs[1].common_inputs);
-  }
-  for (const std::size_t side : {0u, 1u}) {
-    const campaign::Job &old = before.base.jobs[side], &fresh = now.base.jobs[side];
-    inputs.add("the team: ", old.home_inputs, fresh.home_inputs);
-    inputs.add("the team: ", old.away_inputs, fresh.away_inputs);
-    inputs.add("", old.common_inputs, fresh.common_inputs);
-  }
-  return std::move(inputs).with_openings(before.openings, now.openings);
 }
 
 }  // namespace regista::study
