@@ -9,6 +9,25 @@
 #include "report/number.hpp"
 
 namespace regista::report {
+namespace {
+
+double shown_margin(const std::optional<statistics::Interval>& interval) {
+  return interval && has_width(*interval) ? (interval->high - interval->low) / 2.0 : 0.0;
+}
+
+// An end beside nought must not look as if it were nought.
+std::string end_text(double end, double margin) {
+  const std::string text = rounded(end, margin);
+  return end != 0.0 && shows_nothing(end, text) ? rounded(end, std::abs(end)) : text;
+}
+
+std::string ends_text(const std::optional<statistics::Interval>& interval) {
+  if (!interval || !has_width(*interval)) return {};
+  const double margin = shown_margin(interval);
+  return fmt::format(" [{}, {}]", end_text(interval->low, margin), end_text(interval->high, margin));
+}
+
+}  // namespace
 
 std::string interval_text(const statistics::Interval& interval, int digits) {
   return fmt::format("[{}, {}]", fixed(interval.low, digits), fixed(interval.high, digits));
@@ -43,7 +62,7 @@ std::string rounded(double value, double margin) {
 }
 
 std::string rounded_with_sign(double value, double margin) {
-  const std::string text = rounded(value, margin);
+  const std::string text = rounded(value, std::isfinite(margin) ? margin : 0.0);
   return text.starts_with('-') ? text : '+' + text;
 }
 
@@ -58,6 +77,26 @@ std::string interval_text(const study::MeanEstimate& estimate) {
   if (!estimate.interval) return "no interval";
   const double margin = half_width(estimate.interval);
   return fmt::format("[{}, {}]", rounded(estimate.interval->low, margin), rounded(estimate.interval->high, margin));
+}
+
+bool has_width(const statistics::Interval& interval) {
+  constexpr double rounding = 1e-9;
+  return interval.bounded() &&
+         interval.high - interval.low > rounding * std::max(std::abs(interval.low), std::abs(interval.high));
+}
+
+std::string with_interval(const study::MeanEstimate& estimate) {
+  if (estimate.pairs == 0) return "-";
+  return rounded(estimate.mean, shown_margin(estimate.interval)) + ends_text(estimate.interval);
+}
+
+std::string signed_with_interval(const statistics::Estimate& estimate) {
+  return rounded_with_sign(estimate.value, shown_margin(estimate.interval)) + ends_text(estimate.interval);
+}
+
+std::string signed_with_interval(const study::MeanEstimate& difference) {
+  if (difference.pairs == 0) return "-";
+  return rounded_with_sign(difference.mean, shown_margin(difference.interval)) + ends_text(difference.interval);
 }
 
 }  // namespace regista::report

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "campaign/job.hpp"
-#include "report/estimate_text.hpp"
 #include "study/experiment.hpp"
 #include "study/experiment_plan.hpp"
 

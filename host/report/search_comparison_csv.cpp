@@ -13,12 +13,12 @@ std::string search_comparison_csv(const SearchComparisonView& view) {
   std::string out =
       "algorithm,repeat,evaluations,matches," + parameter_columns(plan) + "seen,judged,standard_error,pairs,ended\n";
   for (const study::ComparedRun& each : view.record.runs) {
-    out +=
-        fmt::format("{},{},{},{},{}{},{},{},{},{}\n", name(each.algorithm), each.repeat + 1, each.evaluations,
-                    each.matches, value_fields(plan, each.values),
-                    each.seen ? fmt::format("{}", told(plan.objective, *each.seen)) : std::string(),
-                    each.judged.pairs > 0 ? fmt::format("{}", told(plan.objective, each.judged.mean)) : std::string(),
-                    standard_error_field(each.judged), each.judged.pairs, csv_field(each.ended));
+    out += fmt::format(
+        "{},{},{},{},{}{},{},{},{},{}\n", name(each.algorithm), each.repeat + 1, each.evaluations, each.matches,
+        value_fields(plan, each.values),
+        each.seen ? fmt::format("{}", of_objective(plan.objective, *each.seen)) : std::string(),
+        each.judged.pairs > 0 ? fmt::format("{}", of_objective(plan.objective, each.judged.mean)) : std::string(),
+        standard_error_field(each.judged), each.judged.pairs, csv_field(each.ended));
   }
   return out;
 }

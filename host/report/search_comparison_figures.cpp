@@ -43,7 +43,7 @@ std::optional<Figure> algorithms(const SearchComparisonView& view) {
     bool first = true;
     for (const study::ComparedRun* const run : placed[i].runs) {
       if (run->judged.pairs == 0) continue;
-      const double value = told(objective, run->judged.mean);
+      const double value = of_objective(objective, run->judged.mean);
       range.take(value);
       const statistics::Quartiles& of = *placed[i].difference;
       out.csv += fmt::format("{},{},{},{},{}\n", name(placed[i].algorithm), i, run->repeat + 1, value,

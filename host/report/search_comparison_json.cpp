@@ -19,7 +19,7 @@ Json run_json(const study::TuningObjective& objective, const study::ComparedRun&
           {"ended", run.ended},
           {"values", run.values},  // in the order of "parameters"
           {"seen", json_of_score(objective, run.seen)},
-          {"judged", json_of(told(objective, run.judged))}};
+          {"judged", json_of(of_objective(objective, run.judged))}};
 }
 
 Json compared(const SearchComparisonView& view) {

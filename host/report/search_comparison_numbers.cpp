@@ -27,7 +27,7 @@ std::vector<AlgorithmSummary> algorithm_summaries(const SearchComparisonView& vi
       evaluations.push_back(static_cast<double>(run.evaluations));
       matches.push_back(static_cast<double>(run.matches));
       if (run.judged.pairs == 0) continue;
-      differences.push_back(told(view.plan.tuning.objective, run.judged.mean));
+      differences.push_back(of_objective(view.plan.tuning.objective, run.judged.mean));
       if (run.judged.mean > 0.0) ++each.better;
     }
     if (!each.runs.empty()) {

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "report/estimate_text.hpp"
 #include "report/experiment.hpp"
 #include "report/html_table.hpp"
 #include "report/match_remarks.hpp"
@@ -30,8 +31,8 @@ Html tiles(const SearchComparisonView& view) {
 Html quartiles_cell(const std::optional<statistics::Quartiles>& of) {
   if (!of) return "–"_html;
   const double margin = (of->upper - of->lower) / 2.0;
-  return text(fmt::format("{} [{}, {}]", signed_text(of->median, margin), signed_text(of->lower, margin),
-                          signed_text(of->upper, margin)));
+  return text(fmt::format("{} [{}, {}]", rounded_with_sign(of->median, margin), rounded_with_sign(of->lower, margin),
+                          rounded_with_sign(of->upper, margin)));
 }
 
 Html algorithms_section(const SearchComparisonPage& page) {
@@ -64,8 +65,9 @@ Html algorithms_section(const SearchComparisonPage& page) {
                   {"Values"_html, Column::words}});
   for (const study::ComparedRun& each : view.record.runs) {
     runs.row({code(name(each.algorithm)), whole_number(each.repeat + 1), whole_number(each.evaluations),
-              whole_number(each.matches), each.seen ? text(rounded(told(objective, *each.seen), 0.0)) : Html("–"_html),
-              text(difference_text(told(objective, each.judged))), text(each.ended),
+              whole_number(each.matches),
+              each.seen ? text(rounded(of_objective(objective, *each.seen), 0.0)) : Html("–"_html),
+              text(signed_with_interval(of_objective(objective, each.judged))), text(each.ended),
               text(values_text(view.plan.tuning, each.values))});
   }
   out << "<details><summary>All runs</summary>\n<div class=\"values\">"_html << runs.html()

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "report/estimate_text.hpp"
 #include "report/objective_numbers.hpp"
 #include "report/search_comparison_numbers.hpp"
 #include "report/tuning_problem.hpp"
@@ -39,7 +40,7 @@ std::string headline_of(const SearchComparisonView& view) {
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const double median = placed[i].difference->median;
     if (i > 0) order += median == placed[i - 1].difference->median ? " = " : ", ";
-    order += fmt::format("{} {}", name(placed[i].algorithm), signed_text(median, 0.0));
+    order += fmt::format("{} {}", name(placed[i].algorithm), rounded_with_sign(median, 0.0));
   }
   return fmt::format("{}, median difference from the base team, the best first: {}.",
                      visible(in_words(view.plan.tuning.objective)), order);

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "report/estimate_text.hpp"
 #include "report/experiment.hpp"
 #include "report/match_remarks.hpp"
 #include "report/objective_numbers.hpp"
@@ -19,8 +20,8 @@ namespace {
 std::string quartiles_text(const std::optional<statistics::Quartiles>& of) {
   if (!of) return "-";
   const double margin = (of->upper - of->lower) / 2.0;
-  return fmt::format("{} [{}, {}]", signed_text(of->median, margin), signed_text(of->lower, margin),
-                     signed_text(of->upper, margin));
+  return fmt::format("{} [{}, {}]", rounded_with_sign(of->median, margin), rounded_with_sign(of->lower, margin),
+                     rounded_with_sign(of->upper, margin));
 }
 
 std::string algorithms_table(const SearchComparisonView& view) {
@@ -59,8 +60,9 @@ std::string search_comparison_standing(const SearchComparisonView& view) {
                      most_matches(view.plan));
   if (view.record.runs.empty()) return out;
   const study::ComparedRun& last = view.record.runs.back();
-  return out + fmt::format("last: {}, run {}: {} in its search (optimistic)\n", name(last.algorithm), last.repeat + 1,
-                           last.seen ? rounded(told(view.plan.tuning.objective, *last.seen), 0.0) : "not played");
+  return out +
+         fmt::format("last: {}, run {}: {} in its search (optimistic)\n", name(last.algorithm), last.repeat + 1,
+                     last.seen ? rounded(of_objective(view.plan.tuning.objective, *last.seen), 0.0) : "not played");
 }
 
 std::string search_comparison_text(const SearchComparisonView& view) {

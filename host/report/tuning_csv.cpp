@@ -13,8 +13,8 @@ std::string tuning_csv(const TuningView& view) {
   for (const study::SearchStep& each : view.record.trace) {
     out += fmt::format("{},{},{},{},{}{},{},{},{},{}\n", each.evaluation, each.pairs_from, each.repeated ? 1 : 0,
                        each.played.failed ? 1 : 0, value_fields(plan, each.values),
-                       told(plan.objective, each.played.counted), standard_error_field(each.played.score),
-                       each.played.score.pairs, told(plan.objective, each.best), each.matches);
+                       of_objective(plan.objective, each.played.counted), standard_error_field(each.played.score),
+                       each.played.score.pairs, of_objective(plan.objective, each.best), each.matches);
   }
   return out;
 }

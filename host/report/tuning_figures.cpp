@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "report/estimate_text.hpp"
 #include "report/objective_axis.hpp"
 #include "report/thinned.hpp"
 #include "report/tuning_sentences.hpp"
@@ -84,7 +85,7 @@ std::optional<Figure> convergence(const TuningView& view) {
   AxisRange range;
   for (const study::SearchStep& each : trace) {
     kept.offer([&] { return &each; });
-    if (!each.played.failed) range.take(told(objective, each.played.counted));
+    if (!each.played.failed) range.take(of_objective(objective, each.played.counted));
   }
   for (const Level& each : levels) range.take(each.value);
   std::vector<const study::SearchStep*> steps = kept.with_last([&] { return &trace.back(); });
@@ -106,10 +107,11 @@ std::optional<Figure> convergence(const TuningView& view) {
                                    100.0 * view.plan.confidence));
   out.csv = "matches,evaluation,value,best,failed\n";
   for (const study::SearchStep* const each : steps) {
-    const double value = told(objective, each->played.counted);
-    out.csv += fmt::format("{},{},{},{},{}\n", each->matches, each->evaluation,
-                           each->played.failed ? std::string() : field(value), field(told(objective, each->best)),
-                           each->played.failed ? fmt::format("{:.9g}", range.bottom()) : std::string());
+    const double value = of_objective(objective, each->played.counted);
+    out.csv +=
+        fmt::format("{},{},{},{},{}\n", each->matches, each->evaluation,
+                    each->played.failed ? std::string() : field(value), field(of_objective(objective, each->best)),
+                    each->played.failed ? fmt::format("{:.9g}", range.bottom()) : std::string());
   }
   out.height = 340;
   const std::uint64_t end = std::max<std::uint64_t>(trace.back().matches, 1);
@@ -198,7 +200,7 @@ std::optional<Figure> slice(const TuningView& view, const study::Slice& of, std:
   AxisRange range;
   out.csv = "value,mean,low,high,tuned\n";
   for (const study::SlicePoint& each : of.points) {
-    const study::MeanEstimate score = told(objective, each.score);
+    const study::MeanEstimate score = of_objective(objective, each.score);
     range.take(score);
     out.csv += fmt::format("{},{},{}\n", each.value, with_interval(score), each.value == tuned ? 1 : 0);
   }

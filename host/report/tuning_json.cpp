@@ -22,7 +22,7 @@ Json budget(const study::TuningPlan& plan) {
 }
 
 Json played(const study::TuningPlan& plan, const study::PlayedScore& of) {
-  Json out = json_of(told(plan.objective, of.score));
+  Json out = json_of(of_objective(plan.objective, of.score));
   out["failed"] = of.failed;
   return out;
 }
@@ -100,8 +100,8 @@ Json slices(const TuningView& view) {
     Json points = Json::array();
     for (const study::SlicePoint& each : slice.points) {
       points.push_back({{"value", each.value},
-                        {"objective", json_of(told(view.plan.objective, each.score))},
-                        {"difference", json_of(told(view.plan.objective, each.difference))}});
+                        {"objective", json_of(of_objective(view.plan.objective, each.score))},
+                        {"difference", json_of(of_objective(view.plan.objective, each.difference))}});
     }
     out.push_back({{"path", view.plan.parameters[slice.parameter].path},
                    {"importance", slice.p ? Json(slice.importance) : Json(nullptr)},

@@ -65,7 +65,7 @@ Json json_or_null(const std::optional<double>& value) { return value ? json_numb
 
 Json json_of_score(const study::TuningObjective& objective, const std::optional<double>& score) {
   if (!score) return nullptr;
-  return json_number(told(objective, *score));
+  return json_number(of_objective(objective, *score));
 }
 
 Json json_of(const statistics::Interval& interval) {

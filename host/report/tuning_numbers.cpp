@@ -85,16 +85,16 @@ std::vector<CandidateVerdict> candidate_verdicts(const TuningView& view) {
     each.finding = record.finding(i);
     each.forfeited = record.candidate_failed[i];
     each.packets = record.candidate_packets[i];
-    if (finalist.seen) each.seen = told(plan.objective, finalist.seen->score);
-    each.selected = told(plan.objective, finalist.selected.score);
+    if (finalist.seen) each.seen = of_objective(plan.objective, finalist.seen->score);
+    each.selected = of_objective(plan.objective, finalist.selected.score);
     each.pairs = scores.difference().count();
-    each.difference =
-        each.pairs == 0 ? statistics::Estimate{0.0, {-HUGE_VAL, HUGE_VAL}} : told(plan.objective, scores.estimate());
+    each.difference = each.pairs == 0 ? statistics::Estimate{0.0, {-HUGE_VAL, HUGE_VAL}}
+                                      : of_objective(plan.objective, scores.estimate());
     each.p = scores.p();
     each.adjusted = adjusted[i];
     if (!plan.head_to_head && each.pairs > 0) {
-      each.value = told(plan.objective, mean_of(scores.candidate(), plan.confidence));
-      each.base = told(plan.objective, mean_of(scores.base(), plan.confidence));
+      each.value = of_objective(plan.objective, mean_of(scores.candidate(), plan.confidence));
+      each.base = of_objective(plan.objective, mean_of(scores.base(), plan.confidence));
     }
     const bool known = plan.head_to_head ? finalist.selected.score.pairs > 0 : each.pairs > 0;
     if (finalist.seen && finalist.seen->score.pairs > 0 && known) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "report/estimate_text.hpp"
 #include "report/experiment.hpp"
 #include "report/html_table.hpp"
 #include "report/match_remarks.hpp"
@@ -23,7 +24,7 @@ Html tiles(const TuningView& view) {
   Html out = "<div class=\"tiles\">\n"_html;
   for (const CandidateVerdict& each : candidate_verdicts(view)) {
     if (each.finalist != view.record.tuned() || each.pairs == 0) continue;
-    out << tile(text(told_text(each.difference)),
+    out << tile(text(signed_with_interval(each.difference)),
                 text(fmt::format("{} of the tuned team less the base team's", in_words(plan.objective))));
     if (each.seen && each.value) {
       out << tile(text(rounded(each.value->mean, 0.0)),
@@ -107,8 +108,9 @@ Html finalists_section(const TuningView& view) {
   for (std::size_t i = 0; i < view.record.finalists.size(); ++i) {
     const study::Finalist& each = view.record.finalists[i];
     std::vector<Html> cells{whole_number(i + 1), text(seen_text(view.plan, each)),
-                            each.selected.failed ? Html("forfeited"_html)
-                                                 : text(told_text(told(view.plan.objective, each.selected.score)))};
+                            each.selected.failed
+                                ? Html("forfeited"_html)
+                                : text(with_interval(of_objective(view.plan.objective, each.selected.score)))};
     for (std::size_t j = 0; j < view.plan.parameters.size(); ++j) {
       if (!view.plan.parameters[j].fixed()) cells.push_back(text(text_of(view.plan.parameters[j], each.values[j])));
     }
@@ -136,8 +138,9 @@ Html trace_section(const TuningView& view) {
   for (std::size_t i = 0; i < std::min(trace.size(), most_rows); ++i) {
     const study::SearchStep& each = trace[i];
     table.row({whole_number(each.evaluation),
-               each.played.failed ? Html("–"_html) : text(told_text(told(view.plan.objective, each.played.score))),
-               text(rounded(told(view.plan.objective, each.best), 0.0)), whole_number(each.matches),
+               each.played.failed ? Html("–"_html)
+                                  : text(with_interval(of_objective(view.plan.objective, each.played.score))),
+               text(rounded(of_objective(view.plan.objective, each.best), 0.0)), whole_number(each.matches),
                each.played.failed ? Html("forfeited"_html)
                : each.repeated    ? Html("played before"_html)
                                   : Html(),

@@ -60,9 +60,6 @@ std::string team_of(const campaign::Job& job, std::size_t side) {
 
 }  // namespace
 
-std::string counted(std::uint64_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 std::string pairs_text(std::uint64_t count) { return counted(count, "pair", "pairs"); }
 
 std::string problem_title(const study::TuningPlan& plan) {

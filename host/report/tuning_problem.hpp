@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "campaign/job.hpp"
+#include "config/text.hpp"
 #include "study/tuning/tuning_plan.hpp"
 
 namespace regista::report {
 
-std::string counted(std::uint64_t count, const char* one, const char* many);  // "1 run", "2 runs"
-std::string pairs_text(std::uint64_t count);                                  // "1 pair"
+using config::counted;                        // "1 run", "2 runs"
+std::string pairs_text(std::uint64_t count);  // "1 pair"
 
 // "weights: 3 parameters of paper.yaml, goal_difference as large as possible"
 std::string problem_title(const study::TuningPlan& plan);

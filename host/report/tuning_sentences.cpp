@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/estimate_text.hpp"
 #include "report/experiment.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
@@ -51,11 +52,11 @@ std::string numbers_text(const TuningView& view, const CandidateVerdict& each, s
   if (each.pairs == 0) return "no pair has both values";
   std::string out = visible(in_words(plan.objective));
   if (each.value) {
-    out += fmt::format(" {}, the base team {}, difference ", told_text(*each.value), told_text(*each.base));
+    out += fmt::format(" {}, the base team {}, difference ", with_interval(*each.value), with_interval(*each.base));
   } else {
     out += " less the base team's in the same matches ";
   }
-  out += told_text(each.difference);
+  out += signed_with_interval(each.difference);
   const statistics::Interval& interval = each.difference.interval;
   out += has_width(interval)  ? fmt::format(" ({})", interval_words(plan, candidates))
          : interval.bounded() ? std::string(" (every pair differs by as much)")
@@ -97,7 +98,7 @@ std::string optimism_text(const TuningView& view, const CandidateVerdict& each) 
   const char* const where = view.plan.head_to_head ? "the selection" : "the verification";
   const study::MeanEstimate& came = view.plan.head_to_head ? each.selected : *each.value;
   std::string out =
-      fmt::format("The search had promised {}, {} gave {}", told_text(*each.seen), where, told_text(came));
+      fmt::format("The search had promised {}, {} gave {}", with_interval(*each.seen), where, with_interval(came));
   return out + (*each.optimism > 0.0 ? fmt::format(": {} of the promise was optimism.", rounded(*each.optimism, margin))
                                      : std::string(": its promise was not too high."));
 }
@@ -191,7 +192,7 @@ std::vector<std::string> search_sentences(const TuningView& view) {
   const study::SearchStep* const best = best_step(record);
   if (best == nullptr) return {};
   const auto value = [&](const study::SearchStep& step) {
-    return told_text(told(view.plan.objective, step.played.score));
+    return with_interval(of_objective(view.plan.objective, step.played.score));
   };
   const std::uint64_t failed = static_cast<std::uint64_t>(
       std::ranges::count_if(record.trace, [](const auto& each) { return each.played.failed; }));
@@ -224,7 +225,7 @@ TuningVerdict tuning_verdict(const TuningView& view) {
   if (base_came_first(view)) {
     out.beside.push_back(fmt::format(
         "On the {} of the selection the base team came first, with {}.", pairs_text(view.plan.selection_pairs),
-        told_text(told(view.plan.objective, view.record.finalists.front().selected.score))));
+        with_interval(of_objective(view.plan.objective, view.record.finalists.front().selected.score))));
   }
   if (view.record.tally.unplayed_pairs > 0) out.beside.push_back(unplayed_sentence(view.record.tally.unplayed_pairs));
   if (const std::string note = several_note(candidates.size()); !note.empty()) out.beside.push_back(note);
@@ -264,7 +265,7 @@ std::string importance_text(const study::Slice& slice) {
 
 std::string seen_text(const study::TuningPlan& plan, const study::Finalist& finalist) {
   if (!finalist.seen) return "not played";
-  return finalist.seen->failed ? "forfeited" : told_text(told(plan.objective, finalist.seen->score));
+  return finalist.seen->failed ? "forfeited" : with_interval(of_objective(plan.objective, finalist.seen->score));
 }
 
 std::string slices_note(const TuningView& view) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "report/estimate_text.hpp"
 #include "report/experiment.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
@@ -25,11 +26,12 @@ std::string finalists_table(const TuningView& view) {
   for (std::size_t i = 0; i < record.finalists.size(); ++i) {
     const study::Finalist& each = record.finalists[i];
     const bool candidate = std::ranges::find(record.candidates, i) != record.candidates.end();
-    table.row({std::to_string(i + 1), seen_text(view.plan, each),
-               each.selected.failed ? "forfeited" : told_text(told(view.plan.objective, each.selected.score)),
-               each.values == base ? "the base team"
-               : candidate         ? "candidate"
-                                   : ""});
+    table.row(
+        {std::to_string(i + 1), seen_text(view.plan, each),
+         each.selected.failed ? "forfeited" : with_interval(of_objective(view.plan.objective, each.selected.score)),
+         each.values == base ? "the base team"
+         : candidate         ? "candidate"
+                             : ""});
   }
   return fmt::format(
              "\nFinalists, with what holds with {:.4g} % for one look: the search's own value is optimistic (values: "
@@ -79,14 +81,15 @@ std::string finalists_in_short(const TuningView& view) {
   for (std::size_t i = 0; i < std::min(candidates.size(), shown); ++i) {
     const CandidateVerdict& each = candidates[i];
     if (each.pairs == 0) continue;
-    out += fmt::format("finalist {}: difference {}, {}{}, {}\n", each.finalist + 1, told_text(each.difference),
-                       p_text(each.adjusted), candidates.size() > 1 ? " after Holm" : "", name(each.finding));
+    out +=
+        fmt::format("finalist {}: difference {}, {}{}, {}\n", each.finalist + 1, signed_with_interval(each.difference),
+                    p_text(each.adjusted), candidates.size() > 1 ? " after Holm" : "", name(each.finding));
   }
   if (!out.empty()) return out;
   for (std::size_t i = 0; i < std::min(view.record.finalists.size(), shown); ++i) {
     const study::Finalist& each = view.record.finalists[i];
     out += fmt::format("finalist {}: {} on the selection, {}\n", i + 1,
-                       told_text(told(view.plan.objective, each.selected.score)),
+                       with_interval(of_objective(view.plan.objective, each.selected.score)),
                        seen_text(view.plan, each) + " in the search" + (each.seen ? " (optimistic)" : ""));
   }
   return out;
@@ -117,8 +120,9 @@ std::string tuning_standing(const TuningView& view) {
                      most_matches(view.plan));
   if (const study::SearchStep* const best = best_step(record)) {
     out += fmt::format("best so far: {} {} at evaluation {} (optimistic), the base team {}\n",
-                       visible(in_words(view.plan.objective)), told_text(told(view.plan.objective, best->played.score)),
-                       best->evaluation, told_text(told(view.plan.objective, record.trace.front().played.score)));
+                       visible(in_words(view.plan.objective)),
+                       with_interval(of_objective(view.plan.objective, best->played.score)), best->evaluation,
+                       with_interval(of_objective(view.plan.objective, record.trace.front().played.score)));
   }
   return out + finalists_in_short(view);
 }

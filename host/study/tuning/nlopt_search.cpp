@@ -72,7 +72,7 @@ struct Destroy {
 };
 
 // What a call of the objective knows. Nothing may be thrown through NLopt, which is C.
-struct Course {
+struct NloptRun {
   Inquiry* inquiry;
   nlopt_opt optimizer;
   std::uint64_t first_pairs;       // of this run's first generation
@@ -114,8 +114,8 @@ struct Course {
   }
 };
 
-double objective(unsigned dimensions, const double* point, double*, void* course) {
-  return static_cast<Course*>(course)->value({point, dimensions});
+double objective(unsigned dimensions, const double* point, double*, void* run) {
+  return static_cast<NloptRun*>(run)->value({point, dimensions});
 }
 
 }  // namespace
@@ -130,16 +130,16 @@ SearchResult nlopt_search(Algorithm algorithm, const SearchSettings& settings, I
   for (bool first = true; inquiry.left() > 0; first = false) {
     const std::unique_ptr<nlopt_opt_s, Destroy> optimizer(nlopt_create(of_nlopt(algorithm), dimensions));
     if (!optimizer) throw std::bad_alloc();
-    Course course{&inquiry, optimizer.get(), next_pairs, 0, 0, 0, nullptr, Point(start.size())};
+    NloptRun run{&inquiry, optimizer.get(), next_pairs, 0, 0, 0, nullptr, Point(start.size())};
     nlopt_set_lower_bounds1(optimizer.get(), 0.0);
     nlopt_set_upper_bounds1(optimizer.get(), 1.0);
-    nlopt_set_min_objective(optimizer.get(), objective, &course);
+    nlopt_set_min_objective(optimizer.get(), objective, &run);
     // Without it some of them never end; no time, as results must not depend on the clock.
     nlopt_set_maxeval(optimizer.get(), static_cast<int>(std::min<std::uint64_t>(inquiry.left(), INT_MAX)));
     if (generations) {
-      course.first_generation = first_generation(algorithm, dimensions, settings.population);
-      course.later_generation = later_generation(algorithm, dimensions, settings.population);
-      nlopt_set_population(optimizer.get(), static_cast<unsigned>(course.first_generation));
+      run.first_generation = first_generation(algorithm, dimensions, settings.population);
+      run.later_generation = later_generation(algorithm, dimensions, settings.population);
+      nlopt_set_population(optimizer.get(), static_cast<unsigned>(run.first_generation));
     }
     if (local(algorithm)) {
       const double size = first ? first_step : later_steps[draws.bits() % later_steps.size()];
@@ -159,12 +159,12 @@ SearchResult nlopt_search(Algorithm algorithm, const SearchSettings& settings, I
     // What it returns says nothing: reached limits, forced stops and rounding all end a search, and the point may be
     // any.
     nlopt_optimize(optimizer.get(), end.data(), &value);
-    if (course.failure) std::rethrow_exception(course.failure);
-    if (course.asked == 0) break;
-    next_pairs = generations ? course.first_pairs + 1 +
-                                   (course.asked <= course.first_generation
+    if (run.failure) std::rethrow_exception(run.failure);
+    if (run.asked == 0) break;
+    next_pairs = generations ? run.first_pairs + 1 +
+                                   (run.asked <= run.first_generation
                                         ? 0
-                                        : (course.asked - course.first_generation - 1) / course.later_generation + 1)
+                                        : (run.asked - run.first_generation - 1) / run.later_generation + 1)
                              : 0;
     start = inquiry.best(1).front();
   }
