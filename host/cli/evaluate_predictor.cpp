@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `regista evaluate-predictor STUDY.yaml --data FILE`: how well a predictor foretells a recording.
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <chrono>
 #include <memory>
 
 #include "campaign/shell.hpp"
@@ -11,6 +8,7 @@
 #include "cli/end_of_program.hpp"
 #include "cli/interruption.hpp"
 #include "cli/plugin_folders.hpp"
+#include "cli/terminal.hpp"
 #include "config/documents.hpp"
 #include "output/output.hpp"
 #include "report/evaluation_report.hpp"
@@ -33,33 +31,6 @@ struct Options {
   bool json = false, quiet = false;
 };
 
-// A line on a terminal's standard error that is rewritten in place, a few times a second.
-class Progress {
- public:
-  explicit Progress(bool wanted) : live_(wanted && isatty(STDERR_FILENO) == 1) {}
-  ~Progress() { clear(); }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
-  void show(const std::string& text) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!live_ || now - drawn_ < std::chrono::milliseconds(200)) return;
-    drawn_ = now;
-    shown_ = true;
-    fmt::print(stderr, "\r\x1b[K{}", text);
-    std::fflush(stderr);
-  }
-  void clear() {
-    if (shown_) fmt::print(stderr, "\r\x1b[K");
-    std::fflush(stderr);
-    shown_ = false;
-  }
-
- private:
-  bool live_, shown_ = false;
-  std::chrono::steady_clock::time_point drawn_{};
-};
-
 int evaluate(const Options& options, const Invocation& invocation) {
   if (options.studies.size() != 1) {
     throw BadInput(
@@ -73,7 +44,7 @@ int evaluate(const Options& options, const Invocation& invocation) {
   const std::string again = campaign::shell_line(invocation.arguments);
   const Interruption interruption(
       fmt::format("regista: interrupted while a plugin did not return; the same study again: {}\n", again));
-  Progress progress(!options.quiet);
+  RewrittenLine progress(!options.quiet);
   const auto stop_if_asked = [&](const std::string& stage) {
     if (!interruption.requested()) return;
     progress.clear();
@@ -82,13 +53,13 @@ int evaluate(const Options& options, const Invocation& invocation) {
   const study::GameRecording recording =
       study::read_recording(study, options.data, options.referee, [&](std::size_t lines) {
         const std::string stage = fmt::format("reading {}, line {}", options.data, lines);
-        progress.show(stage);
+        if (progress.due()) progress.show(stage);
         stop_if_asked(stage);
       });
   const study::Evaluation evaluation =
       study::evaluate(study, recording, &catalogue, [&](std::size_t done, std::size_t of) {
         const std::string stage = fmt::format("evaluating stretch {} of {}", done, of);
-        progress.show(stage);
+        if (progress.due()) progress.show(stage);
         stop_if_asked(stage);
       });
   progress.clear();

@@ -8,11 +8,6 @@
 #include "cli/terminal.hpp"
 
 namespace regista::cli {
-namespace {
-
-constexpr std::chrono::milliseconds between_drawings{100};
-
-}  // namespace
 
 std::string clock_text(double seconds) {
   const auto whole = static_cast<long>(std::floor(seconds));
@@ -20,19 +15,13 @@ std::string clock_text(double seconds) {
 }
 
 LiveLine::LiveLine(std::array<std::string, 2> names, bool live, bool goals)
-    : names_(std::move(names)), live_(live && can_rewrite()), goals_(goals) {}
-
-LiveLine::~LiveLine() { clear(); }
+    : names_(std::move(names)), goals_(goals), line_(live) {}
 
 void LiveLine::second(double time, const match::GameState& state) {
-  if (!live_) return;
-  const auto now = Clock::now();
-  if (now - drawn_ < between_drawings) return;
-  drawn_ = now;
-  shown_ = true;
-  const double rate = time / std::chrono::duration<double>(now - began_).count();
-  say(fmt::format("\r\x1b[Khalf {}  {}  {}:{}  {:.0f} s/s  packets left {}, {}", state.half, clock_text(state.clock),
-                  state.goals[0], state.goals[1], rate, state.packets_left[0], state.packets_left[1]));
+  if (!line_.due()) return;
+  const double rate = time / std::chrono::duration<double>(Clock::now() - began_).count();
+  line_.show(fmt::format("half {}  {}  {}:{}  {:.0f} s/s  packets left {}, {}", state.half, clock_text(state.clock),
+                         state.goals[0], state.goals[1], rate, state.packets_left[0], state.packets_left[1]));
 }
 
 void LiveLine::event(const match::Event& event, const match::GameState& state) {
@@ -40,12 +29,6 @@ void LiveLine::event(const match::Event& event, const match::GameState& state) {
   clear();
   say(fmt::format("{}:{}  goal for {} ({}), half {}, {}\n", state.goals[0], state.goals[1],
                   names_[match::index(event.side)], match::name(event.side), state.half, clock_text(state.clock)));
-}
-
-void LiveLine::clear() {
-  if (!shown_) return;
-  shown_ = false;
-  say("\r\x1b[K");
 }
 
 }  // namespace regista::cli

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <string>
 
+#include "cli/terminal.hpp"
 #include "match/game_state.hpp"
 
 namespace regista::cli {
@@ -18,20 +19,17 @@ class LiveLine {
  public:
   // names: of the teams. live: show the line if standard error is a terminal. goals: a line for each goal.
   LiveLine(std::array<std::string, 2> names, bool live, bool goals);
-  ~LiveLine();  // clears the line
-  LiveLine(const LiveLine&) = delete;
-  LiveLine& operator=(const LiveLine&) = delete;
 
   void second(double time, const match::GameState& state);
   void event(const match::Event& event, const match::GameState& state);
-  void clear();
+  void clear() { line_.clear(); }
 
  private:
   using Clock = std::chrono::steady_clock;
   std::array<std::string, 2> names_;
-  bool live_, goals_;
-  bool shown_ = false;
-  Clock::time_point began_ = Clock::now(), drawn_ = began_;
+  bool goals_;
+  RewrittenLine line_;
+  Clock::time_point began_ = Clock::now();
 };
 
 }  // namespace regista::cli

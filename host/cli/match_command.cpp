@@ -325,9 +325,9 @@ int play(Options options, const output::OutputFiles& outputs, const Invocation& 
   // Its documents may be read in another folder.
   for (std::string& each : folders) each = stored ? std::filesystem::absolute(each).string() : each;
   const plugin::Catalogue catalogue = open_plugins(folders, invocation);
-  std::optional<StoredSetup> as_then;
+  std::unique_ptr<campaign::StoredSetup> as_then;
   if (stored) {
-    as_then.emplace(*stored, catalogue, invocation.arguments.front());
+    as_then = set_up(*stored, catalogue, invocation.arguments.front());
     if (!as_then->changed().empty() && !options.quiet) {
       complain(fmt::format("row {}: its files have changed ({}); played as {} holds them", options.row,
                            as_then->changed(), options.from));

@@ -7,10 +7,10 @@
 #include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/plugin_json.hpp"
 #include "config/text.hpp"
 #include "output/output.hpp"
 #include "plugin/info.hpp"
+#include "report/plugin_json.hpp"
 
 namespace regista::cli {
 namespace {
@@ -50,9 +50,9 @@ int show(const Options& options, const Invocation& invocation) {
   for (const plugin::Found* plugin : find(catalogue, options.ids.front())) {
     if (!out.empty()) out += '\n';
     out += plugin::info_text(*plugin);
-    json.push_back(plugin_json(*plugin));
+    json.push_back(report::plugin_json(*plugin));
   }
-  output::print(options.json ? text_of(json) : out);
+  output::print(options.json ? report::text_of(json) : out);
   return exit_done;
 }
 

@@ -5,9 +5,9 @@
 #include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/plugin_json.hpp"
 #include "output/output.hpp"
 #include "plugin/info.hpp"
+#include "report/plugin_json.hpp"
 
 namespace regista::cli {
 namespace {
@@ -24,12 +24,12 @@ struct Options {
 std::string list_json(const plugin::Catalogue& catalogue) {
   using Json = nlohmann::ordered_json;
   Json plugins = Json::array(), refused = Json::array(), searched = Json::array();
-  for (const plugin::Found& found : catalogue.plugins()) plugins.push_back(plugin_json(found));
+  for (const plugin::Found& found : catalogue.plugins()) plugins.push_back(report::plugin_json(found));
   for (const plugin::Refused& each : catalogue.refused()) {
     refused.push_back({{"file", each.file.string()}, {"reason", each.reason}});
   }
   for (const std::filesystem::path& folder : catalogue.folders()) searched.push_back(folder.string());
-  return text_of({{"plugins", plugins}, {"refused", refused}, {"searched", searched}});
+  return report::text_of({{"plugins", plugins}, {"refused", refused}, {"searched", searched}});
 }
 
 }  // namespace

@@ -9,9 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "campaign/inputs.hpp"
-#include "campaign/job_setup.hpp"
-#include "campaign/mathematics.hpp"
 #include "campaign/shell.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/results_file.hpp"
@@ -46,45 +43,21 @@ StoredMatch read_stored_match(const std::string& results, const std::string& row
   return out;
 }
 
-StoredSetup::StoredSetup(const StoredMatch& stored, const plugin::Catalogue& catalogue, const std::string& program)
-    : catalogue_(catalogue), job_(stored.job) {
-  changed_ = set_up();
-  if (changed_.empty()) return;
-  take_copies(stored);
-  const std::string still = copies_ ? set_up() : changed_;
-  if (still.empty()) return;
+std::unique_ptr<campaign::StoredSetup> set_up(const StoredMatch& stored, const plugin::Catalogue& catalogue,
+                                              const std::string& program) try {
+  auto out = std::make_unique<campaign::StoredSetup>(stored.job, catalogue,
+                                                     [&] { return read_results(stored.results).documents(); });
+  if (out->missing().empty()) return out;
   std::vector<std::string> words = campaign::match_arguments(stored.job);
   words.insert(words.begin(), program);
   throw BadInput(fmt::format("--row {}: was played with something else: {}; as things are now it would be: {}",
-                             stored.row, still, campaign::shell_line(words)));
-}
-
-void StoredSetup::take_copies(const StoredMatch& stored) try {
-  std::vector<campaign::Document> documents = read_results(stored.results).documents();
-  if (documents.empty()) return;
-  const std::filesystem::path given_in = std::filesystem::current_path();
-  copies_.emplace(std::move(documents));
-  job_ = copies_->job(stored.job, given_in);
-  std::filesystem::current_path(copies_->folder(given_in));
+                             stored.row, out->missing(), campaign::shell_line(words)));
 } catch (const std::system_error& error) {
   throw output::WriteError(fmt::format("the files of the match cannot be laid out again: {}", error.what()));
 } catch (const std::invalid_argument& error) {
   throw BadInput(fmt::format("results in {} are damaged: {}", stored.results, error.what()));
 } catch (const campaign::StoreError& error) {
   throw BadInput(error.what());
-}
-
-// What is not as it was; empty when nothing.
-std::string StoredSetup::set_up() {
-  try {
-    prepared_ = campaign::match_setup(campaign::request_of(job_), catalogue_);
-  } catch (const config::Error& error) {
-    return error.what();
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return campaign::what_changed(job_, prepared_, catalogue_, campaign::program_hash(),
-                                campaign::mathematics_fingerprint(), copies_ ? copies_->root().string() : "");
 }
 
 }  // namespace regista::cli

@@ -19,4 +19,19 @@ void say(const std::string& text) {
   std::fflush(stderr);
 }
 
+bool RewrittenLine::due() const {
+  return live_ && std::chrono::steady_clock::now() - drawn_ >= std::chrono::milliseconds(100);
+}
+
+void RewrittenLine::show(const std::string& text) {
+  drawn_ = std::chrono::steady_clock::now();
+  shown_ = true;
+  say("\r\x1b[K" + text);
+}
+
+void RewrittenLine::clear() {
+  if (shown_) say("\r\x1b[K");
+  shown_ = false;
+}
+
 }  // namespace regista::cli

@@ -5,11 +5,11 @@
 #include "config/json.hpp"
 #include "plugin/found.hpp"
 
-namespace regista::cli {
+namespace regista::report {
 
 nlohmann::ordered_json plugin_json(const plugin::Found& plugin);
 
 // One line of text; file names that are not UTF-8 lose what is not.
 std::string text_of(const nlohmann::ordered_json& json);
 
-}  // namespace regista::cli
+}  // namespace regista::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/plugin_json.hpp"
+#include "report/plugin_json.hpp"
 
 #include <cmath>
 #include <span>
@@ -7,7 +7,7 @@
 #include "plugin/declarations.hpp"
 #include "plugin/info.hpp"
 
-namespace regista::cli {
+namespace regista::report {
 
 using Json = nlohmann::ordered_json;
 
@@ -67,4 +67,4 @@ Json plugin_json(const plugin::Found& plugin) {
 
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
-}  // namespace regista::cli
+}  // namespace regista::report
