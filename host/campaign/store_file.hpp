@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The file of results as a database: created or opened, held against other processes, and known again should its name
-// come to mean another file.
+// The file of results as a database: created or opened if its version is ours, held against other processes, and known
+// again should its name come to mean another file. docs/results.md describes its layout; its tables are made by
+// stored_documents.hpp, stored_fixtures.hpp, stored_matches.cpp and stored_metrics.hpp.
 #pragma once
 
 #include <filesystem>

@@ -32,7 +32,7 @@ std::string short_path(const std::string& path) {
 
 std::string field(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
 
-std::string with_interval(const study::MeanEstimate& estimate) {
+std::string interval_fields(const study::MeanEstimate& estimate) {
   const bool known = estimate.pairs > 0, bounded = estimate.interval.has_value();
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   return fmt::format("{},{},{}", field(known ? estimate.mean : nothing),
@@ -202,7 +202,7 @@ std::optional<Figure> slice(const TuningView& view, const study::Slice& of, std:
   for (const study::SlicePoint& each : of.points) {
     const study::MeanEstimate score = of_objective(objective, each.score);
     range.take(score);
-    out.csv += fmt::format("{},{},{}\n", each.value, with_interval(score), each.value == tuned ? 1 : 0);
+    out.csv += fmt::format("{},{},{}\n", each.value, interval_fields(score), each.value == tuned ? 1 : 0);
   }
   if (range.empty()) return std::nullopt;
   out.commands = fmt::format(
