@@ -2,6 +2,7 @@
 #include "config/named_files.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -15,6 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_files = 20'000;   // a folder may hold anything
 constexpr std::size_t longest_name = 4'096;  // of a file, bytes
+constexpr int most_names = 8;                // of one file; a link may lead to its own folder
 
 class Walk {
  public:
@@ -56,8 +58,9 @@ class Walk {
  private:
   void file(const fs::path& path) {
     std::error_code none;
-    if (out_.size() >= most_files || !seen_.insert(fs::weakly_canonical(path, none)).second) return;
-    out_.push_back(path);
+    if (out_.size() >= most_files || !names_.insert(path.lexically_normal()).second) return;
+    // By whatever links it is named: what it names by relative paths may be another file for each.
+    if (++names_of_[fs::weakly_canonical(path, none)] <= most_names) out_.push_back(path);
   }
 
   void files_in(const fs::path& folder) {
@@ -72,7 +75,8 @@ class Walk {
   }
 
   std::vector<fs::path> out_;
-  std::set<fs::path> seen_;
+  std::set<fs::path> names_;
+  std::map<fs::path, int> names_of_;  // by what they lead to
 };
 
 }  // namespace

@@ -77,17 +77,19 @@ class Matches(tournament.Tournament):
         configs = program.SOURCE / "configs"
         for folder in ("teams", "formations"):
             shutil.copytree(configs / folder, self.folder / folder)
-        self.write("mine.yaml", "extends: teams/formation.yaml\nteam: mine\n")
-        self.succeed("tournament", "--team", "mine.yaml", "--team", self.folder / "teams/fixed_rate.yaml", "--pairs", 1,
-                     "--limit", 5, "--plugins", plugins, "--no-page", "--quiet")
+        self.write("formation.yaml", "extends: teams/formation.yaml\nteam: mine\n")
+        (self.folder / "mine.yaml").symlink_to("formation.yaml")
+        self.succeed("tournament", "--team", "mine.yaml", "--team", self.folder / "formation.yaml", "--set",
+                     "a.tasks.offset.at_most=1", "--pairs", 1, "--limit", 5, "--plugins", plugins, "--no-page", "--quiet")
         state_hash = self.stored("SELECT hash FROM matches ORDER BY row")[1][0]
         again = lambda: self.run_program("match", "--from", "tournament.db", "--row", "2").stderr
         self.assertNotIn("have changed", again())
-        with (self.folder / "teams/fixed_rate.yaml").open("a") as team:
-            team.write("tasks: {offset: {at_most: 0.1}}\n")
+        with (self.folder / "teams/paper.yaml").open("a") as team:
+            team.write("summary: another\ncontexts: ~\n")
         self.assertIn(f"the same match as row 2: hash {state_hash}", again())
         shutil.rmtree(self.folder / "formations")
-        (self.folder / "teams/formation.yaml").unlink()
+        shutil.rmtree(self.folder / "teams")
+        (self.folder / "formation.yaml").unlink()
         said = again()
         self.assertIn("row 2: its files have changed (", said)
         self.assertIn(f"the same match as row 2: hash {state_hash}", said)
