@@ -54,7 +54,7 @@ std::vector<Document> documents_in(std::span<const fs::path> files) {
     const std::uintmax_t size = fs::file_size(file, none);
     if (none) continue;  // gone since it was read
     if (size <= largest && sum + size <= most) {
-      std::optional<std::string> content = config::content_of(file);
+      std::optional<std::string> content = config::file_content(file);
       if (content && !content->starts_with(shared_object)) {
         sum += content->size();
         document.content = std::move(content);

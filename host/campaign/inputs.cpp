@@ -20,7 +20,7 @@ namespace regista::campaign {
 namespace {
 
 std::string required_content(const std::filesystem::path& file) {
-  std::optional<std::string> out = config::content_of(file);
+  std::optional<std::string> out = config::file_content(file);
   if (!out) throw std::runtime_error("cannot read " + file.string());
   return std::move(*out);
 }

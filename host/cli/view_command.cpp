@@ -42,7 +42,7 @@ struct Options {
 };
 
 std::string required_content(const std::filesystem::path& file) {
-  std::optional<std::string> out = config::content_of(file);
+  std::optional<std::string> out = config::file_content(file);
   if (!out) throw BadInput(fmt::format("{}: cannot be read", file.string()));
   return std::move(*out);
 }

@@ -64,7 +64,7 @@ std::string read_file(const fs::path& file, const Location& asked_by) {
   throw Error(here, name + (failed ? "cannot be read: " + failed.message() : "is not a regular file"));
 }
 
-std::optional<std::string> content_of(const fs::path& file) {
+std::optional<std::string> file_content(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream bytes;
   // An empty file gives nothing to the stream, which takes that for a failure.

@@ -16,7 +16,7 @@ namespace regista::config {
 std::string read_file(const std::filesystem::path& file, const Location& asked_by = {});
 
 // The whole content, whatever its size; nothing where it cannot be read.
-std::optional<std::string> content_of(const std::filesystem::path& file);
+std::optional<std::string> file_content(const std::filesystem::path& file);
 
 // A file that a value names: relative to the file the value stands in, for a value of the command line to the current
 // folder. Throws Error at the value when that is not text, or empty; `what` is its path, such as "sender.file".

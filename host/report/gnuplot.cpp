@@ -122,7 +122,7 @@ std::string picture(const fs::path& folder, Drawing& drawing, Picture kind) {
   if (!WIFEXITED(ended.status)) return fmt::format("gnuplot was stopped by signal {}", WTERMSIG(ended.status));
   if (WEXITSTATUS(ended.status) != 0) return "gnuplot: " + last_line(ended.complaint);
   std::string& bytes = kind == Picture::svg ? drawing.svg : drawing.png;
-  bytes = config::content_of(folder / (drawing.figure.name + (kind == Picture::svg ? ".svg" : ".png"))).value_or("");
+  bytes = config::file_content(folder / (drawing.figure.name + (kind == Picture::svg ? ".svg" : ".png"))).value_or("");
   return bytes.empty() ? "gnuplot wrote no picture" : "";
 }
 
