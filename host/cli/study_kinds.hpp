@@ -2,7 +2,8 @@
 // Which studies there are: the one place that knows them all. Whoever reads a file of results finds here what it holds.
 //
 // A study more needs a study::Study in host/study, a report::StudyReport in host/report, a command in host/cli that
-// command_line.cpp adds, and a row in study_kinds.cpp. tests/integration/fifth_study is such a study, with nothing else.
+// command_line.cpp adds, and a row in study_kinds.cpp. tests/integration/fifth_study is such a study, with nothing
+// else.
 #pragma once
 
 #include <functional>

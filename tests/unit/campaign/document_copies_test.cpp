@@ -47,7 +47,8 @@ TEST(DocumentCopies, NamesLeadToTheCopies) {
 TEST(DocumentCopies, OfSharedObjectsThePathAlone) {
   const TemporaryFolder folder;
   const fs::path object = folder.path() / "plugin.so", text = folder.path() / "text";
-  std::ofstream(object) << "\x7f" "ELF and more";
+  std::ofstream(object) << "\x7f"
+                           "ELF and more";
   std::ofstream(text) << "words";
   const std::vector<fs::path> files{text, folder.path() / "x" / ".." / "plugin.so", text, folder.path() / "none"};
   fs::create_directory(folder.path() / "x");
@@ -114,8 +115,8 @@ TEST_F(StoredDocumentsTest, DamageIsNoticed) {
   execute("UPDATE documents SET path='/b'");
   const Store store(file, Mode::read, "1.0");
   EXPECT_THAT([&] { (void)store.documents(); },
-              testing::ThrowsMessage<StoreDamaged>(
-                  "results in " + file.string() + " are damaged: the checksum of the document /b does not fit"));
+              testing::ThrowsMessage<StoreDamaged>("results in " + file.string() +
+                                                   " are damaged: the checksum of the document /b does not fit"));
 }
 
 TEST_F(StoredDocumentsTest, NoneInAFileOfAProgramThatKeptNone) {
