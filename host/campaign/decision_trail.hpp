@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The digests of all decisions of a match, in a file without a name that a worker writes and its coordinator reads: of
-// two plays of the same match they tell where the second first went another way.
+// two plays of the same match they show where the second first went another way.
 #pragma once
 
 #include <array>

@@ -15,7 +15,7 @@
 namespace regista::campaign {
 
 // What these files contain, by path, each once. Of shared objects, of files above 16 MiB and of what comes after 64 MiB
-// in all only the path: whether they are what they were is told by the inputs of the match.
+// in all only the path: whether they are what they were is seen from the inputs of the match.
 std::vector<Document> documents_in(std::span<const std::filesystem::path> files);
 
 // The documents in a folder of their own, which stands for the root of the file system: a relative name in a document

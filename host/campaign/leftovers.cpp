@@ -54,7 +54,7 @@ int running_timers() {
     itimerval now{};
     if (getitimer(each, &now) == 0 && (now.it_value.tv_sec != 0 || now.it_value.tv_usec != 0)) ++out;
   }
-  std::ifstream list("/proc/self/timers");  // those of timer_create(); not every kernel tells
+  std::ifstream list("/proc/self/timers");  // those of timer_create(); not every kernel has it
   for (std::string line; std::getline(list, line);) {
     if (line.starts_with("ID:")) ++out;
   }

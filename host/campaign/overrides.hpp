@@ -19,7 +19,7 @@ class SortedOverrides {
   // Those for one document ("home", "rules", "home_disturbance", ...), as it understands them.
   const config::Overrides& of(std::string_view document) const;
 
-  // Calls read(overrides of the document). An error that stands at one of them is told with the path as it was typed.
+  // Calls read(overrides of the document). An error that stands at one of them names the path as it was typed.
   template <class Read>
   auto read(std::string_view document, Read read) const {
     try {

@@ -8,10 +8,10 @@
 
 namespace regista::campaign {
 
-// s of processor time of a process that runs, so far; 0 where it cannot be told.
+// s of processor time of a process that runs, so far; 0 where it cannot be known.
 double processor_seconds_of(pid_t process);
 
-// Bytes of addresses that a process has mapped; 0 where it cannot be told.
+// Bytes of addresses that a process has mapped; 0 where it cannot be known.
 std::uint64_t address_space_of(pid_t process);
 
 // A signal that people and systems send to processes: that one died of it says nothing about its code.

@@ -204,7 +204,7 @@ std::vector<std::string> StoredMatches::metric_paths(std::int64_t rows) { return
 void StoredMatches::insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts) {
   const std::string failure = decided.failure ? to_json(*decided.failure) : std::string();
   SQLite::Statement& insert = *parts_->insert;
-  insert.tryReset();  // reset would tell once more of what went wrong last time
+  insert.tryReset();  // reset would report once more what went wrong last time
   insert.bind(1, row);
   insert.bind(2, key.fixture);
   insert.bind(3, std::bit_cast<std::int64_t>(key.seed));

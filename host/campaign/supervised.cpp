@@ -38,21 +38,21 @@ struct Shared {
   std::array<char, 512> disorder{};  // what a plugin left behind; ends with a zero
 };
 
-constexpr std::array told_on{SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGCONT};
+constexpr std::array passed_on{SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGCONT};
 
 // Handlers of signals take no arguments of ours.
 std::atomic<pid_t> copy{0};
-std::atomic<int> told{0};
+std::atomic<int> received{0};
 
 // The copy has a process group of its own, so that it gets no signal but by this process, and each once.
-void tell_on(int signal_number) {
+void pass_on(int signal_number) {
   const int error = errno;
   const pid_t process = copy;
   if (process > 0) ::kill(-process, signal_number);
   if (signal_number == SIGTSTP) {
     ::raise(SIGSTOP);
   } else if (signal_number != SIGCONT) {
-    told = signal_number;
+    received = signal_number;
   }
   errno = error;
 }
@@ -145,7 +145,7 @@ int run_supervised(const Limits& limits, const SupervisedWork& supervised) {
   const pid_t parent = ::getpid();
   sigset_t held, before;
   sigemptyset(&held);
-  for (const int each : told_on) sigaddset(&held, each);
+  for (const int each : passed_on) sigaddset(&held, each);
   sigprocmask(SIG_BLOCK, &held, &before);  // until it is known whom to tell
   const plugin::Descendants descendants;
   const pid_t process = ::fork();
@@ -159,14 +159,14 @@ int run_supervised(const Limits& limits, const SupervisedWork& supervised) {
   }
   ::setpgid(process, process);  // whoever of the two comes first
   copy = process;
-  std::array<struct sigaction, told_on.size()> old{};
-  for (std::size_t i = 0; i < told_on.size(); ++i) {
+  std::array<struct sigaction, passed_on.size()> old{};
+  for (std::size_t i = 0; i < passed_on.size(); ++i) {
     struct sigaction action {};
-    sigaction(told_on[i], nullptr, &old[i]);
+    sigaction(passed_on[i], nullptr, &old[i]);
     if (old[i].sa_handler == SIG_IGN) continue;  // as nohup asks for
-    action.sa_handler = tell_on;
+    action.sa_handler = pass_on;
     action.sa_flags = SA_RESTART;
-    sigaction(told_on[i], &action, nullptr);
+    sigaction(passed_on[i], &action, nullptr);
   }
   sigprocmask(SIG_SETMASK, &before, nullptr);
   const int descriptor = descriptor_of(process);
@@ -191,7 +191,7 @@ int run_supervised(const Limits& limits, const SupervisedWork& supervised) {
     ::waitpid(process, nullptr, 0);
   }
   copy = 0;
-  for (std::size_t i = 0; i < told_on.size(); ++i) sigaction(told_on[i], &old[i], nullptr);
+  for (std::size_t i = 0; i < passed_on.size(); ++i) sigaction(passed_on[i], &old[i], nullptr);
   descendants.end_all();  // what plugins have started
   Loss loss{in_words(status), false, shared.note};
   shared.disorder.back() = '\0';
@@ -200,7 +200,7 @@ int run_supervised(const Limits& limits, const SupervisedWork& supervised) {
   const int code = shared.code;
   ::munmap(memory, sizeof(Shared));
   if (done) return code;
-  if (told != 0) {
+  if (received != 0) {
     // It was asked to end, and did not wait for a plugin; or it was asked twice, and said nothing.
     return WIFSIGNALED(status) ? supervised.interrupted() : EXIT_FAILURE;
   }

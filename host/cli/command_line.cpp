@@ -33,7 +33,7 @@ Invocation invocation_of(int argc, char** argv) {
   return {{argv, argv + argc}, std::filesystem::read_symlink("/proc/self/exe", error)};
 }
 
-// Relative names would lead nowhere, and the system tells no command what its folder is called.
+// Relative names would lead nowhere, and the system gives no command the name of its folder.
 void require_working_folder() {
   std::error_code error;
   if (std::filesystem::current_path(error).empty())
@@ -81,7 +81,7 @@ void add_commands(Command& program, const Invocation& invocation) {
 
 int run(int argc, char** argv, const Addition* addition) {
   output::occupy_standard_streams();
-  // A reader who goes away is an error of writing, which is told, not a signal.
+  // A reader who goes away is an error of writing, which is reported, not a signal.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error of writing like any other
   try {

@@ -16,7 +16,7 @@ struct StudyKind;
 // How the program was started, and which studies it knows. Outlives the commands.
 struct Invocation {
   std::vector<std::string> arguments;  // the first is the name of the program
-  std::filesystem::path executable{};  // its own file; empty when the system does not tell
+  std::filesystem::path executable{};  // its own file; empty when the system does not know
   std::span<const StudyKind> studies{};
 };
 

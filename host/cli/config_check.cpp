@@ -23,11 +23,11 @@ constexpr auto examples = R"(Examples:
   regista config check small_field/*.yaml --rules small_field.yaml
   regista config check configs/teams/*.yaml --json
 
-Every mistake of a document is told, in the order of its lines; of text that is not YAML, only the first.
+Every mistake of a document is printed, in the order of its lines; of text that is not YAML, only the first.
 
 Exit codes: 0 all are sound; 2 one is not, or there is nothing to check.)";
 
-constexpr std::size_t most_told = 100;  // mistakes of a document; --json tells all that were kept
+constexpr std::size_t most_printed = 100;  // mistakes of a document; --json writes all that were kept
 
 struct Options {
   std::vector<std::string> files, plugins;
@@ -42,10 +42,11 @@ study::Profiles profiles(const Options& options) {
   return out;
 }
 
-void tell(const study::DocumentCheck& checked) {
-  const std::size_t all = checked.mistakes.size() + checked.more, told = std::min(checked.mistakes.size(), most_told);
-  for (std::size_t i = 0; i < told; ++i) complain(checked.mistakes[i].line);
-  if (all > told) complain(fmt::format("{}: ... and {} more", checked.file, all - told));
+void print(const study::DocumentCheck& checked) {
+  const std::size_t all = checked.mistakes.size() + checked.more,
+                    printed = std::min(checked.mistakes.size(), most_printed);
+  for (std::size_t i = 0; i < printed; ++i) complain(checked.mistakes[i].line);
+  if (all > printed) complain(fmt::format("{}: ... and {} more", checked.file, all - printed));
   for (const config::Warning& each : checked.warnings) complain(to_string(each));
   if (all == 0) output::print(fmt::format("{}: {}, sound\n", checked.file, checked.kind));
 }
@@ -78,7 +79,7 @@ int check(const Options& options, const Invocation& invocation) {
     if (options.json) {
       documents.push_back(as_json(checked));
     } else {
-      tell(checked);
+      print(checked);
     }
   }
   if (options.json) {

@@ -20,18 +20,13 @@ namespace {
 constexpr auto examples = R"(Examples:
   regista config schema team > team.schema.json)";
 
-constexpr std::array kinds{config::DocumentKind::rules,       config::DocumentKind::robot,
-                           config::DocumentKind::disturbance, config::DocumentKind::opening,
-                           config::DocumentKind::team,        config::DocumentKind::predictor_study,
-                           config::DocumentKind::experiment,  config::DocumentKind::tuning};
-
 struct Options {
   std::vector<std::string> kinds, plugins;
 };
 
 config::DocumentKind kind_named(const std::string& name) {
   std::vector<std::string> known;
-  for (const config::DocumentKind kind : kinds) {
+  for (const config::DocumentKind kind : config::document_kinds()) {
     if (config::name_of(kind) == name) return kind;
     known.emplace_back(config::name_of(kind));
   }
@@ -40,10 +35,8 @@ config::DocumentKind kind_named(const std::string& name) {
 
 int schema(const Options& options, const Invocation& invocation) {
   if (options.kinds.size() != 1) {
-    throw BadInput(fmt::format(
-        "config schema: one of rules, robot, disturbance, opening, team, predictor_study, experiment and tuning is "
-        "wanted, {} given",
-        options.kinds.size()));
+    throw BadInput(fmt::format("config schema: one of {} is wanted, {} given", config::document_kind_names("and"),
+                               options.kinds.size()));
   }
   const config::DocumentKind kind = kind_named(options.kinds.front());
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
@@ -56,8 +49,7 @@ int schema(const Options& options, const Invocation& invocation) {
 void add_config_schema(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("schema", "write the JSON Schema of a kind of document");
   const auto options = std::make_shared<Options>();
-  command.take("kind", options->kinds, "KIND",
-               "rules, robot, disturbance, opening, team, predictor_study, experiment or tuning");
+  command.take("kind", options->kinds, "KIND", config::document_kind_names("or"));
   add_plugin_folders(command, options->plugins);
   command.notes(examples);
   command.run = [options, &invocation] { return schema(*options, invocation); };

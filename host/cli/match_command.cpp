@@ -39,7 +39,7 @@
 #include "plugin/plugin_file.hpp"
 #include "recording/decision_log.hpp"
 #include "recording/match_recording.hpp"
-#include "report/match_report.hpp"
+#include "report/match_summary.hpp"
 #include "study/sequential_test_options.hpp"
 
 namespace regista::cli {
@@ -364,7 +364,7 @@ int play(Options options, const output::OutputFiles& outputs, const Invocation& 
     try {
       return work(note);
     } catch (const campaign::Disorder&) {
-      throw;  // told by the program itself, as what ends the copy is
+      throw;  // reported by the program itself, as what ends the copy is
     } catch (const std::bad_alloc&) {
       throw;
     } catch (...) {
@@ -414,7 +414,7 @@ void add_match(Command& parent, const Invocation& invocation) {
                "processor time of one call of a plugin; default 10");
   command.take("--wall-seconds", options->wall_seconds, "SECONDS", "wall time of one call of a plugin; default 200");
   command.flag("--in-process", options->in_process,
-               "play in the program's own process, for a debugger: what ends it is not told");
+               "play in the program's own process, for a debugger: what ends it is not explained");
   command.flag("--verbose", options->verbose, "a line on standard error for each goal");
   command.notes(examples);
   command.run = [options, &command, &invocation] {

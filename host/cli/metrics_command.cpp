@@ -27,7 +27,7 @@ struct Options {
   std::string page;
 };
 
-std::string told(const Options& options) {
+std::string written(const Options& options) {
   if (options.json && !options.page.empty()) throw config::BadInput("metrics: --json and --page: one of them");
   if (options.json) return report::metrics_json(match::metric_table());
   if (options.page.empty()) return report::metrics_text(match::metric_table());
@@ -49,7 +49,7 @@ void add_metrics(Command& parent) {
                "write this page of Markdown, with its tables of metrics as they are now", Reads::data);
   command.notes(examples);
   command.run = [options] {
-    output::print(told(*options));
+    output::print(written(*options));
     return exit_done;
   };
 }

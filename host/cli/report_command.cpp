@@ -32,10 +32,9 @@ constexpr auto examples = R"(Examples:
   regista report tournament.db --standard-error 17
 
 -o writes one page that needs nothing else, --figures each of its figures as NAME.svg, its data as NAME.csv, and
-NAME.gnuplot, which draws the one from the other. What is told is what a tournament, an experiment or a tuning
-told at its end; of a study that is not at its end, as far as its matches have been played without a gap. The table of
-an experiment has a row for each number of each match, that of a tuning one for each point of its search, that of a
-comparison of search algorithms one for each run.
+NAME.gnuplot, which draws the one from the other. A study that has ended is reported as it was at its end; another one
+as far as its matches have been played without a gap. The table of an experiment has a row for each number of each
+match, that of a tuning one for each point of its search, that of a comparison of search algorithms one for each run.
 --standard-error writes what plugins wrote to standard error in a match, as far as it was kept.
 Exit codes: 0 done; 1 the report could not be written; 2 bad input; 3 a defect of Regista.)";
 
@@ -76,7 +75,7 @@ std::vector<std::string> metric_columns(const Options& options, const campaign::
   return store.metric_paths(static_cast<std::int64_t>(rows));
 }
 
-int tell(const Options& options, const campaign::Store& store, const Invocation& invocation) {
+int print_report(const Options& options, const campaign::Store& store, const Invocation& invocation) {
   const auto report = stored_study(options.file, store, play_again(invocation), invocation.studies);
   if (options.metrics && !report->is_table_of_matches()) {
     throw BadInput(
@@ -132,7 +131,7 @@ int run(const Options& options, const output::OutputFiles& outputs, const Invoca
   const campaign::Store store = read_results(options.file);
   if (match != 0) return tell_standard_error(options.file, store, match);
   if (options.page.empty() && options.figures.empty()) {
-    return tell(options, store, invocation);
+    return print_report(options, store, invocation);
   }
   PageWishes wishes;
   if (!options.page.empty()) wishes.page = options.page;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which studies there are: the one place that knows them all. Whoever reads a file of results finds here what it holds.
 //
-// A study more needs a study::Study in host/study, a report::StudyReport in host/report, a command in host/cli that
-// command_line.cpp adds, and a row in study_kinds.cpp. tests/integration/fifth_study is such a study, with nothing
-// else.
+// A new study needs a study::Study in host/study, a report::StudyReport in host/report, a command in host/cli that
+// command_line.cpp adds, and a row in study_kinds.cpp. tests/integration/fifth_study has these and nothing else; what a
+// study with a document of its own needs besides stands in docs/architecture.md.
 #pragma once
 
 #include <functional>

@@ -96,7 +96,7 @@ void StudyProgress::draw() {
   say(text);
 }
 
-void StudyProgress::tell(std::string_view line) {
+void StudyProgress::print(std::string_view line) {
   clear();
   complain(line);
 }

@@ -24,7 +24,7 @@ class StudyProgress {
   // The next match, which the study knows already; null: one that is not wanted. fresh: played now.
   void match(const study::Round& round, std::uint64_t index, const campaign::Decided* decided, bool fresh);
   // Something that is always said.
-  void tell(std::string_view line);
+  void print(std::string_view line);
   // Something that is said where progress is.
   void note(const std::string& line);
   // Takes the block away.

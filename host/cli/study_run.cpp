@@ -60,8 +60,8 @@ campaign::Schedule schedule_of(const study::Round& round, const Playing& playing
   out.twice = round.first_of_pairing;
   out.record_failure = recording;
   out.not_recorded = [&playing](const campaign::Job& job, const std::string& why) {
-    playing.progress.tell(fmt::format("a match was not recorded: {}; it can be played again with --record: {}", why,
-                                      play_again(playing.invocation)(job)));
+    playing.progress.print(fmt::format("a match was not recorded: {}; it can be played again with --record: {}", why,
+                                       play_again(playing.invocation)(job)));
   };
   out.take = [&round, &playing](std::uint64_t index, const campaign::Decided* decided, bool fresh) {
     const bool more = round.take(index, decided);
@@ -70,8 +70,8 @@ campaign::Schedule schedule_of(const study::Round& round, const Playing& playing
   };
   out.metrics = metrics;
   out.accident = [&playing](const campaign::Job& job, const std::string& what) {
-    playing.progress.tell(fmt::format("a worker died ({}), but not when its match was played again: {}", what,
-                                      play_again(playing.invocation)(job)));
+    playing.progress.print(fmt::format("a worker died ({}), but not when its match was played again: {}", what,
+                                       play_again(playing.invocation)(job)));
   };
   out.asked_to_stop = [&playing] { return playing.interruption.requested(); };
   return out;

@@ -114,7 +114,7 @@ int tune_team(TuneOptions options, output::OutputFiles outputs, const plugin::Ca
           output::Existing::replaced);
       report.tuned_file(tuned.string());
     } catch (...) {
-      not_written = std::current_exception();  // what was found is told all the same
+      not_written = std::current_exception();  // what was found is printed all the same
     }
   });
   if (not_written) std::rethrow_exception(not_written);

@@ -15,8 +15,22 @@
 namespace regista::config {
 namespace {
 
-constexpr std::array<std::string_view, 8> kinds{"rules", "robot",           "disturbance", "opening",
-                                                "team",  "predictor_study", "experiment",  "tuning"};
+struct NamedKind {
+  DocumentKind kind;
+  std::string_view name;
+};
+
+// In the order of DocumentKind.
+constexpr std::array named_kinds{
+    NamedKind{DocumentKind::rules, "rules"},
+    NamedKind{DocumentKind::robot, "robot"},
+    NamedKind{DocumentKind::disturbance, "disturbance"},
+    NamedKind{DocumentKind::opening, "opening"},
+    NamedKind{DocumentKind::team, "team"},
+    NamedKind{DocumentKind::predictor_study, "predictor_study"},
+    NamedKind{DocumentKind::experiment, "experiment"},
+    NamedKind{DocumentKind::tuning, "tuning"},
+};
 
 // Calls use(value, declaration) for a read document of the kind it says, checked.
 template <class Use>
@@ -60,20 +74,36 @@ auto visit(const Node& document, Use use) {
 
 }  // namespace
 
-std::string_view name_of(DocumentKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
+std::string_view name_of(DocumentKind kind) { return named_kinds[static_cast<std::size_t>(kind)].name; }
+
+std::span<const DocumentKind> document_kinds() {
+  static constexpr auto kinds = [] {
+    std::array<DocumentKind, named_kinds.size()> out{};
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = named_kinds[i].kind;
+    return out;
+  }();
+  return kinds;
+}
+
+std::string document_kind_names(std::string_view before_last) {
+  std::string out;
+  for (const NamedKind& each : named_kinds) {
+    const bool last = &each == &named_kinds.back();
+    if (&each != &named_kinds.front()) out += last ? fmt::format(" {} ", before_last) : ", ";
+    out += each.name;
+  }
+  return out;
+}
 
 DocumentKind kind_of(const Node& document) {
   // Studies name a team, rules and more; a team has a key `roles` and may one day have one of the others.
   for (const DocumentKind kind : {DocumentKind::experiment, DocumentKind::tuning, DocumentKind::team}) {
     if (document[name_of(kind)]) return kind;
   }
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    if (document[kinds[i]]) return static_cast<DocumentKind>(i);
+  for (const NamedKind& each : named_kinds) {
+    if (document[each.name]) return each.kind;
   }
-  throw Error(
-      document.where(),
-      "no key says what this is: rules, robot, disturbance, opening, team, predictor_study, experiment or tuning, with "
-      "its name");
+  throw Error(document.where(), fmt::format("no key says what this is: {}, with its name", document_kind_names("or")));
 }
 
 static std::string with_article(DocumentKind kind) {

@@ -58,8 +58,11 @@ Tuning read_tuning(const Node& document, Mistakes& mistakes);
 
 enum class DocumentKind { rules, robot, disturbance, opening, team, predictor_study, experiment, tuning };
 
-// "rules", "robot", "disturbance", "opening", "team", "predictor_study", "experiment", "tuning"
+// As documents, commands and schemas name it.
 std::string_view name_of(DocumentKind kind);
+std::span<const DocumentKind> document_kinds();
+// All names, with "or" or "and" before the last.
+std::string document_kind_names(std::string_view before_last);
 
 // Throws Error at the document when it says no kind.
 DocumentKind kind_of(const Node& document);
@@ -67,7 +70,7 @@ DocumentKind kind_of(const Node& document);
 // Throws Error at the document when it is of another kind.
 void require_kind(const Node& document, DocumentKind kind);
 
-// Reads a document of whatever kind and tells the kind. Throws as the readers do.
+// Reads a document of whatever kind and returns the kind. Throws as the readers do.
 DocumentKind check(const std::filesystem::path& file, const Overrides& overrides = {});
 
 // The resolved document as YAML: every value that is in force, defaults too, each with its unit, its meaning and where

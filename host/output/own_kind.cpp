@@ -10,7 +10,7 @@
 
 #include "mcap/format.hpp"
 #include "recording/decision_log.hpp"
-#include "report/match_report.hpp"
+#include "report/match_summary.hpp"
 #include "report/tuned_file.hpp"
 
 namespace regista::output {

@@ -30,7 +30,7 @@ Json pose(const match::BodyState& body, double direction) {
 
 std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
-// Name of a row of the table of roles; null for none, "unknown" while negotiations have not told.
+// Name of a row of the table of roles; null for none, "unknown" while negotiations have not ended.
 Json role_name(const std::vector<std::string>& names, int role) {
   if (role == REGISTA_UNKNOWN_TASK) return "unknown";
   if (role < 0) return nullptr;

@@ -313,7 +313,7 @@ void MatchRecording::decided(const mind::Mind& mind, const match::Decision& turn
   const bool changed =
       !kept_same || role_changed || last.context != decision.context || last.assignment != decision.role_of;
   if (role_changed && decision.own_role >= 0) {
-    // What did those compute who hold the role? Their next decision tells.
+    // What did those compute who hold the role? Their next decision shows it.
     for (Parts::Last& other : parts.last[match::index(side)]) other.shares |= other.role == decision.own_role;
   }
   if (changed || last.shares || time - last.decision >= decision_period - 1e-9) {

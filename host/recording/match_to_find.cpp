@@ -40,7 +40,7 @@ bool fits(const mcap::Pairs& about, const MatchToFind& match) {
          says_team(about, "home", match.labels[0]) && says_team(about, "away", match.labels[1]);
 }
 
-// The score at the end of a recording that was finished. Goals of the last tenth of a second are told by events alone.
+// The score at the end of a recording that was finished. Goals of the last tenth of a second are found in events alone.
 std::optional<std::array<int, 2>> last_score(mcap::Reader& reader) {
   const mcap::Statistics* const statistics = reader.statistics();
   if (statistics == nullptr) return std::nullopt;

@@ -177,7 +177,7 @@ std::uint64_t nanoseconds(double seconds) {
   return static_cast<std::uint64_t>(std::llround(std::clamp(seconds, 0.0, 1e9) * 1e9));
 }
 
-// The next message that can be read; what cannot is told in `damage`, the first of it.
+// The next message that can be read; what cannot is noted in `damage`, the first of it.
 bool next(mcap::Reader& reader, mcap::Message& message, std::string& damage) {
   for (;;) {
     try {

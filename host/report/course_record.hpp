@@ -29,7 +29,7 @@ struct PairPoint {
   statistics::Estimate value;       // difference of goals, or of the metric that is tested
 };
 
-// After so many pairs of each pairing of several teams: Elo by team; empty where the results do not tell it.
+// After so many pairs of each pairing of several teams: Elo by team; empty where the results do not determine it.
 struct RankingPoint {
   std::uint64_t pair = 0;
   std::vector<double> elo;

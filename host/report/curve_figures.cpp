@@ -49,7 +49,7 @@ std::string banded_csv(std::span<const Banded> points, const char* value) {
   return out;
 }
 
-// The first pairs of many tell next to nothing, and would make the rest too small to be seen: the axis is that of the
+// The first pairs of many say next to nothing, and would make the rest too small to be seen: the axis is that of the
 // others.
 Range range_of(std::span<const Banded> points) {
   constexpr std::uint64_t few = 8;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// An experiment as a table: a line for each number of each match.
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// An experiment as JSON.
 
 #include "config/json.hpp"
 #include "report/experiment.hpp"

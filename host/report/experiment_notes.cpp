@@ -29,16 +29,16 @@ std::string playing_note(const ExperimentView& view) {
   if (seconds.empty()) return {};
   const std::string least = minutes(*std::ranges::min_element(seconds));
   const std::string most = minutes(*std::ranges::max_element(seconds));
-  const std::string told = !plan.swept()   ? fmt::format("{}", fmt::join(by_arm, ", "))
-                           : least == most ? least
-                                           : fmt::format("{} to {}", least, most);
-  return fmt::format("Mean minutes of a match in the phase Playing: {}.", told);
+  const std::string range = !plan.swept()   ? fmt::format("{}", fmt::join(by_arm, ", "))
+                            : least == most ? least
+                                            : fmt::format("{} to {}", least, most);
+  return fmt::format("Mean minutes of a match in the phase Playing: {}.", range);
 }
 
 // Of games that are shorter than a match: all arms, of a sweep those conditions that overspend.
 std::string packets_note(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
-  std::vector<std::string> told;
+  std::vector<std::string> spent;
   std::size_t conditions = 0, overspent = 0;
   for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
     const study::PacketsSpent& packets = view.course.packets(i);
@@ -46,11 +46,11 @@ std::string packets_note(const ExperimentView& view) {
     ++conditions;
     if (packets.overspent()) ++overspent;
     if (plan.swept() && !packets.overspent()) continue;
-    told.push_back(fmt::format("{} {:.4g} of {:.4g}{}", visible(label(plan, i)), packets.spent(), packets.share(),
-                               packets.overspent() ? " (OVERSPENT)" : ""));
+    spent.push_back(fmt::format("{} {:.4g} of {:.4g}{}", visible(label(plan, i)), packets.spent(), packets.share(),
+                                packets.overspent() ? " (OVERSPENT)" : ""));
   }
   if (conditions == 0) return {};
-  const std::string all = fmt::format("{}", fmt::join(told, ", "));
+  const std::string all = fmt::format("{}", fmt::join(spent, ", "));
   const std::string of_sweep = overspent == 0
                                    ? fmt::format("within it in all {} conditions", conditions)
                                    : fmt::format("above it in {} of {} conditions, {}", overspent, conditions, all);

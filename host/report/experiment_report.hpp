@@ -9,7 +9,7 @@
 
 namespace regista::report {
 
-// again: as it is told to the reader.
+// again: as it is shown to the reader.
 std::unique_ptr<StudyReport> experiment_report(study::ExperimentPlan plan, CommandOf again);
 
 }  // namespace regista::report

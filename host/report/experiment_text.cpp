@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// An experiment as text. Its estimates with their intervals are written by estimate_text.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>

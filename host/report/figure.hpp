@@ -41,7 +41,7 @@ std::string figure_field(std::string_view text);
 double tic_step(double end, int most);
 double whole_tic_step(double end, int most);
 
-// All that gnuplot is told to draw a figure as a file beside its table.
+// The commands for gnuplot that draw a figure as a file beside its table.
 enum class Picture { svg, png };
 std::string gnuplot_script(const Figure& figure, Picture picture);
 

@@ -19,7 +19,7 @@ struct Drawing {
 
 enum class Png { wanted, left_out };
 
-// What the user's own settings of gnuplot say does not count. What goes wrong is told by `why_not`.
+// What the user's own settings of gnuplot say does not count. What goes wrong stands in `why_not`.
 Drawing draw(Figure figure, Png png);
 
 }  // namespace regista::report

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+// The numbers of a match as a table: a line for each.
 #include <fmt/format.h>
 
 #include "report/csv_text.hpp"
-#include "report/match_report.hpp"
+#include "report/match_summary.hpp"
 
 namespace regista::report {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of matches (study/metric.hpp) as a page tells them: of each team the mean over all matches it played to
+// The numbers of matches (study/metric.hpp) as a page shows them: of each team the mean over all matches it played to
 // their end; of two teams also their difference, pair by pair. In memory that does not grow with the matches.
 #pragma once
 

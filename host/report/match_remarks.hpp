@@ -21,7 +21,7 @@ std::string prevented_headline(std::uint64_t pairs);
 // "1 pair could not be played and counts nowhere: ..."; empty without one. In one sentence.
 std::string unplayed_sentence(std::uint64_t pairs);
 
-// Lines, each ended; empty where there is nothing to tell.
+// Lines, each ended; empty where there is nothing to report.
 std::string irreproducible_text(const study::MatchRemarks& remarks);  // "not reproducible: match 1: ..."
 std::string unplayed_text(const study::MatchRemarks& remarks);        // "  match 5: ..."
 std::string written_text(const study::MatchRemarks& remarks);         // where plugins wrote to standard error
@@ -31,7 +31,7 @@ nlohmann::ordered_json irreproducible_json(const study::MatchRemarks& remarks);
 nlohmann::ordered_json unplayed_json(std::uint64_t pairs, const study::MatchRemarks& remarks);
 nlohmann::ordered_json written_json(const study::MatchRemarks& remarks);
 
-// The same for a page; empty where there is nothing to tell.
+// The same for a page; empty where there is nothing to report.
 Html irreproducible_note(const study::MatchRemarks& remarks);
 Html unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks);
 Html written_note(const study::MatchRemarks& remarks);

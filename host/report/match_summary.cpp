@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "match/names.hpp"
-#include "report/match_report.hpp"
+#include "report/match_summary.hpp"
 
 namespace regista::report {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the numbers of a match are (match/metric_table.hpp), told to people and programs, and the tables of
+// What the numbers of a match are (match/metric_table.hpp), for people and programs, and the tables of
 // docs/metrics.md, whose prose is written by hand.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How reports tell what teams spent in games shorter than a match: beside the share of the budget that their length
+// How reports show what teams spent in games shorter than a match: beside the share of the budget that their length
 // has, with a mark where it was more.
 #pragma once
 
@@ -13,10 +13,10 @@ namespace regista::report {
 enum class OverspentMark { loud, quiet };  // "OVERSPENT" for a terminal, "overspent" for a page
 
 // "spent 45 packets per match; the share of the budget for this length is 30: OVERSPENT"; empty where there is nothing
-// to tell.
+// to show.
 std::string packets_clause(const study::PacketsSpent& packets, OverspentMark mark);
 
-// {"per_match", "share", "overspent"}; null where there is nothing to tell.
+// {"per_match", "share", "overspent"}; null where there is nothing to show.
 nlohmann::ordered_json packets_json(const study::PacketsSpent& packets);
 
 }  // namespace regista::report

@@ -17,7 +17,7 @@
 namespace regista::report {
 namespace {
 
-constexpr std::size_t most_teams = 40;  // of which the roles are told
+constexpr std::size_t most_teams = 40;  // of which the roles are shown
 
 // Hundreds need less behind the point, and have less room.
 int digits_of(double value, int digits) { return std::abs(value) < 100.0 ? digits : std::min(digits, 1); }

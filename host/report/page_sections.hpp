@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of the page of a tournament, each empty where there is nothing to tell.
+// The parts of the page of a tournament, each empty where there is nothing to show.
 #pragma once
 
 #include <string_view>

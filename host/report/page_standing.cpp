@@ -182,7 +182,7 @@ Html pairings_table(const PageSource& source) {
   out << (p.size() > most_open ? "<details><summary>"_html : "<details open><summary>"_html)
       << text(fmt::format("{} pairings, from the point of view of the team named first", p.size()))
       << "</summary>\n"_html << table.html();
-  if (p.size() > most_listed) out << "<p class=\"note\">The others are told by regista report --json.</p>\n"_html;
+  if (p.size() > most_listed) out << "<p class=\"note\">The others are in regista report --json.</p>\n"_html;
   return out << "</details>\n"_html;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A comparison of search algorithms as a table: a line for each run.
 #include <fmt/format.h>
 
 #include "report/csv_text.hpp"

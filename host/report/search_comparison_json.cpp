@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A comparison of search algorithms as JSON.
 #include "config/json.hpp"
 #include "report/objective_numbers.hpp"
 #include "report/search_comparison_numbers.hpp"

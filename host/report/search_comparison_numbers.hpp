@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers that a report tells of a comparison of search algorithms, worked out once for its text, its JSON, its
+// The numbers that a report shows of a comparison of search algorithms, worked out once for its text, its JSON, its
 // figure and its page.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace regista::report {
 
-// Matches that what is told rests on: of the runs that have come to their end, and of the judging once it has.
+// Matches that the report rests on: of the runs that have come to their end, and of the judging once it has.
 std::uint64_t searched_matches(const SearchComparisonView& view);
 std::uint64_t judged_matches(const SearchComparisonView& view);
 

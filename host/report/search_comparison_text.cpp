@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// A comparison of search algorithms as text. Its estimates with their intervals are written by
+// estimate_text.cpp.
 #include <fmt/format.h>
 
 #include <optional>

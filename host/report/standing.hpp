@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers that a report tells of a tournament, worked out once for its text and for its JSON.
+// The numbers that a report shows of a tournament, worked out once for its text and for its JSON.
 #pragma once
 
 #include <optional>
@@ -30,7 +30,7 @@ std::optional<Strength> strength(const study::Meeting& meeting);
 
 struct Ranked {
   std::size_t team = 0;
-  std::optional<statistics::Estimate> elo;  // Bradley-Terry; nothing where the results do not tell it
+  std::optional<statistics::Estimate> elo;  // Bradley-Terry; nothing where the results do not determine it
   double nash = 0.0;                        // share in the equilibrium
   double points = 0.0;
   std::uint64_t matches = 0, wins = 0, draws = 0, losses = 0, scored = 0, conceded = 0, failures = 0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A tournament as a table: a line for each match.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,7 +54,7 @@ std::string csv_line(const TournamentView& view, std::uint64_t index, const camp
   };
   if (metrics.empty()) return out + '\n';
   if (metrics == csv_metrics(view.plan)) {
-    // Of these a table of a million matches is told in seconds.
+    // Of these a table of a million matches is written in seconds.
     study::PacketMetrics packets;
     if (!decided.metrics.empty()) packets = study::packet_metrics_of(decided.metrics);
     for (const auto& of_sides : packets) std::ranges::for_each(of_sides, write);

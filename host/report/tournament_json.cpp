@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A tournament as JSON.
 
 #include "config/json.hpp"
 #include "report/match_remarks.hpp"

@@ -17,13 +17,13 @@ namespace {
 
 Html elo_text(const statistics::Estimate& elo, IntervalUse use) {
   if (!std::isfinite(elo.value)) return text(elo.value > 0.0 ? "above all scales" : "below all scales");
-  return text(use == IntervalUse::told ? fmt::format("{} ± {:.0f}", with_sign(elo.value, 0), elo.margin())
-                                       : with_sign(elo.value, 0));
+  return text(use == IntervalUse::shown ? fmt::format("{} ± {:.0f}", with_sign(elo.value, 0), elo.margin())
+                                        : with_sign(elo.value, 0));
 }
 
 const char* elo_caption(IntervalUse use) {
   switch (use) {
-    case IntervalUse::told:
+    case IntervalUse::shown:
       return "Elo, with the margin that holds with 95 %";
     case IntervalUse::too_few_pairs:
       return "Elo; too few pairs for an interval";
@@ -52,7 +52,7 @@ Html tiles(const PageSource& source) {
                 text(fmt::format("of the points, {:.1f} of {}", points(meeting.games), meeting.matches())));
     out << tile(text(fmt::format("{} – {} – {}", wins, draws, losses)), text("won – drawn – lost"));
     out << tile(text(fmt::format("{} : {}", meeting.goals[0], meeting.goals[1])), text("goals"));
-    if (use == IntervalUse::told) {
+    if (use == IntervalUse::shown) {
       Html better = "probability that "_html;
       out << tile(text(fmt::format("{:.1f} %", 100.0 * known->superiority)),
                   better << team_name(source, 0) << " is the stronger one (LOS)"_html);

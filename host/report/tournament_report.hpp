@@ -9,7 +9,7 @@
 
 namespace regista::report {
 
-// again: as it is told to the reader.
+// again: as it is shown to the reader.
 std::unique_ptr<StudyReport> tournament_report(study::TournamentPlan plan, CommandOf again);
 
 }  // namespace regista::report

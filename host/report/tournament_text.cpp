@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A tournament as text. Its estimates with their intervals are written by estimate_text.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A tuning as a table: a line for each point of its search.
 #include <fmt/format.h>
 
 #include "report/tuning_csv_fields.hpp"

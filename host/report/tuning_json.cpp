@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A tuning as JSON.
 #include <algorithm>
 
 #include "config/json.hpp"

@@ -17,7 +17,7 @@ nlohmann::ordered_json json_number(double value);
 nlohmann::ordered_json json_or_null(const std::optional<double>& value);
 nlohmann::ordered_json json_of(const statistics::Interval& interval);
 nlohmann::ordered_json json_of(const study::MeanEstimate& estimate);  // of the user's terms
-// A score, or a difference of scores, as the objective tells it.
+// A score, or a difference of scores, in the words of the objective.
 nlohmann::ordered_json json_of_score(const study::TuningObjective& objective, const std::optional<double>& score);
 
 // Name, team, objective, parameters, opponents: what is searched for.

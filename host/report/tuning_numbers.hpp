@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers that a report tells of a tuning, worked out once for its text, its JSON, its figures and its page; values
+// The numbers that a report shows of a tuning, worked out once for its text, its JSON, its figures and its page; values
 // of the objective as that has them (objective_numbers.hpp).
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace regista::report {
 
-// Matches that what is told rests on, by stage. A verification that stopped early has asked for more.
+// Matches that the report rests on, by stage. A verification that stopped early has asked for more.
 struct MatchesByStage {
   std::uint64_t search = 0, selection = 0, verification = 0, slices = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is searched for, as every study tells it that searches the values of a team: which numbers of which team,
+// What is searched for, as every study reports it that searches the values of a team: which numbers of which team,
 // against whom, by which objective; in sentences, in words for tables, and as the command that asks for it.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Parts of the text of every study that searches the values of a team. Lines, each ended; empty where there is nothing
-// to tell.
+// to show.
 #pragma once
 
 #include <string>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// A tuning as text. Its estimates with their intervals are written by estimate_text.cpp (with_interval), the sentences
+// around them by tuning_sentences.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>

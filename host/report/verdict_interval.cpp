@@ -24,7 +24,7 @@ IntervalUse interval_use(const TournamentView& view, std::size_t pairing) {
   const statistics::Interval& interval = known->elo.interval;
   if (!interval.bounded()) return IntervalUse::unbounded;
   const bool differs = verdict == study::Verdict::none && p_values(view.course).adjusted[pairing] < significance_level;
-  return differs == interval.contains(0.0) ? IntervalUse::contradicted : IntervalUse::told;
+  return differs == interval.contains(0.0) ? IntervalUse::contradicted : IntervalUse::shown;
 }
 
 }  // namespace regista::report

@@ -14,14 +14,14 @@ namespace regista::report {
 // equal, the usual rule for taking a binomial law for a normal one. By the exact law (uneven pairs all worth the same,
 // however many even ones beside them), the interval of 95 % leaves equal teams out in up to 50 % of cases at two uneven
 // pairs, 22 % at six, 15 % at ten or more and 10 % at sixteen or more. What is left of that is caught below: an
-// interval is told only where the exact test agrees with it about nought.
+// interval is shown only where the exact test agrees with it about nought.
 inline constexpr statistics::Count fewest_uneven_pairs = 10;
 
 statistics::Count uneven(const statistics::PairCounts& pairs);
 bool enough_for_interval(const statistics::PairCounts& pairs);
 
 enum class IntervalUse {
-  told,
+  shown,
   too_few_pairs,
   not_at_its_end,  // who looks again and again is misled by an interval for one look
   biased,          // a sequential test chose when to stop

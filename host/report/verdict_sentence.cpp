@@ -37,7 +37,7 @@ Html numbers_of(const TournamentView& view, const Meeting& meeting) {
 // What may still be true, by the interval of 95 %, or why that cannot be said; nothing where the verdict says all.
 std::optional<Html> may_be(const TournamentView& view, const Meeting& meeting) {
   switch (interval_use(view, 0)) {
-    case IntervalUse::told:
+    case IntervalUse::shown:
       break;
     case IntervalUse::too_few_pairs: {
       const auto count = static_cast<std::uint64_t>(uneven(meeting.pairs));

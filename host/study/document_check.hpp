@@ -23,7 +23,7 @@ struct Profiles {
 
 struct DocumentMistake {
   config::Location where;     // of one that has no place in the document: its file alone
-  std::string message, line;  // the second with the place, as users are told it
+  std::string message, line;  // the second with the place, as it is printed
 };
 
 struct DocumentCheck {

@@ -38,7 +38,7 @@ std::string override_of(const Setting& setting, std::size_t side);
 config::Error told_at_its_place(const config::Error& error, const std::vector<Setting>& settings, std::size_t side,
                                 const std::function<std::vector<std::string>()>& known);
 
-// The match of a job in which the study's own team stands on `side`. Throws config::Error, told at its place. bare: the
+// The match of a job in which the study's own team stands on `side`. Throws config::Error with its place. bare: the
 // job without any setting, that team at home.
 campaign::MatchSetup settled_match(const campaign::Job& job, std::size_t side, const std::vector<Setting>& settings,
                                    const campaign::Job& bare, const plugin::Catalogue& catalogue);

@@ -24,7 +24,7 @@ struct ExperimentRequest : campaign::Options {
 // Throws config::BadInput and config::Error, at the place in the experiment's document that asks for what is not there.
 ExperimentPlan planned_experiment(const ExperimentRequest& options, const plugin::Catalogue& catalogue);
 
-// Whether it can be planned: tells of every mistake in arms, values and measures.
+// Whether it can be planned: lists every mistake in arms, values and measures.
 void check_experiment(const ExperimentRequest& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
 
 }  // namespace regista::study

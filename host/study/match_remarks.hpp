@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is to be told of single matches of a study besides their results: which could not be played, which came out
+// What is to be reported of single matches of a study besides their results: which could not be played, which came out
 // otherwise when they were played a second time, and in which plugins wrote to standard error. In memory that does not
 // grow with the number of matches.
 #pragma once

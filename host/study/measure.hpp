@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The measures of an experiment: numbers of one team in one match. "goals", "goals_against", "goal_difference" and
 // "points" (1 for a match won, 1/2 for one drawn) come from the score; all others are paths of the match's metrics, see
-// match/metric_table.hpp. Times are told as minutes in 60 minutes of play, so that matches of any length compare;
+// match/metric_table.hpp. Times are given as minutes in 60 minutes of play, so that matches of any length compare;
 // everything else per match, as it stands.
 #pragma once
 

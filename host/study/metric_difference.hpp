@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A number of two teams compared pair by pair, whatever its law: bets on the sign of the difference decide, its mean is
-// told beside them.
+// reported beside them.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Packets that a team spent in games that end before a match would. Unless the rules give such a game its share, it has
-// the budget of a whole match, so that a team may look good by what it could not go on with: what it spent is told
-// beside the share of the budget that the length of the game has. Of whole matches there is nothing to tell.
+// the budget of a whole match, so that a team may look good by what it could not go on with: what it spent is reported
+// beside the share of the budget that the length of the game has. Of whole matches there is nothing to report.
 #pragma once
 
 #include <array>

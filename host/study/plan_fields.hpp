@@ -2,9 +2,9 @@
 // The fields of a plan, named once. A plan has a function
 //
 //   template <Like<FooPlan> Plan, class Visit> void fields(Plan& plan, Visit& visit) {
-//     visit("pairs", plan.pairs, "--pairs");                        // key in JSON, value, what a difference is told as
-//     visit("folder", plan.folder);                                 // a difference is not told
-//     visit("memory", plan.memory, "--memory", in_mebibytes);       // the value as it is told
+//     visit("pairs", plan.pairs, "--pairs");                        // key in JSON, value, what a difference is called
+//     visit("folder", plan.folder);                                 // a difference is not reported
+//     visit("memory", plan.memory, "--memory", in_mebibytes);       // the value as it is reported
 //     visit.inner("limits", [&](auto& inner) { ... });              // an object in the object
 //   }
 //
@@ -103,8 +103,8 @@ void read(const PlanJson& json, std::vector<T>& values) {
 
 class PlanWriter {
  public:
-  template <class T, class... Told>
-  void operator()(const char* key, const T& value, const Told&...) {
+  template <class T, class... Shown>
+  void operator()(const char* key, const T& value, const Shown&...) {
     out_[key] = json_of(value);
   }
   template <class Fields>
@@ -122,8 +122,8 @@ class PlanWriter {
 class PlanReader {
  public:
   explicit PlanReader(const PlanJson& in) : in_(in) {}
-  template <class T, class... Told>
-  void operator()(const char* key, T& value, const Told&...) {
+  template <class T, class... Shown>
+  void operator()(const char* key, T& value, const Shown&...) {
     read(in_.at(key), value);
   }
   template <class Fields>
@@ -245,7 +245,7 @@ Plan plan_of(const char* study, int version, const std::string& text, Sound soun
   });
 }
 
-// What is told of the fields that differ: "--pairs: was 3, now 4".
+// What is said of the fields that differ: "--pairs: was 3, now 4".
 template <class Plan>
 std::vector<std::string> field_differences(const Plan& before, const Plan& now) {
   PlanWords then, today;

@@ -12,7 +12,7 @@ inline constexpr const char* experiment_study = "experiment";
 inline constexpr const char* tuning_study = "tuning";
 inline constexpr const char* search_comparison_study = "search_comparison";
 
-// The study that a plan is of; empty where that is not told.
+// The study that a plan is of; empty where it does not say.
 std::string study_of(const std::string& plan);
 
 // Whether it is a comparison of search algorithms as these were written before they were a study of their own: as a

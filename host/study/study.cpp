@@ -29,13 +29,13 @@ bool holds_comparison_of_before(const nlohmann::ordered_json& plan) {
 PlayRound observed(PlayRound play, AfterMatch after) {
   if (!after) return play;
   return [play = std::move(play), after = std::move(after)](const Round& round) {
-    Round told = round;
-    told.take = [&round, &after](std::uint64_t index, const campaign::Decided* decided) {
+    Round watched = round;
+    watched.take = [&round, &after](std::uint64_t index, const campaign::Decided* decided) {
       const bool more = round.take(index, decided);
       after(round, index, decided);
       return more;
     };
-    play(told);
+    play(watched);
   };
 }
 

@@ -67,10 +67,10 @@ class StudyError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Is told each match after it was taken; null: one that was not wanted.
+// Is called with each match after it was taken; null: one that was not wanted.
 using AfterMatch = std::function<void(const Round& round, std::uint64_t index, const campaign::Decided* decided)>;
 
-// `play`, told of by `after`, which may be empty.
+// `play`, with `after` called after each match; as it is where `after` is empty.
 PlayRound observed(PlayRound play, AfterMatch after);
 
 // Takes what a file holds: all matches in their order up to the first one that is missing, or to the study's end.

@@ -16,7 +16,7 @@ unsigned subject_of(const config::PredictorStudy& study) {
   return study.subject == config::PredictorStudy::Subject::ball ? REGISTA_SUBJECT_BALL : REGISTA_SUBJECT_OPPONENTS;
 }
 
-// Of the recording: its field and its robots; what no recording tells is as in the rules of the SPL.
+// Of the recording: its field and its robots; what no recording holds is as in the rules of the SPL.
 regista_environment environment_of(const config::PredictorStudy& study) {
   const config::Rules rules;
   const config::FieldSize& field = rules.field;

@@ -17,7 +17,7 @@
 
 namespace regista::study {
 
-// The distribution of an object's place that a predictor tells.
+// The distribution of an object's place that a predictor gives.
 struct Estimate {
   Eigen::Vector2d position;
   Eigen::Matrix2d covariance;

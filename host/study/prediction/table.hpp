@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A table of plain comma-separated values, read line by line, compressed by gzip or not. Columns go by the names of the
 // first line; nothing is quoted. (The CSV libraries of the distribution fix the columns when they are compiled, or do
-// not tell where in a line a value stands.)
+// not say where in a line a value stands.)
 #pragma once
 
 #include <cstddef>

@@ -51,7 +51,7 @@ OutOfTime search_clock(campaign::Store& store, const TuningPlan& plan) {
   if (!plan.minutes) return {};
   return [&store, most = 60.0 * *plan.minutes, before = stored_time(store),
           began = std::optional<Clock::time_point>()](std::uint64_t evaluations) mutable {
-    // What an earlier run has come to is told, not played: it was in time, and takes none.
+    // What an earlier run has come to is read, not played: it was in time, and takes none.
     if (evaluations < before.evaluations) return false;
     if (!began) began = Clock::now();
     const double seconds = before.seconds + std::chrono::duration<double>(Clock::now() - *began).count();

@@ -30,7 +30,7 @@ std::uint64_t pairs_in(int matches, std::uint64_t each);
 std::string unknown_algorithm(const std::string& name);
 
 // Its steps are taken in the order in which they stand here, each once. They throw config::BadInput and config::Error,
-// or tell `mistakes`, as that wants it. Options, catalogue and mistakes outlive it.
+// or list it in `mistakes`, as that wants it. Options, catalogue and mistakes outlive it.
 class TuningPlanner {
  public:
   // Reads the document, and notes what it says of itself.

@@ -22,7 +22,7 @@ struct TuningRequest : campaign::Options {
 // Throws config::BadInput and config::Error, at the place in the tuning's document that asks for what is not there.
 TuningPlan planned_tuning(const TuningRequest& options, const plugin::Catalogue& catalogue);
 
-// Whether it can be planned: tells of every mistake in algorithm, opponents, parameters, openings and objective.
+// Whether it can be planned: lists every mistake in algorithm, opponents, parameters, openings and objective.
 void check_tuning(const TuningRequest& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
 
 // What is unusual but allowed, a line each: an opponent that is the base team itself.

@@ -10,7 +10,7 @@
 #include "campaign/match_json.hpp"
 #include "campaign/metric_bytes.hpp"
 #include "config/json.hpp"
-#include "report/match_report.hpp"
+#include "report/match_summary.hpp"
 #include "report/metric_reference.hpp"
 #include "report/tournament_page.hpp"
 

@@ -71,15 +71,15 @@ TEST(VerdictSentence, AndItsIntervalDoNotContradictEachOther) {
     const statistics::Interval interval = strength(meeting)->elo.interval;
     const bool stronger = sentence(course).find("is stronger than") != std::string::npos;
     const IntervalUse use = interval_use(course.view(), 0);
-    EXPECT_EQ(beside(course).find("confidence") != std::string::npos, use == IntervalUse::told);
+    EXPECT_EQ(beside(course).find("confidence") != std::string::npos, use == IntervalUse::shown);
     EXPECT_EQ(use == IntervalUse::too_few_pairs, pairs - counts[2] < 10);
-    if (use == IntervalUse::told) {
+    if (use == IntervalUse::shown) {
       EXPECT_EQ(stronger, !interval.contains(0.0));
     }
     if (use == IntervalUse::contradicted) {
       EXPECT_EQ(stronger, interval.contains(0.0));
     }
-    told += use == IntervalUse::told;
+    told += use == IntervalUse::shown;
     contradicted += use == IntervalUse::contradicted;
     few += use == IntervalUse::too_few_pairs;
   }
