@@ -6,7 +6,7 @@
 
 #include "match/side.hpp"
 #include "report/standing.hpp"
-#include "report/verdict_interval.hpp"
+#include "report/elo_interval.hpp"
 #include "statistics/bradley_terry.hpp"
 #include "statistics/rating.hpp"
 

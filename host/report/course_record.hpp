@@ -23,7 +23,7 @@ namespace regista::report {
 struct PairPoint {
   std::uint64_t pair = 0;
   std::optional<statistics::Estimate> elo;
-  bool enough = false;              // pairs for its interval (verdict_interval.hpp)
+  bool enough = false;              // pairs for its interval (elo_interval.hpp)
   std::optional<double> ratio;      // log-likelihood ratio of a test of scores, nats
   double lower = 0.0, upper = 0.0;  // where it stops
   statistics::Estimate value;       // difference of goals, or of the metric that is tested

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "report/standing.hpp"
-#include "report/verdict_interval.hpp"
+#include "report/elo_interval.hpp"
 #include "report/visible_text.hpp"
 
 namespace regista::report {

@@ -10,7 +10,7 @@
 #include "report/number.hpp"
 #include "report/page_sections.hpp"
 #include "report/standing.hpp"
-#include "report/verdict_interval.hpp"
+#include "report/elo_interval.hpp"
 
 namespace regista::report {
 namespace {

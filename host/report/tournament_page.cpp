@@ -9,7 +9,7 @@
 #include "report/number.hpp"
 #include "report/page_sections.hpp"
 #include "report/standing.hpp"
-#include "report/verdict_interval.hpp"
+#include "report/elo_interval.hpp"
 #include "report/verdict_sentence.hpp"
 
 namespace regista::report {

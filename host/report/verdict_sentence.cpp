@@ -11,7 +11,7 @@
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
-#include "report/verdict_interval.hpp"
+#include "report/elo_interval.hpp"
 
 namespace regista::report {
 namespace {

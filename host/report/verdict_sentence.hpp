@@ -17,7 +17,7 @@ struct VerdictSentence {
 
 // "Stronger", "weaker" are said of a test that was fixed beforehand and is at its end: a sequential test at its
 // verdict, or for a fixed number of pairs the sign-flip test at 5 %, adjusted by Holm for the number of pairings. The
-// interval of Elo stands beside it only where interval_use() (verdict_interval.hpp) lets it.
+// interval of Elo stands beside it only where interval_use() (elo_interval.hpp) lets it.
 VerdictSentence verdict_sentence(const TournamentView& view);
 
 }  // namespace regista::report

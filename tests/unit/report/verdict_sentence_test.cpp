@@ -7,7 +7,7 @@
 
 #include "course.hpp"
 #include "report/standing.hpp"
-#include "report/verdict_interval.hpp"
+#include "report/elo_interval.hpp"
 
 namespace regista::report {
 namespace {

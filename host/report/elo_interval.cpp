@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/verdict_interval.hpp"
+#include "report/elo_interval.hpp"
 
 #include <cassert>
 #include <optional>
