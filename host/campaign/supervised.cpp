@@ -202,7 +202,7 @@ int run_supervised(const Limits& limits, const SupervisedWork& supervised) {
   if (done) return code;
   if (received != 0) {
     // It was asked to end, and did not wait for a plugin; or it was asked twice, and said nothing.
-    return WIFSIGNALED(status) ? supervised.interrupted() : EXIT_FAILURE;
+    return supervised.interrupted(received, !WIFSIGNALED(status));
   }
   loss.note.call.plugin.back() = loss.note.call.call.back() = '\0';
   loss.note.fatal.thread.back() = loss.note.fatal.object.back() = '\0';

@@ -29,7 +29,8 @@ struct SupervisedWork {
   // limited. Throws Disorder or std::bad_alloc; explains any other exception itself.
   std::function<int(WorkerNote& note)> work;
   std::function<int(const Loss& loss)> lost;  // the copy was lost, or threw
-  std::function<int()> interrupted;           // a signal that asked to end has ended it before it could say so
+  // A signal that asked to end has ended it; whether it has said so on standard error.
+  std::function<int(int signal_number, bool has_spoken)> interrupted;
 };
 
 // Signals to this process go to the copy. What the copy has started is ended. This process must have no threads and no

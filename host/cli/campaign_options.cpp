@@ -23,9 +23,9 @@ void add_campaign_options(Command& command, campaign::Options& options, const st
   command.take("--wall-seconds", options.wall_seconds, "SECONDS",
                "wall time of one call of a plugin; default: ten times its processor time and 100 s");
   command.take("--match-seconds", options.match_seconds, "SECONDS", "wall time of a whole match; default 1800");
-  command.take("--isolation", options.isolation, "WHEN",
-               "after-death (default): a match that died is played again with each team in a process of its own; "
-               "always: all matches are played so");
+  command.choose("--isolation", options.isolation, {"after-death", "always"},
+                 "after-death (default): a match that died is played again with each team in a process of its own; "
+                 "always: all matches are played so");
   command.flag("--play-once", options.play_once,
                "do not play the first match of each pairing a second time, in which it is seen whether it is "
                "reproducible, and whether plugins change their inputs");

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "cli/help_text.hpp"
 #include "config/bad_input.hpp"
 #include "config/text.hpp"
 
@@ -14,6 +15,24 @@ namespace regista::cli {
 namespace {
 
 using config::BadInput;
+
+constexpr auto help_command = "help";
+// The command that explains the others, with their names after it.
+CommandDeclaration help_on(const CommandDeclaration& program) {
+  const auto under = [](const auto& self, const CommandDeclaration& command, const std::string& parent,
+                        const std::string& name) -> CommandDeclaration {
+    CommandDeclaration out{name, parent + ' ' + name, command.about, {}, {}, {}};
+    for (const CommandDeclaration& each : command.commands) {
+      out.commands.push_back(self(self, each, out.full_name, each.name));
+    }
+    return out;
+  };
+  CommandDeclaration out = under(under, program, program.name, help_command);
+  out.about = "explain a command";
+  return out;
+}
+
+constexpr auto one_of_choices = "CHOICE";
 
 // Every option takes one value or none.
 std::string wrong_count(const CLI::ArgumentMismatch& error) {
@@ -24,70 +43,87 @@ std::string wrong_count(const CLI::ArgumentMismatch& error) {
 
 }  // namespace
 
-std::string Command::Option::name() const { return option_->get_name(); }
-std::string Command::Option::type() const {
-  return option_->get_expected_max() == 0 ? std::string() : option_->get_type_name();
-}
-bool Command::Option::is_positional() const { return !option_->nonpositional(); }
-std::vector<std::string> Command::Option::values() const {
-  return option_->count() == 0 ? std::vector<std::string>() : option_->results();
-}
-
 Command::Command(const std::string& name, const std::string& about)
-    : program_(std::make_unique<CLI::App>(about, name)), app_(*program_) {}
-Command::Command(CLI::App& app, const Command& parent) : app_(app), parent_(&parent) {}
+    : program_(std::make_unique<CLI::App>(about, name)), app_(*program_), declared_{name, name, about, {}, {}, {}} {}
+Command::Command(CLI::App& app, const Command& parent, const std::string& name, const std::string& about)
+    : app_(app), declared_{name, parent.declared_.full_name + ' ' + name, about, {}, {}, {}} {}
 Command::~Command() = default;
 
 Command& Command::add(const std::string& name, const std::string& about) {
   // At most one command, so that what follows it is never taken for another.
   app_.require_subcommand(0, 1);
   CLI::App& app = *app_.add_subcommand(name, about);
-  return *commands_.emplace_back(new Command(app, *this));
+  return *commands_.emplace_back(new Command(app, *this, name, about));
 }
 
-void Command::hide() { app_.group(""); }
+void Command::hide() { hidden_ = true; }
 
-void Command::answer_version(const std::string& text) { app_.set_version_flag("--version", text); }
+void Command::answer_version(const std::string& text) {
+  declare(*app_.set_version_flag("--version", text), {{}, {}, "print the version", {}, {}});
+}
+
+void Command::declare(CLI::Option& option, OptionDeclaration declared) {
+  for (const std::string& name : option.get_snames()) declared.names.push_back('-' + name);
+  for (const std::string& name : option.get_lnames()) declared.names.push_back("--" + name);
+  if (option.get_positional()) declared.names.push_back(option.get_name(true));
+  options_.push_back(&option);
+  declared_.options.push_back(std::move(declared));
+}
 
 void Command::take(const std::string& name, std::string& into, const std::string& type, const std::string& help,
                    output::FileUse use) {
-  options_.push_back(Option(*app_.add_option(name, into, help)->type_name(type), use));
+  declare(*app_.add_option(name, into), {{}, type, help, {}, use});
 }
 
 void Command::take(const std::string& name, std::vector<std::string>& into, const std::string& type,
                    const std::string& help, output::FileUse use) {
-  CLI::Option& option = *app_.add_option(name, into, help)->type_name(type);
+  CLI::Option& option = *app_.add_option(name, into);
   if (option.nonpositional()) option.allow_extra_args(false);
-  options_.push_back(Option(option, use));
+  declare(option, {{}, type, help, {}, use, true});
+}
+
+void Command::choose(const std::string& name, std::string& into, std::vector<std::string> choices,
+                     const std::string& help) {
+  take(name, into, one_of_choices, help);
+  declared_.options.back().choices = std::move(choices);
+}
+
+void Command::choose(const std::string& name, std::vector<std::string>& into, std::vector<std::string> choices,
+                     const std::string& help) {
+  take(name, into, one_of_choices, help);
+  declared_.options.back().choices = std::move(choices);
 }
 
 void Command::flag(const std::string& name, bool& into, const std::string& help) {
-  options_.push_back(Option(*app_.add_flag(name, into, help)->disable_flag_override(), {}));
+  declare(*app_.add_flag(name, into)->disable_flag_override(), {{}, {}, help, {}, {}});
 }
 
-void Command::notes(const std::string& text) { app_.footer(text); }
-
-std::string Command::name() const { return app_.get_name(); }
-
-std::string Command::full_name() const { return parent_ == nullptr ? name() : parent_->full_name() + ' ' + name(); }
-
-bool Command::is_hidden() const { return app_.get_group().empty(); }
+void Command::notes(const std::string& text) { declared_.notes = text; }
 
 std::vector<std::string> Command::names_of_commands() const {
   std::vector<std::string> names;
   for (const auto& each : commands_) {
-    if (!each->is_hidden()) names.push_back(each->name());
+    if (!each->is_hidden()) names.push_back(each->declared_.name);
   }
+  if (program_) names.push_back(help_command);
   return names;
 }
 
 std::vector<output::GivenOption> Command::given() const {
   std::vector<output::GivenOption> out;
-  for (const Option& each : options_) {
-    if (std::vector<std::string> values = each.values(); !values.empty()) {
-      out.push_back({each.name(), std::move(values), each.use()});
-    }
+  for (std::size_t i = 0; i < options_.size(); ++i) {
+    if (options_[i]->count() == 0) continue;
+    out.push_back({declared_.options[i].name(), options_[i]->results(), declared_.options[i].use});
   }
+  return out;
+}
+
+CommandDeclaration Command::declaration() const {
+  CommandDeclaration out = declared_;
+  for (const auto& each : commands_) {
+    if (!each->is_hidden()) out.commands.push_back(each->declaration());
+  }
+  if (program_) out.commands.push_back(help_on(out));
   return out;
 }
 
@@ -100,36 +136,40 @@ const Command& Command::chosen() const {
 // The line for a word that nothing takes.
 std::string Command::not_expected(const std::string& word) const {
   if (word.size() > 1 && word.front() == '-') {
-    std::vector<std::string> names;
-    for (const CLI::Option* each : app_.get_options([](const CLI::Option* all) { return all->nonpositional(); })) {
-      names.push_back(each->get_name());
+    std::vector<std::string> names{"--help"};
+    for (const OptionDeclaration& each : declared_.options) {
+      if (!each.is_positional()) names.push_back(each.name());
     }
-    return config::unknown("option", word.substr(0, word.find('=')), full_name(), names);
+    return config::unknown("option", word.substr(0, word.find('=')), declared_.full_name, names);
   }
   if (const auto known = names_of_commands(); !known.empty())
-    return config::unknown("command", word, full_name(), known);
-  return fmt::format("{} is one word too many for {}", config::in_quotes(word), full_name());
+    return config::unknown("command", word, declared_.full_name, known);
+  return fmt::format("unexpected argument {}; see: {} --help", config::in_quotes(word), declared_.full_name);
 }
 
 // An empty value is most often a variable of a script that was not set; a value that looks like an option is one whose
 // own value was forgotten.
 void Command::refuse_missing_values() const {
-  for (const Option& option : options_) {
-    if (option.type().empty()) continue;
-    for (const std::string& value : option.values()) {
-      if (value.empty()) throw BadInput(fmt::format("{} needs a value", option.name()));
+  for (std::size_t i = 0; i < options_.size(); ++i) {
+    if (declared_.options[i].is_flag() || options_[i]->count() == 0) continue;
+    const std::string& name = declared_.options[i].name();
+    for (const std::string& value : options_[i]->results()) {
+      if (value.empty()) throw BadInput(fmt::format("{} needs a value", name));
       if (value.starts_with("--")) {
-        throw BadInput(fmt::format("{} needs a value, and {} is an option", option.name(), config::in_quotes(value)));
+        throw BadInput(fmt::format("{} needs a value, and {} is an option", name, config::in_quotes(value)));
       }
     }
   }
 }
 
-Command::Typed Command::read(const std::vector<std::string>& words) {
+Command::Typed Command::read(const std::vector<std::string>& words, std::size_t width) {
+  if (!words.empty() && words.front() == help_command) {
+    return {nullptr, help_text(named(declaration(), {words.begin() + 1, words.end()}), width)};
+  }
   try {
     app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 wants the last one first
   } catch (const CLI::CallForHelp&) {
-    return {nullptr, app_.help()};
+    return {nullptr, help_text(chosen().declaration(), width)};
   } catch (const CLI::CallForVersion& version) {
     return {nullptr, std::string(version.what()) + '\n'};
   } catch (const CLI::ExtrasError&) {
@@ -143,7 +183,7 @@ Command::Typed Command::read(const std::vector<std::string>& words) {
   command.refuse_missing_values();
   if (!command.run) {
     throw BadInput(fmt::format("which command? There are: {}; see: {} --help",
-                               config::join(command.names_of_commands()), command.full_name()));
+                               config::join(command.names_of_commands()), command.declared_.full_name));
   }
   return {&command, {}};
 }

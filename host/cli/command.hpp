@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/declaration.hpp"
 #include "output/file_use.hpp"
 
 namespace CLI {
@@ -41,8 +42,12 @@ class Command {
             output::FileUse use = {});
   void take(const std::string& name, std::vector<std::string>& into, const std::string& type, const std::string& help,
             output::FileUse use = {});
+  // The same of a value for which there are only these choices; which it is, the command itself has to look at.
+  void choose(const std::string& name, std::string& into, std::vector<std::string> choices, const std::string& help);
+  void choose(const std::string& name, std::vector<std::string>& into, std::vector<std::string> choices,
+              const std::string& help);
   void flag(const std::string& name, bool& into, const std::string& help);
-  void notes(const std::string& text);  // at the end of --help: examples, exit codes
+  void notes(const std::string& text);  // at the end of --help: examples, exit codes; form: help_text.hpp
 
   // What the command does. Returns an exit code; throws what end_of_program.hpp knows to explain.
   std::function<int()> run;
@@ -54,34 +59,19 @@ class Command {
     const Command* command = nullptr;
     std::string answer;  // empty: the command is to be run
   };
-  // words: without the program's name. Only once, and by the program itself. Throws BadInput.
-  Typed read(const std::vector<std::string>& words);
+  // words: without the program's name. width: of help, in columns. Only once, and by the program itself. Throws
+  // BadInput.
+  Typed read(const std::vector<std::string>& words, std::size_t width);
 
   // --- Looking -------------------------------------------------------------------------------------------------------
 
-  class Option {
-   public:
-    std::string name() const;  // in its long form: "--output"
-    std::string type() const;  // as in take(); empty: a flag
-    bool is_positional() const;
-    output::FileUse use() const { return use_; }
-    std::vector<std::string> values() const;  // as they were typed; empty: it was not given
-
-   private:
-    friend class Command;
-    Option(CLI::Option& option, output::FileUse use) : option_(&option), use_(use) {}
-    CLI::Option* option_;
-    output::FileUse use_;
-  };
-  const std::vector<Option>& options() const { return options_; }
   std::vector<output::GivenOption> given() const;
-  const std::vector<std::unique_ptr<Command>>& commands() const { return commands_; }
-  std::string name() const;
-  std::string full_name() const;  // "regista plugin info"
-  bool is_hidden() const;
+  CommandDeclaration declaration() const;  // with the commands that are not hidden
+  bool is_hidden() const { return hidden_; }
 
  private:
-  Command(CLI::App& app, const Command& parent);
+  Command(CLI::App& app, const Command& parent, const std::string& name, const std::string& about);
+  void declare(CLI::Option& option, OptionDeclaration declared);
   const Command& chosen() const;
   std::string not_expected(const std::string& word) const;
   void refuse_missing_values() const;
@@ -89,9 +79,10 @@ class Command {
 
   std::unique_ptr<CLI::App> program_;  // of the program itself
   CLI::App& app_;
-  const Command* parent_ = nullptr;
+  CommandDeclaration declared_;  // but for its commands
+  bool hidden_ = false;
   std::vector<std::unique_ptr<Command>> commands_;
-  std::vector<Option> options_;
+  std::vector<CLI::Option*> options_;  // as declared_.options
 };
 
 }  // namespace regista::cli

@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/study_kinds.hpp"
+#include "cli/terminal.hpp"
 #include "output/output.hpp"
 
 namespace regista::cli {
@@ -26,7 +27,16 @@ constexpr auto examples = R"(Examples:
   regista plugin list
   regista config check configs/teams/paper.yaml
 
-Each command explains itself: regista match --help)";
+Each command explains itself: regista help match)";
+
+constexpr auto plugin_examples = R"(Examples:
+  regista plugin list
+  regista plugin info voronoi)";
+
+constexpr auto config_examples = R"(Examples:
+  regista config check configs/teams/paper.yaml
+  regista config show configs/teams/fixed_rate.yaml
+  regista config schema team > team.schema.json)";
 
 Invocation invocation_of(int argc, char** argv) {
   std::error_code error;
@@ -41,13 +51,14 @@ void require_working_folder() {
 }
 
 int run(const Invocation& invocation, const Addition* addition) {
-  Command program("regista", "Regista: research on team strategy for robot soccer");
+  Command program("regista", "research on team strategy for robot soccer");
   program.answer_version(fmt::format("regista {} (plugin interface {}.{}, {})", REGISTA_VERSION, REGISTA_ABI_MAJOR,
                                      REGISTA_ABI_MINOR, REGISTA_BUILD));
   program.notes(examples);
   add_commands(program, invocation);
   if (addition != nullptr) addition->command(program, invocation);
-  const Command::Typed typed = program.read({invocation.arguments.begin() + 1, invocation.arguments.end()});
+  const Command::Typed typed =
+      program.read({invocation.arguments.begin() + 1, invocation.arguments.end()}, columns_of_output());
   if (typed.command == nullptr) {
     output::print(typed.answer);
     return exit_done;
@@ -69,11 +80,14 @@ void add_commands(Command& program, const Invocation& invocation) {
   add_evaluate_predictor(program, invocation);
   add_metrics(program);
   add_play_one(program, invocation);
+  add_completion(program);
   Command& plugin = program.add("plugin", "the plugins that there are");
+  plugin.notes(plugin_examples);
   add_plugin_list(plugin, invocation);
   add_plugin_info(plugin, invocation);
   add_plugin_reference(plugin, invocation);
   Command& config = program.add("config", "documents: rules, robots, disturbances, openings, teams, studies");
+  config.notes(config_examples);
   add_config_check(config, invocation);
   add_config_show(config, invocation);
   add_config_schema(config, invocation);
@@ -81,7 +95,7 @@ void add_commands(Command& program, const Invocation& invocation) {
 
 int run(int argc, char** argv, const Addition* addition) {
   output::occupy_standard_streams();
-  // A reader who goes away is an error of writing, which is reported, not a signal.
+  // A reader who goes away is found when something is written, not by a signal.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error of writing like any other
   try {

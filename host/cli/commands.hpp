@@ -30,6 +30,7 @@ void add_sprt(Command& program);
 void add_tournament(Command& program, const Invocation& invocation);
 void add_view(Command& program, const Invocation& invocation);
 void add_metrics(Command& program);
+void add_completion(Command& program);
 void add_plugin_list(Command& parent, const Invocation& invocation);
 void add_plugin_info(Command& parent, const Invocation& invocation);
 void add_plugin_reference(Command& parent, const Invocation& invocation);

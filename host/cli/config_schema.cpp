@@ -3,8 +3,10 @@
 // typing.
 #include <fmt/format.h>
 
-#include <array>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/end_of_program.hpp"
@@ -49,7 +51,9 @@ int schema(const Options& options, const Invocation& invocation) {
 void add_config_schema(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("schema", "write the JSON Schema of a kind of document");
   const auto options = std::make_shared<Options>();
-  command.take("kind", options->kinds, "KIND", config::document_kind_names("or"));
+  std::vector<std::string> kinds;
+  for (const config::DocumentKind kind : config::document_kinds()) kinds.emplace_back(config::name_of(kind));
+  command.choose("kind", options->kinds, std::move(kinds), config::document_kind_names("or"));
   add_plugin_folders(command, options->plugins);
   command.notes(examples);
   command.run = [options, &invocation] { return schema(*options, invocation); };

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -35,7 +36,9 @@ int explain_current_exception() {
     return exit_bad_input;
   } catch (const Interrupted& error) {
     complain(error.what());
-    return exit_no;
+    return exit_by_signal(error.signal_number());
+  } catch (const output::ReaderGone&) {
+    return exit_by_signal(SIGPIPE);  // who reads only the first lines knows it
   } catch (const output::WriteError& error) {
     complain(error.what());
     return exit_no;

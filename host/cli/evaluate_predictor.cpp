@@ -23,7 +23,9 @@ constexpr auto examples = R"(Examples:
       --set baselines.window=0.5 --json
 
 The formats of recordings: regista config schema predictor_study
-Exit codes: 0 done; 1 interrupted, or the result could not be written; 2 bad input; 3 a defect of Regista.)";
+
+Exit codes: 0 done; 1 the result could not be written; 2 bad input; 3 a defect of Regista; 130
+interrupted.)";
 
 struct Options {
   std::vector<std::string> studies, plugins, overrides;
@@ -48,7 +50,8 @@ int evaluate(const Options& options, const Invocation& invocation) {
   const auto stop_if_asked = [&](const std::string& stage) {
     if (!interruption.requested()) return;
     progress.clear();
-    throw Interrupted(fmt::format("interrupted while {}; the same study again: {}", stage, again));
+    throw Interrupted(fmt::format("interrupted while {}; the same study again: {}", stage, again),
+                      interruption.signal_number());
   };
   const study::GameRecording recording =
       study::read_recording(study, options.data, options.referee, [&](std::size_t lines) {

@@ -37,8 +37,9 @@ scenes at home and away, so that arms are compared pair by pair. A path of an ar
 team unless it begins with opponent, rules, robot, disturbance or opponent_disturbance.
 All arms are checked before the first match; seeds, number of matches, test and hashes of everything are stored before
 it, too. At its end there are, beside the results NAME.db, the page NAME.html and the figures NAME.figures/*.svg, *.png.
-Exit codes: 0 played, whatever was found; 1 interrupted, or the results could not be written; 2 bad input; 3 a defect of
-Regista.)";
+
+Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 bad input; 3 a defect of
+Regista; 130 interrupted.)";
 
 int experiment(ExperimentOptions options, output::OutputFiles outputs, const Invocation& invocation) {
   campaign::check(options);

@@ -15,24 +15,24 @@ namespace regista::cli {
 namespace {
 
 // A handler of signals can reach nothing but variables of the program.
-volatile std::sig_atomic_t requests = 0;
+volatile std::sig_atomic_t request = 0;  // the signal that has asked; 0: none
 bool listening = false;
 std::array<char, 4096> words;
 std::size_t words_size = 0;
 
-void ask_to_stop(int) {
-  requests = 1;
+void ask_to_stop(int signal_number) {
+  request = signal_number;
   alarm(1);
 }
 
 void stop(int signal_number) {
-  if (requests == 0) {  // the alarm of somebody else, who wants the process to end
+  if (request == 0) {  // the alarm of somebody else, who wants the process to end
     std::signal(signal_number, SIG_DFL);
     raise(signal_number);
     return;
   }
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, words.data(), words_size);
-  _exit(exit_no);
+  _exit(exit_by_signal(request));
 }
 
 // A signal that the program was told to ignore, as nohup does, stays ignored.
@@ -55,7 +55,7 @@ void handle(int signal_number, void (*handler)(int), int flags) {
 Interruption::Interruption(std::string_view last_words) {
   assert(!listening);
   listening = true;
-  requests = 0;
+  request = 0;
   words_size = std::min(last_words.size(), words.size());
   std::copy_n(last_words.data(), words_size, words.data());
   handle(SIGALRM, stop, 0);
@@ -74,6 +74,6 @@ Interruption::~Interruption() {
   listening = false;
 }
 
-bool Interruption::requested() const { return requests != 0; }
+int Interruption::signal_number() const { return request; }
 
 }  // namespace regista::cli

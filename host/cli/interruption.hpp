@@ -16,7 +16,8 @@ class Interruption {
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  bool requested() const;
+  int signal_number() const;  // the one that has asked; 0: none
+  bool requested() const { return signal_number() != 0; }
 };
 
 }  // namespace regista::cli

@@ -60,8 +60,9 @@ compares the hashes; one that was forfeited, or could not be played, is played u
 `regista report --csv`.
 A path of --set begins with home, away, rules, robot, disturbance (of both teams), home_disturbance, away_disturbance or
 opening; without one of these it goes to both teams.
-Exit codes: 0 played; 1 interrupted, or the result could not be written, or is not that of --from; 2 bad input; 3 a
-defect of Regista.)";
+
+Exit codes: 0 played; 1 the result could not be written, or is not that of --from; 2 bad input; 3 a defect of
+Regista; 130 interrupted.)";
 
 struct Options : campaign::MatchRequest {
   std::vector<std::string> plugins;
@@ -224,7 +225,7 @@ int play_prepared(const Options& options, const Invocation& invocation, const st
 
   match::Observer observer;
   observer.second = [&](double time, const match::GameState& state) {
-    if (interruption.requested()) throw Interrupted(interrupted_text(again, state, time));
+    if (interruption.requested()) throw Interrupted(interrupted_text(again, state, time), interruption.signal_number());
     live.second(time, state);
   };
   observer.event = [&](double time, const match::Event& event, const match::GameState& state) {
@@ -371,9 +372,9 @@ int play(Options options, const output::OutputFiles& outputs, const Invocation& 
       return explain_current_exception();
     }
   };
-  const auto interrupted = [] {
-    complain("interrupted");
-    return exit_no;
+  const auto interrupted = [](int signal_number, bool has_spoken) {
+    if (!has_spoken) complain("interrupted");
+    return exit_by_signal(signal_number);
   };
   return campaign::run_supervised(
       limits, {explained, [&](const campaign::Loss& loss) { return explain_loss(options, job, limits, files, loss); },

@@ -20,6 +20,7 @@ constexpr auto examples = R"(Examples:
   regista metrics --page docs/metrics.md > new.md
 Each number can be named as a metric of a tournament or a measure of a study, but for lists and numbers of the match as a
 whole; with the name of a role in the place of <role>, and without "<role>." as the sum over all roles.
+
 Exit codes: 0 done; 1 the output could not be written; 2 bad input; 3 a defect of Regista.)";
 
 struct Options {

@@ -36,6 +36,7 @@ NAME.gnuplot, which draws the one from the other. A study that has ended is repo
 as far as its matches have been played without a gap. The table of an experiment has a row for each number of each
 match, that of a tuning one for each point of its search, that of a comparison of search algorithms one for each run.
 --standard-error writes what plugins wrote to standard error in a match, as far as it was kept.
+
 Exit codes: 0 done; 1 the report could not be written; 2 bad input; 3 a defect of Regista.)";
 
 struct Options {

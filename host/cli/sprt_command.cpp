@@ -77,7 +77,8 @@ void add_sprt(Command& parent) {
   Command& command = parent.add("sprt", "what counts of games or pairs say: LLR, Elo, nElo, LOS");
   const auto options = std::make_shared<Options>();
   command.take("counts", options->counts, "COUNTS", "five counts of pairs or three of games");
-  command.take("--model", options->model, "MODEL", "normalized (default) or logistic: what the hypotheses are in");
+  command.choose("--model", options->model, {"normalized", "logistic"},
+                 "what the hypotheses are in; default normalized");
   command.take("--elo", options->elo, "ELO0,ELO1", "strengths of H0 and H1, of the first team against the other");
   command.take("--alpha", options->alpha, "RATE", "rate of accepting H1 in error; default 0.05");
   command.take("--beta", options->beta, "RATE", "rate of accepting H0 in error; default 0.05");

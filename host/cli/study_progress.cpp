@@ -53,6 +53,11 @@ StudyProgress::StudyProgress(const report::StudyReport& report, bool wanted)
 
 StudyProgress::~StudyProgress() { clear(); }
 
+void StudyProgress::begin() {
+  if (!rewrite_) return;
+  show(fmt::format("0 of {} matches, the first is being played\n", report_.study().most_matches()));
+}
+
 void StudyProgress::match(const study::Round& round, std::uint64_t index, const campaign::Decided* decided,
                           bool fresh) {
   ++taken_;
@@ -89,8 +94,12 @@ std::string StudyProgress::block() const {
 
 void StudyProgress::draw() {
   drawn_ = Clock::now();
+  show(block());
+}
+
+void StudyProgress::show(const std::string& block) {
   const winsize size = terminal();
-  const std::string text = cut(block(), size.ws_col - std::size_t{1}, std::max<std::size_t>(size.ws_row, 2) - 1);
+  const std::string text = cut(block, size.ws_col - std::size_t{1}, std::max<std::size_t>(size.ws_row, 2) - 1);
   clear();
   lines_ = static_cast<int>(std::ranges::count(text, '\n'));
   say(text);

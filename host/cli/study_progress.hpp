@@ -21,6 +21,8 @@ class StudyProgress {
   StudyProgress(const StudyProgress&) = delete;
   StudyProgress& operator=(const StudyProgress&) = delete;
 
+  // A line that stands until the first match has ended.
+  void begin();
   // The next match, which the study knows already; null: one that is not wanted. fresh: played now.
   void match(const study::Round& round, std::uint64_t index, const campaign::Decided* decided, bool fresh);
   // Something that is always said.
@@ -36,6 +38,7 @@ class StudyProgress {
 
  private:
   using Clock = std::chrono::steady_clock;
+  void show(const std::string& block);
   void draw();
   std::string block() const;
   std::string rate_text() const;

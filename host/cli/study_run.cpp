@@ -91,7 +91,8 @@ void play(study::Study& study, const campaign::Options& options, const Invocatio
     progress.clear();
     progress.stopped();
     throw Interrupted(
-        fmt::format("interrupted after {} of {} matches; to go on: {}", study.counted(), study.most_matches(), resume));
+        fmt::format("interrupted after {} of {} matches; to go on: {}", study.counted(), study.most_matches(), resume),
+        interruption.signal_number());
   };
   try {
     study.run(study::observed(play, after));
@@ -134,6 +135,7 @@ int play_study(report::StudyReport& report, const campaign::Options& options, co
   {
     StudyProgress progress(report, !options.quiet);
     for (const std::string& each : report.notes()) progress.note(each);
+    progress.begin();
     play(report.study(), options, invocation, store, progress, wishes.after);
   }
   if (wishes.at_end) wishes.at_end();

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Standard error as a screen that shows how far long work has come.
+// Standard error as a screen that shows how far long work has come; how wide standard output is.
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 
 namespace regista::cli {
+
+// Columns for text on standard output: those of the terminal, between 40 and 120; else what COLUMNS says, or 80.
+std::size_t columns_of_output();
 
 // It is a terminal that can erase what it shows.
 bool can_rewrite();

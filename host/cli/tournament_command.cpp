@@ -32,8 +32,9 @@ Without a test all pairs are played.
 A path of --set begins with a (the first team), b (the second), ..., rules, robot, disturbance or opening; without one
 of these it goes to all teams. Each match runs in a process of its own: a plugin that crashes, hangs or takes all memory
 forfeits its match 0:10. That keeps accidents apart; it is no protection from malice.
-Exit codes: 0 played, whatever the verdict; 1 interrupted, or the results could not be written; 2 bad input; 3 a defect
-of Regista.)";
+
+Exit codes: 0 played, whatever the verdict; 1 the results could not be written; 2 bad input; 3 a defect of
+Regista; 130 interrupted.)";
 
 int tournament(study::TournamentRequest options, output::OutputFiles outputs, const Invocation& invocation) {
   campaign::check(options);
@@ -59,12 +60,12 @@ void add_tournament(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("tournament", "find out which team is better");
   const auto options = std::make_shared<study::TournamentRequest>();
   command.take("--team", options->teams, "FILE", "a team's file; to be given twice, or more often", Reads::documents);
-  command.take("--format", options->format, "FORMAT",
-               "of more than two teams: round-robin (default), or gauntlet: the first "
-               "against each of the others");
+  command.choose("--format", options->format, {"round-robin", "gauntlet"},
+                 "of more than two teams: all against all (default), or the first against each of the others");
   command.take("--pairs", options->pairs, "N", "play so many pairs of matches of each pairing; with a test: at most");
   command.take("--sprt", options->sprt, "ELO0,ELO1", "stop when the scores tell a strength of ELO0 from one of ELO1");
-  command.take("--model", options->model, "MODEL", "what --sprt is in: normalized (default) or logistic Elo");
+  command.choose("--model", options->model, {"normalized", "logistic"},
+                 "what --sprt is in: normalized (default) or logistic Elo");
   command.take("--metric", options->metric, "NAME",
                "stop when this differs: goals, or a number of a match such as "
                "striker.overlap_seconds");

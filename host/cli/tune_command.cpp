@@ -48,8 +48,9 @@ in a test that may stop at any pair. The team that comes of it is written beside
 what was found about it in its head, whether or not it was found better.
 --compare plays the search of several algorithms with equal numbers of matches, repeated with other seeds, and judges what
 each came to on seeds that none has seen; no team is written.
-Exit codes: 0 played, whatever was found; 1 interrupted, or the results could not be written; 2 bad input; 3 a defect of
-Regista.)";
+
+Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 bad input; 3 a defect of
+Regista; 130 interrupted.)";
 
 // Where the results go, and which files are not to be written over. name: of the results where none is given.
 void choose_outputs(TuneOptions& options, output::OutputFiles& outputs, const plugin::Catalogue& catalogue,

@@ -34,6 +34,7 @@ constexpr auto examples = R"(Examples:
 The page needs nothing but a browser. --at 7:42, or 462 (seconds), is the time since the match began, as under the field
 of the page; 1/6:55 is the clock of the first half, 2/3:10 that of the second. --robot 3 is the home team's; its picture
 shows the world as the robot believed it, its tasks, and the utilities it chose by.
+
 Exit codes: 0 done; 1 the page could not be written; 2 bad input; 3 a defect of Regista.)";
 
 struct Options {

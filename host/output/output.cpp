@@ -28,7 +28,10 @@ void occupy_standard_streams() {
 void print(std::string_view text) {
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    throw WriteError(fmt::format("cannot write to standard output: {}", reason_of(errno)));
+    const int error = errno;
+    const std::string message = fmt::format("cannot write to standard output: {}", reason_of(error));
+    if (error == EPIPE) throw ReaderGone(message);
+    throw WriteError(message);
   }
 }
 

@@ -15,11 +15,16 @@ class WriteError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Nobody reads standard output any longer, as of `regista plugin list | head -1`.
+class ReaderGone : public WriteError {
+  using WriteError::WriteError;
+};
+
 // To be called before any file is opened: a file must not take the place of a standard stream that the program was
 // started without.
 void occupy_standard_streams();
 
-// Writes all of `text` to standard output and makes sure that it left the program. Throws WriteError.
+// Writes all of `text` to standard output and makes sure that it left the program. Throws ReaderGone, WriteError.
 void print(std::string_view text);
 
 // A file that is written as the work goes on.

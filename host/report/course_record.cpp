@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "match/side.hpp"
-#include "report/standing.hpp"
 #include "report/elo_interval.hpp"
+#include "report/standing.hpp"
 #include "statistics/bradley_terry.hpp"
 #include "statistics/rating.hpp"
 

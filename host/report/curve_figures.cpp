@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "report/standing.hpp"
 #include "report/elo_interval.hpp"
+#include "report/standing.hpp"
 #include "report/visible_text.hpp"
 
 namespace regista::report {

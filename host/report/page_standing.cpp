@@ -6,11 +6,11 @@
 
 #include <cmath>
 
+#include "report/elo_interval.hpp"
 #include "report/estimate_text.hpp"
 #include "report/number.hpp"
 #include "report/page_sections.hpp"
 #include "report/standing.hpp"
-#include "report/elo_interval.hpp"
 
 namespace regista::report {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
+#include "report/elo_interval.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/page_sections.hpp"
 #include "report/standing.hpp"
-#include "report/elo_interval.hpp"
 #include "report/verdict_sentence.hpp"
 
 namespace regista::report {

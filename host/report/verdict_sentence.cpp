@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "config/text.hpp"
+#include "report/elo_interval.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
-#include "report/elo_interval.hpp"
 
 namespace regista::report {
 namespace {

@@ -43,16 +43,16 @@ class BadInput(program.Case):
 
 class CommandLine(BadInput):
     def test_no_command(self):
-        self.assert_refused((), "which command? There are: match, view, tournament, experiment, tune, report, sprt, evaluate-predictor, metrics, plugin, config; see: regista --help")
+        self.assert_refused((), "which command? There are: match, view, tournament, experiment, tune, report, sprt, evaluate-predictor, metrics, completion, plugin, config, help; see: regista --help")
         self.assert_refused(("plugin",), "which command? There are: list, info, reference; see: regista plugin --help")
 
     def test_unknown_command(self):
         self.assert_refused(("mtach", "a.yaml"),
-                            'unknown command "mtach" in regista; nearest: "match"; known: match, view, tournament, experiment, tune, report, sprt, evaluate-predictor, metrics, plugin, config')
+                            'unknown command "mtach" in regista; nearest: "match"; known: match, view, tournament, experiment, tune, report, sprt, evaluate-predictor, metrics, completion, plugin, config, help')
         self.assert_refused(("plugin", "lits"),
                             'unknown command "lits" in regista plugin; nearest: "list"; known: list, info, reference')
         # Planned, not there: no nearest name that misleads.
-        self.assert_refused(("season",), 'unknown command "season" in regista; known: match, view, tournament, experiment, tune, report, sprt, evaluate-predictor, metrics, plugin, config')
+        self.assert_refused(("season",), 'unknown command "season" in regista; known: match, view, tournament, experiment, tune, report, sprt, evaluate-predictor, metrics, completion, plugin, config, help')
 
     def test_unknown_option(self):
         self.assert_match_refused(("--sede", "3"),
@@ -64,7 +64,7 @@ class CommandLine(BadInput):
         self.assert_refused(("match",), f"match: two files of teams are wanted, 0 given; {see}")
         self.assert_refused(("match", "small.yaml"), f"match: two files of teams are wanted, 1 given; {see}")
         self.assert_match_refused(("small.yaml",), f"match: two files of teams are wanted, 3 given; {see}")
-        self.assert_refused(("plugin", "list", "x"), '"x" is one word too many for regista plugin list')
+        self.assert_refused(("plugin", "list", "x"), 'unexpected argument "x"; see: regista plugin list --help')
         self.assert_refused(("plugin", "info"),
                             "plugin info: one id of a plugin is wanted, 0 given; see: regista plugin list")
         self.assert_refused(("config", "show", "a", "b"), "config show: one file is wanted, 2 given")
@@ -106,7 +106,7 @@ class CommandLine(BadInput):
 
     def test_control_characters_stay_in_one_line(self):
         self.assert_refused(("match\n\x1b[31m",), r'unknown command "match\n\x1b[31m" in regista; '
-                                                  "known: match, view, tournament, experiment, tune, report, sprt, evaluate-predictor, metrics, plugin, config")
+                                                  "known: match, view, tournament, experiment, tune, report, sprt, evaluate-predictor, metrics, completion, plugin, config, help")
 
 
 class BuiltInProfiles(BadInput):

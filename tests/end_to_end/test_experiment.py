@@ -175,7 +175,7 @@ class Played(experiment.Experiment):
             self.wait_for(lambda: self.count("long.db") >= 2)
             process.send_signal(2)
             out, err = process.communicate(timeout=60)
-        self.assertEqual((process.returncode, out), (1, ""))
+        self.assertEqual((process.returncode, out), (130, ""))
         self.assertIn("to go on:", err)
         self.assertIn("--resume", err.splitlines()[-1])
         self.assertGreaterEqual(self.count("long.db"), 2)

@@ -25,7 +25,7 @@ class Interruption(program.Case):
             process.send_signal(number)
             out, err = process.communicate(timeout=30)
             took = time.monotonic() - asked
-        self.assertEqual((process.returncode, out), (1, ""))
+        self.assertEqual((process.returncode, out), (128 + number, ""))
         self.assertLess(took, 4.0 if program.SANITIZED else 2.0)
         return err
 
@@ -47,7 +47,7 @@ class Interruption(program.Case):
                 time.sleep(5.0 if program.SANITIZED else 0.5)
                 os.killpg(process.pid, signal.SIGTERM)
                 out, err = process.communicate(timeout=30)
-            self.assertEqual((process.returncode, out), (1, ""))
+            self.assertEqual((process.returncode, out), (128 + signal.SIGTERM, ""))
             self.assertEqual(err.count("interrupted"), 1, err)
 
     def test_a_plugin_that_hangs_cannot_hold_it_up(self):

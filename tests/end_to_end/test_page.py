@@ -168,7 +168,7 @@ class Pages(tournament.Tournament):
             self.wait_for(lambda: self.count() >= 3)
             process.send_signal(signal.SIGINT)
             process.wait(timeout=20)
-        self.assertEqual(process.returncode, 1)
+        self.assertEqual(process.returncode, 130)
         self.assertFalse((self.folder / "tournament.html").exists())
         done = self.run_program("report", "tournament.db", "-o", "so far.html")
         self.assertEqual(done.returncode, 0)

@@ -339,7 +339,7 @@ class Ends(Recording):
         return process.returncode
 
     def test_after_ctrl_c_the_file_is_whole(self):
-        self.assertEqual(self.stopped(signal.SIGINT), 1)
+        self.assertEqual(self.stopped(signal.SIGINT), 130)
         self.assertTrue(self.recording().whole)
         self.assertTrue(self.said.endswith(" --quiet --record a.mcap --force\n"), self.said)
         self.assertEqual(self.succeed("view", "a.mcap", "--at", "3", "-o", "a.svg"), "a.svg\n")

@@ -302,7 +302,7 @@ class Interruption(tournament.Tournament):
             process.send_signal(signal.SIGINT)
             out, err = process.communicate(timeout=30)
             self.assertLess(time.monotonic() - asked, 2.0)
-        self.assertEqual((process.returncode, out), (1, ""))
+        self.assertEqual((process.returncode, out), (130, ""))
         last = err.splitlines()[-1]
         self.assertRegex(last, r"^regista: interrupted after \d+ of 800 matches; to go on: ")
         again = shlex.split(last.split("to go on: ")[1])

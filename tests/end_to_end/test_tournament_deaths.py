@@ -230,7 +230,7 @@ class Deaths(tournament.Tournament):
             self.wait_for(lambda: len(self.workers()) == 2)
             process.send_signal(2)
             _, err = process.communicate(timeout=2.0)
-        self.assertEqual(process.returncode, 1)
+        self.assertEqual(process.returncode, 130)
         self.assertIn("interrupted after 0 of 6 matches", err)
         self.wait_for(lambda: not self.workers())
 

@@ -221,7 +221,7 @@ class Played(Tuning):
             self.wait_for(lambda: self.count("trial.db") >= 3)
             process.send_signal(2)
             out, err = process.communicate(timeout=30)
-        self.assertEqual(process.returncode, 1, err)
+        self.assertEqual(process.returncode, 130, err)
         self.assertRegex(err.splitlines()[-1], r"interrupted after \d+ of \d+ matches; to go on: .*--resume")
         self.assertIn("not at its end", self.run_program("report", "trial.db").stderr)
 

@@ -25,15 +25,15 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 // Types of values that are no files, as the help calls them.
-constexpr std::array plain{"N",    "SECONDS", "MIB",    "RATE",   "ELO0,ELO1", "MODEL", "NAME",           "PATH=VALUE",
-                           "ID",   "KIND",    "COUNTS", "FORMAT", "A,B,...",   "H0,H1", "[home/|away/]N", "[HALF/]M:SS",
-                           "WHEN", "MATCH"};
+constexpr std::array plain{"N",  "SECONDS", "MIB",     "RATE",  "ELO0,ELO1",      "NAME",        "PATH=VALUE",
+                           "ID", "COUNTS",  "A,B,...", "H0,H1", "[home/|away/]N", "[HALF/]M:SS", "MATCH"};
 
 class OutputFilesTest : public testing::Test {
  protected:
   OutputFilesTest() {
     add_commands(program_, invocation_);
-    gather(program_);
+    declared_ = program_.declaration();
+    gather(declared_);
     const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
     folder_ = fs::path(testing::TempDir()) / (std::string("regista_output_files_") + test->name());
     fs::remove_all(folder_);
@@ -51,7 +51,7 @@ class OutputFilesTest : public testing::Test {
     Command program("regista", "");
     add_commands(program, invocation_);
     words.insert(words.begin(), command.begin(), command.end());
-    const Command::Typed typed = program.read(words);
+    const Command::Typed typed = program.read(words, 80);
     try {
       output::OutputFiles(typed.command->given(), "test").check(true);
     } catch (const BadInput& error) {
@@ -61,46 +61,45 @@ class OutputFilesTest : public testing::Test {
   }
 
   // "regista plugin info" as the words that follow the program's name.
-  static std::vector<std::string> name_of(const Command& command) {
-    std::istringstream words(command.full_name());
+  static std::vector<std::string> name_of(const CommandDeclaration& command) {
+    std::istringstream words(command.full_name);
     return {std::next(std::istream_iterator<std::string>(words)), {}};
   }
 
   // The words that give an option this value.
-  static std::vector<std::string> given(const Command::Option& option, const std::string& value) {
+  static std::vector<std::string> given(const OptionDeclaration& option, const std::string& value) {
     if (option.is_positional()) return {value};
     return {option.name(), value};
   }
 
-  void gather(const Command& command) {
-    for (const auto& each : command.commands()) {
-      if (each->run) commands_.push_back(each.get());
-      gather(*each);
-    }
+  void gather(const CommandDeclaration& command) {
+    if (command.commands.empty()) commands_.push_back(&command);
+    for (const CommandDeclaration& each : command.commands) gather(each);
   }
 
   fs::path folder_;
   Invocation invocation_;
   Command program_{"regista", ""};
-  std::vector<const Command*> commands_;  // that do something
+  CommandDeclaration declared_;
+  std::vector<const CommandDeclaration*> commands_;  // that do something
 };
 
-bool is_read(const Command::Option& option) { return std::holds_alternative<Reads>(option.use()); }
-bool is_written(const Command::Option& option) { return std::holds_alternative<Writes>(option.use()); }
-bool is_written_file(const Command::Option& option) {
-  return is_written(option) && option.use() != output::FileUse(Writes::figures);
+bool is_read(const OptionDeclaration& option) { return std::holds_alternative<Reads>(option.use); }
+bool is_written(const OptionDeclaration& option) { return std::holds_alternative<Writes>(option.use); }
+bool is_written_file(const OptionDeclaration& option) {
+  return is_written(option) && option.use != output::FileUse(Writes::figures);
 }
 
 TEST_F(OutputFilesTest, EveryOptionSaysWhatItNames) {
   int written = 0, read = 0;
-  for (const Command* const command : commands_) {
-    for (const Command::Option& option : command->options()) {
-      if (option.type().empty()) continue;  // a flag
+  for (const CommandDeclaration* const command : commands_) {
+    for (const OptionDeclaration& option : command->options) {
+      if (option.is_flag()) continue;  // a flag
       const bool reads = is_read(option), writes = is_written(option);
       read += reads;
       written += writes;
-      const bool none = std::ranges::find(plain, option.type()) != plain.end();
-      EXPECT_EQ(reads + writes + none, 1) << command->full_name() << ' ' << option.name() << ' ' << option.type();
+      const bool none = !option.choices.empty() || std::ranges::find(plain, option.type) != plain.end();
+      EXPECT_EQ(reads + writes + none, 1) << command->full_name << ' ' << option.name() << ' ' << option.type;
     }
   }
   EXPECT_GE(read, 20);
@@ -109,10 +108,10 @@ TEST_F(OutputFilesTest, EveryOptionSaysWhatItNames) {
 
 TEST_F(OutputFilesTest, NoOutputOfAnyCommandIsWrittenOverAnInputOrAnotherOutput) {
   int checked = 0;
-  for (const Command* const command : commands_) {
-    for (const Command::Option& written : command->options()) {
+  for (const CommandDeclaration* const command : commands_) {
+    for (const OptionDeclaration& written : command->options) {
       if (!is_written_file(written)) continue;
-      const auto check = [&](const Command::Option& other, const char* say) {
+      const auto check = [&](const OptionDeclaration& other, const char* say) {
         const std::string one = file("one");
         fs::remove(folder_ / "link");
         fs::create_hard_link(one, folder_ / "link");
@@ -121,12 +120,12 @@ TEST_F(OutputFilesTest, NoOutputOfAnyCommandIsWrittenOverAnInputOrAnotherOutput)
           const std::vector<std::string> more = given(written, value);
           words.insert(words.end(), more.begin(), more.end());
           EXPECT_THAT(refusal(name_of(*command), words), HasSubstr(say))
-              << command->full_name() << ' ' << written.name() << ' ' << other.name();
+              << command->full_name << ' ' << written.name() << ' ' << other.name();
           ++checked;
         }
       };
-      for (const Command::Option& other : command->options()) {
-        if (is_read(other) && other.use() != output::FileUse(Reads::plugins)) {
+      for (const OptionDeclaration& other : command->options) {
+        if (is_read(other) && other.use != output::FileUse(Reads::plugins)) {
           check(other, "is a file that this test reads");
         }
         if (other.name() != written.name() && is_written_file(other)) check(other, "both name");

@@ -6,8 +6,8 @@
 #include <regex>
 
 #include "course.hpp"
-#include "report/standing.hpp"
 #include "report/elo_interval.hpp"
+#include "report/standing.hpp"
 
 namespace regista::report {
 namespace {
