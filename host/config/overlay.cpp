@@ -34,6 +34,112 @@ bool names_another_plugin(const Node& base, const Node& over) {
   return before && after && before.text() != after.text();
 }
 
+// A list of maps, each with a name of its own.
+bool has_names(const Node& sequence) {
+  const std::span<const Node> elements = sequence.elements();
+  return !elements.empty() &&
+         std::ranges::all_of(elements, [](const Node& each) { return each["name"].kind() == Node::Kind::scalar; });
+}
+
+std::vector<std::string> names_of(std::span<const Node> elements) {
+  std::vector<std::string> names;
+  for (const Node& each : elements) {
+    if (const Node own = each["name"]) names.push_back(own.text());
+  }
+  return names;
+}
+
+std::size_t index_of(std::span<const Node> elements, std::string_view name) {
+  const auto found = std::ranges::find_if(elements, [&](const Node& each) { return each["name"].text() == name; });
+  return static_cast<std::size_t>(found - elements.begin());
+}
+
+// Where an element goes that says `before: NAME` or `after: NAME`.
+struct Placed {
+  Node element;  // without these keys
+  Node before, after;
+};
+
+Placed placed(const Node& element) {
+  Entries entries;
+  Placed out;
+  for (const Node::Entry& entry : element.entries()) {
+    if (entry.key == "before") {
+      out.before = entry.value;
+    } else if (entry.key == "after") {
+      out.after = entry.value;
+    } else {
+      entries.push_back(entry);
+    }
+  }
+  if (out.before && out.after) throw Error(out.after.where(), "before and after: one of them");
+  out.element = Node::map(std::move(entries), element.where());
+  return out;
+}
+
+void insert(std::vector<Node>& elements, const Placed& placed, Node element) {
+  const Node& beside = placed.before ? placed.before : placed.after;
+  if (beside.kind() != Node::Kind::scalar) {
+    throw Error(beside.where(), fmt::format("{}: the name of an element is wanted, not {}",
+                                            placed.before ? "before" : "after", described(beside)));
+  }
+  const std::size_t index = index_of(elements, beside.text());
+  if (index == elements.size()) {
+    throw Error(beside.where(),
+                unknown("element", beside.text(), placed.before ? "before" : "after", names_of(elements)));
+  }
+  elements.insert(elements.begin() + static_cast<std::ptrdiff_t>(index + (placed.before ? 0 : 1)), std::move(element));
+}
+
+Node with_name(const Node& element, const Node::Entry& entry) {
+  Entries entries{{"name", entry.key_where, Node::scalar(entry.key, false, entry.key_where)}};
+  entries.insert(entries.end(), element.entries().begin(), element.entries().end());
+  return Node::map(std::move(entries), element.where());
+}
+
+// One entry of a map that is laid over a list by name.
+void merge_element(std::vector<Node>& elements, const Node::Entry& entry) {
+  const std::size_t index = index_of(elements, entry.key);
+  const bool there = index < elements.size();
+  const auto at = elements.begin() + static_cast<std::ptrdiff_t>(index);
+  if (entry.value.kind() == Node::Kind::null) {
+    if (!there) {
+      throw Error(entry.key_where, "nothing to remove: " + unknown("element", entry.key, "", names_of(elements)));
+    }
+    elements.erase(at);
+    return;
+  }
+  if (entry.value.kind() != Node::Kind::map) {
+    throw Error(entry.value.where(), fmt::format("{}: a map is wanted, not {}", entry.key, described(entry.value)));
+  }
+  if (const Node own = entry.value["name"]; own && own.text() != entry.key) {
+    throw Error(own.where(), fmt::format("{} stands under another name, {}", in_quotes(own.text()), entry.key));
+  }
+  const Placed over = placed(entry.value);
+  const bool has_place = over.before || over.after;
+  if (!there && !has_place) {
+    throw Error(entry.key_where, unknown("element", entry.key, "", names_of(elements)) +
+                                     "; a new one says where it goes, before: NAME or after: NAME");
+  }
+  if (!there) {
+    insert(elements, over, over.element["name"] ? over.element : with_name(over.element, entry));
+    return;
+  }
+  Node merged = merge(*at, over.element);
+  if (!has_place) {
+    *at = std::move(merged);
+    return;
+  }
+  elements.erase(at);
+  insert(elements, over, std::move(merged));
+}
+
+Node merge_by_name(const Node& base, const Node& over) {
+  std::vector<Node> elements(base.elements().begin(), base.elements().end());
+  for (const Node::Entry& entry : over.entries()) merge_element(elements, entry);
+  return Node::sequence(std::move(elements), over.where());
+}
+
 // The path as its error messages name it, up to where `rest` begins.
 std::string_view walked(std::string_view path, std::string_view rest) {
   std::string_view part = path.substr(0, path.size() - rest.size());
@@ -126,18 +232,15 @@ struct Overlay {
       throw Error(where,
                   fmt::format("{} has {} elements; there is no {}", walked(path, rest), elements.size(), *meant));
     }
-    std::vector<std::string> names;
-    for (const Node& each : elements) {
-      const Node own = each["name"];
-      if (own) names.push_back(own.text());
-    }
-    throw Error(where, unknown("element", name, walked(path, rest), names));
+    throw Error(where, unknown("element", name, walked(path, rest), names_of(elements)));
   }
 };
 
 }  // namespace
 
 Node merge(const Node& base, const Node& over) {
+  if (base.kind() == Node::Kind::sequence && over.kind() == Node::Kind::map && has_names(base))
+    return merge_by_name(base, over);
   if (base.kind() != Node::Kind::map || over.kind() != Node::Kind::map) return over;
   const bool other_plugin = names_another_plugin(base, over);
   Entries entries;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Two forms of every map: strict, and variant for a file with `extends`, in which nothing is required and null removes
-// a key. Elements of lists are always strict, because lists are replaced as a whole.
+// a key. A list replaces the one below it as a whole, so its elements are strict; one whose elements have names may be
+// extended by a map of these names instead.
 #include "config/schema.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "config/json.hpp"
@@ -142,8 +144,19 @@ class Writer {
   Json value(const Free& free) const { return {{"$ref", "#/$defs/" + free.definition}}; }
   Json value(const Section& section) const { return map(section.open()); }
   Json value(const List& list) const {
+    const Map element = list.append();
+    const Json whole{
+        {"type", "array"}, {"items", strict().map(element)}, {"minItems", list.least}, {"maxItems", list.most}};
+    const bool has_names =
+        std::ranges::any_of(element.fields, [](const Field& each) { return each.key == "name" && each.required; });
+    if (!variant_ || !has_names) return whole;
+    Json by_name = map(element);
+    for (const char* const place : {"before", "after"}) {
+      by_name["properties"][place] = {{"type", "string"},
+                                      {"description", fmt::format("the element that it stands {}", place)}};
+    }
     return {
-        {"type", "array"}, {"items", strict().map(list.append())}, {"minItems", list.least}, {"maxItems", list.most}};
+        {"anyOf", {whole, {{"type", "object"}, {"additionalProperties", {{"anyOf", {by_name, {{"type", "null"}}}}}}}}}};
   }
   Json value(const Dictionary& dictionary) const {
     Json result{{"type", "object"},

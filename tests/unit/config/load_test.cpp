@@ -49,6 +49,45 @@ TEST(Merge, AnotherPluginDropsWhatBelongedToTheLast) {
                    text("{plugin: voronoi, file: v.so, weight: 2, params: {merge: 1, k: 1}}")));
 }
 
+TEST(Merge, AListIsExtendedByTheNamesOfItsElements) {
+  const auto people = [](const std::string& over) { return merge(text(base), text("people: " + over))["people"]; };
+  const auto list = [](const std::string& yaml) { return text("l: " + yaml)["l"]; };
+  EXPECT_TRUE(same(people("{ann: {age: 6}}"), list("[{name: ann, age: 6}, {name: bob}]")));
+  EXPECT_TRUE(same(people("{ann: ~}"), list("[{name: bob}]")));
+  EXPECT_TRUE(
+      same(people("{eve: {before: ann, age: 1}}"), list("[{name: eve, age: 1}, {name: ann, age: 5}, {name: bob}]")));
+  EXPECT_TRUE(same(people("{eve: {after: ann}, dan: {after: eve, name: dan}}"),
+                   list("[{name: ann, age: 5}, {name: eve}, {name: dan}, {name: bob}]")));
+  EXPECT_TRUE(same(people("{ann: {after: bob}}"), list("[{name: bob}, {name: ann, age: 5}]")));
+  EXPECT_TRUE(same(people("{bob: {before: ann, age: 2}}"), list("[{name: bob, age: 2}, {name: ann, age: 5}]")));
+  // A list still replaces, and a list without names is no such list.
+  EXPECT_TRUE(same(people("[{name: eve}]"), list("[{name: eve}]")));
+  EXPECT_TRUE(same(merge(text(base), text("list: {a: 1}"))["list"], text("{a: 1}")));
+  const Node whole = merge(text(base, "base.yaml"), text("people: {eve: {after: bob, age: 3}}", "over.yaml"));
+  EXPECT_EQ(to_string(whole["people"].elements()[0].where()), "base.yaml:4:10");
+  EXPECT_EQ(to_string(whole["people"].elements()[2]["name"].where()), "over.yaml:1:10");
+  EXPECT_EQ(to_string(whole["people"].elements()[2]["age"].where()), "over.yaml:1:33");
+}
+
+TEST(Merge, WhatIsRefusedOfAListExtendedByName) {
+  const auto error = [](const std::string& over) {
+    return error_of([&] { merge(text(base), text("people: " + over, "o.yaml")); });
+  };
+  EXPECT_EQ(error("{anne: {age: 6}}"),
+            "o.yaml:1:10: unknown element \"anne\"; nearest: \"ann\"; known: ann, bob; a new one says where it goes, "
+            "before: NAME or after: NAME");
+  EXPECT_EQ(error("{anne: ~}"),
+            "o.yaml:1:10: nothing to remove: unknown element \"anne\"; nearest: \"ann\"; known: ann, bob");
+  EXPECT_EQ(error("{eve: {after: bop}}"),
+            "o.yaml:1:23: unknown element \"bop\" in after; nearest: \"bob\"; known: ann, bob");
+  EXPECT_EQ(error("{ann: {after: ann}}"), "o.yaml:1:23: unknown element \"ann\" in after; known: bob");
+  EXPECT_EQ(error("{eve: {after: bob, before: ann}}"), "o.yaml:1:23: before and after: one of them");
+  EXPECT_EQ(error("{eve: {before: [ann]}}"), "o.yaml:1:24: before: the name of an element is wanted, not a list");
+  EXPECT_EQ(error("{eve: {before: ann, name: adam}}"), "o.yaml:1:35: \"adam\" stands under another name, eve");
+  EXPECT_EQ(error("{ann: 3}"), "o.yaml:1:15: ann: a map is wanted, not \"3\"");
+  EXPECT_EQ(error("{ann: {age: 1}, ann: {age: 2}}").substr(0, 12), "o.yaml:1:25:");  // found when it is read
+}
+
 TEST(Merge, LargeMapsTakeNoLong) {
   std::string many;
   for (int i = 0; i < 40000; ++i) many += fmt::format("k{}: 1\n", i);

@@ -150,6 +150,13 @@ for schema in (team, team_with_plugins):
     expect(True, schema, {"extends": "paper.yaml"}, "bare variant")
     expect(True, schema, {"extends": "paper.yaml", "positioner": None, "sender": {"params": {"period": 4}}}, "variant")
     expect(True, schema, {"extends": "paper.yaml", "utility": {"terms": {"waypoint": None}}}, "variant without a term")
+    expect(True, schema, {"extends": "paper.yaml", "roles": {"playing": {"striker": {"required": False}, "sweeper": None}}},
+           "roles changed by their names")
+    expect(True, schema, {"extends": "paper.yaml", "contexts": {"corner": {"plugin": "always", "after": "playing"}}},
+           "a context added by its name")
+    expect(False, schema, {"extends": "paper.yaml", "roles": {"playing": {"striker": {"requires": False}}}},
+           "an unknown key of a role that is changed by its name")
+    expect(False, schema, {"team": "x", "roles": {"playing": {"striker": {}}}}, "roles by their names without extends")
     expect(False, schema, {"extends": "paper.yaml", "senders": None}, "variant with an unknown key")
     expect(False, schema, {"extends": "paper.yaml", "roles": {"playing": [{"name": "a"}]}}, "incomplete list element")
     expect(False, schema, {"team": "x", "positioner": None}, "null without extends")
