@@ -91,6 +91,8 @@ void add_commands(Command& program, const Invocation& invocation) {
   add_config_check(config, invocation);
   add_config_show(config, invocation);
   add_config_schema(config, invocation);
+  add_config_reference(config);
+  add_config_draw(config);
 }
 
 int run(int argc, char** argv, const Addition* addition) {

@@ -5,14 +5,13 @@
 
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/document_kind.hpp"
 #include "cli/end_of_program.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
-#include "config/text.hpp"
 #include "output/output.hpp"
 #include "plugin/declarations.hpp"
 
@@ -26,21 +25,12 @@ struct Options {
   std::vector<std::string> kinds, plugins;
 };
 
-config::DocumentKind kind_named(const std::string& name) {
-  std::vector<std::string> known;
-  for (const config::DocumentKind kind : config::document_kinds()) {
-    if (config::name_of(kind) == name) return kind;
-    known.emplace_back(config::name_of(kind));
-  }
-  throw BadInput("config schema: " + config::unknown("kind of document", name, "", known));
-}
-
 int schema(const Options& options, const Invocation& invocation) {
   if (options.kinds.size() != 1) {
     throw BadInput(fmt::format("config schema: one of {} is wanted, {} given", config::document_kind_names("and"),
                                options.kinds.size()));
   }
-  const config::DocumentKind kind = kind_named(options.kinds.front());
+  const config::DocumentKind kind = kind_named(options.kinds.front(), "config schema");
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   output::print(config::schema(kind, plugin::declarations(catalogue.plugins())));
   return exit_done;
@@ -51,9 +41,7 @@ int schema(const Options& options, const Invocation& invocation) {
 void add_config_schema(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("schema", "write the JSON Schema of a kind of document");
   const auto options = std::make_shared<Options>();
-  std::vector<std::string> kinds;
-  for (const config::DocumentKind kind : config::document_kinds()) kinds.emplace_back(config::name_of(kind));
-  command.choose("kind", options->kinds, std::move(kinds), config::document_kind_names("or"));
+  command.choose("kind", options->kinds, kind_names(), config::document_kind_names("or"));
   add_plugin_folders(command, options->plugins);
   command.notes(examples);
   command.run = [options, &invocation] { return schema(*options, invocation); };

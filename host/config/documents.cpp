@@ -207,42 +207,33 @@ std::string show(const std::filesystem::path& file, const Overrides& overrides,
   return show(load(file, overrides), plugins);
 }
 
-std::string schema(DocumentKind kind, std::span<const PluginDeclaration> plugins) {
-  const std::string title = fmt::format("Regista {}", name_of(kind));
+void with_declaration(DocumentKind kind, const std::function<void(const Map&)>& use) {
+  const auto declared = [&use](auto document) { use(declare(document)); };
   switch (kind) {
-    case DocumentKind::rules: {
-      Rules rules;
-      return schema(declare(rules), title, plugins);
-    }
-    case DocumentKind::robot: {
-      Robot robot;
-      return schema(declare(robot), title, plugins);
-    }
-    case DocumentKind::disturbance: {
-      Disturbance disturbance;
-      return schema(declare(disturbance), title, plugins);
-    }
-    case DocumentKind::opening: {
-      Opening opening;
-      return schema(declare(opening), title, plugins);
-    }
-    case DocumentKind::predictor_study: {
-      PredictorStudy study;
-      return schema(declare(study), title, plugins);
-    }
-    case DocumentKind::experiment: {
-      Experiment experiment;
-      return schema(declare(experiment), title, plugins);
-    }
-    case DocumentKind::tuning: {
-      Tuning tuning;
-      return schema(declare(tuning), title, plugins);
-    }
+    case DocumentKind::rules:
+      return declared(Rules{});
+    case DocumentKind::robot:
+      return declared(Robot{});
+    case DocumentKind::disturbance:
+      return declared(Disturbance{});
+    case DocumentKind::opening:
+      return declared(Opening{});
+    case DocumentKind::predictor_study:
+      return declared(PredictorStudy{});
+    case DocumentKind::experiment:
+      return declared(Experiment{});
+    case DocumentKind::tuning:
+      return declared(Tuning{});
     case DocumentKind::team:
-      break;
+      return declared(TeamPage{});
   }
-  TeamPage page;
-  return schema(declare(page), title, plugins);
+}
+
+std::string schema(DocumentKind kind, std::span<const PluginDeclaration> plugins) {
+  std::string out;
+  with_declaration(
+      kind, [&](const Map& declared) { out = schema(declared, fmt::format("Regista {}", name_of(kind)), plugins); });
+  return out;
 }
 
 }  // namespace regista::config

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -80,6 +81,9 @@ std::string show(const Node& document, std::span<const PluginDeclaration> plugin
                  Remarks remarks = Remarks::with);
 std::string show(const std::filesystem::path& file, const Overrides& overrides = {},
                  std::span<const PluginDeclaration> plugins = {});
+
+// Calls use() with the declaration of a kind of document that says nothing, so with all defaults.
+void with_declaration(DocumentKind kind, const std::function<void(const Map&)>& use);
 
 // JSON Schema (draft 2020-12) of a kind of document, for editors. With plugins, only those are known, each with its own
 // parameters; without, every plugin and every parameter passes. Files with `extends` need not be complete.

@@ -11,8 +11,8 @@ namespace regista::config {
 // `over` laid over `base`: maps merge key by key, everything else replaces, null removes the key. A map that names
 // another `plugin` than the one below it drops that plugin's `params` and `file`: they mean nothing to the new one.
 // A map over a list whose elements have names lays each of its values over the element of that name; null removes it. A
-// name that is not there adds an element, whose key `before` or `after` names the one that it stands beside; in one that
-// is there, they move it. Locations stay those of the values. Throws Error at a null whose key is not there to be
+// name that is not there adds an element, whose key `before` or `after` names the one that it stands beside; in one
+// that is there, they move it. Locations stay those of the values. Throws Error at a null whose key is not there to be
 // removed, at a name of no element that says no place, and at a place that is none.
 Node merge(const Node& base, const Node& over);
 

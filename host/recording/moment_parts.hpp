@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the parts of a moment's picture share: numbers and words as SVG.
+// What the parts of a moment's picture share.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,28 +10,14 @@
 #include <string_view>
 
 #include "config/visible_text.hpp"
-#include "markup/html_text.hpp"
+#include "recording/field_svg.hpp"
 #include "recording/recorded_match.hpp"
 
 namespace regista::recording::moment {
 
 using config::visible;
 using config::visible_at_most;
-using markup::Html;
-using markup::Markup;
-using markup::text;
-using markup::operator""_html;
-
-// Numbers, and literals of our own.
-template <class... Numbers>
-Html drawn(fmt::format_string<Numbers...> format, Numbers... numbers) {
-  return Html::made_by_us(fmt::vformat(format, fmt::make_format_args(numbers...)));
-}
-
-inline Html label(double x, double y, const char* classes, std::string_view words) {
-  Html out = drawn(R"(<text x="{:.1f}" y="{:.1f}" class="{}">)", x, y, classes);
-  return out << text(words) << "</text>"_html;
-}
+using namespace picture;
 
 // "7:42.3", as in the viewer.
 inline std::string time_text(double seconds) {

@@ -22,39 +22,6 @@ std::string words_of(std::string name) {
   return name;
 }
 
-// From metres of the world frame, y up, to the picture, y down.
-struct Scale {
-  double left, top, per_metre;
-  double half_length, half_width;  // with the border
-
-  double x(double metres) const { return left + (metres + half_length) * per_metre; }
-  double y(double metres) const { return top + (half_width - metres) * per_metre; }
-};
-
-Html field_lines(const config::FieldSize& field, const Scale& to) {
-  Html out;
-  const auto box = [&](double x0, double y0, double x1, double y1) {
-    out << drawn(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>)", to.x(std::min(x0, x1)),
-                 to.y(std::max(y0, y1)), std::abs(x1 - x0) * to.per_metre, std::abs(y1 - y0) * to.per_metre);
-  };
-  const double x = field.length / 2.0, y = field.width / 2.0;
-  out << drawn(R"(<rect class="grass" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>)", to.left, to.top,
-               2.0 * to.half_length * to.per_metre, 2.0 * to.half_width * to.per_metre);
-  out << R"(<g class="line">)"_html;
-  box(-x, -y, x, y);
-  for (const double side : {-1.0, 1.0}) {
-    box(side * x, -field.goal_area_width / 2.0, side * (x - field.goal_area_length), field.goal_area_width / 2.0);
-    box(side * x, -field.penalty_area_width / 2.0, side * (x - field.penalty_area_length),
-        field.penalty_area_width / 2.0);
-    box(side * x, -field.goal_width / 2.0, side * (x + field.goal_depth), field.goal_width / 2.0);
-    out << drawn(R"(<circle cx="{:.1f}" cy="{:.1f}" r="1.5"/>)", to.x(side * (x - field.penalty_mark_distance)),
-                 to.y(0.0));
-  }
-  out << drawn(R"(<path d="M{:.1f} {:.1f}V{:.1f}"/><circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", to.x(0.0), to.y(y),
-               to.y(-y), to.x(0.0), to.y(0.0), field.centre_circle_diameter / 2.0 * to.per_metre);
-  return out << "</g>"_html;
-}
-
 // Two standard deviations.
 Html ellipse(const RecordedCovariance& c, double x, double y, const Scale& to) {
   const double mean = (c.xx + c.yy) / 2.0, apart = std::hypot((c.xx - c.yy) / 2.0, c.xy);

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// `regista config draw TEAM`: a picture of where the rules of a team's roles put them, for one ball or several.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/end_of_program.hpp"
+#include "config/documents.hpp"
+#include "config/parse.hpp"
+#include "config/place.hpp"
+#include "config/team_page.hpp"
+#include "config/text.hpp"
+#include "output/output.hpp"
+#include "output/output_files.hpp"
+#include "output/replaced_file.hpp"
+#include "recording/roles_svg.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr auto examples = R"(Examples:
+  regista config draw configs/teams/paper.yaml --ball 1,1 -o roles.svg
+  regista config draw configs/teams/paper.yaml --role libero --ball=-3,-1 --ball 0,0 --ball 3,2 -o libero.svg
+  regista config draw configs/teams/paper.yaml --list searching --no-ball -o searching.svg
+
+Positions are in metres from the centre of the field: x towards the opponent's goal, y to the left. Without --ball the ball lies
+in the centre. Contexts, positioner and sender have no part in it: it is where a role goes before a task is moved towards
+a waypoint.)";
+
+struct Options {
+  std::vector<std::string> files, overrides, roles, balls;
+  std::string list, rules, output;
+  bool no_ball = false, force = false;
+};
+
+std::array<double, 2> place(const std::string& text) {
+  const config::Location where{"--ball " + text, 0, 0};
+  const config::Place read = config::to_place(config::parse_value("[" + text + "]", where), "where the ball is");
+  return read.point;
+}
+
+const config::RoleList& list_of(const config::TeamPage& page, const std::string& name) {
+  if (name.empty()) return page.role_lists.front();
+  const auto found = std::ranges::find(page.role_lists, name, &config::RoleList::name);
+  if (found != page.role_lists.end()) return *found;
+  std::vector<std::string> names;
+  for (const config::RoleList& each : page.role_lists) names.push_back(each.name);
+  throw BadInput("--list: " + config::unknown("list of roles", name, "", names));
+}
+
+std::vector<const config::Role*> roles_of(const config::RoleList& list, const std::vector<std::string>& wanted) {
+  std::vector<const config::Role*> out;
+  std::vector<std::string> names;
+  for (const config::Role& each : list.roles) {
+    names.push_back(each.name);
+    if (wanted.empty() || std::ranges::find(wanted, each.name) != wanted.end()) out.push_back(&each);
+  }
+  for (const std::string& each : wanted) {
+    if (std::ranges::find(names, each) == names.end()) {
+      throw BadInput("--role: " + config::unknown("role", each, list.name, names));
+    }
+  }
+  return out;
+}
+
+int draw(const Options& options, const output::OutputFiles& outputs) {
+  if (options.files.size() != 1) {
+    throw BadInput(fmt::format("config draw: one file of a team is wanted, {} given", options.files.size()));
+  }
+  if (options.no_ball && !options.balls.empty()) throw BadInput("--no-ball and --ball: one of them");
+  if (options.output.empty()) throw BadInput("config draw: where to? Say -o FILE.svg");
+  const config::Node document = config::load(options.files.front(), options.overrides);
+  config::require_kind(document, config::DocumentKind::team);
+  const config::TeamPage page = config::read_team_page(document);
+  const config::Rules rules = options.rules.empty() ? config::Rules{} : config::read_rules(options.rules);
+  const std::vector<const config::Role*> roles = roles_of(list_of(page, options.list), options.roles);
+  std::vector<std::array<double, 2>> balls;
+  for (const std::string& each : options.balls) balls.push_back(place(each));
+  if (balls.empty() && !options.no_ball) balls.push_back({0.0, 0.0});
+  outputs.check(options.force);
+  const std::string picture = recording::roles_svg({roles, balls}, rules.field);
+  if (options.output == "-") {
+    output::print(picture);
+    return exit_done;
+  }
+  output::write_whole(options.output, picture, options.force ? output::Existing::replaced : output::Existing::refused);
+  output::print(options.output + '\n');
+  return exit_done;
+}
+
+}  // namespace
+
+void add_config_draw(Command& parent) {
+  Command& command = parent.add("draw", "draw where a team's roles stand for a ball");
+  const auto options = std::make_shared<Options>();
+  command.take("team", options->files, "FILE", "a team's file", Reads::documents);
+  command.take("--ball", options->balls, "X,Y", "where the ball is, in metres; may be repeated");
+  command.flag("--no-ball", options->no_ball, "nobody knows the ball");
+  command.take("--list", options->list, "NAME", "list of roles; default: the first one");
+  command.take("--role", options->roles, "NAME", "this role alone, with what its rule is made of; may be repeated");
+  command.take("--rules", options->rules, "FILE",
+               "rules profile, for the size of the field; default: spl2023, built in", Reads::documents);
+  command.take("--set", options->overrides, "PATH=VALUE", "a value laid over the team; may be repeated");
+  command.take("-o,--output", options->output, "FILE", "write this file, - for standard output", Writes::page);
+  command.flag("--force", options->force, "replace an existing file");
+  command.notes(examples);
+  command.run = [options, &command] { return draw(*options, output::OutputFiles(command.given(), "picture")); };
+}
+
+}  // namespace regista::cli

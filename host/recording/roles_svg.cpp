@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "recording/roles_svg.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "config/visible_text.hpp"
+#include "mind/coordination/target.hpp"
+#include "recording/field_svg.hpp"
+
+namespace regista::recording {
+namespace {
+
+using namespace picture;
+using mind::Vector2d;
+
+constexpr double width = 720.0, margin = 8.0, marker = 7.0, line_height = 14.0, letter = 6.6;  // px
+
+struct Box {
+  double left, top, right, bottom;
+
+  bool meets(const Box& other) const {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
+};
+
+Box around(double x, double y, double half) { return {x - half, y - half, x + half, y + half}; }
+
+// Labels stand beside what they name: below, above, right or left of it, the first that meets nothing drawn before.
+class Labels {
+ public:
+  Labels(double right, double bottom) : right_(right), bottom_(bottom) {}
+
+  void occupy(const Box& box) { taken_.push_back(box); }
+
+  Html place(double x, double y, const char* classes, const std::string& words) {
+    const double half = 0.5 * letter * static_cast<double>(words.size());
+    const std::array<Vector2d, 6> centres{
+        Vector2d(x, y + marker + 9.0),        Vector2d(x, y - marker - 9.0),  Vector2d(x + marker + 5.0 + half, y),
+        Vector2d(x - marker - 5.0 - half, y), Vector2d(x, y + marker + 22.0), Vector2d(x, y - marker - 22.0),
+    };
+    const auto box_at = [&](const Vector2d& c) {
+      return Box{c.x() - half, c.y() - 0.5 * line_height, c.x() + half, c.y() + 0.5 * line_height};
+    };
+    const auto free = std::ranges::find_if(centres, [&](const Vector2d& c) {
+      const Box box = box_at(c);
+      const bool inside = box.left >= 0.0 && box.top >= 0.0 && box.right <= right_ && box.bottom <= bottom_;
+      return inside && std::ranges::none_of(taken_, [&](const Box& other) { return box.meets(other); });
+    });
+    const Vector2d& centre = free == centres.end() ? centres.front() : *free;
+    occupy(box_at(centre));
+    return label(centre.x(), centre.y() + 4.0, classes, words);
+  }
+
+ private:
+  double right_, bottom_;
+  std::vector<Box> taken_;
+};
+
+void put(mind::Snapshot& world, const std::array<double, 2>& ball) {
+  world.raw.ball.flags = REGISTA_BALL_KNOWN;
+  std::ranges::copy(ball, world.raw.ball.position);
+}
+
+Html arrow(const Vector2d& at, const Vector2d& towards, const Scale& to) {
+  const Vector2d way = towards - at;
+  if (way.norm() < 1e-6) return {};
+  const Vector2d end = way.normalized() * (marker + 7.0);
+  return drawn(R"(<path class="facing" d="M{:.1f} {:.1f}l{:.1f} {:.1f}"/>)", to.x(at.x()), to.y(at.y()), end.x(),
+               -end.y());
+}
+
+Html line(const Vector2d& from, const Vector2d& end, const Scale& to) {
+  return drawn(R"(<path class="guide" d="M{:.1f} {:.1f}L{:.1f} {:.1f}"/>)", to.x(from.x()), to.y(from.y()),
+               to.x(end.x()), to.y(end.y()));
+}
+
+// What the rule of a single role is made of.
+Html guides(const config::TargetRule& rule, const mind::Anchors& anchors, const Vector2d& target, const Scale& to) {
+  Html out;
+  if (!anchors.ball_known() && rule.without_ball) return out;
+  if (rule.on_line) out << line(anchors.at(rule.on_line->from), anchors.at(rule.on_line->to), to);
+  if (rule.on_circle) {
+    const Vector2d centre = anchors.at(rule.on_circle->centre);
+    out << line(anchors.at(rule.on_circle->from), anchors.at(rule.on_circle->towards), to)
+        << drawn(R"(<circle class="guide" cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", to.x(centre.x()), to.y(centre.y()),
+                 (target - centre).norm() * to.per_metre);
+  }
+  if (rule.at) out << line(anchors.at(*rule.at), target, to);
+  return out;
+}
+
+Html region(const std::array<double, 4>& within, const Scale& to) {
+  return drawn(R"(<rect class="within" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>)", to.x(within[0]),
+               to.y(within[3]), (within[1] - within[0]) * to.per_metre, (within[3] - within[2]) * to.per_metre);
+}
+
+constexpr Markup style = R"(<style>
+text{font-family:"Helvetica Neue",Arial,"DejaVu Sans",sans-serif;font-size:12px;fill:#1b1f24;text-anchor:middle}
+.grass{fill:#eef4ee}.line *{fill:none;stroke:#7d8a80;stroke-width:1.5}
+.role{paint-order:stroke;stroke:#fff;stroke-width:2.5px;stroke-linejoin:round}
+.marker{fill:#0072b2;stroke:#fff;stroke-width:1}.facing{stroke:#0072b2;stroke-width:2.5}
+.number{fill:#fff;font-size:10px;font-weight:600}
+.ball{fill:#1b1f24;stroke:#fff;stroke-width:1.5}
+.guide{fill:none;stroke:#a04a86;stroke-width:1.2;stroke-dasharray:5 4}
+.within{fill:#cc79a7;fill-opacity:.12;stroke:#a04a86;stroke-width:1.2;stroke-dasharray:2 3}
+</style>)"_html;
+
+}  // namespace
+
+std::string roles_svg(const RolesToDraw& what, const config::FieldSize& field) {
+  Scale to{margin, margin, 0.0, field.length / 2.0 + field.border_strip, field.width / 2.0 + field.border_strip};
+  to.per_metre = (width - 2.0 * margin) / (2.0 * to.half_length);
+  const double height = 2.0 * margin + 2.0 * to.half_width * to.per_metre;
+
+  std::vector<std::array<double, 2>> balls(what.balls.begin(), what.balls.end());
+  const bool known = !balls.empty(), several = balls.size() > 1, alone = what.roles.size() == 1;
+  if (!known) balls.emplace_back();
+
+  Labels labels(width, height);
+  Html shapes, markers, names;
+  if (alone && what.roles.front()->target.within) shapes << region(*what.roles.front()->target.within, to);
+  struct Named {
+    Vector2d at;
+    const config::Role* role;
+  };
+  std::vector<Named> named;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    mind::Snapshot world(1);
+    if (known) put(world, balls[i]);
+    // The ball rests: what slows it down does not matter.
+    const mind::Anchors anchors(field, 1.0, world);
+    for (const config::Role* role : what.roles) {
+      const Vector2d at = mind::target_of(role->target, anchors);
+      const double x = to.x(at.x()), y = to.y(at.y());
+      if (alone) shapes << guides(role->target, anchors, at, to);
+      markers << arrow(at, anchors.at(role->target.facing), to)
+              << drawn(R"(<circle class="marker" cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", x, y, marker);
+      if (several) markers << label(x, y + 3.5, "number", fmt::format("{}", i + 1));
+      labels.occupy(around(x, y, marker));
+      if (i == 0 || !several) named.push_back({at, role});
+    }
+    if (!known) continue;
+    const double x = to.x(balls[i][0]), y = to.y(balls[i][1]);
+    markers << drawn(R"(<circle class="ball" cx="{:.1f}" cy="{:.1f}" r="5"/>)", x, y);
+    labels.occupy(around(x, y, 5.0));
+    if (several) names << labels.place(x, y, "role", fmt::format("ball {}", i + 1));
+  }
+  for (const Named& each : named) {
+    names << labels.place(to.x(each.at.x()), to.y(each.at.y()), "role", config::visible_at_most(each.role->name, 32));
+  }
+  Html out = drawn(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" )"
+                   R"(height="{1:.0f}"><rect width="100%" height="100%" fill="#fff"/>)",
+                   width, height);
+  out << style << field_lines(field, to) << shapes << markers << names;
+  return (out << "</svg>\n"_html).str();
+}
+
+}  // namespace regista::recording
