@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "config/sanitized.hpp"
 #include "landscape.hpp"
 
 namespace regista::study {
@@ -91,12 +92,11 @@ TEST(NoisySphereOfFourDimensions, MediansAreReached) {
                           {Algorithm::cobyla, 0.35},     {Algorithm::crs2_lm, 0.9},    {Algorithm::direct_l, 0.3},
                           {Algorithm::isres, 1.5},       {Algorithm::esch, 1.5},       {Algorithm::spsa, 0.005},
                           {Algorithm::sep_cma_es, 0.05}, {Algorithm::random_search, 7}};
-  constexpr std::uint64_t simulations = 4000;
-  std::vector<double> medians;
+  constexpr std::uint64_t simulations = 4000, seeds = sanitized ? 2 : 15;
   for (const Bound& each : bounds) {
     const std::uint64_t replication = wants_replication(each.algorithm) ? simulations / 200 : 1;
     std::vector<double> regrets;
-    for (std::uint64_t seed = 1; seed <= 15; ++seed) {
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
       Draws draws(seed, Draws::Use::nlopt);
       Point optimum(4), start(4);
       for (double& coordinate : optimum) coordinate = 0.4 + 0.2 * draws.uniform();
@@ -111,8 +111,9 @@ TEST(NoisySphereOfFourDimensions, MediansAreReached) {
       const SearchResult result = search(each.algorithm, settings, recorded(record, noisy));
       regrets.push_back(-100.0 * sphere(result.recommended.front(), optimum));
     }
-    std::nth_element(regrets.begin(), regrets.begin() + 7, regrets.end());
-    EXPECT_LT(regrets[7], each.regret) << name(each.algorithm);
+    if (sanitized) continue;  // two seeds say nothing of the median, and run all of the code
+    std::nth_element(regrets.begin(), regrets.begin() + seeds / 2, regrets.end());
+    EXPECT_LT(regrets[seeds / 2], each.regret) << name(each.algorithm);
   }
 }
 
