@@ -25,7 +25,7 @@ constexpr auto examples = R"(Examples:
   regista experiment configs/studies/role_overlap.yaml
   regista tune configs/studies/tune_paper.yaml
   regista plugin list
-  regista config check configs/teams/paper.yaml
+  regista config copy configs
 
 Each command explains itself: regista help match)";
 
@@ -34,6 +34,7 @@ constexpr auto plugin_examples = R"(Examples:
   regista plugin info voronoi)";
 
 constexpr auto config_examples = R"(Examples:
+  regista config copy configs
   regista config check configs/teams/paper.yaml
   regista config show configs/teams/fixed_rate.yaml
   regista config schema team > team.schema.json)";
@@ -93,6 +94,7 @@ void add_commands(Command& program, const Invocation& invocation) {
   add_config_schema(config, invocation);
   add_config_reference(config);
   add_config_draw(config);
+  add_config_copy(config, invocation);
 }
 
 int run(int argc, char** argv, const Addition* addition) {

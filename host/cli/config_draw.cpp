@@ -109,7 +109,7 @@ void add_config_draw(Command& parent) {
   command.take("-o,--output", options->output, "FILE", "write this file, - for standard output", Writes::page);
   command.flag("--force", options->force, "replace an existing file");
   command.notes(examples);
-  command.run = [options, &command] { return draw(*options, output::OutputFiles(command.given(), "picture")); };
+  command.run = [options, &command] { return draw(*options, output::OutputFiles(command.given(), "command")); };
 }
 
 }  // namespace regista::cli

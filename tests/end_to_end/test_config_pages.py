@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: MIT
+"""What is made from documents: copies of the shipped ones, pictures of roles, the reference."""
+
+import filecmp
+import re
+import shutil
+import unittest
+import xml.etree.ElementTree
+
+import program
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+class Copies(program.Case):
+    def setUp(self):
+        super().setUp()
+        self.shipped = self.folder / "share" / "regista" / "configs"
+        shutil.copytree(program.SOURCE / "configs", self.shipped)
+
+    def test_all_documents_and_nothing_else(self):
+        self.assertEqual(self.succeed("config", "copy", "mine"), "mine\n")
+        compared = filecmp.dircmp(self.shipped, self.folder / "mine")
+        while True:
+            self.assertEqual((compared.left_only, compared.right_only, compared.diff_files), ([], [], []))
+            if not compared.subdirs:
+                break
+            _, compared = compared.subdirs.popitem()
+        self.assertEqual(self.succeed("config", "check", "mine/rules/spl2023.yaml"), "mine/rules/spl2023.yaml: rules, sound\n")
+
+    def refused(self, *words):
+        done = self.run_program("config", "copy", *words)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        return done.stderr
+
+    def test_nothing_is_written_over(self):
+        self.write("mine/teams/paper.yaml", "my work")
+        self.assertEqual(self.refused("mine"), "regista: config copy: mine exists already; name another folder\n")
+        self.assertEqual((self.folder / "mine/teams/paper.yaml").read_text(), "my work")
+        (self.folder / "nowhere").symlink_to("gone")
+        self.assertIn("exists already", self.refused("nowhere"))
+        self.assertIn("cannot make a/b: No such file or directory", self.refused("a/b"))
+
+    def test_a_program_without_documents_says_so(self):
+        shutil.rmtree(self.shipped)
+        self.assertIn("share/regista/configs is missing: this program was not installed as a whole", self.refused("mine"))
+
+
+class Drawings(program.Case):
+    def texts(self, *words):
+        picture = xml.etree.ElementTree.fromstring(self.succeed("config", "draw", "small.yaml", "-o", "-", *words))
+        return [text.text for text in picture.iter(SVG + "text")], picture
+
+    def test_roles_of_a_list(self):
+        names, picture = self.texts("--ball", "1,0.5")
+        self.assertEqual(sorted(names), ["back", "front", "goalkeeper", "left", "right", "striker", "supporter"])
+        self.assertEqual(len([each for each in picture.iter(SVG + "circle") if each.get("class") == "marker"]), 7)
+
+    def test_one_role_for_several_balls(self):
+        names, picture = self.texts("--role", "supporter", "--ball=-1,2", "--ball", "3,0")
+        self.assertEqual(sorted(names), ["1", "2", "ball 1", "ball 2", "supporter"])
+        markers = [each for each in picture.iter(SVG + "circle") if each.get("class") == "marker"]
+        balls = [each for each in picture.iter(SVG + "circle") if each.get("class") == "ball"]
+        # A metre behind the ball, whose picture has the centre of the field at the same place whatever is drawn.
+        metre = (float(balls[1].get("cx")) - float(balls[0].get("cx"))) / 4.0
+        for ball, marker in zip(balls, markers):
+            self.assertAlmostEqual(float(ball.get("cx")) - float(marker.get("cx")), metre, delta=0.2)
+            self.assertEqual(ball.get("cy"), marker.get("cy"))
+
+    def test_what_is_refused(self):
+        for words, line in (
+                (("--role", "strikr"), '--role: unknown role "strikr" in playing; nearest: "striker"; known: '),
+                (("--list", "serching"), '--list: unknown list of roles "serching"; known: playing'),
+                (("--ball", "1,x"), '--ball 1,x: where the ball is.1: "x" is not a number'),
+                (("--ball", "1"), "--ball 1: where the ball is: "),
+                (("--ball", "0,0", "--no-ball"), "--no-ball and --ball: one of them"),
+                (("-o", "small.yaml", "--force"), "--output small.yaml: is a file that this command reads")):
+            done = self.run_program("config", "draw", "small.yaml", *(() if "-o" in words else ("-o", "x.svg")), *words)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), words)
+            self.assertTrue(done.stderr.startswith(f"regista: {line}"), done.stderr)
+        self.assertFalse((self.folder / "x.svg").exists())
+
+    def test_nothing_is_replaced_without_force(self):
+        self.write("x.svg", "mine")
+        self.assertEqual(self.run_program("config", "draw", "small.yaml", "-o", "x.svg").returncode, 2)
+        self.assertEqual((self.folder / "x.svg").read_text(), "mine")
+
+
+class Reference(program.Case):
+    def test_the_page_of_this_repository_is_up_to_date(self):
+        written = (program.SOURCE / "docs" / "config-reference.md").read_text()
+        self.assertEqual(self.succeed("config", "reference"), written,
+                         "write it anew: regista config reference > docs/config-reference.md")
+
+    def test_every_reference_leads_somewhere(self):
+        page = self.succeed("config", "reference")
+        headings = set(re.findall(r"^### (\w+)$", page, re.MULTILINE))
+        self.assertEqual(set(re.findall(r"\(#(\w+)\)", page)), headings)
+        for text in re.findall(r"^### \w+\n\n(.*)$", page, re.MULTILINE):
+            self.assertGreater(len(text), 15)
+
+    def test_kinds(self):
+        page = self.succeed("config", "reference", "robot", "opening")
+        self.assertEqual(re.findall(r"^## (\w+)$", page, re.MULTILINE), ["robot", "opening"])
+        done = self.run_program("config", "reference", "robots")
+        self.assertEqual(done.stderr, 'regista: config reference: unknown kind of document "robots"; nearest: "robot"; '
+                                      "known: rules, robot, disturbance, opening, team, predictor_study, experiment, "
+                                      "tuning\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
