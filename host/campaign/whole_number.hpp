@@ -13,7 +13,7 @@ namespace regista::campaign {
 // 0 to `most`. Throws std::out_of_range for anything else.
 inline std::uint64_t whole_number(const nlohmann::ordered_json& json, std::uint64_t most = UINT64_MAX) {
   if (!json.is_number_unsigned() || json.get<std::uint64_t>() > most)
-    throw std::out_of_range("a whole number is wanted");
+    throw std::out_of_range("expected a whole number");
   return json.get<std::uint64_t>();
 }
 

@@ -68,7 +68,7 @@ Json as_json(const study::DocumentCheck& checked) {
 }
 
 int check(const Options& options, const Invocation& invocation) {
-  if (options.files.empty()) throw BadInput("config check: at least one file is wanted");
+  if (options.files.empty()) throw BadInput("config check: expected at least one file");
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   const study::Profiles by = profiles(options);
   bool sound = true;

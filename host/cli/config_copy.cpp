@@ -24,7 +24,7 @@ The folder must not exist yet. It gets the teams, rules, robots, disturbances, o
 program; examples of other commands name them as configs/teams/paper.yaml.)";
 
 int copy(const std::vector<std::string>& folders, const Invocation& invocation) {
-  if (folders.size() != 1) throw BadInput(fmt::format("config copy: one folder is wanted, {} given", folders.size()));
+  if (folders.size() != 1) throw BadInput(fmt::format("config copy: expected one folder, {} given", folders.size()));
   const fs::path from = (invocation.executable.parent_path() / "../share/regista/configs").lexically_normal();
   const fs::path to = folders.front();
   std::error_code error;

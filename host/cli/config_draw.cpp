@@ -70,7 +70,7 @@ std::vector<const config::Role*> roles_of(const config::RoleList& list, const st
 
 int draw(const Options& options, const output::OutputFiles& outputs) {
   if (options.files.size() != 1) {
-    throw BadInput(fmt::format("config draw: one file of a team is wanted, {} given", options.files.size()));
+    throw BadInput(fmt::format("config draw: expected one file of a team, {} given", options.files.size()));
   }
   if (options.no_ball && !options.balls.empty()) throw BadInput("--no-ball and --ball: one of them");
   if (options.output.empty()) throw BadInput("config draw: where to? Say -o FILE.svg");

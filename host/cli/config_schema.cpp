@@ -27,7 +27,7 @@ struct Options {
 
 int schema(const Options& options, const Invocation& invocation) {
   if (options.kinds.size() != 1) {
-    throw BadInput(fmt::format("config schema: one of {} is wanted, {} given", config::document_kind_names("and"),
+    throw BadInput(fmt::format("config schema: expected one of {}, {} given", config::document_kind_names("and"),
                                options.kinds.size()));
   }
   const config::DocumentKind kind = kind_named(options.kinds.front(), "config schema");

@@ -32,7 +32,7 @@ std::vector<config::PluginDeclaration> declarations_for(const config::Node& docu
 
 int show(const Options& options, const Invocation& invocation) {
   if (options.files.size() != 1) {
-    throw BadInput(fmt::format("config show: one file is wanted, {} given", options.files.size()));
+    throw BadInput(fmt::format("config show: expected one file, {} given", options.files.size()));
   }
   const config::Node document = config::load(options.files.front(), options.overrides);
   output::print(config::show(document, declarations_for(document, options, invocation)));

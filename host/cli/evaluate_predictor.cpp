@@ -36,7 +36,7 @@ struct Options {
 int evaluate(const Options& options, const Invocation& invocation) {
   if (options.studies.size() != 1) {
     throw BadInput(
-        fmt::format("evaluate-predictor: one file of a study is wanted, {} given; see: regista "
+        fmt::format("evaluate-predictor: expected one file of a study, {} given; see: regista "
                     "evaluate-predictor --help",
                     options.studies.size()));
   }

@@ -320,7 +320,7 @@ int play(Options options, const output::OutputFiles& outputs, const Invocation& 
   const std::optional<StoredMatch> stored = stored_match_of(options, invocation);
   if (!stored && options.teams.size() != 2) {
     throw BadInput(
-        fmt::format("match: two files of teams are wanted, {} given; see: regista match --help", options.teams.size()));
+        fmt::format("match: expected two files of teams, {} given; see: regista match --help", options.teams.size()));
   }
   std::vector<std::string> folders = stored ? stored->job.plugins : options.plugins;
   // Its documents may be read in another folder.

@@ -41,7 +41,7 @@ std::vector<const plugin::Found*> find(const plugin::Catalogue& catalogue, const
 
 int show(const Options& options, const Invocation& invocation) {
   if (options.ids.size() != 1) {
-    throw BadInput(fmt::format("plugin info: one id of a plugin is wanted, {} given; see: regista plugin list",
+    throw BadInput(fmt::format("plugin info: expected one id of a plugin, {} given; see: regista plugin list",
                                options.ids.size()));
   }
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);

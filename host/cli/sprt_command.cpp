@@ -48,14 +48,14 @@ std::vector<statistics::Count> parse_counts(const std::vector<std::string>& word
     statistics::Count count = 0;
     const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), count);
     if (error != std::errc() || rest != word.data() + word.size() || count < 0 || count > statistics::most_counted) {
-      throw BadInput(fmt::format("sprt: count {}; a whole number from 0 to {} is wanted", config::in_quotes(word),
+      throw BadInput(fmt::format("sprt: count {}; expected a whole number from 0 to {}", config::in_quotes(word),
                                  statistics::most_counted));
     }
     counts.push_back(count);
     sum += count;
   }
   if (counts.size() != 3 && counts.size() != 5) {
-    throw BadInput(fmt::format("sprt: {} counts; five of pairs (LL LD DD WD WW) or three of games (L D W) are wanted",
+    throw BadInput(fmt::format("sprt: {} counts; expected five of pairs (LL LD DD WD WW) or three of games (L D W)",
                                counts.size()));
   }
   if (sum == 0) throw BadInput("sprt: all counts are zero");

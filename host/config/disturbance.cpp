@@ -246,11 +246,11 @@ void check(const Disturbance& disturbance, const Node& document, Mistakes& mista
       }
     }
     if (incident.kind == Kind::pose_bias && !any) {
-      lacks("x", fmt::format("{}: by how much? {} are wanted", path_of(disturbance, i), join(known)));
+      lacks("x", fmt::format("{}: by how much? expected {}", path_of(disturbance, i), join(known)));
     }
     if (incident.kind == Kind::ghost_ball && incident.x.has_value() != incident.y.has_value()) {
       lacks(incident.x ? "y" : "x",
-            path_of(disturbance, i) + ": x and y are wanted, or neither for a place drawn at random");
+            path_of(disturbance, i) + ": expected x and y, or neither for a place drawn at random");
     }
   }
 }

@@ -115,7 +115,7 @@ void require_kind(const Node& document, DocumentKind kind) {
   const DocumentKind found = kind_of(document);
   if (found == kind) return;
   throw Error(document.where(),
-              fmt::format("this is {} document; {} document is wanted", with_article(found), with_article(kind)));
+              fmt::format("this is {} document; expected {} document", with_article(found), with_article(kind)));
 }
 
 // Read, and found sound in itself.

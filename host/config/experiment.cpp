@@ -178,7 +178,7 @@ void check(const Experiment& experiment, const Node& document, Mistakes& mistake
   for (std::size_t i = 0; i < experiment.arms.size(); ++i) {
     const Experiment::Arm& arm = experiment.arms[i];
     const std::string name = fmt::format("arms.{}.name", i), team = fmt::format("arms.{}.team", i);
-    if (arm.name.empty() && !mistakes.doubtful(name)) mistakes.add(Error(arm.where, "arms: a name is wanted"), name);
+    if (arm.name.empty() && !mistakes.doubtful(name)) mistakes.add(Error(arm.where, "arms: expected a name"), name);
     if (!arm.team.empty() || !experiment.team.empty() || mistakes.doubtful(team) || mistakes.doubtful("team")) continue;
     mistakes.add(Error(arm.where,
                        fmt::format("arm {}: which team? Name it here, or for all arms by `team`", in_quotes(arm.name))),

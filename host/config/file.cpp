@@ -45,7 +45,7 @@ std::string read_file(const fs::path& file, const Location& asked_by) {
   std::error_code failed;
   const fs::file_status status = fs::status(file, failed);
   if (status.type() == fs::file_type::not_found) throw Error(here, name + "no such file" + neighbour(file));
-  if (status.type() == fs::file_type::directory) throw Error(here, name + "is a folder; a YAML file is wanted");
+  if (status.type() == fs::file_type::directory) throw Error(here, name + "is a folder; expected a YAML file");
   if (status.type() == fs::file_type::regular) {
     const auto size = fs::file_size(file, failed);
     if (!failed && size > largest_file) {
@@ -75,7 +75,7 @@ std::optional<std::string> file_content(const fs::path& file) {
 
 fs::path named_file(const Node& value, std::string_view what) {
   const std::string name = to_text(value, what);
-  if (name.empty()) throw Error(value.where(), fmt::format("{}: empty; a path is wanted", what));
+  if (name.empty()) throw Error(value.where(), fmt::format("{}: empty; expected a path", what));
   const fs::path path = name;
   if (path.is_absolute() || value.where().line == 0) return path.lexically_normal();
   return (fs::path(value.where().file).parent_path() / path).lexically_normal();

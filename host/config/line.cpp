@@ -7,7 +7,7 @@ namespace regista::config {
 
 std::string to_line(const Node& node, const std::string& what) {
   std::string text = to_text(node, what);
-  if (text.find('\n') != std::string::npos) throw Error(node.where(), what + ": one line is wanted");
+  if (text.find('\n') != std::string::npos) throw Error(node.where(), what + ": expected one line");
   return text;
 }
 

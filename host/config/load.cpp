@@ -61,8 +61,8 @@ Node override_with(Node document, const Overrides& overrides) {
   for (const std::string& text : overrides) {
     const Location where{"--set " + text, 0, 0};
     const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) throw Error(where, "path=value is wanted");
-    if (equals + 1 == text.size()) throw Error(where, "a value is wanted; ~ takes an entry away, '' is an empty text");
+    if (equals == std::string::npos || equals == 0) throw Error(where, "expected path=value");
+    if (equals + 1 == text.size()) throw Error(where, "expected a value; ~ takes an entry away, '' is an empty text");
     const Node value = parse_value(std::string_view(text).substr(equals + 1), where);
     document = with(document, std::string_view(text).substr(0, equals), value, where);
   }

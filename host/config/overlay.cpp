@@ -80,7 +80,7 @@ Placed placed(const Node& element) {
 void insert(std::vector<Node>& elements, const Placed& placed, Node element) {
   const Node& beside = placed.before ? placed.before : placed.after;
   if (beside.kind() != Node::Kind::scalar) {
-    throw Error(beside.where(), fmt::format("{}: the name of an element is wanted, not {}",
+    throw Error(beside.where(), fmt::format("{}: expected the name of an element, not {}",
                                             placed.before ? "before" : "after", described(beside)));
   }
   const std::size_t index = index_of(elements, beside.text());
@@ -110,7 +110,7 @@ void merge_element(std::vector<Node>& elements, const Node::Entry& entry) {
     return;
   }
   if (entry.value.kind() != Node::Kind::map) {
-    throw Error(entry.value.where(), fmt::format("{}: a map is wanted, not {}", entry.key, described(entry.value)));
+    throw Error(entry.value.where(), fmt::format("{}: expected a map, not {}", entry.key, described(entry.value)));
   }
   if (const Node own = entry.value["name"]; own && own.text() != entry.key) {
     throw Error(own.where(), fmt::format("{} stands under another name, {}", in_quotes(own.text()), entry.key));

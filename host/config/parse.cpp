@@ -282,8 +282,8 @@ Node parse_text(std::string_view text, const std::string& name) {
   Node document = build(text, {name, 0, 0}, false);
   if (!document) throw Error({name, 0, 0}, "is empty");
   if (document.kind() == Node::Kind::null) throw Error(document.where(), "is empty");
-  if (document.kind() == Node::Kind::sequence) throw Error(document.where(), "a map is wanted at the top, not a list");
-  if (document.kind() == Node::Kind::scalar) throw Error(document.where(), "a map is wanted at the top, not text");
+  if (document.kind() == Node::Kind::sequence) throw Error(document.where(), "expected a map at the top, not a list");
+  if (document.kind() == Node::Kind::scalar) throw Error(document.where(), "expected a map at the top, not text");
   return document;
 }
 

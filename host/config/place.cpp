@@ -30,7 +30,7 @@ Place to_place(const Node& node, std::string_view what) {
   constexpr std::string_view wanted = "the name of a place or [x, y]";
   if (node.kind() != Node::Kind::sequence) refuse_kind(node, what, wanted);
   if (node.elements().size() != 2) {
-    throw Error(node.where(), fmt::format("{}: {} elements; {} is wanted", what, node.elements().size(), wanted));
+    throw Error(node.where(), fmt::format("{}: {} elements; expected {}", what, node.elements().size(), wanted));
   }
   Place place{Anchor::point, {}};
   for (std::size_t i = 0; i < 2; ++i) {

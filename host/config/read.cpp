@@ -64,7 +64,7 @@ struct Reader {
     if (node.kind() != Node::Kind::sequence) refuse_kind(node, what, wanted);
     const std::span<const Node> elements = node.elements();
     if (elements.size() != numbers.count) {
-      throw Error(node.where(), fmt::format("{}: {} elements; {} is wanted", what, elements.size(), wanted));
+      throw Error(node.where(), fmt::format("{}: {} elements; expected {}", what, elements.size(), wanted));
     }
     const std::vector<double*> values = numbers.get();
     for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -123,7 +123,7 @@ struct Reader {
 
   void check_count(std::size_t count, std::size_t least, std::size_t most) const {
     if (count >= least && count <= most) return;
-    throw Error(node.where(), fmt::format("{}: {} elements; {} to {} are wanted", what, count, least, most));
+    throw Error(node.where(), fmt::format("{}: {} elements; expected {} to {}", what, count, least, most));
   }
 
   // Elements that have a name are addressed by it, so no two may share one.
@@ -167,15 +167,14 @@ void check_exactly_one(const Map& map, const Node& node, const std::string& what
   std::size_t present = 0;
   for (const std::string& key : map.exactly_one) {
     if (node[key] && ++present == 2) {
-      mistakes.add(
-          Error(node[key].where(), fmt::format("{}exactly one of {} is wanted", before, join(map.exactly_one))),
-          inside(what, key));
+      mistakes.add(Error(node[key].where(), fmt::format("{}expected exactly one of {}", before, join(map.exactly_one))),
+                   inside(what, key));
     }
   }
   const bool doubtful = std::ranges::any_of(
       map.exactly_one, [&](const std::string& key) { return mistakes.doubtful(inside(what, key)); });
   if (present > 0 || doubtful) return;
-  mistakes.add(Error(node.where(), fmt::format("{}one of {} is wanted", before, join(map.exactly_one))),
+  mistakes.add(Error(node.where(), fmt::format("{}expected one of {}", before, join(map.exactly_one))),
                inside(what, map.exactly_one.front()));
 }
 

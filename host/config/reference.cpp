@@ -123,7 +123,7 @@ class Writer {
       }
     }
     for (const std::string& key : declared.exactly_one) keys.push_back(fmt::format("`{}{}`", prefix, key));
-    if (!keys.empty()) remarks_ += fmt::format("\nExactly one of {} is wanted.\n", fmt::join(keys, ", "));
+    if (!keys.empty()) remarks_ += fmt::format("\nExactly one of {} must be given.\n", fmt::join(keys, ", "));
     for (const auto& [key, other] : declared.needs) {
       remarks_ += fmt::format("\n`{0}{1}` goes with `{0}{2}`.\n", prefix, key, other);
     }

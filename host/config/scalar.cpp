@@ -36,7 +36,7 @@ void check_number(const Node& node, std::string_view what, std::string_view want
   const auto refuse = [&](std::string_view reason) {
     throw Error(node.where(), fmt::format("{}: {} {}", what, in_quotes(text), reason));
   };
-  if (node.quoted()) refuse(fmt::format("is text, being quoted; {} is wanted", wanted));
+  if (node.quoted()) refuse(fmt::format("is text, being quoted; expected {}", wanted));
   const std::string_view digits = magnitude(text);
   const std::string word = lower(digits);
   if (word == ".nan" || word == ".inf" || word == "nan" || word == "inf") refuse("is not finite");
@@ -119,7 +119,7 @@ std::string to_name(const Node& node, std::string_view what) {
   const std::string& text = node.text();
   const std::string word = lower(text);
   if (!node.quoted() && (word == "true" || word == "false")) {
-    throw Error(node.where(), fmt::format("{}: {} is a boolean; a name is wanted", what, in_quotes(text)));
+    throw Error(node.where(), fmt::format("{}: {} is a boolean; expected a name", what, in_quotes(text)));
   }
   const bool good = !text.empty() && letter(text[0]) && std::all_of(text.begin(), text.end(), [](char c) {
     return letter(c) || digit(c) || c == '_' || c == '-';
@@ -149,7 +149,7 @@ std::string described(const Node& node) {
 }
 
 void refuse_kind(const Node& node, std::string_view what, std::string_view wanted) {
-  throw Error(node.where(), fmt::format("{}: {}; {} is wanted", what, described(node), wanted));
+  throw Error(node.where(), fmt::format("{}: {}; expected {}", what, described(node), wanted));
 }
 
 std::span<const Node> elements_of(const Node& node, std::string_view what, std::string_view wanted) {

@@ -24,7 +24,7 @@ void check_target(const TargetRule& target, const Node& node, const std::string&
   if (target.within) {
     const auto& [least_x, largest_x, least_y, largest_y] = *target.within;
     if (least_x > largest_x || least_y > largest_y) {
-      wrong("within", "[least x, largest x, least y, largest y] is wanted, in order");
+      wrong("within", "expected [least x, largest x, least y, largest y], in order");
     }
   }
   if (target.on_line && same_place(target.on_line->from, target.on_line->to)) {
@@ -84,7 +84,7 @@ Node coordination_of(const Node& document) {
 int role_list_named(const Node& value, const TeamPage& page, const std::string& what) {
   std::vector<std::string> names;
   for (const RoleList& list : page.role_lists) names.push_back(list.name);
-  if (value.kind() != Node::Kind::scalar) throw Error(value.where(), what + ": the name of a list of roles is wanted");
+  if (value.kind() != Node::Kind::scalar) throw Error(value.where(), what + ": expected the name of a list of roles");
   const auto found = std::find(names.begin(), names.end(), value.text());
   if (found == names.end()) throw Error(value.where(), unknown("list of roles", value.text(), "", names));
   return static_cast<int>(found - names.begin());

@@ -17,7 +17,7 @@ constexpr Range shares{1e-6, 1e6};
 
 std::string text_of(const Node& node, const std::string& what) {
   const std::string text = to_line(node, what);
-  if (text.empty()) throw Error(node.where(), what + ": a path is wanted");
+  if (text.empty()) throw Error(node.where(), what + ": expected a path");
   return text;
 }
 
@@ -79,7 +79,7 @@ template <class Otherwise>
 Field measured(std::string key, std::vector<TuningObjective::Term>& terms, std::string doc, Otherwise otherwise) {
   const auto read_terms = [&terms](const Node& node, const std::string& what, Mistakes& mistakes) {
     const auto require_name = [&what](const std::string& measure, const Location& where) {
-      if (measure.empty()) throw Error(where, what + ": a measure is wanted");
+      if (measure.empty()) throw Error(where, what + ": expected a measure");
     };
     terms.clear();
     if (node.kind() != Node::Kind::map) {
@@ -96,7 +96,7 @@ Field measured(std::string key, std::vector<TuningObjective::Term>& terms, std::
         terms.push_back({entry.key, weight, entry.key_where});
       });
     }
-    if (terms.empty() && !mistakes.doubtful(what)) throw Error(node.where(), what + ": a measure is wanted");
+    if (terms.empty() && !mistakes.doubtful(what)) throw Error(node.where(), what + ": expected a measure");
   };
   const auto write_terms = [&terms, otherwise] {
     const Location nowhere;

@@ -67,7 +67,7 @@ void add_settings(const config::Node& map, const std::string& what, std::vector<
     }
     if (document == entry.key && std::ranges::find(documents, document) != documents.end()) {
       throw config::Error(entry.key_where,
-                          fmt::format("{}: {}: a path inside it is wanted, as in `{}`; the whole of it is named by a "
+                          fmt::format("{}: {}: expected a path inside it, as in `{}`; the whole of it is named by a "
                                       "file, `{}:` of the experiment",
                                       what, entry.key, example(document), entry.key));
     }

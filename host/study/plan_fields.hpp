@@ -96,7 +96,7 @@ PlanJson json_of(const std::vector<T>& values) {
 }
 template <class T>
 void read(const PlanJson& json, std::vector<T>& values) {
-  if (!json.is_array()) throw std::out_of_range("a list is wanted");
+  if (!json.is_array()) throw std::out_of_range("expected a list");
   values.clear();
   for (const PlanJson& each : json) read(each, values.emplace_back());
 }

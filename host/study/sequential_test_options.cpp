@@ -30,7 +30,7 @@ statistics::Hypotheses parse_hypotheses(const std::string& option, const std::st
   const auto elo1 =
       comma == std::string::npos ? std::nullopt : config::typed_number(std::string_view(text).substr(comma + 1));
   if (!elo0 || !elo1 || std::abs(*elo0) > most_elo || std::abs(*elo1) > most_elo) {
-    throw config::BadInput(fmt::format("{}: {}; two numbers from {} to {} are wanted, as in 0,10", option,
+    throw config::BadInput(fmt::format("{}: {}; expected two numbers from {} to {}, as in 0,10", option,
                                        config::in_quotes(text), -most_elo, most_elo));
   }
   if (!(*elo0 < *elo1)) {

@@ -155,7 +155,7 @@ void refuse_too_many(const TournamentPlan& plan) {
 PlannedTournament planned_tournament(const TournamentRequest& options, const plugin::Catalogue& catalogue) {
   if (options.teams.size() < 2) {
     throw config::BadInput(
-        fmt::format("tournament: two teams or more are wanted, each by --team FILE; {} given", options.teams.size()));
+        fmt::format("tournament: expected two teams or more, each by --team FILE; {} given", options.teams.size()));
   }
   if (options.teams.size() > most_teams) {
     throw config::BadInput(fmt::format("tournament: {} teams; at most {} can play", options.teams.size(), most_teams));

@@ -61,14 +61,14 @@ class CommandLine(BadInput):
 
     def test_too_few_and_too_many_words(self):
         see = "see: regista match --help"
-        self.assert_refused(("match",), f"match: two files of teams are wanted, 0 given; {see}")
-        self.assert_refused(("match", "small.yaml"), f"match: two files of teams are wanted, 1 given; {see}")
-        self.assert_match_refused(("small.yaml",), f"match: two files of teams are wanted, 3 given; {see}")
+        self.assert_refused(("match",), f"match: expected two files of teams, 0 given; {see}")
+        self.assert_refused(("match", "small.yaml"), f"match: expected two files of teams, 1 given; {see}")
+        self.assert_match_refused(("small.yaml",), f"match: expected two files of teams, 3 given; {see}")
         self.assert_refused(("plugin", "list", "x"), 'unexpected argument "x"; see: regista plugin list --help')
         self.assert_refused(("plugin", "info"),
-                            "plugin info: one id of a plugin is wanted, 0 given; see: regista plugin list")
-        self.assert_refused(("config", "show", "a", "b"), "config show: one file is wanted, 2 given")
-        self.assert_refused(("config", "check"), "config check: at least one file is wanted")
+                            "plugin info: expected one id of a plugin, 0 given; see: regista plugin list")
+        self.assert_refused(("config", "show", "a", "b"), "config show: expected one file, 2 given")
+        self.assert_refused(("config", "check"), "config check: expected at least one file")
 
     def test_options_without_value_or_with_two(self):
         self.assert_match_refused(("--seed",), "--seed needs a value")
@@ -81,12 +81,12 @@ class CommandLine(BadInput):
     def test_seed(self):
         for text in ("-1", "1.5", "abc", "18446744073709551616"):
             self.assert_match_refused(
-                ("--seed", text), f'--seed: "{text}"; a whole number from 0 to 18446744073709551615 is wanted')
+                ("--seed", text), f'--seed: "{text}"; expected a whole number from 0 to 18446744073709551615')
 
     def test_limit(self):
         for text in ("0", "-3", "nan", "soon", "1e300"):
             self.assert_match_refused(("--limit", text),
-                                      f'--limit: "{text}"; seconds above 0, up to 1000000, are wanted')
+                                      f'--limit: "{text}"; expected seconds above 0, up to 1000000')
 
     def test_plugin_folder(self):
         self.assert_match_refused(("--plugins", "nowhere"), "--plugins nowhere: there is no such folder")
@@ -161,10 +161,10 @@ class Overrides(BadInput):
                                   "--set rules.team_size=70: team_size: 70 is outside 1 to 22 robots")
 
     def test_no_value(self):
-        self.assert_match_refused(("--set", "rules.team_size"), "--set rules.team_size: path=value is wanted")
-        self.assert_match_refused(("--set", "=3"), "--set =3: home team: path=value is wanted")
+        self.assert_match_refused(("--set", "rules.team_size"), "--set rules.team_size: expected path=value")
+        self.assert_match_refused(("--set", "=3"), "--set =3: home team: expected path=value")
         self.assert_match_refused(("--set", "rules.team_size="),
-                                  "--set rules.team_size=: a value is wanted; ~ takes an entry away, '' is an empty text")
+                                  "--set rules.team_size=: expected a value; ~ takes an entry away, '' is an empty text")
 
 
 class Files(BadInput):
@@ -174,7 +174,7 @@ class Files(BadInput):
 
     def test_of_another_kind(self):
         self.assert_match_refused(("--rules", "small.yaml"),
-                                  "small.yaml:1:1: this is a team document; a rules document is wanted")
+                                  "small.yaml:1:1: this is a team document; expected a rules document")
 
     def test_no_yaml(self):
         self.write("bad.yaml", "\x7fELF\x01\x02")

@@ -95,7 +95,7 @@ class EvaluatePredictor(unittest.TestCase):
         self.refused("--data", "--set", "questions.every=3", data="")
         result = run("evaluate-predictor", str(program.SOURCE / "configs/teams/paper.yaml"), "--data", self.data)
         self.assertEqual(result.returncode, 2)
-        self.assertIn("this is a team document; a predictor_study document is wanted", result.stderr)
+        self.assertIn("this is a team document; expected a predictor_study document", result.stderr)
 
     def test_shipped_studies_are_sound(self):
         studies = sorted(map(str, STUDIES.glob("*.yaml")))

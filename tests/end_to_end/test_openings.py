@@ -125,7 +125,7 @@ class Openings(program.Case):
     def test_bad_files(self):
         self.assert_refused(("--opening", "missing.yaml"), "missing.yaml: no such file")
         self.assert_refused(("--opening", "small.yaml"),
-                            "small.yaml:1:1: this is a team document; an opening document is wanted")
+                            "small.yaml:1:1: this is a team document; expected an opening document")
         self.write("bad.yaml", SCENE.replace("ball: {at: [0.5, 0]}\n", ""))
         self.assert_refused(("--opening", "bad.yaml"), 'bad.yaml:1:1: missing key "ball"')
 

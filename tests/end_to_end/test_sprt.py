@@ -81,12 +81,12 @@ class Sprt(program.Case):
         self.assertEqual(self.refused("sprt", *words.split()), line)
 
     def test_counts_that_cannot_be_used(self):
-        wanted = "a whole number from 0 to 1000000000 is wanted"
+        wanted = "expected a whole number from 0 to 1000000000"
         for word in ("1.5", "x", "1000000001", "99999999999999999999", "0x1", "nan"):
             self.assert_refused(f"--elo 0,10 1 {word} 2", f'sprt: count "{word}"; {wanted}')
         self.assert_refused("--elo 0,10 1 -2 3", f'sprt: count "-2"; {wanted}')
         self.assert_refused("--elo 0,10 -- 1 -2 3", f'sprt: count "-2"; {wanted}')
-        of = "five of pairs (LL LD DD WD WW) or three of games (L D W) are wanted"
+        of = "expected five of pairs (LL LD DD WD WW) or three of games (L D W)"
         self.assert_refused("--elo 0,10", f"sprt: 0 counts; {of}")
         self.assert_refused("--elo 0,10 1 2 3 4", f"sprt: 4 counts; {of}")
         self.assert_refused("--elo 0,10 1 2 3 4 5 6", f"sprt: 6 counts; {of}")
@@ -96,13 +96,13 @@ class Sprt(program.Case):
         self.assert_refused("1 2 3", "sprt: which hypotheses? Say --elo ELO0,ELO1, for example --elo 0,10")
         for text in ("0", "0,", ",10", "0,10,20", "a,b", "0,nan", "0,1e9", "0;10"):
             self.assert_refused(f"--elo {text} 1 2 3",
-                                f'--elo: "{text}"; two numbers from -4000 to 4000 are wanted, as in 0,10')
+                                f'--elo: "{text}"; expected two numbers from -4000 to 4000, as in 0,10')
         for text in ("10,0", "5,5"):
             self.assert_refused(f"--elo {text} 1 2 3", f'--elo: "{text}"; the first must be the smaller one')
         for option in ("--alpha", "--beta"):
             for text in ("0", "1", "-0.1", "nan", "some", "1e-400"):
                 self.assert_refused(f"--elo 0,10 {option} {text} 1 2 3",
-                                    f'{option}: "{text}"; a number above 0 and below 1 is wanted')
+                                    f'{option}: "{text}"; expected a number above 0 and below 1')
         self.assert_refused("--elo 0,10 --alpha 0.5 --beta 0.5 1 2 3",
                             "--alpha 0.5 and --beta 0.5: their sum must be below 1")
         self.assert_refused("--elo 0,10 --model bayeselo 1 2 3",

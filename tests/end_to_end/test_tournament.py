@@ -228,7 +228,7 @@ class Changes(tournament.Tournament):
 class BadInput(tournament.Tournament):
     def test_what_cannot_be_asked_for(self):
         ask = lambda *more, **options: self.refused(*self.arguments(*more, **options))
-        self.assertIn("two teams or more are wanted", ask(teams=("small.yaml",)))
+        self.assertIn("expected two teams or more", ask(teams=("small.yaml",)))
         self.assertIn("nobody.yaml", ask(teams=("small.yaml", "nobody.yaml")))
         self.assertIn("how many pairs", self.refused("tournament", "--team", "small.yaml", "--team", "other.yaml"))
         for pairs in ("0", "-1", "1.5", "many"):

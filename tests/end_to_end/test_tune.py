@@ -371,8 +371,8 @@ class BadInput(Tuning):
     def test_budgets(self):
         self.document(matches=4)
         self.assertRegex(self.refused(*self.arguments()),
-                         r"^t\.yaml:11:\d+: search\.matches: 4 are too few for the first round of spsa, .* or more "
-                         r"matches are wanted$")
+                         r"^t\.yaml:11:\d+: search\.matches: 4 are too few for the first round of spsa, .*expected "
+                         r"\d+ or more matches$")
         self.document(changes=(("finalists: 2, matches: 8", "finalists: 2, matches: 7"),))
         self.assertIn("selection.matches", self.refused(*self.arguments()))
 
@@ -384,7 +384,7 @@ class BadInput(Tuning):
         self.assertIn('nearest: "other.yaml"', self.refused(*self.arguments()))
         self.assertEqual(self.refused("tune"), "tune: which one? Name its file; see: regista tune --help")
         self.write("e.yaml", "team: x\n")
-        self.assertIn("this is a team document; a tuning document is wanted", self.refused("tune", "e.yaml"))
+        self.assertIn("this is a team document; expected a tuning document", self.refused("tune", "e.yaml"))
 
 
 if __name__ == "__main__":

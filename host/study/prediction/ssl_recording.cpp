@@ -75,7 +75,7 @@ GameRecording read_ssl_ball(const std::filesystem::path& data, const std::filesy
   Table table(data, progress);
   const std::size_t x = table.column("x_mm"), y = table.column("y_mm");
   if (table.has_column("team")) {
-    throw config::Error({data.string(), 1, 1}, "is a recording of robots; one of the ball is wanted");
+    throw config::Error({data.string(), 1, 1}, "is a recording of robots; expected one of the ball");
   }
   Stretches stretches(table, table.column("event"), table.column("t"));
   while (table.next()) {

@@ -53,7 +53,7 @@ Table::Table(const std::filesystem::path& file, Progress progress)
     throw config::Error({name_}, fmt::format("cannot be opened: {}", std::strerror(errno)));
   }
   gzbuffer(stream_->file, 1u << 17);
-  if (!read_line()) throw config::Error({name_}, "is empty; a first line with the names of columns is wanted");
+  if (!read_line()) throw config::Error({name_}, "is empty; expected a first line with the names of columns");
   if (line_.starts_with("\xEF\xBB\xBF")) line_.erase(0, 3);
   split();
   for (const std::string_view each : fields_) columns_.emplace_back(each);

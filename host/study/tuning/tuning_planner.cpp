@@ -116,7 +116,7 @@ void TuningPlanner::count_search(std::span<const Algorithm> algorithms) {
 }
 
 void TuningPlanner::require_matches(const char* path, std::uint64_t least, const std::string& why) const {
-  config::refuse(document_, {path}, fmt::format("{}: {}: {} or more matches are wanted", path, why, least));
+  config::refuse(document_, {path}, fmt::format("{}: {}: expected {} or more matches", path, why, least));
 }
 
 void TuningPlanner::describe() {

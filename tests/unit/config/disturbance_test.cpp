@@ -83,14 +83,14 @@ TEST(Disturbance, WhatIsRefused) {
       {"  - {kind: crush, at: 1}\n",
        "t.yaml:3:12: incidents.0.kind: unknown value \"crush\"; nearest: \"crash\"; known: pose_bias, mirror_flip, "
        "ghost_ball, blind_camera, radio_delay, radio_jitter, burst_loss, radio_silence, crash, slow_robot"},
-      {"  - {kind: crash}\n", "t.yaml:3:5: incidents.0: one of at, per_hour is wanted"},
-      {"  - {kind: crash, at: 1, per_hour: 2}\n", "t.yaml:3:36: incidents.0: exactly one of at, per_hour is wanted"},
+      {"  - {kind: crash}\n", "t.yaml:3:5: incidents.0: expected one of at, per_hour"},
+      {"  - {kind: crash, at: 1, per_hour: 2}\n", "t.yaml:3:36: incidents.0: expected exactly one of at, per_hour"},
       {"  - {kind: crash, at: -1}\n", "t.yaml:3:23: incidents.0.at: \"-1\" is outside 0 to 1000000 s"},
       {"  - {kind: crash, at: [2, 1]}\n", "t.yaml:3:27: incidents.0.at: the moments are not in their order"},
       {"  - {kind: crash, at: []}\n", "t.yaml:3:23: incidents.0.at: an empty list; leave the incident out"},
       {"  - {kind: crash, at: 1, for: -5}\n", "t.yaml:3:31: incidents.0.for: \"-5\" is outside 0 to 1000000 s"},
       {"  - {kind: crash, at: 1, robots: some}\n",
-       "t.yaml:3:34: incidents.0.robots: \"some\"; all, any, a number or a list of numbers is wanted"},
+       "t.yaml:3:34: incidents.0.robots: \"some\"; expected all, any, a number or a list of numbers"},
       {"  - {kind: crash, at: 1, robots: [2, 2]}\n", "t.yaml:3:38: incidents.0.robots: 2 stands there twice"},
       {"  - {kind: crash, at: 1, speed: 0.5}\n",
        "t.yaml:3:33: incidents.0.speed: makes no sense for crash, whose values are: none of its own"},
@@ -98,9 +98,9 @@ TEST(Disturbance, WhatIsRefused) {
        "t.yaml:3:49: incidents.bias.delay: makes no sense for pose_bias, whose values are: x, y, heading_deg"},
       {"  - {kind: slow_robot, at: 1}\n", "t.yaml:3:5: missing key \"speed\" in incidents.0"},
       {"  - {kind: slow_robot, at: 1, speed: 2}\n", "t.yaml:3:38: incidents.0.speed: \"2\" is outside 0 to 1"},
-      {"  - {kind: pose_bias, at: 1}\n", "t.yaml:3:5: incidents.0: by how much? x, y, heading_deg are wanted"},
+      {"  - {kind: pose_bias, at: 1}\n", "t.yaml:3:5: incidents.0: by how much? expected x, y, heading_deg"},
       {"  - {kind: ghost_ball, at: 1, x: 1}\n",
-       "t.yaml:3:5: incidents.0: x and y are wanted, or neither for a place drawn at random"},
+       "t.yaml:3:5: incidents.0: expected x and y, or neither for a place drawn at random"},
   };
   for (const auto& [incidents, expected] : cases) EXPECT_EQ(error_of([&, text = incidents] { read(text); }), expected);
 }

@@ -82,9 +82,9 @@ TEST(Merge, WhatIsRefusedOfAListExtendedByName) {
             "o.yaml:1:23: unknown element \"bop\" in after; nearest: \"bob\"; known: ann, bob");
   EXPECT_EQ(error("{ann: {after: ann}}"), "o.yaml:1:23: unknown element \"ann\" in after; known: bob");
   EXPECT_EQ(error("{eve: {after: bob, before: ann}}"), "o.yaml:1:23: before and after: one of them");
-  EXPECT_EQ(error("{eve: {before: [ann]}}"), "o.yaml:1:24: before: the name of an element is wanted, not a list");
+  EXPECT_EQ(error("{eve: {before: [ann]}}"), "o.yaml:1:24: before: expected the name of an element, not a list");
   EXPECT_EQ(error("{eve: {before: ann, name: adam}}"), "o.yaml:1:35: \"adam\" stands under another name, eve");
-  EXPECT_EQ(error("{ann: 3}"), "o.yaml:1:15: ann: a map is wanted, not \"3\"");
+  EXPECT_EQ(error("{ann: 3}"), "o.yaml:1:15: ann: expected a map, not \"3\"");
   EXPECT_EQ(error("{ann: {age: 1}, ann: {age: 2}}").substr(0, 12), "o.yaml:1:25:");  // found when it is read
 }
 
@@ -147,8 +147,8 @@ TEST(Override, AKeyWithDotsIsFoundAsAWhole) {
 
 TEST(Override, WhatIsRefused) {
   const std::pair<std::string, std::string_view> cases[] = {
-      {"a", "--set a: path=value is wanted"},
-      {"=1", "--set =1: path=value is wanted"},
+      {"a", "--set a: expected path=value"},
+      {"=1", "--set =1: expected path=value"},
       {"a.b=1", "--set a.b=1: a is \"1\", which has no parts"},
       {"a..b=1", "--set a..b=1: a is \"1\", which has no parts"},
       {"map..b=1", "--set map..b=1: \"map..b\": empty name in the path"},
@@ -197,11 +197,11 @@ TEST_F(Extends, WhatIsRefused) {
   EXPECT_EQ(error_of([] { load("missing.yaml"); }),
             "missing.yaml:1:10: papr.yaml: no such file; nearest: \"paper.yaml\"");
   write("list.yaml", "extends: [a.yaml]\n");
-  EXPECT_EQ(error_of([] { load("list.yaml"); }), "list.yaml:1:10: extends: a list; text is wanted");
+  EXPECT_EQ(error_of([] { load("list.yaml"); }), "list.yaml:1:10: extends: a list; expected text");
   write("empty.yaml", "extends: ''\n");
-  EXPECT_EQ(error_of([] { load("empty.yaml"); }), "empty.yaml:1:10: extends: empty; a path is wanted");
+  EXPECT_EQ(error_of([] { load("empty.yaml"); }), "empty.yaml:1:10: extends: empty; expected a path");
   write("null.yaml", "extends:\nx: 1\n");
-  EXPECT_EQ(error_of([] { load("null.yaml"); }), "null.yaml:1:1: extends: nothing; text is wanted");
+  EXPECT_EQ(error_of([] { load("null.yaml"); }), "null.yaml:1:1: extends: nothing; expected text");
   write("broken_base.yaml", "x: [1\n");
   write("broken.yaml", "extends: broken_base.yaml\n");
   EXPECT_EQ(error_of([] { load("broken.yaml"); }),

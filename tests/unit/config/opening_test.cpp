@@ -90,8 +90,7 @@ TEST(Opening, WhatIsRefused) {
   const auto line = [](std::string_view old, std::string_view replacement) {
     return error_of([&] { read(with(old, replacement)); });
   };
-  EXPECT_EQ(error_of([] { read("rules: r\n"); }),
-            "t.yaml:1:1: this is a rules document; an opening document is wanted");
+  EXPECT_EQ(error_of([] { read("rules: r\n"); }), "t.yaml:1:1: this is a rules document; expected an opening document");
   EXPECT_EQ(line("two_on_one", "2 on 1"),
             "t.yaml:1:10: opening: \"2 on 1\" is not a name (a letter, then letters, digits, '_' and '-')");
   EXPECT_EQ(line("length: 20\n", ""), "t.yaml:1:1: missing key \"length\"");
@@ -99,19 +98,18 @@ TEST(Opening, WhatIsRefused) {
   EXPECT_EQ(line("20", "-5"), "t.yaml:3:9: length: \"-5\" is outside 0.1 to 3600 s");
   EXPECT_EQ(line("20", ".nan"), "t.yaml:3:9: length: \".nan\" is not finite");
   EXPECT_EQ(line("20", "soon"), "t.yaml:3:9: length: \"soon\" is not a number");
-  EXPECT_EQ(line("Two against one, and \"nobody\" else", "[]"), "t.yaml:2:10: summary: a list; text is wanted");
-  EXPECT_EQ(line("Two against one, and \"nobody\" else", "\"two\\nlines\""),
-            "t.yaml:2:10: summary: one line is wanted");
+  EXPECT_EQ(line("Two against one, and \"nobody\" else", "[]"), "t.yaml:2:10: summary: a list; expected text");
+  EXPECT_EQ(line("Two against one, and \"nobody\" else", "\"two\\nlines\""), "t.yaml:2:10: summary: expected one line");
   EXPECT_EQ(line("ball: {at: [1, 0.5], velocity: [0.5, -0.25]}\n", ""), "t.yaml:1:1: missing key \"ball\"");
   EXPECT_EQ(line("at: [1, 0.5], ", ""), "t.yaml:4:7: missing key \"at\" in ball");
-  EXPECT_EQ(line("[1, 0.5]", "[1, 0.5, 0]"), "t.yaml:4:12: ball.at: 3 elements; a list of 2 numbers is wanted");
+  EXPECT_EQ(line("[1, 0.5]", "[1, 0.5, 0]"), "t.yaml:4:12: ball.at: 3 elements; expected a list of 2 numbers");
   EXPECT_EQ(line("[1, 0.5]", "[1, .inf]"), "t.yaml:4:16: ball.at.1: \".inf\" is not finite");
   EXPECT_EQ(line("[0.5, -0.25]", "[50, 0]"), "t.yaml:4:33: ball.velocity.0: \"50\" is outside -20 to 20 m/s");
   EXPECT_EQ(line("{at: [1, 0.5], v", "{position: [1, 0.5], v"),
             "t.yaml:4:8: unknown key \"position\" in ball; known: at, velocity");
   EXPECT_EQ(line("  - {at: [-4, 0]}\n  - {at: [0.5, 0.5], heading_deg: 90}\n", "  []\n"),
-            "t.yaml:6:3: home: 0 elements; 1 to 22 are wanted");
-  EXPECT_EQ(line("{at: [-4, 0]}", "[-4, 0, 0]"), "t.yaml:6:5: home.0: a list; a map is wanted");
+            "t.yaml:6:3: home: 0 elements; expected 1 to 22");
+  EXPECT_EQ(line("{at: [-4, 0]}", "[-4, 0, 0]"), "t.yaml:6:5: home.0: a list; expected a map");
   EXPECT_EQ(line("[0.5, 0.5]", "[0.5, 500]"), "t.yaml:7:16: home.1.at.1: \"500\" is outside -100 to 100 m");
   EXPECT_EQ(line("heading_deg: 180", "heading_deg: 720"),
             "t.yaml:9:31: away.0.heading_deg: \"720\" is outside -360 to 360 deg");

@@ -90,8 +90,8 @@ TEST(Parse, WhatIsRefused) {
       {"", "t.yaml: is empty"},
       {"# only a comment\n", "t.yaml: is empty"},
       {"~\n", "t.yaml:1:1: is empty"},
-      {"hello world\n", "t.yaml:1:1: a map is wanted at the top, not text"},
-      {"- a\n- b\n", "t.yaml:1:1: a map is wanted at the top, not a list"},
+      {"hello world\n", "t.yaml:1:1: expected a map at the top, not text"},
+      {"- a\n- b\n", "t.yaml:1:1: expected a map at the top, not a list"},
       {"a: 1\n---\nb: 2\n", "t.yaml:2:1: second document; a file holds one"},
       {"\"a\" \"b\"\n", "t.yaml:1:5: text after the end of the document"},
       {"- a\nb: c\n", "t.yaml:2:1: text after the end of the document"},
@@ -206,7 +206,7 @@ TEST_F(ParseFile, FilesThatAreNone) {
   write("spl2023.yaml", "a: 1\n");
   EXPECT_EQ(error_of([] { parse("spl2032.yaml"); }), "spl2032.yaml: no such file; nearest: \"spl2023.yaml\"");
   std::filesystem::create_directory("folder.yaml");
-  EXPECT_EQ(error_of([] { parse("folder.yaml"); }), "folder.yaml: is a folder; a YAML file is wanted");
+  EXPECT_EQ(error_of([] { parse("folder.yaml"); }), "folder.yaml: is a folder; expected a YAML file");
   ASSERT_EQ(mkfifo("pipe.yaml", 0600), 0);
   EXPECT_EQ(error_of([] { parse("pipe.yaml"); }), "pipe.yaml: is not a regular file");
   EXPECT_EQ(error_of([] { parse("/dev/zero"); }), "/dev/zero: is not a regular file");

@@ -135,18 +135,18 @@ TEST(Profiles, WhatIsRefused) {
        "t.yaml:3:3: unknown key \"dealy\" in radio; nearest: \"delay\"; known: loss, delay, jitter, burst, silence"},
       {"disturbance: a\nwind: 1\n", "t.yaml:2:1: unknown key \"wind\"; known: disturbance, radio, camera, incidents"},
       {"disturbance: a\ncamera: {}\ncamera: {}\n", "t.yaml:3:1: duplicate key \"camera\"; first in line 2"},
-      {"rules: a\nfield: 9 x 6\n", "t.yaml:2:8: field: \"9 x 6\"; a map is wanted"},
-      {"rules: a\nfield:\n", "t.yaml:2:1: field: nothing; a map is wanted"},
-      {"rules: a\nfield: [9, 6]\n", "t.yaml:2:8: field: a list; a map is wanted"},
+      {"rules: a\nfield: 9 x 6\n", "t.yaml:2:8: field: \"9 x 6\"; expected a map"},
+      {"rules: a\nfield:\n", "t.yaml:2:1: field: nothing; expected a map"},
+      {"rules: a\nfield: [9, 6]\n", "t.yaml:2:8: field: a list; expected a map"},
       {"rules: a\nfield: {length: nine}\n", "t.yaml:2:17: field.length: \"nine\" is not a number"},
       {"rules: a\nfield: {length: 010}\n",
        "t.yaml:2:17: field.length: \"010\" begins with zero, which some read as octal; leave the zero out"},
       {"rules: a\nteam_size: 6.5\n", "t.yaml:2:12: team_size: \"6.5\" is not an integer"},
       {"rules: 2023\n", "t.yaml:1:8: rules: \"2023\" is not a name (a letter, then letters, digits, '_' and '-')"},
-      {"robot: r\nkicks: {name: a}\n", "t.yaml:2:8: kicks: a map; a list is wanted"},
-      {"robot: r\nkicks: [a]\n", "t.yaml:2:9: kicks.0: \"a\"; a map is wanted"},
+      {"robot: r\nkicks: {name: a}\n", "t.yaml:2:8: kicks: a map; expected a list"},
+      {"robot: r\nkicks: [a]\n", "t.yaml:2:9: kicks.0: \"a\"; expected a map"},
       {"robot: r\nkicks: [{impact: 0.1}]\n", "t.yaml:2:9: missing key \"name\" in kicks.0"},
-      {"robot: r\nkicks: []\n", "t.yaml:2:8: kicks: 0 elements; 1 to 16 are wanted"},
+      {"robot: r\nkicks: []\n", "t.yaml:2:8: kicks: 0 elements; expected 1 to 16"},
       {"robot: r\nkicks: [{name: a}, {name: b}, {name: a}]\n",
        "t.yaml:2:38: kicks: second element named \"a\"; the first is at t.yaml:2:16"},
       // Ranges
@@ -194,7 +194,7 @@ TEST(Profiles, WhatIsRefused) {
 
 TEST(Profiles, OfAnotherKind) {
   const Node robot = parse_text("robot: r\n", "t.yaml");
-  EXPECT_EQ(error_of([&] { read_rules(robot); }), "t.yaml:1:1: this is a robot document; a rules document is wanted");
+  EXPECT_EQ(error_of([&] { read_rules(robot); }), "t.yaml:1:1: this is a robot document; expected a rules document");
 }
 
 TEST(Profiles, OverridesAreCheckedLikeFiles) {

@@ -54,12 +54,12 @@ TEST(Scalar, RealsThatAreNone) {
       {"+", "t.yaml:1:1: a: \"+\" is not a number"},
       {"--1", "t.yaml:1:1: a: \"--1\" is not a number"},
       {"true", "t.yaml:1:1: a: \"true\" is not a number"},
-      {"\"1\"", "t.yaml:1:1: a: \"1\" is text, being quoted; a number is wanted"},
-      {"~", "t.yaml:1:1: a: nothing; a number is wanted"},
-      {"", "t.yaml:1:1: a: nothing; a number is wanted"},
-      {"[1]", "t.yaml:1:1: a: a list; a number is wanted"},
-      {"{a: 1}", "t.yaml:1:1: a: a map; a number is wanted"},
-      {"\"line\\nbreak\"", "t.yaml:1:1: a: \"line\\nbreak\" is text, being quoted; a number is wanted"},
+      {"\"1\"", "t.yaml:1:1: a: \"1\" is text, being quoted; expected a number"},
+      {"~", "t.yaml:1:1: a: nothing; expected a number"},
+      {"", "t.yaml:1:1: a: nothing; expected a number"},
+      {"[1]", "t.yaml:1:1: a: a list; expected a number"},
+      {"{a: 1}", "t.yaml:1:1: a: a map; expected a number"},
+      {"\"line\\nbreak\"", "t.yaml:1:1: a: \"line\\nbreak\" is text, being quoted; expected a number"},
       {"0123456789012345678901234567890123456789é0123456789",
        "t.yaml:1:1: a: \"0123456789012345678901234567890123456789...\" begins with zero, which some read as octal; "
        "leave "
@@ -81,7 +81,7 @@ TEST(Scalar, Integers) {
       {"+-1", "t.yaml:1:1: a: \"+-1\" is not an integer"},
       {".inf", "t.yaml:1:1: a: \".inf\" is not finite"},
       {"9223372036854775808", "t.yaml:1:1: a: \"9223372036854775808\" is beyond what an integer can hold"},
-      {"[]", "t.yaml:1:1: a: a list; an integer is wanted"},
+      {"[]", "t.yaml:1:1: a: a list; expected an integer"},
   };
   for (const auto& [text, expected] : cases) EXPECT_EQ(message(to_integer, text), expected);
 }
@@ -98,7 +98,7 @@ TEST(Scalar, Booleans) {
       {"tRue", "t.yaml:1:1: a: \"tRue\" is neither true nor false; write true"},
       {"\"true\"", "t.yaml:1:1: a: \"true\" is neither true nor false; write true"},
       {"maybe", "t.yaml:1:1: a: \"maybe\" is neither true nor false"},
-      {"~", "t.yaml:1:1: a: nothing; true or false is wanted"},
+      {"~", "t.yaml:1:1: a: nothing; expected true or false"},
   };
   for (const auto& [text, expected] : cases) EXPECT_EQ(message(to_boolean, text), expected);
 }
@@ -108,11 +108,11 @@ TEST(Scalar, Names) {
   EXPECT_EQ(to_name(value("\"true\""), "a"), "true");
   EXPECT_EQ(to_name(value("no"), "a"), "no") << "text in YAML 1.2";
   const std::string rule = " is not a name (a letter, then letters, digits, '_' and '-')";
-  EXPECT_EQ(message(to_name, "true"), "t.yaml:1:1: a: \"true\" is a boolean; a name is wanted");
+  EXPECT_EQ(message(to_name, "true"), "t.yaml:1:1: a: \"true\" is a boolean; expected a name");
   EXPECT_EQ(message(to_name, "2023"), "t.yaml:1:1: a: \"2023\"" + rule);
   EXPECT_EQ(message(to_name, "a.b"), "t.yaml:1:1: a: \"a.b\"" + rule);
   EXPECT_EQ(message(to_name, "\"\""), "t.yaml:1:1: a: \"\"" + rule);
-  EXPECT_EQ(message(to_name, "[a]"), "t.yaml:1:1: a: a list; a name is wanted");
+  EXPECT_EQ(message(to_name, "[a]"), "t.yaml:1:1: a: a list; expected a name");
   EXPECT_EQ(message(to_name, std::string(65, 'a')),
             "t.yaml:1:1: a: \"" + std::string(40, 'a') + "...\" is longer than 64 characters");
 }

@@ -107,18 +107,17 @@ TEST(Parameters, RefuseUnknownNames) {
             }),
             "team.yaml:3:10: unknown parameter \"reach\" in plugin negotiator; it has none");
   EXPECT_EQ(message_of([] { resolve_sound(scalar("12")); }),
-            "team.yaml:3:20: params of plugin sound: \"12\"; a map is wanted");
+            "team.yaml:3:20: params of plugin sound: \"12\"; expected a map");
 }
 
 TEST(Parameters, RefuseOtherTypes) {
   EXPECT_EQ(refusal("reach", scalar("far")), said("reach", "\"far\" is not a number"));
-  EXPECT_EQ(refusal("reach", quoted("12")), said("reach", "\"12\" is text, being quoted; a number is wanted"));
-  EXPECT_EQ(refusal("reach", Node::sequence({}, {"team.yaml", 3, 20})), said("reach", "a list; a number is wanted"));
+  EXPECT_EQ(refusal("reach", quoted("12")), said("reach", "\"12\" is text, being quoted; expected a number"));
+  EXPECT_EQ(refusal("reach", Node::sequence({}, {"team.yaml", 3, 20})), said("reach", "a list; expected a number"));
   EXPECT_EQ(refusal("rounds", scalar("2.5")), said("rounds", "\"2.5\" is not an integer"));
   EXPECT_EQ(refusal("eager", scalar("yes")), said("eager", "\"yes\" is neither true nor false; write true"));
-  EXPECT_EQ(refusal("title", map({})), "team.yaml:2:30: parameter \"title\" of plugin sound: a map; text is wanted");
-  EXPECT_EQ(refusal("formation", Node::sequence({}, {"team.yaml", 3, 20})),
-            said("formation", "a list; text is wanted"));
+  EXPECT_EQ(refusal("title", map({})), "team.yaml:2:30: parameter \"title\" of plugin sound: a map; expected text");
+  EXPECT_EQ(refusal("formation", Node::sequence({}, {"team.yaml", 3, 20})), said("formation", "a list; expected text"));
 }
 
 TEST(Parameters, RefuseNumbersOutOfRange) {

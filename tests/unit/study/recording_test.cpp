@@ -124,11 +124,11 @@ TEST_F(Recordings, ThatAreWrongAreRefusedAtThePlace) {
             "m_ball_raw.csv:3:5: x_mm: \"200000\" is more than 100 m from the centre");
   EXPECT_EQ(complaint(head + "3,2,0\n"), "m_ball_raw.csv:3:1: 3 values, but the first line names 4 columns");
   EXPECT_EQ(complaint("event,t,team,id,x_mm,y_mm,theta\n"),
-            "m_ball_raw.csv:1:1: is a recording of robots; one of the ball is wanted");
+            "m_ball_raw.csv:1:1: is a recording of robots; expected one of the ball");
 }
 
 TEST_F(Recordings, ThatAreNoneAreRefused) {
-  EXPECT_EQ(complaint(""), "m_ball_raw.csv: is empty; a first line with the names of columns is wanted");
+  EXPECT_EQ(complaint(""), "m_ball_raw.csv: is empty; expected a first line with the names of columns");
   EXPECT_EQ(complaint("event,t,x_mm,y_mm\n"), "m_ball_raw.csv: holds no detection");
   EXPECT_THAT(complaint("\x89PNG\r\n\x1a\n\0\0\0\rIHDR"), HasSubstr("m_ball_raw.csv:1:1: no column \"x_mm\""));
   EXPECT_THAT(complaint("a,b\n1,2\n"), HasSubstr("no column \"x_mm\"; this file has: \"a\", \"b\""));
