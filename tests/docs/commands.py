@@ -8,7 +8,8 @@ The folder holds what a reader has who has installed Regista: the program in the
 documents in `configs`. Blocks of code that count are
 
     ```sh        a script: it must end with status 0
-    ```console   lines that begin with "$ ", each with what it prints under it; a line "..." stands for any lines
+    ```console   lines that begin with "$ ", each with what it prints under it; "..." stands for any text, a line of it
+                 for any lines
 
 and others with a comment in the line before:
 
@@ -16,7 +17,7 @@ and others with a comment in the line before:
     <!-- status: N -->             its last command ends with this status
     <!-- makes: NAME ... -->       files it writes, which must be those of the folder `images` beside the page
     <!-- takes: 20 min -->         left out, but with --long
-    <!-- needs: NAME -->           a file that is not part of the project; left out where it is not there
+    <!-- needs: NAME ... -->       files that are not part of the project; left out where one is not there
     <!-- not run: WHY -->          left out
 
 REGISTA_BIN is the folder of the program, REGISTA_SOURCE that of the project. REGISTA_KEEP_IMAGES=1 writes images anew.
@@ -82,7 +83,8 @@ class Failed(Exception):
 
 
 def matches(expected, printed):
-    pattern = "".join(r"(?:.*\n)*?" if line.strip() == "..." else re.escape(line) + r"\n" for line in expected)
+    pattern = "".join(r"(?:.*\n)*?" if line.strip() == "..." else re.escape(line).replace(r"\.\.\.", ".*") + r"\n"
+                      for line in expected)
     return re.fullmatch(pattern, printed) is not None
 
 
@@ -97,14 +99,13 @@ class Runner:
         return subprocess.run(["bash", "-e", "-u", "-o", "pipefail", "-c", text], cwd=self.folder, text=True,
                               env=self.environment, stdin=subprocess.DEVNULL, capture_output=True, check=False)
 
-    def needed(self, name):
-        """Whether the file is in the folder now."""
-        found = sorted(self.data.rglob(name)) if self.data.is_dir() else []
-        if not found:
-            return False
-        target = self.folder / name
-        if not target.exists():
-            shutil.copy2(found[0], target)
+    def needed(self, names):
+        """Whether these files are in the folder now."""
+        for name in names.split():
+            found = sorted(self.data.rglob(name)) if self.data.is_dir() else []
+            if not found:
+                return False
+            shutil.copy2(found[0], self.folder / name)
         return True
 
     def run(self, block):
