@@ -113,7 +113,7 @@ export class DifferenceMatrix {
       numeric(number === null || number === undefined ? "\u2715" : fixed(number, 3));
     const lines = entry.terms.map((term) =>
       row([
-        element("th", { scope: "row" }, term.name),
+        element("th", { scope: "row", class: "name" }, ...brokenName(term.name, Infinity)),
         value(term.values[0]),
         value(term.values[1]),
         numeric(signed(term.difference, 3)),

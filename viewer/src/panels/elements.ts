@@ -66,6 +66,20 @@ export function brokenName(name: string, most = 8): (Node | string)[] {
   });
 }
 
+// A cell for a name, which may go on in the next line; `whole` stands in its title where the text is a shorter one.
+export const named = (text: string, attributes: Readonly<Record<string, string>> = {}, whole = text) =>
+  element(
+    "td",
+    { title: whole, ...attributes, class: `name ${attributes.class ?? ""}`.trim() },
+    ...brokenName(text, Infinity),
+  );
+
+// What a menu shows, for one whose names may be longer than there is room.
+export function titleOf(select: HTMLSelectElement): void {
+  const text = select.selectedOptions[0]?.title || select.selectedOptions[0]?.textContent || "";
+  if (select.title !== text) select.title = text;
+}
+
 // From cell to cell with the arrow keys; the table takes one stop of the tab key.
 export function moveWithArrows(table: HTMLTableElement): void {
   table.addEventListener("keydown", (event) => {

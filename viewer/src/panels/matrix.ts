@@ -168,7 +168,7 @@ export class UtilityMatrix {
       bar.style.width = `${(100 * Math.abs(part)) / greatest}%`;
       body.append(
         row([
-          element("th", { scope: "row" }, term.name),
+          element("th", { scope: "row", class: "name" }, ...brokenName(term.name, Infinity)),
           numeric(fixed(term.weight, 2)),
           numeric(value === null ? "\u2715" : fixed(value, 3)),
           numeric(value === null ? "\u2715" : fixed(part, 3)),
