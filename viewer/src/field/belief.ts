@@ -124,6 +124,7 @@ export function drawBelief(
     ellipse(x, y, ball.covariance, color);
     tie(x, y, moment.ball[0]!, moment.ball[1]!, color);
     drawBelievedBall(context, to.x(x), to.y(y), ballRadius, color);
+    labels.take(to.x(x), to.y(y), ballRadius + 4, ballRadius + 4);
     age(ball.age, x, y, "ball", ballRadius + 6);
   }
   context.restore();

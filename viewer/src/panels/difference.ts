@@ -88,7 +88,7 @@ export class DifferenceMatrix {
       element(
         "th",
         { scope: "col", class: role === pair.role ? "shared" : "", title: roleName(this.match, pair.side, role) },
-        ...brokenName(shortRoleName(this.match, pair.side, role), columns.length > manyColumns ? 6 : 8),
+        ...brokenName(shortRoleName(this.match, pair.side, role), columns.length > manyColumns ? 6 : 7),
       ),
     );
     this.table.classList.toggle("many", columns.length > manyColumns);

@@ -92,8 +92,8 @@ export class MatchPanel {
       ),
       element(
         "table",
-        { class: "list tight", id: `sums-${sideNames[side]}` },
-        heading(["role", "#held twice, s", "#uncovered, s", "#switches"]),
+        { class: "list tight sums", id: `sums-${sideNames[side]}` },
+        heading(["role", "#held twice,\u00a0s", "#uncovered,\u00a0s", "#switches"]),
         body,
       ),
     );

@@ -93,7 +93,7 @@ export class UtilityMatrix {
       element(
         "th",
         { scope: "col", title: roleName(this.match, this.side, role) },
-        ...brokenName(shortRoleName(this.match, this.side, role), decision.columns.length > manyColumns ? 6 : 8),
+        ...brokenName(shortRoleName(this.match, this.side, role), decision.columns.length > manyColumns ? 6 : 7),
       ),
     );
     const body = element(

@@ -8,17 +8,16 @@ import { fixed, timeText } from "../model/text";
 import { type Side, bothSides, sideNames } from "../recording/about";
 import { lastNotAfter } from "../recording/log";
 import type { Match } from "../recording/match";
-import { element, heading, named, numeric, row, titleOf } from "./elements";
+import { element, heading, named, numeric, row, setText, titleOf } from "./elements";
 
 type Kind = "overlaps" | "uncovered";
 
 const mostRows = 2000;
-const foldId = "list-short";
 
 const lengthOf = (stretches: readonly Stretch[]): string =>
   `${fixed(stretches.reduce((total, stretch) => total + stretch.samples, 0) / 10, 1)} s`;
 
-const group = (content: string | HTMLElement) =>
+const group = (content: string) =>
   element(
     "tbody",
     { class: "group" },
@@ -34,7 +33,13 @@ export class OverlapList {
   chosen: Stretch | null = null; // that a jump led to
   private rows: HTMLTableRowElement[] = [];
   private marked: HTMLTableRowElement | null = null;
-  private readonly table: HTMLTableElement;
+  private readonly table = element("table", { class: "list", id: "list" });
+  private readonly fold = element("button", {
+    class: "link",
+    type: "button",
+    id: "list-short",
+    "aria-controls": "list",
+  });
   private readonly kind = element("select", { "aria-label": "What is listed", id: "list-kind" });
   private readonly side = element("select", { "aria-label": "Team", id: "list-side" });
   private readonly role = element("select", { "aria-label": "Role", id: "list-role" });
@@ -63,9 +68,9 @@ export class OverlapList {
         this.fill();
       });
     }
-    this.table = element("table", { class: "list" });
+    this.fold.addEventListener("click", () => this.unfold());
     this.box.append(
-      element("div", { class: "filters" }, ...this.selects, this.count),
+      element("div", { class: "filters" }, ...this.selects, this.count, this.fold),
       element("div", { class: "scroll" }, this.table),
     );
     this.table.addEventListener("click", (event) => this.pick(event.target));
@@ -121,14 +126,14 @@ export class OverlapList {
       groups.push(group(`${longSeconds} s or longer: ${long.length}, ${order}`));
       groups.push(element("tbody", { class: "stretches" }, ...this.rows.slice(0, long.length)));
     }
-    if (short.length > 0) {
-      const text = `shorter than ${longSeconds} s: ${short.length}, ${lengthOf(short)}`;
-      groups.push(group(long.length === 0 ? `${text}, ${order}` : this.fold(text, open)));
-      if (open) groups.push(element("tbody", { class: "stretches" }, ...this.rows.slice(long.length)));
+    if (open && short.length > 0) {
+      groups.push(group(`shorter than ${longSeconds} s: ${short.length}, ${order}`));
+      groups.push(element("tbody", { class: "stretches" }, ...this.rows.slice(long.length)));
     }
-    const focused = document.activeElement?.id === foldId;
     this.table.replaceChildren(...groups);
-    if (focused) document.getElementById(foldId)?.focus();
+    this.fold.hidden = long.length === 0 || short.length === 0;
+    setText(this.fold, `${open ? "hide" : "show"} ${short.length} shorter than ${longSeconds} s (${lengthOf(short)})`);
+    this.fold.setAttribute("aria-expanded", String(open));
     const left = unfolded.length > mostRows ? `, the first ${mostRows} listed` : "";
     this.count.textContent = `${wanted.length} stretches, ${lengthOf(wanted)}${left}`;
     for (const select of this.selects) titleOf(select);
@@ -147,18 +152,11 @@ export class OverlapList {
     ]);
   }
 
-  // The button that lists the short ones, or hides them.
-  private fold(text: string, open: boolean): HTMLButtonElement {
-    const button = element(
-      "button",
-      { class: "link", type: "button", id: foldId, "aria-expanded": String(open) },
-      `${text}: ${open ? "hide" : "show"}`,
-    );
-    button.addEventListener("click", () => {
-      this.unfolded = !this.unfolded;
-      this.fill();
-    });
-    return button;
+  // The short ones are listed, or hidden again.
+  private unfold(): void {
+    this.unfolded = !this.unfolded;
+    this.fill();
+    if (this.unfolded) this.table.querySelector(".group:nth-last-child(2)")?.scrollIntoView({ block: "center" });
   }
 
   // The stretches that are unfolded now, by time.
