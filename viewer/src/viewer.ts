@@ -327,7 +327,8 @@ export class Viewer {
     click("next-decision", () => this.stepDecision(1));
     click("previous-goal", () => this.stepGoal(-1));
     click("next-goal", () => this.stepGoal(1));
-    for (const id of ["previous-goal", "next-goal"]) byId<HTMLButtonElement>(id).disabled = !this.match.events.some(isGoal);
+    for (const id of ["previous-goal", "next-goal"])
+      byId<HTMLButtonElement>(id).disabled = !this.match.events.some(isGoal);
     click("side", () => this.otherSide());
     click("zoom-in", () => this.zoom(0.6));
     click("zoom-out", () => this.zoom(1.7));

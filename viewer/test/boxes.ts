@@ -102,7 +102,8 @@ export async function troubles(page: Page, wholeNames: boolean): Promise<string[
     const scrolls = (overflow: string) => overflow === "auto" || overflow === "scroll";
     const cuts = (overflow: string) => overflow === "hidden" || overflow === "clip";
     const root = document.querySelector("dialog[open]") ?? document.body;
-    for (const element of root.querySelectorAll("*")) if (scrolls(getComputedStyle(element).overflowY)) element.scrollTop = 0;
+    for (const element of root.querySelectorAll("*"))
+      if (scrolls(getComputedStyle(element).overflowY)) element.scrollTop = 0;
 
     const boxes: Box[] = [];
     const add = (node: Node, element: Element, what: string, rects: Rect[]) => {
@@ -110,7 +111,11 @@ export async function troubles(page: Page, wholeNames: boolean): Promise<string[
       let laidOut = rects;
       let scroller: Element | null = null;
       let said = false;
-      for (let at: Element | null = node === element ? element.parentElement : element; at !== null; at = at.parentElement) {
+      for (
+        let at: Element | null = node === element ? element.parentElement : element;
+        at !== null;
+        at = at.parentElement
+      ) {
         const style = getComputedStyle(at);
         if (style.position === "fixed" && at !== root) break;
         if (style.display === "inline" || at === document.body || at === document.documentElement) continue;
@@ -197,14 +202,17 @@ export async function troubles(page: Page, wholeNames: boolean): Promise<string[
         }
       }
       for (const rect of a.seen) {
-        if (rect.right <= innerWidth + tolerance && rect.left >= -tolerance && rect.bottom <= innerHeight + tolerance) continue;
+        if (rect.right <= innerWidth + tolerance && rect.left >= -tolerance && rect.bottom <= innerHeight + tolerance)
+          continue;
         found.push(`"${a.what}" sticks out of the page (${nameOf(a.element)})`);
         break;
       }
     }
     const page = document.documentElement;
     if (page.scrollWidth > innerWidth || page.scrollHeight > innerHeight)
-      found.push(`the page is ${page.scrollWidth} x ${page.scrollHeight} px, the window ${innerWidth} x ${innerHeight}`);
+      found.push(
+        `the page is ${page.scrollWidth} x ${page.scrollHeight} px, the window ${innerWidth} x ${innerHeight}`,
+      );
 
     if (root !== document.body) return found;
     for (const [canvas, texts] of window.canvasTexts ?? []) {
@@ -218,11 +226,13 @@ export async function troubles(page: Page, wholeNames: boolean): Promise<string[
         for (const b of names.slice(i + 1)) {
           const across = Math.min(a.right, b.right) - Math.max(a.left, b.left);
           const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
-          if (across > tolerance && down > tolerance) found.push(`"${a.text}" and "${b.text}" overlap on canvas ${where}`);
+          if (across > tolerance && down > tolerance)
+            found.push(`"${a.text}" and "${b.text}" overlap on canvas ${where}`);
         }
         if (edges.some((edge) => a.left < edge - tolerance && a.right > edge + tolerance))
           found.push(`"${a.text}" is cut on canvas ${where}`);
-        if (a.top < -tolerance || a.bottom > canvas.clientHeight + tolerance) found.push(`"${a.text}" is cut on canvas ${where}`);
+        if (a.top < -tolerance || a.bottom > canvas.clientHeight + tolerance)
+          found.push(`"${a.text}" is cut on canvas ${where}`);
       }
     }
     return found;

@@ -28,7 +28,9 @@ export const usual: Names = {
 
 export const long: Names = {
   teams: ["a_team_with_a_name_of_forty_letters_here", "another team whose name has forty letter"],
-  roles: usual.roles.map((_, i) => (i % 3 === 0 ? "searcher_front_right" : `defender_of_the_own_half_${"abcd"[i % 4]}`) + `_${i}`),
+  roles: usual.roles.map(
+    (_, i) => (i % 3 === 0 ? "searcher_front_right" : `defender_of_the_own_half_${"abcd"[i % 4]}`) + `_${i}`,
+  ),
   terms: ["distance_to_the_own_goal", "persistence_of_the_last_role"],
   contexts: ["search_for_the_ball_together", "playing_with_everybody"],
 };

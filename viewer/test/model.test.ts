@@ -277,14 +277,31 @@ test("stretches of a second or more come first", () => {
     ...match.courses[0].overlaps[0]!,
     ...{ from, samples, to: from + samples / 10 },
   });
-  const all = [[3, 9], [5, 10], [1, 40], [2, 1], [9, 40], [4, 9]].map(([from, samples]) => stretch(from!, samples!));
+  const all = [
+    [3, 9],
+    [5, 10],
+    [1, 40],
+    [2, 1],
+    [9, 40],
+    [4, 9],
+  ].map(([from, samples]) => stretch(from!, samples!));
   const froms = (order: "time" | "length") => {
     const { long, short } = groupedStretches(all, order);
     return [long.map(({ from }) => from), short.map(({ from }) => from)];
   };
-  assert.deepEqual(froms("time"), [[1, 5, 9], [2, 3, 4]]);
-  assert.deepEqual(froms("length"), [[1, 9, 5], [3, 4, 2]]);
-  assert.deepEqual(all.map(({ from }) => from), [3, 5, 1, 2, 9, 4], "the list itself stays as it is");
+  assert.deepEqual(froms("time"), [
+    [1, 5, 9],
+    [2, 3, 4],
+  ]);
+  assert.deepEqual(froms("length"), [
+    [1, 9, 5],
+    [3, 4, 2],
+  ]);
+  assert.deepEqual(
+    all.map(({ from }) => from),
+    [3, 5, 1, 2, 9, 4],
+    "the list itself stays as it is",
+  );
 });
 
 test("from goal to goal", async () => {
@@ -292,11 +309,19 @@ test("from goal to goal", async () => {
   const read = await readMatch(
     await recording({
       message: (topic, message, index) =>
-        topic === "/event" && index > 0 ? { ...message, event: index < 4 ? "goal" : "finished", time: goals[index - 1] ?? 50 } : message,
+        topic === "/event" && index > 0
+          ? { ...message, event: index < 4 ? "goal" : "finished", time: goals[index - 1] ?? 50 }
+          : message,
     }),
   );
-  assert.deepEqual([0, 12, 30, 40].map((time) => goalStep(read, time, 1)), [12, 25, 40, null]);
-  assert.deepEqual([60, 40, 25.5, 12].map((time) => goalStep(read, time, -1)), [40, 25, 25, null]);
+  assert.deepEqual(
+    [0, 12, 30, 40].map((time) => goalStep(read, time, 1)),
+    [12, 25, 40, null],
+  );
+  assert.deepEqual(
+    [60, 40, 25.5, 12].map((time) => goalStep(read, time, -1)),
+    [40, 25, 25, null],
+  );
   assert.equal(goalStep(match, 26, 1), null, "other events are no goals");
 });
 

@@ -67,7 +67,8 @@ test("names on the field lie neither over each other nor over what is there, and
       if (place.far) ++farPlaced;
       assert.ok(place.far === false || names[i]!.far, "only those that may stand farther off");
       assert.ok(place.x >= 30 && place.x <= picture.width - 30 && place.y >= 6 && place.y <= picture.height - 6);
-      for (const other of places.slice(i + 1)) assert.ok(other === null || !share(place, other, 60, 12), `scrum ${scrum}`);
+      for (const other of places.slice(i + 1))
+        assert.ok(other === null || !share(place, other, 60, 12), `scrum ${scrum}`);
       for (const body of bodies)
         assert.ok(!share(place, { x: (body.left + body.right) / 2, y: (body.top + body.bottom) / 2 }, 38, 14));
     }
@@ -81,7 +82,11 @@ test("a name stands below, then elsewhere beside, then at a line's end, then now
   const same = Array.from({ length: 60 }, () => name(200, 150));
   const near = placeNames(same, [], picture).filter((place) => place !== null);
   assert.ok(near.length >= 4 && near.length <= 8 && near.every((place) => !place.far));
-  const all = placeNames(same.map((one) => ({ ...one, far: true })), [], picture);
+  const all = placeNames(
+    same.map((one) => ({ ...one, far: true })),
+    [],
+    picture,
+  );
   const far = all.filter((place) => place?.far);
   assert.ok(far.length >= 8 && all.some((place) => place === null));
   assert.ok(far.every((place) => Math.hypot(place!.x - 200, place!.y - 150) <= 8 + 3 + 58 + 31));
@@ -98,7 +103,11 @@ test("a name keeps its place while that is free", () => {
   const taken = { left: 150, top: 130, right: 250, bottom: 140 };
   assert.notEqual(placeNames([later], [taken], picture)[0]!.place, above.place);
   // From farther off it comes back as soon as there is room beside.
-  const far = placeNames([name(200, 150, { far: true })], [{ left: 100, top: 125, right: 300, bottom: 175 }], picture)[0]!;
+  const far = placeNames(
+    [name(200, 150, { far: true })],
+    [{ left: 100, top: 125, right: 300, bottom: 175 }],
+    picture,
+  )[0]!;
   assert.equal(far.far, true);
   assert.equal(placeNames([name(200, 150, { far: true, before: far.place })], [], picture)[0]!.far, false);
 });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// At the widths of usual screens, in light and dark, in every panel: no text lies over another, none is cut, and nothing
-// sticks out of the page. With REGISTA, which names the program, also in a match that was played.
+// At the widths of usual screens, in light and dark, in every panel: no text lies over another, none is cut, and
+// nothing sticks out of the page. With REGISTA, which names the program, also in a match that was played.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { join } from "node:path";
@@ -60,12 +60,18 @@ function summary(found: readonly string[]): string {
 }
 
 test("usual names: nothing overlaps, and nothing is cut", async () => {
-  const found = await measure(`${await synthetic("usual", await crowded(usual))}#t=42.5&robot=home/2&compare=home/2,3/1`, true);
+  const found = await measure(
+    `${await synthetic("usual", await crowded(usual))}#t=42.5&robot=home/2&compare=home/2,3/1`,
+    true,
+  );
   assert.equal(found.length, 0, summary(found));
 });
 
 test("long names: nothing overlaps, and what is cut stands whole in its title", async () => {
-  const found = await measure(`${await synthetic("long", await crowded(long))}#t=42.5&robot=home/2&compare=home/2,3/1`, false);
+  const found = await measure(
+    `${await synthetic("long", await crowded(long))}#t=42.5&robot=home/2&compare=home/2,3/1`,
+    false,
+  );
   assert.equal(found.length, 0, summary(found));
 });
 

@@ -21,7 +21,9 @@ async function pixels(page: Page, x: number, y: number, reach: number): Promise<
       context.drawImage(field, Math.round(box.x - x) + reach, Math.round(box.y - y) + reach);
       const { data } = context.getImageData(0, 0, size, size);
       return Array.from({ length: size }, (_, row) =>
-        Array.from({ length: size }, (__, column) => [...data.slice(4 * (row * size + column), 4 * (row * size + column) + 3)]),
+        Array.from({ length: size }, (__, column) => [
+          ...data.slice(4 * (row * size + column), 4 * (row * size + column) + 3),
+        ]),
       );
     },
     { x, y, reach },
@@ -64,8 +66,14 @@ test("the ball is seen in light and dark, at every size of the window, beside th
       assert.ok(other.length >= 12, `${theme}, ${width}: ${other.length} pixels`);
       assert.ok(Math.max(...row.map((colour) => contrast(colour, grass))) > 7, `${theme}, ${width}: it stands out`);
       const inside = around.slice(8, 21).flatMap((line) => line.slice(8, 21));
-      assert.ok(inside.some((colour) => contrast(colour, [255, 255, 255]) < 1.2), "white");
-      assert.ok(inside.some((colour) => contrast(colour, [0, 0, 0]) < 1.4), "black");
+      assert.ok(
+        inside.some((colour) => contrast(colour, [255, 255, 255]) < 1.2),
+        "white",
+      );
+      assert.ok(
+        inside.some((colour) => contrast(colour, [0, 0, 0]) < 1.4),
+        "black",
+      );
     }
   }
   // What robot 2 believes: 0.4 m on and 0.3 m down, empty in the middle.
@@ -119,7 +127,9 @@ test("what the positioner computed is a choice, named after it", async () => {
 test("from goal to goal, by keys, by buttons, and in the help", async () => {
   const bytes = await recording({
     message: (topic, message) =>
-      topic === "/event" && message.event === "kick_off" ? { ...message, event: "goal", side: "away", robot: 2 } : message,
+      topic === "/event" && message.event === "kick_off"
+        ? { ...message, event: "goal", side: "away", robot: 2 }
+        : message,
   });
   const { page } = await open(await synthetic("goals", bytes));
   const presses = async (press: () => Promise<void>, expected: string) => {

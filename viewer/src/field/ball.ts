@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ball, to be seen at every size of the field and in light and dark: true, a white disc with a black rim and a black
-// middle; believed, an empty ring with a cross.
+// The ball, to be seen at every size of the field and in light and dark: true, a white disc with a black rim and a
+// black middle; believed, an empty ring with a cross.
 import type { Context } from "./shapes";
 
 const leastRadius = 6; // px; the ball of 5 cm would have 2 or 3

@@ -46,17 +46,15 @@ export class Labels {
   // Upon a canvas of this size.
   write(context: Context, size: { width: number; height: number }, rim: string): void {
     const names = ranks.flatMap((rank) => this.names.filter((name) => name.rank === rank));
-    const wanted = names.map(
-      (name): Wanted => ({
-        x: name.x,
-        y: name.y,
-        radius: name.radius,
-        width: this.widthOf(context, name) + 3,
-        height: name.pixels + 2,
-        far: mayStandOff.includes(name.rank),
-        before: this.places.get(name.key) ?? -1,
-      }),
-    );
+    const wanted = names.map((name): Wanted => ({
+      x: name.x,
+      y: name.y,
+      radius: name.radius,
+      width: this.widthOf(context, name) + 3,
+      height: name.pixels + 2,
+      far: mayStandOff.includes(name.rank),
+      before: this.places.get(name.key) ?? -1,
+    }));
     const places = placeNames(wanted, this.taken, size);
     this.places = new Map();
     context.save();
@@ -100,10 +98,7 @@ function lead(context: Context, name: Name, { width, height }: Wanted, x: number
   context.lineWidth = 1;
   context.strokeStyle = name.ink;
   context.beginPath();
-  context.moveTo(
-    name.x + (name.radius * (toX - name.x)) / length,
-    name.y + (name.radius * (toY - name.y)) / length,
-  );
+  context.moveTo(name.x + (name.radius * (toX - name.x)) / length, name.y + (name.radius * (toY - name.y)) / length);
   context.lineTo(toX, toY);
   context.stroke();
   context.globalAlpha = 1;

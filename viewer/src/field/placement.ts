@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where names may stand upon a picture so that none lies over another: each in turn takes the first of its places that
 // is free. First those beside what it names, then, for names that may, those farther off, to which a line leads. A name
-// that finds no place is left out: the number upon the robot is still there. Boxes in, places out; nothing is drawn here.
+// that finds no place is left out: the number upon the robot is still there. Boxes in, places out; nothing is drawn.
 export interface Box {
   left: number;
   top: number;
@@ -53,7 +53,8 @@ const far = farDistances.flatMap((distance) =>
 const within = (value: number, half: number, length: number) => Math.min(length - half, Math.max(half, value));
 
 function boxAt(wanted: Wanted, place: number, size: { width: number; height: number }): Box | null {
-  const [across, down, ofWidth, ofHeight, distance = 0] = place < near.length ? near[place]! : far[place - near.length]!;
+  const [across, down, ofWidth, ofHeight, distance = 0] =
+    place < near.length ? near[place]! : far[place - near.length]!;
   const reach = wanted.radius + gap + distance;
   const [halfWidth, halfHeight] = [wanted.width / 2, wanted.height / 2];
   const x = wanted.x + across * reach + ofWidth * halfWidth;

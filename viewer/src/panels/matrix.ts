@@ -193,12 +193,7 @@ export class UtilityMatrix {
       ),
     );
     this.terms.replaceChildren(
-      element(
-        "h3",
-        {},
-        `robot ${pointed.robot} as ${roleName(this.match, this.side, pointed.role)}`,
-        this.termsAge,
-      ),
+      element("h3", {}, `robot ${pointed.robot} as ${roleName(this.match, this.side, pointed.role)}`, this.termsAge),
       element("table", { class: "list tight" }, heading(["term", "#weight", "#value", "#share", ""]), body),
     );
   }

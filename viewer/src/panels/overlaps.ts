@@ -18,11 +18,7 @@ const lengthOf = (stretches: readonly Stretch[]): string =>
   `${fixed(stretches.reduce((total, stretch) => total + stretch.samples, 0) / 10, 1)} s`;
 
 const group = (content: string) =>
-  element(
-    "tbody",
-    { class: "group" },
-    element("tr", {}, element("th", { colspan: "5", scope: "rowgroup" }, content)),
-  );
+  element("tbody", { class: "group" }, element("tr", {}, element("th", { colspan: "5", scope: "rowgroup" }, content)));
 
 export class OverlapList {
   // Those that are unfolded, in the order of time: what the jumps go along.

@@ -287,13 +287,7 @@ export class Detail {
   }
 
   // taken: where the lane's foot says how many more there are, and no name can stand.
-  private drawStretch(
-    stretch: Stretch,
-    { kind }: Strip,
-    top: number,
-    taken: readonly Badge[],
-    palette: Palette,
-  ): void {
+  private drawStretch(stretch: Stretch, { kind }: Strip, top: number, taken: readonly Badge[], palette: Palette): void {
     const { context } = this.canvas;
     const { scale, match } = this;
     const x = scale.x(stretch.from);
