@@ -5,13 +5,14 @@ import { type Key, listenToKeys } from "./app/keys";
 import { type Palette, readPalette } from "./app/palette";
 import { Playback } from "./app/playback";
 import { type LayerName, type PanelName, State, type View, layerNames, panelNames, speeds } from "./app/state";
-import { decisionStep, eventStep, timeOf } from "./app/steps";
+import { decisionStep, eventStep, goalStep, timeOf } from "./app/steps";
 import type { Theme } from "./app/theme";
 import { Field } from "./field/field";
 import { type Pair, pairAt, pairNow } from "./model/compare";
+import { computedNames } from "./model/positioner";
 import { type Stretch, neighbour } from "./model/roles";
 import { countSwitches } from "./model/switches";
-import { timeText } from "./model/text";
+import { listText, shortened, timeText } from "./model/text";
 import { ComparePanel } from "./panels/compare";
 import { byId, element, setText } from "./panels/elements";
 import { Head } from "./panels/head";
@@ -20,6 +21,7 @@ import { OverlapList } from "./panels/overlaps";
 import { RobotPanel } from "./panels/robot";
 import type { Side } from "./recording/about";
 import type { Match } from "./recording/match";
+import { isGoal } from "./recording/messages";
 import { stripLanes } from "./time/detail";
 import { Timeline } from "./time/timeline";
 
@@ -32,12 +34,14 @@ const panelTexts: Record<PanelName, string> = {
 const layerTexts: Record<LayerName, [string, string]> = {
   belief: ["Belief", "b"],
   ellipses: ["Ellipses", "i"],
-  nodes: ["Voronoi", "v"],
   tasks: ["Tasks", "j"],
   trails: ["Trails", "l"],
+  computed: ["Positioner", "v"], // on the button stands what the team's positioner computes
 };
+const mostLettersOfTeam = 18; // on the timeline's button
+const mostLettersOfPositioner = 32;
 const panelMilliseconds = 100; // between two updates of the panels while time passes
-const largestShare = 0.56; // of the width, for the field
+const largestShare = 0.47; // of the width, for the field: two columns of a panel have room beside it
 
 export class Viewer {
   readonly state: State;
@@ -51,6 +55,7 @@ export class Viewer {
   private readonly comparePanel: ComparePanel;
   private readonly matchPanel: MatchPanel;
   private readonly address: Address;
+  private readonly computed: readonly [string[], string[]]; // by side: names of what its positioners compute
   private panelsDrawn = 0;
   private panelsStale = true;
 
@@ -63,6 +68,7 @@ export class Viewer {
     const [over, under] = stripLanes(match);
     byId("viewer").style.setProperty("--lanes", String(over + under));
     this.state = new State(match.game.begin, match.game.end);
+    this.computed = [computedNames(match, 0), computedNames(match, 1)];
     this.palette = readPalette();
     this.field = new Field(byId("field"), match, this.palette);
     this.timeline = new Timeline(
@@ -215,6 +221,11 @@ export class Viewer {
     if (time !== null) this.state.set({ time });
   }
 
+  private stepGoal(direction: 1 | -1): void {
+    const time = goalStep(this.match, this.state.view.time, direction);
+    if (time !== null) this.state.set({ time, playing: false });
+  }
+
   private by(seconds: number): void {
     this.state.set({ time: this.state.view.time + seconds });
   }
@@ -254,6 +265,8 @@ export class Viewer {
       key(["]", "n"], "], n", "next overlap of the list", () => this.jumpBy(1)),
       key(["e"], "e", "next event", () => this.stepEvent(1)),
       key(["E"], "Shift e", "previous event", () => this.stepEvent(-1)),
+      key(["g"], "g", "next goal", () => this.stepGoal(1)),
+      key(["G"], "Shift g", "previous goal", () => this.stepGoal(-1)),
       key(["+"], "+", "faster", () => this.playback.change(1)),
       key(["-"], "\u2212", "slower", () => this.playback.change(-1)),
       key([..."123456789"], "1 \u2013 9", "choose a robot", (event) => this.chooseNumber(Number(event.key))),
@@ -270,16 +283,34 @@ export class Viewer {
       key(["r"], "r", "the chosen robot", () => this.state.set({ panel: "robot" })),
       key(["c"], "c", "comparison", () => this.state.set({ panel: "compare" })),
       key(["m"], "m", "sums, events, recording", () => this.state.set({ panel: "match" })),
-      ...layerNames.map((layer) =>
-        key([layerTexts[layer][1]], layerTexts[layer][1], `${layerTexts[layer][0].toLowerCase()} on or off`, () =>
-          this.state.toggle(layer),
-        ),
-      ),
+      ...layerNames.map((layer) => {
+        const [text, name] = layerTexts[layer];
+        const does = layer === "computed" ? `${this.computedText()} on or off` : `${text.toLowerCase()} on or off`;
+        return key([name], name, does, () => byId<HTMLButtonElement>(`layer-${layer}`).click());
+      }),
       key(["="], "=", "less time in the timeline", () => this.zoom(0.6)),
       key(["_"], "_", "more time in the timeline", () => this.zoom(1.7)),
       key(["d"], "d", "light or dark", () => this.theme.toggle()),
       key(["?"], "?", "this help", () => byId<HTMLDialogElement>("help").showModal()),
     ];
+  }
+
+  // What the positioners of both teams compute.
+  private computedText(): string {
+    return listText([...new Set(this.computed.flat())]) || "what a positioner computes";
+  }
+
+  // The button is named after the positioner of the team that is looked at.
+  private showComputed({ side }: View): void {
+    const button = byId<HTMLButtonElement>("layer-computed");
+    const names = this.computed[side];
+    const team = this.match.about.teams[side].name;
+    button.disabled = names.length === 0;
+    setText(button, names.length === 0 ? "No positioner" : shortened(listText(names), mostLettersOfPositioner));
+    button.title =
+      names.length === 0
+        ? `${team} has no positioner`
+        : `${listText(names)} of the chosen robot of ${team} on or off (${layerTexts.computed[1]})`;
   }
 
   private zoom(factor: number): void {
@@ -294,6 +325,10 @@ export class Viewer {
     click("next-overlap", () => this.jumpBy(1));
     click("previous-decision", () => this.stepDecision(-1));
     click("next-decision", () => this.stepDecision(1));
+    click("previous-goal", () => this.stepGoal(-1));
+    click("next-goal", () => this.stepGoal(1));
+    for (const id of ["previous-goal", "next-goal"])
+      byId<HTMLButtonElement>(id).disabled = !this.match.events.some(isGoal);
     click("side", () => this.otherSide());
     click("zoom-in", () => this.zoom(0.6));
     click("zoom-out", () => this.zoom(1.7));
@@ -369,11 +404,10 @@ export class Viewer {
     play.setAttribute("aria-pressed", String(view.playing));
     byId<HTMLSelectElement>("speed").value = String(view.speed);
     const { teams } = this.match.about;
-    setText(byId("side"), `${teams[view.side].name} \u21c4`);
-    byId("side").setAttribute(
-      "aria-label",
-      `Timeline of ${teams[view.side].name}; change to ${teams[view.side === 0 ? 1 : 0].name}`,
-    );
+    setText(byId("side"), `${shortened(teams[view.side].name, mostLettersOfTeam)} \u21c4`);
+    const side = `Timeline of ${teams[view.side].name}; change to ${teams[view.side === 0 ? 1 : 0].name}`;
+    byId("side").setAttribute("aria-label", side);
+    byId("side").title = `${side} (t)`;
     for (const panel of panelNames) {
       const tab = byId(`tab-${panel}`);
       tab.setAttribute("aria-selected", String(view.panel === panel));
@@ -381,5 +415,6 @@ export class Viewer {
     }
     this.comparePanel.showBar(view);
     for (const layer of layerNames) byId(`layer-${layer}`).setAttribute("aria-pressed", String(view.layers[layer]));
+    this.showComputed(view);
   }
 }

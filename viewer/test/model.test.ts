@@ -3,15 +3,14 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { fragmentOf, readFragment } from "../src/app/fragment";
-import { decisionStep } from "../src/app/steps";
+import { decisionStep, goalStep } from "../src/app/steps";
 import { type Pair, compare, compareEntry, greatestDifference, pairAt, pairNow } from "../src/model/compare";
-import type { Projection } from "../src/field/ground";
-import { Labels } from "../src/field/labels";
-import { ellipseOf, ellipsePath } from "../src/field/shapes";
 import { Moment } from "../src/model/game";
 import { knowledgeOf, lookAt } from "../src/model/look";
 import { crowds, inLanes } from "../src/model/lanes";
+import { computedName, computedNames } from "../src/model/positioner";
 import { type Stretch, neighbour } from "../src/model/roles";
+import { groupedStretches } from "../src/model/stretch_list";
 import { countSwitches } from "../src/model/switches";
 import { parsedTime, signed, timeText } from "../src/model/text";
 import { verdict } from "../src/panels/verdict";
@@ -19,7 +18,7 @@ import { fromBase64 } from "../src/recording/embedded";
 import { lastNotAfter } from "../src/recording/log";
 import { readMatch } from "../src/recording/match";
 import type { State } from "../src/app/state";
-import { ballAt, penalisedAt, phaseAt, posesAt, recording, rolesAt, seconds, sizes } from "./synthetic";
+import { ballAt, metadata, penalisedAt, phaseAt, posesAt, recording, rolesAt, seconds, sizes } from "./synthetic";
 
 const whole = await recording();
 const match = await readMatch(whole);
@@ -273,52 +272,76 @@ test("the world shown is the one decided on, until another is wanted", () => {
   assert.equal(knowledgeOf(common, "common"), "mine", "the recording holds no other");
 });
 
-// Notes what is drawn instead of drawing it; every letter is 6 wide.
-function noting() {
-  const ellipses: number[][] = [];
-  const texts: { text: string; x: number; y: number }[] = [];
-  const context = {
-    beginPath: () => {},
-    strokeText: () => {},
-    measureText: (text: string) => ({ width: 6 * text.length }),
-    fillText: (text: string, x: number, y: number) => texts.push({ text, x, y }),
-    ellipse: (...all: number[]) => ellipses.push(all),
-  } as unknown as CanvasRenderingContext2D;
-  return { context, ellipses, texts };
-}
-
-test("ellipses are drawn two standard deviations wide", () => {
-  const { context, ellipses } = noting();
-  ellipsePath(context, { x: (x: number) => x, y: (y: number) => y, scale: 10 } as Projection, 0, 0, [0.25, 0, 0.01]);
+test("stretches of a second or more come first", () => {
+  const stretch = (from: number, samples: number): Stretch => ({
+    ...match.courses[0].overlaps[0]!,
+    ...{ from, samples, to: from + samples / 10 },
+  });
+  const all = [
+    [3, 9],
+    [5, 10],
+    [1, 40],
+    [2, 1],
+    [9, 40],
+    [4, 9],
+  ].map(([from, samples]) => stretch(from!, samples!));
+  const froms = (order: "time" | "length") => {
+    const { long, short } = groupedStretches(all, order);
+    return [long.map(({ from }) => from), short.map(({ from }) => from)];
+  };
+  assert.deepEqual(froms("time"), [
+    [1, 5, 9],
+    [2, 3, 4],
+  ]);
+  assert.deepEqual(froms("length"), [
+    [1, 9, 5],
+    [3, 4, 2],
+  ]);
   assert.deepEqual(
-    ellipses[0]!.slice(2, 4).map((axis) => axis.toFixed(9)),
-    ["10.000000000", "2.000000000"],
+    all.map(({ from }) => from),
+    [3, 5, 1, 2, 9, 4],
+    "the list itself stays as it is",
   );
 });
 
-test("names on the field keep clear of each other and of the edges", () => {
-  const { context, texts } = noting();
-  const labels = new Labels();
-  labels.clear(200, 100);
-  for (let i = 0; i < 4; ++i) assert.equal(labels.beside(context, "striker", 100, 50, 8, "", "", false), true);
-  assert.equal(labels.beside(context, "goalkeeper", 5, 50, 8, "", "", true), true);
-  for (const a of texts) {
-    assert.ok(a.x - 3 * a.text.length >= 0 && a.x + 3 * a.text.length <= 200);
-    for (const b of texts)
-      if (a !== b)
-        assert.ok(
-          Math.abs(a.x - b.x) >= 3 * (a.text.length + b.text.length) || Math.abs(a.y - b.y) >= 10,
-          `${a.text} and ${b.text}`,
-        );
-  }
-  for (let i = 0; i < 12; ++i) labels.beside(context, "striker", 100, 50, 8, "", "", false);
-  assert.equal(labels.beside(context, "striker", 100, 50, 8, "", "", false), false, "no room is left");
+test("from goal to goal", async () => {
+  const goals = [12, 25, 40];
+  const read = await readMatch(
+    await recording({
+      message: (topic, message, index) =>
+        topic === "/event" && index > 0
+          ? { ...message, event: index < 4 ? "goal" : "finished", time: goals[index - 1] ?? 50 }
+          : message,
+    }),
+  );
+  assert.deepEqual(
+    [0, 12, 30, 40].map((time) => goalStep(read, time, 1)),
+    [12, 25, 40, null],
+  );
+  assert.deepEqual(
+    [60, 40, 25.5, 12].map((time) => goalStep(read, time, -1)),
+    [40, 25, 25, null],
+  );
+  assert.equal(goalStep(match, 26, 1), null, "other events are no goals");
 });
 
-test("an ellipse has the axes of its covariance", () => {
-  assert.deepEqual(ellipseOf([4, 0, 1]), { major: 2, minor: 1, angle: 0 });
-  const { major, minor, angle } = ellipseOf([2.5, 1.5, 2.5]);
-  assert.ok(Math.abs(major - 2) < 1e-12 && Math.abs(minor - 1) < 1e-12 && Math.abs(angle - Math.PI / 4) < 1e-12);
+test("what a positioner computed is named after it, and edges only where there are some", async () => {
+  assert.equal(computedName("delaunay_formation", true), "Delaunay edges");
+  assert.equal(computedName("constructor", true), "constructor", "a plugin of any name");
+  assert.deepEqual(computedNames(match, 0), ["Voronoi cells"]);
+  const pairs = metadata();
+  const [home, away] = [JSON.parse(pairs.home!), JSON.parse(pairs.away!)];
+  home.contexts[0].positioner = "my_positioner";
+  home.contexts[1].positioner = "delaunay_formation";
+  away.contexts[1].positioner = "";
+  const read = await readMatch(
+    await recording({
+      metadata: { home: JSON.stringify(home), away: JSON.stringify(away) },
+      message: (topic, message) => (topic.startsWith("/decision") ? { ...message, edges: [] } : message),
+    }),
+  );
+  assert.deepEqual(computedNames(read, 0), ["my_positioner", "Delaunay places"]);
+  assert.deepEqual(computedNames(read, 1), []);
 });
 
 test("moments, robots and comparisons go through the address", () => {

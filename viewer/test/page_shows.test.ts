@@ -182,21 +182,37 @@ test("a match opens, plays, and shows what was recorded", async () => {
 
 test("overlaps are listed, jumped to and compared", async () => {
   const { page, complaints } = await open(await synthetic("overlaps", await recording()));
-  const rows = await page.locator("#panel-overlaps tbody tr").allInnerTexts();
-  assert.deepEqual(
-    rows.map((row) =>
+  const listed = page.locator("#panel-overlaps .stretches tr");
+  const rows = async () =>
+    (await listed.allInnerTexts()).map((row) =>
       row
         .split("\t")
         .map((part) => part.trim())
         .slice(0, 4),
-    ),
-    [
-      ["0:20.0", "1.0 s", "striker", "2 3"],
-      ["0:30.0", "1.0 s", "striker", "2 3"],
-      ["0:32.0", "0.5 s", "striker", "2 3"],
-    ],
-  );
+    );
+  const long = [
+    ["0:20.0", "1.0 s", "striker", "2 3"],
+    ["0:30.0", "1.0 s", "striker", "2 3"],
+  ];
+  // Those of a second or more; the short one is folded, and jumps pass it by.
+  assert.deepEqual(await rows(), long);
   assert.equal(await text(page, "#list-count"), "3 stretches, 2.5 s");
+  assert.equal(await text(page, "#panel-overlaps .group"), "1 s or longer: 2, by time");
+  assert.equal(await text(page, "#list-short"), "show 1 shorter than 1 s (0.5 s)");
+  for (const expected of ["0:20.0", "0:30.0", "0:30.0"]) {
+    await page.keyboard.press("]");
+    await settle(page);
+    assert.equal(await shownTime(page), expected);
+  }
+  await page.keyboard.press("Home");
+  await page.keyboard.press("o");
+  await page.focus("#list-short");
+  await page.keyboard.press("Enter");
+  assert.equal(await text(page, "#list-short"), "hide 1 shorter than 1 s (0.5 s)");
+  assert.equal(await page.getAttribute("#list-short", "aria-expanded"), "true");
+  assert.equal(await page.evaluate(() => document.activeElement?.id), "list-short", "the focus stays");
+  await page.evaluate(() => (document.activeElement as HTMLElement).blur());
+  assert.deepEqual(await rows(), [...long, ["0:32.0", "0.5 s", "striker", "2 3"]]);
   for (const expected of ["0:20.0", "0:30.0", "0:32.0", "0:32.0"]) {
     await page.keyboard.press("]");
     await settle(page);
@@ -229,17 +245,14 @@ test("overlaps are listed, jumped to and compared", async () => {
   assert.equal(await page.locator("table.difference.old").count(), 1);
   await page.keyboard.press("o");
   await page.selectOption("#list-least", "1");
-  assert.equal(await page.locator("#panel-overlaps tbody tr").count(), 2);
+  assert.equal(await listed.count(), 2);
   await page.selectOption("#list-kind", "uncovered");
   await page.selectOption("#list-least", "0.1");
-  assert.match(
-    (await page.locator("#panel-overlaps tbody tr").allInnerTexts()).join("\n"),
-    /0:40\.0\s+1\.0 s\s+goalkeeper\s+none\s+blue/,
-  );
-  await page.locator("#panel-overlaps tbody tr", { hasText: "goalkeeper" }).click();
+  assert.match((await listed.allInnerTexts()).join("\n"), /0:40\.0\s+1\.0 s\s+goalkeeper\s+none\s+blue/);
+  await listed.filter({ hasText: "goalkeeper" }).click();
   await settle(page);
   assert.equal(await shownTime(page), "0:40.0");
-  assert.equal(await page.locator("#panel-overlaps tbody tr[aria-current]").count(), 1);
+  assert.equal(await page.locator("#panel-overlaps .stretches tr[aria-current]").count(), 1);
   assert.deepEqual(complaints, []);
   await page.close();
 });
@@ -268,6 +281,8 @@ test("an address names a comparison", async () => {
     location.hash = "#t=2e9";
   });
   await page.waitForFunction((end) => location.hash === `#t=${end}`, seconds);
+  await page.click("#list-short");
+  await page.evaluate(() => (document.activeElement as HTMLElement).blur());
   await page.keyboard.press("[");
   await page.waitForFunction(() => location.hash === "#t=32&robot=home/2&compare=home/2,3/1");
   const said = await text(page, "#verdict");
@@ -445,33 +460,29 @@ test(
   },
 );
 
-test(
-  "eleven a side fit the page",
-  { skip: program === "" && "REGISTA names no program" },
-  async () => {
-    const file = join(folder, "eleven.mcap");
-    const teams = ["paper", "fixed_rate"].map((name) => join("..", "configs", "teams", `${name}.yaml`));
-    const rules = ["--set", "rules.team_size=11", "--limit", "75", "--quiet"];
-    execFileSync(program, ["match", ...teams, ...rules, "--record", file]);
-    const { page, complaints } = await open(`${pageOf(file, "eleven")}#t=70&robot=home/11`);
-    const clipped = () =>
-      page.evaluate(() => ({
-        cells: [...document.querySelectorAll<HTMLElement>("table.matrix td, table.matrix th")]
-          .filter((cell) => cell.offsetParent !== null && cell.scrollWidth > cell.clientWidth)
-          .map((cell) => cell.textContent),
-        scrolls: document.documentElement.scrollHeight > window.innerHeight,
-      }));
-    for (const key of ["r", "c"]) {
-      await page.keyboard.press(key);
-      for (const time of ["55", "62", "70"]) {
-        await page.fill("#time", time);
-        await page.press("#time", "Enter");
-        await settle(page);
-        assert.ok((await page.locator("table.matrix td:visible").count()) > 0);
-        assert.deepEqual(await clipped(), { cells: [], scrolls: false }, `${key} at ${time}`);
-      }
+test("eleven a side fit the page", { skip: program === "" && "REGISTA names no program" }, async () => {
+  const file = join(folder, "eleven.mcap");
+  const teams = ["paper", "fixed_rate"].map((name) => join("..", "configs", "teams", `${name}.yaml`));
+  const rules = ["--set", "rules.team_size=11", "--limit", "75", "--quiet"];
+  execFileSync(program, ["match", ...teams, ...rules, "--record", file]);
+  const { page, complaints } = await open(`${pageOf(file, "eleven")}#t=70&robot=home/11`);
+  const clipped = () =>
+    page.evaluate(() => ({
+      cells: [...document.querySelectorAll<HTMLElement>("table.matrix td, table.matrix th")]
+        .filter((cell) => cell.offsetParent !== null && cell.scrollWidth > cell.clientWidth)
+        .map((cell) => cell.textContent),
+      scrolls: document.documentElement.scrollHeight > window.innerHeight,
+    }));
+  for (const key of ["r", "c"]) {
+    await page.keyboard.press(key);
+    for (const time of ["55", "62", "70"]) {
+      await page.fill("#time", time);
+      await page.press("#time", "Enter");
+      await settle(page);
+      assert.ok((await page.locator("table.matrix td:visible").count()) > 0);
+      assert.deepEqual(await clipped(), { cells: [], scrolls: false }, `${key} at ${time}`);
     }
-    assert.deepEqual(complaints, []);
-    await page.close();
-  },
-);
+  }
+  assert.deepEqual(complaints, []);
+  await page.close();
+});

@@ -12,7 +12,8 @@ export interface Robot {
 export const panelNames = ["overlaps", "robot", "compare", "match"] as const;
 export type PanelName = (typeof panelNames)[number];
 
-export const layerNames = ["belief", "ellipses", "nodes", "tasks", "trails"] as const;
+// "computed": what the positioner computed, drawn only when wanted.
+export const layerNames = ["belief", "ellipses", "tasks", "trails", "computed"] as const;
 export type LayerName = (typeof layerNames)[number];
 
 export const speeds = [0.25, 0.5, 1, 2, 4, 8, 16] as const;
@@ -39,7 +40,7 @@ export class State {
     pair: null,
     panel: "overlaps",
     knowledge: "decided",
-    layers: { belief: true, ellipses: true, nodes: true, tasks: true, trails: true },
+    layers: { belief: true, ellipses: true, tasks: true, trails: true, computed: false },
   };
   private readonly listeners: ((changed: ReadonlySet<keyof View>) => void)[] = [];
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Jumps in time: from decision to decision, from event to event, to a time that is typed.
+// Jumps in time: from decision to decision, from event to event, from goal to goal, to a time that is typed.
 import type { Game } from "../model/game";
 import { parsedTime } from "../model/text";
+import { isGoal } from "../recording/messages";
 import { lastNotAfter } from "../recording/log";
 import type { Match } from "../recording/match";
 import type { View } from "./state";
@@ -32,6 +33,14 @@ export function eventStep(match: Match, view: View, direction: 1 | -1): number |
   return neighbour(
     match.events.map((event) => event.time),
     view.time,
+    direction,
+  );
+}
+
+export function goalStep(match: Match, time: number, direction: 1 | -1): number | null {
+  return neighbour(
+    match.events.filter(isGoal).map((event) => event.time),
+    time,
     direction,
   );
 }

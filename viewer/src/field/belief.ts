@@ -8,6 +8,7 @@ import { fixed } from "../model/text";
 import type { Side } from "../recording/about";
 import type { Match } from "../recording/match";
 import type { World } from "../recording/messages";
+import { drawBelievedBall, shownBallRadius } from "./ball";
 import type { Projection } from "./ground";
 import type { Labels } from "./labels";
 import { type Context, bodyPath, ellipseOf, ellipsePath, headingPath, label, shownDeviations } from "./shapes";
@@ -39,10 +40,10 @@ export function drawBelief(
   const other: Side = side === 0 ? 1 : 0;
   const theirs = style.color ?? (side === 0 ? palette.away : palette.home);
   const radius = Math.max(8, about.teams[side].robotRadius * to.scale);
+  const ballRadius = shownBallRadius(about.ballRadius, to.scale);
   context.save();
-  context.textAlign = "left";
+  context.textAlign = "center";
   context.textBaseline = "middle";
-  context.font = font(10);
 
   const ellipse = (x: number, y: number, covariance: [number, number, number], color: string) => {
     if (!style.ellipses) return;
@@ -68,16 +69,21 @@ export function drawBelief(
     context.lineTo(to.x(truthX), to.y(truthY));
     context.stroke();
   };
-  const age = (seconds: number, x: number, y: number) => {
+  const age = (seconds: number, x: number, y: number, of: string, reach = radius) => {
     if (seconds < shownAge) return;
-    const text = `${fixed(seconds, 1)} s`;
-    const [left, middle] = [to.x(x) + radius * 0.8, to.y(y) + radius + 3];
-    label(context, text, left, middle, palette.text, palette.grass);
-    const half = context.measureText(text).width / 2;
-    labels.take(left + half, middle, half, 5);
+    labels.add({
+      key: `age ${self} ${of}`,
+      text: of === "ball" ? `ball ${fixed(seconds, 1)} s` : `${fixed(seconds, 1)} s`,
+      x: to.x(x),
+      y: to.y(y),
+      radius: reach,
+      ink: palette.text,
+      rank: "age",
+      pixels: 10,
+    });
   };
 
-  for (const opponent of world.opponents) {
+  for (const [i, opponent] of world.opponents.entries()) {
     const [x, y] = opponent.at;
     if (style.robots === null) ellipse(x, y, opponent.covariance, theirs);
     context.setLineDash([3, 2]);
@@ -87,7 +93,7 @@ export function drawBelief(
     bodyPath(context, other, to.x(x), to.y(y), radius);
     context.stroke();
     context.globalAlpha = 1;
-    if (style.color === null) age(opponent.age, x, y);
+    if (style.color === null) age(opponent.age, x, y, `opponent ${i}`);
   }
   for (const mate of world.teammates) {
     if (mate.number > game.sizes[side] || mate.number < 1) continue;
@@ -105,13 +111,11 @@ export function drawBelief(
     context.setLineDash([]);
     headingPath(context, to.x(x), to.y(y), heading, radius, radius + 5);
     context.stroke();
-    context.textAlign = "center";
     context.font = font(Math.round(radius), 600);
     label(context, String(mate.number), to.x(x), to.y(y) + 0.5, own, palette.grass);
+    labels.take(to.x(x), to.y(y), radius / 2, radius / 2);
     context.globalAlpha = 1;
-    context.textAlign = "left";
-    context.font = font(10);
-    if (mate.number !== self && whole) age(mate.age, x, y);
+    if (mate.number !== self && whole) age(mate.age, x, y, `mate ${mate.number}`);
   }
   const { ball } = world;
   if (ball !== null) {
@@ -119,20 +123,9 @@ export function drawBelief(
     const color = style.color ?? palette.ball;
     ellipse(x, y, ball.covariance, color);
     tie(x, y, moment.ball[0]!, moment.ball[1]!, color);
-    context.setLineDash([]);
-    context.lineWidth = 1.75;
-    context.strokeStyle = color;
-    const [px, py] = [to.x(x), to.y(y)];
-    context.beginPath();
-    context.arc(px, py, 5.5, 0, 2 * Math.PI);
-    context.moveTo(px - 9, py);
-    context.lineTo(px + 9, py);
-    context.moveTo(px, py - 9);
-    context.lineTo(px, py + 9);
-    context.stroke();
-    if (ball.age >= shownAge) {
-      label(context, `ball ${fixed(ball.age, 1)} s`, px + 10, py + 10, palette.text, palette.grass);
-    }
+    drawBelievedBall(context, to.x(x), to.y(y), ballRadius, color);
+    labels.take(to.x(x), to.y(y), ballRadius + 4, ballRadius + 4);
+    age(ball.age, x, y, "ball", ballRadius + 6);
   }
   context.restore();
 }

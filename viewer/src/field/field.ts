@@ -9,6 +9,7 @@ import { fixed } from "../model/text";
 import { bothSides } from "../recording/about";
 import type { Match } from "../recording/match";
 import { drawBelief } from "./belief";
+import { drawTrueBall, shownBallRadius } from "./ball";
 import { Projection, drawGround } from "./ground";
 import { Labels } from "./labels";
 import { drawPlan } from "./plan";
@@ -76,7 +77,8 @@ export class Field {
     context.drawImage(this.ground.element, 0, 0, canvas.width, canvas.height);
     if (view.layers.trails) this.drawTrails();
     this.drawSetPlay();
-    this.labels.clear(canvas.width, canvas.height);
+    this.labels.clear();
+    this.takeBodies();
 
     const pair = view.panel === "compare" ? view.pair : null;
     if (pair !== null) {
@@ -95,6 +97,7 @@ export class Field {
     }
     this.drawRobots(state, pair === null ? null : pair.robots.map((number) => ({ side: pair.side, number })));
     this.drawBall();
+    this.labels.write(context, canvas, palette.grass);
   }
 
   private drawMind(look: Look, robot: Robot, state: State): void {
@@ -127,7 +130,7 @@ export class Field {
         this.labels,
       );
       const age = ageOf(look.decision, view.time);
-      if (isOld(age) && (view.layers.nodes || view.layers.tasks)) this.drawAge(`plan ${fixed(age!, 1)} s old`);
+      if (isOld(age) && (view.layers.computed || view.layers.tasks)) this.drawAge(`plan ${fixed(age!, 1)} s old`);
     }
   }
 
@@ -138,6 +141,8 @@ export class Field {
     context.textAlign = "left";
     context.textBaseline = "middle";
     label(context, text, 10, height - 10, this.palette.tasks, this.palette.surround);
+    const half = context.measureText(text).width / 2;
+    this.labels.take(10 + half, height - 10, half + 2, 7);
   }
 
   private drawTrails(): void {
@@ -190,21 +195,9 @@ export class Field {
   }
 
   private drawBall(): void {
-    const { moment, palette, projection: to } = this;
-    const { context } = this.canvas;
-    context.beginPath();
-    context.arc(
-      to.x(moment.ball[0]!),
-      to.y(moment.ball[1]!),
-      Math.max(4, this.match.about.ballRadius * to.scale),
-      0,
-      2 * Math.PI,
-    );
-    context.fillStyle = palette.ball;
-    context.fill();
-    context.lineWidth = 1.5;
-    context.strokeStyle = palette.grass;
-    context.stroke();
+    const { match, moment, projection: to } = this;
+    const radius = shownBallRadius(match.about.ballRadius, to.scale);
+    drawTrueBall(this.canvas.context, to.x(moment.ball[0]!), to.y(moment.ball[1]!), radius);
   }
 
   private drawRobots(state: State, compared: Robot[] | null): void {
@@ -214,10 +207,7 @@ export class Field {
     const { view } = state;
     context.textAlign = "center";
     context.textBaseline = "middle";
-    // Where much else is written, roles stand where there is room: those of the chosen robot's team always.
-    const crowded = compared !== null || view.robot !== null;
     const own = compared?.[0]?.side ?? view.robot?.side ?? null;
-    if (crowded) this.takeBodies();
     for (const side of bothSides) {
       const color = side === 0 ? palette.home : palette.away;
       const radius = Math.max(8, match.about.teams[side].robotRadius * to.scale);
@@ -263,37 +253,26 @@ export class Field {
           context.stroke();
         }
         context.globalAlpha = 1;
-        if (!crowded || order >= 0) {
-          const role = out ? "penalised" : roleText(game, match, moment.index, side, n);
-          context.font = font(10);
-          const lines = (down ? `${role} fallen` : role).split(" ");
-          for (const [i, line] of lines.entries()) {
-            label(context, line, x, y + radius + 9 + 10 * i, palette.text, palette.grass);
-            this.labels.take(x, y + radius + 9 + 10 * i, context.measureText(line).width / 2, 5);
-          }
-        }
-      }
-    }
-    if (!crowded) return;
-    context.font = font(9.5);
-    for (const side of own === 1 ? ([1, 0] as const) : bothSides) {
-      const radius = Math.max(8, match.about.teams[side].robotRadius * to.scale);
-      for (let n = 1; n <= game.sizes[side]; ++n) {
-        if (compared?.some((robot) => robot.side === side && robot.number === n)) continue;
-        const at = 3 * game.place(side, n);
-        const x = to.x(moment.poses[at]!);
-        const y = to.y(moment.poses[at + 1]!);
-        const out = inMask(game.penalised[2 * moment.index + side]!, n);
         const role = out ? "penalised" : roleText(game, match, moment.index, side, n);
-        if (role === "") continue;
-        const ink = side === own ? palette.text : palette.muted;
-        this.labels.beside(context, role, x, y, radius, ink, palette.grass, side === own && compared === null);
+        this.labels.add({
+          key: `robot ${side} ${n}`,
+          text: down ? `${role} fallen`.trim() : role,
+          x,
+          y,
+          radius: chosen || order >= 0 ? radius + 5 : radius,
+          ink: own === null || side === own ? palette.text : palette.muted,
+          rank: chosen || order >= 0 ? "chosen" : own === null || side === own ? "own" : "other",
+          pixels: 10,
+        });
       }
     }
   }
 
+  // Names stand beside robots and the ball, not upon them.
   private takeBodies(): void {
     const { match, moment, projection: to } = this;
+    const ball = shownBallRadius(match.about.ballRadius, to.scale);
+    this.labels.take(to.x(moment.ball[0]!), to.y(moment.ball[1]!), ball, ball);
     for (const side of bothSides) {
       const radius = Math.max(8, match.about.teams[side].robotRadius * to.scale);
       for (let n = 1; n <= match.game.sizes[side]; ++n) {

@@ -1,76 +1,105 @@
 // SPDX-License-Identifier: MIT
-// Names upon the field that keep clear of each other: each takes the first of its places that is free.
+// The names of one picture of the field: gathered while it is drawn, placed so that none lies over another
+// (placement.ts), and written last, over everything else.
+import { font } from "../app/canvas";
+import { type Box, type Wanted, placeNames } from "./placement";
 import { type Context, label } from "./shapes";
 
-const maxBoxes = 512;
+// Who chooses a place first.
+export const ranks = ["chosen", "own", "task", "age", "other"] as const;
+export type Rank = (typeof ranks)[number];
+
+export interface Name {
+  key: string; // the same from picture to picture
+  text: string;
+  x: number;
+  y: number;
+  radius: number; // of what is named
+  ink: string;
+  rank: Rank;
+  pixels: number; // of its letters
+}
+
+// Names of these may stand farther off, with a line; the others are left out where there is no room.
+const mayStandOff: readonly Rank[] = ["chosen", "own", "task"];
 
 export class Labels {
-  private readonly boxes = new Float32Array(4 * maxBoxes); // left, top, right, bottom
-  private count = 0;
+  private taken: Box[] = [];
+  private names: Name[] = [];
+  private places = new Map<string, number>(); // of the picture before
+  private readonly widths = new Map<string, number>();
 
-  private width = 0;
-  private height = 0;
-
-  // Of a canvas of this size.
-  clear(width: number, height: number): void {
-    this.count = 0;
-    this.width = width;
-    this.height = height;
+  clear(): void {
+    this.taken = [];
+    this.names = [];
   }
 
-  // Nothing may be written here.
+  // No name may stand here.
   take(x: number, y: number, halfWidth: number, halfHeight: number): void {
-    if (this.count === maxBoxes) return;
-    this.boxes.set([x - halfWidth, y - halfHeight, x + halfWidth, y + halfHeight], 4 * this.count++);
+    this.taken.push({ left: x - halfWidth, top: y - halfHeight, right: x + halfWidth, bottom: y + halfHeight });
   }
 
-  private free(x: number, y: number, halfWidth: number, halfHeight: number): boolean {
-    const { boxes } = this;
-    if (x < halfWidth || x + halfWidth > this.width || y < halfHeight || y + halfHeight > this.height) return false;
-    for (let i = 0; i < 4 * this.count; i += 4) {
-      if (
-        x + halfWidth > boxes[i]! &&
-        x - halfWidth < boxes[i + 2]! &&
-        y + halfHeight > boxes[i + 1]! &&
-        y - halfHeight < boxes[i + 3]!
-      )
-        return false;
+  add(name: Name): void {
+    if (name.text !== "") this.names.push(name);
+  }
+
+  // Upon a canvas of this size.
+  write(context: Context, size: { width: number; height: number }, rim: string): void {
+    const names = ranks.flatMap((rank) => this.names.filter((name) => name.rank === rank));
+    const wanted = names.map((name): Wanted => ({
+      x: name.x,
+      y: name.y,
+      radius: name.radius,
+      width: this.widthOf(context, name) + 3,
+      height: name.pixels + 2,
+      far: mayStandOff.includes(name.rank),
+      before: this.places.get(name.key) ?? -1,
+    }));
+    const places = placeNames(wanted, this.taken, size);
+    this.places = new Map();
+    context.save();
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.setLineDash([]);
+    // Lines first: they may pass below other names.
+    for (const [i, place] of places.entries()) {
+      if (place?.far) lead(context, names[i]!, wanted[i]!, place.x, place.y);
     }
-    return true;
+    for (const [i, place] of places.entries()) {
+      const name = names[i]!;
+      if (place === null) continue;
+      this.places.set(name.key, place.place);
+      context.font = font(name.pixels);
+      label(context, name.text, place.x, place.y, name.ink, rim);
+    }
+    context.restore();
   }
 
-  // Beside something of this radius: below, above, right, left. false: nowhere is room, and nothing is written, unless
-  // it must be.
-  beside(
-    context: Context,
-    text: string,
-    x: number,
-    y: number,
-    radius: number,
-    ink: string,
-    rim: string,
-    must: boolean,
-  ): boolean {
-    const width = context.measureText(text).width / 2;
-    const height = 5;
-    const side = radius + width + 3;
-    const places = [
-      [0, radius + 8],
-      [0, -radius - 8],
-      [side, 0],
-      [-side, 0],
-      [0, radius + 18],
-      [0, -radius - 18],
-      [side, radius + 4],
-      [-side, radius + 4],
-      [side, -radius - 4],
-      [-side, -radius - 4],
-    ] as const;
-    const found = places.find(([dx, dy]) => this.free(x + dx, y + dy, width, height)) ?? (must ? places[0] : null);
-    if (found === null) return false;
-    const at = Math.min(this.width - width, Math.max(width, x + found[0]));
-    label(context, text, at, y + found[1], ink, rim);
-    this.take(at, y + found[1], width, height);
-    return true;
+  private widthOf(context: Context, { text, pixels }: Name): number {
+    const key = `${pixels} ${text}`;
+    let width = this.widths.get(key);
+    if (width === undefined) {
+      if (this.widths.size > 2000) this.widths.clear(); // ages are many
+      context.font = font(pixels);
+      width = context.measureText(text).width;
+      this.widths.set(key, width);
+    }
+    return width;
   }
+}
+
+// From the rim of what is named to the nearest point of its name.
+function lead(context: Context, name: Name, { width, height }: Wanted, x: number, y: number): void {
+  const toX = Math.min(x + width / 2, Math.max(x - width / 2, name.x));
+  const toY = Math.min(y + height / 2, Math.max(y - height / 2, name.y));
+  const length = Math.hypot(toX - name.x, toY - name.y);
+  if (length <= name.radius) return;
+  context.globalAlpha = 0.7;
+  context.lineWidth = 1;
+  context.strokeStyle = name.ink;
+  context.beginPath();
+  context.moveTo(name.x + (name.radius * (toX - name.x)) / length, name.y + (name.radius * (toY - name.y)) / length);
+  context.lineTo(toX, toY);
+  context.stroke();
+  context.globalAlpha = 1;
 }

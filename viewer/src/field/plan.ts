@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a robot planned: waypoints with the edges between them (of a Voronoi diagram, with the shipped positioner), and
-// the tasks before and after their offset.
-import { font } from "../app/canvas";
+// What a robot planned: what its positioner computed, as points and the edges between them, and the tasks before and
+// after their offset.
 import type { Palette } from "../app/palette";
 import type { LayerName } from "../app/state";
 import type { Moment } from "../model/game";
@@ -11,7 +10,7 @@ import type { Match } from "../recording/match";
 import type { Decision } from "../recording/messages";
 import type { Projection } from "./ground";
 import type { Labels } from "./labels";
-import { type Context, arrow, label } from "./shapes";
+import { type Context, arrow } from "./shapes";
 
 export function drawPlan(
   context: Context,
@@ -25,7 +24,7 @@ export function drawPlan(
   labels: Labels,
 ): void {
   context.save();
-  if (layers.nodes) {
+  if (layers.computed) {
     context.strokeStyle = palette.nodes;
     context.lineWidth = 1.25;
     context.globalAlpha = 0.8;
@@ -53,9 +52,6 @@ export function drawPlan(
     }
   }
   if (layers.tasks) {
-    context.font = font(10);
-    context.textAlign = "center";
-    context.textBaseline = "middle";
     // Whom it sends where: from each robot as it is to its task.
     context.strokeStyle = palette.tasks;
     context.lineWidth = 1;
@@ -87,11 +83,10 @@ export function drawPlan(
     context.globalAlpha = 1;
     for (const { role, after } of decision.tasks) {
       if (after === null) continue;
-      const text = shortRoleName(match, side, role).replaceAll("_", " ");
       const [x, y] = [to.x(after[0]), to.y(after[1])];
-      label(context, text, x, y - 10, palette.tasks, palette.grass);
-      labels.take(x, y, 5, 5);
-      labels.take(x, y - 10, context.measureText(text).width / 2, 5);
+      const text = shortRoleName(match, side, role).replaceAll("_", " ");
+      labels.take(x, y, 4, 4);
+      labels.add({ key: `task ${role}`, text, x, y, radius: 4, ink: palette.tasks, rank: "task", pixels: 10 });
     }
   }
   context.restore();

@@ -5,12 +5,14 @@ import type { View } from "../app/state";
 import { type Comparison, type Estimate, type Pair, compare } from "../model/compare";
 import { shortRoleName } from "../model/look";
 import type { News } from "../model/packets";
-import { fixed, timeText, words } from "../model/text";
+import { fixed, shortened, timeText, words } from "../model/text";
 import type { Match } from "../recording/match";
 import { DifferenceMatrix } from "./difference";
-import { element, heading, numeric, row } from "./elements";
+import { element, heading, named, numeric, row, titleOf } from "./elements";
 import { packetLines } from "./packet_lines";
 import { ageText, verdict } from "./verdict";
+
+const mostLettersOfTeam = 12; // in the menus of robots
 
 export class ComparePanel {
   private readonly content = element("div", { class: "compare" });
@@ -86,9 +88,14 @@ export class ComparePanel {
   private fillSelects(pair: Pair): void {
     if (this.filledSide !== pair.side) {
       this.filledSide = pair.side;
+      const team = this.match.about.teams[pair.side].name;
       const robots = () =>
         Array.from({ length: this.match.game.sizes[pair.side] }, (_, i) =>
-          element("option", { value: String(i + 1) }, `${this.match.about.teams[pair.side].name} ${i + 1}`),
+          element(
+            "option",
+            { value: String(i + 1), title: `${team} ${i + 1}` },
+            `${shortened(team, mostLettersOfTeam)} ${i + 1}`,
+          ),
         );
       for (const select of this.selects) select.replaceChildren(...robots());
       this.role.replaceChildren(
@@ -99,6 +106,7 @@ export class ComparePanel {
       select.value = String(pair.robots[i]);
     });
     this.role.value = String(pair.role);
+    for (const select of [...this.selects, this.role]) titleOf(select);
   }
 
   private show(pair: Pair, found: Comparison, time: number): void {
@@ -118,15 +126,13 @@ export class ComparePanel {
         {},
         ...found.assigned.map((line) => {
           const name = (role: number | null) => (role === null ? "\u2013" : shortRoleName(this.match, pair.side, role));
-          // Long names are cut off; whole they stand in the title.
-          const cell = (role: number | null) =>
-            element("td", { class: line.differs ? "differs" : "", title: name(role) }, name(role));
+          const cell = (role: number | null) => named(name(role), line.differs ? { class: "differs" } : {});
           return row(
             [
               element("th", { scope: "row" }, `${line.robot}${line.differs ? " \u2260" : ""}`),
               cell(line.assigned[0]),
               cell(line.assigned[1]),
-              element("td", { title: name(line.holds) }, line.penalised ? "penalised" : name(line.holds)),
+              line.penalised ? named("penalised", {}, name(line.holds)) : named(name(line.holds)),
             ],
             pair.robots.includes(line.robot) ? { class: "own" } : {},
           );

@@ -88,7 +88,7 @@ export class DifferenceMatrix {
       element(
         "th",
         { scope: "col", class: role === pair.role ? "shared" : "", title: roleName(this.match, pair.side, role) },
-        ...brokenName(shortRoleName(this.match, pair.side, role), columns.length > manyColumns ? 6 : 8),
+        ...brokenName(shortRoleName(this.match, pair.side, role), columns.length > manyColumns ? 6 : 7),
       ),
     );
     this.table.classList.toggle("many", columns.length > manyColumns);
@@ -113,7 +113,7 @@ export class DifferenceMatrix {
       numeric(number === null || number === undefined ? "\u2715" : fixed(number, 3));
     const lines = entry.terms.map((term) =>
       row([
-        element("th", { scope: "row" }, term.name),
+        element("th", { scope: "row", class: "name" }, ...brokenName(term.name, Infinity)),
         value(term.values[0]),
         value(term.values[1]),
         numeric(signed(term.difference, 3)),

@@ -56,14 +56,29 @@ export function setText(node: HTMLElement, text: string): void {
 // More columns than these, and a matrix takes smaller letters and more of the width.
 export const manyColumns = 7;
 
-// A column's head that may break a long name at its underscores, and within a word of more letters than `most`.
-export function brokenName(name: string, most = 8): (Node | string)[] {
-  return name.split("_").flatMap((part, i) => {
+// A name that may break before its underscores and after its points, and within a word of more letters than `most`.
+export function brokenName(name: string, most = 7): (Node | string)[] {
+  return name.split(/(?=_)|(?<=\.)/).flatMap((part, i) => {
     const letters = [...part];
     const half = Math.ceil(letters.length / 2);
-    const soft = letters.length > most ? [...letters.slice(0, half), "\u00ad", ...letters.slice(half)].join("") : part;
-    return i > 0 ? [element("wbr"), `_${soft}`] : [soft];
+    const whole = letters.length - (part.startsWith("_") ? 1 : 0) <= most;
+    const soft = whole ? part : [...letters.slice(0, half), "\u00ad", ...letters.slice(half)].join("");
+    return i > 0 ? [element("wbr"), soft] : [soft];
   });
+}
+
+// A cell for a name, which may go on in the next line; `whole` stands in its title where the text is a shorter one.
+export const named = (text: string, attributes: Readonly<Record<string, string>> = {}, whole = text) =>
+  element(
+    "td",
+    { title: whole, ...attributes, class: `name ${attributes.class ?? ""}`.trim() },
+    ...brokenName(text, Infinity),
+  );
+
+// What a menu shows, for one whose names may be longer than there is room.
+export function titleOf(select: HTMLSelectElement): void {
+  const text = select.selectedOptions[0]?.title || select.selectedOptions[0]?.textContent || "";
+  if (select.title !== text) select.title = text;
 }
 
 // From cell to cell with the arrow keys; the table takes one stop of the tab key.

@@ -26,8 +26,13 @@ export class Head {
     const kicking =
       setPlay === "none" ? "" : `, ${words(setPlay)} of ${about.teams[game.kicking[i] === 0 ? 0 : 1].name}`;
     const half = `half ${game.half[i]}, clock ${timeText(game.clock[i]!, 0)}, ${phases[game.phase[i]!]}${kicking}`;
-    setText(byId("game"), missing ? "this part of the recording is damaged" : half);
     const toRight = game.half[i]! % 2 === 1 ? 0 : 1;
-    setText(byId("attack"), `${about.teams[toRight].name} attacks \u2192`);
+    for (const [id, text] of [
+      ["game", missing ? "this part of the recording is damaged" : half],
+      ["attack", `${about.teams[toRight].name} attacks \u2192`],
+    ] as const) {
+      setText(byId(id), text);
+      byId(id).title = text;
+    }
   }
 }

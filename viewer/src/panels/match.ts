@@ -6,7 +6,7 @@ import type { Switches } from "../model/switches";
 import { type Side, bothSides, sideNames } from "../recording/about";
 import type { Match } from "../recording/match";
 import { eventText } from "../recording/messages";
-import { element, heading, numeric, row } from "./elements";
+import { element, heading, named, numeric, row } from "./elements";
 
 export class MatchPanel {
   private readonly switchCells: [HTMLTableCellElement[], HTMLTableCellElement[]] = [[], []];
@@ -40,8 +40,8 @@ export class MatchPanel {
             {},
             element("button", { class: "link", type: "button", "data-time": String(event.time) }, timeText(event.time)),
           ),
-          eventText(event),
-          `${about.teams[event.side].name}${event.robot > 0 ? ` ${event.robot}` : ""}`,
+          named(eventText(event)),
+          named(`${about.teams[event.side].name}${event.robot > 0 ? ` ${event.robot}` : ""}`),
           numeric(event.score.join(" : ")),
         ]),
       ),
@@ -76,7 +76,7 @@ export class MatchPanel {
         const cell = numeric("…");
         this.switchCells[side].push(cell);
         const { overlap, uncovered } = sums[i]!;
-        return row([role.name, numeric(fixed(overlap, 1)), numeric(fixed(uncovered, 1)), cell], {
+        return row([named(role.name), numeric(fixed(overlap, 1)), numeric(fixed(uncovered, 1)), cell], {
           "data-role": role.name,
         });
       }),
@@ -92,8 +92,8 @@ export class MatchPanel {
       ),
       element(
         "table",
-        { class: "list tight", id: `sums-${sideNames[side]}` },
-        heading(["role", "#held twice, s", "#uncovered, s", "#switches"]),
+        { class: "list tight sums", id: `sums-${sideNames[side]}` },
+        heading(["role", "#held twice,\u00a0s", "#uncovered,\u00a0s", "#switches"]),
         body,
       ),
     );

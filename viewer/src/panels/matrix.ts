@@ -93,7 +93,7 @@ export class UtilityMatrix {
       element(
         "th",
         { scope: "col", title: roleName(this.match, this.side, role) },
-        ...brokenName(shortRoleName(this.match, this.side, role), decision.columns.length > manyColumns ? 6 : 8),
+        ...brokenName(shortRoleName(this.match, this.side, role), decision.columns.length > manyColumns ? 6 : 7),
       ),
     );
     const body = element(
@@ -168,7 +168,7 @@ export class UtilityMatrix {
       bar.style.width = `${(100 * Math.abs(part)) / greatest}%`;
       body.append(
         row([
-          element("th", { scope: "row" }, term.name),
+          element("th", { scope: "row", class: "name" }, ...brokenName(term.name, Infinity)),
           numeric(fixed(term.weight, 2)),
           numeric(value === null ? "\u2715" : fixed(value, 3)),
           numeric(value === null ? "\u2715" : fixed(part, 3)),
@@ -193,12 +193,7 @@ export class UtilityMatrix {
       ),
     );
     this.terms.replaceChildren(
-      element(
-        "h3",
-        {},
-        `robot ${pointed.robot} as ${roleName(this.match, this.side, pointed.role)}`,
-        this.termsAge,
-      ),
+      element("h3", {}, `robot ${pointed.robot} as ${roleName(this.match, this.side, pointed.role)}`, this.termsAge),
       element("table", { class: "list tight" }, heading(["term", "#weight", "#value", "#share", ""]), body),
     );
   }

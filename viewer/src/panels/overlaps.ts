@@ -1,26 +1,41 @@
 // SPDX-License-Identifier: MIT
-// The list of stretches in which a role was held twice, or by nobody, to jump to.
+// The list of stretches in which a role was held twice, or by nobody, to jump to. Those of a second or more come first;
+// the shorter ones are folded, with their number.
 import { roleName } from "../model/look";
 import type { Stretch } from "../model/roles";
+import { type StretchOrder, groupedStretches, longSeconds } from "../model/stretch_list";
 import { fixed, timeText } from "../model/text";
 import { type Side, bothSides, sideNames } from "../recording/about";
 import { lastNotAfter } from "../recording/log";
 import type { Match } from "../recording/match";
-import { element, heading, numeric, row } from "./elements";
+import { element, heading, named, numeric, row, setText, titleOf } from "./elements";
 
 type Kind = "overlaps" | "uncovered";
 
 const mostRows = 2000;
 
+const lengthOf = (stretches: readonly Stretch[]): string =>
+  `${fixed(stretches.reduce((total, stretch) => total + stretch.samples, 0) / 10, 1)} s`;
+
+const group = (content: string) =>
+  element("tbody", { class: "group" }, element("tr", {}, element("th", { colspan: "5", scope: "rowgroup" }, content)));
+
 export class OverlapList {
-  // As listed and in the order of time: what the jumps go along.
+  // Those that are unfolded, in the order of time: what the jumps go along.
   private shown: Stretch[] = [];
   private begins: number[] = [];
-  private listed: Stretch[] = [];
+  private listed: Stretch[] = []; // in the order of the list
+  private unfolded = false; // the short ones are listed too
   chosen: Stretch | null = null; // that a jump led to
   private rows: HTMLTableRowElement[] = [];
   private marked: HTMLTableRowElement | null = null;
-  private readonly body = element("tbody");
+  private readonly table = element("table", { class: "list", id: "list" });
+  private readonly fold = element("button", {
+    class: "link",
+    type: "button",
+    id: "list-short",
+    "aria-controls": "list",
+  });
   private readonly kind = element("select", { "aria-label": "What is listed", id: "list-kind" });
   private readonly side = element("select", { "aria-label": "Team", id: "list-side" });
   private readonly role = element("select", { "aria-label": "Role", id: "list-role" });
@@ -43,28 +58,27 @@ export class OverlapList {
     for (const seconds of ["0.1", "0.3", "0.5", "1", "2", "5"]) option(this.least, seconds, `at least ${seconds} s`);
     option(this.order, "time", "by time");
     option(this.order, "length", "longest first");
-    for (const select of [this.kind, this.side, this.role, this.least, this.order]) {
+    for (const select of this.selects) {
       select.addEventListener("change", () => {
         if (select === this.side) this.fillRoles();
         this.fill();
       });
     }
-    const table = element(
-      "table",
-      { class: "list" },
-      heading(["from", "#length", "role", "robots", "team"]),
-      this.body,
-    );
+    this.fold.addEventListener("click", () => this.unfold());
     this.box.append(
-      element("div", { class: "filters" }, this.kind, this.side, this.role, this.least, this.order, this.count),
-      element("div", { class: "scroll" }, table),
+      element("div", { class: "filters" }, ...this.selects, this.count, this.fold),
+      element("div", { class: "scroll" }, this.table),
     );
-    this.body.addEventListener("click", (event) => this.pick(event.target));
-    this.body.addEventListener("keydown", (event) => {
+    this.table.addEventListener("click", (event) => this.pick(event.target));
+    this.table.addEventListener("keydown", (event) => {
       if (event.key === "Enter") this.pick(event.target);
     });
     this.fillRoles();
     this.fill();
+  }
+
+  private get selects(): HTMLSelectElement[] {
+    return [this.kind, this.side, this.role, this.least, this.order];
   }
 
   private pick(target: EventTarget | null): void {
@@ -88,38 +102,60 @@ export class OverlapList {
     const all = bothSides.flatMap((side) =>
       this.side.value === "" || this.side.value === String(side) ? this.match.courses[side][kind] : [],
     );
-    this.shown = all
+    const wanted = all
       .filter((stretch) => stretch.samples >= samples)
       .filter(
         (stretch) =>
           this.role.value === "" || `=${roleName(this.match, stretch.side, stretch.role)}` === this.role.value,
-      )
-      .sort((a, b) => a.from - b.from);
+      );
+    const { long, short } = groupedStretches(wanted, this.order.value as StretchOrder);
+    // Where there is no long one, the short ones are all there is.
+    const open = this.unfolded || long.length === 0;
+    const unfolded = open ? [...long, ...short] : long;
+    this.shown = [...unfolded].sort((a, b) => a.from - b.from);
     this.begins = this.shown.map((stretch) => stretch.from);
-    const sorted = this.order.value === "length" ? [...this.shown].sort((a, b) => b.samples - a.samples) : this.shown;
-    this.listed = sorted.slice(0, mostRows);
-    this.rows = this.listed.map((stretch) =>
-      row([
-        element("td", {}, element("button", { class: "link", type: "button" }, timeText(stretch.from))),
-        numeric(`${fixed(stretch.samples / 10, 1)} s`),
-        roleName(this.match, stretch.side, stretch.role),
-        stretch.robots.length > 0 ? stretch.robots.join("  ") : "none",
-        element(
-          "td",
-          {},
-          element("span", { class: `mark ${sideNames[stretch.side]}`, "aria-hidden": "true" }),
-          this.match.about.teams[stretch.side].name,
-        ),
-      ]),
-    );
-    this.body.replaceChildren(...this.rows);
-    const sum = this.shown.reduce((total, stretch) => total + stretch.samples, 0) / 10;
-    const left = this.shown.length > mostRows ? `, the first ${mostRows} listed` : "";
-    this.count.textContent = `${this.shown.length} stretches, ${fixed(sum, 1)} s${left}`;
+    this.listed = unfolded.slice(0, mostRows);
+    this.rows = this.listed.map((stretch) => this.rowOf(stretch));
+    const order = this.order.value === "length" ? "longest first" : "by time";
+    const groups: HTMLElement[] = [heading(["from", "#length", "role", "robots", "team"])];
+    if (long.length > 0) {
+      groups.push(group(`${longSeconds} s or longer: ${long.length}, ${order}`));
+      groups.push(element("tbody", { class: "stretches" }, ...this.rows.slice(0, long.length)));
+    }
+    if (open && short.length > 0) {
+      groups.push(group(`shorter than ${longSeconds} s: ${short.length}, ${order}`));
+      groups.push(element("tbody", { class: "stretches" }, ...this.rows.slice(long.length)));
+    }
+    this.table.replaceChildren(...groups);
+    this.fold.hidden = long.length === 0 || short.length === 0;
+    setText(this.fold, `${open ? "hide" : "show"} ${short.length} shorter than ${longSeconds} s (${lengthOf(short)})`);
+    this.fold.setAttribute("aria-expanded", String(open));
+    const left = unfolded.length > mostRows ? `, the first ${mostRows} listed` : "";
+    this.count.textContent = `${wanted.length} stretches, ${lengthOf(wanted)}${left}`;
+    for (const select of this.selects) titleOf(select);
     this.marked = null;
   }
 
-  // The stretches that are listed now, by time.
+  private rowOf(stretch: Stretch): HTMLTableRowElement {
+    const team = named(this.match.about.teams[stretch.side].name);
+    team.prepend(element("span", { class: `mark ${sideNames[stretch.side]}`, "aria-hidden": "true" }));
+    return row([
+      element("td", {}, element("button", { class: "link", type: "button" }, timeText(stretch.from))),
+      numeric(`${fixed(stretch.samples / 10, 1)} s`),
+      named(roleName(this.match, stretch.side, stretch.role)),
+      stretch.robots.length > 0 ? stretch.robots.join("  ") : "none",
+      team,
+    ]);
+  }
+
+  // The short ones are listed, or hidden again.
+  private unfold(): void {
+    this.unfolded = !this.unfolded;
+    this.fill();
+    if (this.unfolded) this.table.querySelector(".group:nth-last-child(2)")?.scrollIntoView({ block: "center" });
+  }
+
+  // The stretches that are unfolded now, by time.
   get stretches(): readonly Stretch[] {
     return this.shown;
   }

@@ -15,10 +15,10 @@ import {
   worldOf,
 } from "../model/look";
 import { fixed, timeText } from "../model/text";
-import { sideNames } from "../recording/about";
+import { type Side, sideNames } from "../recording/about";
 import type { Match } from "../recording/match";
 import type { Belief, Decision } from "../recording/messages";
-import { element, heading, numeric, row, setText } from "./elements";
+import { element, heading, named, numeric, row, setText } from "./elements";
 import { UtilityMatrix } from "./matrix";
 
 export class RobotPanel {
@@ -124,6 +124,7 @@ export class RobotPanel {
     const { decision } = look;
     const team = this.match.about.teams[robot.side].name;
     setText(this.title, `${team} ${robot.number}`);
+    this.title.title = `${team} ${robot.number}`;
     this.title.className = sideNames[robot.side];
     setText(this.since, decision === null ? "has not decided yet" : sinceText(this.match, robot, decision, view.time));
     setText(this.fault, look.fault);
@@ -185,7 +186,7 @@ export class RobotPanel {
         const at = (pose: [number, number, number]) => `${fixed(pose[0], 2)}, ${fixed(pose[1], 2)}`;
         return row(
           [
-            shortRoleName(this.match, robot.side, task.role),
+            this.roleCell(robot.side, task.role),
             numeric(at(before)),
             numeric(after === null ? "not kept" : at(after)),
             numeric(moved === null ? "" : fixed(moved, 2)),
@@ -197,6 +198,10 @@ export class RobotPanel {
     this.tasks.replaceChildren(
       element("table", { class: "list tight" }, heading(["task", "#before", "#after", "#offset"]), body),
     );
+  }
+
+  private roleCell(side: Side, role: number, more = ""): HTMLTableCellElement {
+    return named(`${shortRoleName(this.match, side, role)}${more}`, {}, `${roleName(this.match, side, role)}${more}`);
   }
 
   private showNews(robot: Robot, look: Look, view: View): void {
@@ -236,7 +241,7 @@ export class RobotPanel {
         row(
           [
             own ? "itself" : `robot ${mate.number}`,
-            `${shortRoleName(match, robot.side, mate.role)}${mate.active ? "" : " (not active)"}`,
+            this.roleCell(robot.side, mate.role, mate.active ? "" : " (not active)"),
             numeric(own ? "" : `${fixed(mate.age, 1)} s`),
             numeric(`${fixed(error(mate.pose[0], mate.pose[1], truth.poses, place), 2)} m`),
             numeric(own ? "" : heard === null ? "never" : timeText(heard.time)),

@@ -46,6 +46,8 @@ export interface EventMessage {
   score: [number, number];
 }
 
+export const isGoal = (event: EventMessage): boolean => event.event === "goal";
+
 // "goal", "penalty: pushing"
 export const eventText = (event: EventMessage): string =>
   words(event.event) + (event.offence === "" ? "" : `: ${words(event.offence)}`);

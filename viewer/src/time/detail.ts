@@ -31,6 +31,26 @@ export interface Strip {
 
 const kinds = ["overlaps", "uncovered"] as const;
 
+// Some stretches have no lane: from `x` to `end`; `text` says how many and reaches to `to`.
+interface Badge {
+  x: number;
+  end: number;
+  to: number;
+  text: string;
+}
+
+// The widest part between two places that no badge takes.
+function widestFree(from: number, to: number, taken: readonly Badge[]): [number, number] {
+  let best: [number, number] = [from, from];
+  let at = from;
+  for (const badge of [...taken, { x: to, to }]) {
+    const until = Math.min(to, badge.x);
+    if (until - at > best[1] - best[0]) best = [at, until];
+    at = Math.max(at, badge.to);
+  }
+  return best;
+}
+
 // How many lanes the strips take: of both teams the same, so that nothing moves when the other one is shown.
 export function stripLanes(match: Match): [number, number] {
   const needed = (kind: Strip["kind"]) => Math.max(...match.courses.map((course) => inLanes(course[kind]).count));
@@ -97,6 +117,7 @@ export class Detail {
     const { context, height } = this.canvas;
     const { scale, match } = this;
     const step = tickSeconds(scale);
+    const end = this.canvas.width - margin;
     context.font = font(10);
     context.textAlign = "center";
     context.textBaseline = "middle";
@@ -104,8 +125,11 @@ export class Detail {
       const x = Math.round(scale.x(i * step));
       context.fillStyle = palette.line;
       context.fillRect(x, axisHeight - 10, 1, height);
+      const text = timeText(i * step, step < 1 ? 1 : 0);
+      const half = context.measureText(text).width / 2;
+      if (x - half < gutter || x + half > end) continue; // no time is cut
       context.fillStyle = palette.muted;
-      context.fillText(timeText(i * step, step < 1 ? 1 : 0), x, 7);
+      context.fillText(text, x, 7);
     }
     context.textAlign = "left";
     let free = -Infinity;
@@ -116,10 +140,12 @@ export class Detail {
       context.fillStyle = event.side === 0 ? palette.home : palette.away;
       context.fillRect(x, axisHeight - 9, goal ? 3 : 1.5, goal ? height : 9);
       const text = `${eventText(event)}${event.robot > 0 ? ` ${event.robot}` : ""}`;
-      if (x < free) continue;
+      if (x < free || x + 4 < gutter) continue;
       context.font = font(10, goal ? 700 : 400);
+      const after = x + 4 + context.measureText(text).width;
+      if (after > end) continue;
       context.fillText(text, x + 4, axisHeight - 4);
-      free = x + 8 + context.measureText(text).width;
+      free = after + 4;
     }
   }
 
@@ -248,13 +274,20 @@ export class Detail {
       for (const stretch of this.visible(this.match.courses[side][strip.kind])) {
         const at = lane.get(stretch)!;
         if (at >= strip.lanes) hidden.push(stretch);
-        else this.drawStretch(stretch, strip, strip.top + at * laneHeight, palette);
       }
-      this.drawCrowds(hidden, strip, palette);
+      const badges = this.badges(hidden);
+      for (const stretch of this.visible(this.match.courses[side][strip.kind])) {
+        const at = lane.get(stretch)!;
+        if (at >= strip.lanes) continue;
+        const taken = at === strip.lanes - 1 ? badges : [];
+        this.drawStretch(stretch, strip, strip.top + at * laneHeight, taken, palette);
+      }
+      this.drawCrowds(badges, strip, palette);
     }
   }
 
-  private drawStretch(stretch: Stretch, { kind }: Strip, top: number, palette: Palette): void {
+  // taken: where the lane's foot says how many more there are, and no name can stand.
+  private drawStretch(stretch: Stretch, { kind }: Strip, top: number, taken: readonly Badge[], palette: Palette): void {
     const { context } = this.canvas;
     const { scale, match } = this;
     const x = scale.x(stretch.from);
@@ -264,8 +297,12 @@ export class Detail {
     context.fillStyle = over ? palette.overlap : palette.uncovered;
     context.fillRect(x, top + 0.5, Math.max(1, w - 0.5), laneHeight - 1);
     context.globalAlpha = 1;
-    const shown = Math.max(x, gutter);
-    const room = scale.x(stretch.to) - shown - 4;
+    const [shown, until] = widestFree(
+      Math.max(x, gutter),
+      Math.min(scale.x(stretch.to), this.canvas.width - margin),
+      taken,
+    );
+    const room = until - shown - 4;
     if (room < leastRoom) return;
     const name = shortRoleName(match, stretch.side, stretch.role).replaceAll("_", " ");
     context.font = font(9);
@@ -280,26 +317,35 @@ export class Detail {
   }
 
   // Of what has no lane: in the last one a line for its time, and how many they are.
-  private drawCrowds(hidden: readonly Stretch[], strip: Strip, palette: Palette): void {
+  private drawCrowds(badges: readonly Badge[], strip: Strip, palette: Palette): void {
     const { context } = this.canvas;
     const bottom = strip.top + strip.lanes * laneHeight;
     context.font = font(9, 700);
     context.textAlign = "left";
     context.textBaseline = "middle";
-    let free = -Infinity;
-    for (const { from, to, most } of crowds(hidden)) {
-      const x = Math.max(gutter, this.scale.x(from));
-      const end = Math.max(x + 2, this.scale.x(to));
+    for (const { x, end, to, text } of badges) {
       context.fillStyle = palette.text;
       context.fillRect(x, bottom - 1.5, end - x, 1.5);
-      const text = `+${most}`;
-      const w = context.measureText(text).width + 3;
-      if (x < free) continue;
-      free = x + w + 2;
-      context.fillRect(x, bottom - laneHeight, w, laneHeight);
+      if (text === "") continue;
+      context.fillRect(x, bottom - laneHeight, to - x, laneHeight);
       context.fillStyle = palette.panel;
       context.fillText(text, x + 1.5, bottom - laneHeight / 2 + 0.5);
     }
+  }
+
+  private badges(hidden: readonly Stretch[]): Badge[] {
+    const { context } = this.canvas;
+    context.font = font(9, 700);
+    let free = -Infinity;
+    return crowds(hidden).map(({ from, to, most }) => {
+      const x = Math.max(gutter, this.scale.x(from));
+      const end = Math.max(x + 2, this.scale.x(to));
+      const text = `+${most}`;
+      const after = x + context.measureText(text).width + 3;
+      if (x < free || after > this.canvas.width - margin) return { x, end, to: x, text: "" };
+      free = after + 2;
+      return { x, end, to: after, text };
+    });
   }
 
   private drawNames(view: View, palette: Palette): void {

@@ -8,7 +8,7 @@ import { Budget, budgetHeight } from "./budget";
 import { Detail } from "./detail";
 import { Overview, overviewHeight } from "./overview";
 import { TimeScale } from "./scale";
-import { underPointer } from "./under_pointer";
+import { goalsUnderPointer, underPointer } from "./under_pointer";
 
 const shortest = 4; // s that a window shows at least
 const usual = 60;
@@ -108,7 +108,7 @@ export class Timeline {
   }
 
   private listen(): void {
-    const { overview, budget, detail, tip } = this.elements;
+    const { overview, budget, detail } = this.elements;
     const scrub = (element: HTMLElement, scale: TimeScale, chosen?: (x: number, y: number) => void) => {
       const at = (event: PointerEvent) => {
         const box = element.getBoundingClientRect();
@@ -152,13 +152,22 @@ export class Timeline {
     detail.addEventListener("pointermove", (event) => {
       const box = detail.getBoundingClientRect();
       const { lines } = underPointer(this.detail, this.state.view, event.clientX - box.left, event.clientY - box.top);
-      tip.textContent = lines.join("\n");
-      tip.hidden = false;
-      const left = Math.min(event.clientX + 12, window.innerWidth - tip.offsetWidth - 8);
-      tip.style.transform = `translate(${left}px, ${event.clientY - tip.offsetHeight - 12}px)`;
+      this.showTip(lines, event);
     });
-    detail.addEventListener("pointerleave", () => {
-      tip.hidden = true;
+    overview.addEventListener("pointermove", (event) => {
+      const { left } = overview.getBoundingClientRect();
+      this.showTip(goalsUnderPointer(this.detail.match, this.overview.scale, event.clientX - left), event);
     });
+    for (const canvas of [overview, detail]) canvas.addEventListener("pointerleave", () => this.showTip([], null));
+  }
+
+  // Beside the pointer; nothing without lines.
+  private showTip(lines: readonly string[], at: PointerEvent | null): void {
+    const { tip } = this.elements;
+    tip.hidden = at === null || lines.length === 0;
+    if (at === null || tip.hidden) return;
+    tip.textContent = lines.join("\n");
+    const left = Math.max(0, Math.min(at.clientX + 12, window.innerWidth - tip.offsetWidth - 8));
+    tip.style.transform = `translate(${left}px, ${at.clientY - tip.offsetHeight - 12}px)`;
   }
 }

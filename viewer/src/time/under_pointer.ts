@@ -5,14 +5,30 @@ import { roleName } from "../model/look";
 import type { Stretch } from "../model/roles";
 import { listText, secondsText, timeText } from "../model/text";
 import { lastNotAfter } from "../recording/log";
-import { eventText } from "../recording/messages";
+import type { Match } from "../recording/match";
+import { type EventMessage, eventText, isGoal } from "../recording/messages";
 import { packetLines } from "../panels/packet_lines";
 import { type Detail, axisHeight } from "./detail";
+import type { TimeScale } from "./scale";
 
 // robot: whom a click there chooses.
 export interface Found {
   lines: string[];
   robot: Robot | null;
+}
+
+const goalReach = 6; // px
+
+function eventLine(match: Match, event: EventMessage): string {
+  const whose = `${match.about.teams[event.side].name}${event.robot > 0 ? ` ${event.robot}` : ""}`;
+  const score = isGoal(event) ? `, ${event.score.join(" : ")} (g: next goal, Shift g: previous goal)` : "";
+  return `${timeText(event.time, 2)} ${eventText(event)}, ${whose}${score}`;
+}
+
+// Of the line of the whole match: the goals that are marked there.
+export function goalsUnderPointer(match: Match, scale: TimeScale, px: number): string[] {
+  const near = match.events.filter((event) => isGoal(event) && Math.abs(scale.x(event.time) - px) <= goalReach);
+  return near.map((event) => eventLine(match, event));
 }
 
 export function underPointer(detail: Detail, view: View, px: number, py: number): Found {
@@ -37,10 +53,7 @@ export function underPointer(detail: Detail, view: View, px: number, py: number)
   if (row < 0) {
     const near = match.events.filter((event) => Math.abs(scale.x(event.time) - px) < 5);
     for (const event of near.slice(0, 4)) {
-      const whose = match.about.teams[event.side].name;
-      lines.push(
-        `${timeText(event.time, 2)} ${eventText(event)}, ${whose}${event.robot > 0 ? ` ${event.robot}` : ""}`,
-      );
+      lines.push(eventLine(match, event));
     }
     return { lines, robot: null };
   }

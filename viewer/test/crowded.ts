@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// A recording as full as a real one: seven a side, eleven roles of play and seven of search, many overlaps and events,
+// wide numbers, and names as long as wanted. Built upon the made-up match of synthetic.ts.
+import { metadata, recording, rolesAt } from "./synthetic";
+
+type Json = Record<string, unknown>;
+
+export interface Names {
+  teams: [string, string];
+  roles: string[]; // of play, then of search
+  terms: [string, string];
+  contexts: [string, string];
+}
+
+const robots = 7;
+const searching = 11; // the first role of search
+
+export const usual: Names = {
+  teams: ["paper", "fixed_rate"],
+  roles: [
+    ..."playing.goalkeeper striker defender_left supporter defender_right jolly libero midfielder wing_left".split(" "),
+    ..."wing_right sweeper searching.goalkeeper searcher_centre searcher_front_left searcher_front_right".split(" "),
+    ..."searcher_left searcher_right searcher_back_left searcher_back_right".split(" "),
+  ],
+  terms: ["distance", "persistence"],
+  contexts: ["search", "playing"],
+};
+
+export const long: Names = {
+  teams: ["a_team_with_a_name_of_forty_letters_here", "another team whose name has forty letter"],
+  roles: usual.roles.map(
+    (_, i) => (i % 3 === 0 ? "searcher_front_right" : `defender_of_the_own_half_${"abcd"[i % 4]}`) + `_${i}`,
+  ),
+  terms: ["distance_to_the_own_goal", "persistence_of_the_last_role"],
+  contexts: ["search_for_the_ball_together", "playing_with_everybody"],
+};
+
+const places = Array.from({ length: robots }, (_, i) => [-4.25 + 1.3 * i, i % 2 === 0 ? -2.55 : 1.85, -0.5 * i]);
+const numbers = Array.from({ length: robots }, (_, i) => i + 1);
+
+// Most hold a role of their own; 4 and 5 the same one every third second for 0.4 s, and from 40 to 45 s.
+function rolesOf(time: number, side: 0 | 1): number[] {
+  const held = rolesAt(time)[side];
+  const both = time % 3 < 0.4 || (time >= 40 && time < 45);
+  return numbers.map((n) => (n <= 3 && side === 0 ? held[n - 1]! : n === 5 && both ? 4 : n - 1));
+}
+
+function decision(message: Json, side: 0 | 1): Json {
+  const time = message.time as number;
+  const columns = numbers.map((n) => n - 1);
+  const value = (i: number, j: number, k: number) => Math.round(1e4 * Math.abs(Math.sin(i + 2 * j + k))) / 1e4;
+  const term = (k: number) => columns.map((_, i) => columns.map((__, j) => value(i, j, k)));
+  const terms = [term(0), term(1)];
+  return {
+    ...message,
+    columns,
+    rows: numbers,
+    terms,
+    utility: columns.map((_, i) =>
+      columns.map((__, j) => ((i === 0) !== (j === 0) ? null : 0.7 * terms[0]![i]![j]! + 0.3 * terms[1]![i]![j]!)),
+    ),
+    tasks: Array.from({ length: searching }, (_, role) => ({
+      role,
+      before: [-4.11 + 0.7 * role, -2.98 + 0.5 * role, 0],
+      after: role < robots ? [-4.35 + 0.75 * role, -2.85 + 0.6 * role, 0] : null,
+    })),
+    assigned: rolesOf(time, side),
+  };
+}
+
+function belief(message: Json): Json {
+  const mine = message.mine as Json;
+  return {
+    ...message,
+    mine: {
+      ...mine,
+      teammates: {
+        number: numbers,
+        pose: places.map(([x, y, heading]) => [x! + 0.3, y! - 0.2, heading]),
+        covariance: places.map(() => [0.2, 0, 0.1]),
+        age: numbers.map((n) => 17.3 * n),
+        role: numbers.map((n) => n + 10),
+        active: [1, 2, 3],
+      },
+      opponents: {
+        at: places.slice(0, 5).map(([x, y]) => [-x! + 0.2, y!]),
+        covariance: places.slice(0, 5).map(() => [0.1, 0, 0.1]),
+        age: [0.7, 1.5, 22.5, 3, 4],
+        weight: [0.9, 0.8, 0.7, 0.6, 0.5],
+      },
+    },
+  };
+}
+
+export async function crowded(names: Names): Promise<Uint8Array> {
+  const pairs = metadata(names.teams);
+  for (const key of ["home", "away"]) {
+    const team = JSON.parse(pairs[key]!);
+    team.roles = names.roles.map((name, i) => ({
+      name,
+      list: i < searching ? "playing" : "searching",
+      priority: i < searching ? i : i - searching,
+      robot: i === 0 || i === searching ? 1 : 0,
+    }));
+    team.file = `configs/teams/${team.team}.yaml`;
+    team.contexts.forEach((context: Json, i: number) => {
+      context.name = names.contexts[i];
+    });
+    team.contexts[1].terms = names.terms.map((name, i) => ({ name, weight: [0.7, 0.3][i] }));
+    pairs[key] = JSON.stringify(team);
+  }
+  pairs.command = `regista match configs/teams/${names.teams[0]}.yaml configs/teams/${names.teams[1]}.yaml --seed 1`;
+  return recording({
+    teams: names.teams,
+    metadata: pairs,
+    message: (topic, message) => {
+      const time = message.time as number;
+      if (topic === "/game") {
+        return {
+          ...message,
+          home: places,
+          away: places.map(([x, y, heading]) => [-x!, y! + 0.5, heading]),
+          roles: [rolesOf(time, 0), rolesOf(time, 1)],
+          set_play: "pushing_free_kick",
+          packets_left: [1200 - 10 * time, 1200],
+        };
+      }
+      if (topic === "/event" && message.event === "kick_off")
+        return { ...message, event: "penalty", offence: "illegal_position_in_set", robot: 5, side: "away" };
+      if (topic.startsWith("/decision")) return decision(message, topic.includes("home") ? 0 : 1);
+      if (topic.startsWith("/belief")) return belief(message);
+      return message;
+    },
+  });
+}
