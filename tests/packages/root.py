@@ -55,15 +55,19 @@ class Root:
         database = ""
         for package in sorted(packages):
             database += output("dpkg-query", "-s", package) + "\n"
+            # Whose folders are whose: dpkg leaves a folder that another package holds.
+            for suffix in ("", ":" + output("dpkg", "--print-architecture").strip()):
+                self.copy(pathlib.Path(f"/var/lib/dpkg/info/{package}{suffix}.list"))
             for file in map(pathlib.Path, output("dpkg-query", "-L", package).splitlines()):
-                if file.is_relative_to("/usr/share") or file.is_dir() or not os.path.lexists(file):
-                    continue
-                self.copy(file)
+                if not file.is_relative_to("/usr/share") and not file.is_dir():
+                    self.copy(file)
         self.copy(pathlib.Path("/usr/bin/dash"))
         (self.path / "usr/bin/sh").symlink_to("dash")
         (self.path / "var/lib/dpkg/status").write_text(database)
 
     def copy(self, file):
+        if not os.path.lexists(file):
+            return
         to = self.path / file.relative_to("/")
         to.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(file, to, follow_symlinks=False)
