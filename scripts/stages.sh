@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Sourced by scripts/check and scripts/demo: strict mode, the project's root as current folder, no standard input, and
+# Sourced by the scripts that have stages: strict mode, the project's root as current folder, no standard input, and
 # stages that are named, timed and summed up. The first command that fails ends the script and names its stage.
 # shellcheck shell=bash
 set -euo pipefail
@@ -44,6 +44,22 @@ trap 'exit 143' TERM HUP
 # Where there is no home folder to keep ccache's store in, keep it beside the builds.
 if [[ ! -w ${HOME:-/nonexistent} ]]; then export CCACHE_DIR="$PWD/build/ccache"; fi
 
-# Every script configures a preset through here: two of them with different cache options would rebuild each other's
-# files for ever.
-configure() { cmake --preset "$1" -DREGISTA_WERROR=ON; }
+# Every script configures a preset through these two: with different options they would rebuild each other's files for ever.
+#
+# configure PRESET: with everything that the preset has, tests too.
+configure() {
+  local everything=(-DREGISTA_WERROR=ON)
+  if [[ $1 == release ]]; then everything+=(-DREGISTA_TESTS=ON -DREGISTA_BENCHMARKS=ON); fi
+  cmake --preset "$1" "${everything[@]}"
+}
+
+# The program of the release build, for which the packages of the tests need not be there. A folder that was configured with
+# tests keeps them. A new one in which no compiler cache helps is built with precompiled headers, and stays so.
+configure_program() {
+  local cache=build/release/CMakeCache.txt options=(-DREGISTA_WERROR=ON)
+  if ! grep -qs '^REGISTA_TESTS:[A-Z]*=ON' "$cache"; then options+=(-DREGISTA_TESTS=OFF -DREGISTA_BENCHMARKS=OFF); fi
+  if [[ ! -e $cache ]] && { ! command -v ccache >/dev/null || [[ -n ${CCACHE_DISABLE-} ]]; }; then
+    options+=(-DREGISTA_PRECOMPILE=ON)
+  fi
+  cmake --preset release "${options[@]}"
+}
