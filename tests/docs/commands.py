@@ -18,6 +18,7 @@ and others with a comment in the line before:
     <!-- makes: NAME ... -->       files it writes, which must be those of the folder `images` beside the page
     <!-- takes: 20 min -->         left out, but with --long
     <!-- needs: NAME ... -->       files that are not part of the project; left out where one is not there
+    <!-- in: the checkout -->      is run in the folder of the project
     <!-- not run: WHY -->          left out
 
 REGISTA_BIN is the folder of the program, REGISTA_SOURCE that of the project. REGISTA_KEEP_IMAGES=1 writes images anew.
@@ -89,14 +90,15 @@ def matches(expected, printed):
 
 
 class Runner:
-    def __init__(self, folder, binaries, data, images):
-        self.folder, self.data, self.images = folder, data, images
+    def __init__(self, folder, binaries, source, images):
+        self.folder, self.source, self.images = folder, source, images
+        self.data = source.parent / "shared" / "data"
         kept = {key: value for key, value in os.environ.items() if not key.startswith("REGISTA_")}
         self.environment = {**kept, "PATH": f"{binaries}:{os.environ['PATH']}", "HOME": str(folder), "TERM": "dumb",
                             "COLUMNS": "80", "LC_ALL": "C.UTF-8"}
 
-    def shell(self, text):
-        return subprocess.run(["bash", "-e", "-u", "-o", "pipefail", "-c", text], cwd=self.folder, text=True,
+    def shell(self, text, folder=None):
+        return subprocess.run(["bash", "-e", "-u", "-o", "pipefail", "-c", text], cwd=folder or self.folder, text=True,
                               env=self.environment, stdin=subprocess.DEVNULL, capture_output=True, check=False)
 
     def needed(self, names):
@@ -119,7 +121,7 @@ class Runner:
             self.conversation(block)
 
     def script(self, block):
-        done = self.shell("\n".join(block.lines))
+        done = self.shell("\n".join(block.lines), self.source if "in" in block.marks else self.folder)
         wanted = int(block.marks.get("status", 0))
         if done.returncode != wanted:
             raise Failed(f"ended with status {done.returncode} instead of {wanted}:\n{done.stderr[-2000:]}")
@@ -152,8 +154,7 @@ def main():
     wrong = [f"{page.name}:{number}: a command in a block that is not run: {line}" for number, line in commands_outside(page)]
     with tempfile.TemporaryDirectory(prefix="regista-docs-") as name:
         folder = pathlib.Path(name).resolve()
-        runner = Runner(folder, os.environ["REGISTA_BIN"], source.parent / "shared" / "data",
-                        page.parent / "images")
+        runner = Runner(folder, os.environ["REGISTA_BIN"], source, page.parent / "images")
         shutil.copytree(source / "configs", folder / "configs")
         for block in blocks_of(page):
             if block.tag not in ("sh", "console") and "file" not in block.marks:
