@@ -13,17 +13,10 @@
 namespace regista::report {
 namespace {
 
-Html head(const ExperimentView& view, const std::vector<std::string>& sentences) {
-  const study::ExperimentPlan& plan = view.plan;
+Html head(const ExperimentView& view) {
   Html out = "<header>\n<p class=\"kicker\">Experiment: "_html;
-  out << text(experiment_title(view)) << "</p>\n<h1 id=\"verdict\">"_html
-      << text(plan.question.empty() ? plan.name : plan.question) << "</h1>\n<p class=\"beside\">"_html;
-  if (!view.course.complete()) {
-    out << text(
-        fmt::format("Not at its end: {} of {} matches, so nothing is tested. ", view.course.taken(), plan.matches()));
-  }
-  if (!sentences.empty()) out << text(sentences.front());
-  return out << "</p>\n</header>\n"_html;
+  return out << text(experiment_title(view)) << "</p>\n<h1 id=\"verdict\">"_html << text(experiment_headline(view))
+             << "</h1>\n<p class=\"beside\">"_html << text(view.plan.question) << "</p>\n</header>\n"_html;
 }
 
 Html tiles(const ExperimentView& view) {
@@ -56,7 +49,9 @@ Html findings_section(const std::vector<std::string>& sentences) {
 Html figures_section(const ExperimentPageSource& source) {
   Html out;
   for (const PageFigure& each : source.figures) out << figure(source.figures, each.figure.name);
-  return section("figures", "Figures"_html, out);
+  if (out.empty()) return {};
+  Html full = "<div class=\"full\">\n"_html;
+  return section("figures", "Figures"_html, full << out << "</div>\n"_html);
 }
 
 Html measure_cell(const std::string& measure) {
@@ -193,8 +188,8 @@ std::string experiment_page(const ExperimentPageSource& source) {
   const ExperimentView& view = source.view;
   const std::vector<std::string> sentences = finding_sentences(view);
   Html page = page_begin(experiment_title(view));
-  page << irreproducible_note(view.course.remarks()) << head(view, sentences) << tiles(view)
-       << findings_section(sentences) << figures_section(source) << means_section(view) << differences_section(view)
+  page << irreproducible_note(view.course.remarks()) << head(view) << tiles(view) << findings_section(sentences)
+       << figures_section(source) << means_section(view) << differences_section(view)
        << unplayed_section(view.course.unplayed_pairs(), view.course.remarks()) << failures_section(view)
        << configuration_section(view.plan) << reproduction_section(source, source.command)
        << written_note(view.course.remarks()) << page_end();

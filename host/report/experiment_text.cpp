@@ -156,10 +156,7 @@ std::string experiment_text(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   std::string out = irreproducible_text(view.course.remarks()) + experiment_title(view) + '\n';
   if (!plan.question.empty()) out += visible(plan.question) + '\n';
-  if (!view.course.complete()) {
-    out += fmt::format("Not at its end: {} of {} matches. No test.\n", view.course.taken(), plan.matches());
-  }
-  out += '\n' + pairs_text(view) + '\n';
+  out += '\n' + experiment_headline(view) + "\n\n" + pairs_text(view) + '\n';
   if (plan.swept()) {
     for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) out += sweep_table(view, measure) + '\n';
   } else {
