@@ -28,8 +28,8 @@ struct Range {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  // Of an axis: a little more on both sides.
-  double room() const { return high > low ? 0.06 * (high - low) : 1.0; }
+  // Of an axis: a little more on both sides. What rounding leaves of values that are equal is no range.
+  double room() const { return high - low > 1e-6 ? 0.06 * (high - low) : 1.0; }
   std::string bottom() const { return fmt::format("{:.6g}", low - room()); }
   std::string top() const { return fmt::format("{:.6g}", high + room()); }
   std::string axis() const { return fmt::format("[{}:{}]", bottom(), top()); }

@@ -13,7 +13,7 @@
 namespace regista::report {
 namespace {
 
-constexpr std::size_t most_measures = 40;
+constexpr std::size_t most_figures = 40;
 constexpr std::array<std::string_view, 2> numbered{"sweep_", "measure_"};
 
 std::string field(bool known, double value) {
@@ -60,13 +60,13 @@ std::vector<Figure> experiment_figures(const ExperimentView& view) {
   const auto of_measure = [&](std::size_t measure) {
     if (plan.swept())
       add(sweep_figure(view, measure));
-    else if (measure < most_measures && !is_in_role_figure(plan.measures[measure]))
+    else if (!is_in_role_figure(plan.measures[measure]))
       add(arms_figure(view, measure));
   };
   const std::optional<std::size_t> primary = study::primary_measure(plan);
   if (primary) of_measure(*primary);
   if (!plan.swept()) add(role_figure(view));
-  for (std::size_t measure = 0; measure < std::min(plan.measures.size(), most_measures); ++measure) {
+  for (std::size_t measure = 0; measure < plan.measures.size() && out.size() < most_figures; ++measure) {
     if (measure != primary) of_measure(measure);
   }
   return out;

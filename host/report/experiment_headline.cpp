@@ -188,8 +188,8 @@ std::string found_sentences(const study::ExperimentPlan& plan, const std::vector
     told += clauses[i].names.size();
   }
   if (told < found.size()) {
-    out += fmt::format(" {} more {} found.", config::counted(found.size() - told, "difference", "differences"),
-                       found.size() - told == 1 ? "was" : "were");
+    const std::size_t left = found.size() - told;
+    out += fmt::format(" {} more {} found.", left, left == 1 ? "difference was" : "differences were");
   }
   return out;
 }
@@ -213,7 +213,10 @@ std::string undecided_sentence(const study::ExperimentPlan& plan, const std::vec
 // --- None -----------------------------------------------------------------------------------------------------------
 
 std::string none_found(const study::ExperimentPlan& plan, const std::vector<const Finding*>& open) {
+  const std::size_t arms = plan.arms.size();
+  const bool any_two = !plan.swept() && open.size() == arms * (arms - 1) / 2;
   const std::string where = open.size() == 1 ? "between " + between(plan, open.front()->comparison)
+                            : any_two        ? fmt::format("between any two of the {} arms", arms)
                                              : fmt::format("in any of {} comparisons", open.size());
   return fmt::format("No difference in {} was found {}. This does not show that there is none.", visible(plan.primary),
                      where);

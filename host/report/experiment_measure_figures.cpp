@@ -164,7 +164,7 @@ std::optional<Figure> sweep_figure(const ExperimentView& view, std::size_t measu
   out.width = page_width;
   const int key = 20 * key_rows(plan), row = 18 + 12 * static_cast<int>(plan.arms.size());
   out.height = key + (numbers ? 310 : 66 + row * static_cast<int>(plan.values.size()));
-  out.commands = fmt::format("set key outside top center horizontal maxcols {}\n", key_columns(plan)) +
+  out.commands = fmt::format("set key outside top center horizontal Left reverse maxcols {}\n", key_columns(plan)) +
                  (numbers ? curve_commands(plan, out.name, path) : value_rows_commands(view, out, measure));
   return out;
 }

@@ -19,6 +19,11 @@ Html head(const ExperimentView& view) {
              << "</h1>\n<p class=\"beside\">"_html << text(view.plan.question) << "</p>\n</header>\n"_html;
 }
 
+std::string minutes_text(double least, double most) {
+  const std::string from = fmt::format("{:.0f}", least), to = fmt::format("{:.0f}", most);
+  return from == to ? from : fmt::format("{} – {}", from, to);
+}
+
 Html tiles(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   const auto [least, most] = [&] {
@@ -33,8 +38,7 @@ Html tiles(const ExperimentView& view) {
   out << tile(text(fmt::format("{}", plan.arms.size())), text(plan.arms.size() == 1 ? "arm" : "arms"));
   if (plan.swept()) out << tile(text(fmt::format("{}", plan.values.size())), text("values of the sweep"));
   out << tile(text(fmt::format("{}", plan.pairs)), text("pairs of matches each: same seed, both sides"));
-  out << tile(text(least == most ? fmt::format("{:.0f}", least) : fmt::format("{:.0f} – {:.0f}", least, most)),
-              text("minutes in Playing each"));
+  out << tile(text(minutes_text(least, most)), text("minutes of play each"));
   out << tile(text(fmt::format("{}", view.course.taken())), text(fmt::format("matches of {} planned", plan.matches())));
   return out << "</div>\n"_html;
 }
@@ -55,7 +59,7 @@ Html figures_section(const ExperimentPageSource& source) {
 }
 
 Html measure_cell(const std::string& measure) {
-  Html out = code(measure);
+  Html out = path_code(measure);
   if (study::is_time(measure)) out << ", "_html << text(study::unit_of(measure));
   return out;
 }

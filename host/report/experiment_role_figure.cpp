@@ -78,7 +78,7 @@ std::string panel_commands(const ExperimentView& view, std::size_t first_column,
                            const std::string& tics, double most) {
   const std::size_t arms = view.plan.arms.size();
   const double height = 0.8 / static_cast<double>(arms);
-  std::string out = fmt::format("set title '{}'\nset xrange [0:{:.6g}]\nset xtics {}\n{}", title,
+  std::string out = fmt::format("set title '{}' offset 0, -0.7\nset xrange [0:{:.6g}]\nset xtics {}\n{}", title,
                                 most > 0.0 ? 1.05 * most : 1.0, tic_step(most, 5), tics);
   std::string plot = "plot ";
   for (std::size_t arm = 0; arm < arms; ++arm) {
@@ -102,7 +102,8 @@ std::string panel_commands(const ExperimentView& view, std::size_t first_column,
 std::string key_commands(const study::ExperimentPlan& plan, int height, int top) {
   std::string out = fmt::format(
       "set lmargin at screen 0.01\nset rmargin at screen 0.99\nset tmargin at screen 0.995\n"
-      "set bmargin at screen {:.4f}\nunset border\nunset tics\nset key center center horizontal maxcols {}\nplot ",
+      "set bmargin at screen {:.4f}\nunset border\nunset tics\nset key center top horizontal Left reverse maxcols "
+      "{}\nplot ",
       1.0 - static_cast<double>(top - 30) / height, key_columns(plan));
   for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
     out += fmt::format("NaN with boxes lc rgb '{}' fs solid noborder title {}{}", arm_colour(arm),
@@ -167,7 +168,7 @@ std::optional<Figure> role_figure(const ExperimentView& view) {
   for (const std::string& role : names) widest = std::max(widest, gnuplot_mark(short_name(role)).size() - 2);
   const auto rows = static_cast<double>(names.size());
   out.width = page_width;
-  const int top = 40 + 20 * key_rows(plan);
+  const int top = 50 + 20 * key_rows(plan);
   out.height = 50 + top + static_cast<int>(rows * std::max(24.0, 10.0 * static_cast<double>(plan.arms.size())));
   out.commands = fmt::format(
       "set grid noytics\nset grid xtics lt 1 lc rgb '{}' lw 0.7\nset yrange [{:.1f}:0.6]\n"

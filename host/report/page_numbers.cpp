@@ -177,7 +177,7 @@ Html goals_of_several(const PageSource& source) {
       cells.push_back(cell << (i < shown    ? "2"_html
                                : i == shown ? "8"_html
                                             : "1"_html)
-                           << text(fmt::format(") {:.0f}%,transparent)", 70.0 * share)) << "\">"_html
+                           << text(fmt::format(") {:.0f}%,transparent)", 45.0 * share)) << "\">"_html
                            << text(fmt::format("{}", columns[i])) << "</span>"_html);
     }
     table.row(cells);

@@ -147,7 +147,7 @@ Html cross_table(const PageSource& source) {
       // A ground of the first or the second colour, the stronger the farther from one half.
       Html cell = "<span style=\"background:color-mix(in srgb,var(--series-"_html;
       cells.push_back(cell << (share >= 50.0 ? "1"_html : "2"_html)
-                           << text(fmt::format(") {:.0f}%,transparent)", std::abs(share - 50.0) * 1.1)) << "\">"_html
+                           << text(fmt::format(") {:.0f}%,transparent)", std::abs(share - 50.0) * 0.9)) << "\">"_html
                            << text(fmt::format("{:.0f}", share)) << "</span>"_html);
     }
     table.row(cells);

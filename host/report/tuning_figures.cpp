@@ -119,7 +119,7 @@ std::optional<Figure> convergence(const TuningView& view) {
       "set xlabel 'matches of the search'\nset xrange [0:{}]\nset xtics {}\nset ylabel {}\nset yrange {}\n"
       "set key outside top center horizontal maxrows 2\n"
       "plot ",
-      end, whole_tic_step(static_cast<double>(end), 8), value_label(objective), range.axis());
+      end, whole_tic_step(static_cast<double>(end), 8), value_label(objective, out.height - 70), range.axis());
   for (const Level& each : levels) out.commands += band_commands(each);
   out.commands += fmt::format(
       "'convergence.csv' using 1:3 with points pt 7 ps {} lc rgb '{}' title 'an evaluation', \\\n"
@@ -169,8 +169,8 @@ std::optional<Figure> importance(const TuningView& view) {
       "plot 'importance.csv' using ($4>0?$2:1/0):(-$0):(0):2:(-$0-0.32):(-$0+0.32) with boxxyerror lc rgb '{7}', \\\n"
       "  '' using ($4>0?1/0:$2):(-$0):(0):2:(-$0-0.32):(-$0+0.32) with boxxyerror lc rgb '{8}'\n",
       tics, grid_colour, -static_cast<double>(slices.size()) + 0.4, most > 0.0 ? 1.05 * most : 1.0, tic_step(most, 6),
-      value_label(view.plan.objective), std::min(0.5, (8.2 * static_cast<double>(widest) + 16.0) / out.width),
-      colours[0], colours[7]);
+      value_label(view.plan.objective, out.width / 2),
+      std::min(0.5, (8.2 * static_cast<double>(widest) + 16.0) / out.width), colours[0], colours[7]);
   return out;
 }
 
@@ -213,7 +213,8 @@ std::optional<Figure> slice(const TuningView& view, const study::Slice& of, std:
       "  '' using ($5>0?$1:1/0):2:3:4 with yerrorbars pt 9 ps 1.1 lw 1.5 lc rgb '{9}'\n",
       slice_axis(parameter), gnuplot_text(short_path(parameter.path)),
       has_unit(parameter) ? fmt::format(".', '.{}", gnuplot_text(parameter.unit)) : std::string(),
-      value_label(objective), range.axis(), parameter.start, colours[1], out.name, colours[0], colours[2]);
+      value_label(objective, out.height - 60), range.axis(), parameter.start, colours[1], out.name, colours[0],
+      colours[2]);
   return out;
 }
 

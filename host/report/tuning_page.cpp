@@ -73,7 +73,7 @@ Html values_section(const TuningPage& page) {
         Html differs = "<span class=\"differs\">"_html;
         tuned = differs << tuned << "</span>"_html;
       }
-      table.row({code(parameter.path), text(text_of(parameter, each.base)), tuned, text(range_text(parameter)),
+      table.row({path_code(parameter.path), text(text_of(parameter, each.base)), tuned, text(range_text(parameter)),
                  text(end_text(each.at)), known ? text(importance_value(*slice)) : Html("–"_html),
                  known ? text(importance_text(*slice)) : Html("–"_html)});
     }

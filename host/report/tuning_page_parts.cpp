@@ -55,7 +55,7 @@ Html setup_section(const study::TuningPlan& plan, const std::vector<std::string>
                    {"Scale"_html, Column::words},
                    {"What it is"_html, Column::words}});
   for (const study::Parameter& each : plan.parameters) {
-    table.row({code(each.path), text(text_of(each, each.start)), text(range_text(each)), text(scale_text(each)),
+    table.row({path_code(each.path), text(text_of(each, each.start)), text(range_text(each)), text(scale_text(each)),
                text(each.doc)});
   }
   Html out = sentence_list(sentences);
