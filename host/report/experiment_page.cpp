@@ -85,8 +85,8 @@ Html means_section(const ExperimentView& view) {
     out << "<p class=\"note\">"_html << text(each) << "</p>\n"_html;
   }
   out << "<p class=\"note\">"_html;
-  out << text(fmt::format("Times are minutes in 60 minutes of play, all else is the mean of a match; ± what holds with "
-                          "{:.4g} % by Student's t, the pair of matches as the unit.",
+  out << text(fmt::format("Times are minutes in 60 minutes of play, all other numbers are means of a match. ± is half "
+                          "of the {:.4g} % interval: Student's t over pairs of matches.",
                           100.0 * plan.confidence))
       << " "_html << table_link("means.csv", experiment_summary_csv(view)) << "</p>\n<div class=\"values\">"_html
       << table.html() << "</div>\n"_html;
@@ -115,8 +115,9 @@ Html differences_section(const ExperimentView& view) {
     }
   }
   Html out =
-      "<p class=\"note\">Pair by pair, with intervals that hold for each by itself: only the primary measure was "
-      "tested, and corrected for the number of comparisons.</p>\n<details><summary>All differences</summary>\n"
+      "<p class=\"note\">Differences pair by pair. Each interval holds for its own comparison. Only the primary "
+      "measure was tested, with a correction for the number of comparisons.</p>\n<details><summary>All "
+      "differences</summary>\n"
       "<div class=\"values\">"_html;
   out << table.html() << "</div>\n</details>\n"_html;
   return section("differences", "Differences"_html, out);
@@ -130,7 +131,7 @@ Html failures_section(const ExperimentView& view) {
                    {"Plugin"_html, Column::words},
                    {"Call"_html, Column::words},
                    {"Reason"_html, Column::words},
-                   {"Plays the first of them again"_html, Column::words}});
+                   {"Command that plays the first again"_html, Column::words}});
   for (const study::Forfeits& each : view.course.forfeits().listed()) {
     const bool opponent = each.team == plan.conditions.size();
     table.row({opponent ? text("the opponent") : name(label(plan, each.team)), text(fmt::format("{}", each.count)),
@@ -164,14 +165,12 @@ std::vector<campaign::Input> all_inputs(const study::ExperimentPlan& plan) {
 Html reproduction_section(const ExperimentPageSource& source, const std::string& command) {
   const study::ExperimentPlan& plan = source.view.plan;
   Html out = "<p>In the folder "_html;
-  out << code(plan.folder) << ", with the program and the files that have these hashes:</p>\n"_html << block(command)
+  out << code(plan.folder) << ", with the program and the files of the hashes below:</p>\n"_html << block(command)
       << "<p class=\"note\">Regista "_html << text(source.program)
-      << " began these results; seeds, number of matches, test and hashes were fixed and stored before the first "
-         "match. "
-         "Fingerprint of all matches, equal where the same were played with the same course: "_html
+      << " began these results. Seeds, number of matches, test and hashes were stored before the first match. Fingerprint of all matches (the same matches have the same one): "_html
       << code(source.fingerprint.empty() ? "–" : source.fingerprint)
-      << "</p>\n<details><summary>Hashes of everything the matches are a function of</summary>\n"_html
-      << hashes_table(all_inputs(plan)) << "</details>\n"_html;
+      << "</p>\n<details><summary>Hashes of all inputs</summary>\n"_html << hashes_table(all_inputs(plan))
+      << "</details>\n"_html;
   return section("reproduction", "Playing it again"_html, out);
 }
 

@@ -26,10 +26,10 @@ std::optional<Figure> algorithms(const SearchComparisonView& view) {
   const study::TuningObjective& objective = view.plan.tuning.objective;
   Figure out;
   out.name = figure_name;
-  out.title = "What the algorithms came to";
+  out.title = "Results of the algorithms";
   out.description = fmt::format(
-      "{}, less the base team's, on pairs that no search has seen; {} is better. Circles: single runs; box: from the "
-      "lower to the upper quartile; bar: median.",
+      "Difference in {} from the base team on pairs with held-out seeds; {} is better. Circles: single runs. Box: "
+      "lower to upper quartile. Bar: median.",
       objective_text(objective), objective.minimise ? "less" : "more");
   out.csv = "algorithm,row,repeat,difference,lower_quartile,median,upper_quartile\n";
   AxisRange range;

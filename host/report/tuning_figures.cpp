@@ -93,18 +93,19 @@ std::optional<Figure> convergence(const TuningView& view) {
 
   Figure out;
   out.name = "convergence";
-  out.title = "The search, and what was verified of it";
+  out.title = "The search and its verification";
   out.description = fmt::format(
-      "Points: value of each evaluation, with the noise of its few matches{}; line: the best so far, which is "
-      "optimistic, for it is the best of many noisy ones.{}{}",
+      "Points: value of each evaluation{}, noisy because it has few matches. Line: the best so far, which is "
+      "optimistic because it is the best of many noisy values.{}{}",
       kept.stride() > 1 ? fmt::format(" (every {}th)", kept.stride()) : std::string(),
       std::ranges::any_of(trace, [](const auto& each) { return each.played.failed; })
           ? " Crosses at the bottom: forfeited by the tuned team."
           : "",
-      levels.empty() ? std::string()
-                     : fmt::format(" Dashed, with what holds with {:.4g} % by Student's t: the tuned team and the base "
-                                   "team on the pairs of the verification.",
-                                   100.0 * view.plan.confidence));
+      levels.empty()
+          ? std::string()
+          : fmt::format(
+                " Dashed, with bands of {:.4g} %: the tuned team and the base team on the pairs of the verification.",
+                100.0 * view.plan.confidence));
   out.csv = "matches,evaluation,value,best,failed\n";
   for (const study::SearchStep* const each : steps) {
     const double value = of_objective(objective, each->played.counted);
@@ -146,8 +147,8 @@ std::optional<Figure> importance(const TuningView& view) {
   out.name = "importance";
   out.title = "Importance of the parameters";
   out.description =
-      "How much the objective varies (standard deviation) over the range of each parameter around the point that was "
-      "found, beyond what chance does. Grey: no more than chance.";
+      "Standard deviation of the objective over the range of each parameter, around the point that was found, less the "
+      "part that chance explains. Grey: no more than chance.";
   out.csv = "parameter,importance,p,more_than_chance\n";
   double most = 0.0;
   std::size_t widest = 0;
@@ -192,8 +193,8 @@ std::optional<Figure> slice(const TuningView& view, const study::Slice& of, std:
   out.name = fmt::format("{}{}", slice_prefix, number);
   out.title = visible(parameter.path);
   out.description = fmt::format(
-      "The objective over this parameter alone, all others as in finalist {}; whiskers: what holds with {:.4g} % by "
-      "Student's t. Triangle: the point that was found; dashed: the base team's value. {}{}.",
+      "The objective over this parameter alone, all others as in finalist {}. Whiskers: intervals of {:.4g} %. "
+      "Triangle: the point that was found. Dashed: the base team's value. {}{}.",
       *centre + 1, 100.0 * view.plan.confidence,
       more_than_chance(of) ? fmt::format("Importance {:.3g}, ", of.importance) : std::string("Importance: "),
       importance_text(of));

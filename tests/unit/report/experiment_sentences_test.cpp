@@ -69,7 +69,7 @@ TEST(ExperimentSentences, NotesTellOfPlayingOfTheOpponentAndOfSeveralIntervals) 
               testing::ElementsAre("Mean minutes of a match in the phase Playing: arm 0 10.0, arm 1 10.0."));
   EXPECT_THAT(told(study::experiment_of(2, 2, 3), spread).notes,
               testing::ElementsAre("Mean minutes of a match in the phase Playing: 10.0.",
-                                   AllOf(HasSubstr("the opponent's, too"), HasSubstr("rules.messages.budget")),
+                                   AllOf(HasSubstr("apply to the opponent, too"), HasSubstr("rules.messages.budget")),
                                    HasSubstr("for all 2 comparisons together")));
   ExperimentPlan plan = study::experiment_of(2, 1, 3);
   plan.arms[0].settings = {"rulesome.plugin=x", "robot=nao"};
