@@ -28,8 +28,8 @@ struct Range {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  // Of an axis: a little more on both sides.
-  double room() const { return high > low ? 0.06 * (high - low) : 1.0; }
+  // Of an axis: a little more on both sides. What rounding leaves of values that are equal is no range.
+  double room() const { return high - low > 1e-6 ? 0.06 * (high - low) : 1.0; }
   std::string bottom() const { return fmt::format("{:.6g}", low - room()); }
   std::string top() const { return fmt::format("{:.6g}", high + room()); }
   std::string axis() const { return fmt::format("[{}:{}]", bottom(), top()); }
@@ -101,13 +101,11 @@ std::optional<Figure> elo_over_pairs(const TournamentView& view, std::span<const
   Figure out;
   out.name = "elo";
   out.title = "Elo over pairs";
-  out.description = fmt::format(
-      "Strength of {} above {}, as it was after each pair{}", label(view, 0), label(view, 1),
-      any ? fmt::format(
-                "; from the {}th pair on that was not even with its interval of 95 %, which holds for one look at "
-                "a number of pairs fixed beforehand.",
-                fewest_uneven_pairs)
-          : std::string(". Too few pairs for an interval."));
+  out.description = fmt::format("Strength of {} above {}, as it was after each pair{}", label(view, 0), label(view, 1),
+                                any ? fmt::format(". From the {}th uneven pair on with its 95 % interval, which holds "
+                                                  "for a number of pairs fixed beforehand.",
+                                                  fewest_uneven_pairs)
+                                    : std::string(". Too few pairs for an interval."));
   out.csv = banded_csv(points, "elo");
   out.commands = banded_commands(out.name, points, "Elo");
   return out;
@@ -125,8 +123,7 @@ std::optional<Figure> value_over_pairs(const TournamentView& view, std::span<con
   out.name = "value";
   out.title = goals ? "Goal difference over pairs" : fmt::format("Difference of {} over pairs", visible(test->value));
   out.description =
-      fmt::format("{} less {}, mean of a match, with the interval that holds however often one looks{}.",
-                  label(view, 0), label(view, 1),
+      fmt::format("{} less {}, mean of a match, with the anytime-valid interval{}.", label(view, 0), label(view, 1),
                   test == nullptr ? std::string(" (95 %)") : fmt::format(" ({:.4g} %)", 100.0 * (1.0 - test->alpha)));
   out.csv = banded_csv(points, "difference");
   out.commands = banded_commands(out.name, points, goals ? "goals per match" : "difference per match");
@@ -170,7 +167,7 @@ std::optional<Figure> ranking_figure(const TournamentView& view) {
   Figure out;
   out.name = "ranking";
   out.title = "Strength of the teams";
-  out.description = "Bradley-Terry Elo, sum 0, with intervals of 95 % that take matches as independent.";
+  out.description = "Bradley-Terry Elo, sum 0, with 95 % intervals that assume independent matches.";
   out.csv = "team,elo,low,high\n";
   std::string tics;
   Range range;
@@ -200,7 +197,7 @@ std::optional<Figure> ranking_over_pairs(const TournamentView& view, std::span<c
   Figure out;
   out.name = "elo";
   out.title = "Elo over pairs";
-  out.description = fmt::format("Bradley-Terry Elo of {} after so many pairs of each pairing.",
+  out.description = fmt::format("Bradley-Terry Elo of {} after each number of pairs.",
                                 teams.size() == view.plan.teams.size()
                                     ? std::string("all teams")
                                     : fmt::format("the first {} teams of the ranking", teams.size()));

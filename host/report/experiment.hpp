@@ -34,7 +34,11 @@ std::string experiment_text(const ExperimentView& view);
 // One JSON object with a newline.
 std::string experiment_json(const ExperimentView& view);
 
-// What was found, a sentence each: the order of the arms in the primary measure, then each comparison.
+// What was found of the primary measure, in one line. Arms stand in an order ("a > b > c") only where every difference
+// between them was found, after the correction for the number of comparisons.
+std::string experiment_headline(const ExperimentView& view);
+
+// The same in full, a sentence each: the means, then each comparison, then the test. Empty without a primary measure.
 std::vector<std::string> finding_sentences(const ExperimentView& view);
 
 // What is to be known to read the tables, a sentence each: how long was played, what a setting changes besides the

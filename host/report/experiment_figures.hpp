@@ -10,9 +10,9 @@
 
 namespace regista::report {
 
-// Without a sweep "roles", the bar chart of Affinita et al. 2023, section 4: minutes of overlap by role, a colour for
-// each arm; beside it uncovered time and switches. With one a curve for each measure, "sweep_1", ... A figure that has
-// nothing to show is left out.
+// The primary measure first. Without a sweep "roles" for what the measures name of single roles, and "measure_1", ...
+// for each other measure: arms with mean and interval. With a sweep "sweep_1", ..., a curve for each measure and arm.
+// The number is the place of the measure in the plan. As wide as the page; one that has nothing to show is left out.
 std::vector<Figure> experiment_figures(const ExperimentView& view);
 
 // Whether figures of some experiment are called so.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an experiment found, in words.
+// What an experiment found, comparison by comparison. experiment_headline.cpp says it in one line.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,62 +29,64 @@ const char* by_text(study::PairMethod by) {
   return "";
 }
 
-// "fixed rate 3.2 > events 2.1 > paper 1.0"
-std::string order_text(const ExperimentView& view, std::size_t measure, std::size_t value) {
+// "fixed rate 3.2, events 2.1", in the order of the plan: a mean by itself is no finding.
+std::string means_text(const ExperimentView& view, std::size_t measure, std::size_t value) {
   const study::ExperimentPlan& plan = view.plan;
-  struct Placed {
-    std::size_t arm;
-    study::MeanEstimate mean;
-  };
-  std::vector<Placed> placed;
+  std::vector<std::string> means;
   for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
-    placed.push_back({arm, view.course.mean(plan.condition(arm, value), measure)});
+    const study::MeanEstimate mean = view.course.mean(plan.condition(arm, value), measure);
+    if (mean.pairs == 0) continue;
+    means.push_back(fmt::format("{} {}", visible(plan.arms[arm].name), rounded(mean.mean, half_width(mean.interval))));
   }
-  std::erase_if(placed, [](const Placed& each) { return each.mean.pairs == 0; });
-  std::ranges::stable_sort(placed, [](const Placed& a, const Placed& b) { return a.mean.mean > b.mean.mean; });
-  std::string out;
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    if (i > 0) out += placed[i].mean.mean == placed[i - 1].mean.mean ? " = " : " > ";
-    out += fmt::format("{} {}", visible(plan.arms[placed[i].arm].name),
-                       rounded(placed[i].mean.mean, half_width(placed[i].mean.interval)));
-  }
-  return out.empty() ? "no arm has a value" : out;
+  return means.empty() ? std::string("no arm has a value") : config::join(means);
 }
 
+// "mean difference 5.0 (95 % interval of this comparison alone: 2.0 to 8.0), 12 pairs"
+std::string difference_text(const study::MeanEstimate& difference, double confidence) {
+  const double margin = half_width(difference.interval);
+  std::string out = "mean difference " + rounded(difference.mean, margin);
+  if (difference.interval) {
+    out += fmt::format(" ({:.4g} % interval of this comparison alone: {} to {})", 100.0 * confidence,
+                       rounded(difference.interval->low, margin), rounded(difference.interval->high, margin));
+  }
+  return out + ", " + config::counted(static_cast<std::uint64_t>(difference.pairs), "pair", "pairs");
+}
+
+std::string test_text(const study::ExperimentPlan& plan, const Finding& finding) {
+  std::string out =
+      fmt::format("; {}{}, {} after Holm", p_text(*finding.p), by_text(finding.by), p_text(*finding.adjusted));
+  if (finding.unplayed_pairs > 0) {
+    out += fmt::format(", with {} that could not be played counted for the side that makes p larger",
+                       pairs_in_words(finding.unplayed_pairs));
+  }
+  out += '.';
+  if (plan.test == study::PairTest::paired_t && finding.by != study::PairMethod::student_t) {
+    out += " Every pair differs by as much: without spread Student's t is not defined.";
+  }
+  return out;
+}
+
+// The verdict first, then the numbers.
 std::string comparison_text(const ExperimentView& view, const Finding& finding) {
   const study::ExperimentPlan& plan = view.plan;
   const std::string first = visible(label(plan, finding.comparison.first));
   const std::string second = visible(label(plan, finding.comparison.second));
   const study::MeanEstimate& difference = finding.difference;
   if (difference.pairs == 0) return fmt::format("{} and {}: no pair has both values.", first, second);
-  const double margin = half_width(difference.interval), size = std::abs(difference.mean);
-  std::string out = difference.mean == 0.0 ? fmt::format("{} has as much as {}", first, second)
-                                           : fmt::format("{} has {} {} than {}", first, rounded(size, margin),
-                                                         difference.mean > 0.0 ? "more" : "less", second);
-  if (difference.interval) {
-    out += fmt::format(" (difference {} to {}, {:.4g} % by itself)", rounded(difference.interval->low, margin),
-                       rounded(difference.interval->high, margin), 100.0 * plan.confidence);
-  }
-  out += ", " + config::counted(static_cast<std::uint64_t>(difference.pairs), "pair", "pairs");
+  const std::string numbers = difference_text(difference, plan.confidence);
   if (study::equal_conditions(plan, finding.comparison)) {
-    return out + ": the two are equal to the last byte, so there is no difference by construction.";
+    return fmt::format("{} and {} are equal to the last byte, so there is no difference by construction: {}.", first,
+                       second, numbers);
   }
-  if (!view.course.complete()) return out + ".";
-  if (!finding.adjusted) return out + ": too few pairs for a test.";
-  if (plan.test == study::PairTest::paired_t && finding.by != study::PairMethod::student_t) {
-    out += "; every pair differs by as much, and without spread Student's t is not defined";
-  }
-  out += fmt::format("; {}{}, {} after Holm", p_text(*finding.p), by_text(finding.by), p_text(*finding.adjusted));
-  if (finding.unplayed_pairs > 0) {
-    out += fmt::format(" with {} that could not be played counted for whichever side makes it larger",
-                       pairs_in_words(finding.unplayed_pairs));
-  }
+  if (!view.course.complete()) return fmt::format("{} and {}: {}.", first, second, numbers);
+  if (!finding.adjusted) return fmt::format("{} and {}: too few pairs for a test; {}.", first, second, numbers);
+  const std::string tested = numbers + test_text(plan, finding);
   if (finding.prevented) {
-    return out + fmt::format(": no verdict: {} could not be played.", pairs_in_words(finding.unplayed_pairs));
+    return fmt::format("{} and {}: no verdict, because {} could not be played; {}", first, second,
+                       pairs_in_words(finding.unplayed_pairs), tested);
   }
-  return out + (finding.found ? ": a difference was found."
-                              : ": no difference was found, which does not prove that "
-                                "there is none.");
+  if (!finding.found) return fmt::format("No difference was found between {} and {}: {}", first, second, tested);
+  return fmt::format("{} has {} than {}: {}", first, difference.mean > 0.0 ? "more" : "less", second, tested);
 }
 
 }  // namespace
@@ -94,19 +96,23 @@ std::vector<std::string> finding_sentences(const ExperimentView& view) {
   const auto measure = study::primary_measure(plan);
   if (!measure) return {};
   std::vector<std::string> out;
-  const std::string what = fmt::format("{}, {}", visible(plan.primary), study::unit_of(plan.primary));
   for (std::size_t value = 0; value < plan.values.size(); ++value) {
     const std::string at = plan.swept() ? fmt::format(" at {}", visible(plan.values[value])) : std::string();
-    out.push_back(fmt::format("{}{}: {}.", what, at, order_text(view, *measure, value)));
+    out.push_back(fmt::format("Means of {}, {}{}: {}.", visible(plan.primary), study::unit_of(plan.primary), at,
+                              means_text(view, *measure, value)));
   }
-  for (const Finding& each : study::findings(plan, view.course)) out.push_back(comparison_text(view, each));
-  if (!plan.comparisons.empty() && view.course.complete()) {
-    out.push_back(fmt::format(
-        "The test was fixed beforehand: {}, {} at {:.4g} %, two-sided, corrected by Holm.",
-        plan.test == study::PairTest::paired_t ? "Student's t on differences of pairs"
-                                               : "all signs that differences of pairs could have had",
-        config::counted(plan.comparisons.size(), "comparison", "comparisons"), 100.0 * (1.0 - plan.confidence)));
+  const std::vector<Finding> all = study::findings(plan, view.course);
+  for (const Finding& each : all) out.push_back(comparison_text(view, each));
+  if (plan.comparisons.empty() || !view.course.complete()) return out;
+  if (std::ranges::any_of(all, [](const Finding& each) { return each.adjusted && !each.found && !each.prevented; })) {
+    out.push_back(
+        "\"No difference was found\" does not show that there is none: the interval says how large one may be.");
   }
+  out.push_back(fmt::format(
+      "The plan fixed the test before the first match: {}, {} at {:.4g} %, two-sided, corrected by Holm.",
+      plan.test == study::PairTest::paired_t ? "Student's t test of the differences of pairs"
+                                             : "sign-flip test of the differences of pairs",
+      config::counted(plan.comparisons.size(), "comparison", "comparisons"), 100.0 * (1.0 - plan.confidence)));
   return out;
 }
 

@@ -107,7 +107,9 @@ std::string experiment_json(const ExperimentView& view) {
   for (std::size_t i = 0; i < plan.measures.size(); ++i) measures.push_back(measure_json(view, i));
   out["measures"] = measures;
   out["primary"] = primary_json(view);
-  out["findings"] = finding_sentences(view);
+  Json findings = Json::array({experiment_headline(view)});
+  for (const std::string& each : finding_sentences(view)) findings.push_back(each);
+  out["findings"] = findings;
   out["notes"] = experiment_notes(view);
   Json forfeits = Json::array();
   for (const study::Forfeits& each : view.course.forfeits().listed()) {

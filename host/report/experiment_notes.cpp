@@ -75,16 +75,15 @@ std::string opponent_note(const study::ExperimentPlan& plan) {
     for (const std::string& setting : arm.settings) add(std::string_view(setting).substr(0, setting.find('=')));
   }
   if (paths.empty()) return {};
-  return fmt::format("Rules and robot are the opponent's, too: it is not the same at all values of {}.",
+  return fmt::format("Rules and robot apply to the opponent, too: the opponent is not the same at all values of {}.",
                      fmt::join(paths, ", "));
 }
 
 std::string interval_note(const study::ExperimentPlan& plan) {
   if (plan.primary.empty() || plan.comparisons.size() < 2) return {};
   return fmt::format(
-      "Each interval holds with {:.4g} % by itself, p after Holm for all {} comparisons together: an interval without "
-      "0 "
-      "and no difference found do not contradict each other.",
+      "Each {:.4g} % interval holds for its own comparison, p after Holm for all {} comparisons together. So an "
+      "interval may leave out 0 although no difference was found.",
       100.0 * plan.confidence, plan.comparisons.size());
 }
 

@@ -13,17 +13,15 @@
 namespace regista::report {
 namespace {
 
-Html head(const ExperimentView& view, const std::vector<std::string>& sentences) {
-  const study::ExperimentPlan& plan = view.plan;
+Html head(const ExperimentView& view) {
   Html out = "<header>\n<p class=\"kicker\">Experiment: "_html;
-  out << text(experiment_title(view)) << "</p>\n<h1 id=\"verdict\">"_html
-      << text(plan.question.empty() ? plan.name : plan.question) << "</h1>\n<p class=\"beside\">"_html;
-  if (!view.course.complete()) {
-    out << text(
-        fmt::format("Not at its end: {} of {} matches, so nothing is tested. ", view.course.taken(), plan.matches()));
-  }
-  if (!sentences.empty()) out << text(sentences.front());
-  return out << "</p>\n</header>\n"_html;
+  return out << text(experiment_title(view)) << "</p>\n<h1 id=\"verdict\">"_html << text(experiment_headline(view))
+             << "</h1>\n<p class=\"beside\">"_html << text(view.plan.question) << "</p>\n</header>\n"_html;
+}
+
+std::string minutes_text(double least, double most) {
+  const std::string from = fmt::format("{:.0f}", least), to = fmt::format("{:.0f}", most);
+  return from == to ? from : fmt::format("{} – {}", from, to);
 }
 
 Html tiles(const ExperimentView& view) {
@@ -40,8 +38,7 @@ Html tiles(const ExperimentView& view) {
   out << tile(text(fmt::format("{}", plan.arms.size())), text(plan.arms.size() == 1 ? "arm" : "arms"));
   if (plan.swept()) out << tile(text(fmt::format("{}", plan.values.size())), text("values of the sweep"));
   out << tile(text(fmt::format("{}", plan.pairs)), text("pairs of matches each: same seed, both sides"));
-  out << tile(text(least == most ? fmt::format("{:.0f}", least) : fmt::format("{:.0f} – {:.0f}", least, most)),
-              text("minutes in Playing each"));
+  out << tile(text(minutes_text(least, most)), text("minutes of play each"));
   out << tile(text(fmt::format("{}", view.course.taken())), text(fmt::format("matches of {} planned", plan.matches())));
   return out << "</div>\n"_html;
 }
@@ -56,11 +53,13 @@ Html findings_section(const std::vector<std::string>& sentences) {
 Html figures_section(const ExperimentPageSource& source) {
   Html out;
   for (const PageFigure& each : source.figures) out << figure(source.figures, each.figure.name);
-  return section("figures", "Figures"_html, out);
+  if (out.empty()) return {};
+  Html full = "<div class=\"full\">\n"_html;
+  return section("figures", "Figures"_html, full << out << "</div>\n"_html);
 }
 
 Html measure_cell(const std::string& measure) {
-  Html out = code(measure);
+  Html out = path_code(measure);
   if (study::is_time(measure)) out << ", "_html << text(study::unit_of(measure));
   return out;
 }
@@ -86,8 +85,8 @@ Html means_section(const ExperimentView& view) {
     out << "<p class=\"note\">"_html << text(each) << "</p>\n"_html;
   }
   out << "<p class=\"note\">"_html;
-  out << text(fmt::format("Times are minutes in 60 minutes of play, all else is the mean of a match; ± what holds with "
-                          "{:.4g} % by Student's t, the pair of matches as the unit.",
+  out << text(fmt::format("Times are minutes in 60 minutes of play, all other numbers are means of a match. ± is half "
+                          "of the {:.4g} % interval: Student's t over pairs of matches.",
                           100.0 * plan.confidence))
       << " "_html << table_link("means.csv", experiment_summary_csv(view)) << "</p>\n<div class=\"values\">"_html
       << table.html() << "</div>\n"_html;
@@ -116,8 +115,9 @@ Html differences_section(const ExperimentView& view) {
     }
   }
   Html out =
-      "<p class=\"note\">Pair by pair, with intervals that hold for each by itself: only the primary measure was "
-      "tested, and corrected for the number of comparisons.</p>\n<details><summary>All differences</summary>\n"
+      "<p class=\"note\">Differences pair by pair. Each interval holds for its own comparison. Only the primary "
+      "measure was tested, with a correction for the number of comparisons.</p>\n<details><summary>All "
+      "differences</summary>\n"
       "<div class=\"values\">"_html;
   out << table.html() << "</div>\n</details>\n"_html;
   return section("differences", "Differences"_html, out);
@@ -131,7 +131,7 @@ Html failures_section(const ExperimentView& view) {
                    {"Plugin"_html, Column::words},
                    {"Call"_html, Column::words},
                    {"Reason"_html, Column::words},
-                   {"Plays the first of them again"_html, Column::words}});
+                   {"Command that plays the first again"_html, Column::words}});
   for (const study::Forfeits& each : view.course.forfeits().listed()) {
     const bool opponent = each.team == plan.conditions.size();
     table.row({opponent ? text("the opponent") : name(label(plan, each.team)), text(fmt::format("{}", each.count)),
@@ -165,14 +165,12 @@ std::vector<campaign::Input> all_inputs(const study::ExperimentPlan& plan) {
 Html reproduction_section(const ExperimentPageSource& source, const std::string& command) {
   const study::ExperimentPlan& plan = source.view.plan;
   Html out = "<p>In the folder "_html;
-  out << code(plan.folder) << ", with the program and the files that have these hashes:</p>\n"_html << block(command)
+  out << code(plan.folder) << ", with the program and the files of the hashes below:</p>\n"_html << block(command)
       << "<p class=\"note\">Regista "_html << text(source.program)
-      << " began these results; seeds, number of matches, test and hashes were fixed and stored before the first "
-         "match. "
-         "Fingerprint of all matches, equal where the same were played with the same course: "_html
+      << " began these results. Seeds, number of matches, test and hashes were stored before the first match. Fingerprint of all matches (the same matches have the same one): "_html
       << code(source.fingerprint.empty() ? "–" : source.fingerprint)
-      << "</p>\n<details><summary>Hashes of everything the matches are a function of</summary>\n"_html
-      << hashes_table(all_inputs(plan)) << "</details>\n"_html;
+      << "</p>\n<details><summary>Hashes of all inputs</summary>\n"_html << hashes_table(all_inputs(plan))
+      << "</details>\n"_html;
   return section("reproduction", "Playing it again"_html, out);
 }
 
@@ -193,8 +191,8 @@ std::string experiment_page(const ExperimentPageSource& source) {
   const ExperimentView& view = source.view;
   const std::vector<std::string> sentences = finding_sentences(view);
   Html page = page_begin(experiment_title(view));
-  page << irreproducible_note(view.course.remarks()) << head(view, sentences) << tiles(view)
-       << findings_section(sentences) << figures_section(source) << means_section(view) << differences_section(view)
+  page << irreproducible_note(view.course.remarks()) << head(view) << tiles(view) << findings_section(sentences)
+       << figures_section(source) << means_section(view) << differences_section(view)
        << unplayed_section(view.course.unplayed_pairs(), view.course.remarks()) << failures_section(view)
        << configuration_section(view.plan) << reproduction_section(source, source.command)
        << written_note(view.course.remarks()) << page_end();

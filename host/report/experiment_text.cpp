@@ -107,7 +107,7 @@ std::string failures_text(const ExperimentView& view) {
 
 std::string left_out_text(const ExperimentView& view) {
   if (view.course.unplayed_pairs() == 0) return {};
-  std::string out = "\nPairs that could not be played, and are left out of every number; nobody can be blamed:\n";
+  std::string out = "\nPairs that could not be played, left out of every number; no team can be blamed:\n";
   for (std::size_t i = 0; i < view.plan.conditions.size(); ++i) {
     const std::uint64_t pairs = view.course.unplayed_pairs(i);
     if (pairs > 0) out += fmt::format("{} of {}\n", pairs_in_words(pairs), visible(label(view.plan, i)));
@@ -119,7 +119,7 @@ std::string pairs_text(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   const std::uint64_t pairs = view.course.taken() / 2 / plan.conditions.size();
   return fmt::format(
-      "Means of a match{}, +/- what holds with {:.4g} % by Student's t over {} of matches (same seed, both sides)\n",
+      "Means of a match{}, +/- half of the {:.4g} % interval (Student's t over {} of matches: same seed, both sides)\n",
       std::ranges::any_of(plan.measures, [](const auto& each) { return study::is_time(each); })
           ? ", times in minutes of 60 minutes of play"
           : "",
@@ -156,10 +156,7 @@ std::string experiment_text(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   std::string out = irreproducible_text(view.course.remarks()) + experiment_title(view) + '\n';
   if (!plan.question.empty()) out += visible(plan.question) + '\n';
-  if (!view.course.complete()) {
-    out += fmt::format("Not at its end: {} of {} matches. No test.\n", view.course.taken(), plan.matches());
-  }
-  out += '\n' + pairs_text(view) + '\n';
+  out += '\n' + experiment_headline(view) + "\n\n" + pairs_text(view) + '\n';
   if (plan.swept()) {
     for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) out += sweep_table(view, measure) + '\n';
   } else {

@@ -40,10 +40,9 @@ std::string prevented_headline(std::uint64_t pairs) {
 std::string unplayed_sentence(std::uint64_t pairs) {
   if (pairs == 0) return {};
   return fmt::format(
-      "{} could not be played and {} nowhere: nobody can be blamed for the deaths over a match of {}. What is found "
-      "holds whichever team {} counted for.",
-      pairs_in_words(pairs), pairs == 1 ? "counts" : "count", pairs == 1 ? "it" : "each",
-      pairs == 1 ? "it is" : "they are");
+      "{} could not be played and {} left out of every number: no team can be blamed for the crashes in {}. What is "
+      "found holds for whichever team {} counted.",
+      pairs_in_words(pairs), pairs == 1 ? "is" : "are", pairs == 1 ? "it" : "them", pairs == 1 ? "it is" : "they are");
 }
 
 std::string irreproducible_text(const study::MatchRemarks& remarks) {
@@ -106,7 +105,7 @@ Html unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks) {
     table.row({text(fmt::format("{}", each.match + 1)), text(each.text)});
   }
   Html out = "<p>"_html;
-  out << text(fmt::format("{} left out of every number, the other match of each included.",
+  out << text(fmt::format("{} left out of every number, with both matches.",
                           config::counted(pairs, "pair is", "pairs are")))
       << "</p>\n<div class=\"values\">"_html << table.html() << "</div>\n"_html;
   if (list.unlisted() > 0) {

@@ -30,10 +30,13 @@ std::string AxisRange::axis() const { return fmt::format("[{:.6g}:{:.6g}]", bott
 // A little more on both sides; of a single value as much as it can be told from others.
 double AxisRange::room() const { return high_ > low_ ? 0.06 * (high_ - low_) : std::max(0.5, 0.1 * std::abs(high_)); }
 
-std::string value_label(const study::TuningObjective& objective) {
+std::string value_label(const study::TuningObjective& objective, int length) {
+  constexpr double letter = 8.8;  // wide
   const std::string unit = unit_of(objective);
-  return gnuplot_text(unit.empty() ? std::string("objective") : in_words(objective).substr(0, 40)) +
-         (unit.empty() ? std::string() : fmt::format(".', {}'", unit));
+  if (unit.empty()) return gnuplot_text("objective");
+  const std::string words = in_words(objective) + ", " + unit;
+  if (letter * static_cast<double>(words.size()) > length) return gnuplot_text(unit);
+  return fmt::format("{}.', {}'", gnuplot_text(in_words(objective)), unit);
 }
 
 }  // namespace regista::report

@@ -25,7 +25,8 @@ class AxisRange {
   double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
 };
 
-// "goal_difference, per match", short enough to stand beside an axis; for gnuplot.
-std::string value_label(const study::TuningObjective& objective);
+// "goal_difference, per match", or the unit alone where an axis of `length` units of the figure has no room for more;
+// for gnuplot.
+std::string value_label(const study::TuningObjective& objective, int length);
 
 }  // namespace regista::report

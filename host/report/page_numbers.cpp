@@ -177,7 +177,7 @@ Html goals_of_several(const PageSource& source) {
       cells.push_back(cell << (i < shown    ? "2"_html
                                : i == shown ? "8"_html
                                             : "1"_html)
-                           << text(fmt::format(") {:.0f}%,transparent)", 70.0 * share)) << "\">"_html
+                           << text(fmt::format(") {:.0f}%,transparent)", 45.0 * share)) << "\">"_html
                            << text(fmt::format("{}", columns[i])) << "</span>"_html);
     }
     table.row(cells);
@@ -200,8 +200,7 @@ Html roles_section(const PageSource& source) {
   const std::vector<std::string> roles = role_names(source.record.numbers(), teams);
   if (roles.empty()) return {};
   Html out =
-      "<p>Overlap: two robots hold the role at once. Uncovered: nobody holds it though it is wanted. Switches: a robot "
-      "takes a role that it did not hold. Means of a match played to its end.</p>\n"_html;
+      "<p>Overlap: two robots hold the role at once. Uncovered: no robot holds the role although it is wanted. Switches: a robot takes a role that it did not hold. The numbers are means of the matches played to their end.</p>\n"_html;
   if (teams > 2) return section("roles", "Coordination"_html, out << roles_of_several(source, roles, teams));
   out << roles_of_two(source, roles);
   std::vector<Row> others;
@@ -210,8 +209,7 @@ Html roles_section(const PageSource& source) {
     others.push_back({row.title, row.name, row.digits});
   }
   if (!others.empty()) out << compared(source, "Of a match"_html, others);
-  out << "<p class=\"note\">Differences with margins that hold at any time once there are many pairs (95 %), in bold "
-         "where they leave nought out. With so many numbers some do so by chance.</p>\n"_html;
+  out << "<p class=\"note\">± is half of an anytime-valid 95 % interval, for many pairs. Bold: the interval leaves out 0. With so many numbers some do by chance.</p>\n"_html;
   return section("roles", "Coordination"_html, out);
 }
 
@@ -232,7 +230,7 @@ Html packets_section(const PageSource& source) {
   if (reasons.empty()) return {};
   const auto without = std::erase_if(
       reasons, [&](const std::string& reason) { return sent_none(source.record.numbers(), teams, reason); });
-  const Html rest = without == 0 ? Html() : text(fmt::format("{} other events caused none.", without));
+  const Html rest = without == 0 ? Html() : text(fmt::format("{} other events caused no packet.", without));
   if (teams > 2)
     return section("packets", "Packets by event"_html,
                    packets_of_several(source, reasons, teams)

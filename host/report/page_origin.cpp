@@ -28,7 +28,7 @@ Html failures_section(const PageSource& source) {
                    {"Plugin"_html, Column::words},
                    {"Call"_html, Column::words},
                    {"Reason"_html, Column::words},
-                   {"Plays the first of them again"_html, Column::words}});
+                   {"Command that plays the first again"_html, Column::words}});
   for (const study::Forfeits& each : course.forfeits()) {
     table.row({team_name(source, each.team), text(fmt::format("{}", each.count)),
                each.failure.plugin.empty() ? plugin_cell(team_name(source, each.team)) : text(each.failure.plugin),
@@ -54,7 +54,7 @@ Html recordings_section(const PageSource& source) {
                      {"Seed"_html},
                      {"Opening"_html, Column::words},
                      {"Recording"_html, Column::words},
-                     {"Shows it"_html, Column::words}});
+                     {"Command that shows it"_html, Column::words}});
     const study::TournamentPlan& plan = source.view.plan;
     for (const RecordedRow& each : found.fitting) {
       const study::Fixture fixture = source.view.course.calendar().at(each.index);
@@ -71,13 +71,13 @@ Html recordings_section(const PageSource& source) {
                      : text(std::filesystem::path(plan.openings[fixture.opening].file).stem().string()),
                  file, code(link.command)});
     }
-    out << "<p>The commands are for the folder in which this page stands.</p>\n"_html << table.html();
+    out << "<p>Run the commands in the folder of this page.</p>\n"_html << table.html();
   }
   const auto note = [&out](const std::string& line) {
     out << "<p class=\"note\">"_html << text(line) << "</p>\n"_html;
   };
   if (found.not_read > 0) {
-    note(fmt::format("And {}, not looked into.", config::counted(found.not_read, "more file", "more files")));
+    note(fmt::format("{} not read.", config::counted(found.not_read, "more file", "more files")));
   }
   return section("recordings", "Recorded matches"_html, out);
 }
@@ -97,12 +97,12 @@ Html configuration_section(const PageSource& source) {
 
 Html reproduction_section(const PageSource& source) {
   Html out = "<p>In the folder "_html;
-  out << code(source.view.plan.folder) << ", with the program and the files that have these hashes:</p>\n"_html
+  out << code(source.view.plan.folder) << ", with the program and the files of the hashes below:</p>\n"_html
       << block(source.command) << "<p class=\"note\">Regista "_html << text(source.program)
-      << " began these results. Fingerprint of all matches, equal where the same were played with the same course: "_html
+      << " began these results. Fingerprint of all matches (the same matches have the same one): "_html
       << code(source.record.fingerprint().empty() ? "–" : source.record.fingerprint())
-      << "</p>\n<details><summary>Hashes of everything the matches are a function of</summary>\n"_html
-      << hashes_table(all_inputs(source.view.plan)) << "</details>\n"_html;
+      << "</p>\n<details><summary>Hashes of all inputs</summary>\n"_html << hashes_table(all_inputs(source.view.plan))
+      << "</details>\n"_html;
   return section("reproduction", "Playing it again"_html, out);
 }
 

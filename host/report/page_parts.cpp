@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "config/node.hpp"
+#include "config/text.hpp"
 #include "report/configuration_difference.hpp"
 #include "report/html_table.hpp"
 #include "report/page_style.hpp"
@@ -28,6 +29,7 @@ constexpr Markup head = R"(page of results">
 constexpr std::size_t most_compared = 8;    // documents that stand beside each other
 constexpr std::size_t most_documents = 40;  // that are shown in full
 constexpr std::size_t most_rows = 1000;
+constexpr std::size_t most_open = 25;  // rows that are shown without being asked for
 
 Html differences_table(std::span<const std::string> names, std::span<const std::string> documents) {
   const std::vector<DifferingValue> rows = differing_values(documents);
@@ -36,14 +38,17 @@ Html differences_table(std::span<const std::string> names, std::span<const std::
   for (std::size_t i = 0; i < documents.size(); ++i) headings.push_back({name(names[i]), Column::words});
   HtmlTable table(headings);
   for (std::size_t i = 0; i < std::min(rows.size(), most_rows); ++i) {
-    std::vector<Html> cells{code(rows[i].path)};
+    std::vector<Html> cells{path_code(rows[i].path)};
     for (const auto& value : rows[i].values) cells.push_back(value ? code(*value) : Html("–"_html));
     table.row(cells);
   }
-  Html out = "<div class=\"values\">"_html;
-  out << table.html() << "</div>\n"_html;
-  if (rows.size() > most_rows) out << text(fmt::format("{} more values differ.", rows.size() - most_rows));
-  return out;
+  Html out = rows.size() > most_open ? "<details><summary>"_html : "<details open><summary>"_html;
+  out << text(config::counted(rows.size(), "value differs", "values differ"))
+      << "</summary>\n<div class=\"values\">"_html << table.html() << "</div>\n"_html;
+  if (rows.size() > most_rows) {
+    out << text(fmt::format("{} more values are not listed.", rows.size() - most_rows));
+  }
+  return out << "</details>\n"_html;
 }
 
 }  // namespace
@@ -101,6 +106,17 @@ Html plugin_cell(const Html& team) {
 Html code(std::string_view words) {
   Html out = "<code>"_html;
   return out << text(words) << "</code>"_html;
+}
+
+Html path_code(std::string_view path) {
+  Html out = "<code class=\"path\">"_html;
+  std::size_t begin = 0;
+  while (begin < path.size()) {
+    const std::size_t end = std::min(path.find_first_of("._", begin), path.size() - 1) + 1;
+    out << text(path.substr(begin, end - begin)) << (end < path.size() ? "<wbr>"_html : ""_html);
+    begin = end;
+  }
+  return out << "</code>"_html;
 }
 
 Html block(std::string_view content) {

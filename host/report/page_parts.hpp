@@ -38,7 +38,8 @@ Html tile(const Html& number, const Html& what);
 Html plugin_cell(const Html& team);
 
 Html code(std::string_view words);
-Html block(std::string_view content);  // lines as they are
+Html path_code(std::string_view path);  // goes on in a new line only after a point or an underscore
+Html block(std::string_view content);   // lines as they are
 
 // Where documents (config::show without remarks) differ, a column for each; then each in full. names: of the documents.
 Html differing_documents(std::span<const std::string> names, std::span<const std::string> documents);

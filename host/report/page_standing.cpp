@@ -99,10 +99,10 @@ Html pairing_table(const PageSource& source) {
   HtmlTable table({{"Number"_html, Column::words}, {"Value"_html}, {"What it says"_html, Column::words}});
   table.row({"Elo"_html, text(signed_text(known->elo, 1)),
              enough_for_interval(meeting.pairs)
-                 ? "strength; 400 are ten to one"_html
-                 : "strength; 400 are ten to one. Too few pairs for the interval to hold"_html});
+                 ? "strength: 400 Elo mean odds of ten to one"_html
+                 : "strength: 400 Elo mean odds of ten to one. Too few pairs for a reliable interval"_html});
   table.row({"Normalised Elo"_html, text(signed_text(known->normalized_elo, 1)),
-             "strength in spreads of a match: how soon it is seen"_html});
+             "strength divided by the spread of a match: how soon a test sees it"_html});
   table.row({"Pairs by points"_html, text(fmt::format("{}", fmt::join(meeting.pairs.seen, " · "))),
              "both lost · lost and drawn · even · won and drawn · both won"_html});
   table.row({"Pairs won to lost"_html, text(known->pair_ratio ? fixed(*known->pair_ratio, 2) : "–"),
@@ -110,14 +110,14 @@ Html pairing_table(const PageSource& source) {
   const bool played = fixed_number_is_played(source);
   if (played) {
     table.row({"Sign-flip test"_html, text(fmt::format("p {:.2g}", p_values(source.view.course).single.front())),
-               meeting.unplayed_pairs == 0 ? "chance of a result as clear between equal teams"_html
-                                           : "the same, with the pairs that could not be played counted for whichever "
-                                             "team makes it the least clear"_html});
+               meeting.unplayed_pairs == 0
+                   ? "probability of a result as clear as this if the teams were equal"_html
+                   : "the same; pairs that could not be played are counted for the team that makes p larger"_html});
   }
   table.row({"Goal difference of a match"_html,
              text(fmt::format("{} {}", with_sign(meeting.goals_of_pairs.mean(), 3),
                               signed_interval_text(meeting.goals_sequence.interval(), 3))),
-             "the interval holds however often one looks"_html});
+             "anytime-valid interval"_html});
   if (played && known->goals_t && meeting.unplayed_pairs == 0) {
     table.row({"The same, for this number of pairs"_html, text(signed_interval_text(known->goals_t->interval, 3)),
                text(fmt::format("t test: p {:.2g}", known->goals_t->p))});
@@ -147,7 +147,7 @@ Html cross_table(const PageSource& source) {
       // A ground of the first or the second colour, the stronger the farther from one half.
       Html cell = "<span style=\"background:color-mix(in srgb,var(--series-"_html;
       cells.push_back(cell << (share >= 50.0 ? "1"_html : "2"_html)
-                           << text(fmt::format(") {:.0f}%,transparent)", std::abs(share - 50.0) * 1.1)) << "\">"_html
+                           << text(fmt::format(") {:.0f}%,transparent)", std::abs(share - 50.0) * 0.9)) << "\">"_html
                            << text(fmt::format("{:.0f}", share)) << "</span>"_html);
     }
     table.row(cells);
@@ -182,7 +182,7 @@ Html pairings_table(const PageSource& source) {
   out << (p.size() > most_open ? "<details><summary>"_html : "<details open><summary>"_html)
       << text(fmt::format("{} pairings, from the point of view of the team named first", p.size()))
       << "</summary>\n"_html << table.html();
-  if (p.size() > most_listed) out << "<p class=\"note\">The others are in regista report --json.</p>\n"_html;
+  if (p.size() > most_listed) out << "<p class=\"note\">regista report --json has the others.</p>\n"_html;
   return out << "</details>\n"_html;
 }
 
@@ -194,13 +194,7 @@ Html standing_section(const PageSource& source) {
     out << pairing_table(source);
   } else {
     out << figure(source, "ranking") << cross_table(source) << pairings_table(source)
-        << "<p class=\"note\">Elo of the ranking: Bradley and Terry, sum 0; its margins take matches as independent "
-           "and "
-           "as won or lost. Those of the pairings, which know of pairs and draws, are the better ones. Nash share: "
-           "how often the team is chosen where all choose best. Intervals of pairings in which fewer than 10 pairs "
-           "were "
-           "not even are rough. p: two-sided, by the signs of pairs, adjusted by "
-           "Holm for the number of pairings.</p>\n"_html;
+        << "<p class=\"note\">Elo of the ranking: Bradley and Terry, sum 0; its margins assume that matches are independent and have no draws. The intervals of the pairings count pairs and draws, and are better. They are rough where fewer than 10 pairs were not even. Nash share: probability of the team in the Nash equilibrium. p: two-sided sign-flip test, corrected by Holm for the number of pairings.</p>\n"_html;
   }
   return section("standing", "Standing"_html, out);
 }
@@ -212,12 +206,12 @@ Html curves_section(const PageSource& source) {
   if (source.view.plan.teams.size() == 2) {
     out << "<div class=\"two\">\n"_html << elo << llr << value << "</div>\n"_html;
     if (elo.empty()) {
-      out << "<p class=\"note\">One team took every point of every pair: its Elo has no value that could be drawn.</p>\n"_html;
+      out << "<p class=\"note\">One team took every point of every pair, so its Elo is infinite.</p>\n"_html;
     }
   } else {
     out << elo;
   }
-  return section("curves", "How it came there"_html, out);
+  return section("curves", "Course of the tournament"_html, out);
 }
 
 Html variance_section(const PageSource& source) {
@@ -233,8 +227,7 @@ Html variance_section(const PageSource& source) {
   }
   if (table.empty()) return {};
   Html out =
-      "<p>A pair is two matches with the same seed and scene, the sides swapped. The ratio says how many matches that "
-      "needs, against matches that have nothing in common: at 0.5 half as many, at 1 as many, above 1 more.</p>\n"_html;
+      "<p>A pair is two matches with the same seed and scene, the sides swapped. The ratio compares the number of matches that are needed with pairs and with independent matches: at 0.5 pairs need half as many, at 1 as many, above 1 more.</p>\n"_html;
   if (listed > most_open) {
     out << "<details><summary>"_html << text(fmt::format("{} pairings", listed)) << "</summary>\n"_html << table.html()
         << "</details>\n"_html;

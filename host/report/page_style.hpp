@@ -36,16 +36,17 @@ table{border-collapse:collapse;font-size:14px;line-height:1.4}
 th{text-align:left;font-weight:600;color:var(--soft);font-size:13px;vertical-align:bottom}
 th,td{padding:4px 16px 4px 0;border-bottom:1px solid var(--line)}
 td{vertical-align:top}
-.n{text-align:right;white-space:nowrap}
+.n{text-align:right}td.n{white-space:nowrap}
 bdi{overflow-wrap:anywhere}
 table bdi{display:inline-block;max-width:34ch;overflow-wrap:break-word}
 .two{display:grid;grid-template-columns:repeat(2,minmax(0,1fr));gap:26px}
 @media (max-width:880px){.two{grid-template-columns:minmax(0,1fr)}}
 figure{margin:10px 0 0;min-width:0;max-width:640px}
-.full figure{max-width:none}
+.full figure,.full figcaption{max-width:none}
 figure svg{display:block;width:100%;height:auto;font-family:inherit}
 figcaption{font-size:13.5px;color:var(--soft);max-width:80ch;overflow-wrap:anywhere}
 figcaption b{color:var(--ink)}
+.take{white-space:nowrap}
 .missing{border:1px dashed var(--line);border-radius:8px;padding:14px;color:var(--soft);margin:6px 0}
 .key{display:inline-block;width:10px;height:10px;margin-right:6px;background:var(--series-1)}
 .first{border-radius:50%}.second{background:var(--series-2);clip-path:polygon(50% 0,100% 100%,0 100%)}
@@ -54,9 +55,10 @@ font:12.5px/1.5 ui-monospace,SFMono-Regular,Menlo,Consolas,monospace;white-space
 max-height:60vh;overflow:auto}
 code{font:12.5px/1.5 ui-monospace,SFMono-Regular,Menlo,Consolas,monospace;overflow-wrap:anywhere}
 td code{white-space:pre-wrap}
-.values td{min-width:9ch;max-width:34ch;overflow-wrap:anywhere}.values td:first-child{max-width:64ch}
+.values td{min-width:9ch;max-width:34ch;overflow-wrap:anywhere}.values td:first-child{min-width:24ch;max-width:64ch}
+.path{overflow-wrap:normal}
 .tight table{font-size:13px}.tight th{font-size:12.5px}.tight th,.tight td{padding-right:10px}
-.heat td.n{padding:4px 9px;border-bottom:1px solid var(--background)}
+.heat td{border-bottom-color:var(--background)}.heat td.n{padding:4px 9px}
 .heat td span{display:block;margin:-4px -9px;padding:4px 9px}
 .differs{font-weight:620}
 details{margin:8px 0}summary{cursor:pointer}

@@ -26,10 +26,10 @@ std::optional<Figure> algorithms(const SearchComparisonView& view) {
   const study::TuningObjective& objective = view.plan.tuning.objective;
   Figure out;
   out.name = figure_name;
-  out.title = "What the algorithms came to";
+  out.title = "Results of the algorithms";
   out.description = fmt::format(
-      "{}, less the base team's, on pairs that no search has seen; {} is better. Circles: single runs; box: from the "
-      "lower to the upper quartile; bar: median.",
+      "Difference in {} from the base team on pairs with held-out seeds; {} is better. Circles: single runs. Box: "
+      "lower to upper quartile. Bar: median.",
       objective_text(objective), objective.minimise ? "less" : "more");
   out.csv = "algorithm,row,repeat,difference,lower_quartile,median,upper_quartile\n";
   AxisRange range;
@@ -59,7 +59,7 @@ std::optional<Figure> algorithms(const SearchComparisonView& view) {
       "0.25 noborder, \\\n"
       "  '' using 6:(-$2-0.3):(0):(0.6) with vectors nohead lw 2.5 lc rgb '{7}', \\\n"
       "  '' using 4:(-$2) with points pt 6 ps 0.7 lc rgb '{8}'\n",
-      tics, grid_colour, -static_cast<double>(placed.size()) + 0.4, range.axis(), value_label(objective),
+      tics, grid_colour, -static_cast<double>(placed.size()) + 0.4, range.axis(), value_label(objective, out.width / 2),
       (8.2 * static_cast<double>(widest) + 16.0) / out.width, colours[7], colours[0], colours[1]);
   return out;
 }

@@ -23,8 +23,8 @@ std::string plan_sentence(const study::SearchComparisonPlan& of) {
     names.push_back(fmt::format("{} ({} for each evaluation)", name(each), pairs_text(plan.pairs_of(each))));
   }
   return fmt::format(
-      "Compared: {}; {} of each, seeds from {}. Each has the same budget, {}, and what it recommends is judged with "
-      "all others on the same {} that no search has seen.",
+      "Compared: {}; {} of each, seeds from {}. Each has the same budget, {}, and its result is judged on the same {} "
+      "with held-out seeds as all others.",
       fmt::join(names, ", "), counted(of.repeats, "run", "runs"), plan.seed,
       counted(plan.search_pairs * plan.matches_of_pair(), "match", "matches"), pairs_text(plan.verification_pairs));
 }
@@ -39,10 +39,10 @@ std::string headline_of(const SearchComparisonView& view) {
   std::string order;
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const double median = placed[i].difference->median;
-    if (i > 0) order += median == placed[i - 1].difference->median ? " = " : ", ";
+    if (i > 0) order += ", ";
     order += fmt::format("{} {}", name(placed[i].algorithm), rounded_with_sign(median, 0.0));
   }
-  return fmt::format("{}, median difference from the base team, the best first: {}.",
+  return fmt::format("Median difference in {} from the base team: {}. Nothing was tested.",
                      visible(in_words(view.plan.tuning.objective)), order);
 }
 
@@ -68,15 +68,15 @@ std::vector<std::string> setup_sentences(const SearchComparisonView& view) {
 ComparisonVerdict comparison_verdict(const SearchComparisonView& view) {
   ComparisonVerdict out{headline_of(view), {}};
   if (view.record.stage) return out;
-  out.beside.push_back(fmt::format(
-      "All had the same budget, {}, and were judged on the same {} that no search has seen; one that ended by itself "
-      "played fewer.",
-      counted(view.plan.tuning.search_pairs * view.plan.tuning.matches_of_pair(), "match", "matches"),
-      pairs_text(view.plan.tuning.verification_pairs)));
-  out.beside.push_back(fmt::format(
-      "The order is that of medians over {}, with no test: it says how these runs went, not which algorithm is the "
-      "better one.",
-      counted(view.plan.repeats, "run", "runs")));
+  out.beside.push_back(
+      fmt::format("All had the same budget, {}, and were judged on the same {} with held-out seeds. A search that "
+                  "ended by itself played fewer matches.",
+                  counted(view.plan.tuning.search_pairs * view.plan.tuning.matches_of_pair(), "match", "matches"),
+                  pairs_text(view.plan.tuning.verification_pairs)));
+  out.beside.push_back(
+      fmt::format("The medians are over {}, in their order, and were not tested: they say how these runs went, not "
+                  "which algorithm is better.",
+                  counted(view.plan.repeats, "run", "runs")));
   return out;
 }
 

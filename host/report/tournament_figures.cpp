@@ -27,9 +27,8 @@ std::optional<Figure> goal_differences(const TournamentView& view, const CourseR
   Figure out;
   out.name = "goal_differences";
   out.title = "Goal differences of matches";
-  out.description = fmt::format(
-      "Matches by goals of {} less goals of {}; those that were forfeited in black on top. {} or more count as {}.",
-      label(view, 0), label(view, 1), GoalDifferences::largest, GoalDifferences::largest);
+  out.description = fmt::format("Matches by goals of {} less goals of {}. Black: forfeits. {} or more count as {}.",
+                                label(view, 0), label(view, 1), GoalDifferences::largest, GoalDifferences::largest);
   out.csv = "goal_difference,played,forfeited\n";
   int widest = 2;
   std::uint64_t highest = 1;

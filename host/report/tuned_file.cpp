@@ -39,7 +39,7 @@ std::string verdict(const study::TuningPlan& plan, const study::TuningRecord& re
   const std::string interval = estimate.interval.bounded() ? fmt::format("[{}, {}] at {:.4g} %", signed_number(low),
                                                                          signed_number(high), 100.0 * plan.confidence)
                                                            : std::string("(too few pairs for an interval)");
-  return fmt::format("{}, on {} pairs of seeds nobody chose by:\n#   {} {} {}, p = {:.2g} after Holm", words,
+  return fmt::format("{}, on {} pairs with held-out seeds:\n#   {} {} {}, p = {:.2g} after Holm", words,
                      record.verification.pairs(), study::in_words(plan.objective), signed_number(sign * estimate.value),
                      interval, record.verification.adjusted()[candidate]);
 }

@@ -93,18 +93,19 @@ std::optional<Figure> convergence(const TuningView& view) {
 
   Figure out;
   out.name = "convergence";
-  out.title = "The search, and what was verified of it";
+  out.title = "The search and its verification";
   out.description = fmt::format(
-      "Points: value of each evaluation, with the noise of its few matches{}; line: the best so far, which is "
-      "optimistic, for it is the best of many noisy ones.{}{}",
+      "Points: value of each evaluation{}, noisy because it has few matches. Line: the best so far, which is "
+      "optimistic because it is the best of many noisy values.{}{}",
       kept.stride() > 1 ? fmt::format(" (every {}th)", kept.stride()) : std::string(),
       std::ranges::any_of(trace, [](const auto& each) { return each.played.failed; })
           ? " Crosses at the bottom: forfeited by the tuned team."
           : "",
-      levels.empty() ? std::string()
-                     : fmt::format(" Dashed, with what holds with {:.4g} % by Student's t: the tuned team and the base "
-                                   "team on the pairs of the verification.",
-                                   100.0 * view.plan.confidence));
+      levels.empty()
+          ? std::string()
+          : fmt::format(
+                " Dashed, with bands of {:.4g} %: the tuned team and the base team on the pairs of the verification.",
+                100.0 * view.plan.confidence));
   out.csv = "matches,evaluation,value,best,failed\n";
   for (const study::SearchStep* const each : steps) {
     const double value = of_objective(objective, each->played.counted);
@@ -119,7 +120,7 @@ std::optional<Figure> convergence(const TuningView& view) {
       "set xlabel 'matches of the search'\nset xrange [0:{}]\nset xtics {}\nset ylabel {}\nset yrange {}\n"
       "set key outside top center horizontal maxrows 2\n"
       "plot ",
-      end, whole_tic_step(static_cast<double>(end), 8), value_label(objective), range.axis());
+      end, whole_tic_step(static_cast<double>(end), 8), value_label(objective, out.height - 70), range.axis());
   for (const Level& each : levels) out.commands += band_commands(each);
   out.commands += fmt::format(
       "'convergence.csv' using 1:3 with points pt 7 ps {} lc rgb '{}' title 'an evaluation', \\\n"
@@ -146,8 +147,8 @@ std::optional<Figure> importance(const TuningView& view) {
   out.name = "importance";
   out.title = "Importance of the parameters";
   out.description =
-      "How much the objective varies (standard deviation) over the range of each parameter around the point that was "
-      "found, beyond what chance does. Grey: no more than chance.";
+      "Standard deviation of the objective over the range of each parameter, around the point that was found, less the "
+      "part that chance explains. Grey: no more than chance.";
   out.csv = "parameter,importance,p,more_than_chance\n";
   double most = 0.0;
   std::size_t widest = 0;
@@ -169,8 +170,8 @@ std::optional<Figure> importance(const TuningView& view) {
       "plot 'importance.csv' using ($4>0?$2:1/0):(-$0):(0):2:(-$0-0.32):(-$0+0.32) with boxxyerror lc rgb '{7}', \\\n"
       "  '' using ($4>0?1/0:$2):(-$0):(0):2:(-$0-0.32):(-$0+0.32) with boxxyerror lc rgb '{8}'\n",
       tics, grid_colour, -static_cast<double>(slices.size()) + 0.4, most > 0.0 ? 1.05 * most : 1.0, tic_step(most, 6),
-      value_label(view.plan.objective), std::min(0.5, (8.2 * static_cast<double>(widest) + 16.0) / out.width),
-      colours[0], colours[7]);
+      value_label(view.plan.objective, out.width / 2),
+      std::min(0.5, (8.2 * static_cast<double>(widest) + 16.0) / out.width), colours[0], colours[7]);
   return out;
 }
 
@@ -192,8 +193,8 @@ std::optional<Figure> slice(const TuningView& view, const study::Slice& of, std:
   out.name = fmt::format("{}{}", slice_prefix, number);
   out.title = visible(parameter.path);
   out.description = fmt::format(
-      "The objective over this parameter alone, all others as in finalist {}; whiskers: what holds with {:.4g} % by "
-      "Student's t. Triangle: the point that was found; dashed: the base team's value. {}{}.",
+      "The objective over this parameter alone, all others as in finalist {}. Whiskers: intervals of {:.4g} %. "
+      "Triangle: the point that was found. Dashed: the base team's value. {}{}.",
       *centre + 1, 100.0 * view.plan.confidence,
       more_than_chance(of) ? fmt::format("Importance {:.3g}, ", of.importance) : std::string("Importance: "),
       importance_text(of));
@@ -213,7 +214,8 @@ std::optional<Figure> slice(const TuningView& view, const study::Slice& of, std:
       "  '' using ($5>0?$1:1/0):2:3:4 with yerrorbars pt 9 ps 1.1 lw 1.5 lc rgb '{9}'\n",
       slice_axis(parameter), gnuplot_text(short_path(parameter.path)),
       has_unit(parameter) ? fmt::format(".', '.{}", gnuplot_text(parameter.unit)) : std::string(),
-      value_label(objective), range.axis(), parameter.start, colours[1], out.name, colours[0], colours[2]);
+      value_label(objective, out.height - 60), range.axis(), parameter.start, colours[1], out.name, colours[0],
+      colours[2]);
   return out;
 }
 

@@ -28,7 +28,7 @@ Html tiles(const TuningView& view) {
                 text(fmt::format("{} of the tuned team less the base team's", in_words(plan.objective))));
     if (each.seen && each.value) {
       out << tile(text(rounded(each.value->mean, 0.0)),
-                  text(fmt::format("verified, where the search had promised {}", rounded(each.seen->mean, 0.0))));
+                  text(fmt::format("on the verification; the search had {}", rounded(each.seen->mean, 0.0))));
     }
   }
   out << tile(whole_number(plan.free_parameters()), text(plan.free_parameters() == 1 ? "parameter" : "parameters"));
@@ -73,7 +73,7 @@ Html values_section(const TuningPage& page) {
         Html differs = "<span class=\"differs\">"_html;
         tuned = differs << tuned << "</span>"_html;
       }
-      table.row({code(parameter.path), text(text_of(parameter, each.base)), tuned, text(range_text(parameter)),
+      table.row({path_code(parameter.path), text(text_of(parameter, each.base)), tuned, text(range_text(parameter)),
                  text(end_text(each.at)), known ? text(importance_value(*slice)) : Html("–"_html),
                  known ? text(importance_text(*slice)) : Html("–"_html)});
     }
@@ -118,10 +118,10 @@ Html finalists_section(const TuningView& view) {
     cells.push_back(each.values == base ? Html("the base team"_html) : verified ? Html("candidate"_html) : Html());
     table.row(cells);
   }
-  Html out = note_paragraph(fmt::format(
-      "The best on the selection first, whose pairs the search did not play; in brackets what holds with {:.4g} % by "
-      "Student's t for one look.",
-      100.0 * view.plan.confidence));
+  Html out =
+      note_paragraph(fmt::format("In the order of the selection, whose pairs the search did not play. In brackets: "
+                                 "{:.4g} % intervals of Student's t.",
+                                 100.0 * view.plan.confidence));
   return section("finalists", "Finalists"_html,
                  out << "<div class=\"values\">"_html << table.html() << "</div>\n"_html);
 }

@@ -55,7 +55,7 @@ Html setup_section(const study::TuningPlan& plan, const std::vector<std::string>
                    {"Scale"_html, Column::words},
                    {"What it is"_html, Column::words}});
   for (const study::Parameter& each : plan.parameters) {
-    table.row({code(each.path), text(text_of(each, each.start)), text(range_text(each)), text(scale_text(each)),
+    table.row({path_code(each.path), text(text_of(each, each.start)), text(range_text(each)), text(scale_text(each)),
                text(each.doc)});
   }
   Html out = sentence_list(sentences);
@@ -77,8 +77,8 @@ Html failures_section(const study::TuningPlan& plan, const study::ForfeitList& f
                text(each.failure.call), text(each.failure.what), whole_number(each.first_match + 1)});
   }
   Html out =
-      "<p>Those of the team that is tuned count against it, in the search as the worst value there is; pairs in which "
-      "others forfeited are left out.</p>\n"
+      "<p>A forfeit of the tuned team counts against it; in the search it has the worst value. Pairs that another team "
+      "forfeited are left out.</p>\n"
       "<div class=\"values\">"_html;
   out << table.html() << "</div>\n"_html;
   if (forfeits.unlisted() > 0) out << note_paragraph(fmt::format("{} more for other reasons.", forfeits.unlisted()));
@@ -87,19 +87,18 @@ Html failures_section(const study::TuningPlan& plan, const study::ForfeitList& f
 
 Html reproduction_section(const study::TuningPlan& plan, const PlayedBy& played) {
   Html out = "<p>In the folder "_html;
-  out << code(plan.folder) << ", with the program and the files that have these hashes:</p>\n"_html
+  out << code(plan.folder) << ", with the program and the files of the hashes below:</p>\n"_html
       << block(played.command) << "<p class=\"note\">Regista "_html << text(played.program)
-      << " began these results; parameters, ranges, budgets, seeds, test and hashes were fixed and stored before the "
-         "first match. Fingerprint of all matches, equal where the same were played with the same course: "_html
+      << " began these results. Parameters, ranges, budgets, seeds, test and hashes were stored before the first match. Fingerprint of all matches (the same matches have the same one): "_html
       << code(played.fingerprint.empty() ? "–" : played.fingerprint) << "</p>\n"_html;
   if (plan.minutes) {
     out << note_paragraph(
-        "The search had a limit of wall time: where that ended it, the same command on another machine may end "
-        "it elsewhere.");
+        "The search had a limit of wall time. If that limit ended it, the same command may end it at another "
+        "evaluation on another machine.");
   }
   out << "<details><summary>The base team in full</summary>\n"_html << block(plan.document)
-      << "</details>\n<details><summary>Hashes of everything the matches are a function of</summary>\n"_html
-      << hashes_table(all_inputs(plan)) << "</details>\n"_html;
+      << "</details>\n<details><summary>Hashes of all inputs</summary>\n"_html << hashes_table(all_inputs(plan))
+      << "</details>\n"_html;
   return section("reproduction", "Playing it again"_html, out);
 }
 

@@ -33,8 +33,8 @@ std::string verification_plan_sentence(const study::TuningPlan& plan) {
                                 counted(plan.finalists, "finalist", "finalists"), pairs_text(plan.selection_pairs));
   if (plan.verification_pairs == 0 || plan.candidates == 0) return out + "Nothing is verified.";
   out += fmt::format(
-      "Verification: {} against the base team, {}, on at most {} that nothing was chosen by; a paired sequential test "
-      "at {:.4g} %, two-sided, which may be looked at after every pair",
+      "Verification: {} against the base team, {}, on at most {} with held-out seeds; a paired sequential test at "
+      "{:.4g} %, two-sided, valid after every pair",
       plan.candidates == 1 ? std::string("the best of them")
                            : fmt::format("the best of them, at most {},", plan.candidates),
       plan.head_to_head ? "playing each other" : "both against the same opponents", pairs_text(plan.verification_pairs),
@@ -43,7 +43,7 @@ std::string verification_plan_sentence(const study::TuningPlan& plan) {
 }
 
 std::string interval_words(const study::TuningPlan& plan, std::size_t candidates) {
-  return fmt::format("{:.4g} % at all times{}", 100.0 * plan.confidence,
+  return fmt::format("anytime-valid {:.4g} % interval{}", 100.0 * plan.confidence,
                      candidates > 1 ? ", for all candidates together" : "");
 }
 
@@ -70,9 +70,9 @@ std::string finding_text(const TuningView& view, const CandidateVerdict& each) {
   const bool over = view.record.stage != TuningStage::verification;
   switch (each.finding) {
     case study::VerifiedAs::better:
-      return "better than the base team on seeds that nobody has chosen by";
+      return "better than the base team on held-out seeds";
     case study::VerifiedAs::worse:
-      return "worse than the base team on seeds that nobody has chosen by";
+      return "worse than the base team on held-out seeds";
     case study::VerifiedAs::prevented:
       return over ? fmt::format("no verdict, because {} could not be played",
                                 pairs_text(view.record.verification.of()[each.candidate].unplayed_pairs()))
@@ -81,26 +81,23 @@ std::string finding_text(const TuningView& view, const CandidateVerdict& each) {
       break;
   }
   if (each.forfeited && each.adjusted <= 1.0 - view.plan.confidence) {
-    return "not taken for better, because it forfeited a match of the verification";
+    return "not found better, because it forfeited a match of the verification";
   }
-  return over ? fmt::format(
-                    "no difference from the base team was found within {}, which does not show that there is "
-                    "none",
-                    pairs_text(view.record.verification.pairs()))
+  return over ? fmt::format("no difference from the base team was found in {}, which does not show that there is none",
+                            pairs_text(view.record.verification.pairs()))
               : std::string("not decided yet");
 }
 
 std::string optimism_text(const TuningView& view, const CandidateVerdict& each) {
-  if (!each.seen)
-    return "The search itself never played it: it is a mean of points that it played, and promised nothing.";
+  if (!each.seen) return "The search did not play this point: it is the mean of points that the search played.";
   if (!each.optimism) return {};
   const double margin = std::abs(*each.optimism) / 10.0;
   const char* const where = view.plan.head_to_head ? "the selection" : "the verification";
   const study::MeanEstimate& came = view.plan.head_to_head ? each.selected : *each.value;
-  std::string out =
-      fmt::format("The search had promised {}, {} gave {}", with_interval(*each.seen), where, with_interval(came));
-  return out + (*each.optimism > 0.0 ? fmt::format(": {} of the promise was optimism.", rounded(*each.optimism, margin))
-                                     : std::string(": its promise was not too high."));
+  std::string out = fmt::format("The search had {}, {} gave {}", with_interval(*each.seen), where, with_interval(came));
+  return out + (*each.optimism > 0.0
+                    ? fmt::format(": the search was too optimistic by {}.", rounded(*each.optimism, margin))
+                    : std::string(": the search was not too optimistic."));
 }
 
 std::string candidate_sentence(const TuningView& view, const CandidateVerdict& each, std::size_t candidates) {
@@ -116,8 +113,8 @@ std::string candidate_sentence(const TuningView& view, const CandidateVerdict& e
 // Both corrections hold, but that of the intervals is the coarser one.
 std::string several_note(std::size_t candidates) {
   if (candidates < 2) return {};
-  return "The intervals hold for all candidates together, and are wider than the test by Holm asks for: one that "
-         "contains 0 and a difference that was found do not contradict each other.";
+  return "The intervals hold for all candidates together and are wider than the test by Holm needs. So an interval may "
+         "contain 0 although a difference was found.";
 }
 
 bool base_came_first(const TuningView& view) {
@@ -131,16 +128,16 @@ std::string headline_of_tuning(const TuningView& view, const std::vector<Candida
   }
   if (record.candidates.empty()) {
     return base_came_first(view) ? "The search found nothing better than the base team."
-                                 : "No finalist was to be verified, so nothing can be said.";
+                                 : "The plan verifies no finalist, so nothing can be said.";
   }
-  if (record.verified()) return "The tuned team is better than the base team, on seeds that nobody has chosen by.";
+  if (record.verified()) return "The tuned team is better than the base team on held-out seeds.";
   const bool over = record.stage != TuningStage::verification;
   if (record.verification.pairs() == 0) {
     return over ? "Nothing was verified, so nothing can be said." : "Nothing is verified yet, so nothing can be said.";
   }
   if (!over) return "Not decided yet whether the tuned team is better than the base team.";
   if (std::ranges::all_of(candidates, [](const auto& each) { return each.finding == study::VerifiedAs::worse; })) {
-    return "What the search found is worse than the base team, on seeds that nobody has chosen by.";
+    return "What the search found is worse than the base team on held-out seeds.";
   }
   if (std::ranges::find(candidates, study::VerifiedAs::prevented, &CandidateVerdict::finding) != candidates.end()) {
     return prevented_headline(record.verification.unplayed_pairs()) + ".";
@@ -150,11 +147,10 @@ std::string headline_of_tuning(const TuningView& view, const std::vector<Candida
            each.adjusted <= 1.0 - view.plan.confidence;
   };
   if (std::ranges::any_of(candidates, gave_up)) {
-    return "The tuned team is not taken for better: it forfeited a match of the verification.";
+    return "The tuned team was not found better: it forfeited a match of the verification.";
   }
   return fmt::format(
-      "No difference between the tuned team and the base team was found within {}: this does not show that there is "
-      "none.",
+      "No difference between the tuned team and the base team was found in {}. This does not show that there is none.",
       pairs_text(record.verification.pairs()));
 }
 
@@ -205,13 +201,13 @@ std::vector<std::string> search_sentences(const TuningView& view) {
     out.push_back(fmt::format("No evaluation had a better value than the base team's, {}.", value(*best)));
   } else {
     out.push_back(
-        fmt::format("The base team had {} there, the best evaluation ({}) {}: the best of many noisy values, and so "
-                    "optimistic. It decides nothing.",
+        fmt::format("The base team had {} there, the best evaluation ({}) {}. The best of many noisy values is "
+                    "optimistic: it decides nothing.",
                     value(record.trace.front()), best->evaluation, value(*best)));
   }
   if (failed > 0) {
-    out.push_back(fmt::format("{} forfeited by the tuned team {} the worst value there is.",
-                              counted(failed, "evaluation", "evaluations"), failed == 1 ? "counts as" : "count as"));
+    out.push_back(fmt::format("{} forfeited by the tuned team {} the worst value.",
+                              counted(failed, "evaluation", "evaluations"), failed == 1 ? "has" : "have"));
   }
   return out;
 }
@@ -271,9 +267,9 @@ std::string seen_text(const study::TuningPlan& plan, const study::Finalist& fina
 std::string slices_note(const TuningView& view) {
   if (view.record.slices.empty()) return {};
   return fmt::format(
-      "Around finalist {}, each parameter by itself, on {} of other seeds. Importance: standard deviation of the "
-      "objective{} over the parameter's range, beyond what chance does; p: of a parameter that does nothing, each by "
-      "itself.",
+      "Each parameter varied alone around finalist {}, on {} of other seeds. Importance: standard deviation of the "
+      "objective{} over the parameter's range, less the part that chance explains. p: of the hypothesis that the "
+      "parameter has no effect, for each parameter alone.",
       slice_centre(view.record).value_or(0) + 1, pairs_text(view.plan.slice_pairs),
       unit_of(view.plan.objective).empty() ? std::string() : fmt::format(" ({})", unit_of(view.plan.objective)));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a tuning is, and what came of it, in sentences for a terminal and for a page. They say "better" only of what was
-// found better on seeds that nobody has chosen by, and never that there is no difference.
+// found better on held-out seeds, and never that there is no difference.
 #pragma once
 
 #include <string>

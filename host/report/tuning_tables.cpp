@@ -45,7 +45,7 @@ std::string forfeits_text(const study::TuningPlan& plan, const study::MatchTally
   const std::uint64_t more = tally.forfeits.unlisted();
   if (more > 0) out += fmt::format("  {} more {} forfeited for other reasons\n", more, more == 1 ? "was" : "were");
   if (out.empty()) return out;
-  return "\nForfeits: those of the team that is tuned count against it, in the search as the worst value there is; "
+  return "\nForfeits: one of the tuned team counts against it and has the worst value in the search; "
          "pairs "
          "with others' are left out\n" +
          out;
@@ -53,7 +53,7 @@ std::string forfeits_text(const study::TuningPlan& plan, const study::MatchTally
 
 std::string left_out_text(const study::MatchTally& tally) {
   if (tally.unplayed_pairs == 0) return {};
-  return fmt::format("\nLeft out: {} that could not be played; nobody can be blamed\n",
+  return fmt::format("\nLeft out: {} that could not be played; no team can be blamed\n",
                      pairs_in_words(tally.unplayed_pairs)) +
          unplayed_text(tally.remarks);
 }

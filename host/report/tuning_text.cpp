@@ -24,7 +24,7 @@ std::string finalists_table(const TuningView& view) {
   if (record.finalists.empty()) return {};
   const study::ParameterValues base = start_values(view.plan);
   TextTable table;
-  table.row({"finalist", "search's own value", "on the selection", ""});
+  table.row({"finalist", "in the search", "on the selection", ""});
   for (std::size_t i = 0; i < record.finalists.size(); ++i) {
     const study::Finalist& each = record.finalists[i];
     const bool candidate = std::ranges::find(record.candidates, i) != record.candidates.end();
@@ -36,8 +36,8 @@ std::string finalists_table(const TuningView& view) {
                              : ""});
   }
   return fmt::format(
-             "\nFinalists, with what holds with {:.4g} % for one look: the search's own value is optimistic (values: "
-             "--json, or the page)\n",
+             "\nFinalists, with {:.4g} % intervals; the value in the search is optimistic (parameters: --json, or the "
+             "page)\n",
              100.0 * view.plan.confidence) +
          indented(table.text());
 }

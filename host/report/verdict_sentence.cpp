@@ -41,8 +41,9 @@ std::optional<Html> may_be(const TournamentView& view, const Meeting& meeting) {
       break;
     case IntervalUse::too_few_pairs: {
       const auto count = static_cast<std::uint64_t>(uneven(meeting.pairs));
-      return text(fmt::format("{} of them {} not even: too few pairs for an interval.",
-                              count == 0 ? "None" : fmt::format("Only {}", count), count <= 1 ? "was" : "were"));
+      if (count == 0) return text("All of them were even, so there is no interval.");
+      return text(fmt::format("Only {} of them {} not even: too few pairs for an interval.", count,
+                              count == 1 ? "was" : "were"));
     }
     default:
       return std::nullopt;
@@ -110,11 +111,11 @@ void of_sequential_test(const TournamentView& view, const Meeting& meeting, Verd
     out.sentence = by_value(view, meeting, test.value);
     out.beside.push_back(text(fmt::format("The test found a difference, with an error rate of {:.4g}.", test.alpha)));
     if (meeting.metric && (meeting.metric->difference().mean() > 0.0) != view.course.first_has_more()) {
-      out.beside.push_back("But its mean is on the other side: a few pairs differ much the other way."_html);
+      out.beside.push_back("But the mean points the other way: a few pairs differ much in that direction."_html);
     }
   }
   out.beside.push_back(
-      "Elo and the other estimates are biased towards the verdict, because the test chose when to stop."_html);
+      "Elo and the other estimates are biased towards the verdict, because the test decided when to stop."_html);
 }
 
 void of_two(const TournamentView& view, VerdictSentence& out) {
@@ -134,8 +135,8 @@ void of_two(const TournamentView& view, VerdictSentence& out) {
     return;
   }
   if (!view.course.complete()) {
-    out.sentence = "Not at its end yet: what "_html;
-    out.sentence << team(view, 0) << " and "_html << team(view, 1) << " are worth is open."_html;
+    out.sentence = "Not at its end yet: no verdict on "_html;
+    out.sentence << team(view, 0) << " and "_html << team(view, 1) << "."_html;
     return;
   }
   const PValues values = p_values(view.course);
@@ -148,12 +149,13 @@ void of_two(const TournamentView& view, VerdictSentence& out) {
   if (p < level) {
     out.sentence = than(view, meeting, first, " is stronger than "_html);
     out.beside.push_back(
-        text(fmt::format("Were they equal, so clear a result would have a probability of {:.2g}.", p)));
+        text(fmt::format("If the teams were equal, a result as clear as this would have a probability of {:.2g}.", p)));
   } else {
     out.sentence = counted(static_cast<std::uint64_t>(total(meeting.pairs)), "pair does", "pairs do");
     out.sentence << " not show which of "_html << team(view, 0) << " and "_html << team(view, 1)
                  << " is stronger."_html;
-    out.beside.push_back(text(fmt::format("Equal teams would differ as much with a probability of {:.2g}.", p)));
+    out.beside.push_back(text(
+        fmt::format("If the teams were equal, a difference as large as this would have a probability of {:.2g}.", p)));
   }
   if (const auto open = may_be(view, meeting)) out.beside.push_back(*open);
 }
@@ -176,7 +178,7 @@ void of_gauntlet(const TournamentView& view, const PValues& p, VerdictSentence& 
                                    p.adjusted.size(), counts[2], counts[0], counts[1]));
   if (view.course.complete() && no_verdict > 0) {
     out.beside.push_back(text(fmt::format(
-        "Of the open ones {} could be decided by pairs that could not be played: no verdict there.", no_verdict)));
+        "{} of the open ones depend on pairs that could not be played, so there is no verdict on them.", no_verdict)));
   }
 }
 
@@ -189,12 +191,12 @@ void of_round_robin(const TournamentView& view, const PValues& p, VerdictSentenc
            (!each.elo || std::abs(each.elo->value - ranks[0].elo->value) < 1e-6);
   });
   if (together == std::ssize(ranks)) {
-    out.sentence = text(fmt::format("Nothing separates the {} teams.", ranks.size()));
+    out.sentence = text(fmt::format("All {} teams have the same points.", ranks.size()));
     return;
   }
   if (!leads_either_way(view.plan, view.course, best)) {
     out.sentence = prevented(view);
-    out.beside.push_back(text("Who leads depends on whom they are counted for."));
+    out.beside.push_back(text("Which team leads depends on which team these pairs are counted for."));
     return;
   }
   out.sentence = team(view, best);
@@ -226,10 +228,10 @@ void of_several(const TournamentView& view, VerdictSentence& out) {
   if (!view.course.complete()) {
     out.beside.push_back("The tournament is not at its end: none of this is a finding yet."_html);
   } else {
-    out.beside.push_back(text(fmt::format(
-        "Stronger is who won more of a pairing than chance gives with a probability of {:.0f} %, adjusted for the "
-        "number of pairings.",
-        100.0 * level)));
+    out.beside.push_back(
+        text(fmt::format("A team is called stronger where a sign-flip test of its pairing finds a difference at {:.0f} "
+                         "%, corrected by Holm for the number of pairings.",
+                         100.0 * level)));
   }
 }
 
@@ -252,8 +254,9 @@ VerdictSentence verdict_sentence(const TournamentView& view) {
   for (const std::uint64_t count : view.course.failures()) forfeits += count;
   if (forfeits > 0) {
     Html line = counted(forfeits, "match", "matches");
-    out.beside.push_back(line << text(fmt::format(" of {} {} forfeited because a plugin failed, and count 0:10.",
-                                                  view.course.matches(), forfeits == 1 ? "was" : "were")));
+    out.beside.push_back(
+        line << text(fmt::format(" of {} {} forfeited because a plugin failed, and {} 0:10.", view.course.matches(),
+                                 forfeits == 1 ? "was" : "were", forfeits == 1 ? "counts" : "count")));
   }
   return out;
 }

@@ -155,7 +155,7 @@ class Played(experiment.Experiment):
                          r"e\.yaml:\d+:\d+: limit: .*before their first kick-off")
 
     def test_rules_that_are_varied_are_the_opponents_too(self):
-        sentence = "Rules and robot are the opponent's, too"
+        sentence = "Rules and robot apply to the opponent, too"
         self.document("sweep: {path: rules.messages.budget, values: [100, 200]}\n", [("matches: 4", "matches: 2")])
         swept = self.experiment()
         self.assertTrue(any(sentence in each and "rules.messages.budget" in each for each in swept["notes"]))
@@ -214,8 +214,42 @@ class Page(experiment.Experiment):
         (self.folder / "night.db").unlink()
         self.document(changes=[("matches: 4", "matches: 2")])
         self.experiment("--results", "night.db")
-        self.assertEqual({each.name for each in figures.iterdir()},
-                         {"roles.csv", "roles.gnuplot", "roles.svg", "roles.png", "sweep_1.txt", "sweep_x.csv", "mine.svg"})
+        there = {each.name for each in figures.iterdir()}
+        self.assertLessEqual({"roles.csv", "roles.gnuplot", "roles.svg", "roles.png", "sweep_1.txt", "sweep_x.csv",
+                              "mine.svg", "measure_1.csv"}, there)
+        self.assertFalse({"sweep_1.csv", "sweep_1.gnuplot", "sweep_1.svg", "sweep_1.png"} & there)
+
+    def test_every_measure_of_ones_own_has_a_figure(self):
+        measures = ["packets", "agreement", "goal_difference"]
+        self.document(f"measures: [{', '.join(measures)}]\nprimary: {{measure: packets}}\n")
+        report = self.experiment("--results", "own.db")
+        folder = self.folder / "own.figures"
+        self.succeed("report", "own.db", "--figures", "again")
+        self.assertEqual({each.name for each in folder.iterdir()},
+                         {f"measure_{number}.{end}" for number in (1, 2, 3) for end in ("csv", "gnuplot", "svg", "png")})
+        page = (self.folder / "own.html").read_text()
+        self.assertEqual(page.count("<svg"), 3)
+        for number, measure in enumerate(measures, 1):
+            self.assertIn(f"<b>{measure}.</b>", page)
+            self.assertEqual((folder / f"measure_{number}.svg").read_text(),
+                             (self.folder / "again" / f"measure_{number}.svg").read_text())
+            rows = self.long_table(f"own.figures/measure_{number}.csv")
+            told = self.measure(report, measure)["conditions"]
+            self.assertEqual([row["arm"] for row in rows], [each["arm"] for each in told])
+            for row, each in zip(rows, told):
+                self.assertAlmostEqual(float(row["mean"]), each["mean"], places=9)
+                low, high = each["interval"] or (each["mean"], each["mean"])
+                self.assertAlmostEqual(float(row["low"]), low, places=9)
+                self.assertAlmostEqual(float(row["high"]), high, places=9)
+
+    def test_headline_says_what_was_found(self):
+        report = self.experiment("--results", "night.db")
+        comparison, = report["primary"]["comparisons"]
+        headline = report["findings"][0]
+        self.assertIn(f'<h1 id="verdict">{headline}</h1>', (self.folder / "night.html").read_text())
+        self.assertIn(f"\n{headline}\n", self.succeed("report", "night.db"))
+        self.assertEqual("has more" in headline, comparison["found"])
+        self.assertNotIn(">", headline)
 
     def test_page_is_a_function_of_the_results(self):
         self.experiment("--results", "one.db", "--workers", 1)

@@ -306,7 +306,7 @@ class Page(Tuning):
     def test_page_of_a_comparison(self):
         self.compare(repeats=1)
         page = (self.folder / "trial.compare.html").read_text()
-        self.assertIn("the best first: ", page)
+        self.assertIn("Median difference in ", page)
         self.assertTrue((self.folder / "trial.compare.figures" / "algorithms.svg").exists())
         self.succeed("report", "trial.compare.db", "-o", "again.html")
         self.assertEqual((self.folder / "again.html").read_text(), page)

@@ -60,8 +60,8 @@ TEST(TournamentPage, HasItsPartsInTheirOrder) {
                       "recordings", "configuration", "reproduction"});
   EXPECT_THAT(page,
               AllOf(HasSubstr("again 19"), HasSubstr("href=\"./night.recordings/4.mcap\""), HasSubstr("regista view 4"),
-                    HasSubstr("<td><code>x</code></td><td><code>1</code></td>"),
-                    HasSubstr("(forfeit, as far as it was played)"), HasSubstr("And 1 more file, not looked into."),
+                    HasSubstr("<td><code class=\"path\">x</code></td><td><code>1</code></td>"),
+                    HasSubstr("(forfeit, as far as it was played)"), HasSubstr("1 more file not read."),
                     HasSubstr("hash of new"), HasSubstr("Regista 1.2.3"), HasSubstr("regista tournament x")));
   EXPECT_EQ(count(page, "Here a figure is missing: gnuplot is not installed"), 5u);
   EXPECT_EQ(count(page, "href=\"data:text/csv"), 5u);

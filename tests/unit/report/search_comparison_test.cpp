@@ -85,9 +85,9 @@ TEST(SearchComparisonText, IsOrderedByMediansAndSaysThatItIsNoTest) {
   EXPECT_THAT(
       search_comparison_text(course.view()),
       AllOf(HasSubstr("weights: 2 parameters of base.yaml, goal_difference as large as possible, by 2 algorithms\n"),
-            HasSubstr(first ? "the best first: random_search +" : "the best first: spsa +"), HasSubstr("with no test"),
-            HasSubstr("All had the same budget, 96 matches"), HasSubstr(fmt::format("{} of 5", of[0].better)),
-            HasSubstr("same 20 pairs"),
+            HasSubstr(first ? "from the base team: random_search +" : "from the base team: spsa +"),
+            HasSubstr("Nothing was tested.\n"), HasSubstr("All had the same budget, 96 matches"),
+            HasSubstr(fmt::format("{} of 5", of[0].better)), HasSubstr("same 20 pairs"),
             HasSubstr("Compared: random_search (2 pairs for each evaluation), spsa (1 pair for each evaluation); "
                       "5 runs of each, seeds from 3."),
             HasSubstr("weights.distance      5  0 to 10 m  linear"), Not(HasSubstr("Not at its end")),
@@ -96,7 +96,7 @@ TEST(SearchComparisonText, IsOrderedByMediansAndSaysThatItIsNoTest) {
 
 TEST(SearchComparisonText, AlgorithmsThatCameToTheSameAreEqual) {
   const ComparedCourse course(comparison(), [](double, double) { return 0.3; });
-  EXPECT_THAT(search_comparison_text(course.view()), HasSubstr("the best first: random_search +0.00 = spsa +0.00."));
+  EXPECT_THAT(search_comparison_text(course.view()), HasSubstr("from the base team: random_search +0.00, spsa +0.00."));
 }
 
 // Of a minimised objective the least median is the first, and is told with the user's sign.
@@ -107,7 +107,7 @@ TEST(SearchComparisonText, AMinimisedObjectiveHasTheUsersSign) {
   const std::vector<AlgorithmSummary> of = algorithm_summaries(course.view());
   const bool first = of[0].difference->median <= of[1].difference->median;
   EXPECT_THAT(search_comparison_text(course.view()),
-              AllOf(HasSubstr(first ? "the best first: random_search" : "the best first: spsa"),
+              AllOf(HasSubstr(first ? "from the base team: random_search" : "from the base team: spsa"),
                     HasSubstr("the smaller the better")));
   for (const AlgorithmSummary& each : of) {
     std::size_t better = 0;

@@ -23,22 +23,23 @@ TEST(TuningText, AClearWin) {
   const TunedCourse course(tuning_plan());
   ASSERT_TRUE(course.record.verified());
   const std::string text = tuning_text(course.view());
-  EXPECT_THAT(
-      text,
-      AllOf(HasSubstr("weights: 2 parameters of base.yaml, goal_difference as large as possible\n"),
-            HasSubstr("Do other weights score more?\n"),
-            HasSubstr("\nThe tuned team is better than the base team, on seeds that nobody has chosen by.\n"),
-            HasSubstr("Finalist 1: better than the base team on seeds that nobody has chosen by; goal_difference "),
-            HasSubstr("(95 % at all times), "), HasSubstr("The tuned team is in tuned.yaml.\n"),
-            HasSubstr("Opponents, with their weights: fixed_rate (75 %), spqr (25 %)."),
-            HasSubstr("weights.distance      5  0 to 10 m  linear"), HasSubstr("weights.bearing       1  0.1 to 10"),
-            HasSubstr("the larger the better"), HasSubstr("budget used up"), Not(HasSubstr("Not at its end"))));
+  EXPECT_THAT(text, AllOf(HasSubstr("weights: 2 parameters of base.yaml, goal_difference as large as possible\n"),
+                          HasSubstr("Do other weights score more?\n"),
+                          HasSubstr("\nThe tuned team is better than the base team on held-out seeds.\n"),
+                          HasSubstr("Finalist 1: better than the base team on held-out seeds; goal_difference "),
+                          HasSubstr("(anytime-valid 95 % interval), "), HasSubstr("The tuned team is in tuned.yaml.\n"),
+                          HasSubstr("Opponents, with their weights: fixed_rate (75 %), spqr (25 %)."),
+                          HasSubstr("weights.distance      5  0 to 10 m  linear"),
+                          HasSubstr("weights.bearing       1  0.1 to 10"), HasSubstr("the larger the better"),
+                          HasSubstr("budget used up"), Not(HasSubstr("Not at its end"))));
   EXPECT_THAT(text, Not(HasSubstr("Forfeits")));
 }
 
-// What the values of a point were is a mean of points that SPSA played, so nothing was promised; sbplx plays its own.
+// What the values of a point were is a mean of points that SPSA played, so the search did not play it; sbplx plays its
+// own.
 TEST(TuningText, WhatTheSearchPromisedStandsBesideWhatCameOfIt) {
-  EXPECT_THAT(tuning_text(TunedCourse(tuning_plan()).view()), HasSubstr("and promised nothing"));
+  EXPECT_THAT(tuning_text(TunedCourse(tuning_plan()).view()),
+              HasSubstr("it is the mean of points that the search played"));
   study::TuningPlan plan = tuning_plan();
   plan.algorithm = study::Algorithm::sbplx;
   plan.pairs = 2;
@@ -47,7 +48,7 @@ TEST(TuningText, WhatTheSearchPromisedStandsBesideWhatCameOfIt) {
   ASSERT_TRUE(of.seen && of.value && of.optimism);
   EXPECT_DOUBLE_EQ(*of.optimism, of.seen->mean - of.value->mean);
   EXPECT_THAT(tuning_text(course.view()),
-              HasSubstr(*of.optimism > 0.0 ? "of the promise was optimism" : "its promise was not too high"));
+              HasSubstr(*of.optimism > 0.0 ? "the search was too optimistic by" : "its promise was not too high"));
 }
 
 // All weights play equally well, each with luck of its own.
@@ -62,13 +63,14 @@ TEST(TuningText, ATie) {
   ASSERT_FALSE(course.record.verified());
   ASSERT_FALSE(course.record.candidates.empty());
   EXPECT_THAT(tuning_text(course.view()),
-              AllOf(HasSubstr("\nNo difference between the tuned team and the base team was found within 200 pairs: "
-                              "this does not show that there is none.\n"),
+              AllOf(HasSubstr("\nNo difference between the tuned team and the base team was found in 200 pairs. This "
+                              "does not show that there is none.\n"),
                     HasSubstr("which does not show that there is none"), HasSubstr("although it was not found better"),
                     HasSubstr("no more than chance"), Not(HasSubstr("team is better"))));
 }
 
-// In the verification the order of all points is turned round: what was chosen is worse there, and too much promised.
+// In the verification the order of all points is turned round: what was chosen is worse there, and the search too
+// optimistic.
 TEST(TuningText, ALoss) {
   study::TuningPlan plan = tuning_plan();
   plan.algorithm = study::Algorithm::sbplx;
@@ -78,11 +80,10 @@ TEST(TuningText, ALoss) {
     });
   };
   const TunedCourse course(plan, turned);
-  EXPECT_THAT(
-      tuning_text(course.view()),
-      AllOf(HasSubstr("\nWhat the search found is worse than the base team, on seeds that nobody has chosen by.\n"),
-            HasSubstr("Finalist 1: worse than the base team"), HasSubstr("of the promise was optimism"),
-            HasSubstr("although it was not found better"), Not(HasSubstr("is better"))));
+  EXPECT_THAT(tuning_text(course.view()),
+              AllOf(HasSubstr("\nWhat the search found is worse than the base team on held-out seeds.\n"),
+                    HasSubstr("Finalist 1: worse than the base team"), HasSubstr("the search was too optimistic by"),
+                    HasSubstr("although it was not found better"), Not(HasSubstr("is better"))));
 }
 
 TEST(TuningText, NothingBetterThanTheBaseTeam) {
@@ -121,8 +122,8 @@ TEST(TuningText, WhoForfeitsAMatchOfTheVerificationIsNotTakenForBetter) {
   ASSERT_FALSE(course.record.verified());
   EXPECT_THAT(
       tuning_text(course.view()),
-      AllOf(HasSubstr("not taken for better: it forfeited a match of the verification"),
-            HasSubstr("not taken for better, because it forfeited"),
+      AllOf(HasSubstr("not found better: it forfeited a match of the verification"),
+            HasSubstr("not found better, because it forfeited"),
             HasSubstr("  1 match forfeited by the team that is tuned: plugin greedy, assign: Segmentation\\nfault\n")));
 }
 

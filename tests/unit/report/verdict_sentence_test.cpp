@@ -147,7 +147,7 @@ TEST(VerdictSentence, OfARoundRobin) {
   EXPECT_THAT(sentence(open), AllOf(HasSubstr("b leads 3 teams"), HasSubstr("may be no stronger than")));
   Course even({"a", "b", "c"}, 2);
   even.take_pairs({{0, 0, 2, 0, 0}, {0, 0, 2, 0, 0}, {0, 0, 2, 0, 0}});
-  EXPECT_EQ(sentence(even), "Nothing separates the 3 teams.");
+  EXPECT_EQ(sentence(even), "All 3 teams have the same points.");
   Course together({"a", "b", "c"}, 2);
   together.take_pairs({{0, 0, 2, 0, 0}, {0, 0, 0, 1, 1}, {0, 0, 0, 1, 1}});
   EXPECT_THAT(sentence(together), HasSubstr(" and 1 more lead 3 teams together."));
