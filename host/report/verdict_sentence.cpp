@@ -41,9 +41,9 @@ std::optional<Html> may_be(const TournamentView& view, const Meeting& meeting) {
       break;
     case IntervalUse::too_few_pairs: {
       const auto count = static_cast<std::uint64_t>(uneven(meeting.pairs));
-      if (count == 0) return text("All of them were even, so there is no interval.");
-      return text(fmt::format("Only {} of them {} not even: too few pairs for an interval.", count,
-                              count == 1 ? "was" : "were"));
+      if (count == 0) return text("All pairs were even, so there is no interval.");
+      return text(fmt::format("Only {} not even: too few pairs for an interval.",
+                              config::counted(count, "pair was", "pairs were")));
     }
     default:
       return std::nullopt;

@@ -57,7 +57,7 @@ TEST(VerdictSentence, AndItsIntervalDoNotContradictEachOther) {
         few.take_pairs({{1, 2, 0, 0, 0}});
         return beside(few);
       }(),
-      AllOf(HasSubstr("Only 3 of them were not even: too few pairs for an interval."), Not(HasSubstr("confidence"))));
+      AllOf(HasSubstr("Only 3 pairs were not even: too few pairs for an interval."), Not(HasSubstr("confidence"))));
   std::mt19937_64 random(7);
   int told = 0, contradicted = 0, few = 0;
   for (int i = 0; i < 600; ++i) {
