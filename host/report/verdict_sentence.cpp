@@ -41,9 +41,9 @@ std::optional<Html> may_be(const TournamentView& view, const Meeting& meeting) {
       break;
     case IntervalUse::too_few_pairs: {
       const auto count = static_cast<std::uint64_t>(uneven(meeting.pairs));
-      if (count == 0) return text("All of them were even, so there is no interval.");
-      return text(fmt::format("Only {} of them {} not even: too few pairs for an interval.", count,
-                              count == 1 ? "was" : "were"));
+      if (count == 0) return text("All pairs were even, so there is no interval.");
+      return text(fmt::format("Only {} not even: too few pairs for an interval.",
+                              config::counted(count, "pair was", "pairs were")));
     }
     default:
       return std::nullopt;
@@ -204,14 +204,19 @@ void of_round_robin(const TournamentView& view, const PValues& p, VerdictSentenc
     out.sentence << text(fmt::format(" and {} more lead {} teams together.", together - 1, ranks.size()));
     return;
   }
-  out.sentence << text(fmt::format(" leads {} teams", ranks.size()));
+  out.sentence << text(fmt::format(" leads {} teams.", ranks.size()));
   for (std::size_t i = 0; i < p.adjusted.size(); ++i) {
     const study::Pairing& pairing = view.course.meetings()[i].pairing;
     if (std::min(pairing.first, pairing.second) != std::min(best, next)) continue;
     if (std::max(pairing.first, pairing.second) != std::max(best, next)) continue;
     const int found = stronger(view, p, i) * (pairing.first == best ? 1 : -1);
-    out.sentence << (found > 0 ? ", and is stronger than "_html : ", but may be no stronger than "_html)
-                 << team(view, next) << ", the next."_html;
+    if (found > 0) {
+      out.sentence << " It is stronger than "_html << team(view, next) << ", the second team."_html;
+    } else if (found < 0) {
+      out.sentence << " "_html << team(view, next) << ", the second team, is stronger in their matches."_html;
+    } else {
+      out.sentence << " No difference from "_html << team(view, next) << ", the second team, was found."_html;
+    }
   }
 }
 

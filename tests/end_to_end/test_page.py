@@ -20,7 +20,7 @@ THREE = ("small.yaml", "worse.yaml", "other.yaml")
 NOBODY = 65534
 HOSTILE = "</title></style><script>alert(1)</script>\"'>"
 # Elements without an end, and those of a picture that may have none.
-VOID = {"meta", "br", "img", "link", "input", "hr"}
+VOID = {"meta", "br", "wbr", "img", "link", "input", "hr"}
 
 
 class Page(html.parser.HTMLParser):

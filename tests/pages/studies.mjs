@@ -48,12 +48,13 @@ slices: {points: 3, pairs: 2}
 }
 
 // The studies by name: what plays each, how many figures its page has at least, and whether these are as wide as it.
-const commands = (teams) => {
+const commands = (teams, openings) => {
   const entrants = (...names) => names.flatMap((name) => ["--team", join(teams, `${name}.yaml`)]);
-  const short = ["--limit", "30", "--set", "rules.durations.ready=3", "--set", "rules.durations.set=1"];
+  // Scenes in which goals fall.
+  const short = ["--openings", openings, "--limit", "30", "--set", "rules.durations.ready=3", "--set", "rules.durations.set=1"];
   const experiment = (name, figures) => ({ words: ["experiment", `${name}.yaml`], figures, fullFigures: true });
   return {
-    two_teams: { words: ["tournament", ...entrants("paper", "spqr2023"), "--pairs", "4", ...short], figures: 5 },
+    two_teams: { words: ["tournament", ...entrants("paper", "spqr2023"), "--pairs", "6", ...short], figures: 5 },
     four_teams: {
       words: ["tournament", ...entrants("paper", "spqr2023", "fixed_rate", "events_only"), "--pairs", "2", ...short],
       figures: 2,
@@ -76,7 +77,7 @@ export function playStudies(program, source, folder) {
   const teams = join(source, "configs/teams");
   mkdirSync(folder, { recursive: true });
   for (const [name, text] of Object.entries(documents(teams))) writeFileSync(join(folder, name), text);
-  return Object.entries(commands(teams)).map(([name, { words, figures, fullFigures = false }]) => {
+  return Object.entries(commands(teams, join(source, "configs/openings"))).map(([name, { words, figures, fullFigures = false }]) => {
     const { status, stderr } = spawnSync(program, [...words, "--results", `${name}.db`, "--quiet"],
                                          { cwd: folder, encoding: "utf8" });
     if (status !== 0) throw new Error(`${name}: status ${status}: ${stderr}`);
