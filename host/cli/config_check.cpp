@@ -95,7 +95,7 @@ void add_config_check(Command& parent, const Invocation& invocation) {
   Command& command =
       parent.add("check", "say what is wrong with rules, robots, disturbances, openings, teams and studies");
   const auto options = std::make_shared<Options>();
-  command.take("files", options->files, "FILE...", "documents of any kind", Reads::documents);
+  command.take("files", options->files, "FILE", "documents of any kind", Reads::documents);
   command.take("--rules", options->rules, "FILE",
                "rules that openings and teams must go with; default: spl2023, built in", Reads::documents);
   command.take("--robot", options->robot, "FILE", "robot that openings and teams must go with; default: nao, built in",

@@ -338,7 +338,10 @@ int play(Options options, const output::OutputFiles& outputs, const Invocation& 
   const campaign::MatchRequest wanted = campaign::request_of(job);
   campaign::MatchSetup prepared = as_then ? as_then->take() : campaign::match_setup(wanted, catalogue);
   tell_what_is_not_used(catalogue, folders);
-  for (const config::Warning& each : prepared.warnings) complain(to_string(each));
+  // Who plays a match again knows what its documents are.
+  if (!stored) {
+    for (const config::Warning& each : prepared.warnings) complain(to_string(each));
+  }
   check_what_is_written(outputs, options, wanted, catalogue);
   if (stored && (stored->decided.failure || stored->decided.set_aside())) {
     if (!options.metrics.empty()) {

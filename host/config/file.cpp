@@ -30,6 +30,7 @@ std::string neighbour(const fs::path& file) {
        entry.increment(failed)) {
     names.push_back(entry->path().filename().string());
   }
+  if (failed && file.has_parent_path()) return fmt::format("; there is no folder {}", folder.string());
   std::sort(names.begin(), names.end());
   const std::string asked = file.filename().string();
   const std::string_view near = nearest(asked, names);

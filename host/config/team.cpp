@@ -90,6 +90,18 @@ int role_list_named(const Node& value, const TeamPage& page, const std::string& 
   return static_cast<int>(found - names.begin());
 }
 
+// A value of a term that is not there, "utility.terms.distnce.weight", in words; empty where all is well.
+std::string unknown_term(std::string_view key, const Node& values) {
+  constexpr std::string_view terms = "utility.terms.";
+  if (!key.starts_with(terms)) return {};
+  const std::string_view rest = key.substr(terms.size()), term = rest.substr(0, rest.find('.'));
+  const Node known = values["utility"]["terms"];
+  if (term.size() == rest.size() || known[term]) return {};
+  std::vector<std::string> names;
+  for (const Node::Entry& each : known.entries()) names.push_back(each.key);
+  return unknown("term", term, "utility.terms", names);
+}
+
 // `what`: the path of the context's `use:`.
 Context resolved(const ContextPage& written, const Node& document, const TeamPage& page, const std::string& what,
                  Mistakes& mistakes) {
@@ -109,6 +121,8 @@ Context resolved(const ContextPage& written, const Node& document, const TeamPag
         context.role_list = role_list_named(entry.value, page, what + ".roles");
       } else if (first == "roles") {
         throw Error(entry.key_where, what + ": roles takes the name of a list and has no parts");
+      } else if (const std::string term = unknown_term(entry.key, values); !term.empty()) {
+        throw Error(entry.key_where, term);
       } else if (!mistakes.mistaken(entry.key.substr(0, entry.key.rfind('.'))) || first == entry.key) {
         values = with(values, entry.key, entry.value, entry.key_where);
       }

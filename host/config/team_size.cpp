@@ -54,6 +54,22 @@ Location key_of(const Node& roles, const std::string& name) {
   return roles.where();
 }
 
+bool has(const RoleList& list, Behaviour behaviour) {
+  return std::ranges::any_of(list.roles, [&](const Role& role) { return role.behaviour == behaviour; });
+}
+
+// What nobody does in the list though a game needs it.
+std::vector<std::string> missing_behaviours(const RoleList& list) {
+  std::vector<std::string> out;
+  if (!has(list, Behaviour::play_ball) && !has(list, Behaviour::search)) {
+    out.emplace_back("no role plays the ball: one has target {at: ball}, or behaviour: play_ball");
+  }
+  if (!has(list, Behaviour::keep_goal)) {
+    out.emplace_back("no role keeps the goal: one has the name goalkeeper, or behaviour: keep_goal");
+  }
+  return out;
+}
+
 }  // namespace
 
 void check(const Team& team, const Rules& rules, const Node& document, Mistakes& mistakes) {
@@ -84,9 +100,14 @@ std::vector<Warning> warnings(const Team& team, const Rules& rules, const Node& 
   for (std::size_t i = 0; i < team.role_lists.size(); ++i) {
     const RoleList& list = team.role_lists[i];
     const std::string contexts = contexts_that_play(team, i);
+    if (contexts.empty()) continue;
+    for (const std::string& each : missing_behaviours(list)) {
+      out.push_back(
+          {key_of(document["roles"], list.name), fmt::format("roles.{}: in {} {}", list.name, contexts, each)});
+    }
     const Takers roles = takers(list, rules.team_size);
     const int certain = static_cast<int>(roles.certain.size()), played = certain + roles.for_all;
-    if (contexts.empty() || played >= rules.team_size) continue;
+    if (played >= rules.team_size) continue;
     const int left = rules.team_size - played;
     const std::string who = roles.for_all == 0 ? those_left(roles.certain, rules.team_size)
                                                : counted(static_cast<std::uint64_t>(left), "robot", "robots");

@@ -32,7 +32,9 @@ class Matches(tournament.Tournament):
             self.assertEqual(job["teams"], ["small.yaml", "other.yaml"] if a_at_home else ["other.yaml", "small.yaml"])
             self.assertEqual(job["opening"], f"scenes/{'right' if seed == 8 else 'left'}.yaml")
             again = ("match", *job["teams"], "--seed", seed, "--opening", job["opening"])
-            alone = json.loads(self.succeed(*again, "--json"))
+            done = self.run_program(*again, "--json")
+            self.assertRegex(done.stderr, r"^regista: other\.yaml:\d+:\d+: warning: .* no role plays the ball: [^\n]*\n$")
+            alone = json.loads(done.stdout)
             self.assertEqual((alone["score"], alone["state_hash"]), ([home, away], state_hash))
             metrics = stored[row]
             self.assertEqual(metrics["roles"], alone["roles"])

@@ -210,7 +210,8 @@ TEST_F(ParseFile, FilesThatAreNone) {
   ASSERT_EQ(mkfifo("pipe.yaml", 0600), 0);
   EXPECT_EQ(error_of([] { parse("pipe.yaml"); }), "pipe.yaml: is not a regular file");
   EXPECT_EQ(error_of([] { parse("/dev/zero"); }), "/dev/zero: is not a regular file");
-  EXPECT_EQ(error_of([] { parse("spl2023.yaml/x.yaml"); }), "spl2023.yaml/x.yaml: no such file");
+  EXPECT_EQ(error_of([] { parse("spl2023.yaml/x.yaml"); }),
+            "spl2023.yaml/x.yaml: no such file; there is no folder spl2023.yaml");
   EXPECT_EQ(error_of([] { parse("two\nlines.yaml"); }), "two\\nlines.yaml: no such file");
 }
 
