@@ -43,7 +43,7 @@ constexpr auto examples = R"(Examples:
 
 The document names a team, opponents, the values that may change, what counts as better, an algorithm and how much is
 played; `regista config show` explains its values, docs/tuning.md the method. What the search finds is only a guess: the
-best points are played again on other seeds, and the best of these meet the base team on seeds that nobody has chosen by,
+best points are played again on other seeds, and the best of these meet the base team on held-out seeds,
 in a test that may stop at any pair. The team that comes of it is written beside the results, NAME.tuned.yaml, with
 what was found about it in its head, whether or not it was found better.
 --compare plays the search of several algorithms with equal numbers of matches, repeated with other seeds, and judges what

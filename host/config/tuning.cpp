@@ -162,7 +162,7 @@ static Map declare(Tuning::Verification& verification) {
   return {.fields =
               {
                   integer("candidates", verification.candidates, {1, 16}, "1",
-                          "best finalists that are compared with the base team, on seeds nobody has seen"),
+                          "best finalists that are compared with the base team, on held-out seeds"),
                   integer("matches", verification.matches, {4, 10000000}, "1",
                           "of the candidates and the base team together, at most"),
                   choice("against", verification.against, {"opponents", "base"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The matches of a verification: the candidates and the base team, pair by pair on seeds that nobody has chosen by, as
+// The matches of a verification: the candidates and the base team, pair by pair on held-out seeds, as
 // long as its test (verification.hpp) wants more.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether candidates are better than the base team, pair by pair on seeds that nobody has chosen by: a sequential test
+// Whether candidates are better than the base team, pair by pair on held-out seeds: a sequential test
 // of a difference of 0, valid however often one looks, adjusted by Holm for the number of candidates. Differences that
 // have bounds can be tested by betting on their mean (statistics/betting.hpp), which holds for any law; else they are
 // taken to be symmetric (statistics/symmetric_test.hpp), which finds sooner.
