@@ -70,7 +70,7 @@ TEST(HelpText, FitsTheWidth) {
   const Invocation invocation;
   Command program("regista", "about");
   add_commands(program, invocation);
-  for (const std::size_t width : {60, 80, 100, 120}) expect_narrow(program.declaration(), width);
+  for (const std::size_t width : {60U, 80U, 100U, 120U}) expect_narrow(program.declaration(), width);
 }
 
 TEST(Help, IsAskedForByNameOrByOption) {
