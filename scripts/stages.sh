@@ -46,11 +46,9 @@ if [[ ! -w ${HOME:-/nonexistent} ]]; then export CCACHE_DIR="$PWD/build/ccache";
 
 # Every script configures a preset through these two: with different options they would rebuild each other's files for ever.
 #
-# configure PRESET: with everything that the preset has, tests too. REGISTA_PRECOMPILE=1: those of clang++ with precompiled
-# headers, where nothing was compiled before; g++ shows that each file includes what it needs.
+# configure PRESET: with everything that the preset has, tests too.
 configure() {
   local everything=(-DREGISTA_WERROR=ON)
-  if [[ $1 != release && -n ${REGISTA_PRECOMPILE-} ]]; then everything+=(-DREGISTA_PRECOMPILE=ON); fi
   if [[ $1 == release ]]; then everything+=(-DREGISTA_TESTS=ON -DREGISTA_BENCHMARKS=ON); fi
   cmake --preset "$1" "${everything[@]}"
 }

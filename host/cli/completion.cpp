@@ -39,7 +39,7 @@ Candidates candidates(const OptionDeclaration& option) {
   return {};
 }
 
-std::string quoted(std::string_view text) {
+std::string in_single_quotes(std::string_view text) {
   std::string out = "'";
   for (const char c : text) {
     if (c == '\'') out += "'\\'";
@@ -77,9 +77,9 @@ std::string bash_line(const Candidates& candidates) {
   using Kind = Candidates::Kind;
   switch (candidates.kind) {
     case Kind::words:
-      return fmt::format("_regista_words {}", quoted(fmt::format("{}", fmt::join(candidates.words, " "))));
+      return fmt::format("_regista_words {}", in_single_quotes(fmt::format("{}", fmt::join(candidates.words, " "))));
     case Kind::files:
-      return fmt::format("_regista_files {}", quoted(fmt::format("{}", fmt::join(candidates.endings, "|"))));
+      return fmt::format("_regista_files {}", in_single_quotes(fmt::format("{}", fmt::join(candidates.endings, "|"))));
     case Kind::folders:
       return "_regista_folders";
     case Kind::nothing:
@@ -89,18 +89,18 @@ std::string bash_line(const Candidates& candidates) {
 }
 
 void add_bash(std::string& out, const CommandDeclaration& command) {
-  out += fmt::format("    {})\n      case $before in\n", quoted(command.full_name));
+  out += fmt::format("    {})\n      case $before in\n", in_single_quotes(command.full_name));
   for (const OptionDeclaration& each : command.options) {
     if (each.is_positional() || each.is_flag()) continue;
     out += fmt::format("        {}) {}; return ;;\n", fmt::join(each.names, "|"), bash_line(candidates(each)));
   }
   out += "      esac\n";
   out += fmt::format("      if [[ $current == -* ]]; then _regista_words {}; return; fi\n",
-                     quoted(fmt::format("{}", fmt::join(option_names(command), " "))));
+                     in_single_quotes(fmt::format("{}", fmt::join(option_names(command), " "))));
   if (!command.commands.empty()) {
     std::vector<std::string> names;
     for (const CommandDeclaration& each : command.commands) names.push_back(each.name);
-    out += fmt::format("      _regista_words {}\n", quoted(fmt::format("{}", fmt::join(names, " "))));
+    out += fmt::format("      _regista_words {}\n", in_single_quotes(fmt::format("{}", fmt::join(names, " "))));
   } else if (const OptionDeclaration* const words = positional(command)) {
     out += fmt::format("      {}\n", bash_line(candidates(*words)));
   }
@@ -110,7 +110,7 @@ void add_bash(std::string& out, const CommandDeclaration& command) {
 
 // The full names of all commands, each in quotes.
 void add_names(std::vector<std::string>& out, const CommandDeclaration& command) {
-  out.push_back(quoted(command.full_name));
+  out.push_back(in_single_quotes(command.full_name));
   for (const CommandDeclaration& each : command.commands) add_names(out, each);
 }
 
@@ -148,16 +148,17 @@ void add_zsh(std::string& out, const CommandDeclaration& command) {
   }
   out += "  _arguments -s -S";
   if (!command.commands.empty()) out += " -C";
-  out += fmt::format(" \\\n    {}", quoted("(-h --help)--help[print this help]"));
+  out += fmt::format(" \\\n    {}", in_single_quotes("(-h --help)--help[print this help]"));
   for (const OptionDeclaration& each : command.options) {
     if (each.is_positional()) {
-      out += fmt::format(" \\\n    {}", quoted(fmt::format("{}:{}:{}", each.is_list ? "*" : "1", zsh_text(each.type),
-                                                           zsh_action(candidates(each)))));
+      out +=
+          fmt::format(" \\\n    {}", in_single_quotes(fmt::format("{}:{}:{}", each.is_list ? "*" : "1",
+                                                                  zsh_text(each.type), zsh_action(candidates(each)))));
       continue;
     }
     std::string spec = fmt::format("{}{}[{}]", each.is_list ? "*" : "", each.name(), zsh_text(each.help));
     if (!each.is_flag()) spec += fmt::format(":{}:{}", zsh_text(each.type), zsh_action(candidates(each)));
-    out += fmt::format(" \\\n    {}", quoted(spec));
+    out += fmt::format(" \\\n    {}", in_single_quotes(spec));
   }
   if (command.commands.empty()) {
     out += "\n}\n\n";
@@ -165,7 +166,7 @@ void add_zsh(std::string& out, const CommandDeclaration& command) {
   }
   out += " \\\n    '1: :->command' '*:: :->rest'\n  case $state in\n    command)\n      local -a commands=(";
   for (const CommandDeclaration& each : command.commands) {
-    out += fmt::format("\n        {}", quoted(fmt::format("{}:{}", zsh_text(each.name), each.about)));
+    out += fmt::format("\n        {}", in_single_quotes(fmt::format("{}:{}", zsh_text(each.name), each.about)));
   }
   out += ")\n      _describe command commands ;;\n    rest)\n      case $line[1] in\n";
   for (const CommandDeclaration& each : command.commands) {
@@ -212,7 +213,7 @@ std::string bash_completion(const CommandDeclaration& program) {
       "    esac\n"
       "  done\n"
       "  case $command in\n",
-      quoted(program.name), fmt::join(names, "|"));
+      in_single_quotes(program.name), fmt::join(names, "|"));
   add_bash(out, program);
   return out + fmt::format("  esac\n}}\ncomplete -F _{0} {0}\n", program.name);
 }
