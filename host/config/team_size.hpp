@@ -27,9 +27,9 @@ struct Warning {
 // "file:line:column: warning: message", one line
 std::string to_string(const Warning& warning);
 
-// For each list of roles that a context plays, in the order of the lists: that it has a role for fewer than all robots of
-// a team, how many stand, and which, where that is certain; that nobody plays the ball or searches for it; that nobody
-// keeps the goal.
+// For each list of roles that a context plays, in the order of the lists: that it has a role for fewer than all robots
+// of a team, how many stand, and which, where that is certain; that nobody plays the ball or searches for it; that
+// nobody keeps the goal.
 std::vector<Warning> warnings(const Team& team, const Rules& rules, const Node& document);
 
 }  // namespace regista::config
