@@ -5,7 +5,7 @@
 #include <string>
 
 #include "campaign/options.hpp"
-#include "cli/command.hpp"
+#include "cli/common_names.hpp"
 
 namespace regista::cli {
 

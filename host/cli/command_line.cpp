@@ -11,9 +11,8 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/end_of_program.hpp"
 #include "cli/study_kinds.hpp"
-#include "cli/terminal.hpp"
+#include "command/terminal.hpp"
 #include "output/output.hpp"
 
 namespace regista::cli {
@@ -59,7 +58,7 @@ int run(const Invocation& invocation, const Addition* addition) {
   add_commands(program, invocation);
   if (addition != nullptr) addition->command(program, invocation);
   const Command::Typed typed =
-      program.read({invocation.arguments.begin() + 1, invocation.arguments.end()}, columns_of_output());
+      program.read({invocation.arguments.begin() + 1, invocation.arguments.end()}, command::columns_of_output());
   if (typed.command == nullptr) {
     output::print(typed.answer);
     return exit_done;

@@ -2,23 +2,10 @@
 // The commands of the program: each declares itself, its options and its examples on its parent.
 #pragma once
 
-#include <filesystem>
-#include <span>
-#include <string>
-#include <vector>
-
-#include "cli/command.hpp"
+#include "cli/common_names.hpp"
+#include "cli/invocation.hpp"
 
 namespace regista::cli {
-
-struct StudyKind;
-
-// How the program was started, and which studies it knows. Outlives the commands.
-struct Invocation {
-  std::vector<std::string> arguments;  // the first is the name of the program
-  std::filesystem::path executable{};  // its own file; empty when the system does not know
-  std::span<const StudyKind> studies{};
-};
 
 void add_match(Command& program, const Invocation& invocation);
 void add_experiment(Command& program, const Invocation& invocation);

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/completion.hpp"
-#include "cli/end_of_program.hpp"
+#include "command/completion.hpp"
 #include "config/text.hpp"
 #include "output/output.hpp"
 
@@ -25,12 +24,12 @@ to ~/.bashrc. zsh reads the second one when ~/.zshrc has the lines
   fpath+=(~/.zfunc)
   autoload -U compinit && compinit)";
 
-int write(const std::string& shell, const CommandDeclaration& program) {
+int write(const std::string& shell, const command::CommandDeclaration& program) {
   if (shell.empty()) throw BadInput("completion: which shell? There are: bash, zsh");
   if (shell == "bash") {
-    output::print(bash_completion(program));
+    output::print(command::bash_completion(program));
   } else if (shell == "zsh") {
-    output::print(zsh_completion(program));
+    output::print(command::zsh_completion(program));
   } else {
     throw BadInput("completion: " + config::unknown("shell", shell, "", std::vector<std::string>{"bash", "zsh"}));
   }

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/end_of_program.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/json.hpp"
 #include "output/output.hpp"

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/end_of_program.hpp"
 #include "output/output.hpp"
 
 namespace regista::cli {
@@ -25,10 +24,10 @@ program; examples of other commands name them as configs/teams/paper.yaml.)";
 
 int copy(const std::vector<std::string>& folders, const Invocation& invocation) {
   if (folders.size() != 1) throw BadInput(fmt::format("config copy: expected one folder, {} given", folders.size()));
-  const fs::path from = (invocation.executable.parent_path() / "../share/regista/configs").lexically_normal();
+  const fs::path from = invocation.own("share/regista/configs");
   const fs::path to = folders.front();
   std::error_code error;
-  if (invocation.executable.empty() || !fs::is_directory(from, error)) {
+  if (!fs::is_directory(from, error)) {
     throw BadInput(fmt::format("config copy: {} is missing: this program was not installed as a whole", from.string()));
   }
   if (fs::exists(fs::symlink_status(to, error))) {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/end_of_program.hpp"
 #include "config/documents.hpp"
 #include "config/parse.hpp"
 #include "config/place.hpp"

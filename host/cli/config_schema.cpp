@@ -9,7 +9,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/document_kind.hpp"
-#include "cli/end_of_program.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
 #include "output/output.hpp"

@@ -5,10 +5,9 @@
 
 #include "campaign/shell.hpp"
 #include "cli/commands.hpp"
-#include "cli/end_of_program.hpp"
-#include "cli/interruption.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/terminal.hpp"
+#include "command/interruption.hpp"
+#include "command/terminal.hpp"
 #include "config/documents.hpp"
 #include "output/output.hpp"
 #include "report/evaluation_report.hpp"
@@ -44,9 +43,9 @@ int evaluate(const Options& options, const Invocation& invocation) {
   const config::PredictorStudy study = config::read_predictor_study(options.studies.front(), options.overrides);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   const std::string again = campaign::shell_line(invocation.arguments);
-  const Interruption interruption(
+  const command::Interruption interruption(
       fmt::format("regista: interrupted while a plugin did not return; the same study again: {}\n", again));
-  RewrittenLine progress(!options.quiet);
+  command::RewrittenLine progress(!options.quiet);
   const auto stop_if_asked = [&](const std::string& stage) {
     if (!interruption.requested()) return;
     progress.clear();

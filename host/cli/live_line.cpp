@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "cli/terminal.hpp"
+#include "command/terminal.hpp"
 
 namespace regista::cli {
 
@@ -27,8 +27,9 @@ void LiveLine::second(double time, const match::GameState& state) {
 void LiveLine::event(const match::Event& event, const match::GameState& state) {
   if (!goals_ || event.kind != match::EventKind::goal) return;
   clear();
-  say(fmt::format("{}:{}  goal for {} ({}), half {}, {}\n", state.goals[0], state.goals[1],
-                  names_[match::index(event.side)], match::name(event.side), state.half, clock_text(state.clock)));
+  command::say(fmt::format("{}:{}  goal for {} ({}), half {}, {}\n", state.goals[0], state.goals[1],
+                           names_[match::index(event.side)], match::name(event.side), state.half,
+                           clock_text(state.clock)));
 }
 
 }  // namespace regista::cli

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <string>
 
-#include "cli/terminal.hpp"
+#include "command/terminal.hpp"
 #include "match/game_state.hpp"
 
 namespace regista::cli {
@@ -28,7 +28,7 @@ class LiveLine {
   using Clock = std::chrono::steady_clock;
   std::array<std::string, 2> names_;
   bool goals_;
-  RewrittenLine line_;
+  command::RewrittenLine line_;
   Clock::time_point began_ = Clock::now();
 };
 

@@ -2,45 +2,26 @@
 // `regista match`: plays one match.
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "campaign/blame.hpp"
 #include "campaign/engine.hpp"
 #include "campaign/inputs.hpp"
 #include "campaign/job_setup.hpp"
-#include "campaign/leftovers.hpp"
-#include "campaign/match_setup.hpp"
-#include "campaign/mathematics.hpp"
-#include "campaign/shell.hpp"
 #include "campaign/supervised.hpp"
 #include "cli/commands.hpp"
-#include "cli/end_of_program.hpp"
-#include "cli/interruption.hpp"
-#include "cli/live_line.hpp"
+#include "cli/match_options.hpp"
 #include "cli/plugin_folders.hpp"
+#include "cli/prepared_match.hpp"
+#include "cli/replayed_match.hpp"
 #include "cli/stored_match.hpp"
-#include "config/packet_share.hpp"
-#include "config/text.hpp"
 #include "config/typed.hpp"
-#include "match/names.hpp"
-#include "match/teams.hpp"
-#include "mcap/error.hpp"
-#include "output/output.hpp"
 #include "output/output_files.hpp"
-#include "output/replaced_file.hpp"
 #include "plugin/plugin_file.hpp"
-#include "recording/decision_log.hpp"
-#include "recording/match_recording.hpp"
-#include "report/match_summary.hpp"
-#include "study/sequential_test_options.hpp"
 
 namespace regista::cli {
 namespace {
@@ -64,33 +45,33 @@ opening; without one of these it goes to both teams.
 Exit codes: 0 played; 1 the result could not be written, or is not that of --from; 2 bad input; 3 a defect of
 Regista; 130 interrupted.)";
 
-struct Options : campaign::MatchRequest {
-  std::vector<std::string> plugins;
-  std::string decisions, record, metrics, from, row;
-  bool force = false, json = false, quiet = false, verbose = false, in_process = false;
-  std::string processor_seconds = "10", wall_seconds = "200";
-};
-
-std::string interrupted_text(const std::string& again, const match::GameState& state, double time) {
-  return fmt::format("interrupted in half {} at {}, {:.0f} s simulated, score {}:{}; the same match again: {}",
-                     state.half, clock_text(state.clock), time, state.goals[0], state.goals[1], again);
-}
-
 // Nothing when none is to be played again.
-std::optional<StoredMatch> stored_match_of(const Options& options, const Invocation& invocation) {
+std::optional<StoredMatch> stored_match_of(const MatchOptions& options, const Invocation& invocation) {
   if (options.from.empty()) {
     if (!options.row.empty())
       throw BadInput(fmt::format("--row {}: belongs to --from, which is not given", options.row));
     return std::nullopt;
   }
   if (options.row.empty()) throw BadInput("--from: which match? Say --row N; `regista report --csv` lists them");
-  const Options unset;
+  const MatchOptions unset;
   const bool more = !options.teams.empty() || !options.rules.empty() || !options.robot.empty() ||
                     !options.disturbance.empty() || !options.home_disturbance.empty() ||
                     !options.away_disturbance.empty() || !options.overrides.empty() || !options.opening.empty() ||
                     !options.limit.empty() || !options.plugins.empty() || options.seed != unset.seed;
   if (more) throw BadInput("--from: the file says what is played; teams and options that change it cannot be given");
   return read_stored_match(options.from, options.row, invocation.studies);
+}
+
+// outputs: as they were named before stored_match() went elsewhere. What can be known before the match is refused
+// before.
+void check_what_is_written(output::OutputFiles outputs, const MatchOptions& options,
+                           const campaign::MatchRequest& played, const plugin::Catalogue& catalogue) {
+  std::vector<std::string> documents = played.teams;
+  documents.insert(documents.end(), {played.rules, played.robot, played.disturbance, played.home_disturbance,
+                                     played.away_disturbance, played.opening});
+  outputs.read(documents, Reads::documents, played.overrides);
+  outputs.read(folders_of(catalogue), Reads::plugins);
+  outputs.check(options.force);
 }
 
 // "plugin greedy of away (b.yaml), robot 3, tick 41: assign: Segmentation fault"
@@ -102,73 +83,9 @@ std::string failure_text(const campaign::Job& job, const campaign::Failure& fail
                      failure.call, failure.what);
 }
 
-// "was forfeited: home, plugin greedy, assign: Segmentation fault"
-std::string end_in_words(const campaign::Decided& decided) {
-  if (decided.set_aside()) return "could not be played: " + decided.why_set_aside;
-  if (!decided.failure) return "was played to its end";
-  const campaign::Failure& failure = *decided.failure;
-  return fmt::format("was forfeited: {}, plugin {}, {}: {}", failure.side == 0 ? "home" : "away", failure.plugin,
-                     failure.call, failure.what);
-}
-
-// A match that was forfeited, or could not be played: by workers, as then, for its plugin may hang or take all memory.
-int play_failed(const Options& options, const StoredMatch& stored, campaign::Job job) {
-  campaign::Decided now;
-  try {
-    job.record = options.record;
-    job.expects_failure = stored.decided.failure.has_value();
-    now = campaign::play_alone(job, stored.limits);
-  } catch (const campaign::CampaignError& error) {
-    if (error.kind() == campaign::CampaignError::Kind::input) throw BadInput(error.what());
-    throw output::WriteError(error.what());
-  }
-  const bool same_side = now.failure && stored.decided.failure && now.failure->side == stored.decided.failure->side;
-  if (same_side || (now.set_aside() && stored.decided.set_aside())) {
-    output::print(config::one_line(fmt::format("row {}, again: {}", options.row, end_in_words(now))) + '\n');
-    return exit_done;
-  }
-  complain(config::one_line(
-      fmt::format("row {} {}; this time it {}", options.row, end_in_words(stored.decided), end_in_words(now))));
-  return exit_no;
-}
-
-// What came of it this time, on standard error.
-int compare(const Options& options, const campaign::Decided& stored, const match::Result& played) {
-  const std::string hash = match::hash_text(played.hash);
-  if (hash != stored.hash) {
-    complain(
-        fmt::format("row {} has the hash {}, this match {}: they are not the same", options.row, stored.hash, hash));
-    return exit_no;
-  }
-  if (!options.quiet) complain(fmt::format("the same match as row {}: hash {}", options.row, hash));
-  return exit_done;
-}
-
-// outputs: as they were named before stored_match() went elsewhere. What can be known before the match is refused
-// before.
-void check_what_is_written(output::OutputFiles outputs, const Options& options, const campaign::MatchRequest& played,
-                           const plugin::Catalogue& catalogue) {
-  std::vector<std::string> documents = played.teams;
-  documents.insert(documents.end(), {played.rules, played.robot, played.disturbance, played.home_disturbance,
-                                     played.away_disturbance, played.opening});
-  outputs.read(documents, Reads::documents, played.overrides);
-  outputs.read(folders_of(catalogue), Reads::plugins);
-  outputs.check(options.force);
-}
-
-std::unique_ptr<recording::MatchRecording> begin_recording(const Options& options,
-                                                           const recording::RecordedSetup& setup) {
-  try {
-    return std::make_unique<recording::MatchRecording>(
-        options.record, setup, recording::MatchRecording::Options{.replace = options.force, .background = true});
-  } catch (const mcap::Error& error) {
-    throw BadInput(fmt::format("--record: {}", error.what()));
-  }
-}
-
 constexpr auto not_alone = "played with each team in a process of its own it did not, so no team is to blame";
 
-campaign::Limits limits_of(const Options& options) {
+campaign::Limits limits_of(const MatchOptions& options) {
   campaign::Limits out;
   out.processor_seconds =
       static_cast<int>(config::parse_whole("--processor-seconds", options.processor_seconds, 1, 1'000'000));
@@ -189,91 +106,6 @@ void blame(campaign::Job job, campaign::Limits limits) {
   }
 }
 
-// Plays what was set up, in a process that a plugin may end.
-int play_prepared(const Options& options, const Invocation& invocation, const std::optional<StoredMatch>& stored,
-                  campaign::MatchSetup prepared, campaign::WorkerNote& note) {
-  const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
-  std::vector<std::string> words = invocation.arguments;
-  if (!options.record.empty() && !options.force) words.push_back("--force");  // for there is a recording now
-  const std::string again = campaign::shell_line(words);
-
-  campaign::PlayedMatch played;
-  played.seed = prepared.setup.seed;
-  if (prepared.setup.opening) played.opening = prepared.setup.opening->name;
-  played.budget = config::packets(prepared.setup.rules.messages);
-  played.packets_share = campaign::packets_share_of(prepared.setup);
-  for (const match::Side side : match::both_sides) {
-    played.teams[match::index(side)] = plans[match::index(side)]->team().name;
-    played.role_names[match::index(side)] = match::role_names(match::roles(*plans[match::index(side)]));
-  }
-
-  std::optional<output::OutputFile> decisions;
-  std::optional<recording::DecisionLog> log;
-  if (!options.decisions.empty()) {
-    decisions.emplace(options.decisions);
-    log.emplace([&decisions](std::string_view line) { decisions->write(line); }, plans, played.seed);
-  }
-  std::unique_ptr<recording::MatchRecording> recording;
-  if (!options.record.empty()) {
-    const std::string command =
-        campaign::plain_command(stored ? stored->job : campaign::job_of(options, options.plugins));
-    recording = begin_recording(options, {plans, "regista " REGISTA_VERSION, command, played.opening, played.seed});
-  }
-  LiveLine live(played.teams, !options.quiet, options.verbose);
-  const Interruption interruption(
-      fmt::format("regista: interrupted while a plugin did not return; the same match again: {}\n", again));
-
-  match::Observer observer;
-  observer.second = [&](double time, const match::GameState& state) {
-    if (interruption.requested()) throw Interrupted(interrupted_text(again, state, time), interruption.signal_number());
-    live.second(time, state);
-  };
-  observer.event = [&](double time, const match::Event& event, const match::GameState& state) {
-    live.event(event, state);
-    if (log) log->event(time, event, state);
-    if (recording) recording->event(time, event, state);
-  };
-  match::AfterDecision after;
-  if (log || recording) {
-    observer.step = [&](const match::Snapshot& snapshot) {
-      if (log) log->stepped(snapshot);
-      if (recording) recording->stepped(snapshot);
-    };
-    after = [&](const mind::Mind& mind, const match::Decision& decision) {
-      if (log) log->decided(mind, decision);
-      if (recording) recording->decided(mind, decision);
-    };
-  }
-
-  const auto began = std::chrono::steady_clock::now();
-  const pid_t here = getpid();
-  std::optional<campaign::StandardOutputKept> kept(std::in_place);
-  const campaign::ProcessState before = campaign::ProcessState::now();
-  std::string left;
-  try {
-    played.result = match::play(std::move(prepared.setup), plans, &observer, after, {&note.call});
-    note.call = {};                              // whatever dies from now on dies in no plugin's call
-    if (getpid() != here) _exit(exit_internal);  // a plugin has doubled the process: one of the two is enough
-    left = campaign::changes_since(before);
-    if (recording) recording->close();
-  } catch (const mcap::Error& error) {
-    throw output::WriteError(error.what());
-  } catch (const std::invalid_argument& error) {
-    throw BadInput(error.what());  // profiles and teams that do not go together
-  }
-  played.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  kept.reset();
-  live.clear();
-  if (!left.empty()) {
-    throw campaign::Disorder("a plugin " + left);
-  }
-  if (log) decisions->close();
-  if (!options.metrics.empty())
-    output::write_whole(options.metrics, report::metrics_csv(played), output::Existing::replaced);
-  output::print(options.json ? campaign::summary_json(played) : report::summary_text(played));
-  return stored ? compare(options, stored->decided, played.result) : exit_done;
-}
-
 // The shared objects of the teams' plugins, to tell whether they are still the same.
 using Files = std::vector<std::shared_ptr<plugin::PluginFile>>;
 
@@ -288,7 +120,7 @@ Files files_of(const campaign::MatchSetup& prepared) {
 }
 
 // A plugin ended the process.
-int explain_loss(const Options& options, campaign::Job job, const campaign::Limits& limits, const Files& files,
+int explain_loss(const MatchOptions& options, campaign::Job job, const campaign::Limits& limits, const Files& files,
                  const campaign::Loss& loss) {
   for (const std::string& written : {options.record, options.decisions}) {
     std::error_code none;
@@ -311,7 +143,7 @@ int explain_loss(const Options& options, campaign::Job job, const campaign::Limi
   throw BadInput(fmt::format("the match died: {}; {}", died, not_alone));
 }
 
-int play(Options options, const output::OutputFiles& outputs, const Invocation& invocation) {
+int play(MatchOptions options, const output::OutputFiles& outputs, const Invocation& invocation) {
   // Before stored_match() goes elsewhere.
   for (std::string* written : {&options.decisions, &options.record, &options.metrics}) {
     if (!options.from.empty() && !written->empty()) *written = std::filesystem::absolute(*written).string();
@@ -353,7 +185,7 @@ int play(Options options, const output::OutputFiles& outputs, const Invocation& 
   job.plugin_files = catalogue.used_files();
   const Files files = files_of(prepared);
   const auto work = [&](campaign::WorkerNote& note) {
-    return play_prepared(options, invocation, stored, std::move(prepared), note);
+    return play_prepared(options, invocation.arguments, stored, std::move(prepared), note);
   };
   if (options.in_process) {
     campaign::WorkerNote note;
@@ -388,7 +220,7 @@ int play(Options options, const output::OutputFiles& outputs, const Invocation& 
 
 void add_match(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("match", "play one match between two teams");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MatchOptions>();
   command.take("teams", options->teams, "A.yaml B.yaml", "the teams' files: home, then away", Reads::documents);
   command.take("--seed", options->seed, "N", "all chance of the match comes from it; default 1");
   command.take("--rules", options->rules, "FILE", "rules profile; default: spl2023, built in", Reads::documents);

@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "cli/commands.hpp"
-#include "cli/end_of_program.hpp"
 #include "config/bad_input.hpp"
 #include "config/file.hpp"
 #include "match/metric_table.hpp"

@@ -5,7 +5,6 @@
 #include "campaign/play_one.hpp"
 #include "campaign/worker.hpp"
 #include "cli/commands.hpp"
-#include "cli/end_of_program.hpp"
 #include "cli/plugin_folders.hpp"
 
 namespace regista::cli {

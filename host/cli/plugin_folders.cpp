@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "cli/end_of_program.hpp"
+#include "cli/common_names.hpp"
 
 namespace regista::cli {
 
@@ -16,11 +16,8 @@ void add_plugin_folders(Command& command, std::vector<std::string>& folders) {
 
 plugin::Catalogue open_plugins(const std::vector<std::string>& folders, const Invocation& invocation) {
   const std::vector<std::filesystem::path> options(folders.begin(), folders.end());
-  std::filesystem::path built_in;
-  if (!invocation.executable.empty()) {
-    built_in = (invocation.executable.parent_path() / "../lib/regista/plugins").lexically_normal();
-  }
-  return plugin::Catalogue(plugin::Catalogue::search_path(options, std::getenv("REGISTA_PLUGIN_PATH"), built_in));
+  return plugin::Catalogue(plugin::Catalogue::search_path(options, std::getenv("REGISTA_PLUGIN_PATH"),
+                                                          invocation.own("lib/regista/plugins")));
 }
 
 std::vector<std::string> folders_of(const plugin::Catalogue& catalogue) {

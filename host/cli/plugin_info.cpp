@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/end_of_program.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/text.hpp"
 #include "output/output.hpp"

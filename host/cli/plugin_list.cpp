@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "cli/commands.hpp"
-#include "cli/end_of_program.hpp"
 #include "cli/plugin_folders.hpp"
 #include "output/output.hpp"
 #include "plugin/info.hpp"

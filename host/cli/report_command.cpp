@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "cli/commands.hpp"
-#include "cli/end_of_program.hpp"
 #include "cli/results_file.hpp"
 #include "cli/results_page.hpp"
 #include "cli/study_run.hpp"

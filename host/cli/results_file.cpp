@@ -11,7 +11,7 @@
 
 #include "campaign/document_copies.hpp"
 #include "campaign/inputs.hpp"
-#include "cli/end_of_program.hpp"
+#include "cli/common_names.hpp"
 #include "config/json.hpp"
 #include "config/text.hpp"
 #include "output/output.hpp"

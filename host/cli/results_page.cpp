@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "campaign/shell.hpp"
-#include "cli/end_of_program.hpp"
+#include "cli/common_names.hpp"
 #include "cli/results_file.hpp"
 #include "output/output.hpp"
 #include "report/page_parts.hpp"

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/end_of_program.hpp"
 #include "config/text.hpp"
 #include "output/output.hpp"
 #include "report/counts.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "campaign/shell.hpp"
-#include "cli/end_of_program.hpp"
+#include "cli/common_names.hpp"
 #include "cli/results_file.hpp"
 #include "config/typed.hpp"
 #include "output/output.hpp"

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "cli/end_of_program.hpp"
-#include "cli/terminal.hpp"
+#include "cli/common_names.hpp"
+#include "command/terminal.hpp"
 
 namespace regista::cli {
 namespace {
@@ -49,7 +49,7 @@ std::string duration(double seconds) {
 }  // namespace
 
 StudyProgress::StudyProgress(const report::StudyReport& report, bool wanted)
-    : report_(report), wanted_(wanted), rewrite_(wanted && can_rewrite()) {}
+    : report_(report), wanted_(wanted), rewrite_(wanted && command::can_rewrite()) {}
 
 StudyProgress::~StudyProgress() { clear(); }
 
@@ -70,9 +70,9 @@ void StudyProgress::match(const study::Round& round, std::uint64_t index, const 
   }
   if (!fresh) return;
   const std::uint64_t number = round.first_row + index + 1;
-  say(fmt::format("match {} of {}, {}\n", number, report_.study().most_matches(),
-                  report_.match(round, index, *decided)));
-  if (number % between_standings == 0) say(block());
+  command::say(fmt::format("match {} of {}, {}\n", number, report_.study().most_matches(),
+                           report_.match(round, index, *decided)));
+  if (number % between_standings == 0) command::say(block());
 }
 
 std::string StudyProgress::rate_text() const {
@@ -102,7 +102,7 @@ void StudyProgress::show(const std::string& block) {
   const std::string text = cut(block, size.ws_col - std::size_t{1}, std::max<std::size_t>(size.ws_row, 2) - 1);
   clear();
   lines_ = static_cast<int>(std::ranges::count(text, '\n'));
-  say(text);
+  command::say(text);
 }
 
 void StudyProgress::print(std::string_view line) {
@@ -111,12 +111,12 @@ void StudyProgress::print(std::string_view line) {
 }
 
 void StudyProgress::note(const std::string& line) {
-  if (wanted_) say(line + '\n');
+  if (wanted_) command::say(line + '\n');
 }
 
 void StudyProgress::clear() {
   if (lines_ == 0) return;
-  say(fmt::format("\x1b[{}F\x1b[J", lines_));
+  command::say(fmt::format("\x1b[{}F\x1b[J", lines_));
   lines_ = 0;
 }
 
@@ -126,11 +126,11 @@ void StudyProgress::finish() {
   std::string out = fmt::format("{} matches played in {}", played_, duration(seconds));
   if (played_ > 0) out += fmt::format(", {}", rate_text());
   if (stored_ > 0) out += fmt::format("; {} were played before", stored_);
-  say(out + '\n');
+  command::say(out + '\n');
 }
 
 void StudyProgress::stopped() {
-  if (wanted_ && taken_ > 0) say(report_.text());
+  if (wanted_ && taken_ > 0) command::say(report_.text());
 }
 
 }  // namespace regista::cli

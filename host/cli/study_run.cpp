@@ -11,11 +11,11 @@
 
 #include "campaign/engine.hpp"
 #include "campaign/shell.hpp"
-#include "cli/end_of_program.hpp"
-#include "cli/interruption.hpp"
+#include "cli/common_names.hpp"
 #include "cli/results_page.hpp"
 #include "cli/study_progress.hpp"
-#include "cli/terminal.hpp"
+#include "command/interruption.hpp"
+#include "command/terminal.hpp"
 #include "config/text.hpp"
 #include "output/output.hpp"
 #include "study/recording_place.hpp"
@@ -33,7 +33,7 @@ struct Playing {
   const campaign::Options& options;
   const Invocation& invocation;
   StudyProgress& progress;
-  const Interruption& interruption;
+  const command::Interruption& interruption;
 };
 
 campaign::Schedule schedule_of(const study::Round& round, const Playing& playing, std::vector<std::int64_t> numbers,
@@ -81,7 +81,7 @@ void play(study::Study& study, const campaign::Options& options, const Invocatio
           StudyProgress& progress, const study::AfterMatch& after) {
   const std::string resume = resume_line(options, invocation);
   const auto to_go_on = [&resume](const char* why) { return fmt::format("{}; to go on: {}", why, resume); };
-  const Interruption interruption(fmt::format("regista: interrupted; to go on: {}\n", resume));
+  const command::Interruption interruption(fmt::format("regista: interrupted; to go on: {}\n", resume));
   const Playing playing{options, invocation, progress, interruption};
   const study::PlayRound play = [&](const study::Round& round) {
     const campaign::Schedule schedule = schedule_of(round, playing, store.add(round.fixtures), study.metrics());
@@ -142,7 +142,7 @@ int play_study(report::StudyReport& report, const campaign::Options& options, co
   output::print(options.json ? report.json() : report.text());
   if (options.no_page) return exit_done;
   const auto page = write_page_beside({options.results, store, invocation.studies}, wishes.figures);
-  if (page && !options.quiet) say(fmt::format("page: {}\n", config::one_line(page->string())));
+  if (page && !options.quiet) command::say(fmt::format("page: {}\n", config::one_line(page->string())));
   return exit_done;
 }
 

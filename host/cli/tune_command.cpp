@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "cli/commands.hpp"
-#include "cli/end_of_program.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
 #include "cli/study_run.hpp"

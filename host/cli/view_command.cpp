@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "cli/commands.hpp"
-#include "cli/end_of_program.hpp"
 #include "config/file.hpp"
 #include "mcap/error.hpp"
 #include "output/output.hpp"
@@ -58,14 +57,12 @@ void refuse_what_no_browser_opens(const std::string& file) {
                   file, size >> 20, recording::largest_recording_in_a_page >> 20));
 }
 
-std::filesystem::path viewer_of(const Invocation& invocation) {
-  return (invocation.executable.parent_path() / "../share/regista/viewer.html").lexically_normal();
-}
+constexpr auto viewer_page = "share/regista/viewer.html";
 
 std::string page(const Options& options, const Invocation& invocation) {
-  const std::filesystem::path viewer = viewer_of(invocation);
+  const std::filesystem::path viewer = invocation.own(viewer_page);
   std::error_code none;
-  if (invocation.executable.empty() || !std::filesystem::exists(viewer, none)) {
+  if (!std::filesystem::exists(viewer, none)) {
     throw BadInput(
         fmt::format("view: this build has no viewer page ({} is missing): it is made where Node.js is installed and "
                     "`npm ci` was run in viewer/; `regista view --at` and other readers of MCAP work without it",
@@ -91,7 +88,7 @@ int run(const Options& options, output::OutputFiles outputs, const Invocation& i
   }
   const std::filesystem::path output = output_of(options);
   outputs.write("-o", output, Writes::page);
-  outputs.read({viewer_of(invocation).string()}, Reads::data);
+  outputs.read({invocation.own(viewer_page).string()}, Reads::data);
   try {
     const bool picture = !options.at.empty();
     const recording::Moment wanted = picture ? recording::parse_moment(options.at) : recording::Moment{};

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Who may know whom: the arrows of docs/architecture.md as data. A change here is a change of the architecture.
 
-    cli -> output -> report -> study -> campaign -> recording -> match -> mind -> plugin -> sdk
+    cli -> command -> output -> report -> study -> campaign -> recording -> match -> mind -> plugin -> sdk
     config, statistics, mcap, markup are leaves
 
 An arrow may skip rooms (match may include plugin), never run backwards or sideways.
@@ -21,8 +21,9 @@ KNOWS = {
     "study": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign"},
     "report": {"sdk", "config", "plugin", "match", "statistics", "campaign", "study", "recording", "markup"},
     "output": {"config", "mcap", "recording", "study", "report"},
+    "command": {"config", "plugin", "output"},
     "cli": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "recording", "mcap",
-            "output"},
+            "output", "command"},
 }
 
 # What of the SDK the host may include.
@@ -40,7 +41,7 @@ class Library:
 
 
 CONFINED = [
-    Library("CLI11", "host/cli/", ("CLI/",), ("CLI11", "CLI11::CLI11"), only_file="host/cli/command.cpp"),
+    Library("CLI11", "host/command/", ("CLI/",), ("CLI11", "CLI11::CLI11"), only_file="host/command/command.cpp"),
     Library("Boost", "host/statistics/", ("boost/",), ("Boost::headers", "Boost::boost", "Boost"), sources_only=True),
     Library("box2d", "host/match/", ("box2d/", "Box2D/"), ("box2d", "box2d::box2d")),
     Library("CGAL", "plugins/positioners/voronoi/", ("CGAL/",), ("CGAL", "CGAL::CGAL")),

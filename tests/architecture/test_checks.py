@@ -34,7 +34,7 @@ GOOD = {
         "#include \"mcap/writer.hpp\"\n#include \"mind/mind.hpp\"\n#include \"match/arena.hpp\"\n",
     "host/report/page.cpp": "#include \"campaign/store.hpp\"\n#include \"recording/writer.hpp\"\n",
     "host/output/files.cpp": "#include \"report/page.hpp\"\n#include \"config/node.hpp\"\n",
-    "host/cli/command.cpp": "#include <CLI/CLI.hpp>\n#include \"output/files.hpp\"\n",
+    "host/command/command.cpp": "#include <CLI/CLI.hpp>\n#include \"output/files.hpp\"\n",
     "host/cli/main.cpp": "#include \"report/page.hpp\"\n#include \"study/tuner.hpp\"\n#include \"config/node.hpp\"\n",
     "plugins/positioners/voronoi/plugin.cpp":
         "#include <CGAL/Delaunay.h>\n#include <regista/positioner.hpp>\n#include \"algorithm.hpp\"\n",
@@ -48,10 +48,13 @@ GOOD = {
 
 # (file, its text, what is reported of it)
 BAD_ROOMS = [
-    ("host/cli/bad.cpp", "#include <CLI/CLI.hpp>",
-     "1: includes CLI/CLI.hpp; room cli may not know CLI11 outside of host/cli/command.cpp"),
+    ("host/command/bad.cpp", "#include <CLI/CLI.hpp>",
+     "1: includes CLI/CLI.hpp; room command may not know CLI11 outside of host/command/command.cpp"),
+    ("host/cli/bad.cpp", "#include <CLI/CLI.hpp>", "1: includes CLI/CLI.hpp; room cli may not know CLI11"),
+    ("host/command/bad.cpp", '#include "study/tuner.hpp"',
+     "1: includes study/tuner.hpp; room command may not know study"),
     ("host/report/bad.cpp", "#include <CLI/App.hpp>", "1: includes CLI/App.hpp; room report may not know CLI11"),
-    ("host/output/bad.cpp", '#include "cli/command.hpp"', "1: includes cli/command.hpp; room output may not know cli"),
+    ("host/output/bad.cpp", '#include "cli/match.hpp"', "1: includes cli/match.hpp; room output may not know cli"),
     ("host/config/bad.cpp", '#include "match/arena.hpp"', "1: includes match/arena.hpp; room config may not know match"),
     ("host/config/bad.cpp", "\n#include <mind/mind.hpp>", "2: includes mind/mind.hpp; room config may not know mind"),
     ("host/config/bad.cpp", "#include <regista/abi.h>", "1: includes regista/abi.h; room config may not know sdk"),
@@ -95,7 +98,7 @@ BAD_ROOMS = [
     ("host/match/bad.cpp", "/* a\n// */ #include HEADER",
      "2: includes what a macro names; write the header's name"),
     ("host/tools/bad.cpp", "int i;", "1: stands in no room; the rooms are config, statistics, mcap, markup, plugin, "
-                                     "mind, match, recording, campaign, study, report, output, cli"),
+                                     "mind, match, recording, campaign, study, report, output, command, cli"),
     ("plugins/senders/bad/plugin.cpp", '#include "mind/mind.hpp"',
      "1: includes mind/mind.hpp; room plugins/senders/bad may not know mind"),
     ("plugins/senders/bad/plugin.cpp", "#include <config/node.hpp>",

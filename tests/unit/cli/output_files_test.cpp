@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
-#include "cli/end_of_program.hpp"
+#include "cli/common_names.hpp"
 
 namespace regista::cli {
 namespace {
@@ -62,39 +62,39 @@ class OutputFilesTest : public testing::Test {
   }
 
   // "regista plugin info" as the words that follow the program's name.
-  static std::vector<std::string> name_of(const CommandDeclaration& command) {
+  static std::vector<std::string> name_of(const command::CommandDeclaration& command) {
     std::istringstream words(command.full_name);
     return {std::next(std::istream_iterator<std::string>(words)), {}};
   }
 
   // The words that give an option this value.
-  static std::vector<std::string> given(const OptionDeclaration& option, const std::string& value) {
+  static std::vector<std::string> given(const command::OptionDeclaration& option, const std::string& value) {
     if (option.is_positional()) return {value};
     return {option.name(), value};
   }
 
-  void gather(const CommandDeclaration& command) {
+  void gather(const command::CommandDeclaration& command) {
     if (command.commands.empty()) commands_.push_back(&command);
-    for (const CommandDeclaration& each : command.commands) gather(each);
+    for (const command::CommandDeclaration& each : command.commands) gather(each);
   }
 
   fs::path folder_;
   Invocation invocation_;
   Command program_{"regista", ""};
-  CommandDeclaration declared_;
-  std::vector<const CommandDeclaration*> commands_;  // that do something
+  command::CommandDeclaration declared_;
+  std::vector<const command::CommandDeclaration*> commands_;  // that do something
 };
 
-bool is_read(const OptionDeclaration& option) { return std::holds_alternative<Reads>(option.use); }
-bool is_written(const OptionDeclaration& option) { return std::holds_alternative<Writes>(option.use); }
-bool is_written_file(const OptionDeclaration& option) {
+bool is_read(const command::OptionDeclaration& option) { return std::holds_alternative<Reads>(option.use); }
+bool is_written(const command::OptionDeclaration& option) { return std::holds_alternative<Writes>(option.use); }
+bool is_written_file(const command::OptionDeclaration& option) {
   return is_written(option) && option.use != output::FileUse(Writes::figures);
 }
 
 TEST_F(OutputFilesTest, EveryOptionSaysWhatItNames) {
   int written = 0, read = 0;
-  for (const CommandDeclaration* const command : commands_) {
-    for (const OptionDeclaration& option : command->options) {
+  for (const command::CommandDeclaration* const command : commands_) {
+    for (const command::OptionDeclaration& option : command->options) {
       if (option.is_flag()) continue;  // a flag
       const bool reads = is_read(option), writes = is_written(option);
       read += reads;
@@ -109,10 +109,10 @@ TEST_F(OutputFilesTest, EveryOptionSaysWhatItNames) {
 
 TEST_F(OutputFilesTest, NoOutputOfAnyCommandIsWrittenOverAnInputOrAnotherOutput) {
   int checked = 0;
-  for (const CommandDeclaration* const command : commands_) {
-    for (const OptionDeclaration& written : command->options) {
+  for (const command::CommandDeclaration* const command : commands_) {
+    for (const command::OptionDeclaration& written : command->options) {
       if (!is_written_file(written)) continue;
-      const auto check = [&](const OptionDeclaration& other, const char* say) {
+      const auto check = [&](const command::OptionDeclaration& other, const char* say) {
         const std::string one = file("one");
         fs::remove(folder_ / "link");
         fs::create_hard_link(one, folder_ / "link");
@@ -125,7 +125,7 @@ TEST_F(OutputFilesTest, NoOutputOfAnyCommandIsWrittenOverAnInputOrAnotherOutput)
           ++checked;
         }
       };
-      for (const OptionDeclaration& other : command->options) {
+      for (const command::OptionDeclaration& other : command->options) {
         if (is_read(other) && other.use != output::FileUse(Reads::plugins)) {
           check(other, "is a file that this test reads");
         }

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "cli/declaration.hpp"
+#include "command/declaration.hpp"
 
-namespace regista::cli {
+namespace regista::command {
 
 // Lines of at most `width` columns, each ended; words and examples that are longer than that are left whole.
 std::string help_text(const CommandDeclaration& command, std::size_t width);
@@ -17,4 +17,4 @@ std::string help_text(const CommandDeclaration& command, std::size_t width);
 // are, for they are examples. A line that ends with a colon stands alone.
 std::string filled(std::string_view notes, std::size_t width);
 
-}  // namespace regista::cli
+}  // namespace regista::command

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/end_of_program.hpp"
+#include "command/end_of_program.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "output/output.hpp"
 #include "plugin/failure.hpp"
 
-namespace regista::cli {
+namespace regista::command {
 
 void complain(std::string_view message) {
   // If standard error cannot be written to either, there is nobody left to tell.
@@ -56,4 +56,4 @@ int explain_current_exception() {
   }
 }
 
-}  // namespace regista::cli
+}  // namespace regista::command

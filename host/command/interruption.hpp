@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace regista::cli {
+namespace regista::command {
 
 // Listens from its construction to its end. One at a time.
 class Interruption {
@@ -20,4 +20,4 @@ class Interruption {
   bool requested() const { return signal_number() != 0; }
 };
 
-}  // namespace regista::cli
+}  // namespace regista::command

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-namespace regista::cli {
+namespace regista::command {
 
 // Columns for text on standard output: those of the terminal, between 40 and 120; else what COLUMNS says, or 80.
 std::size_t columns_of_output();
@@ -35,4 +35,4 @@ class RewrittenLine {
   std::chrono::steady_clock::time_point drawn_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace regista::cli
+}  // namespace regista::command

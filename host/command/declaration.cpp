@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "cli/declaration.hpp"
+#include "command/declaration.hpp"
 
 #include <algorithm>
 
 #include "config/bad_input.hpp"
 #include "config/text.hpp"
 
-namespace regista::cli {
+namespace regista::command {
 
 const CommandDeclaration& named(const CommandDeclaration& program, const std::vector<std::string>& words) {
   const CommandDeclaration* command = &program;
@@ -23,4 +23,4 @@ const CommandDeclaration& named(const CommandDeclaration& program, const std::ve
   return *command;
 }
 
-}  // namespace regista::cli
+}  // namespace regista::command

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/help_text.hpp"
+#include "cli/command_line.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "cli/command_line.hpp"
 #include "cli/commands.hpp"
+#include "command/help_text.hpp"
 #include "config/bad_input.hpp"
 
 namespace regista::cli {
@@ -18,55 +18,18 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-CommandDeclaration example() {
-  CommandDeclaration out{"sort", "tidy sort", "put things in order", {}, {}, {}};
-  out.options.push_back({{"things"}, "THING", "what is to be sorted", {}, {}, true});
-  out.options.push_back({{"-r", "--reverse"}, "", "the last one first", {}, {}});
-  out.options.push_back({{"--by"}, "CHOICE", "what decides", {"size", "age"}, {}});
-  out.notes =
-      "Examples:\n  tidy sort a b c   # an example that is wider than the page\n\none two three four five six seven";
-  return out;
-}
-
-TEST(HelpText, SaysHowACommandIsCalledAndWhatItTakes) {
-  EXPECT_EQ(help_text(example(), 40), R"(tidy sort: put things in order
-
-Usage: tidy sort THING... [OPTIONS]
-
-Arguments:
-  THING...  what is to be sorted
-
-Options:
-  -r, --reverse  the last one first
-  --by size|age  what decides
-  -h, --help     print this help
-
-Examples:
-  tidy sort a b c   # an example that is wider than the page
-
-one two three four five six seven
-)");
-}
-
-TEST(HelpText, ParagraphsAreFilledAndExamplesAreNot) {
-  EXPECT_EQ(filled("a bb ccc\ndd e\n\nlist:\n  as  it  is\nend", 8), "a bb ccc\ndd e\n\nlist:\n  as  it  is\nend\n");
-  EXPECT_EQ(filled("a\nb\nc", 80), "a b c\n");
-  EXPECT_EQ(filled("averyverylongword and more", 8), "averyverylongword\nand more\n");
-  EXPECT_EQ(filled("", 80), "");
-}
-
 // Of each command that the program has: no line is too wide but an example or a single word.
-void expect_narrow(const CommandDeclaration& command, std::size_t width) {
-  std::istringstream lines(help_text(command, width));
+void expect_narrow(const command::CommandDeclaration& command, std::size_t width) {
+  std::istringstream lines(command::help_text(command, width));
   for (std::string line; std::getline(lines, line);) {
     const bool example = line.starts_with(' ') && command.notes.find(line) != std::string::npos;
     const bool one_word = line.find(' ', std::min(line.find_first_not_of(' '), line.size())) == std::string::npos;
     EXPECT_TRUE(line.size() <= width || example || one_word) << command.full_name << " at " << width << ": " << line;
   }
-  for (const CommandDeclaration& each : command.commands) expect_narrow(each, width);
+  for (const command::CommandDeclaration& each : command.commands) expect_narrow(each, width);
 }
 
-TEST(HelpText, FitsTheWidth) {
+TEST(Help, FitsTheWidth) {
   const Invocation invocation;
   Command program("regista", "about");
   add_commands(program, invocation);

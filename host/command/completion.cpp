@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Both scripts first find the command that the words name, then the option whose value is being typed. Words that were
 // declared reach the shell in single quotes.
-#include "cli/completion.hpp"
+#include "command/completion.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <variant>
 
-namespace regista::cli {
+namespace regista::command {
 namespace {
 
 // What a value may be.
@@ -225,4 +225,4 @@ std::string zsh_completion(const CommandDeclaration& program) {
   return out + fmt::format("{} \"$@\"\n", function_name(program));
 }
 
-}  // namespace regista::cli
+}  // namespace regista::command

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "cli/declaration.hpp"
+#include "command/declaration.hpp"
 
-namespace regista::cli {
+namespace regista::command {
 
 // For bash 4 and newer; needs nothing of the package bash-completion.
 std::string bash_completion(const CommandDeclaration& program);
@@ -14,4 +14,4 @@ std::string bash_completion(const CommandDeclaration& program);
 // For zsh, as a file _NAME in a folder of its $fpath.
 std::string zsh_completion(const CommandDeclaration& program);
 
-}  // namespace regista::cli
+}  // namespace regista::command

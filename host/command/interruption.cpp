@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/interruption.hpp"
+#include "command/interruption.hpp"
 
 #include <unistd.h>
 
@@ -9,9 +9,9 @@
 #include <csignal>
 #include <cstddef>
 
-#include "cli/end_of_program.hpp"
+#include "command/end_of_program.hpp"
 
-namespace regista::cli {
+namespace regista::command {
 namespace {
 
 // A handler of signals can reach nothing but variables of the program.
@@ -76,4 +76,4 @@ Interruption::~Interruption() {
 
 int Interruption::signal_number() const { return request; }
 
-}  // namespace regista::cli
+}  // namespace regista::command

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/terminal.hpp"
+#include "command/terminal.hpp"
 
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -11,7 +11,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace regista::cli {
+namespace regista::command {
 
 std::size_t columns_of_output() {
   winsize size{};
@@ -51,4 +51,4 @@ void RewrittenLine::clear() {
   shown_ = false;
 }
 
-}  // namespace regista::cli
+}  // namespace regista::command

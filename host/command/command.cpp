@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/command.hpp"
+#include "command/command.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <string_view>
 
-#include "cli/help_text.hpp"
+#include "command/help_text.hpp"
 #include "config/bad_input.hpp"
 #include "config/text.hpp"
 
-namespace regista::cli {
+namespace regista::command {
 namespace {
 
 using config::BadInput;
@@ -188,4 +188,4 @@ Command::Typed Command::read(const std::vector<std::string>& words, std::size_t 
   return {&command, {}};
 }
 
-}  // namespace regista::cli
+}  // namespace regista::command

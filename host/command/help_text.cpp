@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/help_text.hpp"
+#include "command/help_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace regista::cli {
+namespace regista::command {
 namespace {
 
 constexpr std::size_t most_for_names = 30;  // columns; a longer name has a line of its own
@@ -123,4 +123,4 @@ std::string help_text(const CommandDeclaration& command, std::size_t width) {
   return out;
 }
 
-}  // namespace regista::cli
+}  // namespace regista::command

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/declaration.hpp"
+#include "command/declaration.hpp"
 #include "output/file_use.hpp"
 
 namespace CLI {
@@ -16,10 +16,7 @@ class App;
 class Option;
 }  // namespace CLI
 
-namespace regista::cli {
-
-using output::Reads;
-using output::Writes;
+namespace regista::command {
 
 class Command {
  public:
@@ -85,4 +82,4 @@ class Command {
   std::vector<CLI::Option*> options_;  // as declared_.options
 };
 
-}  // namespace regista::cli
+}  // namespace regista::command

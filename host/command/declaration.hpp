@@ -8,7 +8,7 @@
 
 #include "output/file_use.hpp"
 
-namespace regista::cli {
+namespace regista::command {
 
 struct OptionDeclaration {
   std::vector<std::string> names;    // {"-o", "--output"}; of words that belong to no option one name: {"teams"}
@@ -35,4 +35,4 @@ struct CommandDeclaration {
 // The command that the words name, from `program` on. Throws BadInput for a word that names none.
 const CommandDeclaration& named(const CommandDeclaration& program, const std::vector<std::string>& words);
 
-}  // namespace regista::cli
+}  // namespace regista::command

@@ -8,7 +8,7 @@
 
 #include "config/bad_input.hpp"
 
-namespace regista::cli {
+namespace regista::command {
 
 enum ExitCode : int {
   exit_done = 0,
@@ -40,4 +40,4 @@ void complain(std::string_view message);
 // To be called in a handler: complains about the exception that is being handled, and returns the exit code for it.
 int explain_current_exception();
 
-}  // namespace regista::cli
+}  // namespace regista::command

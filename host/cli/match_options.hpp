@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What `regista match` was asked for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "campaign/match_setup.hpp"
+
+namespace regista::cli {
+
+struct MatchOptions : campaign::MatchRequest {
+  std::vector<std::string> plugins;
+  std::string decisions, record, metrics, from, row;
+  bool force = false, json = false, quiet = false, verbose = false, in_process = false;
+  std::string processor_seconds = "10", wall_seconds = "200";
+};
+
+}  // namespace regista::cli
