@@ -54,12 +54,12 @@ configure() {
 }
 
 # The program of the release build, for which the packages of the tests need not be there. A folder that was configured with
-# tests keeps them. A new one in which no compiler cache helps is built with precompiled headers, and stays so.
+# tests keeps them. A new one in which no compiler cache helps is built in batches of files, and stays so.
 configure_program() {
   local cache=build/release/CMakeCache.txt options=(-DREGISTA_WERROR=ON)
   if ! grep -qs '^REGISTA_TESTS:[A-Z]*=ON' "$cache"; then options+=(-DREGISTA_TESTS=OFF -DREGISTA_BENCHMARKS=OFF); fi
   if [[ ! -e $cache ]] && { ! command -v ccache >/dev/null || [[ -n ${CCACHE_DISABLE-} ]]; }; then
-    options+=(-DREGISTA_PRECOMPILE=ON)
+    options+=(-DREGISTA_BUILD_ONCE=ON)
   fi
   cmake --preset release "${options[@]}"
 }

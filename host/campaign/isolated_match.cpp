@@ -30,7 +30,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double patience = 0.1;  // s between two looks at a process that has not replied
+constexpr double look_again_after = 0.1;  // s between two looks at a process that has not replied
 
 // The process of a side's minds.
 struct Team {
@@ -187,7 +187,7 @@ class IsolatedMatch {
     const auto began = Clock::now();
     std::optional<double> processor;  // of it, when it was looked at first
     for (;;) {
-      asked.channel.wait_for_reply(patience);
+      asked.channel.wait_for_reply(look_again_after);
       if (asked.channel.replied()) break;
       for (const match::Side each : match::both_sides) look_after(each);
       if (asked.channel.replied()) break;

@@ -16,7 +16,7 @@ namespace regista::campaign {
 namespace {
 
 constexpr int application = 0x52475354;  // "RGST": tells our files from those of other programs
-constexpr int patience = 5000;           // ms to wait for somebody who is writing
+constexpr int wait_for_writers = 5000;   // ms to wait for somebody who is writing
 constexpr auto gone = "the file is no longer there, or is another one, so nothing more can be kept";
 
 // Before it is opened: a pipe would wait for ever.
@@ -144,13 +144,13 @@ void StoreFile::open() {
     // A file in the current folder may be called ":memory:", which SQLite takes for no file at all.
     const std::string path = std::filesystem::absolute(name_).string();
     if (mode_ != StoreMode::read) {
-      database_ = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READWRITE, patience);
+      database_ = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READWRITE, wait_for_writers);
     } else if (std::filesystem::exists(path + "-wal")) {
       // A log beside it holds what was written last. Where there is none nobody writes, and none need be made.
-      database_ = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READONLY, patience);
+      database_ = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READONLY, wait_for_writers);
     } else {
       database_ = std::make_unique<SQLite::Database>("file:" + in_address(path) + "?immutable=1",
-                                                     SQLite::OPEN_READONLY | SQLite::OPEN_URI, patience);
+                                                     SQLite::OPEN_READONLY | SQLite::OPEN_URI, wait_for_writers);
     }
   } catch (const SQLite::Exception& error) {
     throw StoreRefusal(fmt::format("cannot open {}: {}", name_, reason(error)));

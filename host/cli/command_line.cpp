@@ -18,7 +18,7 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto examples = R"(Examples:
+constexpr auto command_line_examples = R"(Examples:
   regista match configs/teams/paper.yaml configs/teams/fixed_rate.yaml --seed 1
   regista tournament --team configs/teams/paper.yaml --team configs/teams/fixed_rate.yaml --pairs 100
   regista experiment configs/studies/role_overlap.yaml
@@ -54,7 +54,7 @@ int run(const Invocation& invocation, const Addition* addition) {
   Command program("regista", "research on team strategy for robot soccer");
   program.answer_version(fmt::format("regista {} (plugin interface {}.{}, {})", REGISTA_VERSION, REGISTA_ABI_MAJOR,
                                      REGISTA_ABI_MINOR, REGISTA_BUILD));
-  program.notes(examples);
+  program.notes(command_line_examples);
   add_commands(program, invocation);
   if (addition != nullptr) addition->command(program, invocation);
   const Command::Typed typed =

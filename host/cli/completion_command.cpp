@@ -14,7 +14,7 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto examples = R"(Examples:
+constexpr auto completion_examples = R"(Examples:
   regista completion bash > ~/.local/share/bash-completion/completions/regista
   regista completion zsh > ~/.zfunc/_regista
 
@@ -42,7 +42,7 @@ void add_completion(Command& program) {
   Command& command = program.add("completion", "write a script by which a shell completes commands and options");
   const auto shell = std::make_shared<std::string>();
   command.choose("shell", *shell, {"bash", "zsh"}, "that reads the script");
-  command.notes(examples);
+  command.notes(completion_examples);
   command.run = [shell, &program] { return write(*shell, program.declaration()); };
 }
 

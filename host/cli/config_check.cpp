@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr auto examples = R"(Examples:
+constexpr auto config_check_examples = R"(Examples:
   regista config check configs/teams/paper.yaml
   regista config check configs/*/*.yaml
   regista config check small_field/*.yaml --rules small_field.yaml
@@ -28,13 +28,13 @@ Exit codes: 0 all are sound; 2 one is not, or there is nothing to check.)";
 
 constexpr std::size_t most_printed = 100;  // mistakes of a document; --json writes all that were kept
 
-struct Options {
+struct ConfigCheckOptions {
   std::vector<std::string> files, plugins;
   std::string rules, robot;  // files; empty: the built-in values
   bool json = false;
 };
 
-study::Profiles profiles(const Options& options) {
+study::Profiles profiles(const ConfigCheckOptions& options) {
   study::Profiles out;
   if (!options.rules.empty()) out.rules = config::read_rules(options.rules);
   if (!options.robot.empty()) out.robots.fill(config::read_robot(options.robot));
@@ -66,7 +66,7 @@ Json as_json(const study::DocumentCheck& checked) {
           {"warnings", warnings}};
 }
 
-int check(const Options& options, const Invocation& invocation) {
+int check(const ConfigCheckOptions& options, const Invocation& invocation) {
   if (options.files.empty()) throw BadInput("config check: expected at least one file");
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   const study::Profiles by = profiles(options);
@@ -93,7 +93,7 @@ int check(const Options& options, const Invocation& invocation) {
 void add_config_check(Command& parent, const Invocation& invocation) {
   Command& command =
       parent.add("check", "say what is wrong with rules, robots, disturbances, openings, teams and studies");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConfigCheckOptions>();
   command.take("files", options->files, "FILE", "documents of any kind", Reads::documents);
   command.take("--rules", options->rules, "FILE",
                "rules that openings and teams must go with; default: spl2023, built in", Reads::documents);
@@ -101,7 +101,7 @@ void add_config_check(Command& parent, const Invocation& invocation) {
                Reads::documents);
   command.flag("--json", options->json, "every mistake and warning as JSON, on standard output");
   add_plugin_folders(command, options->plugins);
-  command.notes(examples);
+  command.notes(config_check_examples);
   command.run = [options, &invocation] { return check(*options, invocation); };
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto examples = R"(Examples:
+constexpr auto config_copy_examples = R"(Examples:
   regista config copy configs
 
 The folder must not exist yet. It gets the teams, rules, robots, disturbances, openings, formations and studies that belong to this
@@ -52,7 +52,7 @@ void add_config_copy(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("copy", "copy the shipped documents into a folder of your own");
   const auto folders = std::make_shared<std::vector<std::string>>();
   command.take("folder", *folders, "NEW_FOLDER", "is made");
-  command.notes(examples);
+  command.notes(config_copy_examples);
   command.run = [folders, &invocation] { return copy(*folders, invocation); };
 }
 

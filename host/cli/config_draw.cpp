@@ -22,7 +22,7 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto examples = R"(Examples:
+constexpr auto config_draw_examples = R"(Examples:
   regista config draw configs/teams/paper.yaml --ball 1,1 -o roles.svg
   regista config draw configs/teams/paper.yaml --role libero --ball=-3,-1 --ball 0,0 --ball 3,2 -o libero.svg
   regista config draw configs/teams/paper.yaml --list searching --no-ball -o searching.svg
@@ -31,7 +31,7 @@ Positions are in metres from the centre of the field: x towards the opponent's g
 in the centre. Contexts, positioner and sender have no part in it: it is where a role goes before a task is moved towards
 a waypoint.)";
 
-struct Options {
+struct ConfigDrawOptions {
   std::vector<std::string> files, overrides, roles, balls;
   std::string list, rules, output;
   bool no_ball = false, force = false;
@@ -67,7 +67,7 @@ std::vector<const config::Role*> roles_of(const config::RoleList& list, const st
   return out;
 }
 
-int draw(const Options& options, const output::OutputFiles& outputs) {
+int draw(const ConfigDrawOptions& options, const output::OutputFiles& outputs) {
   if (options.files.size() != 1) {
     throw BadInput(fmt::format("config draw: expected one file of a team, {} given", options.files.size()));
   }
@@ -96,7 +96,7 @@ int draw(const Options& options, const output::OutputFiles& outputs) {
 
 void add_config_draw(Command& parent) {
   Command& command = parent.add("draw", "draw where a team's roles stand for a ball");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConfigDrawOptions>();
   command.take("team", options->files, "FILE", "a team's file", Reads::documents);
   command.take("--ball", options->balls, "X,Y", "where the ball is, in metres; may be repeated");
   command.flag("--no-ball", options->no_ball, "nobody knows the ball");
@@ -107,7 +107,7 @@ void add_config_draw(Command& parent) {
   command.take("--set", options->overrides, "PATH=VALUE", "a value laid over the team; may be repeated");
   command.take("-o,--output", options->output, "FILE", "write this file, - for standard output", Writes::page);
   command.flag("--force", options->force, "replace an existing file");
-  command.notes(examples);
+  command.notes(config_draw_examples);
   command.run = [options, &command] { return draw(*options, output::OutputFiles(command.given(), "command")); };
 }
 

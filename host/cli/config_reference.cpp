@@ -14,7 +14,7 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto examples = R"(Examples:
+constexpr auto config_reference_examples = R"(Examples:
   regista config reference > docs/config-reference.md
   regista config reference team)";
 
@@ -31,7 +31,7 @@ void add_config_reference(Command& parent) {
   Command& command = parent.add("reference", "write the reference of all kinds of documents as Markdown");
   const auto kinds = std::make_shared<std::vector<std::string>>();
   command.choose("kind", *kinds, kind_names(), "these kinds alone");
-  command.notes(examples);
+  command.notes(config_reference_examples);
   command.run = [kinds] {
     output::print(reference(*kinds));
     return exit_done;

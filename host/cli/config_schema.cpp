@@ -17,14 +17,14 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto examples = R"(Examples:
+constexpr auto config_schema_examples = R"(Examples:
   regista config schema team > team.schema.json)";
 
-struct Options {
+struct ConfigSchemaOptions {
   std::vector<std::string> kinds, plugins;
 };
 
-int schema(const Options& options, const Invocation& invocation) {
+int schema(const ConfigSchemaOptions& options, const Invocation& invocation) {
   if (options.kinds.size() != 1) {
     throw BadInput(fmt::format("config schema: expected one of {}, {} given", config::document_kind_names("and"),
                                options.kinds.size()));
@@ -39,10 +39,10 @@ int schema(const Options& options, const Invocation& invocation) {
 
 void add_config_schema(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("schema", "write the JSON Schema of a kind of document");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConfigSchemaOptions>();
   command.choose("kind", options->kinds, kind_names(), config::document_kind_names("or"));
   add_plugin_folders(command, options->plugins);
-  command.notes(examples);
+  command.notes(config_schema_examples);
   command.run = [options, &invocation] { return schema(*options, invocation); };
 }
 

@@ -13,23 +13,23 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto examples = R"(Examples:
+constexpr auto config_show_examples = R"(Examples:
   regista config show configs/rules/spl2023.yaml
   regista config show configs/teams/paper.yaml --set sender.params.reserve=60)";
 
-struct Options {
+struct ConfigShowOptions {
   std::vector<std::string> files, plugins, overrides;
 };
 
 // Plugins are opened for teams and studies only: nothing else names them.
-std::vector<config::PluginDeclaration> declarations_for(const config::Node& document, const Options& options,
+std::vector<config::PluginDeclaration> declarations_for(const config::Node& document, const ConfigShowOptions& options,
                                                         const Invocation& invocation) {
   const config::DocumentKind kind = config::kind_of(document);
   if (kind != config::DocumentKind::team && kind != config::DocumentKind::predictor_study) return {};
   return plugin::declarations(open_plugins(options.plugins, invocation).plugins());
 }
 
-int show(const Options& options, const Invocation& invocation) {
+int show(const ConfigShowOptions& options, const Invocation& invocation) {
   if (options.files.size() != 1) {
     throw BadInput(fmt::format("config show: expected one file, {} given", options.files.size()));
   }
@@ -42,11 +42,11 @@ int show(const Options& options, const Invocation& invocation) {
 
 void add_config_show(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("show", "write a document with every value that is in force");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConfigShowOptions>();
   command.take("file", options->files, "FILE", "a document of any kind", Reads::documents);
   command.take("--set", options->overrides, "PATH=VALUE", "a value laid over the document; may be repeated");
   add_plugin_folders(command, options->plugins);
-  command.notes(examples);
+  command.notes(config_show_examples);
   command.run = [options, &invocation] { return show(*options, invocation); };
 }
 

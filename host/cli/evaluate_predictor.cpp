@@ -15,7 +15,7 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto examples = R"(Examples:
+constexpr auto evaluate_predictor_examples = R"(Examples:
   regista evaluate-predictor configs/studies/ssl_ball.yaml --data zjunlict_ball_raw.csv.gz
   regista evaluate-predictor configs/studies/ssl_ball.yaml --data zjunlict_ball_raw.csv.gz \
       --set predictor.params.deceleration=0.4 --set 'observations={every: 0.1, drop: 0.3, seed: 1}' \
@@ -26,13 +26,13 @@ The formats of recordings: regista config schema predictor_study
 Exit codes: 0 done; 1 the result could not be written; 2 bad input; 3 a defect of Regista; 130
 interrupted.)";
 
-struct Options {
+struct EvaluatePredictorOptions {
   std::vector<std::string> studies, plugins, overrides;
   std::string data, referee;
   bool json = false, quiet = false;
 };
 
-int evaluate(const Options& options, const Invocation& invocation) {
+int evaluate(const EvaluatePredictorOptions& options, const Invocation& invocation) {
   if (options.studies.size() != 1) {
     throw BadInput(
         fmt::format("evaluate-predictor: expected one file of a study, {} given; see: regista "
@@ -74,7 +74,7 @@ int evaluate(const Options& options, const Invocation& invocation) {
 
 void add_evaluate_predictor(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("evaluate-predictor", "measure a predictor on a recording, beside simple baselines");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EvaluatePredictorOptions>();
   command.take("study", options->studies, "STUDY.yaml", "the study's file", Reads::documents);
   command.take("--data", options->data, "FILE", "the recording: CSV, plain or .gz", Reads::data);
   command.take("--referee", options->referee, "FILE",
@@ -84,7 +84,7 @@ void add_evaluate_predictor(Command& parent, const Invocation& invocation) {
   add_plugin_folders(command, options->plugins);
   command.flag("--json", options->json, "write the result as JSON");
   command.flag("--quiet", options->quiet, "no progress on the terminal");
-  command.notes(examples);
+  command.notes(evaluate_predictor_examples);
   command.run = [options, &invocation] { return evaluate(*options, invocation); };
 }
 

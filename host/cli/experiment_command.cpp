@@ -22,7 +22,7 @@ struct ExperimentOptions : study::ExperimentRequest {
   bool force = false;        // they may replace files of another kind
 };
 
-constexpr auto examples = R"(Examples:
+constexpr auto experiment_examples = R"(Examples:
   regista experiment configs/studies/role_overlap.yaml
   regista experiment configs/studies/role_overlap.yaml --matches 4 --csv matches.csv
   regista experiment configs/studies/role_overlap.yaml --set arms.events.set='{sender.params.reserve: 60}'
@@ -94,7 +94,7 @@ void add_experiment(Command& parent, const Invocation& invocation) {
   command.take("--summary", options->summary, "FILE", "write means and intervals as a table", Writes::summary_table);
   command.flag("--force", options->force, "let --csv and --summary replace files of another kind");
   add_campaign_options(command, *options, "the experiment's name with .db");
-  command.notes(examples);
+  command.notes(experiment_examples);
   command.run = [options, &command, &invocation] {
     return experiment(*options, output::OutputFiles(command.given(), "experiment"), invocation);
   };

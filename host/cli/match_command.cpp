@@ -26,7 +26,7 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto examples = R"(Examples:
+constexpr auto match_examples = R"(Examples:
   regista match configs/teams/paper.yaml configs/teams/fixed_rate.yaml
   regista match a.yaml b.yaml --seed 7 --json
   regista match a.yaml a.yaml --set home.utility.terms.distance.weight=0.5
@@ -252,7 +252,7 @@ void add_match(Command& parent, const Invocation& invocation) {
   command.flag("--in-process", options->in_process,
                "play in the program's own process, for a debugger: what ends it is not explained");
   command.flag("--verbose", options->verbose, "a line on standard error for each goal");
-  command.notes(examples);
+  command.notes(match_examples);
   command.run = [options, &command, &invocation] {
     return play(*options, output::OutputFiles(command.given(), "match"), invocation);
   };

@@ -13,7 +13,7 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto examples = R"(Examples:
+constexpr auto metrics_examples = R"(Examples:
   regista metrics
   regista metrics --json
   regista metrics --page docs/metrics.md > new.md
@@ -22,12 +22,12 @@ whole; with the name of a role in the place of <role>, and without "<role>." as 
 
 Exit codes: 0 done; 1 the output could not be written; 2 bad input; 3 a defect of Regista.)";
 
-struct Options {
+struct MetricsOptions {
   bool json = false;
   std::string page;
 };
 
-std::string written(const Options& options) {
+std::string written(const MetricsOptions& options) {
   if (options.json && !options.page.empty()) throw config::BadInput("metrics: --json and --page: one of them");
   if (options.json) return report::metrics_json(match::metric_table());
   if (options.page.empty()) return report::metrics_text(match::metric_table());
@@ -43,11 +43,11 @@ std::string written(const Options& options) {
 
 void add_metrics(Command& parent) {
   Command& command = parent.add("metrics", "list the numbers that every match has");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MetricsOptions>();
   command.flag("--json", options->json, "write JSON");
   command.take("--page", options->page, "FILE",
                "write this page of Markdown, with its tables of metrics as they are now", Reads::data);
-  command.notes(examples);
+  command.notes(metrics_examples);
   command.run = [options] {
     output::print(written(*options));
     return exit_done;

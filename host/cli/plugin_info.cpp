@@ -14,11 +14,11 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto examples = R"(Examples:
+constexpr auto plugin_info_examples = R"(Examples:
   regista plugin info greedy
   regista plugin info voronoi --json)";
 
-struct Options {
+struct PluginInfoOptions {
   std::vector<std::string> ids, plugins;
   bool json = false;
 };
@@ -38,7 +38,7 @@ std::vector<const plugin::Found*> find(const plugin::Catalogue& catalogue, const
       fmt::format("plugin info: {}; searched: {}", config::unknown("plugin", id, "", known), config::join(folders)));
 }
 
-int show(const Options& options, const Invocation& invocation) {
+int show(const PluginInfoOptions& options, const Invocation& invocation) {
   if (options.ids.size() != 1) {
     throw BadInput(fmt::format("plugin info: expected one id of a plugin, {} given; see: regista plugin list",
                                options.ids.size()));
@@ -59,11 +59,11 @@ int show(const Options& options, const Invocation& invocation) {
 
 void add_plugin_info(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("info", "describe a plugin and its parameters");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PluginInfoOptions>();
   command.take("id", options->ids, "ID", "name of the plugin, as teams use it");
   add_plugin_folders(command, options->plugins);
   command.flag("--json", options->json, "write JSON: a list, with one element for each build of the plugin");
-  command.notes(examples);
+  command.notes(plugin_info_examples);
   command.run = [options, &invocation] { return show(*options, invocation); };
 }
 

@@ -11,11 +11,11 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto examples = R"(Examples:
+constexpr auto plugin_list_examples = R"(Examples:
   regista plugin list
   regista plugin list --plugins ~/my_plugins --json)";
 
-struct Options {
+struct PluginListOptions {
   std::vector<std::string> plugins;
   bool json = false;
 };
@@ -35,10 +35,10 @@ std::string list_json(const plugin::Catalogue& catalogue) {
 
 void add_plugin_list(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("list", "list the plugins that a team can name");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PluginListOptions>();
   add_plugin_folders(command, options->plugins);
   command.flag("--json", options->json, "write JSON");
-  command.notes(examples);
+  command.notes(plugin_list_examples);
   command.run = [options, &invocation] {
     const plugin::Catalogue catalogue = open_plugins(options->plugins, invocation);
     output::print(options->json ? list_json(catalogue) : plugin::list_text(catalogue));

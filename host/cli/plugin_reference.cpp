@@ -11,7 +11,7 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto examples = R"(Examples:
+constexpr auto plugin_reference_examples = R"(Examples:
   regista plugin reference > docs/plugin-reference.md
   regista plugin reference --plugins ~/my_plugins)";
 
@@ -21,7 +21,7 @@ void add_plugin_reference(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("reference", "write the reference of all plugins as Markdown");
   const auto folders = std::make_shared<std::vector<std::string>>();
   add_plugin_folders(command, *folders);
-  command.notes(examples);
+  command.notes(plugin_reference_examples);
   command.run = [folders, &invocation] {
     output::print(plugin::reference_text(open_plugins(*folders, invocation)));
     return exit_done;

@@ -21,7 +21,7 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto examples = R"(Examples:
+constexpr auto report_examples = R"(Examples:
   regista report tournament.db
   regista report tournament.db --json
   regista report tournament.db --csv > matches.csv
@@ -38,7 +38,7 @@ match, that of a tuning one for each point of its search, that of a comparison o
 
 Exit codes: 0 done; 1 the report could not be written; 2 bad input; 3 a defect of Regista.)";
 
-struct Options {
+struct ReportOptions {
   std::string file, page, figures, standard_error;  // the last: of this match, from 1
   bool json = false, csv = false, metrics = false, png = false, force = false;
 };
@@ -46,7 +46,7 @@ struct Options {
 // In pieces, so that a million rows need no memory.
 constexpr std::size_t piece = std::size_t{1} << 20;
 
-void refuse_what_does_not_go_together(const Options& options) {
+void refuse_what_does_not_go_together(const ReportOptions& options) {
   if (options.file.empty())
     throw BadInput("report: which results? Name a file that `regista tournament`, `experiment` or `tune` wrote");
   if (options.csv && options.json) throw BadInput("report: --csv and --json: one of them");
@@ -64,7 +64,7 @@ void refuse_what_does_not_go_together(const Options& options) {
 }
 
 // Names of the metrics that the matches have which the study takes: what was played ahead does not count.
-std::vector<std::string> metric_columns(const Options& options, const campaign::Store& store,
+std::vector<std::string> metric_columns(const ReportOptions& options, const campaign::Store& store,
                                         const Invocation& invocation) {
   std::uint64_t rows = 0;
   const auto report = stored_study(options.file, store, {}, invocation.studies);
@@ -75,7 +75,7 @@ std::vector<std::string> metric_columns(const Options& options, const campaign::
   return store.metric_paths(static_cast<std::int64_t>(rows));
 }
 
-int print_report(const Options& options, const campaign::Store& store, const Invocation& invocation) {
+int print_report(const ReportOptions& options, const campaign::Store& store, const Invocation& invocation) {
   const auto report = stored_study(options.file, store, play_again(invocation), invocation.studies);
   if (options.metrics && !report->is_table_of_matches()) {
     throw BadInput(
@@ -120,7 +120,7 @@ int tell_standard_error(const std::string& file, const campaign::Store& store, s
   return exit_done;
 }
 
-int run(const Options& options, const output::OutputFiles& outputs, const Invocation& invocation) {
+int run(const ReportOptions& options, const output::OutputFiles& outputs, const Invocation& invocation) {
   refuse_what_does_not_go_together(options);
   outputs.check(options.force);
   std::int64_t match = 0;  // none
@@ -146,7 +146,7 @@ int run(const Options& options, const output::OutputFiles& outputs, const Invoca
 
 void add_report(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("report", "what stored results say");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReportOptions>();
   command.take("results", options->file, "RESULTS.db", "file that a tournament, an experiment or a tuning wrote",
                Reads::results);
   command.flag("--json", options->json, "write the report as JSON");
@@ -161,7 +161,7 @@ void add_report(Command& parent, const Invocation& invocation) {
   command.take("--standard-error", options->standard_error, "MATCH",
                "write what plugins wrote to standard error in this match");
   command.flag("--force", options->force, "replace files that exist already");
-  command.notes(examples);
+  command.notes(report_examples);
   command.run = [options, &command, &invocation] {
     return run(*options, output::OutputFiles(command.given(), "report"), invocation);
   };

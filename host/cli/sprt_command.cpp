@@ -34,7 +34,7 @@ Examples:
 
 Exit codes: 0 done, whatever the verdict; 1 the result could not be written; 2 bad input; 3 a defect of Regista.)";
 
-struct Options {
+struct SprtOptions {
   std::string model = "normalized", elo, alpha = "0.05", beta = "0.05";
   std::vector<std::string> counts;
   bool json = false;
@@ -61,7 +61,7 @@ std::vector<statistics::Count> parse_counts(const std::vector<std::string>& word
   return counts;
 }
 
-report::SequentialTestOfCounts evaluate(const Options& options) {
+report::SequentialTestOfCounts evaluate(const SprtOptions& options) {
   statistics::SequentialDesign design;
   design.model = study::parse_model(options.model);
   if (options.elo.empty()) throw BadInput("sprt: which hypotheses? Say --elo ELO0,ELO1, for example --elo 0,10");
@@ -74,7 +74,7 @@ report::SequentialTestOfCounts evaluate(const Options& options) {
 
 void add_sprt(Command& parent) {
   Command& command = parent.add("sprt", "what counts of games or pairs say: LLR, Elo, nElo, LOS");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SprtOptions>();
   command.take("counts", options->counts, "COUNTS", "five counts of pairs or three of games");
   command.choose("--model", options->model, {"normalized", "logistic"},
                  "what the hypotheses are in; default normalized");

@@ -15,7 +15,7 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto examples = R"(Examples:
+constexpr auto tournament_examples = R"(Examples:
   regista tournament --team configs/teams/paper.yaml --team configs/teams/fixed_rate.yaml --pairs 100
   regista tournament --team new.yaml --team old.yaml --sprt 0,20 --openings configs/openings
   regista tournament --team a.yaml --team b.yaml --metric striker.overlap_seconds --pairs 200 --limit 300
@@ -82,7 +82,7 @@ void add_tournament(Command& parent, const Invocation& invocation) {
   command.take("--failures-in-a-row", options->failures_in_a_row, "N",
                "set a team aside after so many forfeits by the same plugin; default 10; 0: never");
   add_campaign_options(command, *options, options->results);
-  command.notes(examples);
+  command.notes(tournament_examples);
   command.run = [options, &command, &invocation] {
     return tournament(*options, output::OutputFiles(command.given(), "tournament"), invocation);
   };

@@ -33,7 +33,7 @@ struct TuneOptions : study::SearchComparisonRequest {
   bool force = false;         // they may replace files of another kind
 };
 
-constexpr auto examples = R"(Examples:
+constexpr auto tune_examples = R"(Examples:
   regista tune configs/studies/tune_paper.yaml
   regista tune configs/studies/tune_paper.yaml --matches 400 --set search.algorithm=spsa
   regista tune configs/studies/tune_paper.yaml --results night.db --resume
@@ -156,7 +156,7 @@ void add_tune(Command& parent, const Invocation& invocation) {
                "file for the tuned team; default: NAME.tuned.yaml beside the results", Writes::tuned_team);
   command.flag("--force", options->force, "let --trace and the tuned team replace files of another kind");
   add_campaign_options(command, *options, "the tuning's name with .db");
-  command.notes(examples);
+  command.notes(tune_examples);
   command.run = [options, &command, &invocation] {
     return tune(*options, output::OutputFiles(command.given(), "tuning"), invocation);
   };

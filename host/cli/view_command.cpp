@@ -22,7 +22,7 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto examples = R"(Examples:
+constexpr auto view_examples = R"(Examples:
   regista match a.yaml b.yaml --record match.mcap
   regista view match.mcap
   regista view match.mcap -o page.html --force
@@ -36,7 +36,7 @@ shows the world as the robot believed it, its tasks, and the utilities it chose 
 
 Exit codes: 0 done; 1 the page could not be written; 2 bad input; 3 a defect of Regista.)";
 
-struct Options {
+struct ViewOptions {
   std::string file, output, at, robot;
   bool force = false;
 };
@@ -59,7 +59,7 @@ void refuse_what_no_browser_opens(const std::string& file) {
 
 constexpr auto viewer_page = "share/regista/viewer.html";
 
-std::string page(const Options& options, const Invocation& invocation) {
+std::string page(const ViewOptions& options, const Invocation& invocation) {
   const std::filesystem::path viewer = invocation.own(viewer_page);
   std::error_code none;
   if (!std::filesystem::exists(viewer, none)) {
@@ -74,12 +74,12 @@ std::string page(const Options& options, const Invocation& invocation) {
   return *out;
 }
 
-std::filesystem::path output_of(const Options& options) {
+std::filesystem::path output_of(const ViewOptions& options) {
   if (!options.output.empty()) return options.output;
   return std::filesystem::path(options.file).replace_extension(options.at.empty() ? ".html" : ".svg");
 }
 
-int run(const Options& options, output::OutputFiles outputs, const Invocation& invocation) {
+int run(const ViewOptions& options, output::OutputFiles outputs, const Invocation& invocation) {
   if (options.file.empty()) {
     throw BadInput("view: which recording? Name a file that `regista match --record FILE` wrote");
   }
@@ -120,14 +120,14 @@ int run(const Options& options, output::OutputFiles outputs, const Invocation& i
 
 void add_view(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("view", "see a recorded match");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ViewOptions>();
   command.take("recording", options->file, "FILE.mcap", "file that `regista match --record` wrote", Reads::data);
   command.take("-o,--output", options->output, "FILE",
                "write this file, - for standard output; default: beside the recording, as .html or .svg", Writes::page);
   command.take("--at", options->at, "[HALF/]M:SS", "a picture of this moment instead of the page");
   command.take("--robot", options->robot, "[home/|away/]N", "of --at: the world as this robot believed it");
   command.flag("--force", options->force, "replace an existing file");
-  command.notes(examples);
+  command.notes(view_examples);
   command.run = [options, &command, &invocation] {
     return run(*options, output::OutputFiles(command.given(), "view"), invocation);
   };

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "config/declaration.hpp"
 
+#include <fmt/format.h>
+
 #include "config/robot.hpp"
+#include "config/scalar.hpp"
 
 namespace regista::config {
+
+std::string range_text(Range range, const std::string& unit) {
+  return fmt::format("{} to {}{}{}", real_text(range.least), real_text(range.most),
+                     unit.empty() || unit == "1" ? "" : " ", unit == "1" ? "" : unit);
+}
 
 Field real(std::string key, Member<double> member, Range range, std::string unit, std::string doc) {
   return {std::move(key), std::move(doc), Real{std::move(member), range, std::move(unit), 1.0}};

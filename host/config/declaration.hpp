@@ -32,6 +32,9 @@ struct Range {
   double least, most;  // closed
 };
 
+// "0 to 1.5 m"; unit: "1" and "" of numbers without one.
+std::string range_text(Range range, const std::string& unit);
+
 // A member of a declared object, or one that may be missing, which is created when it is asked for.
 template <class T>
 class Member {

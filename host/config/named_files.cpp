@@ -18,7 +18,7 @@ constexpr std::size_t most_files = 20'000;   // a folder may hold anything
 constexpr std::size_t longest_name = 4'096;  // of a file, bytes
 constexpr int most_names = 8;                // of one file; a link may lead to its own folder
 
-class Walk {
+class Search {
  public:
   // A name as it is seen from a folder; the empty folder is the current one.
   void name(const std::string& text, const fs::path& folder) {
@@ -82,18 +82,18 @@ class Walk {
 }  // namespace
 
 std::vector<fs::path> named_files(std::span<const fs::path> documents, const Overrides& overrides) {
-  Walk walk;
-  for (const fs::path& each : documents) walk.name(each.string(), {});
+  Search search;
+  for (const fs::path& each : documents) search.name(each.string(), {});
   for (const std::string& each : overrides) {
     const std::size_t equals = each.find('=');
     if (equals == std::string::npos) continue;
     try {
-      walk.values(parse_value(each.substr(equals + 1), {"--set " + each, 0, 0}), {});
+      search.values(parse_value(each.substr(equals + 1), {"--set " + each, 0, 0}), {});
     } catch (const Error&) {
       // Told by whoever lays it over its document.
     }
   }
-  return walk.all();
+  return search.all();
 }
 
 }  // namespace regista::config

@@ -13,11 +13,6 @@
 namespace regista::config {
 namespace {
 
-std::string range_text(Range range, const std::string& unit) {
-  return fmt::format("{} to {}{}{}", real_text(range.least), real_text(range.most),
-                     unit.empty() || unit == "1" ? "" : " ", unit == "1" ? "" : unit);
-}
-
 double real_in(const Node& node, const std::string& what, Range range, const std::string& unit) {
   const double value = to_real(node, what);
   if (value < range.least || value > range.most) {

@@ -105,13 +105,9 @@ std::string with_article(const std::string& kind) {
 // plugin, file and params.
 constexpr std::size_t plugin_keys = 3;
 
-std::string range_text(Range range, const std::string& unit) {
-  return fmt::format("{:.10g} to {:.10g}{}", range.least, range.most, unit.empty() || unit == "1" ? "" : ' ' + unit);
-}
-
-class Writer {
+class TableWriter {
  public:
-  explicit Writer(std::set<std::string>& used) : used_(used) {}
+  explicit TableWriter(std::set<std::string>& used) : used_(used) {}
 
   void map(const Map& declared, const std::string& prefix) {
     std::vector<std::string> keys;
@@ -207,7 +203,7 @@ std::string reference_text(std::span<const DocumentKind> kinds) {
       "`roles`.\n";
   std::set<std::string> used;
   for (const DocumentKind kind : kinds) {
-    Writer writer(used);
+    TableWriter writer(used);
     with_declaration(kind, [&](const Map& declared) { writer.map(declared, ""); });
     out += fmt::format("\n## {}\n\n{}\n\n{}", name_of(kind), about(kind), writer.text());
   }

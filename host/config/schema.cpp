@@ -25,9 +25,9 @@ std::string with_unit(const std::string& doc, const std::string& unit) {
 
 Json number(Range range) { return {{"type", "number"}, {"minimum", range.least}, {"maximum", range.most}}; }
 
-class Writer {
+class SchemaWriter {
  public:
-  Writer(std::span<const PluginDeclaration> plugins, bool variant) : plugins_(plugins), variant_(variant) {}
+  SchemaWriter(std::span<const PluginDeclaration> plugins, bool variant) : plugins_(plugins), variant_(variant) {}
 
   Json map(const Map& declared) const {
     Json properties = Json::object(), required = Json::array();
@@ -50,7 +50,7 @@ class Writer {
   }
 
  private:
-  Writer strict() const { return {plugins_, false}; }
+  SchemaWriter strict() const { return {plugins_, false}; }
 
   // Which plugins there are of a kind, and for each its own parameters.
   void discriminate(Json& result, const std::string& kind) const {
@@ -226,7 +226,7 @@ Json definitions() {
 }  // namespace
 
 std::string schema(const Map& map, const std::string& title, std::span<const PluginDeclaration> plugins) {
-  Json parts{{"document", Writer(plugins, false).map(map)}, {"variant", Writer(plugins, true).map(map)}};
+  Json parts{{"document", SchemaWriter(plugins, false).map(map)}, {"variant", SchemaWriter(plugins, true).map(map)}};
   parts["variant"]["properties"]["extends"] = {
       {"type", "string"}, {"minLength", 1}, {"description", "file that this one is a variant of, relative to it"}};
   // Only the definitions that are referred to; a later one may refer to an earlier one.

@@ -10,8 +10,6 @@ namespace {
 
 constexpr double minute = 60.0;  // s
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 TeamMetrics::TeamMetrics() : packets_by_reason(REGISTA_EVENT_COUNT, 0) {}

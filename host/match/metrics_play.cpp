@@ -6,11 +6,6 @@
 #include "match/sampling.hpp"
 
 namespace regista::match {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 PlayMeasures::PlayMeasures(const config::Rules& rules)
     : roster_{rules.team_size},

@@ -9,8 +9,6 @@
 namespace regista::match {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 std::optional<double> share(int part, int whole) {
   return whole > 0 ? std::optional(static_cast<double>(part) / whole) : std::nullopt;
 }

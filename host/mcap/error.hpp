@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace regista::mcap {
 
@@ -14,5 +15,8 @@ class Error : public std::runtime_error {
   Error(const std::filesystem::path& file, const std::string& reason)
       : std::runtime_error(file.string() + ": " + reason) {}
 };
+
+// What the system says of an error number.
+inline std::string reason(int error) { return std::generic_category().message(error); }
 
 }  // namespace regista::mcap

@@ -12,12 +12,6 @@
 #include "mcap/error.hpp"
 
 namespace regista::mcap {
-namespace {
-
-std::string reason(int error) { return std::generic_category().message(error); }
-
-}  // namespace
-
 OutputFile::OutputFile(std::filesystem::path path, bool replace) : path_(std::move(path)) {
   const int flags = O_WRONLY | O_CREAT | O_CLOEXEC | (replace ? O_TRUNC : O_EXCL);
   do {

@@ -12,11 +12,9 @@
 #include "config/bad_input.hpp"
 
 namespace regista::output {
-namespace {
+namespace {}  // namespace
 
 std::string reason_of(int error) { return std::generic_category().message(error); }
-
-}  // namespace
 
 void occupy_standard_streams() {
   // Readable, so that writing to it fails as writing to a closed one does.

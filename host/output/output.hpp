@@ -15,6 +15,9 @@ class WriteError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// What the system says of an error number.
+std::string reason_of(int error);
+
 // Nobody reads standard output any longer, as of `regista plugin list | head -1`.
 class ReaderGone : public WriteError {
   using WriteError::WriteError;

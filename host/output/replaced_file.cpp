@@ -20,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason_of(int error) { return std::generic_category().message(error); }
-
 // A file without a name that anybody looks for, gone unless it is kept.
 class Draft {
  public:

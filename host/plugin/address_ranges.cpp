@@ -17,7 +17,7 @@ struct Range {
 };
 
 std::array<Range, 256> ranges;
-std::atomic<std::size_t> known{0};
+std::atomic<std::size_t> known_ranges{0};
 
 struct Wanted {
   ElfW(Addr) base;
@@ -38,13 +38,13 @@ int look(dl_phdr_info* object, std::size_t, void* raw) {
   std::string_view name = wanted.path;
   name.remove_prefix(name.rfind('/') + 1);
   std::copy_n(name.data(), std::min(name.size(), range.name.size() - 1), range.name.data());
-  const std::size_t count = known.load();
+  const std::size_t count = known_ranges.load();
   for (std::size_t i = 0; i < count; ++i) {
     if (ranges[i].first == range.first) return 1;
   }
   if (count == ranges.size()) return 1;
   ranges[count] = range;
-  known.store(count + 1);  // only now: a handler sees whole entries
+  known_ranges.store(count + 1);  // only now: a handler sees whole entries
   return 1;
 }
 
@@ -58,7 +58,7 @@ void note_address_range(void* handle) {
 }
 
 const ObjectName* object_at(std::uintptr_t address) {
-  const std::size_t count = known.load();
+  const std::size_t count = known_ranges.load();
   for (std::size_t i = 0; i < count; ++i) {
     if (address >= ranges[i].first && address < ranges[i].last) return &ranges[i].name;
   }

@@ -2,6 +2,7 @@
 #include "recording/about.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include <span>
 
@@ -122,6 +123,11 @@ mcap::Pairs about(const RecordedSetup& setup) {
                                              {"contexts", contexts(plan)}});
   }
   return out;
+}
+
+const mcap::Pairs* about_in(const mcap::Reader& reader) {
+  const auto found = std::ranges::find(reader.metadata(), about_record, &mcap::Metadata::name);
+  return found == reader.metadata().end() ? nullptr : &found->pairs;
 }
 
 }  // namespace regista::recording

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 
+#include "mcap/reader.hpp"
 #include "mcap/records.hpp"
 #include "mind/team_plan.hpp"
 
@@ -24,5 +25,8 @@ struct RecordedSetup {
 };
 
 mcap::Pairs about(const RecordedSetup& setup);
+
+// Of a file; null when it has none, as recordings of other programs.
+const mcap::Pairs* about_in(const mcap::Reader& reader);
 
 }  // namespace regista::recording

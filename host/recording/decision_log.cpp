@@ -31,7 +31,7 @@ Json pose(const match::BodyState& body, double direction) {
 std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
 // Name of a row of the table of roles; null for none, "unknown" while negotiations have not ended.
-Json role_name(const std::vector<std::string>& names, int role) {
+Json role_or_null(const std::vector<std::string>& names, int role) {
   if (role == REGISTA_UNKNOWN_TASK) return "unknown";
   if (role < 0) return nullptr;
   return names[static_cast<std::size_t>(role)];
@@ -99,14 +99,14 @@ void DecisionLog::decided(const mind::Mind& mind, const match::Decision& turn) {
       decision.context < 0 ? Json(nullptr) : Json(contexts[static_cast<std::size_t>(decision.context)].name);
   out["waypoints"] = decision.placement.points.size();
   Json& kept = out["kept"] = Json::array();
-  for (const std::int32_t task : last.kept) kept.push_back(role_name(names, task));
-  out["role"] = role_name(names, decision.own_role);
+  for (const std::int32_t task : last.kept) kept.push_back(role_or_null(names, task));
+  out["role"] = role_or_null(names, decision.own_role);
   out["target"] = nullptr;
   if (const regista_task* task = decision.own_task; task != nullptr) {
     out["target"] = {{"before", pose(task->before)}, {"after", pose(task->after)}};
   }
   Json& assignment = out["assignment"] = Json::array();
-  for (const std::int32_t role : decision.role_of) assignment.push_back(role_name(names, role));
+  for (const std::int32_t role : decision.role_of) assignment.push_back(role_or_null(names, role));
   out["utility"] = utilities(*plans_[i], mind, names);
   out["packet"] = turn.packet_charged ? Json(match::reason_name(turn.outcome.send_reason)) : Json(nullptr);
   write_(line(out));

@@ -13,14 +13,7 @@
 namespace regista::recording {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::uint64_t last_stretch = 1'000'000'000;  // ns: the state of the game is written every 0.1 s
-
-const mcap::Pairs* about_in(const mcap::Reader& reader) {
-  const auto found = std::ranges::find(reader.metadata(), about_record, &mcap::Metadata::name);
-  return found == reader.metadata().end() ? nullptr : &found->pairs;
-}
 
 bool says(const mcap::Pairs& about, const char* key, std::string_view value) {
   const auto found = about.find(key);
@@ -31,7 +24,7 @@ bool says(const mcap::Pairs& about, const char* key, std::string_view value) {
 bool says_team(const mcap::Pairs& about, const char* side, const std::string& label) {
   const auto found = about.find(side);
   if (found == about.end()) return false;
-  const std::string name = Json::parse(found->second).at("team").get<std::string>();
+  const std::string name = nlohmann::json::parse(found->second).at("team").get<std::string>();
   return label == name || label.starts_with(name + " (");
 }
 
@@ -49,7 +42,7 @@ std::optional<std::array<int, 2>> last_score(mcap::Reader& reader) {
   std::string last;
   for (mcap::Message message; reader.next(message);) last = message.data;
   if (last.empty()) return std::nullopt;
-  return Json::parse(last).at("score").get<std::array<int, 2>>();
+  return nlohmann::json::parse(last).at("score").get<std::array<int, 2>>();
 }
 
 // How many packets were recorded; of a file with a summary, which counts them.
@@ -78,7 +71,7 @@ bool holds(const std::filesystem::path& recording, const MatchToFind& match) {
     if (!match.score) return true;
     return last_score(reader) == match.score && (!match.packets || packets(reader) == *match.packets);
   } catch (const mcap::Error&) {
-  } catch (const Json::exception&) {
+  } catch (const nlohmann::json::exception&) {
   }
   return false;
 }

@@ -13,13 +13,6 @@
 namespace regista::recording {
 namespace {
 
-using Json = nlohmann::json;
-
-const mcap::Metadata* about_in(const mcap::Reader& reader) {
-  const auto found = std::ranges::find(reader.metadata(), about_record, &mcap::Metadata::name);
-  return found == reader.metadata().end() ? nullptr : &*found;
-}
-
 constexpr std::size_t most_robots = 22;
 
 // A message of the right types that makes no sense.
@@ -34,7 +27,7 @@ bool has_shape(const RecordedMatrix& matrix, std::size_t rows, std::size_t colum
 }
 
 // As a conversion by the library is undefined for a number that fits no int.
-int whole(const Json& json) {
+int whole(const nlohmann::json& json) {
   require(json.is_number_integer());
   const bool fits = json.is_number_unsigned() ? std::in_range<int>(json.get<std::uint64_t>())
                                               : std::in_range<int>(json.get<std::int64_t>());
@@ -42,36 +35,36 @@ int whole(const Json& json) {
   return static_cast<int>(json.get<std::int64_t>());
 }
 
-std::vector<int> wholes(const Json& json) {
+std::vector<int> wholes(const nlohmann::json& json) {
   require(json.is_array());
   std::vector<int> out;
-  for (const Json& each : json) out.push_back(whole(each));
+  for (const nlohmann::json& each : json) out.push_back(whole(each));
   return out;
 }
 
-std::array<int, 2> two(const Json& json) { return {whole(json.at(0)), whole(json.at(1))}; }
-std::array<std::vector<int>, 2> both(const Json& json) { return {wholes(json.at(0)), wholes(json.at(1))}; }
+std::array<int, 2> two(const nlohmann::json& json) { return {whole(json.at(0)), whole(json.at(1))}; }
+std::array<std::vector<int>, 2> both(const nlohmann::json& json) { return {wholes(json.at(0)), wholes(json.at(1))}; }
 
-RecordedPose pose(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
-RecordedCovariance covariance(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
+RecordedPose pose(const nlohmann::json& json) { return {json.at(0), json.at(1), json.at(2)}; }
+RecordedCovariance covariance(const nlohmann::json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 
-RecordedTeam team(const Json& json) {
+RecordedTeam team(const nlohmann::json& json) {
   RecordedTeam out;
   json.at("team").get_to(out.name);
   json.at("robot_radius").get_to(out.robot_radius);
-  for (const Json& role : json.at("roles")) out.roles.push_back(role.at("name"));
-  for (const Json& context : json.at("contexts")) {
+  for (const nlohmann::json& role : json.at("roles")) out.roles.push_back(role.at("name"));
+  for (const nlohmann::json& context : json.at("contexts")) {
     RecordedContext& added = out.contexts.emplace_back();
     context.at("name").get_to(added.name);
     context.at("plugin").get_to(added.plugin);
     context.at("parameters").get_to(added.parameters);
     added.priority = whole(context.at("priority"));
-    for (const Json& term : context.at("terms")) added.terms.push_back({term.at("name"), term.at("weight")});
+    for (const nlohmann::json& term : context.at("terms")) added.terms.push_back({term.at("name"), term.at("weight")});
   }
   return out;
 }
 
-config::FieldSize field(const Json& json) {
+config::FieldSize field(const nlohmann::json& json) {
   config::FieldSize out;
   json.at("length").get_to(out.length);
   json.at("width").get_to(out.width);
@@ -87,7 +80,7 @@ config::FieldSize field(const Json& json) {
   return out;
 }
 
-RecordedGame game(const Json& json) {
+RecordedGame game(const nlohmann::json& json) {
   RecordedGame out;
   json.at("time").get_to(out.time);
   json.at("clock").get_to(out.clock);
@@ -101,7 +94,7 @@ RecordedGame game(const Json& json) {
   out.fallen = both(json.at("fallen"));
   out.ball = {json.at("ball").at(0), json.at("ball").at(1)};
   for (const std::size_t side : {0u, 1u}) {
-    for (const Json& robot : json.at(side == 0 ? "home" : "away")) out.robots[side].push_back(pose(robot));
+    for (const nlohmann::json& robot : json.at(side == 0 ? "home" : "away")) out.robots[side].push_back(pose(robot));
   }
   out.roles = both(json.at("roles"));
   const std::size_t robots = out.robots[0].size();
@@ -110,18 +103,18 @@ RecordedGame game(const Json& json) {
   return out;
 }
 
-RecordedWorld world(const Json& json) {
+RecordedWorld world(const nlohmann::json& json) {
   RecordedWorld out;
-  if (const Json& ball = json.at("ball"); !ball.is_null()) {
+  if (const nlohmann::json& ball = json.at("ball"); !ball.is_null()) {
     out.ball = {ball.at("at").at(0), ball.at("at").at(1), ball.at("age"), 1.0, covariance(ball.at("covariance"))};
   }
-  const Json& mates = json.at("teammates");
+  const nlohmann::json& mates = json.at("teammates");
   for (std::size_t i = 0; i < mates.at("number").size(); ++i) {
     out.teammates.push_back({whole(mates.at("number").at(i)), whole(mates.at("role").at(i)),
                              pose(mates.at("pose").at(i)), covariance(mates.at("covariance").at(i)),
                              mates.at("age").at(i)});
   }
-  const Json& others = json.at("opponents");
+  const nlohmann::json& others = json.at("opponents");
   for (std::size_t i = 0; i < others.at("at").size(); ++i) {
     out.opponents.push_back({others.at("at").at(i).at(0), others.at("at").at(i).at(1), others.at("age").at(i),
                              others.at("weight").at(i), covariance(others.at("covariance").at(i))});
@@ -129,7 +122,7 @@ RecordedWorld world(const Json& json) {
   return out;
 }
 
-RecordedBelief belief(const Json& json) {
+RecordedBelief belief(const nlohmann::json& json) {
   RecordedBelief out;
   json.at("time").get_to(out.time);
   out.pose = pose(json.at("pose"));
@@ -138,25 +131,25 @@ RecordedBelief belief(const Json& json) {
   return out;
 }
 
-RecordedMatrix matrix(const Json& json) {
+RecordedMatrix matrix(const nlohmann::json& json) {
   RecordedMatrix out;
-  for (const Json& row : json) {
+  for (const nlohmann::json& row : json) {
     auto& added = out.emplace_back();
-    for (const Json& value : row) {
+    for (const nlohmann::json& value : row) {
       added.push_back(value.is_null() ? std::optional<double>() : std::optional<double>(value.get<double>()));
     }
   }
   return out;
 }
 
-RecordedDecision decision(const Json& json) {
+RecordedDecision decision(const nlohmann::json& json) {
   RecordedDecision out;
   json.at("time").get_to(out.time);
   out.context = whole(json.at("context"));
   json.at("knowledge").get_to(out.knowledge);
   json.at("waypoints").get_to(out.waypoints);
-  for (const Json& edge : json.at("edges")) out.edges.push_back(two(edge));
-  for (const Json& task : json.at("tasks")) {
+  for (const nlohmann::json& edge : json.at("edges")) out.edges.push_back(two(edge));
+  for (const nlohmann::json& task : json.at("tasks")) {
     RecordedTask& added = out.tasks.emplace_back();
     added.role = whole(task.at("role"));
     added.before = pose(task.at("before"));
@@ -167,13 +160,13 @@ RecordedDecision decision(const Json& json) {
   out.assigned = wholes(json.at("assigned"));
   out.role = whole(json.at("role"));
   out.utility = matrix(json.at("utility"));
-  for (const Json& term : json.at("terms")) out.terms.push_back(matrix(term));
+  for (const nlohmann::json& term : json.at("terms")) out.terms.push_back(matrix(term));
   require(has_shape(out.utility, out.rows.size(), out.columns.size()));
   for (const RecordedMatrix& term : out.terms) require(has_shape(term, out.rows.size(), out.columns.size()));
   return out;
 }
 
-std::uint64_t nanoseconds(double seconds) {
+std::uint64_t clamped_nanoseconds(double seconds) {
   return static_cast<std::uint64_t>(std::llround(std::clamp(seconds, 0.0, 1e9) * 1e9));
 }
 
@@ -192,7 +185,7 @@ template <class Read>
 auto reading(const std::filesystem::path& file, const std::string& what, Read read) {
   try {
     return read();
-  } catch (const Json::exception&) {
+  } catch (const nlohmann::json::exception&) {
   } catch (const Senseless&) {
   }
   throw mcap::Error(file, "is damaged: " + what + " cannot be read");
@@ -211,14 +204,14 @@ RecordedMatch::RecordedMatch(const std::filesystem::path& file) : file_(file) {
     if (first.empty()) first = last;
   }
   if (reader.cut_off() && damage_.empty()) damage_ = *reader.cut_off();
-  const mcap::Metadata* const about = about_in(reader);
+  const mcap::Pairs* const about = about_in(reader);
   if (about == nullptr && !damage_.empty()) throw mcap::Error(file, "breaks off before it says who plays");
   if (about == nullptr) {
     throw mcap::Error(file, "is no recording of a match; `regista match A.yaml B.yaml --record FILE` writes one");
   }
   const auto value = [&](const char* key) -> const std::string& {
-    const auto found = about->pairs.find(key);
-    if (found == about->pairs.end()) throw mcap::Error(file, "is damaged: it does not say its " + std::string(key));
+    const auto found = about->find(key);
+    if (found == about->end()) throw mcap::Error(file, "is damaged: it does not say its " + std::string(key));
     return found->second;
   };
   if (const std::string& format = value("format"); format != std::to_string(recording_format)) {
@@ -227,13 +220,14 @@ RecordedMatch::RecordedMatch(const std::filesystem::path& file) : file_(file) {
   }
   if (last.empty()) throw mcap::Error(file, "ends before the first state of the game was written");
   reading(file, "who plays", [&] {
-    field_ = recording::field(Json::parse(value("field")));
-    ball_radius_ = Json::parse(value("ball_radius")).get<double>();
-    teams_ = {team(Json::parse(value("home"))), team(Json::parse(value("away")))};
+    field_ = recording::field(nlohmann::json::parse(value("field")));
+    ball_radius_ = nlohmann::json::parse(value("ball_radius")).get<double>();
+    teams_ = {team(nlohmann::json::parse(value("home"))), team(nlohmann::json::parse(value("away")))};
   });
-  const RecordedGame ending = reading(file, "the last state of the game", [&] { return game(Json::parse(last)); });
+  const RecordedGame ending =
+      reading(file, "the last state of the game", [&] { return game(nlohmann::json::parse(last)); });
   end_ = ending.time;
-  begin_ = reading(file, "the first state of the game", [&] { return game(Json::parse(first)).time; });
+  begin_ = reading(file, "the first state of the game", [&] { return game(nlohmann::json::parse(first)).time; });
   team_size_ = static_cast<int>(ending.robots[0].size());
 }
 
@@ -243,7 +237,8 @@ std::optional<double> RecordedMatch::time_of(int half, double clock) const {
   mcap::Message message;
   std::string told_before;
   while (next(reader, message, told_before)) {
-    const RecordedGame state = reading(file_, "a state of the game", [&] { return game(Json::parse(message.data)); });
+    const RecordedGame state =
+        reading(file_, "a state of the game", [&] { return game(nlohmann::json::parse(message.data)); });
     if (state.half == half && state.clock >= clock - 1e-9) return state.time;
   }
   return std::nullopt;
@@ -254,7 +249,7 @@ RecordedMoment RecordedMatch::at(double time, const std::optional<RobotName>& ro
       robot ? (robot->side == 0 ? "/home/" : "/away/") + std::to_string(robot->number) : std::string();
   const std::string decisions = "/decision" + whose, beliefs = "/belief" + whose;
   mcap::Reader reader(file_);
-  mcap::Selection selection{.last_time = nanoseconds(time), .topics = {"/game"}};
+  mcap::Selection selection{.last_time = clamped_nanoseconds(time), .topics = {"/game"}};
   if (robot) selection.topics.insert(selection.topics.end(), {decisions, beliefs});
   reader.select(selection);
   std::map<std::string, std::string> last;  // by topic
@@ -264,12 +259,14 @@ RecordedMoment RecordedMatch::at(double time, const std::optional<RobotName>& ro
   if (last["/game"].empty()) throw mcap::Error(file_, "says nothing of a time that early");
 
   RecordedMoment out;
-  out.game = reading(file_, "a state of the game", [&] { return game(Json::parse(last["/game"])); });
+  out.game = reading(file_, "a state of the game", [&] { return game(nlohmann::json::parse(last["/game"])); });
   if (!last[decisions].empty()) {
-    out.decision = reading(file_, "a message of " + decisions, [&] { return decision(Json::parse(last[decisions])); });
+    out.decision =
+        reading(file_, "a message of " + decisions, [&] { return decision(nlohmann::json::parse(last[decisions])); });
   }
   if (!last[beliefs].empty()) {
-    out.belief = reading(file_, "a message of " + beliefs, [&] { return belief(Json::parse(last[beliefs])); });
+    out.belief =
+        reading(file_, "a message of " + beliefs, [&] { return belief(nlohmann::json::parse(last[beliefs])); });
   }
   return out;
 }

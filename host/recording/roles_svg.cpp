@@ -17,7 +17,7 @@ namespace {
 using namespace picture;
 using mind::Vector2d;
 
-constexpr double width = 720.0, margin = 8.0, marker = 7.0, line_height = 14.0, letter = 6.6;  // px
+constexpr double page_width = 720.0, page_margin = 8.0, marker = 7.0, line_height = 14.0, letter = 6.6;  // px
 
 struct Box {
   double left, top, right, bottom;
@@ -98,7 +98,7 @@ Html region(const std::array<double, 4>& within, const Scale& to) {
                to.y(within[3]), (within[1] - within[0]) * to.per_metre, (within[3] - within[2]) * to.per_metre);
 }
 
-constexpr Markup style = R"(<style>
+constexpr Markup roles_style = R"(<style>
 text{font-family:"Helvetica Neue",Arial,"DejaVu Sans",sans-serif;font-size:12px;fill:#1b1f24;text-anchor:middle}
 .grass{fill:#eef4ee}.line *{fill:none;stroke:#7d8a80;stroke-width:1.5}
 .role{paint-order:stroke;stroke:#fff;stroke-width:2.5px;stroke-linejoin:round}
@@ -112,15 +112,16 @@ text{font-family:"Helvetica Neue",Arial,"DejaVu Sans",sans-serif;font-size:12px;
 }  // namespace
 
 std::string roles_svg(const RolesToDraw& what, const config::FieldSize& field) {
-  Scale to{margin, margin, 0.0, field.length / 2.0 + field.border_strip, field.width / 2.0 + field.border_strip};
-  to.per_metre = (width - 2.0 * margin) / (2.0 * to.half_length);
-  const double height = 2.0 * margin + 2.0 * to.half_width * to.per_metre;
+  Scale to{page_margin, page_margin, 0.0, field.length / 2.0 + field.border_strip,
+           field.width / 2.0 + field.border_strip};
+  to.per_metre = (page_width - 2.0 * page_margin) / (2.0 * to.half_length);
+  const double height = 2.0 * page_margin + 2.0 * to.half_width * to.per_metre;
 
   std::vector<std::array<double, 2>> balls(what.balls.begin(), what.balls.end());
   const bool known = !balls.empty(), several = balls.size() > 1, alone = what.roles.size() == 1;
   if (!known) balls.emplace_back();
 
-  Labels labels(width, height);
+  Labels labels(page_width, height);
   Html shapes, markers, names;
   if (alone && what.roles.front()->target.within) shapes << region(*what.roles.front()->target.within, to);
   struct Named {
@@ -154,8 +155,8 @@ std::string roles_svg(const RolesToDraw& what, const config::FieldSize& field) {
   }
   Html out = drawn(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" )"
                    R"(height="{1:.0f}"><rect width="100%" height="100%" fill="#fff"/>)",
-                   width, height);
-  out << style << field_lines(field, to) << shapes << markers << names;
+                   page_width, height);
+  out << roles_style << field_lines(field, to) << shapes << markers << names;
   return (out << "</svg>\n"_html).str();
 }
 

@@ -11,7 +11,7 @@
 namespace regista::report {
 namespace {
 
-const char* name(statistics::Verdict verdict) {
+const char* sprt_name(statistics::Verdict verdict) {
   switch (verdict) {
     case statistics::Verdict::accept_h0:
       return "H0";
@@ -23,7 +23,7 @@ const char* name(statistics::Verdict verdict) {
   return "INCONCLUSIVE";
 }
 
-const char* name(statistics::Method method) {
+const char* sprt_name(statistics::Method method) {
   switch (method) {
     case statistics::Method::exact:
       return "exact";
@@ -82,7 +82,7 @@ std::string counts_text(const SequentialTestOfCounts& result) {
   if (result.law.variation == statistics::Variation::none) {
     out += fmt::format("Every {} ended even: no information.\n", of_pairs ? "pair" : "game");
   }
-  out += fmt::format("Verdict: {}\n", name(verdict_on(result.ratio, result.bounds)));
+  out += fmt::format("Verdict: {}\n", sprt_name(verdict_on(result.ratio, result.bounds)));
   return out;
 }
 
@@ -101,7 +101,7 @@ std::string counts_json(const SequentialTestOfCounts& result) {
   out["beta"] = result.design.rates.beta;
   out["llr"] = result.ratio.value;
   out["llr_bounds"] = {result.bounds.lower, result.bounds.upper};
-  out["llr_method"] = name(result.ratio.method);
+  out["llr_method"] = sprt_name(result.ratio.method);
   out["elo"] = result.elo.value;
   out["elo_interval"] = interval(result.elo);
   out["nelo"] = result.normalized_elo.value;
@@ -112,7 +112,7 @@ std::string counts_json(const SequentialTestOfCounts& result) {
   } else {
     out["pair_ratio"] = nullptr;
   }
-  out["verdict"] = name(verdict_on(result.ratio, result.bounds));
+  out["verdict"] = sprt_name(verdict_on(result.ratio, result.bounds));
   return out.dump() + '\n';
 }
 

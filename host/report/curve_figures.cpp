@@ -16,8 +16,6 @@
 namespace regista::report {
 namespace {
 
-const std::string& label(const TournamentView& view, std::size_t team) { return view.plan.teams[team].label; }
-
 // A field without a number says that there is none.
 std::string field(double number) { return std::isfinite(number) ? fmt::format("{}", number) : std::string(); }
 
@@ -101,7 +99,7 @@ std::optional<Figure> elo_over_pairs(const TournamentView& view, std::span<const
   Figure out;
   out.name = "elo";
   out.title = "Elo over pairs";
-  out.description = fmt::format("Strength of {} above {}, as it was after each pair{}", label(view, 0), label(view, 1),
+  out.description = fmt::format("Strength of {} above {}, as it was after each pair{}", view.label(0), view.label(1),
                                 any ? fmt::format(". From the {}th uneven pair on with its 95 % interval, which holds "
                                                   "for a number of pairs fixed beforehand.",
                                                   fewest_uneven_pairs)
@@ -123,7 +121,7 @@ std::optional<Figure> value_over_pairs(const TournamentView& view, std::span<con
   out.name = "value";
   out.title = goals ? "Goal difference over pairs" : fmt::format("Difference of {} over pairs", visible(test->value));
   out.description =
-      fmt::format("{} less {}, mean of a match, with the anytime-valid interval{}.", label(view, 0), label(view, 1),
+      fmt::format("{} less {}, mean of a match, with the anytime-valid interval{}.", view.label(0), view.label(1),
                   test == nullptr ? std::string(" (95 %)") : fmt::format(" ({:.4g} %)", 100.0 * (1.0 - test->alpha)));
   out.csv = banded_csv(points, "difference");
   out.commands = banded_commands(out.name, points, goals ? "goals per match" : "difference per match");
@@ -147,7 +145,7 @@ std::optional<Figure> ratio_over_pairs(const TournamentView& view, std::span<con
   const auto& hypotheses = std::get<study::ScoreTest>(view.plan.objective).design.hypotheses;
   out.description =
       fmt::format("The test stops at the upper line, for H1 ({} is {} stronger), or at the lower one, for H0 ({}).",
-                  label(view, 0), hypotheses.elo1, hypotheses.elo0);
+                  view.label(0), hypotheses.elo1, hypotheses.elo0);
   out.commands = fmt::format(
       "{0}set yrange {1}\nset ylabel 'LLR'\nset xzeroaxis lt 1 lc rgb '{2}' lw 1\nset key outside top center "
       "horizontal\n"
@@ -176,10 +174,10 @@ std::optional<Figure> ranking_figure(const TournamentView& view) {
     // An interval without an end has none to be drawn.
     const bool bounded = elo.interval.bounded();
     const double low = bounded ? elo.interval.low : elo.value, high = bounded ? elo.interval.high : elo.value;
-    out.csv += fmt::format("{},{},{},{}\n", figure_field(label(view, ranks[i].team)), elo.value, low, high);
+    out.csv += fmt::format("{},{},{},{}\n", figure_field(view.label(ranks[i].team)), elo.value, low, high);
     range.take(low);
     range.take(high);
-    tics += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_mark(label(view, ranks[i].team)), -static_cast<int>(i));
+    tics += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_mark(view.label(ranks[i].team)), -static_cast<int>(i));
   }
   out.height = 80 + 24 * static_cast<int>(ranks.size());
   out.commands = fmt::format(
@@ -202,7 +200,7 @@ std::optional<Figure> ranking_over_pairs(const TournamentView& view, std::span<c
                                     ? std::string("all teams")
                                     : fmt::format("the first {} teams of the ranking", teams.size()));
   out.csv = "pair";
-  for (const std::size_t team : teams) out.csv += ',' + figure_field(label(view, team));
+  for (const std::size_t team : teams) out.csv += ',' + figure_field(view.label(team));
   out.csv += '\n';
   Range range;
   std::uint64_t last = 0;
@@ -226,7 +224,7 @@ std::optional<Figure> ranking_over_pairs(const TournamentView& view, std::span<c
     out.commands +=
         fmt::format("{} '{}' using 1:{} with linespoints pt {} ps 0.7 pointinterval {} lw 2 lc rgb '{}' title {}",
                     i == 0 ? "" : ", \\\n ", i == 0 ? "elo.csv" : "", i + 2, 4 + i,
-                    std::max<std::size_t>(1, curve.size() / 8), colours[i], gnuplot_text(label(view, teams[i])));
+                    std::max<std::size_t>(1, curve.size() / 8), colours[i], gnuplot_text(view.label(teams[i])));
   }
   out.commands += '\n';
   return out;

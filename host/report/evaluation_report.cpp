@@ -29,7 +29,7 @@ std::string consistency_row(std::string_view name, const study::Evaluation& eval
   });
 }
 
-nlohmann::ordered_json json_of(const study::Errors& errors) {
+nlohmann::ordered_json errors_json(const study::Errors& errors) {
   return {{"median", errors.median}, {"ninetieth_percentile", errors.ninetieth}};
 }
 
@@ -75,10 +75,10 @@ std::string evaluation_json(const config::PredictorStudy& study, const std::stri
   for (const study::AtHorizon& at : evaluation.horizons) {
     nlohmann::ordered_json each{{"seconds", at.horizon}, {"truths", at.truths}, {"answers", at.answers}};
     each["error_m"] = {
-        {"hold", json_of(at.hold)}, {"constant", json_of(at.constant)}, {"decayed", json_of(at.decayed)}};
+        {"hold", errors_json(at.hold)}, {"constant", errors_json(at.constant)}, {"decayed", errors_json(at.decayed)}};
     if (at.answers > 0) {
       const study::Consistency& c = at.consistency;
-      each["error_m"]["predictor"] = json_of(at.predictor);
+      each["error_m"]["predictor"] = errors_json(at.predictor);
       each["covariance"] = {{"within_50", c.within_50},
                             {"within_90", c.within_90},
                             {"within_95", c.within_95},

@@ -4,23 +4,13 @@
 #include "config/json.hpp"
 #include "report/experiment.hpp"
 #include "report/match_remarks.hpp"
+#include "report/number_json.hpp"
 #include "report/packets_spent.hpp"
 
 namespace regista::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
-
-Json json_of(const study::MeanEstimate& estimate) {
-  const bool any = estimate.pairs > 0;
-  return {
-      {"pairs", estimate.pairs},
-      {"mean", any ? Json(estimate.mean) : Json(nullptr)},
-      {"standard_deviation", estimate.pairs > 1 ? Json(estimate.standard_deviation) : Json(nullptr)},
-      {"interval", estimate.interval ? Json::array({estimate.interval->low, estimate.interval->high}) : Json(nullptr)}};
-}
 
 Json condition(const study::ExperimentPlan& plan, std::size_t index) {
   const study::Condition& each = plan.conditions[index];
@@ -58,9 +48,9 @@ Json primary_json(const ExperimentView& view) {
     Json each{{"first", condition(plan, finding.comparison.first)},
               {"second", condition(plan, finding.comparison.second)}};
     each.update(json_of(finding.difference));
-    each["p"] = or_null(finding.p);
+    each["p"] = json_or_null(finding.p);
     each["p_by"] = finding.p ? Json(study::name(finding.by)) : Json(nullptr);
-    each["p_holm"] = or_null(finding.adjusted);
+    each["p_holm"] = json_or_null(finding.adjusted);
     each["found"] = finding.found;
     each["unplayed_pairs"] = finding.unplayed_pairs;
     each["verdict_prevented"] = finding.prevented;

@@ -58,7 +58,7 @@ std::string sweep_table(const ExperimentView& view, std::size_t measure) {
   return with_unit(plan.measures[measure]) + '\n' + table.text();
 }
 
-std::string with_sign(const MeanEstimate& estimate) {
+std::string mean_with_sign(const MeanEstimate& estimate) {
   return rounded_with_sign(estimate.mean,
                            estimate.interval ? half_width(estimate.interval) : std::abs(estimate.mean) / 100.0);
 }
@@ -83,7 +83,7 @@ std::string differences_table(const ExperimentView& view) {
       const MeanEstimate difference = view.course.difference(each, measure);
       cells.push_back(difference.pairs == 0
                           ? "-"
-                          : fmt::format("{} {}", with_sign(difference),
+                          : fmt::format("{} {}", mean_with_sign(difference),
                                         difference.interval ? interval_text(difference) : std::string()));
     }
     table.row(cells);

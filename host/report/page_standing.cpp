@@ -17,9 +17,9 @@ namespace {
 
 using study::Meeting;
 
-constexpr std::size_t most_crossed = 24;   // teams that a table of all against all has room for
-constexpr std::size_t most_open = 15;      // pairings that are shown without being asked for
-constexpr std::size_t most_listed = 2000;  // pairings at all
+constexpr std::size_t most_crossed = 24;        // teams that a table of all against all has room for
+constexpr std::size_t most_open_pairings = 15;  // pairings that are shown without being asked for
+constexpr std::size_t most_listed = 2000;       // pairings at all
 
 Html count(std::uint64_t number) { return text(fmt::format("{}", number)); }
 
@@ -179,7 +179,7 @@ Html pairings_table(const PageSource& source) {
     table.row(cells);
   }
   Html out;
-  out << (p.size() > most_open ? "<details><summary>"_html : "<details open><summary>"_html)
+  out << (p.size() > most_open_pairings ? "<details><summary>"_html : "<details open><summary>"_html)
       << text(fmt::format("{} pairings, from the point of view of the team named first", p.size()))
       << "</summary>\n"_html << table.html();
   if (p.size() > most_listed) out << "<p class=\"note\">regista report --json has the others.</p>\n"_html;
@@ -228,7 +228,7 @@ Html variance_section(const PageSource& source) {
   if (table.empty()) return {};
   Html out =
       "<p>A pair is two matches with the same seed and scene, the sides swapped. The ratio compares the number of matches that are needed with pairs and with independent matches: at 0.5 pairs need half as many, at 1 as many, above 1 more.</p>\n"_html;
-  if (listed > most_open) {
+  if (listed > most_open_pairings) {
     out << "<details><summary>"_html << text(fmt::format("{} pairings", listed)) << "</summary>\n"_html << table.html()
         << "</details>\n"_html;
   } else {

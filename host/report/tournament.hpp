@@ -18,6 +18,8 @@ struct TournamentView {
   const study::Tournament& course;
   // The command that plays a match of the schedule by itself.
   std::function<std::string(std::uint64_t match)> again;
+
+  const std::string& label(std::size_t team) const { return plan.teams[team].label; }
 };
 
 // "paper vs fixed_rate", and how many pairs of what.

@@ -15,8 +15,6 @@
 namespace regista::report {
 namespace {
 
-const std::string& label(const TournamentView& view, std::size_t team) { return view.plan.teams[team].label; }
-
 std::string number_or_nothing(const statistics::Moments* moments) {
   return moments == nullptr || moments->count() == 0 ? std::string() : fmt::format("{}", moments->mean());
 }
@@ -28,7 +26,7 @@ std::optional<Figure> goal_differences(const TournamentView& view, const CourseR
   out.name = "goal_differences";
   out.title = "Goal differences of matches";
   out.description = fmt::format("Matches by goals of {} less goals of {}. Black: forfeits. {} or more count as {}.",
-                                label(view, 0), label(view, 1), GoalDifferences::largest, GoalDifferences::largest);
+                                view.label(0), view.label(1), GoalDifferences::largest, GoalDifferences::largest);
   out.csv = "goal_difference,played,forfeited\n";
   int widest = 2;
   std::uint64_t highest = 1;
@@ -52,7 +50,7 @@ std::optional<Figure> goal_differences(const TournamentView& view, const CourseR
       "plot 'goal_differences.csv' using ($1>0?$1:1/0):2 with boxes lc rgb '{4}' title {0}.' wins', \\\n"
       "  '' using ($1==0?$1:1/0):2 with boxes lc rgb '{6}' title 'draws', \\\n"
       "  '' using ($1<0?$1:1/0):2 with boxes lc rgb '{5}' title {1}.' wins'{7}\n",
-      gnuplot_text(label(view, 0)), gnuplot_text(label(view, 1)), -widest - 0.6, widest + 0.6, colours[0], colours[1],
+      gnuplot_text(view.label(0)), gnuplot_text(view.label(1)), -widest - 0.6, widest + 0.6, colours[0], colours[1],
       colours[7],
       forfeits
           ? fmt::format(", \\\n  '' using 1:($2+$3/2.0):(0.4):($3/2.0) with boxxyerror lc rgb '{}' title 'forfeits'",
@@ -96,11 +94,11 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
   out.title = "Overlap, uncovered time and switches by role";
   out.description = fmt::format(
       "Means of a match. Circles: {}. Triangles: {}. Less overlap and uncovered time is better coordinated.",
-      label(view, 0), label(view, 1));
+      view.label(0), view.label(1));
   out.csv = "role";
   for (const char* measure : role_measures) {
     for (const std::size_t team : {0u, 1u})
-      out.csv += ',' + figure_field(fmt::format("{} {}", label(view, team), measure));
+      out.csv += ',' + figure_field(fmt::format("{} {}", view.label(team), measure));
   }
   out.csv += '\n';
   for (const std::string& role : names) {
@@ -151,8 +149,8 @@ std::optional<Figure> packets(const TournamentView& view, const CourseRecord& re
   Figure out;
   out.name = "packets";
   out.title = "Packets by the event that caused them";
-  out.description = fmt::format("Means of a match. Upper bars: {}. Lower bars: {}.", label(view, 0), label(view, 1));
-  out.csv = fmt::format("reason,{},{}\n", figure_field(label(view, 0)), figure_field(label(view, 1)));
+  out.description = fmt::format("Means of a match. Upper bars: {}. Lower bars: {}.", view.label(0), view.label(1));
+  out.csv = fmt::format("reason,{},{}\n", figure_field(view.label(0)), figure_field(view.label(1)));
   double most = 0.0;
   std::vector<std::string> names;
   for (const std::string& reason : reasons) {
@@ -175,7 +173,7 @@ std::optional<Figure> packets(const TournamentView& view, const CourseRecord& re
       "plot 'packets.csv' using 2:(-$0+0.19):(0):2:(-$0+0.02):(-$0+0.36) with boxxyerror lc rgb '{4}' title {6}, \\\n"
       "  '' using 3:(-$0-0.19):(0):3:(-$0-0.36):(-$0-0.02) with boxxyerror lc rgb '{5}' title {7}\n",
       name_tics(names), grid_colour, -static_cast<double>(reasons.size()) + 0.4, most > 0.0 ? 1.05 * most : 1.0,
-      colours[0], colours[1], gnuplot_text(label(view, 0)), gnuplot_text(label(view, 1)), width_of(names) / out.width,
+      colours[0], colours[1], gnuplot_text(view.label(0)), gnuplot_text(view.label(1)), width_of(names) / out.width,
       tic_step(most, 6));
   return out;
 }

@@ -45,7 +45,7 @@ Json metric(const study::Meeting& meeting, const study::ValueTest& test) {
 // Nothing where the number of pairs was not fixed beforehand, or not all of them are played.
 using Chance = std::pair<std::optional<double>, std::optional<double>>;
 
-Json json_of(const TournamentView& view, const study::Meeting& meeting, const Chance& p) {
+Json meeting_json(const TournamentView& view, const study::Meeting& meeting, const Chance& p) {
   Json out;
   const auto label = [&](std::size_t team) { return view.plan.teams[team].label; };
   out["teams"] = {label(meeting.pairing.first), label(meeting.pairing.second)};
@@ -114,7 +114,7 @@ std::string tournament_json(const TournamentView& view) {
   Json pairings = Json::array();
   for (std::size_t i = 0; i < p.single.size(); ++i) {
     const Chance chance = fixed ? Chance(p.single[i], p.adjusted[i]) : Chance();
-    pairings.push_back(json_of(view, course.meetings()[i], chance));
+    pairings.push_back(meeting_json(view, course.meetings()[i], chance));
     pairings.back()["verdict_prevented"] =
         tested ? course.verdict() == study::Verdict::prevented : fixed && p.prevented[i];
   }

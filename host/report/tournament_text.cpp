@@ -20,8 +20,6 @@ namespace {
 
 using study::Meeting;
 
-const std::string& label(const TournamentView& view, std::size_t team) { return view.plan.teams[team].label; }
-
 std::string or_none(const std::optional<double>& number) { return number ? fmt::format("{:.2f}", *number) : "-"; }
 
 double percent(double part, double whole) { return whole == 0.0 ? 0.0 : 100.0 * part / whole; }
@@ -45,7 +43,7 @@ std::string metric_text(const TournamentView& view, const Meeting& meeting, cons
                                 estimate.interval.low, estimate.interval.high);
   const auto& [less, equal, more] = metric.signs();
   out += fmt::format("{} has less in {}, as much in {}, more in {} pairs, p at any time {:.2g}\n",
-                     label(view, meeting.pairing.first), less, equal, more, metric.test().p());
+                     view.label(meeting.pairing.first), less, equal, more, metric.test().p());
   if (meeting.pairs_without_metric > 0) {
     out += fmt::format("{} without it: a match was forfeited, or has no such number\n",
                        config::counted(meeting.pairs_without_metric, "pair", "pairs"));
@@ -104,7 +102,7 @@ std::string ranking_text(const TournamentView& view) {
                                 ? fmt::format("{} +/- {:.1f}", fixed(team.elo->value, 1), team.elo->margin())
                                 : fixed(team.elo->value, 1);
     out += fmt::format("{:>4}  {:{}}  {:>16}  {:>6.2f}  {:>7}  {:>8.1f}  {:>5} {:>5} {:>5}  {:>9}  {:>8}\n", ++rank,
-                       label(view, team.team), widest, elo, team.nash, team.matches, team.points, team.wins, team.draws,
+                       view.label(team.team), widest, elo, team.nash, team.matches, team.points, team.wins, team.draws,
                        team.losses, fmt::format("{}:{}", team.scored, team.conceded), team.failures);
   }
   return out;
@@ -118,8 +116,8 @@ std::string pairings_text(const TournamentView& view) {
     const Meeting& meeting = view.course.meetings()[i];
     const auto& [losses, draws, wins] = meeting.games.seen;
     const std::optional<Strength> known = strength(meeting);
-    out += fmt::format("{} vs {}: {}-{}-{}, goals {}:{}, Elo {}", label(view, meeting.pairing.first),
-                       label(view, meeting.pairing.second), wins, draws, losses, meeting.goals[0], meeting.goals[1],
+    out += fmt::format("{} vs {}: {}-{}-{}, goals {}:{}, Elo {}", view.label(meeting.pairing.first),
+                       view.label(meeting.pairing.second), wins, draws, losses, meeting.goals[0], meeting.goals[1],
                        known ? with_margin(known->elo) : "-");
     if (meeting.unplayed_pairs > 0) out += fmt::format(", {} not played", pairs_in_words(meeting.unplayed_pairs));
     if (with_p) out += fmt::format(", p {:.2g}", p.adjusted[i]);
@@ -133,7 +131,7 @@ std::string packets_text(const TournamentView& view) {
   std::string out;
   for (std::size_t team = 0; team < view.plan.teams.size(); ++team) {
     const std::string clause = packets_clause(view.course.packets(team), OverspentMark::loud);
-    if (!clause.empty()) out += fmt::format("{} {}\n", label(view, team), clause);
+    if (!clause.empty()) out += fmt::format("{} {}\n", view.label(team), clause);
   }
   return view.plan.teams.size() > 2 && !out.empty() ? '\n' + out : out;
 }
@@ -149,7 +147,7 @@ std::string score_verdict(const study::ScoreTest& test, study::Verdict verdict) 
 
 std::string value_verdict(const TournamentView& view, const std::string& value) {
   const Meeting& meeting = view.course.meetings().front();
-  const std::string &a = label(view, meeting.pairing.first), &b = label(view, meeting.pairing.second);
+  const std::string &a = view.label(meeting.pairing.first), &b = view.label(meeting.pairing.second);
   const bool more = view.course.first_has_more();
   if (value == study::goals_value) return fmt::format(": {} scores {} goals than {}\n", a, more ? "more" : "fewer", b);
   std::string out = fmt::format(": in a pair {} mostly has {} {} than {}\n", a, more ? "more" : "less", value, b);
@@ -181,12 +179,12 @@ std::string verdict_text(const TournamentView& view) {
 std::string failures_text(const TournamentView& view) {
   std::string out;
   for (const study::SetAside& each : view.course.set_aside()) {
-    out += fmt::format("{} was set aside after pair {}: {} failed {} times in a row\n", label(view, each.team),
-                       each.pair + 1, plugin_text(each.plugin, label(view, each.team)), each.failures);
+    out += fmt::format("{} was set aside after pair {}: {} failed {} times in a row\n", view.label(each.team),
+                       each.pair + 1, plugin_text(each.plugin, view.label(each.team)), each.failures);
   }
   for (const study::Forfeits& each : view.course.forfeits()) {
     out += fmt::format("{} {}\n  the first again: {}\n", config::counted(each.count, "match", "matches"),
-                       forfeit_text(label(view, each.team), each.failure), view.again(each.first_match));
+                       forfeit_text(view.label(each.team), each.failure), view.again(each.first_match));
   }
   if (view.course.unlisted_forfeits() > 0) {
     out += fmt::format("{} more matches forfeited for other reasons\n", view.course.unlisted_forfeits());
@@ -224,7 +222,7 @@ std::string forfeit_text(const std::string& label, const campaign::Failure& fail
 
 std::string title(const TournamentView& view) {
   const std::string who = view.plan.teams.size() == 2
-                              ? fmt::format("{} vs {}", label(view, 0), label(view, 1))
+                              ? fmt::format("{} vs {}", view.label(0), view.label(1))
                               : fmt::format("{} teams, {}", view.plan.teams.size(),
                                             view.plan.format == study::Format::gauntlet ? "gauntlet" : "round robin");
   const std::size_t pairings = view.course.calendar().pairings().size();
@@ -250,7 +248,7 @@ std::string tournament_text(const TournamentView& view) {
   for (const study::Pairing& pairing : view.course.calendar().pairings()) {
     if (study::equal_teams(view.plan, pairing)) {
       out += fmt::format("A/A: {} and {} are equal, so every pair is a draw by construction\n",
-                         label(view, pairing.first), label(view, pairing.second));
+                         view.label(pairing.first), view.label(pairing.second));
     }
   }
   out += standing_text(view);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "report/tuning_json_parts.hpp"
 
-#include <cmath>
-
 #include "config/json.hpp"
 #include "report/match_remarks.hpp"
 #include "report/objective_numbers.hpp"
@@ -60,24 +58,9 @@ Json forfeits(const study::TuningPlan& plan, const study::MatchTally& tally) {
 
 }  // namespace
 
-Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json json_or_null(const std::optional<double>& value) { return value ? json_number(*value) : Json(nullptr); }
-
 Json json_of_score(const study::TuningObjective& objective, const std::optional<double>& score) {
   if (!score) return nullptr;
   return json_number(of_objective(objective, *score));
-}
-
-Json json_of(const statistics::Interval& interval) {
-  return Json::array({json_number(interval.low), json_number(interval.high)});
-}
-
-Json json_of(const study::MeanEstimate& estimate) {
-  const bool any = estimate.pairs > 0;
-  return {{"pairs", estimate.pairs},
-          {"mean", any ? Json(estimate.mean) : Json(nullptr)},
-          {"standard_deviation", estimate.pairs > 1 ? Json(estimate.standard_deviation) : Json(nullptr)},
-          {"interval", estimate.interval ? json_of(*estimate.interval) : Json(nullptr)}};
 }
 
 Json problem_json(const study::TuningPlan& plan) {

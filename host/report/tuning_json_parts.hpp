@@ -5,18 +5,12 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
-#include "statistics/interval.hpp"
-#include "study/paired_estimates.hpp"
+#include "report/number_json.hpp"
 #include "study/tuning/match_tally.hpp"
 #include "study/tuning/tuning_plan.hpp"
 
 namespace regista::report {
 
-// JSON has no infinite numbers: null instead, as for nothing.
-nlohmann::ordered_json json_number(double value);
-nlohmann::ordered_json json_or_null(const std::optional<double>& value);
-nlohmann::ordered_json json_of(const statistics::Interval& interval);
-nlohmann::ordered_json json_of(const study::MeanEstimate& estimate);  // of the user's terms
 // A score, or a difference of scores, in the words of the objective.
 nlohmann::ordered_json json_of_score(const study::TuningObjective& objective, const std::optional<double>& score);
 

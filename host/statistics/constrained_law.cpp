@@ -10,8 +10,8 @@
 namespace regista::statistics {
 namespace {
 
-constexpr int most_rounds = 10;
-constexpr double settled = 1e-9;  // largest change of a probability in the last round
+constexpr int most_steps_of_law = 10;
+constexpr double settled_law = 1e-9;  // largest change of a probability in the last round
 
 using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
@@ -62,7 +62,7 @@ std::optional<Probabilities> most_likely_with_mean(const ScoreLaw& law, double m
 std::optional<Probabilities> most_likely_with_effect(const ScoreLaw& law, double effect) {
   Probabilities last{};
   std::fill_n(last.begin(), law.outcomes, 1.0 / static_cast<double>(law.outcomes));
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_steps_of_law; ++round) {
     double mean = 0.0, variance = 0.0;
     for (std::size_t i = 0; i < law.outcomes; ++i) mean += last[i] * law.scores[i];
     for (std::size_t i = 0; i < law.outcomes; ++i) {
@@ -81,7 +81,7 @@ std::optional<Probabilities> most_likely_with_effect(const ScoreLaw& law, double
     double change = 0.0;
     for (std::size_t i = 0; i < law.outcomes; ++i) change = std::max(change, std::abs((*next)[i] - last[i]));
     last = *next;
-    if (change < settled) break;
+    if (change < settled_law) break;
   }
   return last;
 }

@@ -9,8 +9,8 @@
 namespace regista::study {
 namespace {
 
-constexpr double cycle = 0.1;       // s
-constexpr double farthest = 200.0;  // m: the field is 105 x 68
+constexpr double cycle = 0.1;                // s
+constexpr double farthest_on_pitch = 200.0;  // m: the field is 105 x 68
 
 struct Column {
   int object;
@@ -30,9 +30,10 @@ std::vector<Column> columns(const Table& table, config::PredictorStudy::Subject 
   return out;
 }
 
-double metres(const Table& table, std::size_t column) {
+double coordinate(const Table& table, std::size_t column) {
   const double value = table.number(column);
-  if (std::abs(value) > farthest) table.refuse(column, fmt::format("is more than {:.0f} m from the centre", farthest));
+  if (std::abs(value) > farthest_on_pitch)
+    table.refuse(column, fmt::format("is more than {:.0f} m from the centre", farthest_on_pitch));
   return value;
 }
 
@@ -52,7 +53,7 @@ GameRecording read_simulation_2d(const std::filesystem::path& data, config::Pred
     const bool runs = table.text(mode) == "play_on";
     if (stretch.play.empty() || stretch.play.back().runs != runs) stretch.play.push_back({time, runs});
     for (const Column& each : wanted) {
-      const double x = metres(table, each.x), y = metres(table, each.y);
+      const double x = coordinate(table, each.x), y = coordinate(table, each.y);
       stretch.samples.push_back({time, each.object, x, -y});
     }
   }
