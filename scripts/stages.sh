@@ -59,7 +59,7 @@ configure_program() {
   local cache=build/release/CMakeCache.txt options=(-DREGISTA_WERROR=ON)
   if ! grep -qs '^REGISTA_TESTS:[A-Z]*=ON' "$cache"; then options+=(-DREGISTA_TESTS=OFF -DREGISTA_BENCHMARKS=OFF); fi
   if [[ ! -e $cache ]] && { ! command -v ccache >/dev/null || [[ -n ${CCACHE_DISABLE-} ]]; }; then
-    options+=(-DREGISTA_BUILD_ONCE=ON)
+    options+=(-DREGISTA_BATCHES=ON -DREGISTA_PRECOMPILE=ON)
   fi
   cmake --preset release "${options[@]}"
 }
