@@ -13,7 +13,7 @@ constexpr double per_metre = 1000.0;  // mm
 template <class Value>
 std::string row(std::string_view name, const study::Evaluation& evaluation, Value value) {
   std::string line = fmt::format("  {:<24}", name);
-  for (const study::AtHorizon& each : evaluation.horizons) line += fmt::format("{:>17}", value(each));
+  for (const study::AtHorizon& each : evaluation.horizons) line += fmt::format("{:>19}", value(each));
   return line + '\n';
 }
 
@@ -47,6 +47,15 @@ std::string evaluation_text(const config::PredictorStudy& study, const std::stri
   out += row("hold last", evaluation, [](const AtHorizon& at) { return both(at.hold, at.truths); });
   out += row("constant velocity", evaluation, [](const AtHorizon& at) { return both(at.constant, at.truths); });
   out += row("decayed velocity", evaluation, [](const AtHorizon& at) { return both(at.decayed, at.truths); });
+  const auto ratio = [&](std::string_view name, study::Ratio study::Comparison::*quantile) {
+    return row(name, evaluation, [&](const AtHorizon& at) {
+      const study::Ratio& each = at.to_decayed.*quantile;
+      return at.answers == 0 ? "-" : fmt::format("{:.2f} [{:.2f}, {:.2f}]", each.value, each.low, each.high);
+    });
+  };
+  out += fmt::format("{} / decayed velocity [95 % interval, blocks of play drawn anew]\n", study.predictor.plugin);
+  out += ratio("median", &study::Comparison::median);
+  out += ratio("90th percentile", &study::Comparison::ninetieth);
   out += row("truths", evaluation, [](const AtHorizon& at) { return fmt::format("{}", at.truths); });
   out += row("answered", evaluation, [](const AtHorizon& at) {
     const double share = at.truths == 0 ? 0.0 : static_cast<double>(at.answers) / static_cast<double>(at.truths);
@@ -57,6 +66,11 @@ std::string evaluation_text(const config::PredictorStudy& study, const std::stri
   out += consistency_row("50 %", evaluation, [&](const Consistency& each) { return percent(each.within_50); });
   out += consistency_row("90 %", evaluation, [&](const Consistency& each) { return percent(each.within_90); });
   out += consistency_row("95 %", evaluation, [&](const Consistency& each) { return percent(each.within_95); });
+  if (study.subject == config::PredictorStudy::Subject::ball) {
+    out += row("95 %, ball not touched", evaluation, [&](const AtHorizon& at) {
+      return at.untouched == 0 ? std::string("-") : percent(at.untouched_within_95);
+    });
+  }
   out += consistency_row("NEES mean / median", evaluation, [](const Consistency& each) {
     return fmt::format("{:.2f} / {:.2f}", each.nees_mean, each.nees_median);
   });
@@ -79,11 +93,20 @@ std::string evaluation_json(const config::PredictorStudy& study, const std::stri
     if (at.answers > 0) {
       const study::Consistency& c = at.consistency;
       each["error_m"]["predictor"] = errors_json(at.predictor);
+      const auto ratio = [](const study::Ratio& of) -> nlohmann::ordered_json {
+        return {{"value", of.value}, {"interval", {of.low, of.high}}};
+      };
+      each["to_decayed"] = {{"median", ratio(at.to_decayed.median)},
+                            {"ninetieth_percentile", ratio(at.to_decayed.ninetieth)}};
       each["covariance"] = {{"within_50", c.within_50},
                             {"within_90", c.within_90},
                             {"within_95", c.within_95},
                             {"nees_mean", c.nees_mean},
                             {"nees_median", c.nees_median}};
+      if (at.untouched > 0) {
+        each["covariance"]["untouched"] = at.untouched;
+        each["covariance"]["untouched_within_95"] = at.untouched_within_95;
+      }
     }
     out["horizons"].push_back(std::move(each));
   }

@@ -18,7 +18,7 @@ struct Evidence {
   double detection_probability = 0.6;  // of a ball well inside the visible area
   double false_density = 0.01;         // false sightings per m^2 and image
   double edge_margin = 0.3;            // m: nearer to the edge of the visible area a miss says nothing
-  double surprise = 0.003;             // least probability that the ball is somewhere else altogether
+  double surprise = 0.03;              // 1/s: how often the ball is somewhere else altogether
   double prune_weight = 0.01;          // hypotheses below it are dropped
   double merge_distance = 0.1;         // m, and m/s
   double field_area = 54.0;            // m^2: where a ball can appear
@@ -37,7 +37,7 @@ class Hypotheses {
     nowhere_ = 1.0;
   }
 
-  // Probability that the ball is none of the hypotheses; `surprise` is the least at a sighting.
+  // Probability that the ball is none of the hypotheses; `surprise` is the least at this sighting.
   double nowhere() const { return nowhere_; }
   void expect_surprise(double surprise) { nowhere_ = std::max(nowhere_, surprise); }
 

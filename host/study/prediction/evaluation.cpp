@@ -11,6 +11,7 @@
 #include "study/prediction/baseline.hpp"
 #include "study/prediction/forecast.hpp"
 #include "study/prediction/observations.hpp"
+#include "study/prediction/touches.hpp"
 
 namespace regista::study {
 namespace {
@@ -20,6 +21,7 @@ struct Path {
   std::vector<Sample> samples;
   std::vector<std::size_t> index;  // in the stretch
   std::vector<Sample> observed;
+  std::vector<std::size_t> touched;  // in `samples`: where somebody touched it, or nobody knows; of a ball
 
   const Sample* nearest(double time, double tolerance) const {
     const auto after = std::lower_bound(samples.begin(), samples.end(), time,
@@ -28,6 +30,16 @@ struct Path {
     if (after != samples.begin()) best = &*(after - 1);
     if (after != samples.end() && (best == nullptr || after->time - time < time - best->time)) best = &*after;
     return best != nullptr && std::abs(best->time - time) <= tolerance ? best : nullptr;
+  }
+
+  bool rolls_freely(const Sample& from, const Sample& to) const {
+    const auto place = [&](const Sample& sample) {
+      return static_cast<std::size_t>(std::lower_bound(samples.begin(), samples.end(), sample.time,
+                                                       [](const Sample& each, double t) { return each.time < t; }) -
+                                      samples.begin());
+    };
+    const auto next = std::ranges::lower_bound(touched, place(from));
+    return next == touched.end() || *next > place(to);
   }
 
   // What was observed in the `window` seconds that end at `time`.
@@ -40,6 +52,9 @@ struct Path {
   }
 };
 
+// s: time enough for a velocity to show, not more than a ball needs to cross a robot.
+constexpr double touch_window = 0.1;
+
 std::map<int, Path> paths_of(const Stretch& stretch, const std::vector<bool>& shown) {
   std::map<int, Path> paths;
   for (std::size_t i = 0; i < stretch.samples.size(); ++i) {
@@ -47,6 +62,12 @@ std::map<int, Path> paths_of(const Stretch& stretch, const std::vector<bool>& sh
     path.samples.push_back(stretch.samples[i]);
     path.index.push_back(i);
     if (shown[i]) path.observed.push_back(stretch.samples[i]);
+  }
+  if (const auto ball = paths.find(ball_object); ball != paths.end()) {
+    const std::vector<bool> free = untouched(ball->second.samples, touch_window);
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      if (!free[i]) ball->second.touched.push_back(i);
+    }
   }
   return paths;
 }
@@ -76,6 +97,9 @@ std::vector<Start> starts_of(const Stretch& stretch, const std::map<int, Path>& 
   return out;
 }
 
+// Errors of one block may share a kick.
+constexpr double block_length = 10.0;  // s
+
 double quantile(std::vector<double>& values, double share) {
   if (values.empty()) return 0.0;
   const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
@@ -88,7 +112,8 @@ Errors errors_of(std::vector<double>& values) { return {quantile(values, 0.5), q
 // What is gathered for one horizon.
 struct Tally {
   std::size_t truths = 0;
-  std::vector<double> predictor, hold, constant, decayed, nees;
+  std::vector<double> predictor, hold, constant, decayed, nees, untouched_nees;
+  std::vector<PairedError> to_decayed;
 };
 
 double nees(const Estimate& estimate, const Eigen::Vector2d& truth, double noise) {
@@ -126,20 +151,22 @@ class Scores {
       ++tally.truths;
       tally.hold.push_back(moved.norm());
       tally.constant.push_back((moved - undiminished(start.velocity, ahead)).norm());
-      tally.decayed.push_back((moved - decayed(start.velocity, ahead, study_.baselines)).norm());
+      tally.decayed.push_back(decayed_error(start, *truth));
     }
   }
 
-  // Starts of one time.
-  void predictor(std::span<const Start> starts, Forecaster& forecaster) {
+  // Starts of one time, in the stretch `number`.
+  void predictor(int number, std::span<const Start> starts, Forecaster& forecaster) {
     forecaster.listen(starts.front().index);
     labels_.clear();
     for (const Start& start : starts) labels_.push_back(forecaster.label_of(start.truth));
     questions_.clear();
+    const auto block =
+        blocks_.emplace(std::pair(number, std::floor(starts.front().truth.time / block_length)), blocks_.size());
     for (std::size_t i = 0; i < starts.size(); ++i) {
       for (std::size_t h = 0; h < horizon_count; ++h) {
         const Sample* truth = truth_of(starts[i], h);
-        if (truth != nullptr && labels_[i]) questions_.push_back({truth, h, *labels_[i]});
+        if (truth != nullptr && labels_[i]) questions_.push_back({truth, h, *labels_[i], &starts[i]});
       }
     }
     std::stable_sort(questions_.begin(), questions_.end(),
@@ -149,14 +176,26 @@ class Scores {
       const std::optional<Estimate> estimate = forecaster.estimate(each.label);
       if (!estimate) continue;
       const Eigen::Vector2d place(each.truth->x, each.truth->y);
-      tallies[each.horizon].predictor.push_back((place - estimate->position).norm());
-      tallies[each.horizon].nees.push_back(nees(*estimate, place, study_.camera.noise));
+      Tally& tally = tallies[each.horizon];
+      const double error = (place - estimate->position).norm();
+      tally.predictor.push_back(error);
+      tally.to_decayed.push_back({block.first->second, error, decayed_error(*each.start, *each.truth)});
+      const double squared = nees(*estimate, place, study_.camera.noise);
+      tally.nees.push_back(squared);
+      if (each.truth->object == ball_object && each.start->path->rolls_freely(each.start->last, *each.truth)) {
+        tally.untouched_nees.push_back(squared);
+      }
     }
   }
 
   std::array<Tally, horizon_count> tallies;
 
  private:
+  double decayed_error(const Start& start, const Sample& truth) const {
+    const Eigen::Vector2d moved(truth.x - start.last.x, truth.y - start.last.y);
+    return (moved - decayed(start.velocity, truth.time - start.last.time, study_.baselines)).norm();
+  }
+
   const Sample* truth_of(const Start& start, std::size_t h) const {
     return start.path->nearest(start.truth.time + study_.questions.horizons[h], study_.questions.tolerance);
   }
@@ -165,10 +204,12 @@ class Scores {
     const Sample* truth;
     std::size_t horizon;
     int label;
+    const Start* start;
   };
   const config::PredictorStudy& study_;
   std::vector<std::optional<int>> labels_;
   std::vector<Question> questions_;
+  std::map<std::pair<int, double>, std::size_t> blocks_;  // by stretch and time: numbers from 0
 };
 
 }  // namespace
@@ -193,7 +234,7 @@ Evaluation evaluate(const config::PredictorStudy& study, const GameRecording& re
       for (std::size_t i = 0; i < starts.size();) {
         std::size_t end = i + 1;
         while (end < starts.size() && starts[end].truth.time == starts[i].truth.time) ++end;
-        scores.predictor(std::span(starts).subspan(i, end - i), *forecaster);
+        scores.predictor(stretch.number, std::span(starts).subspan(i, end - i), *forecaster);
         i = end;
         if (progress) progress(s, recording.stretches.size());
       }
@@ -208,10 +249,18 @@ Evaluation evaluate(const config::PredictorStudy& study, const GameRecording& re
   }
   for (std::size_t h = 0; h < horizon_count; ++h) {
     Tally& tally = scores.tallies[h];
-    out.horizons[h] = {study.questions.horizons[h], tally.truths,
-                       tally.predictor.size(),      errors_of(tally.predictor),
-                       errors_of(tally.hold),       errors_of(tally.constant),
-                       errors_of(tally.decayed),    consistency_of(tally.nees)};
+    AtHorizon& at = out.horizons[h];
+    at.horizon = study.questions.horizons[h];
+    at.truths = tally.truths;
+    at.answers = tally.predictor.size();
+    at.predictor = errors_of(tally.predictor);
+    at.hold = errors_of(tally.hold);
+    at.constant = errors_of(tally.constant);
+    at.decayed = errors_of(tally.decayed);
+    if (at.answers > 0) at.to_decayed = compare(tally.to_decayed);
+    at.consistency = consistency_of(tally.nees);
+    at.untouched = tally.untouched_nees.size();
+    at.untouched_within_95 = consistency_of(tally.untouched_nees).within_95;
   }
   return out;
 }

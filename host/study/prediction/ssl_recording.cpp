@@ -62,8 +62,38 @@ std::map<int, std::vector<PlayChange>> read_referee(const std::filesystem::path&
   return out;
 }
 
+// The clocks of cameras and referee agree within this; the first state of an event may stand a moment before it.
+constexpr double clock_difference = 2.0;  // s
+
+// Events have numbers, which are in every file from 0 on: the states of another match would go unnoticed.
+void refuse_another_match(const std::vector<Stretch>& stretches, const std::map<int, std::vector<PlayChange>>& play,
+                          const std::filesystem::path& file) {
+  std::size_t without = 0;
+  for (const Stretch& stretch : stretches) {
+    const auto states = play.find(stretch.number);
+    if (states == play.end()) {
+      ++without;
+      continue;
+    }
+    const double first = states->second.front().time, last = states->second.back().time;
+    const double begin = stretch.samples.front().time, end = stretch.samples.back().time;
+    if (last < begin - clock_difference || first > end + clock_difference) {
+      throw config::Error(
+          {file.string()},
+          fmt::format("belongs to another match: its states of event {} are from {:.1f} to {:.1f} s, the "
+                      "detections from {:.1f} to {:.1f} s",
+                      stretch.number, first, last, begin, end));
+    }
+  }
+  if (2 * without > stretches.size()) {
+    throw config::Error({file.string()}, fmt::format("belongs to another match: it has no states of {} of {} events",
+                                                     without, stretches.size()));
+  }
+}
+
 GameRecording with_referee(std::vector<Stretch> stretches, const std::filesystem::path& file) {
   std::map<int, std::vector<PlayChange>> play = read_referee(file);
+  refuse_another_match(stretches, play, file);
   for (Stretch& stretch : stretches) stretch.play = std::move(play[stretch.number]);
   return {{}, std::move(stretches)};
 }

@@ -15,7 +15,7 @@ using imm_ball::Hypothesis;
 using imm_ball::Parameters;
 
 struct ImmBall {
-  static constexpr auto id = "imm_ball", version = "1.0.0",
+  static constexpr auto id = "imm_ball", version = "1.1.0",
                         summary = "Ball: interacting multiple models, resting, rolling or kicked by a robot in reach";
   static constexpr unsigned subjects = REGISTA_SUBJECT_BALL;
 
@@ -77,8 +77,9 @@ struct ImmBall {
   // The model of a teammate must be the same in all minds: it sees the robots that all know of.
   void predict(double dt, const regista::Motion* motion, const regista::Frame* last) {
     filter.predict(dt, [&](const imm_ball::Whereabouts& ball) {
-      return last == nullptr ||
-             anybody_in_reach(motion != nullptr ? last->mine() : last->common(), ball, ball.speed * dt);
+      if (last == nullptr) return imm_ball::Reach::untold;
+      const regista::World& world = motion != nullptr ? last->mine() : last->common();
+      return anybody_in_reach(world, ball, ball.speed * dt) ? imm_ball::Reach::somebody : imm_ball::Reach::nobody;
     });
   }
 

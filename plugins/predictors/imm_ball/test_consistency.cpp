@@ -35,9 +35,9 @@ Parameters consistent_parameters() {
 }
 
 // The best hypothesis of runs of `images` images at `period`, one look per run: errors are independent.
-template <class World, class Reach>
+template <class World, class ReachOf>
 Consistency consistency(const Parameters& parameters, int runs, int images, double period, const World& world,
-                        const Reach& reach, double ahead = 0.0) {
+                        const ReachOf& reach, double ahead = 0.0) {
   Consistency out;
   for (int run = 0; run < runs; ++run) {
     Simulator ball(static_cast<std::uint64_t>(run) + 1);

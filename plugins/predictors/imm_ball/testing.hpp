@@ -15,8 +15,8 @@ using Eigen::Matrix4d;
 using Eigen::Vector2d;
 using Eigen::Vector4d;
 
-inline constexpr auto in_reach = [](const Whereabouts&) { return true; };
-inline constexpr auto out_of_reach = [](const Whereabouts&) { return false; };
+inline constexpr auto in_reach = [](const Whereabouts&) { return Reach::somebody; };
+inline constexpr auto out_of_reach = [](const Whereabouts&) { return Reach::nobody; };
 
 // Squared error under the covariance that the estimate tells.
 inline double normalised(const Vector2d& error, const Matrix2d& told) { return error.dot(told.inverse() * error); }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where the one ball is: a handful of weighted hypotheses, each a Kalman filter that believes the ball to rest or to
-// move. A sighting that fits no hypothesis starts a resting and a moving one; those that explain what is seen, and
-// what is not seen, win.
+// move. A sighting that a hypothesis does not expect starts another: the same ball, touched since it was last seen, which
+// is the likelier the longer that is ago. One that fits nothing at all starts a resting and a moving ball. Those that
+// explain what is seen, and what is not seen, win.
 //
 // Sources: the Kalman filter as in Bar-Shalom, Li, Kirubarajan, "Estimation with Applications to Tracking and
 // Navigation" (2001); weights, misses and births by the Bernoulli filter (Ristic, Vo, Vo, Farina, "A Tutorial on
@@ -10,6 +11,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -28,9 +30,11 @@ using BallState = planar::State;
 struct Parameters {
   RollingModel rolling;
   Evidence evidence;
-  double timing_noise = 0.0;  // s: of the time at which a sighting was taken
-  double speed_prior = 1.0;   // m/s: deviation of each component of a new ball's velocity
-  double touch_rate = 0.0;    // 1/s: how often somebody touches the ball, so that its velocity jumps
+  double timing_noise = 0.0;       // s: of the time at which a sighting was taken
+  double outlier_share = 0.0;      // of sightings that are off by four times their deviation
+  double speed_prior = 1.0;        // m/s: deviation of each component of a new ball's velocity
+  double touch_rate = 1.0;         // 1/s: how often somebody touches the ball, so that its velocity jumps
+  double unseen_touch_rate = 1.0;  // 1/s: the same, in what is told of a ball that is no longer seen
 };
 
 enum class Kind { resting, moving };
@@ -56,6 +60,7 @@ class Filter {
 
   void predict(double dt) {
     for (Hypothesis& each : hypotheses_) advance(each, dt);
+    since_image_ += dt;
   }
 
   // `sightings`: a range of Sighting, all of one image; empty when no ball was seen.
@@ -63,29 +68,32 @@ class Filter {
   void correct(const Sightings& sightings, const View& view) {
     const Evidence& evidence = parameters_.evidence;
     const double detection = evidence.detection_probability;
-    if (std::size(sightings) > 0) hypotheses_.expect_surprise(evidence.surprise);
+    if (std::size(sightings) > 0) hypotheses_.expect_surprise(-std::expm1(-evidence.surprise * since_image_));
+    since_image_ = 0.0;
     const double birth = hypotheses_.nowhere() * detection / (evidence.field_area * evidence.false_density);
+    std::array<Hypothesis, most_touched> touched;
+    std::size_t touched_count = 0;
+    for (const Sighting& sighting : sightings) {
+      if (touched_count == most_touched) break;
+      if (suppose_touch(sighting, touched[touched_count])) ++touched_count;
+    }
     std::uint64_t explained = 0;  // sightings that fit a hypothesis
     for (Hypothesis& hypothesis : hypotheses_) {
-      const Sighting* nearest = nullptr;
-      Fit best{};
+      bool seen = false;
+      Explanation best;
       std::uint64_t bit = 1;
       for (const Sighting& sighting : sightings) {
-        const Fit fit = compare(hypothesis.ball, sighting.position, uncertainty(hypothesis, sighting));
-        if (fit.distance <= evidence.gate) {
+        const Explanation each = explain(hypothesis, sighting);
+        if (each.fit.distance <= evidence.gate) {
           explained |= bit;
-          if (nearest == nullptr || fit.distance < best.distance) {
-            nearest = &sighting;
-            best = fit;
-          }
+          if (!seen || each.density > best.density) best = each;
+          seen = true;
         }
         bit <<= 1;
       }
-      if (nearest != nullptr) {
-        constexpr double two_pi = 6.28318530717958648;
-        const double density = std::exp(-0.5 * best.distance) / (two_pi * std::sqrt(best.determinant));
-        hypothesis.weight *= 1.0 - detection + detection * density / evidence.false_density;
-        take(hypothesis, uncertainty(hypothesis, *nearest), best);
+      if (seen) {
+        hypothesis.weight *= 1.0 - detection + detection * best.density / evidence.false_density;
+        take(hypothesis, best.covariance, best.fit);
       } else if (view.holds(hypothesis.ball.position, evidence.edge_margin)) {
         hypothesis.weight *= 1.0 - detection;
       }
@@ -95,6 +103,7 @@ class Filter {
       if (bit != 0 && (explained & bit) == 0) start(sighting, birth);
       bit <<= 1;
     }
+    for (std::size_t i = 0; i < touched_count; ++i) hypotheses_.add(touched[i]);
     hypotheses_.weigh(evidence.prune_weight, [this](const Hypothesis& a, const Hypothesis& b) { return alike(a, b); });
   }
 
@@ -124,7 +133,7 @@ class Filter {
   BallState told(const Hypothesis& hypothesis) const {
     BallState out = hypothesis.ball;
     const double t = hypothesis.unheard;
-    const double rate = parameters_.touch_rate * parameters_.speed_prior * parameters_.speed_prior;
+    const double rate = parameters_.unseen_touch_rate * parameters_.speed_prior * parameters_.speed_prior;
     out.position_covariance.diagonal().array() += rate * t * t * t / 3.0;
     out.cross.diagonal().array() += rate * t * t / 2.0;
     out.velocity_covariance.diagonal().array() += rate * t;
@@ -151,11 +160,39 @@ class Filter {
     double determinant, distance;
   };
 
+  // How a sighting comes about where the ball is this one: as all, or as one of those that are far off.
+  struct Explanation {
+    Fit fit;
+    Eigen::Matrix2d covariance;  // of the sighting
+    double density = 0.0;        // 1/m^2
+  };
+  Explanation explain(const Hypothesis& hypothesis, const Sighting& sighting) const {
+    Explanation out;
+    out.covariance = uncertainty(hypothesis, sighting);
+    out.fit = compare(hypothesis.ball, sighting.position, out.covariance);
+    out.density = density(out.fit);
+    if (parameters_.outlier_share == 0.0) return out;
+    Explanation off;
+    off.covariance = out.covariance + (outlier_deviation * outlier_deviation - 1.0) * sighting.covariance;
+    off.fit = compare(hypothesis.ball, sighting.position, off.covariance);
+    off.density = parameters_.outlier_share * density(off.fit);
+    out.density *= 1.0 - parameters_.outlier_share;
+    const double both = out.density + off.density;
+    if (off.density > out.density) out = off;
+    out.density = both;
+    return out;
+  }
+
+  static double density(const Fit& fit) {
+    return std::exp(-0.5 * fit.distance) / (two_pi * std::sqrt(fit.determinant));
+  }
+
   // Of a sighting: of its place, and along the path of a moving ball that of its time.
   Eigen::Matrix2d uncertainty(const Hypothesis& hypothesis, const Sighting& sighting) const {
-    if (!velocity_believed(hypothesis)) return sighting.covariance;
-    const Eigen::Vector2d slip = parameters_.timing_noise * hypothesis.ball.velocity;
-    return sighting.covariance + slip * slip.transpose();
+    if (hypothesis.kind == Kind::resting) return sighting.covariance;
+    const BallState& ball = hypothesis.ball;
+    const double variance = parameters_.timing_noise * parameters_.timing_noise;
+    return sighting.covariance + variance * (ball.velocity * ball.velocity.transpose() + ball.velocity_covariance);
   }
 
   static Fit compare(const BallState& ball, const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance) {
@@ -180,6 +217,40 @@ class Filter {
     hypothesis.unheard = 0.0;
   }
 
+  // The likeliest of the balls that are known to have been touched since it was last seen, so that it is where this
+  // sighting is. False where the sighting needs no touch.
+  bool suppose_touch(const Sighting& sighting, Hypothesis& likeliest) const {
+    const Evidence& evidence = parameters_.evidence;
+    double most = 0.0;
+    for (const Hypothesis& hypothesis : hypotheses_) {
+      if (compare(hypothesis.ball, sighting.position, uncertainty(hypothesis, sighting)).distance < calm) return false;
+      Hypothesis fresh = hypothesis;
+      fresh.kind = Kind::moving;
+      add_touch(fresh.ball, hypothesis.unheard);
+      const Eigen::Matrix2d seen = uncertainty(fresh, sighting);
+      const Fit fit = compare(fresh.ball, sighting.position, seen);
+      if (fit.distance > evidence.gate) continue;
+      const double weight = hypothesis.weight * -std::expm1(-parameters_.touch_rate * hypothesis.unheard) *
+                            evidence.detection_probability * density(fit) / evidence.false_density;
+      if (weight <= most) continue;
+      most = weight;
+      take(fresh, seen, fit);
+      fresh.sightings = 1;
+      fresh.weight = weight;
+      likeliest = fresh;
+    }
+    return most > 0.0;
+  }
+
+  // A touch at an unknown instant of the last `t` seconds: a change of velocity by that of a new ball, and the way that
+  // was made with it.
+  void add_touch(BallState& ball, double t) const {
+    const double variance = parameters_.speed_prior * parameters_.speed_prior;
+    ball.position_covariance.diagonal().array() += variance * t * t / 3.0;
+    ball.cross.diagonal().array() += variance * t / 2.0;
+    ball.velocity_covariance.diagonal().array() += variance;
+  }
+
   void start(const Sighting& sighting, double weight) {
     Hypothesis fresh;
     fresh.ball.position = sighting.position;
@@ -198,7 +269,13 @@ class Filter {
            (a.ball.velocity - b.ball.velocity).squaredNorm() < limit;
   }
 
+  static constexpr double two_pi = 6.28318530717958648;
+  static constexpr double calm = 5.99;  // squared Mahalanobis distance, 0.95 quantile: below it nothing has happened
+  static constexpr double outlier_deviation = 4.0;  // times that of other sightings
+  static constexpr std::size_t most_touched = 4;    // sightings of one image
+
   Parameters parameters_;
+  double since_image_ = 0.0;  // s
   ball::Hypotheses<Hypothesis, capacity> hypotheses_;
 };
 

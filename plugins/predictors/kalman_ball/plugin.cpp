@@ -15,8 +15,8 @@ using kalman_ball::Hypothesis;
 using kalman_ball::Parameters;
 
 struct KalmanBall {
-  static constexpr auto id = "kalman_ball", version = "1.1.0",
-                        summary = "Ball: weighted Kalman hypotheses, resting or rolling with constant deceleration";
+  static constexpr auto id = "kalman_ball", version = "1.2.0",
+                        summary = "Ball: weighted Kalman hypotheses, resting or rolling";
   static constexpr unsigned subjects = REGISTA_SUBJECT_BALL;
 
   Parameters settings;
@@ -25,19 +25,28 @@ struct KalmanBall {
       regista::within(
           &Parameters::rolling,
           ball::rolling_parameters("Standard deviation of the speed after one second of rolling; assumption"),
-          ball::resting_noise_parameter.tunable()),
+          ball::drag_parameter, ball::resting_noise_parameter.tunable()),
       regista::real("timing_noise", &Parameters::timing_noise, {0.0, 0.1}, "s",
                     "Standard deviation of the time at which a sighting was taken, by which a moving ball is off along "
                     "its path; 0.003 to 0.004 for the cameras of the Small Size League, 0 in Regista's matches"),
+      regista::real(
+          "outlier_share", &Parameters::outlier_share, {0.0, 0.5}, "1",
+          "Share of sightings that are off by four times what is told of them; 0.05 where two cameras disagree, 0 in "
+          "Regista's matches"),
       regista::real("speed_prior", &Parameters::speed_prior, {0.1, 10.0}, "m/s",
                     "Standard deviation of the velocity of a ball just seen, each component; SPL kicks are 0.98 to "
                     "1.8 m/s")
           .tunable()
           .log_scale(),
+      regista::real("touch_rate", &Parameters::touch_rate, {0.0, 10.0}, "1/s",
+                    "How often somebody touches the ball: a sighting that the known ball does not explain is then that "
+                    "ball, touched since; about 1 in the Small Size League")
+          .tunable(),
       regista::real(
-          "touch_rate", &Parameters::touch_rate, {0.0, 10.0}, "1/s",
-          "How often somebody touches the ball; what is told of a ball that is no longer seen grows uncertain "
-          "so; about 1 in the Small Size League, 0 takes every ball for untouched"),
+          "unseen_touch_rate", &Parameters::unseen_touch_rate, {0.0, 10.0}, "1/s",
+          "How often a ball is touched that is no longer seen: so fast grows the uncertainty of what is told of it "
+          "besides that of its rolling; 0 tells of an untouched ball")
+          .tunable(),
       regista::within(
           &Parameters::evidence,
           ball::evidence_parameters(

@@ -140,6 +140,18 @@ TEST_F(Recordings, ThatAreNoneAreRefused) {
               HasSubstr("the states of the referee are missing"));
 }
 
+TEST_F(Recordings, AreRefusedWithTheRefereeOfAnotherMatch) {
+  // Event 3 has states from 1.5 to 4 s, event 4 at 0 s.
+  EXPECT_EQ(
+      complaint("event,t,x_mm,y_mm\n3,11,0,0\n3,12,0,0\n"),
+      "m_referee.csv: belongs to another match: its states of event 3 are from 1.5 to 4.0 s, the detections from 11.0 "
+      "to 12.0 s");
+  EXPECT_EQ(complaint("event,t,x_mm,y_mm\n4,0,0,0\n5,0,0,0\n6,0,0,0\n"),
+            "m_referee.csv: belongs to another match: it has no states of 2 of 3 events");
+  EXPECT_EQ(complaint("event,t,x_mm,y_mm\n3,5.5,0,0\n4,1.5,0,0\n5,0,0,0\n"), "")
+      << "clocks differ, and an event is short";
+}
+
 TEST_F(Recordings, ThatWereCutOffAreRefused) {
   std::string text = "event,t,x_mm,y_mm\n";
   for (int i = 0; i < 5000; ++i) text += "3," + std::to_string(i) + "," + std::to_string(i * i % 977) + ",0\n";
