@@ -15,7 +15,8 @@ namespace regista::statistics {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr int most_rounds = 200'000;
+constexpr int most_rounds = 2000;
+constexpr int most_newton_steps = 100;
 constexpr double settled = 1e-13;  // largest relative change of a strength in a round
 
 SquareTable with_draws(const SquareTable& points, double drawn) {
@@ -85,6 +86,47 @@ Eigen::MatrixXd inverse_curvature(const SquareTable& points, const std::vector<d
     }
   }
   return curvature.ldlt().solve(Eigen::MatrixXd::Identity(teams, teams)) - mean;
+}
+
+double log_likelihood(const SquareTable& points, const std::vector<double>& elo) {
+  double out = 0.0;
+  for (std::size_t i = 0; i < elo.size(); ++i) {
+    for (std::size_t j = 0; j < elo.size(); ++j) {
+      if (i == j || !(points.at(i, j) > 0.0)) continue;
+      out -= points.at(i, j) * std::log1p(std::exp((elo[j] - elo[i]) * 2.0 / normalized_elo_scale));
+    }
+  }
+  return out;
+}
+
+// Newton's steps to the maximum, each halved until the likelihood does not fall: for chains of teams, along which
+// minorisation-maximisation carries news by one team a round.
+void settle(const SquareTable& points, std::vector<double>& elo) {
+  const double to_elo = normalized_elo_scale / 2.0;  // of ln g
+  double reached = log_likelihood(points, elo);
+  for (int step = 0; step < most_newton_steps; ++step) {
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(elo.size()));
+    for (std::size_t i = 0; i < elo.size(); ++i) {
+      for (std::size_t j = 0; j < elo.size(); ++j) {
+        if (i == j) continue;
+        const double games = points.at(i, j) + points.at(j, i);
+        gradient(static_cast<Eigen::Index>(i)) += points.at(i, j) - games * score_of_elo(elo[i] - elo[j]);
+      }
+    }
+    const Eigen::VectorXd direction = to_elo * (inverse_curvature(points, elo) * gradient);
+    double share = 1.0;
+    std::vector<double> next(elo.size());
+    for (;; share /= 2.0) {
+      for (std::size_t i = 0; i < elo.size(); ++i) next[i] = elo[i] + share * direction(static_cast<Eigen::Index>(i));
+      const double there = log_likelihood(points, next);
+      if (there >= reached || share < 1e-6) {
+        reached = there;
+        break;
+      }
+    }
+    elo = next;
+    if (direction.cwiseAbs().maxCoeff() < 1e-9) return;
+  }
 }
 
 // Points of the first of two teams, of units that are independent: how uncertain their sum is.
@@ -164,9 +206,10 @@ std::optional<std::vector<double>> bradley_terry_elo(const SquareTable& points, 
   const SquareTable all = with_draws(points, drawn_before);
   if (points.teams() > 1 && !connected(all)) return std::nullopt;
   std::vector<double> strength(points.teams(), 1.0);
-  for (int round = 0; points.teams() > 1 && round < most_rounds && improve(all, strength) > settled; ++round) {
-  }
+  bool is_settled = points.teams() < 2;
+  for (int round = 0; !is_settled && round < most_rounds; ++round) is_settled = improve(all, strength) <= settled;
   for (double& each : strength) each = 400.0 * std::log10(each);
+  if (!is_settled) settle(all, strength);
   return strength;
 }
 

@@ -2,7 +2,7 @@
 // Strengths of several teams from who beat whom: R. A. Bradley and M. E. Terry, "Rank Analysis of Incomplete Block
 // Designs", Biometrika 39, 1952. Team i beats j with probability g_i / (g_i + g_j). The maximum of the likelihood by
 // the minorisation-maximisation of D. R. Hunter, "MM Algorithms for Generalized Bradley-Terry Models", Annals of
-// Statistics 32, 2004: g_i = wins_i / sum_j games_ij / (g_i + g_j).
+// Statistics 32, 2004: g_i = wins_i / sum_j games_ij / (g_i + g_j); by Newton's where that takes too many rounds.
 //
 // A drawn game counts as half a win, and the two games of a pair are not independent, so the likelihood is not that of
 // the results and its curvature no measure of certainty. Intervals are by the sandwich A B A (P. J. Huber, "The

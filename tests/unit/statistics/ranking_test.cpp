@@ -57,6 +57,21 @@ TEST(BradleyTerry, OfTwoTeams) {
   EXPECT_NEAR(of_pairs[0].margin(), scale * student_t_quantile(0.975, 99) * error, 1e-6);
 }
 
+// Each team met its neighbours only: every step of the chain is 3 : 2.
+TEST(BradleyTerry, OfALongChain) {
+  constexpr std::size_t teams = 300;
+  SquareTable points(teams);
+  for (std::size_t i = 0; i + 1 < teams; ++i) {
+    points.at(i, i + 1) = 6.0;
+    points.at(i + 1, i) = 4.0;
+  }
+  const std::vector<double> elo = *bradley_terry_elo(points);
+  const double step = 400.0 * std::log10(1.5);
+  for (std::size_t i = 0; i < teams; ++i) {
+    EXPECT_NEAR(elo[i], step * (static_cast<double>(teams - 1) / 2.0 - static_cast<double>(i)), 1e-6);
+  }
+}
+
 // The same results in any order and from either side.
 TEST(BradleyTerry, EncountersAddUp) {
   const std::vector<Encounter> one{
