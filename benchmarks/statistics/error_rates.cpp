@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How often the sequential test of pairs errs, and how long it takes, by simulation: hypotheses of 0 and 20 normalised
-// Elo, alpha = beta = 0.05, true strengths of 0, 10 and 20, with and without the overshoot correction.
+// Elo, alpha = beta = 0.05, true strengths of 0, 10 and 20, with and without the overshoot correction, and with Wald's
+// bounds looked at only after every tenth and every twenty-fifth pair.
 //
 //   error_rates [TESTS [SEED]]     default: 10000 tests of each kind, seed 1
 #include <algorithm>
@@ -50,19 +51,44 @@ PairOutcome drawn(const Law& law, std::mt19937_64& random) {
   return static_cast<PairOutcome>(outcome);
 }
 
-void simulate(double truth, bool corrected, int tests, std::uint64_t seed) {
+constexpr SequentialDesign design{Model::normalized, {0.0, 20.0}, {0.05, 0.05}, true};
+
+struct Ended {
+  bool passed;
+  std::int64_t pairs;
+};
+
+Ended after_every_pair(const Law& law, bool corrected, std::mt19937_64& random) {
+  SequentialDesign chosen = design;
+  chosen.overshoot_correction = corrected;
+  SequentialTest<PairCounts> test(chosen);
+  while (test.verdict() == Verdict::inconclusive) test.add(drawn(law, random));
+  return {test.verdict() == Verdict::accept_h1, total(test.counts())};
+}
+
+Ended after_every(int batch, const Law& law, std::mt19937_64& random) {
+  const SequentialBounds bounds = sequential_bounds(design.rates);
+  PairCounts counts;
+  for (;;) {
+    for (int i = 0; i < batch; ++i) counts.add(drawn(law, random));
+    const Verdict verdict =
+        verdict_on(log_likelihood_ratio(score_law(counts), design.model, design.hypotheses), bounds);
+    if (verdict != Verdict::inconclusive) return {verdict == Verdict::accept_h1, total(counts)};
+  }
+}
+
+void simulate(double truth, bool corrected, int batch, int tests, std::uint64_t seed) {
   const Law law = law_of(truth);
   std::mt19937_64 random(seed);
   int passed = 0;
   std::int64_t pairs = 0;
   for (int each = 0; each < tests; ++each) {
-    SequentialTest<PairCounts> test({Model::normalized, {0.0, 20.0}, {0.05, 0.05}, corrected});
-    while (test.verdict() == Verdict::inconclusive) test.add(drawn(law, random));
-    passed += test.verdict() == Verdict::accept_h1 ? 1 : 0;
-    pairs += total(test.counts());
+    const Ended test = batch == 1 ? after_every_pair(law, corrected, random) : after_every(batch, law, random);
+    passed += test.passed ? 1 : 0;
+    pairs += test.pairs;
   }
   const double rate = static_cast<double>(passed) / tests;
-  std::printf("%4.0f  %-10s  %.4f +- %.4f  %7.1f\n", truth, corrected ? "corrected" : "Wald", rate,
+  std::printf("%4.0f  %-10s  %5d  %.4f +- %.4f  %7.1f\n", truth, corrected ? "corrected" : "Wald", batch, rate,
               1.96 * std::sqrt(rate * (1.0 - rate) / tests), static_cast<double>(pairs) / tests);
   std::fflush(stdout);
 }
@@ -76,8 +102,10 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "error_rates [TESTS [SEED]]: a number of tests above 0 is wanted\n");
     return 2;
   }
-  std::printf("true  bounds      passed             pairs\n");
-  for (const bool corrected : {true, false}) {
-    for (const double truth : {0.0, 10.0, 20.0}) simulate(truth, corrected, tests, seed);
+  std::printf("true  bounds      every  passed             pairs\n");
+  constexpr std::array truths{0.0, 10.0, 20.0};
+  for (const double truth : truths) simulate(truth, true, 1, tests, seed);
+  for (const int batch : {1, 10, 25}) {
+    for (const double truth : truths) simulate(truth, false, batch, tests, seed);
   }
 }

@@ -77,6 +77,7 @@ void add_commands(Command& program, const Invocation& invocation) {
   add_tune(program, invocation);
   add_report(program, invocation);
   add_sprt(program);
+  add_rank(program);
   add_evaluate_predictor(program, invocation);
   add_metrics(program);
   add_play_one(program, invocation);

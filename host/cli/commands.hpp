@@ -14,6 +14,7 @@ void add_evaluate_predictor(Command& program, const Invocation& invocation);
 void add_play_one(Command& program, const Invocation& invocation);
 void add_report(Command& program, const Invocation& invocation);
 void add_sprt(Command& program);
+void add_rank(Command& program);
 void add_tournament(Command& program, const Invocation& invocation);
 void add_view(Command& program, const Invocation& invocation);
 void add_metrics(Command& program);

@@ -7,6 +7,8 @@
 #include <algorithm>
 
 #include "config/json.hpp"
+#include "report/few_uneven.hpp"
+#include "report/number.hpp"
 
 namespace regista::report {
 namespace {
@@ -28,17 +30,16 @@ const char* sprt_name(statistics::Method method) {
     case statistics::Method::exact:
       return "exact";
     case statistics::Method::closed_form:
-      return "closed_form";
-    case statistics::Method::no_information:
       break;
   }
-  return "no_information";
+  return "closed_form";
 }
 
 std::string with_margin(const statistics::Estimate& estimate) {
-  if (estimate.interval.bounded()) return fmt::format("{:.2f} +- {:.2f}", estimate.value, estimate.margin());
-  return fmt::format("{:.2f}, 95 % interval {:.2f} to {:.2f}", estimate.value, estimate.interval.low,
-                     estimate.interval.high);
+  const std::string value = fixed(estimate.value, 2);
+  if (estimate.interval.bounded()) return fmt::format("{} +- {:.2f}", value, estimate.margin());
+  if (estimate.interval.unbounded()) return value + " (no interval)";
+  return fmt::format("{}, 95 % interval {:.2f} to {:.2f}", value, estimate.interval.low, estimate.interval.high);
 }
 
 }  // namespace
@@ -79,8 +80,10 @@ std::string counts_text(const SequentialTestOfCounts& result) {
   if (result.ratio.method == statistics::Method::closed_form) {
     out += "The bounds are out of reach of such scores: the LLR is an approximation.\n";
   }
-  if (result.law.variation == statistics::Variation::none) {
-    out += fmt::format("Every {} ended even: no information.\n", of_pairs ? "pair" : "game");
+  // Of even units alone the second says both.
+  const std::string why = result.law.uneven() > 0 ? why_no_interval(result.law) : "";
+  for (const std::string& sentence : {why, what_the_test_rests_on(result.law)}) {
+    if (!sentence.empty()) out += sentence + '\n';
   }
   out += fmt::format("Verdict: {}\n", sprt_name(verdict_on(result.ratio, result.bounds)));
   return out;

@@ -103,9 +103,7 @@ PairPoint CourseRecord::pair_point() const {
 
 RankingPoint CourseRecord::ranking_point() const {
   RankingPoint out{course_.taken() / 2 / course_.calendar().pairings().size(), {}};
-  if (const auto elo = statistics::bradley_terry(points_won(plan_, course_))) {
-    for (const statistics::Estimate& each : *elo) out.elo.push_back(each.value);
-  }
+  if (auto elo = statistics::bradley_terry_elo(points_won(plan_, course_))) out.elo = std::move(*elo);
   return out;
 }
 

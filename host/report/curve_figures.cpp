@@ -165,7 +165,7 @@ std::optional<Figure> ranking_figure(const TournamentView& view) {
   Figure out;
   out.name = "ranking";
   out.title = "Strength of the teams";
-  out.description = "Bradley-Terry Elo, sum 0, with 95 % intervals that assume independent matches.";
+  out.description = "Bradley-Terry Elo, sum 0, with 95 % intervals by the spread of pairs.";
   out.csv = "team,elo,low,high\n";
   std::string tics;
   Range range;

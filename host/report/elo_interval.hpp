@@ -6,6 +6,7 @@
 
 #include "report/tournament.hpp"
 #include "statistics/counts.hpp"
+#include "statistics/rating.hpp"
 #include "study/tournament.hpp"
 
 namespace regista::report {
@@ -15,7 +16,7 @@ namespace regista::report {
 // however many even ones beside them), the interval of 95 % leaves equal teams out in up to 50 % of cases at two uneven
 // pairs, 22 % at six, 15 % at ten or more and 10 % at sixteen or more. What is left of that is caught below: an
 // interval is shown only where the exact test agrees with it about nought.
-inline constexpr statistics::Count fewest_uneven_pairs = 10;
+inline constexpr statistics::Count fewest_uneven_pairs = statistics::fewest_uneven;
 
 statistics::Count uneven(const statistics::PairCounts& pairs);
 bool enough_for_interval(const statistics::PairCounts& pairs);

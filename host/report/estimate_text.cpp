@@ -42,13 +42,16 @@ std::string signed_interval_text(const statistics::Interval& interval, int digit
 
 std::string signed_text(const statistics::Estimate& estimate, int digits) {
   if (!std::isfinite(estimate.value)) return estimate.value < 0.0 ? "-∞" : "∞";
-  return fmt::format("{} {}", with_sign(estimate.value, digits), signed_interval_text(estimate.interval, digits));
+  const std::string value = with_sign(estimate.value, digits);
+  if (estimate.interval.unbounded()) return value + " (no interval)";
+  return fmt::format("{} {}", value, signed_interval_text(estimate.interval, digits));
 }
 
 std::string with_margin(const statistics::Estimate& estimate) {
   const std::string value = fixed(estimate.value, 2);
-  return estimate.interval.bounded() ? fmt::format("{} +/- {:.2f}", value, estimate.margin())
-                                     : fmt::format("{} {}", value, interval_text(estimate.interval, 2));
+  if (estimate.interval.bounded()) return fmt::format("{} +/- {:.2f}", value, estimate.margin());
+  if (estimate.interval.unbounded()) return value + " (no interval)";
+  return fmt::format("{} {}", value, interval_text(estimate.interval, 2));
 }
 
 double half_width(const std::optional<statistics::Interval>& interval) {

@@ -15,9 +15,9 @@ namespace regista::report {
 std::string interval_text(const statistics::Interval& interval, int digits);
 // "[-0.07, +0.12]"; a side without a bound is ∞.
 std::string signed_interval_text(const statistics::Interval& interval, int digits);
-// "+0.03 [-0.07, +0.12]"
+// "+0.03 [-0.07, +0.12]"; "+0.03 (no interval)" where neither side has a bound.
 std::string signed_text(const statistics::Estimate& estimate, int digits);
-// "12.50 +/- 3.10"; with the interval where a side has no bound.
+// "12.50 +/- 3.10"; with the interval where a side has no bound; "12.50 (no interval)" where neither has.
 std::string with_margin(const statistics::Estimate& estimate);
 
 // Half the width; 0 where there is none.

@@ -8,6 +8,7 @@
 
 #include "report/elo_interval.hpp"
 #include "report/estimate_text.hpp"
+#include "report/few_uneven.hpp"
 #include "report/number.hpp"
 #include "report/page_sections.hpp"
 #include "report/standing.hpp"
@@ -101,8 +102,9 @@ Html pairing_table(const PageSource& source) {
              enough_for_interval(meeting.pairs)
                  ? "strength: 400 Elo mean odds of ten to one"_html
                  : "strength: 400 Elo mean odds of ten to one. Too few pairs for a reliable interval"_html});
-  table.row({"Normalised Elo"_html, text(signed_text(known->normalized_elo, 1)),
-             "strength divided by the spread of a match: how soon a test sees it"_html});
+  Html divided = "strength divided by the spread of a match: how soon a test sees it"_html;
+  if (const std::string why = why_no_interval(known->law); !why.empty()) divided << text(". " + why);
+  table.row({"Normalised Elo"_html, text(signed_text(known->normalized_elo, 1)), divided});
   table.row({"Pairs by points"_html, text(fmt::format("{}", fmt::join(meeting.pairs.seen, " · "))),
              "both lost · lost and drawn · even · won and drawn · both won"_html});
   table.row({"Pairs won to lost"_html, text(known->pair_ratio ? fixed(*known->pair_ratio, 2) : "–"),
@@ -194,7 +196,7 @@ Html standing_section(const PageSource& source) {
     out << pairing_table(source);
   } else {
     out << figure(source, "ranking") << cross_table(source) << pairings_table(source)
-        << "<p class=\"note\">Elo of the ranking: Bradley and Terry, sum 0; its margins assume that matches are independent and have no draws. The intervals of the pairings count pairs and draws, and are better. They are rough where fewer than 10 pairs were not even. Nash share: probability of the team in the Nash equilibrium. p: two-sided sign-flip test, corrected by Holm for the number of pairings.</p>\n"_html;
+        << "<p class=\"note\">Elo of the ranking: Bradley and Terry, sum 0. Its margins count pairs and draws, and so do the intervals of the pairings. A team has no margin if fewer than 10 of its pairs were uneven, or if it won or lost all. These are rough where fewer than 10 pairs were not even. Nash share: probability of the team in the Nash equilibrium. p: two-sided sign-flip test, corrected by Holm for the number of pairings.</p>\n"_html;
   }
   return section("standing", "Standing"_html, out);
 }

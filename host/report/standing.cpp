@@ -86,8 +86,8 @@ bool leads_either_way(const study::TournamentPlan& plan, const study::Tournament
       else if (b == team || a == other)
         won.at(a, b) += points;
     }
-    if (const auto elo = statistics::bradley_terry(won)) {
-      if ((*elo)[team].value <= (*elo)[other].value) return false;
+    if (const auto elo = statistics::bradley_terry_elo(won)) {
+      if ((*elo)[team] <= (*elo)[other]) return false;
       continue;
     }
     const auto share = [&](std::size_t of) {
@@ -109,6 +109,20 @@ statistics::SquareTable points_won(const study::TournamentPlan& plan, const stud
     const std::size_t a = meeting.pairing.first, b = meeting.pairing.second;
     out.at(a, b) = points(meeting.games);
     out.at(b, a) = static_cast<double>(total(meeting.games)) - out.at(a, b);
+  }
+  return out;
+}
+
+std::vector<statistics::Encounter> encounters(const study::Tournament& course) {
+  std::vector<statistics::Encounter> out;
+  for (const study::Meeting& meeting : course.meetings()) {
+    statistics::Encounter each{meeting.pairing.first, meeting.pairing.second, meeting.pairs, {}};
+    if (total(meeting.games) > each.games_played()) {  // the first match of a pair whose second one is still to come
+      const double left = points(meeting.games) - each.points();
+      using enum statistics::GameOutcome;
+      each.games.add(left > 0.75 ? win : left > 0.25 ? draw : loss);
+    }
+    out.push_back(each);
   }
   return out;
 }
@@ -140,7 +154,7 @@ std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tour
     add(out[a], wins, losses, of_a, meeting.goals[0], meeting.goals[1]);
     add(out[b], losses, wins, games - of_a, meeting.goals[1], meeting.goals[0]);
   }
-  if (const auto elo = statistics::bradley_terry(points_won(plan, course))) {
+  if (const auto elo = statistics::bradley_terry(teams, encounters(course))) {
     for (Ranked& team : out) team.elo = (*elo)[team.team];
   }
   const statistics::NashAverage nash = statistics::nash_average(payoff);

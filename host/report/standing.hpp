@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "statistics/encounter.hpp"
 #include "statistics/interval.hpp"
 #include "statistics/likelihood_ratio.hpp"
 #include "statistics/nash.hpp"
@@ -59,7 +60,10 @@ bool leads_either_way(const study::TournamentPlan& plan, const study::Tournament
 
 double points(const statistics::GameCounts& games);  // of the first team
 
-// Points that each team (row) won against each other one (column), as bradley_terry() wants them.
+// All that was played, by pairing.
+std::vector<statistics::Encounter> encounters(const study::Tournament& course);
+
+// Points that each team (row) won against each other one (column), as bradley_terry_elo() wants them.
 statistics::SquareTable points_won(const study::TournamentPlan& plan, const study::Tournament& course);
 
 }  // namespace regista::report

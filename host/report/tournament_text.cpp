@@ -8,6 +8,7 @@
 
 #include "config/text.hpp"
 #include "report/estimate_text.hpp"
+#include "report/few_uneven.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/packets_spent.hpp"
@@ -71,7 +72,10 @@ std::string meeting_text(const TournamentView& view, const Meeting& meeting) {
                      losses, draws, points(meeting.games),
                      percent(points(meeting.games), static_cast<double>(meeting.matches())));
   out += fmt::format("Ptnml(0-2): [{}]\n", fmt::join(meeting.pairs.seen, ", "));
-  if (meeting.score_test) out += score_test_text(*meeting.score_test);
+  if (meeting.score_test) {
+    out += score_test_text(*meeting.score_test);
+    if (const std::string few = known ? what_the_test_rests_on(known->law) : ""; !few.empty()) out += few + '\n';
+  }
   out += fmt::format("Goals: {}:{}", meeting.goals[0], meeting.goals[1]);
   if (known) {
     const statistics::Interval interval = meeting.goals_sequence.interval();
@@ -96,7 +100,9 @@ std::string ranking_text(const TournamentView& view) {
   std::string out = fmt::format("{:>4}  {:{}}  {:>16}  {:>6}  {:>7}  {:>8}  {:>5} {:>5} {:>5}  {:>9}  {:>8}\n", "rank",
                                 "team", widest, "Elo", "Nash", "games", "points", "W", "D", "L", "goals", "failures");
   int rank = 0;
+  bool without = false;
   for (const Ranked& team : ranking(view.plan, view.course)) {
+    without = without || (team.elo && !team.elo->interval.bounded());
     const std::string elo = !team.elo ? "-"
                             : team.elo->interval.bounded()
                                 ? fmt::format("{} +/- {:.1f}", fixed(team.elo->value, 1), team.elo->margin())
@@ -105,7 +111,7 @@ std::string ranking_text(const TournamentView& view) {
                        view.label(team.team), widest, elo, team.nash, team.matches, team.points, team.wins, team.draws,
                        team.losses, fmt::format("{}:{}", team.scored, team.conceded), team.failures);
   }
-  return out;
+  return without ? out + no_margin_of_team() + '\n' : out;
 }
 
 std::string pairings_text(const TournamentView& view) {

@@ -9,6 +9,7 @@
 
 #include "config/text.hpp"
 #include "report/elo_interval.hpp"
+#include "report/few_uneven.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
@@ -90,16 +91,19 @@ void of_sequential_test(const TournamentView& view, const Meeting& meeting, Verd
     out.sentence = prevented(view);
     return;
   }
+  std::string few = score != nullptr ? what_the_test_rests_on(score_law(meeting.pairs)) : "";
+  if (!few.empty()) few.insert(0, " ");
   if (verdict == study::Verdict::inconclusive) {
     out.sentence =
         view.course.complete() ? Html("The test ended without a verdict on "_html) : Html("No verdict yet on "_html);
-    out.sentence << team(view, 0) << " and "_html << team(view, 1) << "."_html;
+    out.sentence << team(view, 0) << " and "_html << team(view, 1) << "."_html << text(few);
     if (const auto open = may_be(view, meeting)) out.beside.push_back(*open);
     return;
   }
   const bool h1 = verdict == study::Verdict::accept_h1;
   if (score != nullptr) {
     out.sentence = by_scores(view, meeting, *score, h1);
+    out.sentence << text(few);
     const auto& [elo0, elo1] = score->design.hypotheses;
     out.beside.push_back(text(fmt::format(
         "The test accepted {}: the scores speak for a strength of {} rather than {} {}; error rates {:.4g} and {:.4g}.",

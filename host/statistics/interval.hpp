@@ -10,6 +10,7 @@ struct Interval {
   double low, high;
 
   bool bounded() const { return std::isfinite(low) && std::isfinite(high); }
+  bool unbounded() const { return std::isinf(low) && std::isinf(high); }
   bool contains(double value) const { return low <= value && value <= high; }
 };
 

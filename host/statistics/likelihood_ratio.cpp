@@ -34,7 +34,6 @@ double normalized_closed_form(const ScoreLaw& law, Hypotheses hypotheses) {
 
 LogLikelihoodRatio log_likelihood_ratio(const ScoreLaw& law, Model model, Hypotheses hypotheses) {
   assert(std::isfinite(hypotheses.elo0) && std::isfinite(hypotheses.elo1) && hypotheses.elo0 < hypotheses.elo1);
-  if (law.variation == Variation::none) return {0.0, Method::no_information};
   const std::optional<Probabilities> under0 = most_likely(law, model, hypotheses.elo0);
   const std::optional<Probabilities> under1 = most_likely(law, model, hypotheses.elo1);
   if (under0 && under1) {

@@ -21,9 +21,8 @@ struct Hypotheses {
 };
 
 enum class Method {
-  exact,           // both constrained laws were found
-  closed_form,     // they were not; see normalized_closed_form
-  no_information,  // every unit scored exactly 1/2: the value is 0
+  exact,        // both constrained laws were found
+  closed_form,  // they were not; see normalized_closed_form
 };
 
 struct LogLikelihoodRatio {

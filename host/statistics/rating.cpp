@@ -12,6 +12,28 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+// How uncertain the effect (mean - 1/2) / sd is.
+struct EffectSpread {
+  double variance;  // times units - 1
+  double degrees;   // of freedom, of this variance as it is seen
+};
+
+// The effect's influence function is z - d (z^2 - 1) / 2, z being the standardised score and d the effect. Its variance
+// is 1 - d skewness + d^2 (kurtosis - 1) / 4. Its kurtosis k says how well units tell that variance: by 2 units / (k -
+// 1) degrees of freedom, were it all that is uncertain. As it is large where the effect is, this is too careful; twice
+// as many held the truth best of all multiples that were tried, for twelve families of laws.
+EffectSpread spread_of_effect(const ScoreLaw& law) {
+  const double sd = std::sqrt(law.variance), d = (law.mean - 0.5) / sd;
+  double squares = 0.0, fourths = 0.0;
+  for (std::size_t i = 0; i < law.outcomes; ++i) {
+    const double z = (law.scores[i] - law.mean) / sd, influence = z - d * (z * z - 1.0) / 2.0;
+    squares += law.probabilities[i] * influence * influence;
+    fourths += law.probabilities[i] * influence * influence * influence * influence;
+  }
+  const double most = law.units - 1.0, excess = fourths / (squares * squares) - 1.0;
+  return {squares, excess * most > 4.0 * law.units ? 4.0 * law.units / excess : most};
+}
+
 }  // namespace
 
 double elo_of_score(double score) {
@@ -32,9 +54,20 @@ Estimate elo(const ScoreLaw& law, double confidence) {
 Estimate normalized_elo(const ScoreLaw& law, double confidence) {
   const double games_per_unit = law.unit == Unit::pair ? 2.0 : 1.0;
   const double value = normalized_elo_scale * (law.mean - 0.5) / std::sqrt(games_per_unit * law.variance);
-  if (law.variation != Variation::some) return {value, {-infinite, infinite}};
-  const double margin = normalized_elo_scale * central_normal(confidence) / std::sqrt(games_per_unit * law.units);
+  if (few_for_spread(law) != FewForSpread::no) return {value, {-infinite, infinite}};
+  const EffectSpread spread = spread_of_effect(law);
+  const double t = student_t_quantile(0.5 + confidence / 2.0, spread.degrees);
+  const double error = std::sqrt(spread.variance / (games_per_unit * (law.units - 1.0)));
+  const double margin = normalized_elo_scale * t * error;
   return {value, {value - margin, value + margin}};
+}
+
+FewForSpread few_for_spread(const ScoreLaw& law) {
+  if (law.uneven() < fewest_uneven) return FewForSpread::uneven;
+  const std::size_t even = (law.outcomes - 1) / 2;
+  Count not_won = 0;  // by the leading team
+  for (std::size_t i = 0; i <= even; ++i) not_won += law.mean > 0.5 ? law.seen[i] : law.seen[law.outcomes - 1 - i];
+  return not_won == 0 ? FewForSpread::won : FewForSpread::no;
 }
 
 double likelihood_of_superiority(const ScoreLaw& law) {

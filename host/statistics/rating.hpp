@@ -4,7 +4,8 @@
 // Elo: A. E. Elo, "The Rating of Chessplayers, Past and Present", 1978: a team that scores the share s of the points is
 // -400 log10(1/s - 1) stronger. Normalised Elo: M. Van den Bergh, "Normalized Elo", 2021: the mean score above 1/2 in
 // standard deviations of one game's score, times 800/ln 10 so that it is close to Elo where few games are drawn; it
-// says how many games it takes to see a difference, which Elo does not.
+// says how many games it takes to see a difference, which Elo does not. Its interval: E. Mertens, "Comments on variance
+// of the IID estimator in Lo (2002)", 2002, as the effect is a Sharpe ratio.
 //
 // After a sequential test has stopped, every estimate here is biased towards the side that won the test.
 #pragma once
@@ -27,9 +28,23 @@ double score_of_elo(double elo);  // 1 / (1 + 10^(-elo/400))
 // or 1 is infinite, and both are where no spread was seen: then nothing says how certain the value is.
 Estimate elo(const ScoreLaw& law, double confidence = 0.95);
 
-// 347.44 (mean - 1/2) / sd of one game; for pairs, sd of one game = sqrt(2 variance). The interval is
-// +- 347.44 z / sqrt(games), the spread taken as known; infinite where no spread was seen.
+// 347.44 (mean - 1/2) / sd of one game; for pairs, sd of one game = sqrt(2 variance).
+//
+// The interval is that of the effect d = (mean - 1/2) / sd by the delta method, in which the spread is uncertain, too:
+// d +- t sqrt((1 - d skewness + d^2 (kurtosis - 1) / 4) / (units - 1)), with skewness and kurtosis (3 of a normal law)
+// of the scores of units, and t by Student's law: units - 1 degrees of freedom, or fewer where a few units make most of
+// that variance. Infinite on both sides where few_for_spread().
 Estimate normalized_elo(const ScoreLaw& law, double confidence = 0.95);
+
+// Why the units do not tell the spread well enough for an interval of normalised Elo. By simulation
+// (benchmarks/statistics/coverage.cpp), intervals of fewer would hold the truth in less than 90 % of cases.
+enum class FewForSpread {
+  no,
+  uneven,  // fewer than fewest_uneven units did not score 1/2
+  won,     // the leading team won every one: what it takes to lose points was not seen
+};
+inline constexpr Count fewest_uneven = 10;
+FewForSpread few_for_spread(const ScoreLaw& law);
 
 // Likelihood of superiority, in [0, 1]: Phi((mean - 1/2) / sqrt(variance / units)), 1/2 where no difference was seen.
 // Where all of n units scored the same there is no variance to go by; then it is the posterior probability that units

@@ -2,6 +2,7 @@
 #include "statistics/score_law.hpp"
 
 #include <cassert>
+#include <numeric>
 
 namespace regista::statistics {
 namespace {
@@ -15,6 +16,7 @@ ScoreLaw law_of(Unit unit, std::span<const Count> counts) {
   std::size_t different = 0, last = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     assert(counts[i] >= 0 && counts[i] <= most_counted);
+    law.seen[i] = counts[i];
     law.scores[i] = static_cast<double>(i) / static_cast<double>(counts.size() - 1);
     law.probabilities[i] = counts[i] > 0 ? static_cast<double>(counts[i]) : never_seen;
     law.units += law.probabilities[i];
@@ -39,6 +41,10 @@ ScoreLaw law_of(Unit unit, std::span<const Count> counts) {
 }
 
 }  // namespace
+
+Count ScoreLaw::uneven() const {
+  return std::accumulate(seen.begin(), seen.end(), Count{0}) - seen[(outcomes - 1) / 2];
+}
 
 ScoreLaw score_law(const GameCounts& counts) { return law_of(Unit::game, counts.seen); }
 ScoreLaw score_law(const PairCounts& counts) { return law_of(Unit::pair, counts.seen); }

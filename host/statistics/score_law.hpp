@@ -17,22 +17,26 @@ namespace regista::statistics {
 
 enum class Unit { game, pair };
 
-// What the law can say at all.
+// Which scores were seen.
 enum class Variation {
-  none,       // every unit scored exactly 1/2: neither a direction nor a spread was seen
+  none,       // every unit scored exactly 1/2: neither a direction nor a spread
   one_sided,  // every unit scored the same, not 1/2: a direction, but no spread
-  some,       // at least two different scores were seen
+  some,       // at least two different scores
 };
 
 struct ScoreLaw {
   Unit unit;
   Variation variation;
   std::size_t outcomes;                 // 3 or 5; that many elements of the arrays are used
+  std::array<Count, 5> seen;            // the counts
   std::array<double, 5> scores;         // ascending, of [0, 1]
   std::array<double, 5> probabilities;  // each above 0, their sum is 1
   double units;                         // games or pairs, with the 0.001 for each outcome never seen
   double mean;                          // of [0, 1]
   double variance;                      // of one unit's score, above 0
+
+  // Units that did not score exactly 1/2.
+  Count uneven() const;
 
   std::span<const double> score() const { return {scores.data(), outcomes}; }
   std::span<const double> probability() const { return {probabilities.data(), outcomes}; }

@@ -4,7 +4,6 @@
 namespace regista::statistics {
 
 Verdict verdict_on(LogLikelihoodRatio ratio, SequentialBounds bounds) {
-  if (ratio.method == Method::no_information) return Verdict::inconclusive;
   if (ratio.value >= bounds.upper) return Verdict::accept_h1;
   if (ratio.value <= bounds.lower) return Verdict::accept_h0;
   return Verdict::inconclusive;

@@ -33,7 +33,7 @@ class SequentialTest {
 
   Verdict verdict() const { return verdict_; }
   const Counts& counts() const { return counts_; }
-  LogLikelihoodRatio ratio() const { return ratio_; }      // 0, no information, before the first outcome
+  LogLikelihoodRatio ratio() const { return ratio_; }      // 0 before the first outcome
   SequentialBounds bounds() const { return wald_; }        // without correction, as they are reported
   SequentialBounds stopping() const { return stopping_; }  // with it, as they were at the last outcome
   const SequentialDesign& design() const { return design_; }
@@ -42,7 +42,7 @@ class SequentialTest {
   SequentialDesign design_;
   SequentialBounds wald_, stopping_;
   Counts counts_{};
-  LogLikelihoodRatio ratio_{0.0, Method::no_information};
+  LogLikelihoodRatio ratio_{0.0, Method::exact};
   Overshoot overshoot_;
   Verdict verdict_ = Verdict::inconclusive;
 };
@@ -50,7 +50,7 @@ class SequentialTest {
 extern template class SequentialTest<GameCounts>;
 extern template class SequentialTest<PairCounts>;
 
-// The verdict on one ratio. A ratio without information gives none.
+// The verdict on one ratio.
 Verdict verdict_on(LogLikelihoodRatio ratio, SequentialBounds bounds);
 
 }  // namespace regista::statistics

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """`regista sprt`: published numbers from counts, as text and as JSON, and one line for what cannot be used."""
 import json
+import math
 import unittest
 
 import program
@@ -38,13 +39,13 @@ class Sprt(program.Case):
         low, high = pairs["elo_interval"]
         self.assertAlmostEqual((high - low) / 2, 27.65, delta=0.005)
         low, high = pairs["nelo_interval"]
-        self.assertAlmostEqual((high - low) / 2, 28.28, delta=0.005)
+        self.assertAlmostEqual((high - low) / 2, 29.41, delta=0.005)  # 28.28 if the spread were known
         self.assertAlmostEqual(pairs["pair_ratio"], 139 / 88, delta=1e-12)
 
     def test_text(self):
         self.assertEqual(self.succeed("sprt", "--elo", "0,10", "34", "54", "63", "64", "75"),
                          "Pairs (LL, LD, WL+DD, WD, WW): 34, 54, 63, 64, 75\n"
-                         "Elo: 55.58 +- 27.65, nElo: 57.94 +- 28.28\n"
+                         "Elo: 55.58 +- 27.65, nElo: 57.94 +- 29.41\n"
                          "LOS: 100.00 %, pair ratio: 1.58\n"
                          "LLR: 2.484 (-2.944, 2.944) [0, 10] normalized\n"
                          "Verdict: INCONCLUSIVE\n")
@@ -65,12 +66,35 @@ class Sprt(program.Case):
             self.assertEqual((result["llr_method"], result["verdict"]), ("closed_form", "H0"))
         self.assertIn("approximation", self.succeed("sprt", "--elo", "-1500,-500", "20", "0", "0", "0", "0"))
 
-    def test_even_pairs_are_no_information(self):
+    def test_even_pairs_speak_for_equal_strength(self):
         for model in ("normalized", "logistic"):
             result = self.result("--model", model, "--elo", "0,50", "0", "0", "9999", "0", "0")
-            self.assertEqual((result["llr"], result["los"], result["verdict"]), (0, 0.5, "INCONCLUSIVE"))
-            self.assertEqual(result["elo_interval"], [None, None])
-        self.assertIn("Every game ended even: no information.\n", self.succeed("sprt", "--elo", "0,50", "0", "7", "0"))
+            self.assertEqual((result["los"], result["verdict"]), (0.5, "H0"))
+            self.assertEqual((result["elo_interval"], result["nelo_interval"]), ([None, None], [None, None]))
+        # 28 even pairs of 30, and 30: the ratio does not jump.
+        few = self.result("--elo", "0,20", "0", "1", "28", "1", "0")["llr"]
+        none = self.result("--elo", "0,20", "0", "0", "30", "0", "0")["llr"]
+        self.assertAlmostEqual(none, -30 * math.log(1 + 2 * (20 * math.log(10) / 800) ** 2), delta=0.01)
+        self.assertLess(none, few)
+        self.assertLess(few, 0)
+        self.assertEqual(self.succeed("sprt", "--elo", "0,20", "0", "0", "30", "0", "0"),
+                         "Pairs (LL, LD, WL+DD, WD, WW): 0, 0, 30, 0, 0\n"
+                         "Elo: 0.00 (no interval), nElo: 0.00 (no interval)\n"
+                         "LOS: 50.00 %\n"
+                         f"LLR: {none:.3f} (-2.944, 2.944) [0, 20] normalized\n"
+                         "All 30 pairs were even: the test takes this for equal strength.\n"
+                         "Verdict: INCONCLUSIVE\n")
+        self.assertIn("The only game was even: the test takes this for equal strength.\n",
+                      self.succeed("sprt", "--elo", "0,50", "0", "1", "0"))
+
+    def test_what_has_no_interval_says_so(self):
+        few = self.succeed("sprt", "--elo", "0,20", "0", "0", "28", "2", "0")
+        self.assertIn("nElo: 65.46 (no interval)\n", few)
+        self.assertIn("Fewer than 10 pairs were uneven, so nElo has no interval.\n"
+                      "The test rests on 2 of 30 pairs that were uneven.\n", few)
+        self.assertIn("One team won every pair, so nElo has no interval.\n",
+                      self.succeed("sprt", "--elo", "0,20", "0", "0", "0", "10", "12"))
+        self.assertEqual(self.result("--elo", "0,20", "0", "0", "0", "10", "12")["nelo_interval"], [None, None])
 
     def test_help(self):
         text = self.succeed("sprt", "--help")

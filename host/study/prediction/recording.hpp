@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "config/predictor_study.hpp"
-#include "study/prediction/table.hpp"
+#include "study/table.hpp"
 
 namespace regista::study {
 

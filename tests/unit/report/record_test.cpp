@@ -230,8 +230,8 @@ TEST(CourseRecord, RankingOverPairs) {
   for (int i = 0; i < 240; ++i) course.take(match(static_cast<int>(random() % 3), static_cast<int>(random() % 3)));
   const std::vector<RankingPoint> curve = course.record.ranking_curve();
   ASSERT_EQ(curve.size(), 40u);
-  const auto elo = statistics::bradley_terry(points_won(course.plan, *course.tournament));
-  for (std::size_t team = 0; team < 3; ++team) EXPECT_EQ(curve.back().elo[team], (*elo)[team].value);
+  const auto elo = statistics::bradley_terry_elo(points_won(course.plan, *course.tournament));
+  for (std::size_t team = 0; team < 3; ++team) EXPECT_EQ(curve.back().elo[team], (*elo)[team]);
   EXPECT_EQ(
       numbers(course.figure("elo")->csv).size(),
       40u - static_cast<std::size_t>(std::ranges::count_if(curve, [](const auto& each) { return each.elo.empty(); })));

@@ -120,6 +120,22 @@ TEST(VerdictSentence, OfATestOfScores) {
   EXPECT_THAT(after(0, 20, {9, 0, 0, 0, 9}, 18), HasSubstr("With 95 % confidence new is between"));
 }
 
+TEST(VerdictSentence, SaysWhatATestOfFewUnevenPairsRestsOn) {
+  const auto after = [](const std::array<int, 5>& pairs, std::uint64_t most) {
+    Course course({"new", "old"}, most, sprt(0, 50));
+    course.take_pairs({pairs});
+    return sentence(course);
+  };
+  // By hand: each even pair takes 0.0406 off, and the test stops half of that above -2.9444.
+  EXPECT_EQ(after({0, 0, 100, 0, 0}, 100),
+            "new is not 50 nElo stronger than old. All 73 pairs were even: the test takes this for equal strength.");
+  EXPECT_EQ(after({0, 1, 28, 1, 0}, 30),
+            "The test ended without a verdict on new and old. The test rests on 2 of 30 pairs that were uneven.");
+  EXPECT_EQ(after({0, 1, 28, 0, 0}, 30),
+            "No verdict yet on new and old. The test rests on 1 of 29 pairs that was uneven.");
+  EXPECT_EQ(after({0, 5, 20, 5, 0}, 30), "The test ended without a verdict on new and old.");
+}
+
 TEST(VerdictSentence, OfATestOfGoals) {
   Course course({"new", "old"}, 100000, study::ValueTest{study::goals_value, 0.05});
   course.take_pairs({{0, 0, 0, 0, 1000}});

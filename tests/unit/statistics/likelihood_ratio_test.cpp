@@ -62,15 +62,23 @@ TEST(LikelihoodRatio, ImpossibleEffectsFallBackToTheClosedForm) {
   }
 }
 
-TEST(LikelihoodRatio, EvenPairsAloneAreNoInformation) {
-  for (const Model model : {Model::logistic, Model::normalized}) {
-    for (const Hypotheses hypotheses : {Hypotheses{0, 10}, Hypotheses{-10, -5}, Hypotheses{-5, 5}}) {
-      const LogLikelihoodRatio of_pairs =
-          log_likelihood_ratio(score_law(PairCounts{{0, 0, 5000, 0, 0}}), model, hypotheses);
-      EXPECT_EQ(of_pairs.value, 0.0);
-      EXPECT_EQ(of_pairs.method, Method::no_information);
-      EXPECT_EQ(log_likelihood_ratio(score_law(GameCounts{{0, 5000, 0}}), model, hypotheses).method,
-                Method::no_information);
+// Of laws whose effect is t, that of even pairs and a share p of won ones makes even pairs alone most probable:
+// t = sqrt(p / (1 - p)), so each takes -ln(1 - p) = ln(1 + t^2) off, t = sqrt(2) nElo / 347.44. Two uneven pairs more,
+// one for each team, change that by less than one nat.
+TEST(LikelihoodRatio, EvenPairsSpeakForEqualStrength) {
+  const auto of_even = [](Count pairs, Count uneven, Model model, Hypotheses hypotheses) {
+    return log_likelihood_ratio(score_law(PairCounts{{0, uneven, pairs, uneven, 0}}), model, hypotheses);
+  };
+  for (const Count pairs : {30, 776, 5000}) {
+    const double n1 = 50 / normalized_elo_scale, by_hand = -static_cast<double>(pairs) * std::log(1 + 2 * n1 * n1);
+    const LogLikelihoodRatio alone = of_even(pairs, 0, Model::normalized, {0, 50});
+    EXPECT_EQ(alone.method, Method::exact);
+    EXPECT_NEAR(alone.value, by_hand, 0.01 * -by_hand);
+    EXPECT_NEAR(of_even(pairs, 1, Model::normalized, {0, 50}).value, alone.value, 1.0);
+    for (const Model model : {Model::logistic, Model::normalized}) {
+      EXPECT_LT(of_even(pairs, 0, model, {0, 10}).value, 0.0);
+      EXPECT_GT(of_even(pairs, 0, model, {-10, -5}).value, 0.0);
+      EXPECT_NEAR(of_even(pairs, 0, model, {-5, 5}).value, 0.0, 1e-9);
     }
   }
 }

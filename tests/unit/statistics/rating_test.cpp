@@ -50,16 +50,30 @@ TEST(ScoreLaw, OutcomesNeverSeenCountAThousandth) {
   EXPECT_EQ(score_law(PairCounts{{0, 7, 0, 0, 0}}).variation, Variation::one_sided);
 }
 
+// Published margins take the spread as known. With its uncertainty they grow by E. Mertens's formula, and for Student's
+// law in the place of the normal one.
+double uncertain_spread(const ScoreLaw& law) {
+  const double sd = std::sqrt(law.variance), effect = (law.mean - 0.5) / sd;
+  double skewness = 0.0, kurtosis = 0.0;
+  for (std::size_t i = 0; i < law.outcomes; ++i) {
+    const double z = (law.scores[i] - law.mean) / sd;
+    skewness += law.probabilities[i] * z * z * z;
+    kurtosis += law.probabilities[i] * z * z * z * z;
+  }
+  const double variance = 1.0 - effect * skewness + effect * effect * (kurtosis - 1.0) / 4.0;
+  return std::sqrt(variance * law.units / (law.units - 1.0)) * student_t_quantile(0.975, law.units - 1.0) / 1.959964;
+}
+
 TEST(Rating, PublishedGames) {
   const ScoreLaw law = score_law(games(96, 111, 136));
   EXPECT_NEAR(elo(law).value, 40.70, 0.005);
   EXPECT_NEAR(elo(law).margin(), 30.43, 0.005);
   EXPECT_NEAR(normalized_elo(law).value, 49.77, 0.005);
-  EXPECT_NEAR(normalized_elo(law).margin(), 36.77, 0.005);
+  EXPECT_NEAR(normalized_elo(law).margin() / uncertain_spread(law), 36.77, 0.005);
   EXPECT_NEAR(likelihood_of_superiority(law), 0.9960, 0.00005);
   const ScoreLaw weaker = score_law(games(89, 123, 76));
   EXPECT_NEAR(normalized_elo(weaker).value, -20.76, 0.005);
-  EXPECT_NEAR(normalized_elo(weaker).margin(), 40.13, 0.005);
+  EXPECT_NEAR(normalized_elo(weaker).margin() / uncertain_spread(weaker), 40.13, 0.005);
   EXPECT_NEAR(likelihood_of_superiority(weaker), 0.1553, 0.00005);
 }
 
@@ -68,13 +82,13 @@ TEST(Rating, PublishedPairs) {
   EXPECT_NEAR(elo(law).value, 55.58, 0.005);
   EXPECT_NEAR(elo(law).margin(), 27.65, 0.005);
   EXPECT_NEAR(normalized_elo(law).value, 57.94, 0.005);
-  EXPECT_NEAR(normalized_elo(law).margin(), 28.28, 0.005);
+  EXPECT_NEAR(normalized_elo(law).margin() / uncertain_spread(law), 28.28, 0.005);
   EXPECT_NEAR(likelihood_of_superiority(law), 1.0, 0.00005);
   const ScoreLaw weaker = score_law(PairCounts{{332, 433, 498, 333, 334}});
   EXPECT_NEAR(elo(weaker).value, -8.64, 0.005);
   EXPECT_NEAR(elo(weaker).margin(), 10.33, 0.005);
   EXPECT_NEAR(normalized_elo(weaker).value, -9.17, 0.005);
-  EXPECT_NEAR(normalized_elo(weaker).margin(), 10.96, 0.005);
+  EXPECT_NEAR(normalized_elo(weaker).margin() / uncertain_spread(weaker), 10.96, 0.005);
   EXPECT_NEAR(likelihood_of_superiority(weaker), 0.0505, 0.00005);
 }
 
@@ -84,6 +98,32 @@ TEST(Rating, PublishedPairsInFullPrecision) {
   EXPECT_NEAR(elo(law).margin(), 1.2775798957280218, 1e-9);
   EXPECT_NEAR(likelihood_of_superiority(law), 0.1176588580327751, 1e-12);
   EXPECT_NEAR(normalized_elo(law).value, -0.9516290044726476, 1e-9);
+}
+
+// A share p of pairs won and drawn beside even ones: the effect is sqrt(p / (1 - p)), whose standard deviation is
+// 1 / (2 (1 - p) sqrt(pairs)).
+TEST(Rating, NormalizedEloOfTwoOutcomes) {
+  const ScoreLaw law = score_law(PairCounts{{0, 0, 30000, 10000, 0}});
+  const double scale = normalized_elo_scale / std::sqrt(2.0);
+  EXPECT_NEAR(normalized_elo(law).value, scale * std::sqrt(1.0 / 3.0), 1e-3);
+  EXPECT_NEAR(normalized_elo(law).margin(), scale * 1.959964 / (1.5 * 200.0), 1e-3);
+}
+
+TEST(Rating, NormalizedEloHasNoIntervalOfFewUnevenPairs) {
+  const auto few = [](const PairCounts& counts) {
+    const ScoreLaw law = score_law(counts);
+    EXPECT_EQ(normalized_elo(law).interval.bounded(), few_for_spread(law) == FewForSpread::no);
+    EXPECT_EQ(few_for_spread(law), few_for_spread(score_law(swapped(counts))));
+    return few_for_spread(law);
+  };
+  EXPECT_EQ(few({{1, 1, 300, 4, 3}}), FewForSpread::uneven);
+  EXPECT_EQ(few({{1, 1, 300, 4, 4}}), FewForSpread::no);
+  EXPECT_EQ(few({{0, 0, 0, 7, 13}}), FewForSpread::won);
+  EXPECT_EQ(few({{0, 0, 1, 7, 13}}), FewForSpread::no);
+  EXPECT_EQ(few({{0, 1, 0, 7, 13}}), FewForSpread::no);
+  EXPECT_EQ(few_for_spread(score_law(games(0, 0, 30))), FewForSpread::won);
+  EXPECT_EQ(few_for_spread(score_law(games(3, 50, 6))), FewForSpread::uneven);
+  EXPECT_EQ(few_for_spread(score_law(games(0, 1, 30))), FewForSpread::no);
 }
 
 TEST(Rating, EloAndScoreAreInverse) {

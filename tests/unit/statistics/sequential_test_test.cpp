@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "statistics/rating.hpp"
+
 namespace regista::statistics {
 namespace {
 
@@ -45,7 +47,7 @@ TEST(Overshoot, OfEqualStepsIsHalfAStep) {
 TEST(SequentialTest, TellsTheRatioOfItsCounts) {
   SequentialTest<PairCounts> test({Model::logistic, {0, 10}, {}, false});
   std::mt19937_64 random(4);
-  EXPECT_EQ(test.ratio().method, Method::no_information);
+  EXPECT_EQ(test.ratio().value, 0.0);
   for (int i = 0; i < 100; ++i) test.add(drawn(random, {1, 2, 3, 2, 1}));
   ASSERT_EQ(test.verdict(), Verdict::inconclusive);
   EXPECT_EQ(total(test.counts()), 100);
@@ -89,12 +91,17 @@ TEST(SequentialTest, CorrectionStopsNoLater) {
   }
 }
 
-TEST(SequentialTest, EqualTeamsGiveNoVerdict) {
-  for (const Model model : {Model::logistic, Model::normalized}) {
-    SequentialTest<PairCounts> test({model, {0, 50}, {}, true});
-    for (int i = 0; i < 20000; ++i) ASSERT_EQ(test.add(PairOutcome::even), Verdict::inconclusive);
-    EXPECT_EQ(test.ratio().method, Method::no_information);
-  }
+// Even pairs alone: each takes as much off the ratio, so the bound less half a step is reached by arithmetic. Between
+// hypotheses as far on either side they never decide.
+TEST(SequentialTest, EqualTeamsAreNotStronger) {
+  const double n1 = 50 / normalized_elo_scale, step = std::log(1 + 2 * n1 * n1);
+  SequentialTest<PairCounts> test({Model::normalized, {0, 50}, {}, true});
+  int fed = 0;
+  while (fed < 20000 && test.add(PairOutcome::even) == Verdict::inconclusive) ++fed;
+  EXPECT_EQ(test.verdict(), Verdict::accept_h0);
+  EXPECT_NEAR(fed, (2.944439 - step / 2) / step, 2.0);
+  SequentialTest<PairCounts> between({Model::normalized, {-50, 50}, {}, true});
+  for (int i = 0; i < 5000; ++i) ASSERT_EQ(between.add(PairOutcome::even), Verdict::inconclusive);
 }
 
 TEST(SequentialTest, HopelessTeamIsRejected) {

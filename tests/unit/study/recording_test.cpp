@@ -134,7 +134,7 @@ TEST_F(Recordings, ThatAreNoneAreRefused) {
   EXPECT_THAT(complaint("a,b\n1,2\n"), HasSubstr("no column \"x_mm\"; this file has: \"a\", \"b\""));
   EXPECT_THAT(complaint(std::string(100'000, 'x')), HasSubstr("m_ball_raw.csv:1:1: is longer than 65536 bytes"));
   EXPECT_THAT(complaint("\x1f\x8b\x08" + std::string(300, 'x')), HasSubstr("m_ball_raw.csv:1:1: cannot be read on"));
-  EXPECT_THAT(complaint_of(folder_), HasSubstr("is a folder, not a recording"));
+  EXPECT_THAT(complaint_of(folder_), HasSubstr("is a folder, not a table"));
   EXPECT_THAT(complaint_of(folder_ / "none.csv"), HasSubstr("none.csv: cannot be opened: No such file"));
   EXPECT_THAT(complaint("event,t,x_mm,y_mm\n3,1,0,0\n", "other.csv"),
               HasSubstr("the states of the referee are missing"));

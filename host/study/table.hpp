@@ -5,9 +5,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +36,7 @@ class Table {
   // Index of a column; throws when the first line does not have it.
   std::size_t column(std::string_view name) const;
   bool has_column(std::string_view name) const;
+  std::span<const std::string> columns() const { return columns_; }  // in their order
 
   // Reads the next line that is not empty; false at the end of the file.
   bool next();
@@ -42,8 +45,9 @@ class Table {
   std::string_view text(std::size_t column) const { return fields_[column]; }
   double number(std::size_t column) const;  // finite
   int integer(std::size_t column) const;
+  std::int64_t count(std::size_t column, std::int64_t most) const;  // from 0 to `most`
 
-  config::Location where(std::size_t column) const;
+  config::Location where(std::size_t column) const;  // before next(): of the column's name
   [[noreturn]] void refuse(std::size_t column, const std::string& message) const;  // throws Error at the field
 
  private:

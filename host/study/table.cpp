@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/prediction/table.hpp"
+#include "study/table.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -44,7 +44,7 @@ struct Table::Stream {
 Table::Table(const std::filesystem::path& file, Progress progress)
     : name_(file.string()), progress_(std::move(progress)), stream_(std::make_unique<Stream>()) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) throw config::Error({name_}, "is a folder, not a recording");
+  if (std::filesystem::is_directory(file, ignored)) throw config::Error({name_}, "is a folder, not a table");
   // A pipe would wait for ever, a device never end.
   if (std::filesystem::is_other(file, ignored)) throw config::Error({name_}, "is not a regular file");
   errno = 0;
@@ -118,7 +118,7 @@ bool Table::read_line() {
     line_.append(first, length);
     in.begin += length + (stop != nullptr ? 1 : 0);
     if (stop != nullptr) {
-      if (++lines_ > most_lines) refuse_line(fmt::format("a recording may have at most {} lines", most_lines));
+      if (++lines_ > most_lines) refuse_line(fmt::format("a table may have at most {} lines", most_lines));
       if (!line_.empty() && line_.back() == '\r') line_.pop_back();
       return true;
     }
@@ -157,6 +157,16 @@ int Table::integer(std::size_t column) const {
   int value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc() || end != field.data() + field.size()) refuse(column, "is no whole number");
+  return value;
+}
+
+std::int64_t Table::count(std::size_t column, std::int64_t most) const {
+  const std::string_view field = fields_[column];
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc() || end != field.data() + field.size() || value < 0 || value > most) {
+    refuse(column, fmt::format("is no whole number from 0 to {}", most));
+  }
   return value;
 }
 
