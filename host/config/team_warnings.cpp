@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <set>
 
+#include "config/carpet.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
 #include "config/text.hpp"
@@ -79,19 +79,6 @@ std::string text_of(const std::array<double, 2>& point) {
   return fmt::format("[{}, {}]", real_text(point[0]), real_text(point[1]));
 }
 
-// How far robots may go from the centre: the field and the strip about it.
-struct Carpet {
-  double x, y;  // m
-
-  explicit Carpet(const FieldSize& field)
-      : x(field.length / 2.0 + field.border_strip), y(field.width / 2.0 + field.border_strip) {}
-  bool holds(const std::array<double, 2>& point) const { return std::abs(point[0]) <= x && std::abs(point[1]) <= y; }
-  std::string text() const {
-    return fmt::format("there x is {0} to {1} m and y {2} to {3} m", real_text(-x), real_text(x), real_text(-y),
-                       real_text(y));
-  }
-};
-
 // Where a role always stands that begins at a literal point.
 std::optional<std::array<double, 2>> fixed_point(const TargetRule& target) {
   if (!target.at || target.at->anchor != Anchor::point || target.across) return std::nullopt;
@@ -141,9 +128,8 @@ void warn_of_targets(const RoleList& list, const Node& roles, const Carpet& carp
   for (std::size_t i = 0; i < list.roles.size(); ++i) {
     const Node target = roles.elements()[i]["target"];
     for (const OffCarpet& each : off_carpet(list.roles[i].target, carpet)) {
-      out.push_back(
-          {target[each.key].where(), fmt::format("roles.{}.{}.target.{}: {} off the field and its border; {}",
-                                                 list.name, list.roles[i].name, each.key, each.says, carpet.text())});
+      out.push_back({target[each.key].where(), fmt::format("roles.{}.{}.target.{}: {} {}", list.name,
+                                                           list.roles[i].name, each.key, each.says, carpet.off())});
     }
   }
 }

@@ -100,8 +100,8 @@ TEST(TeamWarnings, TwoRolesForOneRobot) {
 TEST(TeamWarnings, TargetsOffTheField) {
   const auto off = [](int column, const char* key, const char* what) {
     return std::vector<std::string>{
-        fmt::format("t.yaml:10:{}: warning: roles.usual.r.target.{}: {} off the field and its border; there x is -5.2 "
-                    "to 5.2 m and y -3.7 to 3.7 m",
+        fmt::format("t.yaml:10:{}: warning: roles.usual.r.target.{}: {} off the field, which with its border reaches "
+                    "from -5.2 to 5.2 m in x and from -3.7 to 3.7 m in y",
                     column, key, what)};
   };
   EXPECT_EQ(of_third("name: r, target: {at: [-42, 0]}"), off(30, "at", "[-42, 0] is"));
