@@ -16,6 +16,7 @@
 #include "config/packet_share.hpp"
 #include "config/parse.hpp"
 #include "config/read.hpp"
+#include "config/team_size.hpp"
 #include "config/text.hpp"
 #include "config/typed.hpp"
 

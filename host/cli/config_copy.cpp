@@ -42,7 +42,7 @@ int copy(const std::vector<std::string>& folders, const Invocation& invocation) 
     fs::remove_all(to, none);
     throw output::WriteError(fmt::format("cannot write {}: {}", to.string(), error.message()));
   }
-  output::print(to.string() + '\n');
+  output::print(fmt::format("made the folder {}\n", to.string()));
   return exit_done;
 }
 

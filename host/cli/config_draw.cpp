@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "config/carpet.hpp"
 #include "config/documents.hpp"
 #include "config/parse.hpp"
 #include "config/place.hpp"
@@ -29,7 +30,7 @@ constexpr auto config_draw_examples = R"(Examples:
 
 Positions are in metres from the centre of the field: x towards the opponent's goal, y to the left. Without --ball the ball lies
 in the centre. Contexts, positioner and sender have no part in it: it is where a role goes before a task is moved towards
-a waypoint.)";
+a waypoint. A drawing replaces an older drawing in the same file.)";
 
 struct ConfigDrawOptions {
   std::vector<std::string> files, overrides, roles, balls;
@@ -52,17 +53,30 @@ const config::RoleList& list_of(const config::TeamPage& page, const std::string&
   throw BadInput("--list: " + config::unknown("list of roles", name, "", names));
 }
 
-std::vector<const config::Role*> roles_of(const config::RoleList& list, const std::vector<std::string>& wanted) {
-  std::vector<const config::Role*> out;
-  std::vector<std::string> names;
-  for (const config::Role& each : list.roles) {
-    names.push_back(each.name);
-    if (wanted.empty() || std::ranges::find(wanted, each.name) != wanted.end()) out.push_back(&each);
-  }
-  for (const std::string& each : wanted) {
-    if (std::ranges::find(names, each) == names.end()) {
-      throw BadInput("--role: " + config::unknown("role", each, list.name, names));
+bool has(const config::RoleList& list, const std::string& role) {
+  return std::ranges::find(list.roles, role, &config::Role::name) != list.roles.end();
+}
+
+[[noreturn]] void refuse_role(const config::TeamPage& page, const config::RoleList& list, const std::string& role) {
+  for (const config::RoleList& other : page.role_lists) {
+    if (has(other, role)) {
+      throw BadInput(fmt::format("--role: {0} is in the list {1}, not in {2}; add --list {1}", config::one_line(role),
+                                 other.name, list.name));
     }
+  }
+  std::vector<std::string> names;
+  for (const config::Role& each : list.roles) names.push_back(each.name);
+  throw BadInput("--role: " + config::unknown("role", role, list.name, names));
+}
+
+std::vector<const config::Role*> roles_of(const config::TeamPage& page, const config::RoleList& list,
+                                          const std::vector<std::string>& wanted) {
+  for (const std::string& each : wanted) {
+    if (!has(list, each)) refuse_role(page, list, each);
+  }
+  std::vector<const config::Role*> out;
+  for (const config::Role& each : list.roles) {
+    if (wanted.empty() || std::ranges::find(wanted, each.name) != wanted.end()) out.push_back(&each);
   }
   return out;
 }
@@ -77,17 +91,22 @@ int draw(const ConfigDrawOptions& options, const output::OutputFiles& outputs) {
   config::require_kind(document, config::DocumentKind::team);
   const config::TeamPage page = config::read_team_page(document);
   const config::Rules rules = options.rules.empty() ? config::Rules{} : config::read_rules(options.rules);
-  const std::vector<const config::Role*> roles = roles_of(list_of(page, options.list), options.roles);
+  const config::RoleList& list = list_of(page, options.list);
+  const std::vector<const config::Role*> roles = roles_of(page, list, options.roles);
   std::vector<std::array<double, 2>> balls;
-  for (const std::string& each : options.balls) balls.push_back(place(each));
+  const config::Carpet carpet(rules.field);
+  for (const std::string& each : options.balls) {
+    balls.push_back(place(each));
+    if (!carpet.holds(balls.back())) complain(fmt::format("warning: --ball {}: {}", each, carpet.off()));
+  }
   if (balls.empty() && !options.no_ball) balls.push_back({0.0, 0.0});
   outputs.check(options.force);
-  const std::string picture = recording::roles_svg({roles, balls}, rules.field);
+  const std::string picture = recording::roles_svg({page.name, list.name, roles, balls}, rules.field);
   if (options.output == "-") {
     output::print(picture);
     return exit_done;
   }
-  output::write_whole(options.output, picture, options.force ? output::Existing::replaced : output::Existing::refused);
+  output::write_whole(options.output, picture, output::Existing::replaced);  // what may not be was refused above
   output::print(options.output + '\n');
   return exit_done;
 }
@@ -105,8 +124,8 @@ void add_config_draw(Command& parent) {
   command.take("--rules", options->rules, "FILE",
                "rules profile, for the size of the field; default: spl2023, built in", Reads::documents);
   command.take("--set", options->overrides, "PATH=VALUE", "a value laid over the team; may be repeated");
-  command.take("-o,--output", options->output, "FILE", "write this file, - for standard output", Writes::page);
-  command.flag("--force", options->force, "replace an existing file");
+  command.take("-o,--output", options->output, "FILE", "write this file, - for standard output", Writes::drawing);
+  command.flag("--force", options->force, "replace a page or another picture");
   command.notes(config_draw_examples);
   command.run = [options, &command] { return draw(*options, output::OutputFiles(command.given(), "command")); };
 }

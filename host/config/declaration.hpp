@@ -148,7 +148,13 @@ struct Field {
   std::string doc;
   std::variant<Real, Integer, Boolean, Name, File, Choice, Numbers, Own, Free, Section, List, Dictionary> kind;
   bool required = false;
+  std::string default_from = {};  // the keys that the default follows from, in words, where it is no fixed value
 };
+
+inline Field with_default_from(Field field, std::string others) {
+  field.default_from = std::move(others);
+  return field;
+}
 
 inline Field required(Field field) {
   field.required = true;

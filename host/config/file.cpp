@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <span>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -20,15 +21,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Whether one file may be meant by the name of another: an ending that both have makes no two names alike.
+bool alike(const fs::path& asked, const fs::path& there) {
+  const std::string stem = asked.stem().string();
+  const std::array names{there.stem().string()};
+  return stem == names.front() || !nearest(stem, std::span<const std::string>(names)).empty();
+}
+
 // `; nearest: "b.yaml"` when the folder holds a file of nearly that name.
 std::string neighbour(const fs::path& file) {
   constexpr std::size_t most = 1000;
   std::vector<std::string> names;
   std::error_code failed;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end && names.size() < most;
-       entry.increment(failed)) {
-    names.push_back(entry->path().filename().string());
+  std::size_t seen = 0;
+  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end && seen < most;
+       entry.increment(failed), ++seen) {
+    if (alike(file, entry->path())) names.push_back(entry->path().filename().string());
   }
   if (failed && file.has_parent_path()) return fmt::format("; there is no folder {}", folder.string());
   std::sort(names.begin(), names.end());

@@ -46,6 +46,30 @@ class Builder : public YAML::EventHandler {
     return {place_.file, mark.line + 1, mark.column + 1};
   }
 
+  // A bracket that was opened and not closed, the innermost.
+  struct Bracket {
+    Location where;
+    char closed_by;
+  };
+  std::optional<Bracket> open_bracket() const {
+    if (open_.empty() || fixed_) return std::nullopt;
+    const std::string_view rest = from(open_.back().mark);
+    if (!rest.starts_with('{') && !rest.starts_with('[')) return std::nullopt;
+    return Bracket{open_.back().where, rest[0] == '{' ? '}' : ']'};
+  }
+
+  // The last line above this one that says something, without its indentation and dashes; empty when none does.
+  std::string_view line_above(int line) const {
+    const int last = std::min(line - 2, static_cast<int>(line_starts_.size()) - 2);
+    for (int above = last; above >= 0; --above) {
+      const std::size_t begin = line_starts_[static_cast<std::size_t>(above)];
+      const std::size_t end = line_starts_[static_cast<std::size_t>(above) + 1];
+      const std::size_t first = text_.find_first_not_of(" -\t\r", begin);
+      if (first < end && text_[first] != '\n' && text_[first] != '#') return text_.substr(first, end - first);
+    }
+    return {};
+  }
+
   void OnDocumentStart(const YAML::Mark& mark) override {
     if (++documents_ == 1) return;
     const bool separated = from(mark).starts_with("---");
@@ -108,6 +132,7 @@ class Builder : public YAML::EventHandler {
   struct Open {
     bool map;
     Location where;
+    YAML::Mark mark;
     YAML::anchor_t anchor;
     Extent extent;
     std::vector<Node> elements;
@@ -182,7 +207,7 @@ class Builder : public YAML::EventHandler {
     refuse_tag(mark, tag);
     if (key_wanted()) throw Error(at(mark), "a key must be plain text; is a bracket not closed?");
     count(mark, {1, 1});
-    open_.push_back({map, at(mark), anchor, {1, 1}, {}, {}, {}, {}});
+    open_.push_back({map, at(mark), mark, anchor, {1, 1}, {}, {}, {}, {}});
   }
 
   void finish() {
@@ -253,6 +278,41 @@ std::string reworded(const std::string& message) {
   return "not YAML: " + message;
 }
 
+// `key:value`, without the space that makes it key and value: YAML reads that as text, which goes on in the next line.
+bool runs_together(std::string_view line) {
+  const std::size_t colon = line.find(':');
+  return colon != line.npos && colon + 1 < line.size() &&
+         std::string_view(" \t\r\n").find(line[colon + 1]) == line.npos;
+}
+
+bool leaves_bracket_open(std::string_view line) {
+  const auto count = [&](char c) { return std::ranges::count(line, c); };
+  return count('{') > count('}') || count('[') > count(']');
+}
+
+// A mistake of YAML is found after what it comes from: this says what that is, where it can be told.
+Error explained(const YAML::ParserException& error, const Builder& builder) {
+  namespace They = YAML::ErrorMsg;
+  const Location found = builder.at(error.mark);
+  if (error.msg == They::END_OF_MAP_FLOW || error.msg == They::END_OF_SEQ_FLOW) {
+    if (const auto open = builder.open_bracket(); open && open->where.line < found.line) {
+      return {open->where, fmt::format("the {} that begins here is not closed: expected ',' or '{}' before line {}",
+                                       open->closed_by == '}' ? "map" : "list", open->closed_by, found.line)};
+    }
+  }
+  const std::string_view above = builder.line_above(found.line);
+  if (error.msg == They::BLOCK_ENTRY && leaves_bracket_open(above)) {
+    return {found, "'- ' where no list can begin; is a bracket not closed in the line above?"};
+  }
+  if (error.msg == They::MAP_VALUE && runs_together(above)) {
+    return {found, "':' where no value can begin; is a space missing after ':' in the line above?"};
+  }
+  if (error.msg == They::END_OF_MAP && runs_together(above)) {
+    return {found, "this does not continue the map above; is a space missing after ':' in the line above?"};
+  }
+  return {found, reworded(error.msg)};
+}
+
 Node build(std::string_view text, const Location& place, bool fixed) {
   Builder builder(text, place, fixed);
   std::istringstream stream{std::string(text)};
@@ -261,7 +321,7 @@ Node build(std::string_view text, const Location& place, bool fixed) {
     while (parser.HandleNextDocument(builder)) {
     }
   } catch (const YAML::ParserException& error) {
-    throw Error(builder.at(error.mark), reworded(error.msg));
+    throw explained(error, builder);
   } catch (const YAML::Exception& error) {
     throw Error(place, "not YAML: " + error.msg);
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "config/file.hpp"
 #include "config/nearest.hpp"
@@ -111,6 +112,7 @@ struct Reader {
         const std::string name = to_name(Node::scalar(entry.key, true, entry.key_where), what);
         const Field field = dictionary.append(name);
         const std::string path = inside(what, name);
+        if (std::holds_alternative<List>(field.kind)) refuse_change_of_nothing(entry);
         std::visit(Reader{entry.value, path, mistakes}, field.kind);
       });
     }
@@ -119,6 +121,17 @@ struct Reader {
   void check_count(std::size_t count, std::size_t least, std::size_t most) const {
     if (count >= least && count <= most) return;
     throw Error(node.where(), fmt::format("{}: {} elements; expected {} to {}", what, count, least, most));
+  }
+
+  // A map changes a list that another page has. One that is still there was laid over none.
+  void refuse_change_of_nothing(const Node::Entry& entry) const {
+    if (entry.value.kind() != Node::Kind::map) return;
+    std::vector<std::string> lists;
+    for (const Node::Entry& other : node.entries()) {
+      if (other.value.kind() == Node::Kind::sequence) lists.push_back(other.key);
+    }
+    throw Error(entry.key_where, unknown("list", entry.key, what, lists) +
+                                     "; a map changes a list of the page that this one extends, a new one is a list");
   }
 
   // Elements that have a name are addressed by it, so no two may share one.
@@ -145,9 +158,29 @@ std::vector<std::string> keys_of(const Map& map) {
   return keys;
 }
 
+// What stands in the place of a key and its colon: `assigner {plugin` for `assigner: {plugin`, `priority:10` for
+// `priority: 10`.
+struct Run {
+  std::string key, message;
+};
+std::optional<Run> run_together(const std::string& written, const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) {
+    if (!written.starts_with(key) || written.size() == key.size()) continue;
+    if (written[key.size()] == ' ') return Run{key, fmt::format("':' is missing after {}", key)};
+    if (written[key.size()] == ':') {
+      return Run{key, fmt::format("{}: a space is missing after {}:", in_quotes(written), key)};
+    }
+  }
+  return std::nullopt;
+}
+
 void check_known(const Node& node, const std::string& what, const std::vector<std::string>& keys, Mistakes& mistakes) {
   for (const Node::Entry& entry : node.entries()) {
     if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
+    if (const std::optional<Run> run = run_together(entry.key, keys)) {
+      mistakes.add(Error(entry.key_where, run->message), inside(what, run->key));
+      continue;
+    }
     mistakes.add(Error(entry.key_where, unknown("key", entry.key, what, keys)), inside(what, entry.key));
     // Who wrote `lenght` has not left out `length`.
     if (const std::string_view meant = nearest(entry.key, keys); !meant.empty()) {
@@ -156,19 +189,39 @@ void check_known(const Node& node, const std::string& what, const std::vector<st
   }
 }
 
+// Of keys that exclude each other: the one that was laid over the others by a page that extends theirs, or by --set.
+// Null when all were written together.
+const Node::Entry* laid_over(const Node& node, const std::vector<const Node::Entry*>& keys) {
+  const auto by_option = [](const Node::Entry* each) { return each->value.where().line == 0; };
+  const auto here = [&](const Node::Entry* each) { return each->value.where().file == node.where().file; };
+  const auto typed = std::ranges::find_if(keys, by_option);
+  if (typed != keys.end()) return std::ranges::all_of(keys, by_option) ? nullptr : *typed;
+  const auto found = std::ranges::find_if(keys, here);
+  return found == keys.end() || std::ranges::all_of(keys, here) ? nullptr : *found;
+}
+
 void check_exactly_one(const Map& map, const Node& node, const std::string& what, Mistakes& mistakes) {
   if (map.exactly_one.empty()) return;
   const std::string before = what.empty() ? "" : what + ": ";
-  std::size_t present = 0;
+  std::vector<const Node::Entry*> present;
   for (const std::string& key : map.exactly_one) {
-    if (node[key] && ++present == 2) {
-      mistakes.add(Error(node[key].where(), fmt::format("{}expected exactly one of {}", before, join(map.exactly_one))),
-                   inside(what, key));
+    const auto found = std::ranges::find(node.entries(), key, &Node::Entry::key);
+    if (found != node.entries().end()) present.push_back(&*found);
+  }
+  if (present.size() > 1) {
+    std::string message = fmt::format("{}expected exactly one of {}", before, join(map.exactly_one));
+    const Node::Entry* const over = laid_over(node, present);
+    if (over != nullptr) {
+      const Node::Entry* const under = present[present.front() == over ? 1 : 0];
+      message += fmt::format("; {0} is there already ({1}), and {0}: ~ takes it away", under->key,
+                             to_string(under->key_where));
     }
+    const Node::Entry& at = over != nullptr ? *over : *present[1];
+    mistakes.add(Error(at.value.where(), message), inside(what, at.key));
   }
   const bool doubtful = std::ranges::any_of(
       map.exactly_one, [&](const std::string& key) { return mistakes.doubtful(inside(what, key)); });
-  if (present > 0 || doubtful) return;
+  if (!present.empty() || doubtful) return;
   mistakes.add(Error(node.where(), fmt::format("{}expected one of {}", before, join(map.exactly_one))),
                inside(what, map.exactly_one.front()));
 }

@@ -129,7 +129,10 @@ class TableWriter {
 
  private:
   void row(const std::string& path, const std::string& value, const Field& field, const std::string& initial = {}) {
-    const std::string shown = field.required ? "required" : initial.empty() ? "" : fmt::format("`{}`", initial);
+    const std::string shown = field.required                ? "required"
+                              : !field.default_from.empty() ? "from " + field.default_from
+                              : initial.empty()             ? ""
+                                                            : fmt::format("`{}`", initial);
     rows_ += fmt::format("| `{}` | {} | {} | {} |\n", path, in_cell(value), shown, in_cell(field.doc));
   }
 

@@ -138,8 +138,9 @@ static Map declare(Role& role) {
                   boolean("required", role.required, "must be taken"),
                   boolean("offset", role.offset, "may be moved towards a waypoint"),
                   integer("group", role.group, {-1, 99}, "1", "at most one role of a group per robot; -1 is none"),
-                  choice("behaviour", role.behaviour, {"keep_goal", "play_ball", "support", "search"},
-                         "how it acts; follows from target and name where not given"),
+                  with_default_from(choice("behaviour", role.behaviour, {"keep_goal", "play_ball", "support", "search"},
+                                           "how it acts; follows from target and name where not given"),
+                                    "target and name"),
                   required(section("target", role.target, "where it is played")),
               },
           .where = &role.where};

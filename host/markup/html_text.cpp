@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "config/visible_text.hpp"
@@ -14,29 +16,22 @@ using config::visible_lines;
 
 namespace {
 
+struct Entity {
+  char meant;
+  std::string_view written;
+};
+constexpr std::array<Entity, 5> entities{
+    {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}}};
+
 std::string escaped(std::string_view text) {
   std::string out;
   out.reserve(text.size());
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
-    }
+    const auto entity = std::ranges::find(entities, c, &Entity::meant);
+    if (entity == entities.end())
+      out += c;
+    else
+      out += entity->written;
   }
   return out;
 }
@@ -72,6 +67,25 @@ Html& Html::operator<<(Markup markup) {
 Html& Html::operator<<(const Html& other) {
   text_ += other.text_;
   return *this;
+}
+
+std::string plain(const Html& html) {
+  std::string out;
+  std::string_view rest = html.str();
+  while (!rest.empty()) {
+    const auto entity =
+        std::ranges::find_if(entities, [&](const Entity& each) { return rest.starts_with(each.written); });
+    if (rest.front() == '<') {
+      rest.remove_prefix(std::min(rest.size(), rest.find('>') + 1));
+    } else if (entity != entities.end()) {
+      out += entity->meant;
+      rest.remove_prefix(entity->written.size());
+    } else {
+      out += rest.front();
+      rest.remove_prefix(1);
+    }
+  }
+  return out;
 }
 
 // Escaped a line above, so it is no markup any more.

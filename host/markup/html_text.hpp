@@ -38,6 +38,9 @@ class Html {
   std::string text_;
 };
 
+// What a reader sees of it, for a terminal: without tags, with characters for entities.
+std::string plain(const Html& html);
+
 // Text from anywhere, as a reader may see it (visible_text.hpp), for content and for values of attributes in double
 // quotes.
 Html text(std::string_view text);

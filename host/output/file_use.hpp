@@ -27,6 +27,7 @@ enum class Writes {
   search_table,   // of a tuning, or of a comparison of search algorithms
   tuned_team,
   page,     // or a picture
+  drawing,  // of a team's roles
   figures,  // a folder
 };
 

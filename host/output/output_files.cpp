@@ -119,7 +119,7 @@ std::vector<OutputFiles::Read> OutputFiles::all_reads() const {
 }
 
 void OutputFiles::write(const std::string& who, const fs::path& file, Writes what) {
-  if (file.empty() || (what == Writes::page && file == "-")) return;
+  if (file.empty() || ((what == Writes::page || what == Writes::drawing) && file == "-")) return;
   if (what == Writes::figures) {
     folders_.push_back({who, where_it_leads(file), {".csv", ".gnuplot", ".svg", ".png"}});
     return;
@@ -209,7 +209,7 @@ void OutputFiles::check_existing(const Output& output, bool force) {
   }
   if (force) return;
   if (found == Found::other) refuse(fmt::format("is there, and is no {}; --force replaces it{}", kind.what, advice));
-  if (kind.needs_force) refuse("exists already; --force replaces it");
+  if (kind.needs_force && found != Found::cheap) refuse("exists already; --force replaces it");
 }
 
 void OutputFiles::check(bool force) const {

@@ -10,6 +10,7 @@
 
 #include "mcap/format.hpp"
 #include "recording/decision_log.hpp"
+#include "recording/roles_svg.hpp"
 #include "report/match_summary.hpp"
 #include "report/tuned_file.hpp"
 
@@ -53,6 +54,12 @@ OwnKind own_kind(Writes what) {
               .advice = "--output names another file"};
     case Writes::page:
       return {.what = "page or picture", .begins = markup, .needs_force = true, .moved_to_its_place = true};
+    case Writes::drawing:
+      return {.what = "drawing of roles",
+              .begins = markup,
+              .needs_force = true,
+              .cheap = recording::roles_svg_begin,
+              .moved_to_its_place = true};
     case Writes::results:
     case Writes::figures:
       break;
@@ -65,11 +72,12 @@ Found found_in(const std::filesystem::path& file, const OwnKind& kind) {
   std::error_code none;
   if (std::filesystem::file_size(file, none) == 0) return Found::nothing;
   const auto longest = std::ranges::max(kind.begins, {}, &std::string_view::size).size();
-  std::string beginning(std::max(longest, database.size()), '\0');
+  std::string beginning(std::max({longest, database.size(), kind.cheap.size()}), '\0');
   std::ifstream in(file, std::ios::binary);
   in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
   beginning.resize(static_cast<std::size_t>(in.gcount()));
   const auto begins = [&](std::string_view each) { return beginning.starts_with(each); };
+  if (!kind.cheap.empty() && begins(kind.cheap)) return Found::cheap;
   if (std::ranges::any_of(kind.begins, begins)) return Found::own;
   return begins(database) ? Found::database : Found::other;
 }

@@ -15,6 +15,7 @@ struct OwnKind {
   std::string_view what;  // "recording"
   std::span<const std::string_view> begins;
   bool needs_force = false;         // to replace one of its own kind: what cost time
+  std::string_view cheap = {};      // how those begin that cost none, and are replaced without it by one of their like
   bool replaces_others = false;     // with --force
   bool moved_to_its_place = false;  // written under another name first, so it is the folder that must be writable
   std::string_view advice = {};     // beside --force
@@ -27,6 +28,7 @@ OwnKind own_kind(Writes what);
 enum class Found {
   nothing,   // it is empty
   own,       // one of the kind
+  cheap,     // one of the kind that costs no time
   database,  // of SQLite: results are, whatever they are called
   other,
 };

@@ -17,7 +17,8 @@ namespace {
 using namespace picture;
 using mind::Vector2d;
 
-constexpr double page_width = 720.0, page_margin = 8.0, marker = 7.0, line_height = 14.0, letter = 6.6;  // px
+constexpr double page_width = 720.0, page_margin = 8.0, head = 20.0, marker = 7.0, line_height = 14.0,
+                 letter = 6.6;  // px
 
 struct Box {
   double left, top, right, bottom;
@@ -47,7 +48,7 @@ class Labels {
     };
     const auto free = std::ranges::find_if(centres, [&](const Vector2d& c) {
       const Box box = box_at(c);
-      const bool inside = box.left >= 0.0 && box.top >= 0.0 && box.right <= right_ && box.bottom <= bottom_;
+      const bool inside = box.left >= 0.0 && box.top >= head && box.right <= right_ && box.bottom <= bottom_;
       return inside && std::ranges::none_of(taken_, [&](const Box& other) { return box.meets(other); });
     });
     const Vector2d& centre = free == centres.end() ? centres.front() : *free;
@@ -100,6 +101,7 @@ Html region(const std::array<double, 4>& within, const Scale& to) {
 
 constexpr Markup roles_style = R"(<style>
 text{font-family:"Helvetica Neue",Arial,"DejaVu Sans",sans-serif;font-size:12px;fill:#1b1f24;text-anchor:middle}
+.head{text-anchor:start;font-weight:600}
 .grass{fill:#eef4ee}.line *{fill:none;stroke:#7d8a80;stroke-width:1.5}
 .role{paint-order:stroke;stroke:#fff;stroke-width:2.5px;stroke-linejoin:round}
 .marker{fill:#0072b2;stroke:#fff;stroke-width:1}.facing{stroke:#0072b2;stroke-width:2.5}
@@ -112,10 +114,10 @@ text{font-family:"Helvetica Neue",Arial,"DejaVu Sans",sans-serif;font-size:12px;
 }  // namespace
 
 std::string roles_svg(const RolesToDraw& what, const config::FieldSize& field) {
-  Scale to{page_margin, page_margin, 0.0, field.length / 2.0 + field.border_strip,
+  Scale to{page_margin, page_margin + head, 0.0, field.length / 2.0 + field.border_strip,
            field.width / 2.0 + field.border_strip};
   to.per_metre = (page_width - 2.0 * page_margin) / (2.0 * to.half_length);
-  const double height = 2.0 * page_margin + 2.0 * to.half_width * to.per_metre;
+  const double height = 2.0 * page_margin + head + 2.0 * to.half_width * to.per_metre;
 
   std::vector<std::array<double, 2>> balls(what.balls.begin(), what.balls.end());
   const bool known = !balls.empty(), several = balls.size() > 1, alone = what.roles.size() == 1;
@@ -156,8 +158,10 @@ std::string roles_svg(const RolesToDraw& what, const config::FieldSize& field) {
   Html out = drawn(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" )"
                    R"(height="{1:.0f}"><rect width="100%" height="100%" fill="#fff"/>)",
                    page_width, height);
-  out << roles_style << field_lines(field, to) << shapes << markers << names;
-  return (out << "</svg>\n"_html).str();
+  const std::string title = fmt::format("{}: roles of the list {}", config::visible_at_most(what.team, 40),
+                                        config::visible_at_most(what.list, 40));
+  out << roles_style << label(page_margin, 19.0, "head", title) << field_lines(field, to) << shapes << markers << names;
+  return std::string(roles_svg_begin) + '\n' + (out << "</svg>\n"_html).str();
 }
 
 }  // namespace regista::recording

@@ -5,13 +5,18 @@
 #include <array>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "config/rules.hpp"
 #include "config/team.hpp"
 
 namespace regista::recording {
 
+// How every such picture begins.
+inline constexpr std::string_view roles_svg_begin = "<!-- regista config draw -->";
+
 struct RolesToDraw {
+  std::string team, list;                             // stand above the field
   std::span<const config::Role* const> roles;         // a single one is drawn with what its rule is made of
   std::span<const std::array<double, 2>> balls = {};  // m; several are numbered; none: nobody knows the ball
 };

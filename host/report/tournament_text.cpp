@@ -14,6 +14,7 @@
 #include "report/packets_spent.hpp"
 #include "report/standing.hpp"
 #include "report/tournament.hpp"
+#include "report/verdict_sentence.hpp"
 #include "statistics/sequential_bounds.hpp"
 
 namespace regista::report {
@@ -167,10 +168,7 @@ std::string value_verdict(const TournamentView& view, const std::string& value) 
 
 std::string verdict_text(const TournamentView& view) {
   const study::Verdict verdict = view.course.verdict();
-  if (verdict == study::Verdict::prevented ||
-      (view.plan.teams.size() == 2 && fixed_number_is_played(view) && p_values(view.course).prevented.front())) {
-    return prevented_headline(view.course.unplayed_pairs()) + '\n';
-  }
+  if (verdict == study::Verdict::prevented) return "";  // the sentence below says all
   if (verdict == study::Verdict::none) return "";
   const statistics::Count pairs = total(view.course.meetings().front().pairs);
   std::string out = fmt::format("Verdict after {}: {}",
@@ -196,6 +194,13 @@ std::string failures_text(const TournamentView& view) {
     out += fmt::format("{} more matches forfeited for other reasons\n", view.course.unlisted_forfeits());
   }
   return out.empty() ? "" : '\n' + out;
+}
+
+// Pair k plays the k-th scene, so few pairs leave scenes out; under a sequential test each is drawn from all.
+std::string openings_text(const study::TournamentPlan& plan, std::size_t all) {
+  const bool in_order = std::holds_alternative<study::FixedNumber>(plan.objective);
+  if (in_order && plan.pairs < all) return fmt::format("the first {} of {} openings", plan.pairs, all);
+  return config::counted(all, "opening", "openings");
 }
 
 }  // namespace
@@ -237,9 +242,7 @@ std::string title(const TournamentView& view) {
   if (played < view.plan.pairs) out += fmt::format(" of {}", view.plan.pairs);
   if (pairings > 1) out += " each";
   out += fmt::format(", seeds from {}", view.plan.first_seed);
-  if (!view.plan.openings.empty()) {
-    out += ", " + config::counted(view.plan.openings.size(), "opening", "openings");
-  }
+  if (const std::size_t all = view.plan.openings.size(); all > 0) out += ", " + openings_text(view.plan, all);
   if (!view.plan.common.limit.empty()) out += fmt::format(", {} s a match", view.plan.common.limit);
   return out + ')';
 }
@@ -263,7 +266,8 @@ std::string tournament_text(const TournamentView& view) {
   if (const std::uint64_t unplayed = view.course.unplayed_pairs(); unplayed > 0) {
     out += unplayed_sentence(unplayed) + '\n' + unplayed_text(view.course.remarks());
   }
-  return out + verdict_text(view) + failures_text(view) + written_text(view.course.remarks());
+  out += verdict_text(view) + failures_text(view) + written_text(view.course.remarks());
+  return out + '\n' + markup::plain(verdict_sentence(view).sentence) + '\n';
 }
 
 }  // namespace regista::report

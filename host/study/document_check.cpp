@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "config/team_size.hpp"
 #include "mind/mind.hpp"
 #include "mind/team_plan.hpp"
 #include "plugin/failure.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "config/documents.hpp"
-#include "config/team_size.hpp"
+#include "config/team_warnings.hpp"
 #include "plugin/catalogue.hpp"
 
 namespace regista::study {

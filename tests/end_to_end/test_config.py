@@ -118,6 +118,20 @@ class Config(program.Case):
         self.assertEqual([(each["line"], each["column"]) for each in found["warnings"]], [(12, 3)])
         self.assertTrue(found["sound"])
 
+    def test_what_is_hardly_meant(self):
+        """A list that no context plays, one robot for two roles, a target off the field: `match` warns as well."""
+        page = program.TEAM.format(name="odd").replace("name: left,", "name: left, robot: 1,")
+        self.write("odd.yaml", page.replace("utility:", "  spare:\n    - {name: only, target: {at: ball}}\nutility:"))
+        done = self.run_program("config", "check", "odd.yaml")
+        self.assertEqual((done.returncode, done.stdout), (0, "odd.yaml: team, sound\n"))
+        self.assertIn("goalkeeper and left are both for robot 1, which takes one role at a time\n", done.stderr)
+        self.assertIn("roles.spare: no context plays this list: add use: {roles: spare} to one\n", done.stderr)
+        played = self.run_program("match", "odd.yaml", "odd.yaml", "--limit", "1", "--quiet")
+        self.assertEqual(played.stderr, done.stderr)
+        self.assertIn("is off the field, which with its border reaches", self.run_program(
+            "match", "small.yaml", "small.yaml", "--limit", "1", "--quiet",
+            "--set", "home.roles.playing.striker.target={at: [-42, 0]}").stderr)
+
     def test_shipped_documents_are_sound_without_warnings(self):
         for kind in ("rules", "robots", "disturbances", "openings"):
             files = sorted((program.SOURCE / "configs" / kind).glob("*.yaml"))

@@ -19,7 +19,7 @@ class Copies(program.Case):
         shutil.copytree(program.SOURCE / "configs", self.shipped)
 
     def test_all_documents_and_nothing_else(self):
-        self.assertEqual(self.succeed("config", "copy", "mine"), "mine\n")
+        self.assertEqual(self.succeed("config", "copy", "mine"), "made the folder mine\n")
         compared = filecmp.dircmp(self.shipped, self.folder / "mine")
         while True:
             self.assertEqual((compared.left_only, compared.right_only, compared.diff_files), ([], [], []))
@@ -53,12 +53,13 @@ class Drawings(program.Case):
 
     def test_roles_of_a_list(self):
         names, picture = self.texts("--ball", "1,0.5")
-        self.assertEqual(sorted(names), ["back", "front", "goalkeeper", "left", "right", "striker", "supporter"])
+        self.assertEqual(sorted(names), ["back", "front", "goalkeeper", "left", "right",
+                                         "small: roles of the list playing", "striker", "supporter"])
         self.assertEqual(len([each for each in picture.iter(SVG + "circle") if each.get("class") == "marker"]), 7)
 
     def test_one_role_for_several_balls(self):
         names, picture = self.texts("--role", "supporter", "--ball=-1,2", "--ball", "3,0")
-        self.assertEqual(sorted(names), ["1", "2", "ball 1", "ball 2", "supporter"])
+        self.assertEqual(sorted(names), ["1", "2", "ball 1", "ball 2", "small: roles of the list playing", "supporter"])
         markers = [each for each in picture.iter(SVG + "circle") if each.get("class") == "marker"]
         balls = [each for each in picture.iter(SVG + "circle") if each.get("class") == "ball"]
         # A metre behind the ball, whose picture has the centre of the field at the same place whatever is drawn.
@@ -79,6 +80,32 @@ class Drawings(program.Case):
             self.assertEqual((done.returncode, done.stdout), (2, ""), words)
             self.assertTrue(done.stderr.startswith(f"regista: {line}"), done.stderr)
         self.assertFalse((self.folder / "x.svg").exists())
+
+    def test_a_role_of_another_list_is_found_there(self):
+        self.write("two.yaml", program.TEAM.format(name="two").replace(
+            "utility:", "  siege:\n    - {name: outlet, target: {at: ball}}\nutility:"))
+        done = self.run_program("config", "draw", "two.yaml", "--role", "outlet", "-o", "-")
+        self.assertEqual((done.returncode, done.stderr),
+                         (2, "regista: --role: outlet is in the list siege, not in playing; add --list siege\n"))
+        self.succeed("config", "draw", "two.yaml", "--role", "outlet", "--list", "siege", "-o", "-")
+
+    def test_a_ball_off_the_field_is_drawn_with_a_warning(self):
+        done = self.run_program("config", "draw", "small.yaml", "--ball", "10,1", "-o", "far.svg")
+        self.assertEqual((done.returncode, done.stdout), (0, "far.svg\n"))
+        self.assertEqual(done.stderr, "regista: warning: --ball 10,1: off the field, which with its border reaches from -5.2 "
+                                      "to 5.2 m in x and from -3.7 to 3.7 m in y\n")
+
+    def test_a_drawing_replaces_a_drawing_and_nothing_else(self):
+        draw = ("config", "draw", "small.yaml", "-o", "x.svg")
+        self.succeed(*draw)
+        first = (self.folder / "x.svg").read_text()
+        self.succeed(*draw, "--ball", "2,1")
+        self.assertNotEqual((self.folder / "x.svg").read_text(), first)
+        self.write("x.svg", "<svg/>")
+        self.assertEqual(self.run_program(*draw).stderr,
+                         "regista: --output x.svg: exists already; --force replaces it\n")
+        self.succeed(*draw, "--force")
+        self.assertEqual((self.folder / "x.svg").read_text(), first)
 
     def test_nothing_is_replaced_without_force(self):
         self.write("x.svg", "mine")

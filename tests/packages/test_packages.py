@@ -114,8 +114,11 @@ class Packages(unittest.TestCase):
         if (BUILD / "share/regista/viewer.html").exists():
             self.succeed("/usr/bin/regista", "view", "/tmp/match.mcap", "-o", "/tmp/match.html")
         documents = self.root.path / "usr/share/doc/regista"
-        for link in re.findall(r"\]\((docs/[\w./-]+)", (documents / "README.md").read_text()):
-            self.assertTrue((documents / link).exists(), link)
+        pages = [documents / "README.md", documents / "CHANGELOG.md", *sorted((documents / "docs").glob("*.md"))]
+        for page in pages:
+            for link in re.findall(r"\]\(([\w./-]+)(?:#[^)]*)?\)", page.read_text()):
+                place = pathlib.PurePosixPath(os.path.normpath(page.parent.relative_to(documents) / link))
+                self.assertTrue((documents / place).exists(), f"{page.name}: {link}")
 
     def test_a_library_that_is_not_depended_on_is_missed(self):
         """The root holds nothing of this system by accident: this test could not fail otherwise."""

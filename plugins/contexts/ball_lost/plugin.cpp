@@ -7,7 +7,8 @@
 namespace {
 
 struct BallLost {
-  static constexpr auto id = "ball_lost", version = "1.0.0", summary = "Nobody has seen the ball for a while";
+  static constexpr auto id = "ball_lost", version = "1.0.0",
+                        summary = "Nobody has seen the ball for a while, or nobody knows it";
   ball_lost::Rule rule;
   static constexpr std::tuple parameters{regista::within(
       &BallLost::rule,

@@ -196,6 +196,12 @@ TEST_F(Extends, WhatIsRefused) {
   write("paper.yaml", "x: 1\n");
   EXPECT_EQ(error_of([] { load("missing.yaml"); }),
             "missing.yaml:1:10: papr.yaml: no such file; nearest: \"paper.yaml\"");
+  // The ending that all have makes no two names alike.
+  write("never.yaml", "extends: nothere.yaml\n");
+  EXPECT_EQ(error_of([] { load("never.yaml"); }), "never.yaml:1:10: nothere.yaml: no such file");
+  write("ending.yaml", "extends: paper.yml\n");
+  EXPECT_EQ(error_of([] { load("ending.yaml"); }),
+            "ending.yaml:1:10: paper.yml: no such file; nearest: \"paper.yaml\"");
   write("list.yaml", "extends: [a.yaml]\n");
   EXPECT_EQ(error_of([] { load("list.yaml"); }), "list.yaml:1:10: extends: a list; expected text");
   write("empty.yaml", "extends: ''\n");
@@ -205,7 +211,7 @@ TEST_F(Extends, WhatIsRefused) {
   write("broken_base.yaml", "x: [1\n");
   write("broken.yaml", "extends: broken_base.yaml\n");
   EXPECT_EQ(error_of([] { load("broken.yaml"); }),
-            "broken_base.yaml:2:1: ',' or ']' expected to continue or end the list");
+            "broken_base.yaml:1:4: the list that begins here is not closed: expected ',' or ']' before line 2");
   for (int i = 0; i < 20; ++i) write(fmt::format("n{}.yaml", i), fmt::format("extends: n{}.yaml\n", i + 1));
   EXPECT_EQ(error_of([] { load("n0.yaml"); }), "n15.yaml:1:10: extends more than 15 files");
 }

@@ -223,6 +223,9 @@ TEST(Team, WhatIsRefused) {
       {3, "contexts: [{name: p, plugin: a, use: {tasks.offset.at_most: x}}]",
        "t.yaml:3:61: tasks.offset.at_most: \"x\" is not a number"},
       {3, "contexts: [{name: p, plugin: a, use: roles}]", "t.yaml:3:38: contexts.0.use: \"roles\"; expected a map"},
+      // Keys and values that run together
+      {4, "assigner {plugin: greedy}", "t.yaml:4:1: ':' is missing after assigner"},
+      {4, "assigner: {plugin:greedy}", "t.yaml:4:12: \"plugin:greedy\": a space is missing after plugin:"},
       // Roles
       {6, "", "t.yaml:1:1: missing key \"roles\""},
       {6, "roles: {}", "t.yaml:6:8: roles: 0 elements; expected 1 to 64"},
@@ -295,6 +298,38 @@ TEST(Team, WhatIsRefused) {
     if (each.line == 0) text += std::string(each.text) + '\n';
     EXPECT_EQ(error_of([&] { read_team(parse_text(text, "t.yaml")); }), each.expected) << each.text;
   }
+}
+
+// What is laid over a team is named where it stands, with what is in its way.
+TEST_F(TeamFiles, WhatAPageLaysOverAnotherIsRefusedWhereItStands) {
+  write("base.yaml",
+        "team: base\n"
+        "predictors: {self: {plugin: p}, ball: {plugin: p}, opponents: {plugin: p}, teammates: {plugin: p}}\n"
+        "contexts: [{name: always, plugin: c}]\n"
+        "assigner: {plugin: a}\n"
+        "sender: {plugin: s}\n"
+        "roles:\n"
+        "  playing:\n"
+        "    - {name: wing, target: {at: ball}}\n"
+        "  under_siege:\n"
+        "    - {name: wing, target: {on_line: [ball, centre]}}\n");
+  const auto refused = [this](const std::string& roles, const std::vector<std::string>& overrides = {}) {
+    write("over.yaml", "extends: base.yaml\nroles:\n" + roles);
+    return error_of([&] { read_team("over.yaml", overrides); });
+  };
+  const std::string one = "roles.playing.0.target: expected exactly one of at, on_line, on_circle; ";
+  EXPECT_EQ(refused("  playing: {wing: {target: {on_line: [ball, centre]}}}\n"),
+            "over.yaml:3:38: " + one + "at is there already (base.yaml:8:29), and at: ~ takes it away");
+  EXPECT_EQ(refused("  playing: {wing: {target: {at: ~, on_line: [ball, centre]}}}\n"), "");
+  EXPECT_EQ(refused("  under_siege: {wing: {target: {at: ball}}}\n"),
+            "over.yaml:3:37: roles.under_siege.0.target: expected exactly one of at, on_line, on_circle; on_line is "
+            "there already (base.yaml:10:29), and on_line: ~ takes it away");
+  EXPECT_EQ(refused("  playing: {}\n", {"roles.playing.wing.target.on_line=[ball,centre]"}),
+            "--set roles.playing.wing.target.on_line=[ball,centre]: " + one +
+                "at is there already (base.yaml:8:29), and at: ~ takes it away");
+  EXPECT_EQ(refused("  under_seige: {wing: {robot: 2}}\n"),
+            "over.yaml:3:3: unknown list \"under_seige\" in roles; nearest: \"under_siege\"; known: playing, "
+            "under_siege; a map changes a list of the page that this one extends, a new one is a list");
 }
 
 }  // namespace

@@ -115,5 +115,11 @@ TEST(HtmlText, PathsStayPaths) {
   EXPECT_EQ(path_address("javascript:alert(1)").str(), "./javascript%3Aalert%281%29");
 }
 
+TEST(HtmlText, IsPlainForATerminal) {
+  Html out = name("<a> & 'b'");
+  EXPECT_EQ(plain(out << " is <b>not</b> "_html << text("\"&amp;\"") << "."_html), "<a> & 'b' is not \"&amp;\".");
+  EXPECT_EQ(plain({}), "");
+}
+
 }  // namespace
 }  // namespace regista::markup

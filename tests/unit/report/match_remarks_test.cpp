@@ -46,10 +46,10 @@ TEST(Unplayed, AFixedNumberOfPairs) {
   const VerdictSentence verdict = verdict_sentence(course.view());
   EXPECT_EQ(verdict.sentence.str(), "No verdict: 9 pairs could not be played.");
   const std::string text = tournament_text(course.view());
-  EXPECT_THAT(text,
-              AllOf(HasSubstr("\nNo verdict: 9 pairs could not be played\n"), HasSubstr("Ptnml(0-2): [0, 0, 0, 0, 12]"),
-                    HasSubstr("Games: 24,"), HasSubstr("  match 26: died\\x1b[2J\n"), HasSubstr("  match 42: died"),
-                    Not(HasSubstr("t test"))));
+  EXPECT_THAT(
+      text, AllOf(HasSubstr("\nNo verdict: 9 pairs could not be played.\n"), HasSubstr("Ptnml(0-2): [0, 0, 0, 0, 12]"),
+                  HasSubstr("Games: 24,"), HasSubstr("  match 26: died\\x1b[2J\n"), HasSubstr("  match 42: died"),
+                  Not(HasSubstr("t test"))));
   const auto json = nlohmann::json::parse(tournament_json(course.view()));
   EXPECT_EQ(json["unplayed"]["pairs"], 9);
   EXPECT_EQ(json["unplayed"]["listed"][0]["match"], 26);
@@ -103,7 +103,7 @@ TEST(Unplayed, ASequentialTest) {
   take(course, 0, 0, 40);
   take(course, 200, 0, 0);
   ASSERT_EQ(course.tournament->verdict(), study::Verdict::prevented);
-  EXPECT_THAT(tournament_text(course.view()), HasSubstr("No verdict: 40 pairs could not be played\n"));
+  EXPECT_THAT(tournament_text(course.view()), HasSubstr("No verdict: 40 pairs could not be played.\n"));
   EXPECT_EQ(nlohmann::json::parse(tournament_json(course.view()))["verdict"], "NO_VERDICT");
   EXPECT_EQ(verdict_sentence(course.view()).sentence.str(), "No verdict: 40 pairs could not be played.");
 }
@@ -140,7 +140,8 @@ TEST(Remarks, StandAtTheTopAndAtTheEnd) {
               StartsWith("not reproducible: match 1: tick 7 of robot 2: plugin dice\nnot reproducible: match 4: "));
   EXPECT_THAT(text,
               EndsWith("\nplugins wrote to standard error in 2 matches, first in match 2; see: regista report FILE "
-                       "--standard-error 2\n"));
+                       "--standard-error 2\n\n"
+                       "2 pairs do not show which of a and b is stronger.\n"));
   const auto json = nlohmann::json::parse(tournament_json(course.view()));
   EXPECT_EQ(json["not_reproducible"]["listed"][1]["match"], 4);
   EXPECT_EQ(json["standard_error"], nlohmann::json::parse(R"({"matches": 2, "listed": [2, 3]})"));

@@ -11,6 +11,7 @@ namespace regista::report {
 namespace {
 
 using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -29,6 +30,7 @@ TEST(TournamentText, ThePublishedPairsInTheFormThatPeopleKnow) {
                                "Ptnml(0-2): [34, 54, 63, 64, 75]\n"
                                "Goals: 277:185, per match +0.159 ["));
   EXPECT_THAT(text, HasSubstr("for this number of pairs (t test: p "));
+  EXPECT_THAT(text, EndsWith("\n\nnew is stronger than old.\n"));
   EXPECT_THAT(text, Not(HasSubstr("Verdict")));
 }
 
@@ -109,7 +111,8 @@ TEST(TournamentText, WhatNothingIsKnownOf) {
   EXPECT_EQ(text,
             "Results of a vs b (0 pairs of 10, seeds from 1):\n"
             "Games: 0, Wins: 0, Losses: 0, Draws: 0, Points: 0.0 (0.00 %)\n"
-            "Ptnml(0-2): [0, 0, 0, 0, 0]\nGoals: 0:0\n");
+            "Ptnml(0-2): [0, 0, 0, 0, 0]\nGoals: 0:0\n"
+            "\nNo pair of matches has been played to its end yet: nothing can be said.\n");
   course.take_pairs({{0, 0, 0, 0, 1}});
   text = tournament_text(course.view());
   EXPECT_THAT(text, HasSubstr("(1 pair of 10, seeds from 1)"));
@@ -215,6 +218,9 @@ TEST(TournamentText, AnOpeningOrMore) {
   EXPECT_EQ(title(course.view()), "a vs b (0 pairs of 6, seeds from 1, 1 opening)");
   course.plan.openings.push_back({"free.yaml", {}});
   EXPECT_EQ(title(course.view()), "a vs b (0 pairs of 6, seeds from 1, 2 openings)");
+  // A fixed number of pairs takes the scenes in their order.
+  for (int i = 0; i < 41; ++i) course.plan.openings.push_back({"more.yaml", {}});
+  EXPECT_EQ(title(course.view()), "a vs b (0 pairs of 6, seeds from 1, the first 6 of 43 openings)");
 }
 
 }  // namespace

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "config/team_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+
+#include "config/carpet.hpp"
+#include "config/read.hpp"
+#include "config/scalar.hpp"
+#include "config/text.hpp"
+
+namespace regista::config {
+namespace {
+
+// The roles of a list, by who may take them.
+struct Takers {
+  std::set<int> certain;  // robots that have a role of their own
+  int for_all = 0;        // roles that any robot may take
+};
+
+Takers takers(const RoleList& list, int team_size) {
+  Takers out;
+  for (const Role& role : list.roles) {
+    if (role.robot == 0) ++out.for_all;
+    if (role.robot > 0 && role.robot <= team_size) out.certain.insert(role.robot);
+  }
+  return out;
+}
+
+// "robots 3, 6 and 7"
+std::string those_left(const std::set<int>& certain, int team_size) {
+  std::vector<std::string> numbers;
+  for (int number = 1; number <= team_size; ++number) {
+    if (!certain.contains(number)) numbers.push_back(fmt::format("{}", number));
+  }
+  if (numbers.size() == 1) return "robot " + numbers.front();
+  const std::string last = numbers.back();
+  numbers.pop_back();
+  return fmt::format("robots {} and {}", join(numbers), last);
+}
+
+std::string contexts_that_play(const Team& team, std::size_t list) {
+  std::vector<std::string> names;
+  for (const Context& context : team.contexts) {
+    if (static_cast<std::size_t>(context.role_list) == list) names.push_back(context.name);
+  }
+  return names.empty() ? "" : fmt::format("{} {}", names.size() == 1 ? "context" : "contexts", join(names));
+}
+
+Location key_of(const Node& roles, const std::string& name) {
+  for (const Node::Entry& entry : roles.entries()) {
+    if (entry.key == name) return entry.key_where;
+  }
+  return roles.where();
+}
+
+bool has(const RoleList& list, Behaviour behaviour) {
+  return std::ranges::any_of(list.roles, [&](const Role& role) { return role.behaviour == behaviour; });
+}
+
+// What nobody does in the list though a game needs it.
+std::vector<std::string> missing_behaviours(const RoleList& list) {
+  std::vector<std::string> out;
+  if (!has(list, Behaviour::play_ball) && !has(list, Behaviour::search)) {
+    out.emplace_back("no role plays the ball: one has target {at: ball}, or behaviour: play_ball");
+  }
+  if (!has(list, Behaviour::keep_goal)) {
+    out.emplace_back("no role keeps the goal: one has the name goalkeeper, or behaviour: keep_goal");
+  }
+  return out;
+}
+
+// "[-42, 0]"
+std::string text_of(const std::array<double, 2>& point) {
+  return fmt::format("[{}, {}]", real_text(point[0]), real_text(point[1]));
+}
+
+// Where a role always stands that begins at a literal point.
+std::optional<std::array<double, 2>> fixed_point(const TargetRule& target) {
+  if (!target.at || target.at->anchor != Anchor::point || target.across) return std::nullopt;
+  std::array<double, 2> out{target.at->point[0] + target.shift[0], target.at->point[1] + target.shift[1]};
+  if (target.within) {
+    const auto& [x_least, x_most, y_least, y_most] = *target.within;
+    out = {std::clamp(out[0], x_least, x_most), std::clamp(out[1], y_least, y_most)};
+  }
+  return out;
+}
+
+// Keys of a target that lead off the carpet, each with what it says: only what is certain, whatever the ball does.
+struct OffCarpet {
+  std::string key, says;
+};
+std::vector<OffCarpet> off_carpet(const TargetRule& target, const Carpet& carpet) {
+  std::vector<OffCarpet> out;
+  if (const auto point = fixed_point(target); point && !carpet.holds(*point)) {
+    out.push_back({"at", text_of(*point) + " is"});
+  }
+  if (target.within) {
+    const auto& [x_least, x_most, y_least, y_most] = *target.within;
+    const bool outside = x_least > carpet.x || x_most < -carpet.x || y_least > carpet.y || y_most < -carpet.y;
+    if (outside && out.empty()) out.push_back({"within", "all of the rectangle is"});
+  } else if (target.across && *target.across > carpet.y) {
+    out.push_back({"across", real_text(*target.across) + " is"});
+  }
+  if (target.without_ball && target.without_ball->anchor == Anchor::point &&
+      !carpet.holds(target.without_ball->point)) {
+    out.push_back({"without_ball", text_of(target.without_ball->point) + " is"});
+  }
+  return out;
+}
+
+void warn_of_shared_robots(const RoleList& list, const Node& roles, std::vector<Warning>& out) {
+  for (std::size_t i = 0; i < list.roles.size(); ++i) {
+    const int robot = list.roles[i].robot;
+    const auto first = std::ranges::find(list.roles, robot, &Role::robot);
+    if (robot == 0 || first == list.roles.begin() + static_cast<std::ptrdiff_t>(i)) continue;
+    out.push_back({roles.elements()[i]["robot"].where(),
+                   fmt::format("roles.{}: {} and {} are both for robot {}, which takes one role at a time", list.name,
+                               first->name, list.roles[i].name, robot)});
+  }
+}
+
+void warn_of_targets(const RoleList& list, const Node& roles, const Carpet& carpet, std::vector<Warning>& out) {
+  for (std::size_t i = 0; i < list.roles.size(); ++i) {
+    const Node target = roles.elements()[i]["target"];
+    for (const OffCarpet& each : off_carpet(list.roles[i].target, carpet)) {
+      out.push_back({target[each.key].where(), fmt::format("roles.{}.{}.target.{}: {} {}", list.name,
+                                                           list.roles[i].name, each.key, each.says, carpet.off())});
+    }
+  }
+}
+
+}  // namespace
+
+std::string to_string(const Warning& warning) {
+  return one_line(fmt::format("{}: warning: {}", to_string(warning.where), warning.message));
+}
+
+std::vector<Warning> warnings(const Team& team, const Rules& rules, const Node& document) {
+  std::vector<Warning> out;
+  for (std::size_t i = 0; i < team.role_lists.size(); ++i) {
+    const RoleList& list = team.role_lists[i];
+    const std::string contexts = contexts_that_play(team, i);
+    const Node roles = document["roles"][list.name];
+    if (contexts.empty()) {
+      out.push_back({key_of(document["roles"], list.name),
+                     fmt::format("roles.{0}: no context plays this list: add use: {{roles: {0}}} to one", list.name)});
+      continue;
+    }
+    for (const std::string& each : missing_behaviours(list)) {
+      out.push_back(
+          {key_of(document["roles"], list.name), fmt::format("roles.{}: in {} {}", list.name, contexts, each)});
+    }
+    warn_of_shared_robots(list, roles, out);
+    warn_of_targets(list, roles, Carpet(rules.field), out);
+    const Takers by = takers(list, rules.team_size);
+    const int certain = static_cast<int>(by.certain.size()), played = certain + by.for_all;
+    if (played >= rules.team_size) continue;
+    const int left = rules.team_size - played;
+    const std::string who = by.for_all == 0 ? those_left(by.certain, rules.team_size)
+                                            : counted(static_cast<std::uint64_t>(left), "robot", "robots");
+    out.push_back({key_of(document["roles"], list.name),
+                   fmt::format("roles.{}: role{} for {} of {} robots in {}: {} will stand", list.name,
+                               played == 1 ? "" : "s", played, rules.team_size, contexts, who)});
+  }
+  return out;
+}
+
+}  // namespace regista::config

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "config/team_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "config/documents.hpp"
+#include "config/parse.hpp"
+#include "testing.hpp"
+
+namespace regista::config {
+namespace {
+
+// A team that plays a list of these roles in two contexts.
+std::string page(const std::string& roles) {
+  return "team: t\n"
+         "predictors: {self: {plugin: p}, ball: {plugin: p}, opponents: {plugin: p}, teammates: {plugin: p}}\n"
+         "contexts: [{name: late, priority: 1, plugin: c}, {name: early, plugin: c}]\n"
+         "assigner: {plugin: a}\n"
+         "sender: {plugin: s}\n"
+         "roles:\n"
+         "  usual:\n" +
+         roles;
+}
+
+// For these robots, in this order.
+std::string roles(const std::vector<int>& robots) {
+  std::string out;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    out += fmt::format("    - {{name: r{}, robot: {}, target: {{at: [0, {}]}}}}\n", i, robots[i], i);
+  }
+  return out;
+}
+
+Rules of_size(int size) {
+  Rules rules;
+  rules.team_size = size;
+  return rules;
+}
+
+std::vector<std::string> warned(const std::vector<int>& robots, int size) {
+  const Node document = parse_text(page(roles(robots)), "t.yaml");
+  std::vector<std::string> out;
+  for (const Warning& each : warnings(read_team(document), of_size(size), document)) {
+    if (each.message.ends_with(" will stand")) out.push_back(to_string(each));
+  }
+  return out;
+}
+
+// Those of a team of two that plays these roles.
+std::vector<std::string> missing(const std::string& roles) {
+  const Node document = parse_text(page(roles), "t.yaml");
+  std::vector<std::string> out;
+  for (const Warning& each : warnings(read_team(document), of_size(2), document)) out.push_back(to_string(each));
+  return out;
+}
+
+TEST(TeamWarnings, WhatNobodyDoesIsSaid) {
+  const std::string where = "t.yaml:7:3: warning: roles.usual: in contexts late, early ",
+                    ball = "no role plays the ball: one has target {at: ball}, or behaviour: play_ball",
+                    goal = "no role keeps the goal: one has the name goalkeeper, or behaviour: keep_goal";
+  const auto list = [](const char* first, const char* second) {
+    return fmt::format("    - {{name: {}}}\n    - {{name: {}}}\n", first, second);
+  };
+  EXPECT_EQ(missing(list("goalkeeper, target: {at: own_goal}", "striker, target: {at: ball}")),
+            std::vector<std::string>{});
+  EXPECT_EQ(missing(list("keeper, behaviour: keep_goal, target: {at: own_goal}",
+                         "hunter, behaviour: play_ball, target: {at: ball_rest}")),
+            std::vector<std::string>{});
+  EXPECT_EQ(missing(list("keeper, target: {at: own_goal}", "hunter, target: {at: ball_rest}")),
+            (std::vector<std::string>{where + ball, where + goal}));
+  EXPECT_EQ(missing(list("goalkeeper, target: {at: own_goal}", "scout, behaviour: search, target: {at: centre}")),
+            std::vector<std::string>{});
+}
+
+TEST(TeamWarnings, AListThatNoContextPlays) {
+  EXPECT_EQ(missing("    - {name: goalkeeper, target: {at: own_goal}}\n    - {name: striker, target: {at: ball}}\n"
+                    "  spare: [{name: only, target: {at: [99, 0]}}]\n"),
+            std::vector<std::string>{"t.yaml:10:3: warning: roles.spare: no context plays this list: add use: {roles: "
+                                     "spare} to one"});
+}
+
+// What is said of a list of a goalkeeper, a striker and this role. The field is 9 m by 6 m with 0.7 m about it.
+std::vector<std::string> of_third(const std::string& role) {
+  return missing(
+      "    - {name: goalkeeper, robot: 1, target: {at: own_goal}}\n    - {name: striker, target: {at: ball}}\n    - {" +
+      role + "}\n");
+}
+
+TEST(TeamWarnings, TwoRolesForOneRobot) {
+  EXPECT_EQ(of_third("name: libero, robot: 1, target: {at: centre}"),
+            std::vector<std::string>{"t.yaml:10:29: warning: roles.usual: goalkeeper and libero are both for robot 1, "
+                                     "which takes one role at a time"});
+  EXPECT_EQ(of_third("name: libero, robot: 2, target: {at: centre}"), std::vector<std::string>{});
+}
+
+TEST(TeamWarnings, TargetsOffTheField) {
+  const auto off = [](int column, const char* key, const char* what) {
+    return std::vector<std::string>{
+        fmt::format("t.yaml:10:{}: warning: roles.usual.r.target.{}: {} off the field, which with its border reaches "
+                    "from -5.2 to 5.2 m in x and from -3.7 to 3.7 m in y",
+                    column, key, what)};
+  };
+  EXPECT_EQ(of_third("name: r, target: {at: [-42, 0]}"), off(30, "at", "[-42, 0] is"));
+  EXPECT_EQ(of_third("name: r, target: {at: [5, 0], shift: [1, 0]}"), off(30, "at", "[6, 0] is"));
+  EXPECT_EQ(of_third("name: r, target: {at: ball, across: 30}"), off(44, "across", "30 is"));
+  EXPECT_EQ(of_third("name: r, target: {at: ball, within: [6, 7, 0, 1]}"),
+            off(44, "within", "all of the rectangle is"));
+  EXPECT_EQ(of_third("name: r, target: {at: centre, without_ball: [0, 4]}"), off(52, "without_ball", "[0, 4] is"));
+  // On the border, or brought back, or wherever the ball is.
+  for (const char* const target :
+       {"{at: [5.2, 3.7]}", "{at: [-42, 0], within: [-4, 4, -3, 3]}", "{at: [6, 0], shift: [-1, 0]}",
+        "{at: ball, shift: [90, 0]}", "{on_line: [ball, [-42, 0]], from_goal: 38}"}) {
+    EXPECT_EQ(of_third(fmt::format("name: r, target: {}", target)), std::vector<std::string>{}) << target;
+  }
+}
+
+TEST(TeamWarnings, WhoStandsIsSaid) {
+  EXPECT_EQ(warned({0, 0, 0}, 3), std::vector<std::string>{});
+  EXPECT_EQ(warned({0, 0, 0, 0}, 3), std::vector<std::string>{});
+  EXPECT_EQ(warned({1, 0, 0}, 5),
+            std::vector<std::string>{"t.yaml:7:3: warning: roles.usual: roles for 3 of 5 robots in "
+                                     "contexts late, early: 2 robots will stand"});
+  EXPECT_EQ(warned({1, 0}, 3), std::vector<std::string>{"t.yaml:7:3: warning: roles.usual: roles for 2 of 3 robots in "
+                                                        "contexts late, early: 1 robot will stand"});
+  EXPECT_EQ(warned({4, 1}, 5), std::vector<std::string>{"t.yaml:7:3: warning: roles.usual: roles for 2 of 5 robots in "
+                                                        "contexts late, early: robots 2, 3 and 5 will stand"});
+  EXPECT_EQ(warned({2}, 2), std::vector<std::string>{"t.yaml:7:3: warning: roles.usual: role for 1 of 2 robots in "
+                                                     "contexts late, early: robot 1 will stand"});
+  // As many roles as robots, but one robot cannot play two.
+  EXPECT_EQ(warned({1, 1, 0}, 3), std::vector<std::string>{"t.yaml:7:3: warning: roles.usual: roles for 2 of 3 robots "
+                                                           "in contexts late, early: 1 robot will stand"});
+}
+
+// What is said of n roles must be what is left when as many robots as possible have taken one: by trying it out.
+TEST(TeamWarnings, IsRightForEveryListOfThreeRoles) {
+  constexpr int size = 4;
+  for (int code = 0; code < 125; ++code) {
+    const std::vector<int> robots{code % 5, code / 5 % 5, code / 25};
+    int most = 0;
+    for (int taken = 0; taken < 125; ++taken) {  // the robot that takes each role; 0: nobody
+      const std::vector<int> by{taken % 5, taken / 5 % 5, taken / 25};
+      std::set<int> playing;
+      bool allowed = true;
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (by[i] == 0) continue;
+        allowed = allowed && (robots[i] == 0 || robots[i] == by[i]) && playing.insert(by[i]).second;
+      }
+      if (allowed) most = std::max(most, static_cast<int>(playing.size()));
+    }
+    const std::vector<std::string> told = warned(robots, size);
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_NE(told.front().find(fmt::format(" for {} of 4 robots", most)), std::string::npos) << told.front();
+  }
+}
+
+TEST(TeamWarnings, ShippedTeamsPlayWithEveryRobotOfSeven) {
+  for (const auto& entry : std::filesystem::directory_iterator(project / "configs/teams")) {
+    const Node document = load(entry.path());
+    const Team team = read_team(document);
+    EXPECT_TRUE(warnings(team, Rules{}, document).empty()) << entry.path();
+  }
+}
+
+}  // namespace
+}  // namespace regista::config
