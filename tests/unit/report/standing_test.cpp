@@ -153,6 +153,18 @@ TEST(PValues, WithPairsThatCouldNotBePlayedAreThoseOfTheWorstWayToCountThem) {
   EXPECT_EQ(p_values(*course.tournament).single[0], worst);
 }
 
+// A pair that is missing may hold two points for the other team.
+TEST(Leads, OnlyWhoLeadsWithEveryMissingMatchLost) {
+  for (const auto& [won_twice, leads] : {std::pair{1, false}, {2, true}}) {
+    Course course({"a", "b"});
+    course.take_pairs({{0, 0, 5 - won_twice, 0, won_twice}});  // 6 or 7 points of 10
+    EXPECT_TRUE(leads_either_way(course.plan, *course.tournament, 0));
+    course.take(unplayed());
+    course.take(unplayed());
+    EXPECT_EQ(leads_either_way(course.plan, *course.tournament, 0), leads);
+  }
+}
+
 TEST(Points, CountADrawHalf) {
   EXPECT_EQ(points({{3, 5, 7}}), 9.5);
   EXPECT_EQ(points({}), 0.0);
