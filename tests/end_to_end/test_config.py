@@ -132,6 +132,18 @@ class Config(program.Case):
             "match", "small.yaml", "small.yaml", "--limit", "1", "--quiet",
             "--set", "home.roles.playing.striker.target={at: [-42, 0]}").stderr)
 
+    def test_utilities_that_cannot_be_tried(self):
+        for name, folder, why in (
+                ("scores_nan", "bad_values", r"plugin scores_nan \(.*\) of team bad, robot 7.*: score: .*"),
+                ("dies_scoring", "deaths", r"Aborted, in .*deaths\.so, in score of plugin dies_scoring"
+                                           if not program.SANITIZED else ".*")):
+            self.write("bad.yaml", program.TEAM.format(name="bad").replace(
+                "{plugin: nearness, weight: 1, params: {scale: 2}}", f"{{plugin: {name}}}"))
+            done = self.run_program("config", "check", "bad.yaml", "--plugins", program.TEST_PLUGINS / folder)
+            self.assertEqual((done.returncode, done.stdout), (0, "bad.yaml: team, sound\n"))
+            self.assertRegex(done.stderr, rf"(?m)^regista: bad\.yaml:1:1: warning: utility: its terms could not be tried on "
+                                          rf"scenes: {why}\n\Z")
+
     def test_shipped_documents_are_sound_without_warnings(self):
         for kind in ("rules", "robots", "disturbances", "openings"):
             files = sorted((program.SOURCE / "configs" / kind).glob("*.yaml"))

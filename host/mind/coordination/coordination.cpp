@@ -37,13 +37,31 @@ const config::Context& Coordination::context() const {
 }
 
 // The world of a step; plugins called next see it as frame.world().
-const Snapshot& Coordination::world_for(config::Knowledge knowledge, const WorldModel& world) {
+const Snapshot& Coordination::world_for(config::Knowledge knowledge, const Worlds& worlds) {
   const bool common = knowledge == config::Knowledge::common;
   decision_.frame.knowledge = static_cast<std::int32_t>(common ? REGISTA_COMMON : REGISTA_MINE);
-  return common ? world.common() : world.mine();
+  return common ? worlds.common : worlds.mine;
 }
 
 const Decision& Coordination::decide(const WorldModel& world, double time, std::uint64_t tick) {
+  const Worlds worlds{world.mine(), world.common()};
+  begin(worlds, time, tick);
+  choose_context();
+  if (decision_.context < 0) {
+    forget_roles();
+    return decision_;
+  }
+  return decide_in_context(worlds);
+}
+
+const Decision& Coordination::decide_in(int context, const Snapshot& world, double time, std::uint64_t tick) {
+  const Worlds worlds{world, world};
+  begin(worlds, time, tick);
+  decision_.context = decision_.frame.context = context;
+  return decide_in_context(worlds);
+}
+
+void Coordination::begin(const Worlds& worlds, double time, std::uint64_t tick) {
   regista_frame& frame = decision_.frame;
   // "Unknown" is an answer of an assigner, no task.
   std::ranges::transform(decision_.role_of, previous_.begin(), [](std::int32_t id) { return std::max(id, -1); });
@@ -52,22 +70,19 @@ const Decision& Coordination::decide(const WorldModel& world, double time, std::
   frame.own_number = own_number_;
   frame.tick = tick;
   frame.time = time;
-  frame.mine = &world.mine().raw;
-  frame.common = &world.common().raw;
+  frame.mine = &worlds.mine.raw;
+  frame.common = &worlds.common.raw;
   frame.previous = span(previous_);
   frame.context = decision_.context;
+}
 
-  choose_context();
-  if (decision_.context < 0) {
-    forget_roles();
-    return decision_;
-  }
-  const Snapshot& task_world = world_for(context().tasks.knowledge, world);
+const Decision& Coordination::decide_in_context(const Worlds& worlds) {
+  const Snapshot& task_world = world_for(context().tasks.knowledge, worlds);
   list_tasks(task_world);
   place();
   filter_and_offset(task_world);
 
-  const Snapshot& utility_world = world_for(context().utility_knowledge, world);
+  const Snapshot& utility_world = world_for(context().utility_knowledge, worlds);
   estimate_times(utility_world);
   estimate_utilities(utility_world);
   forbid(utility_world);

@@ -28,6 +28,8 @@ class Coordination {
   Coordination(const TeamPlan& plan, int own_number, std::vector<ContextParts> parts);
 
   const Decision& decide(const WorldModel& world, double time, std::uint64_t tick);
+  // As if this context held, and all that the robot believes were common: for scenes that are made up.
+  const Decision& decide_in(int context, const Snapshot& world, double time, std::uint64_t tick);
 
   const Decision& decision() const { return decision_; }
   // The frame of the last decision, null before the first.
@@ -37,9 +39,14 @@ class Coordination {
   void forget_roles();
 
  private:
+  struct Worlds {
+    const Snapshot &mine, &common;
+  };
   const config::Context& context() const;
-  const Snapshot& world_for(config::Knowledge knowledge, const WorldModel& world);
+  const Snapshot& world_for(config::Knowledge knowledge, const Worlds& worlds);
+  void begin(const Worlds& worlds, double time, std::uint64_t tick);
   void choose_context();
+  const Decision& decide_in_context(const Worlds& worlds);
   void list_tasks(const Snapshot& world);
   void place();
   void forget_placement();

@@ -2,9 +2,10 @@
 // The assignment of robots to tasks with the largest sum of utilities: as many pairs as the forbidden ones leave room
 // for, then the largest sum, then the lexicographically least of the optimal ones (see tie_rule.hpp).
 //
-// Ties: a pair counts as tight when its reduced cost is at most `tie_tolerance` times the largest |utility|. So
+// Ties: a pair counts as tight when its reduced cost is at most `tie_tolerance` times the largest |dual variable|. So
 // utilities that differ by rounding only are equal, and the sum may fall short of the maximum by the tolerance per
-// robot at most.
+// robot at most. Dual variables are what it costs to do without a robot or a task, and so where rounding comes from; an
+// entry that no good assignment uses, as -1e9 for "never", does not occur in them, however large it is.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +26,7 @@ namespace hungarian {
 using assignment::Costs, assignment::forbidden, assignment::infinity, assignment::Matrix, assignment::nobody,
     assignment::Ranked, assignment::ShortestPaths, assignment::TieRule;
 
-inline constexpr double tie_tolerance = 1e-9;
+inline constexpr double tie_tolerance = 1e-12;  // far above what rounding adds up to for a thousand robots
 
 // Reuse one object: it keeps its memory, and allocates only for a matrix larger than any before.
 class Solver {
@@ -73,15 +74,12 @@ class Solver {
 
   Costs copy(const Matrix& utilities, bool transposed) {
     costs_.resize(utilities.rows * utilities.columns);
-    largest_ = 0.0;
     double* to = costs_.data();
     const std::size_t agents = transposed ? utilities.columns : utilities.rows;
     const std::size_t objects = transposed ? utilities.rows : utilities.columns;
     for (std::size_t i = 0; i < agents; ++i) {
       for (std::size_t j = 0; j < objects; ++j) {
-        const double cost = transposed ? -utilities(j, i) : -utilities(i, j);
-        if (cost != infinity) largest_ = std::max(largest_, std::abs(cost));
-        *to++ = cost;
+        *to++ = transposed ? -utilities(j, i) : -utilities(i, j);
       }
     }
     return {costs_.data(), agents, objects};
@@ -90,15 +88,20 @@ class Solver {
   template <class Cost>
   void break_ties(ShortestPaths<Cost>& solution, const Costs& costs, bool transposed,
                   std::span<const std::uint32_t> order, std::span<std::int32_t> out) {
-    name_tight_pairs(solution, costs, transposed, tie_tolerance * largest_, ties_);
+    double largest = 0.0;
+    for (const Cost& dual : solution.agent_dual) largest = std::max(largest, magnitude(dual));
+    for (const Cost& dual : solution.object_dual) largest = std::max(largest, magnitude(dual));
+    name_tight_pairs(solution, costs, transposed, tie_tolerance * largest, ties_);
     std::vector<std::int32_t>& column_of = transposed ? solution.agent_of : solution.object_of;
     std::vector<std::int32_t>& row_of = transposed ? solution.object_of : solution.agent_of;
     ties_.apply(order, column_of, row_of);
     std::copy(column_of.begin(), column_of.end(), out.begin());
   }
 
+  static double magnitude(double dual) { return std::abs(dual); }
+  static double magnitude(const Ranked& dual) { return std::abs(dual.sum); }
+
   std::vector<double> costs_;
-  double largest_ = 0.0;
   ShortestPaths<double> all_;
   ShortestPaths<Ranked> some_;
   TieRule ties_;

@@ -210,6 +210,44 @@ TEST(Hungarian, MagnitudesDoNotMatter) {
   }
 }
 
+// Entries that stand for "never" or "by all means" must not swallow what the others differ by. Whole numbers: sums are
+// exact. A forced outlier stands in every assignment, another in none of the best.
+TEST(Hungarian, OutliersHideNothing) {
+  std::mt19937 random(18);
+  hungarian::Solver solver;
+  for (const double outlier : {-1e9, 1e9, -1e11, 1e11}) {
+    int wrong = 0;
+    for (int round = 0; round < 10000; ++round) {
+      Case problem = random_case(random, 6, 6, 0.2 * (round % 3));
+      if (problem.values.empty()) continue;
+      std::bernoulli_distribution one(1.0 / static_cast<double>(problem.values.size())), some(0.3);
+      for (double& value : problem.values) {
+        const bool chosen = round % 2 == 0 ? one(random) : some(random);
+        if (value != forbidden && chosen) value = outlier + (round % 4 < 2 ? 0.0 : value);
+      }
+      wrong += assign(problem, solver) == Truth{problem, {}}.least() ? 0 : 1;
+    }
+    EXPECT_EQ(wrong, 0) << "of 10000 with " << outlier;
+  }
+  EXPECT_EQ(assign({2, 2, {0.0, 0.7, 0.7, -1e9}, {0, 1}}), (Rows{1, 0}));
+  EXPECT_EQ(assign({3, 3, {0.0, 0.7, -5.0, 0.7, 0.0, -5.0, -5.0, -5.0, -1e9}, {0, 1, 2}}), (Rows{2, 0, 1}));
+}
+
+// Tenths that round, beside an outlier: equal sums stay equal.
+TEST(Hungarian, TiesSurviveRoundingBesideAnOutlier) {
+  std::mt19937 random(19);
+  hungarian::Solver solver;
+  for (int round = 0; round < 5000; ++round) {
+    Case whole = random_case(random, 7, 4, 0.2 * (round % 3));
+    if (whole.values.empty()) continue;
+    const std::size_t place = random() % whole.values.size();
+    if (whole.values[place] != forbidden) whole.values[place] = round % 2 == 0 ? -1e9 : 1e9;
+    Case tenths = whole;
+    for (double& value : tenths.values) value = 0.1 * value + (value == forbidden ? 0.0 : 0.7);
+    ASSERT_EQ(assign(tenths, solver), (Truth{whole, {}}.least())) << "round " << round;
+  }
+}
+
 // --- The plugin ------------------------------------------------------------------------------------------------
 
 using namespace regista::testkit;

@@ -36,6 +36,14 @@ void cut(double origin, double slope, double limit, double& from, double& to) {
   to = std::min(to, leave);
 }
 
+// Where the centre of the triangle's circle is on the bisector of its side ab: so many |ab| from the middle of the
+// side, towards c where positive. That is half the cotangent of the angle at c. The centre itself may be infinitely
+// far, or lost in rounding, where the triangle is flat; the sign is that of the cosine, which is never small there.
+double centre_along_bisector(const Point& a, const Point& b, const Point& c) {
+  const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
+  return (ax * bx + ay * by) / (2.0 * std::abs(ax * by - ay * bx));
+}
+
 void in_order(int& a, int& b) {
   const int least = std::min(a, b);
   b = std::max(a, b);
@@ -73,7 +81,7 @@ Diagram::Diagram(Settings settings) : settings_(std::move(settings)) {
   // For teams of 22: n sites have at most 2n triangles and 3n edges.
   constexpr std::size_t sites = 32, triangles = 2 * sites, edges = 3 * sites;
   for (auto* points : {&opponents_, &asked_, &sites_}) points->reserve(sites);
-  for (auto* points : {&circumcentres_, &corners_, &middles_}) points->reserve(edges);
+  for (auto* points : {&corners_, &middles_}) points->reserve(edges);
   for (auto* indices : {&corner_of_, &alive_, &merged_into_}) indices->reserve(edges);
   links_.reserve(edges + triangles);
   in_order_.reserve(edges);
@@ -110,7 +118,6 @@ const Graph& Diagram::of(std::span<const Point> opponents) {
 
 // The diagram's nodes and edges, dropped and clipped.
 void Diagram::find_corners() {
-  circumcentres_.clear();
   corner_of_.clear();
   corners_.clear();
   links_.clear();
@@ -120,7 +127,6 @@ void Diagram::find_corners() {
     in_order(triangle[0], triangle[1]);
     const auto site = [&](std::size_t k) { return sites_[static_cast<std::size_t>(triangle[k])]; };
     const Point centre = circumcentre(site(0), site(1), site(2));
-    circumcentres_.push_back(centre);
     corner_of_.push_back(settings_.keep.contains(centre) ? corners_.size() : none);
     if (settings_.keep.contains(centre)) corners_.push_back(into(settings_.clip, centre));
   }
@@ -139,22 +145,22 @@ void Diagram::add_boundary() {
     const Point a = sites_[static_cast<std::size_t>(edge.a)], b = sites_[static_cast<std::size_t>(edge.b)];
     const Point middle{(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
     const Point normal{a.y - b.y, b.x - a.x};  // to the left of a -> b
-    // The Voronoi edge is middle + t * normal for t from the right triangle's centre to the left one's.
-    const auto place = [&](int triangle, double at_infinity) {
-      if (triangle == Delaunay::outside) return at_infinity;
-      const Point centre = circumcentres_[static_cast<std::size_t>(triangle)];
-      return ((centre.x - middle.x) * normal.x + (centre.y - middle.y) * normal.y) /
-             (normal.x * normal.x + normal.y * normal.y);
+    const auto place = [&](int triangle) {
+      if (triangle == Delaunay::outside) return infinity;
+      const Delaunay::Triangle& corners = delaunay_.triangles()[static_cast<std::size_t>(triangle)];
+      const int third = corners[0] + corners[1] + corners[2] - edge.a - edge.b;
+      return centre_along_bisector(a, b, sites_[static_cast<std::size_t>(third)]);
     };
     const auto corner = [&](int triangle) {
       return triangle == Delaunay::outside ? none : corner_of_[static_cast<std::size_t>(triangle)];
     };
     std::size_t right = corner(edge.right), left = corner(edge.left);
     if (right != none && left != none) continue;
-    double from = place(edge.right, -infinity), to = place(edge.left, infinity);
+    // The Voronoi edge is middle + t * normal for t from the right triangle's centre to the left one's.
+    double from = -place(edge.right), to = place(edge.left);
     cut(middle.x, normal.x, settings_.clip.x, from, to);
     cut(middle.y, normal.y, settings_.clip.y, from, to);
-    if (!(from < to)) continue;  // passes by, or the centre of a flat triangle is not a number
+    if (!(from < to)) continue;  // passes by
     const auto add = [&](double t) {
       corners_.push_back(into(settings_.clip, {middle.x + t * normal.x, middle.y + t * normal.y}));
       return corners_.size() - 1;

@@ -89,7 +89,6 @@ class Diagram {
   Delaunay delaunay_;
   bool known_ = false;
   std::vector<Point> opponents_, asked_, sites_;
-  std::vector<Point> circumcentres_;    // of every triangle
   std::vector<std::size_t> corner_of_;  // of every triangle: its node before merging, or none
   std::vector<Point> corners_;          // nodes before merging
   std::vector<Edge> links_;             // edges between corners

@@ -325,6 +325,19 @@ TEST(Merge, ComparesPositionAndVelocityByMahalanobis) {
   }
 }
 
+// Table II of Vo and Ma: components within a squared distance of 4, two deviations, become one.
+TEST(Merge, WithinTwoDeviations) {
+  const auto left = [](double deviations) {
+    Filter filter;
+    filter.add(robot(0.0, 0.0, 0.6, 0.1));
+    filter.add(robot(0.1 * deviations, 0.0, 0.3, 0.1));
+    filter.correct(nothing, nowhere);
+    return size(filter);
+  };
+  EXPECT_EQ(left(1.99), 1u);
+  EXPECT_EQ(left(2.01), 2u);
+}
+
 TEST(Merge, LeavesTwoUnseenRobotsTwo) {
   Filter filter;
   filter.correct(std::vector{at(0.0, 0.0), at(0.6, 0.0)}, everywhere);

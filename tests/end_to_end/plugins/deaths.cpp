@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <regista/context.hpp>
+#include <regista/utility.hpp>
 
 namespace {
 
@@ -116,9 +117,14 @@ struct DiesAtTheEnd {
   }
 };
 
-REGISTA_PLUGINS(regista::Plugin<Crashes, regista::context>, regista::Plugin<Aborts, regista::context>,
-                regista::Plugin<Exits, regista::context>, regista::Plugin<Spins, regista::context>,
-                regista::Plugin<TakesMemory, regista::context>, regista::Plugin<OverflowsStack, regista::context>,
-                regista::Plugin<KillsItself, regista::context>, regista::Plugin<CorruptsAnswer, regista::context>,
-                regista::Plugin<DiesOnce, regista::context>, regista::Plugin<DiesOfDaring, regista::context>,
-                regista::Plugin<DiesAtTheEnd, regista::context>)
+struct DiesScoring {
+  static constexpr auto id = "dies_scoring", version = "1.0.0", summary = "Aborts when it is asked for utilities";
+  void score(const regista::Frame&, regista::Utilities) { std::abort(); }
+};
+
+REGISTA_PLUGINS(regista::Plugin<DiesScoring, regista::utility>, regista::Plugin<Crashes, regista::context>,
+                regista::Plugin<Aborts, regista::context>, regista::Plugin<Exits, regista::context>,
+                regista::Plugin<Spins, regista::context>, regista::Plugin<TakesMemory, regista::context>,
+                regista::Plugin<OverflowsStack, regista::context>, regista::Plugin<KillsItself, regista::context>,
+                regista::Plugin<CorruptsAnswer, regista::context>, regista::Plugin<DiesOnce, regista::context>,
+                regista::Plugin<DiesOfDaring, regista::context>, regista::Plugin<DiesAtTheEnd, regista::context>)

@@ -72,6 +72,14 @@ TEST(Blame, APluginThatKillsItselfDoesItWheneverItPlaysAlone) {
             Judgement::play_isolated);
 }
 
+// Under `--isolation always` there is no play before the three.
+TEST(Blame, ThreeIsolatedPlaysAreEnoughAlsoWhereTheyAreAll) {
+  for (const int side : {home, away}) {
+    EXPECT_EQ(judge(Attempts{alone_killed(side), alone_killed(side)}), Judgement::play_isolated);
+    EXPECT_EQ(judge(Attempts{alone_killed(side), alone_killed(side), alone_killed(side)}), Judgement::forfeit);
+  }
+}
+
 TEST(Blame, KillsWithoutEndAreTheMachines) {
   Attempts attempts;
   for (std::size_t i = 0; i + 1 < most_failures; ++i) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <vector>
@@ -106,6 +107,23 @@ TEST_F(EngineTest, RowsOfAScheduleBeginAfterItsFirst) {
   }
   EXPECT_EQ(run(schedule, store, 2, {}), Finish::complete);
   EXPECT_EQ(fresh_ones, 6);  // none is played again
+}
+
+// Sixteen matches a worker: more would cost memory, fewer would let workers wait for the slowest match.
+TEST_F(EngineTest, WorkersRunAheadOfThePlaceThatIsDue) {
+  Store store(file, Store::Mode::create, "1.0");
+  fill(store, 300);
+  for (const int workers : {1, 2, 5}) {
+    order.clear();
+    Schedule schedule = schedule_of(300);
+    std::uint64_t most = 0;
+    schedule.at = [&](std::uint64_t index) {
+      most = std::max<std::uint64_t>(most, index + 1 - order.size());
+      return std::optional(MatchKey{fixture, index});
+    };
+    EXPECT_EQ(run(schedule, store, workers, {}), Finish::complete);
+    EXPECT_EQ(most, 16u * static_cast<unsigned>(workers)) << workers;
+  }
 }
 
 TEST_F(EngineTest, HandsOnAllOfThem) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/job.hpp"
+#include "campaign/job_setup.hpp"
 #include "campaign/metric_json.hpp"
 
 #include <gtest/gtest.h>
@@ -28,6 +29,18 @@ TEST(Job, SurvivesTheWayToAWorker) {
   const std::string line = to_json(some_job());
   EXPECT_EQ(line.find('\n'), std::string::npos);
   EXPECT_EQ(job_from_json(line), some_job());
+}
+
+// What is asked for and what a worker plays are the same match.
+TEST(Job, SurvivesTheWayToARequestAndBack) {
+  Job job = some_job();
+  job.robot = "robot.yaml";
+  job.disturbance = "both.yaml";
+  job.home_disturbance = "home.yaml";
+  job.away_disturbance = "away.yaml";
+  Job expected = job;  // what is in the files is no part of a request
+  expected.home_inputs = expected.away_inputs = expected.common_inputs = {};
+  EXPECT_EQ(job_of(request_of(job), job.plugins), expected);
 }
 
 TEST(Job, IsACommandLineOfMatch) {

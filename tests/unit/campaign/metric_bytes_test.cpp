@@ -63,6 +63,7 @@ TEST(MetricBytes, NamesComeBackInTheirOrder) {
   const match::MetricNames names({{.name = "playing_seconds"},
                                   {.side = Side::home, .name = "packets"},
                                   {.side = Side::home, .role = "playing.striker", .name = "switches"},
+                                  {.side = Side::home, .role = "a\"b", .name = "robot_seconds", .place = 1},
                                   {.side = Side::home, .role = "a\"b", .name = "robot_seconds", .place = 2},
                                   {.side = Side::away, .name = "packets"}});
   EXPECT_EQ(*names_of(names_text(names)), names);

@@ -87,6 +87,7 @@ TEST(Disturbance, WhatIsRefused) {
       {"  - {kind: crash, at: 1, per_hour: 2}\n", "t.yaml:3:36: incidents.0: expected exactly one of at, per_hour"},
       {"  - {kind: crash, at: -1}\n", "t.yaml:3:23: incidents.0.at: \"-1\" is outside 0 to 1000000 s"},
       {"  - {kind: crash, at: [2, 1]}\n", "t.yaml:3:27: incidents.0.at: the moments are not in their order"},
+      {"  - {kind: crash, at: [1, 2, 2]}\n", "t.yaml:3:30: incidents.0.at: the moments are not in their order"},
       {"  - {kind: crash, at: []}\n", "t.yaml:3:23: incidents.0.at: an empty list; leave the incident out"},
       {"  - {kind: crash, at: 1, for: -5}\n", "t.yaml:3:31: incidents.0.for: \"-5\" is outside 0 to 1000000 s"},
       {"  - {kind: crash, at: 1, robots: some}\n",
@@ -103,6 +104,22 @@ TEST(Disturbance, WhatIsRefused) {
        "t.yaml:3:5: incidents.0: expected x and y, or neither for a place drawn at random"},
   };
   for (const auto& [incidents, expected] : cases) EXPECT_EQ(error_of([&, text = incidents] { read(text); }), expected);
+}
+
+TEST(Disturbance, AsManyGhostBallsAsCanStrikeARobot) {
+  const auto refused = [](int of_robot_2, int of_anybody) {
+    std::string page = "disturbance: d\nincidents:\n";
+    for (int i = 0; i < of_robot_2; ++i) page += "  - {kind: ghost_ball, robots: 2, at: 1}\n";
+    for (int i = 0; i < of_anybody; ++i) page += "  - {kind: ghost_ball, robots: any, at: 1}\n";
+    const Node document = parse_text(page, "t.yaml");
+    return error_of([&] { check(read_disturbance(document), Rules{}, document); });
+  };
+  EXPECT_EQ(refused(8, 0), "");
+  EXPECT_EQ(refused(3, 5), "");
+  EXPECT_EQ(refused(9, 0),
+            "t.yaml:11:5: disturbance d: incidents.8 is one more than the 8 ghost balls that can strike robot 2");
+  EXPECT_EQ(refused(3, 6),
+            "t.yaml:11:5: disturbance d: incidents.8 is one more than the 8 ghost balls that can strike robot 2");
 }
 
 TEST(Disturbance, RobotsThatATeamDoesNotHave) {

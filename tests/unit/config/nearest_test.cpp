@@ -51,6 +51,10 @@ TEST(Nearest, FindsWhatWasMeant) {
   EXPECT_EQ(nearest("goalwidth", known), "goal_width");
   EXPECT_EQ(nearest("widht", known), "width");
   EXPECT_EQ(nearest("temperature", known), "");
+  // A mistake for each three letters begun.
+  EXPECT_EQ(nearest("wodht", known), "width") << "two in five letters";
+  EXPECT_EQ(nearest("wodu", known), "") << "three in four";
+  EXPECT_EQ(nearest("lonhgt", known), "") << "three in six";
   EXPECT_EQ(nearest("", known), "");
   EXPECT_EQ(nearest("x", std::vector<std::string>{"y", "ab"}), "");
   EXPECT_EQ(nearest("cat", std::vector<std::string>{"bat", "hat"}), "bat") << "the first of equals";

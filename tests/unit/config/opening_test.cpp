@@ -138,6 +138,15 @@ TEST(Misfit, NamesWhatDoesNotGoWithRulesAndRobots) {
          o.ball.at = {4.45, -0.75};
        },
        "ball.at", "the ball at (4.45, -0.75) is on a goal post"},
+      // A post stands beside the inner width of 1.5 m: its middle is at y = 0.8, and it ends at 0.85.
+      {[](Opening& o, Rules&, auto&) {
+         o.ball.at = {4.5, 0.89};
+       },
+       "ball.at", "the ball at (4.5, 0.89) is on a goal post"},
+      {[](Opening& o, Rules&, auto&) {
+         o.ball.at = {4.5, 0.91};
+       },
+       "ball.at", ""},
       {[](Opening& o, Rules&, auto&) {
          o.home[0].at = {-5.0, 2.0};
        },

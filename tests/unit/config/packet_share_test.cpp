@@ -32,6 +32,18 @@ TEST(PacketShare, IsThatOfTheLength) {
   EXPECT_EQ(packet_share(small, std::nullopt), 1.0);
 }
 
+// A whole number of packets is one, though its share may round to a little less.
+TEST(PacketShare, RoundingTakesNoPacketAway) {
+  for (int seconds = 1; seconds < 1200; ++seconds) {
+    EXPECT_EQ(packets(for_game(seconds).messages), seconds);
+    Rules other;
+    other.messages.short_games = ShortGames::share;
+    other.messages.budget = 700;
+    other.messages.share = packet_share(other, seconds);
+    EXPECT_EQ(packets(other.messages), 700 * seconds / 1200);
+  }
+}
+
 TEST(PacketShare, IsTheWholeUnlessAskedFor) {
   EXPECT_EQ(read_rules(project / "configs/rules/spl2023.yaml").messages.short_games, ShortGames::whole);
   const Rules rules = for_game(30.0, ShortGames::whole);

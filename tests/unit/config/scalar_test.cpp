@@ -113,6 +113,7 @@ TEST(Scalar, Names) {
   EXPECT_EQ(message(to_name, "a.b"), "t.yaml:1:1: a: \"a.b\"" + rule);
   EXPECT_EQ(message(to_name, "\"\""), "t.yaml:1:1: a: \"\"" + rule);
   EXPECT_EQ(message(to_name, "[a]"), "t.yaml:1:1: a: a list; expected a name");
+  EXPECT_EQ(to_name(value(std::string(64, 'a')), "a"), std::string(64, 'a'));
   EXPECT_EQ(message(to_name, std::string(65, 'a')),
             "t.yaml:1:1: a: \"" + std::string(40, 'a') + "...\" is longer than 64 characters");
 }

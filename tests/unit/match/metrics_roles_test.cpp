@@ -110,6 +110,16 @@ TEST_F(Coordination, ARoleIsUnplayedWhenMostBelieveThatSomebodyElsePlaysIt) {
   EXPECT_EQ(role(2).all.unplayed_seconds, 1.0);
 }
 
+TEST_F(Coordination, HalfOfTheRobotsAreNotMost) {
+  decide(1, 0, {0, 2, 1});
+  decide(2, 1, {0, 1, -1});
+  sample(10, 0b011);
+  EXPECT_EQ(role(2).all.unplayed_seconds, 0.0) << "one of two";
+  decide(2, 1, {0, 1, 2});
+  sample(10, 0b011);
+  EXPECT_EQ(role(2).all.unplayed_seconds, 1.0) << "both";
+}
+
 // A match of 100 s in samples: overlap all the time, a packet after 30 s and the last one after 60 s.
 TEST_F(Coordination, SilenceBeginsWithTheLastPacketAndDividesEverything) {
   decide(2, 1, {0, 1, 2});

@@ -239,6 +239,34 @@ TEST(BallFusion, UnwatchedEstimatesLoseToFreshOnes) {
   EXPECT_DOUBLE_EQ(fuse_ball(views(estimates)).position[0], 4.0);
 }
 
+// A ball that nobody watches is pushed about: 0.3 m per second of its age, per axis. So an estimate of some age is
+// worth what a fresh one of so much larger a covariance is, alone, in its weight among others, and in what it
+// contradicts.
+TEST(BallFusion, AgeCountsAsUncertaintyOfThePosition) {
+  const Told alone = estimate(Vector::Zero(4), 0.01 * Matrix::Identity(4, 4), 1, 1.0, 2.0);
+  const regista_ball ball = fuse_ball(views({alone}));
+  EXPECT_NEAR(ball.covariance[0], 0.01 + 0.6 * 0.6 + least_variance, 1e-12);
+  EXPECT_NEAR(ball.covariance[5], 0.01 + 0.6 * 0.6 + least_variance, 1e-12);
+  EXPECT_NEAR(ball.covariance[10], 0.01 + least_variance, 1e-12) << "of the velocity";
+
+  Dice dice(7);
+  for (int round = 0; round < 300; ++round) {
+    std::vector<Told> old = agreeing(dice, 2 + round % 4), fresh;
+    for (Told& each : old) {
+      each.track.x += dice.real(-1.5, 1.5);  // some contradict
+      const double age = dice.real(0.0, 3.0);
+      Told grown = each;
+      grown.track.covariance[0] += 0.09 * age * age;
+      grown.track.covariance[5] += 0.09 * age * age;
+      fresh.push_back(grown);
+      each.track.age = age;
+    }
+    const Fused aged = read(fuse_ball(views(old))), expected = read(fuse_ball(views(fresh)));
+    EXPECT_LT((aged.mean - expected.mean).norm(), 1e-9) << "round " << round;
+    EXPECT_LT((aged.covariance - expected.covariance).norm(), 1e-9) << "round " << round;
+  }
+}
+
 // --- Opponents -----------------------------------------------------------------------------------------------------
 
 Told opponent(double x, double y, double variance, int source, int label, double weight = 0.9, double age = 0.0) {

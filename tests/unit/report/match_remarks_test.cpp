@@ -37,6 +37,15 @@ std::string page_of(const Course& course) {
   return tournament_page({course.view(), record, {}, {}, "1", "regista", {}, {}});
 }
 
+TEST(Unplayed, WhatIsNotListedIsCounted) {
+  for (const auto& [pairs, more] :
+       {std::pair{100, ""}, {101, "  and 1 match more\n"}, {102, "  and 2 matches more\n"}}) {
+    Course course({"new", "old"}, 200);
+    take(course, 0, 0, pairs);
+    EXPECT_THAT(unplayed_text(course.tournament->remarks()), EndsWith(std::string("died\\x1b[2J\n") + more)) << pairs;
+  }
+}
+
 TEST(Unplayed, AFixedNumberOfPairs) {
   // Twelve won pairs to none are found; with nine more lost they are not.
   Course course({"new", "old"}, 21);

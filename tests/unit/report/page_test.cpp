@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "course.hpp"
@@ -44,6 +45,27 @@ void expect_order(const std::string& page, const std::vector<std::string>& ids) 
 
 constexpr auto roles =
     R"({"roles":[{"s":{"overlap_seconds":1,"uncovered_seconds":2,"switches":3}},{"s":{"overlap_seconds":1,"uncovered_seconds":2,"switches":3}}],"packets":[1,2],"packets_by_reason":[{"goal":1},{"goal":2}]})";
+
+// Bold is a difference whose interval does not include zero.
+TEST(TournamentPage, BoldIsWhatDiffers) {
+  const auto page_with = [](int first, int second) {
+    Course course({"new", "old"}, 40);
+    CourseRecord record(course.plan, *course.tournament);
+    for (int i = 0; i < 80; ++i) {
+      const int a = first + i % 3, b = second + (i + 1) % 3;
+      const campaign::Decided decided =
+          match(0, 0,
+                fmt::format(R"({{"packets":[{0},{1}],"packets_by_reason":[{{"goal":{0}}},{{"goal":{1}}}]}})",
+                            i % 2 == 0 ? a : b, i % 2 == 0 ? b : a));
+      course.take(decided);
+      record.take(&decided);
+    }
+    return page_of(course, record);
+  };
+  constexpr auto bold = "<span class=\"differs\">";
+  EXPECT_EQ(count(page_with(100, 100), bold), 0u);
+  EXPECT_THAT(page_with(100, 300), HasSubstr(std::string(bold) + "-200"));
+}
 
 TEST(TournamentPage, HasItsPartsInTheirOrder) {
   Course course({"new", "old"}, 10);

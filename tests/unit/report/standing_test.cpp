@@ -165,6 +165,30 @@ TEST(PValues, AreThoseOfTheSignsOfPairsByHolm) {
   EXPECT_THAT(p_values(*Course({"a", "b", "c"}).tournament).adjusted, ElementsAre(1.0, 1.0, 1.0));
 }
 
+// A pair won twice weighs two pairs won once: though more pairs went to the second team, the first has more points,
+// whoever is given the two pairs that are missing. So the largest of the three p-values holds.
+TEST(PValues, WithPairsThatCouldNotBePlayedAreThoseOfTheWorstWayToCountThem) {
+  Course course({"a", "b"});
+  course.take_pairs({{0, 11, 0, 0, 10}});
+  for (int i = 0; i < 4; ++i) course.take(unplayed());
+  const auto p_of = [](statistics::PairCounts pairs) { return statistics::sign_flip_p(pairs); };
+  const double worst = std::max({p_of({{0, 11, 0, 0, 10}}), p_of({{2, 11, 0, 0, 10}}), p_of({{0, 11, 0, 0, 12}})});
+  EXPECT_LT(worst, 1.0);
+  EXPECT_EQ(p_values(*course.tournament).single[0], worst);
+}
+
+// A pair that is missing may hold two points for the other team.
+TEST(Leads, OnlyWhoLeadsWithEveryMissingMatchLost) {
+  for (const auto& [won_twice, leads] : {std::pair{1, false}, {2, true}}) {
+    Course course({"a", "b"});
+    course.take_pairs({{0, 0, 5 - won_twice, 0, won_twice}});  // 6 or 7 points of 10
+    EXPECT_TRUE(leads_either_way(course.plan, *course.tournament, 0));
+    course.take(unplayed());
+    course.take(unplayed());
+    EXPECT_EQ(leads_either_way(course.plan, *course.tournament, 0), leads);
+  }
+}
+
 TEST(Points, CountADrawHalf) {
   EXPECT_EQ(points({{3, 5, 7}}), 9.5);
   EXPECT_EQ(points({}), 0.0);

@@ -179,6 +179,14 @@ TEST(VerdictSentence, OfAGauntlet) {
   EXPECT_EQ(sentence(course), "a against 3 others: stronger than 1, weaker than 1, open for 1.");
 }
 
+TEST(VerdictSentence, OfAGauntletCountsEachWay) {
+  Course course({"new", "weak", "feeble", "faint", "strong"}, 40);
+  course.plan.format = study::Format::gauntlet;
+  course.tournament.emplace(course.plan);
+  course.take_pairs({{0, 0, 5, 0, 35}, {0, 0, 5, 0, 35}, {0, 0, 5, 0, 35}, {35, 0, 5, 0, 0}});
+  EXPECT_EQ(sentence(course), "new against 4 others: stronger than 3, weaker than 1, open for 0.");
+}
+
 TEST(VerdictSentence, ForfeitsAreTold) {
   Course course({"good", "bad"}, 20);
   course.plan.failures_in_a_row = 2;

@@ -143,6 +143,24 @@ TEST(ExperimentUnplayed, WhoLosesItsWorstPairsFindsNothing) {
   EXPECT_GT(tempting, 50);
 }
 
+// Ten pairs differ by one, and conditions vary by twenty: one missing pair may hold more than all of them together.
+TEST(ExperimentUnplayed, AMissingPairMayHoldTheLargestDifferenceSeen) {
+  std::vector<double> first, second;
+  for (int i = 0; i < 10; ++i) {
+    second.push_back(2.0 * i);
+    first.push_back(2.0 * i + 1.0 + 0.01 * i);
+  }
+  first.push_back(nothing);
+  second.push_back(nothing);
+  std::vector<bool> unplayed(11, false);
+  unplayed.back() = true;
+  for (const PairTest test : {PairTest::paired_t, PairTest::sign_flip}) {
+    EXPECT_LT(p_of_difference(first, second, test)->p, 0.01);
+    EXPECT_EQ(p_either_way({first, unplayed}, {second, unplayed}, test), 1.0);
+    EXPECT_EQ(p_either_way({second, unplayed}, {first, unplayed}, test), 1.0);
+  }
+}
+
 TEST(ExperimentUnplayed, ForfeitsAreMissingAsBefore) {
   const std::vector<double> first{5, 6, nothing, 8, 9, 7}, second{1, 2, 3, 2, 1, 2};
   const std::vector<bool> none(6, false);

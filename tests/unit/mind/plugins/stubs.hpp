@@ -170,6 +170,39 @@ struct InOrder {
   }
 };
 
+// The same number for all robots.
+struct Flat {
+  static constexpr auto id = "flat", version = "1.0.0", summary = "Says something of tasks alone";
+  void score(const regista::Frame& frame, regista::Utilities out) {
+    for (std::size_t i = 0; i < out.rows(); ++i) {
+      for (std::size_t j = 0; j < out.columns(); ++j) out(i, j) = std::abs(frame.tasks()[j].after[1]);
+    }
+  }
+};
+
+// Begins with the largest number of all, and goes on with those that are left.
+struct LargestFirst {
+  static constexpr auto id = "largest_first", version = "1.0.0", summary = "Largest number first";
+  void assign(const regista::Frame&, regista::UtilityMatrix utilities, regista::Assignment out) {
+    std::array<bool, 256> taken{};
+    for (std::size_t k = 0; k < utilities.columns(); ++k) {
+      double most = -1.0;
+      std::size_t row = 0, column = 0;
+      for (std::size_t i = 0; i < utilities.rows(); ++i) {
+        for (std::size_t j = 0; j < utilities.columns(); ++j) {
+          if (taken[j] || out[i] != regista::Assignment::no_task || !(utilities(i, j) > most)) continue;
+          most = utilities(i, j);
+          row = i;
+          column = j;
+        }
+      }
+      if (most < 0.0) return;
+      out[row] = static_cast<std::int32_t>(column);
+      taken[column] = true;
+    }
+  }
+};
+
 // Every so often, with all offers.
 struct Steady {
   static constexpr auto id = "steady", version = "1.0.0", summary = "Sends every so often";
