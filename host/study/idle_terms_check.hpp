@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "config/team_size.hpp"
+#include "config/team_warnings.hpp"
 #include "mind/team_plan.hpp"
 
 namespace regista::study {

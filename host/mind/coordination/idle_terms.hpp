@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "config/team_size.hpp"
+#include "config/team_warnings.hpp"
 #include "mind/team_plan.hpp"
 #include "plugin/call_note.hpp"
 
