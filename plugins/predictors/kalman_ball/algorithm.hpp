@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where the one ball is: a handful of weighted hypotheses, each a Kalman filter that believes the ball to rest or to
-// move. A sighting that a hypothesis does not expect starts another: the same ball, touched since it was last seen, which
-// is the likelier the longer that is ago. One that fits nothing at all starts a resting and a moving ball. Those that
-// explain what is seen, and what is not seen, win.
+// move. A sighting that a hypothesis does not expect starts another: the same ball, touched since it was last seen,
+// which is the likelier the longer that is ago. One that fits nothing at all starts a resting and a moving ball. Those
+// that explain what is seen, and what is not seen, win.
 //
 // Sources: the Kalman filter as in Bar-Shalom, Li, Kirubarajan, "Estimation with Applications to Tracking and
 // Navigation" (2001); weights, misses and births by the Bernoulli filter (Ristic, Vo, Vo, Farina, "A Tutorial on
