@@ -63,7 +63,10 @@ class Filter {
       : parameters_(parameters),
         motion_{parameters.rolling, parameters.speed_prior, parameters.sliding_deceleration, parameters.timing_noise} {}
 
-  void reset() { hypotheses_.reset(); }
+  void reset() {
+    hypotheses_.reset();
+    since_image_ = 0.0;
+  }
 
   // reach: tells of Whereabouts whether a robot can kick that ball.
   template <class ReachOf>

@@ -56,7 +56,10 @@ class Filter {
   Filter() : Filter(Parameters{}) {}
   explicit Filter(const Parameters& parameters) : parameters_(parameters) {}
 
-  void reset() { hypotheses_.reset(); }
+  void reset() {
+    hypotheses_.reset();
+    since_image_ = 0.0;
+  }
 
   void predict(double dt) {
     for (Hypothesis& each : hypotheses_) advance(each, dt);
