@@ -120,7 +120,10 @@ class Played(Tuning):
     def test_tuned_team_plays_what_was_verified(self):
         report = self.tune()
         file = self.folder / "trial.tuned.yaml"
-        self.assertEqual(self.succeed("config", "check", file.name), f"{file.name}: team, sound\n")
+        checked = self.run_program("config", "check", file.name)
+        self.assertEqual((checked.returncode, checked.stdout), (0, f"{file.name}: team, sound\n"))
+        # What the base team has, the tuned one has.
+        self.assertRegex(checked.stderr, r"\A(regista: .*paper\.yaml:\d+:\d+: warning: utility\.terms\.waypoint: .*\n)?\Z")
         text = file.read_text()
         self.assertTrue(text.startswith("# Tuned by Regista"))
         self.assertIn("VERIFIED", text.splitlines()[0])
