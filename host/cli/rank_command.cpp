@@ -43,7 +43,7 @@ void add_rank(Command& parent) {
   const auto options = std::make_shared<RankOptions>();
   command.take("results", options->files, "RESULTS.csv", "the results", Reads::data);
   command.flag("--json", options->json, "write the result as JSON");
-  command.notes(notes);
+  command.notes(rank_notes);
   command.run = [options] {
     if (options->files.size() != 1) {
       throw BadInput(

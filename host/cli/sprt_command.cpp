@@ -82,7 +82,7 @@ void add_sprt(Command& parent) {
   command.take("--alpha", options->alpha, "RATE", "rate of accepting H1 in error; default 0.05");
   command.take("--beta", options->beta, "RATE", "rate of accepting H0 in error; default 0.05");
   command.flag("--json", options->json, "write the result as JSON");
-  command.notes(notes);
+  command.notes(sprt_notes);
   command.run = [options] {
     const report::SequentialTestOfCounts test = evaluate(*options);
     output::print(options->json ? report::counts_json(test) : report::counts_text(test));

@@ -17,7 +17,7 @@ namespace {
 using namespace picture;
 using mind::Vector2d;
 
-constexpr double page_width = 720.0, page_margin = 8.0, head = 20.0, marker = 7.0, line_height = 14.0,
+constexpr double page_width = 720.0, page_margin = 8.0, page_head = 20.0, marker = 7.0, line_height = 14.0,
                  letter = 6.6;  // px
 
 struct Box {
@@ -48,7 +48,7 @@ class Labels {
     };
     const auto free = std::ranges::find_if(centres, [&](const Vector2d& c) {
       const Box box = box_at(c);
-      const bool inside = box.left >= 0.0 && box.top >= head && box.right <= right_ && box.bottom <= bottom_;
+      const bool inside = box.left >= 0.0 && box.top >= page_head && box.right <= right_ && box.bottom <= bottom_;
       return inside && std::ranges::none_of(taken_, [&](const Box& other) { return box.meets(other); });
     });
     const Vector2d& centre = free == centres.end() ? centres.front() : *free;
@@ -114,10 +114,10 @@ text{font-family:"Helvetica Neue",Arial,"DejaVu Sans",sans-serif;font-size:12px;
 }  // namespace
 
 std::string roles_svg(const RolesToDraw& what, const config::FieldSize& field) {
-  Scale to{page_margin, page_margin + head, 0.0, field.length / 2.0 + field.border_strip,
+  Scale to{page_margin, page_margin + page_head, 0.0, field.length / 2.0 + field.border_strip,
            field.width / 2.0 + field.border_strip};
   to.per_metre = (page_width - 2.0 * page_margin) / (2.0 * to.half_length);
-  const double height = 2.0 * page_margin + head + 2.0 * to.half_width * to.per_metre;
+  const double height = 2.0 * page_margin + page_head + 2.0 * to.half_width * to.per_metre;
 
   std::vector<std::array<double, 2>> balls(what.balls.begin(), what.balls.end());
   const bool known = !balls.empty(), several = balls.size() > 1, alone = what.roles.size() == 1;

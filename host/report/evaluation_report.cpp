@@ -47,15 +47,15 @@ std::string evaluation_text(const config::PredictorStudy& study, const std::stri
   out += row("hold last", evaluation, [](const AtHorizon& at) { return both(at.hold, at.truths); });
   out += row("constant velocity", evaluation, [](const AtHorizon& at) { return both(at.constant, at.truths); });
   out += row("decayed velocity", evaluation, [](const AtHorizon& at) { return both(at.decayed, at.truths); });
-  const auto ratio = [&](std::string_view name, study::Ratio study::Comparison::*quantile) {
+  const auto ratio = [&](std::string_view name, study::ErrorRatio study::ErrorRatios::*quantile) {
     return row(name, evaluation, [&](const AtHorizon& at) {
-      const study::Ratio& each = at.to_decayed.*quantile;
+      const study::ErrorRatio& each = at.to_decayed.*quantile;
       return at.answers == 0 ? "-" : fmt::format("{:.2f} [{:.2f}, {:.2f}]", each.value, each.low, each.high);
     });
   };
   out += fmt::format("{} / decayed velocity [95 % interval, blocks of play drawn anew]\n", study.predictor.plugin);
-  out += ratio("median", &study::Comparison::median);
-  out += ratio("90th percentile", &study::Comparison::ninetieth);
+  out += ratio("median", &study::ErrorRatios::median);
+  out += ratio("90th percentile", &study::ErrorRatios::ninetieth);
   out += row("truths", evaluation, [](const AtHorizon& at) { return fmt::format("{}", at.truths); });
   out += row("answered", evaluation, [](const AtHorizon& at) {
     const double share = at.truths == 0 ? 0.0 : static_cast<double>(at.answers) / static_cast<double>(at.truths);
@@ -93,7 +93,7 @@ std::string evaluation_json(const config::PredictorStudy& study, const std::stri
     if (at.answers > 0) {
       const study::Consistency& c = at.consistency;
       each["error_m"]["predictor"] = errors_json(at.predictor);
-      const auto ratio = [](const study::Ratio& of) -> nlohmann::ordered_json {
+      const auto ratio = [](const study::ErrorRatio& of) -> nlohmann::ordered_json {
         return {{"value", of.value}, {"interval", {of.low, of.high}}};
       };
       each["to_decayed"] = {{"median", ratio(at.to_decayed.median)},

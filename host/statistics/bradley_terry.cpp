@@ -6,7 +6,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "statistics/distributions.hpp"
 #include "statistics/rating.hpp"
@@ -14,7 +13,6 @@
 namespace regista::statistics {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int most_rounds = 2000;
 constexpr int most_newton_steps = 100;
 constexpr double settled = 1e-13;  // largest relative change of a strength in a round

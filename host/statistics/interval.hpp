@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 namespace regista::statistics {
+
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct Interval {
   double low, high;

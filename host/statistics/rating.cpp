@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "statistics/distributions.hpp"
 
 namespace regista::statistics {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // How uncertain the effect (mean - 1/2) / sd is.
 struct EffectSpread {

@@ -44,13 +44,13 @@ Interval SymmetricTest::interval() const { return {bound(-1.0), bound(1.0)}; }
 // The first centre in this direction, seen from the mean, that has enough evidence against it.
 double SymmetricTest::bound(double direction) const {
   const double middle = mean();
-  const double infinite = direction * std::numeric_limits<double>::infinity();
-  if (count_ == 0) return infinite;
+  const double beyond = direction * std::numeric_limits<double>::infinity();
+  if (count_ == 0) return beyond;
   // Far away the evidence falls again, as such values would need a spread that excuses everything.
   double step = 1e-3 / std::sqrt(mixing_variance_ * static_cast<double>(count_));
   double inside = 0.0;
   for (int doublings = 0; log_evidence(middle + direction * step) < log_level_; ++doublings) {
-    if (doublings == 120) return infinite;
+    if (doublings == 120) return beyond;
     inside = step;
     step *= 1.25;
   }

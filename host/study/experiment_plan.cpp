@@ -14,7 +14,7 @@
 namespace regista::study {
 namespace {
 
-constexpr int plan_version = 1;
+constexpr int experiment_plan_version = 1;
 
 // What the course of an experiment relies on.
 bool sound(const ExperimentPlan& plan) {
@@ -156,10 +156,10 @@ bool equal_conditions(const ExperimentPlan& plan, const Comparison& comparison) 
   return key(comparison.first, 0) == key(comparison.second, 0) && key(comparison.first, 1) == key(comparison.second, 1);
 }
 
-std::string to_json(const ExperimentPlan& plan) { return plan_text(experiment_study, plan_version, plan); }
+std::string to_json(const ExperimentPlan& plan) { return plan_text(experiment_study, experiment_plan_version, plan); }
 
 ExperimentPlan experiment_plan_from_json(const std::string& text) {
-  return plan_of<ExperimentPlan>(experiment_study, plan_version, text,
+  return plan_of<ExperimentPlan>(experiment_study, experiment_plan_version, text,
                                  [](const ExperimentPlan& plan) { return sound(plan); });
 }
 

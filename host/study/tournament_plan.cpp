@@ -15,7 +15,7 @@
 namespace regista::study {
 namespace {
 
-constexpr int plan_version = 1;
+constexpr int tournament_plan_version = 1;
 
 bool is_rate(double rate) { return rate > 0.0 && rate < 1.0; }
 
@@ -215,10 +215,10 @@ bool equal_teams(const TournamentPlan& plan, const Pairing& pairing) {
   return campaign::fixture_key(a, b, {}) == campaign::fixture_key(b, a, {});
 }
 
-std::string to_json(const TournamentPlan& plan) { return plan_text(tournament_study, plan_version, plan); }
+std::string to_json(const TournamentPlan& plan) { return plan_text(tournament_study, tournament_plan_version, plan); }
 
 TournamentPlan tournament_plan_from_json(const std::string& text) {
-  return plan_of<TournamentPlan>(tournament_study, plan_version, text, [](const TournamentPlan& plan) {
+  return plan_of<TournamentPlan>(tournament_study, tournament_plan_version, text, [](const TournamentPlan& plan) {
     if (plan.teams.size() < 2) throw std::invalid_argument("its plan has fewer than two teams");
     return sound(plan);
   });

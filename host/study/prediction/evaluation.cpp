@@ -257,7 +257,7 @@ Evaluation evaluate(const config::PredictorStudy& study, const GameRecording& re
     at.hold = errors_of(tally.hold);
     at.constant = errors_of(tally.constant);
     at.decayed = errors_of(tally.decayed);
-    if (at.answers > 0) at.to_decayed = compare(tally.to_decayed);
+    if (at.answers > 0) at.to_decayed = error_ratios(tally.to_decayed);
     at.consistency = consistency_of(tally.nees);
     at.untouched = tally.untouched_nees.size();
     at.untouched_within_95 = consistency_of(tally.untouched_nees).within_95;

@@ -15,7 +15,7 @@
 
 #include "config/predictor_study.hpp"
 #include "plugin/catalogue.hpp"
-#include "study/prediction/comparison.hpp"
+#include "study/prediction/error_ratios.hpp"
 #include "study/prediction/recording.hpp"
 
 namespace regista::study {
@@ -40,7 +40,7 @@ struct AtHorizon {
   std::size_t truths = 0;   // starts that have a truth so far ahead
   std::size_t answers = 0;  // of these, those for which the predictor had a track
   Errors predictor, hold, constant, decayed;
-  Comparison to_decayed;  // of the answers; blocks of 10 s of play
+  ErrorRatios to_decayed;  // of the answers; blocks of 10 s of play
   Consistency consistency;
   // Of the ball: answers for which nobody touched it from the last sighting to the truth (touches.hpp), and the share
   // of these truths inside the 95 % ellipses.

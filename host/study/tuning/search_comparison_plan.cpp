@@ -10,8 +10,8 @@
 namespace regista::study {
 namespace {
 
-constexpr int plan_version = 1;
-constexpr int plan_version_of_before = 1;  // of a tuning that held a comparison
+constexpr int comparison_plan_version = 1;
+constexpr int comparison_plan_version_of_before = 1;  // of a tuning that held a comparison
 
 bool sound(const SearchComparisonPlan& plan) {
   return sound(plan.tuning) && !plan.algorithms.empty() && 1 <= plan.repeats && plan.repeats <= 1024 &&
@@ -39,14 +39,16 @@ std::uint64_t most_matches(const SearchComparisonPlan& plan) {
   return most_search_matches(plan) + judging_matches(plan);
 }
 
-std::string to_json(const SearchComparisonPlan& plan) { return plan_text(search_comparison_study, plan_version, plan); }
+std::string to_json(const SearchComparisonPlan& plan) {
+  return plan_text(search_comparison_study, comparison_plan_version, plan);
+}
 
 SearchComparisonPlan search_comparison_plan_from_json(const std::string& text) {
   if (!holds_comparison_of_before(PlanJson::parse(text, nullptr, false))) {
-    return plan_of<SearchComparisonPlan>(search_comparison_study, plan_version, text,
+    return plan_of<SearchComparisonPlan>(search_comparison_study, comparison_plan_version, text,
                                          [](const SearchComparisonPlan& plan) { return sound(plan); });
   }
-  return read_plan(text, tuning_study, plan_version_of_before, [](const PlanJson& json) {
+  return read_plan(text, tuning_study, comparison_plan_version_of_before, [](const PlanJson& json) {
     SearchComparisonPlan plan;
     read(json, plan.tuning);
     read(json.at("compared"), plan.algorithms);

@@ -10,7 +10,7 @@
 namespace regista::study {
 namespace {
 
-constexpr int plan_version = 1;
+constexpr int tuning_plan_version = 1;
 
 bool sound(const Parameter& each) {
   return each.least <= each.start && each.start <= each.most && (!each.log_scale || each.fixed() || each.least > 0.0);
@@ -49,10 +49,10 @@ bool can_search(const TuningPlan& plan, Algorithm algorithm) {
          least_evaluations(algorithm, plan.free_parameters(), static_cast<std::size_t>(population));
 }
 
-std::string to_json(const TuningPlan& plan) { return plan_text(tuning_study, plan_version, plan); }
+std::string to_json(const TuningPlan& plan) { return plan_text(tuning_study, tuning_plan_version, plan); }
 
 TuningPlan tuning_plan_from_json(const std::string& text) {
-  return read_plan(text, tuning_study, plan_version, [](const PlanJson& json) {
+  return read_plan(text, tuning_study, tuning_plan_version, [](const PlanJson& json) {
     if (holds_comparison_of_before(json)) throw std::invalid_argument("these are results of another study");
     TuningPlan plan;
     read(json, plan);

@@ -18,15 +18,15 @@ struct PairedError {
 };
 
 // Quantile of the predictor's errors over that of the baseline's: below 1 the predictor is better.
-struct Ratio {
+struct ErrorRatio {
   double value = 1.0, low = 1.0, high = 1.0;
 };
 
-struct Comparison {
-  Ratio median, ninetieth;
+struct ErrorRatios {
+  ErrorRatio median, ninetieth;
 };
 
 // The same errors give the same intervals. One error or more; the baseline's quantiles must not be 0.
-Comparison compare(std::span<const PairedError> errors);
+ErrorRatios error_ratios(std::span<const PairedError> errors);
 
 }  // namespace regista::study

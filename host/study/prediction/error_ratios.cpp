@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/prediction/comparison.hpp"
+#include "study/prediction/error_ratios.hpp"
 
 #include <Random123/philox.h>
 
@@ -46,13 +46,13 @@ class Ordered {
   std::vector<std::size_t> blocks_;
 };
 
-Ratio ratio_of(double value, std::vector<double>& drawn) {
+ErrorRatio ratio_of(double value, std::vector<double>& drawn) {
   return {value, statistics::quantile(drawn, 0.025), statistics::quantile(drawn, 0.975)};
 }
 
 }  // namespace
 
-Comparison compare(std::span<const PairedError> errors) {
+ErrorRatios error_ratios(std::span<const PairedError> errors) {
   std::size_t blocks = 0;
   for (const PairedError& each : errors) blocks = std::max(blocks, each.block + 1);
   std::vector<std::size_t> sizes(blocks, 0);

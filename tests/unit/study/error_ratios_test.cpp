@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/prediction/comparison.hpp"
+#include "study/prediction/error_ratios.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,14 +10,14 @@
 namespace regista::study {
 namespace {
 
-TEST(Comparison, IsTheRatioOfTheQuantiles) {
+TEST(ErrorRatios, IsTheRatioOfTheQuantiles) {
   std::vector<PairedError> errors;
   for (std::size_t i = 1; i <= 10; ++i) {
     const auto error = static_cast<double>(i);
     errors.push_back({i, 2.0 * error, error});
   }
-  const Comparison found = compare(errors);
-  for (const Ratio& each : {found.median, found.ninetieth}) {
+  const ErrorRatios found = error_ratios(errors);
+  for (const ErrorRatio& each : {found.median, found.ninetieth}) {
     EXPECT_DOUBLE_EQ(each.value, 2.0);
     EXPECT_DOUBLE_EQ(each.low, 2.0) << "each pair has this ratio, whatever is drawn";
     EXPECT_DOUBLE_EQ(each.high, 2.0);
@@ -26,7 +26,7 @@ TEST(Comparison, IsTheRatioOfTheQuantiles) {
 
 // Errors of a block share a factor. The interval must cover the true ratio about as often as it says, which one that
 // takes every error for a draw of its own does not.
-TEST(Comparison, IntervalsCoverWhereBlocksShareTheirErrors) {
+TEST(ErrorRatios, IntervalsCoverWhereBlocksShareTheirErrors) {
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
   const int studies = 120, blocks = 40, size = 8;
@@ -41,9 +41,9 @@ TEST(Comparison, IntervalsCoverWhereBlocksShareTheirErrors) {
         alone.push_back({block * size + i, a, b});
       }
     }
-    const auto covers = [](const Ratio& each) { return each.low <= 1.0 && 1.0 <= each.high; };
-    covered += covers(compare(together).median);
-    covered_alone += covers(compare(alone).median);
+    const auto covers = [](const ErrorRatio& each) { return each.low <= 1.0 && 1.0 <= each.high; };
+    covered += covers(error_ratios(together).median);
+    covered_alone += covers(error_ratios(alone).median);
   }
   // Binomial: 114 expected, standard deviation 2.4.
   EXPECT_GE(covered, 107);
