@@ -14,7 +14,7 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto notes =
+constexpr auto rank_notes =
     R"(RESULTS.csv: values separated by commas; the first line names the columns, in any order. Two columns, first and
 second, name the teams. The results are, from the point of view of the first, one of
   LL,LD,DD,WD,WW     counts of pairs: both games lost, ..., both won; DD counts one win each, too

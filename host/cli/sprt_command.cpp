@@ -18,7 +18,7 @@
 namespace regista::cli {
 namespace {
 
-constexpr auto notes =
+constexpr auto sprt_notes =
     R"(COUNTS are of the first team: five of pairs (the same seed, sides swapped), LL LD WL+DD WD WW, or three of
 single games, L D W.
 
