@@ -1,39 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "config/team_size.hpp"
 
-#include <fmt/format.h>
-
 #include "config/documents.hpp"
 #include "config/parse.hpp"
+#include "small_page.hpp"
 #include "testing.hpp"
 
 namespace regista::config {
 namespace {
 
-// A team with a role for each of these robots, in this order.
-std::string page(const std::vector<int>& robots) {
-  std::string out =
-      "team: t\n"
-      "predictors: {self: {plugin: p}, ball: {plugin: p}, opponents: {plugin: p}, teammates: {plugin: p}}\n"
-      "contexts: [{name: late, plugin: c}]\n"
-      "assigner: {plugin: a}\n"
-      "sender: {plugin: s}\n"
-      "roles:\n"
-      "  usual:\n";
-  for (std::size_t i = 0; i < robots.size(); ++i) {
-    out += fmt::format("    - {{name: r{}, robot: {}, target: {{at: [0, {}]}}}}\n", i, robots[i], i);
-  }
-  return out;
-}
-
-Rules of_size(int size) {
-  Rules rules;
-  rules.team_size = size;
-  return rules;
-}
-
 std::string misplaced(const std::vector<int>& robots, int size) {
-  const Node document = parse_text(page(robots), "t.yaml");
+  const Node document = parse_text(small_page("{name: late, plugin: c}", roles_for(robots)), "t.yaml");
   return error_of([&] { check(read_team(document), of_size(size), document); });
 }
 

@@ -9,6 +9,7 @@
 
 #include "config/documents.hpp"
 #include "config/parse.hpp"
+#include "small_page.hpp"
 #include "testing.hpp"
 
 namespace regista::config {
@@ -16,33 +17,11 @@ namespace {
 
 // A team that plays a list of these roles in two contexts.
 std::string page(const std::string& roles) {
-  return "team: t\n"
-         "predictors: {self: {plugin: p}, ball: {plugin: p}, opponents: {plugin: p}, teammates: {plugin: p}}\n"
-         "contexts: [{name: late, priority: 1, plugin: c}, {name: early, plugin: c}]\n"
-         "assigner: {plugin: a}\n"
-         "sender: {plugin: s}\n"
-         "roles:\n"
-         "  usual:\n" +
-         roles;
-}
-
-// For these robots, in this order.
-std::string roles(const std::vector<int>& robots) {
-  std::string out;
-  for (std::size_t i = 0; i < robots.size(); ++i) {
-    out += fmt::format("    - {{name: r{}, robot: {}, target: {{at: [0, {}]}}}}\n", i, robots[i], i);
-  }
-  return out;
-}
-
-Rules of_size(int size) {
-  Rules rules;
-  rules.team_size = size;
-  return rules;
+  return small_page("{name: late, priority: 1, plugin: c}, {name: early, plugin: c}", roles);
 }
 
 std::vector<std::string> warned(const std::vector<int>& robots, int size) {
-  const Node document = parse_text(page(roles(robots)), "t.yaml");
+  const Node document = parse_text(page(roles_for(robots)), "t.yaml");
   std::vector<std::string> out;
   for (const Warning& each : warnings(read_team(document), of_size(size), document)) {
     if (each.message.ends_with(" will stand")) out.push_back(to_string(each));
