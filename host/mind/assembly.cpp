@@ -32,7 +32,8 @@ LocalModel Assembly::local_model() {
   plugin::Predictor self(create(plan_->self(), REGISTA_SUBJECT_SELF, number_));
   plugin::Predictor ball(create(plan_->ball(), REGISTA_SUBJECT_BALL, number_));
   plugin::Predictor opponents(create(plan_->opponents(), REGISTA_SUBJECT_OPPONENTS, number_));
-  return {*plan_, std::move(self), std::move(ball), std::move(opponents)};
+  plugin::Predictor teammates(create(plan_->opponents(), REGISTA_SUBJECT_OPPONENTS, number_));
+  return {*plan_, std::move(self), std::move(ball), std::move(opponents), std::move(teammates)};
 }
 
 TeamModel Assembly::team_model() {
@@ -45,7 +46,7 @@ TeamModel Assembly::team_model() {
     balls.emplace_back(create(plan_->ball(), REGISTA_SUBJECT_BALL, everyone));
     opponents.emplace_back(create(plan_->opponents(), REGISTA_SUBJECT_OPPONENTS, everyone));
   }
-  return {team_size, std::move(teammates), std::move(balls), std::move(opponents)};
+  return {team_size, plan_->robot().camera, std::move(teammates), std::move(balls), std::move(opponents)};
 }
 
 std::vector<ContextParts> Assembly::contexts() {

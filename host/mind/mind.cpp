@@ -14,10 +14,8 @@
 namespace regista::mind {
 namespace {
 
-constexpr double ball_trusted_for = 5.0;   // s: nobody acts on older news of the ball
-constexpr double ball_told_for = 10.0;     // s: nor tells them
-constexpr double opponent_told_for = 4.0;  // s
-constexpr double time_rounding = 1e-3;     // s, of a packet's time
+constexpr double ball_trusted_for = 5.0;  // s: nobody acts on older news of the ball
+constexpr double time_rounding = 1e-3;    // s, of a packet's time
 
 }  // namespace
 
@@ -211,7 +209,7 @@ Report Mind::Parts::report(const Percepts& percepts) const {
   report.role_since = decision.own_role_since;
   report.context = decision.context;
   const auto balls = world.local().balls();
-  if (!balls.empty() && balls.front().age < ball_told_for) {
+  if (!balls.empty() && balls.front().age < Report::tells_ball_for) {
     const regista_track& ball = balls.front();
     // A velocity that is not believed is not told: the others would carry the ball along it.
     const bool moves = (ball.flags & REGISTA_TRACK_VELOCITY) != 0;
@@ -227,7 +225,7 @@ Report Mind::Parts::report(const Percepts& percepts) const {
     return a->weight != b->weight ? a->weight > b->weight : a->label < b->label;
   };
   for (const regista_track& track : world.local().opponents()) {
-    if (track.age > opponent_told_for) continue;
+    if (track.age > Report::tells_opponents_for) continue;
     const regista_track* candidate = &track;
     for (std::size_t i = 0; i < chosen.size() && candidate != nullptr; ++i) {
       if (chosen[i] == nullptr || younger(candidate, chosen[i])) std::swap(chosen[i], candidate);

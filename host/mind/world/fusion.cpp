@@ -161,7 +161,8 @@ void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regis
     }
   }
   std::sort(clusters_.begin(), clusters_.end(), [](const Cluster& a, const Cluster& b) {
-    return a.missing != b.missing ? a.missing < b.missing : a.label < b.label;
+    if (a.missing != b.missing) return a.missing < b.missing;
+    return a.age != b.age ? a.age < b.age : a.label < b.label;
   });
   if (clusters_.size() > most_) clusters_.resize(most_);
 

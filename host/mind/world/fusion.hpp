@@ -26,7 +26,8 @@ struct Estimate {
 regista_ball fuse_ball(std::span<const Estimate> estimates);
 
 // One list of opponents out of several: estimates of different sources within `merge_distance` are the same robot. At
-// most `most` of them, the likeliest first. `out` is replaced. Estimates of the source `without` are left out.
+// most `most` of them, the likeliest first, of equally likely ones the latest seen. `out` is replaced. Estimates of the
+// source `without` are left out.
 class OpponentFusion {
  public:
   OpponentFusion(double merge_distance, std::size_t most) : merge_distance_(merge_distance), most_(most) {

@@ -27,11 +27,12 @@ void set_position_covariance(regista_measurement& measurement, double xx, double
 }  // namespace
 
 LocalModel::LocalModel(const TeamPlan& plan, plugin::Predictor self, plugin::Predictor ball,
-                       plugin::Predictor opponents)
+                       plugin::Predictor opponents, plugin::Predictor teammates)
     : decision_period_(plan.robot().decision_period),
       self_model_(std::move(self)),
       ball_model_(std::move(ball)),
-      opponent_model_(std::move(opponents)) {
+      opponent_model_(std::move(opponents)),
+      teammate_model_(std::move(teammates)) {
   measurements_.reserve(64);
 }
 
@@ -105,17 +106,24 @@ void LocalModel::update(const Percepts& percepts, double dt, const regista_frame
   if (percepts.camera || !measurements_.empty()) ball_model_.correct(measurements_, area);
   balls_ = ball_model_.tracks();
 
-  if (dt > 0.0) opponent_model_.predict(dt, &motion, last);
+  opponents_ = update_robots(opponent_model_, percepts, false, dt, motion, last, area);
+  teammates_ = update_robots(teammate_model_, percepts, true, dt, motion, last, area);
+}
+
+std::span<const regista_track> LocalModel::update_robots(plugin::Predictor& model, const Percepts& percepts,
+                                                         bool own_team, double dt, const regista_motion& motion,
+                                                         const regista_frame* last, const regista_visible_area& area) {
+  if (dt > 0.0) model.predict(dt, &motion, last);
   if (percepts.camera) {
     measurements_.clear();
     for (const RobotSighting& robot : percepts.robots) {
-      if (!robot.own_team) {
+      if (robot.own_team == own_team) {
         add_in_field_frame(REGISTA_MEASURED_ROBOT, frame_, robot.position, robot.along, robot.across);
       }
     }
-    opponent_model_.correct(measurements_, area);
+    model.correct(measurements_, area);
   }
-  opponents_ = opponent_model_.tracks();
+  return model.tracks();
 }
 
 }  // namespace regista::mind

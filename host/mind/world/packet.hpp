@@ -35,6 +35,8 @@ struct ReportedOpponent {
 // The content of a packet's core; the sender's view at time_sent. Field frame of the team.
 struct Report {
   static constexpr std::size_t most_opponents = 5;
+  // Nothing is told that its sender has not seen for longer. s
+  static constexpr double tells_ball_for = 10.0, tells_opponents_for = 4.0;
 
   int sender = 0;  // shirt number
   double time_sent = 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mind/world/team_model.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace regista::mind {
@@ -19,21 +20,22 @@ void set_covariance(regista_track& track, double deviation, double velocity_vari
 
 }  // namespace
 
-TeamModel::TeamModel(int team_size, plugin::Predictor teammates, std::vector<plugin::Predictor> balls,
-                     std::vector<plugin::Predictor> opponents)
-    : teammates_(std::move(teammates)) {
+TeamModel::TeamModel(int team_size, const config::Camera& camera, plugin::Predictor teammates,
+                     std::vector<plugin::Predictor> balls, std::vector<plugin::Predictor> opponents)
+    : camera_(camera), teammates_(std::move(teammates)) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(team_size); ++i) {
-    members_.push_back({std::move(balls[i]), std::move(opponents[i]), std::nullopt, nullptr, {}, {}});
+    members_.push_back({std::move(balls[i]), std::move(opponents[i]), std::nullopt, nullptr, {}, {}, false, false});
   }
-  scratch_.reserve(Report::most_opponents);
+  told_.reserve(Report::most_opponents);
+  known_.reserve(plugin::Predictor::track_capacity);
+  merged_.reserve(plugin::Predictor::track_capacity + Report::most_opponents);
 }
 
 void TeamModel::predict(double dt, const regista_frame* last) {
   teammates_.predict(dt, nullptr, last);
   for (Member& member : members_) {
-    if (!member.report) continue;
-    if (member.report->ball) member.ball.predict(dt, nullptr, last);
-    if (member.report->opponent_count > 0) member.opponents.predict(dt, nullptr, last);
+    if (member.has_ball) member.ball.predict(dt, nullptr, last);
+    if (member.has_opponents) member.opponents.predict(dt, nullptr, last);
   }
 }
 
@@ -41,10 +43,16 @@ void TeamModel::absorb(const Report& report, double now) {
   Member& member = members_[static_cast<std::size_t>(report.sender - 1)];
   if (member.report && member.report->time_sent >= report.time_sent) return;
   member.report = report;
+  member.has_ball = member.has_opponents = true;
   const double age = std::max(0.0, now - report.time_sent);
+  absorb_robot(report, age);
+  absorb_ball(report, age, member.ball);
+  absorb_opponents(report, age, member.opponents);
+}
 
-  scratch_.clear();
-  regista_track& robot = scratch_.emplace_back();
+void TeamModel::absorb_robot(const Report& report, double age) {
+  told_.clear();
+  regista_track& robot = told_.emplace_back();
   robot.label = report.sender;
   robot.flags = REGISTA_TRACK_HAS_TARGET | REGISTA_TRACK_VELOCITY;
   robot.x = report.pose.x;
@@ -57,11 +65,13 @@ void TeamModel::absorb(const Report& report, double now) {
   robot.weight = 1.0;
   robot.target[0] = report.target.x();
   robot.target[1] = report.target.y();
-  teammates_.absorb(scratch_, age);
+  teammates_.absorb(told_, age);
+}
 
-  scratch_.clear();
+void TeamModel::absorb_ball(const Report& report, double age, plugin::Predictor& model) {
+  told_.clear();
   if (report.ball) {
-    regista_track& ball = scratch_.emplace_back();
+    regista_track& ball = told_.emplace_back();
     ball.flags = REGISTA_TRACK_VELOCITY;
     ball.x = report.ball->position.x();
     ball.y = report.ball->position.y();
@@ -70,13 +80,20 @@ void TeamModel::absorb(const Report& report, double now) {
     set_covariance(ball, report.ball->deviation, ball_velocity_variance);
     ball.weight = 1.0;
     ball.age = report.ball->age;
+    model.absorb(told_, age);  // there is one ball
+    return;
   }
-  member.ball.absorb(scratch_, age);
+  merge(model,
+        {report.pose, camera_.half_angle + camera_.head_yaw, camera_.ball_range, camera_.ball_probability,
+         Report::tells_ball_for, true},
+        age);
+}
 
-  scratch_.clear();
+void TeamModel::absorb_opponents(const Report& report, double age, plugin::Predictor& model) {
+  told_.clear();
   for (std::size_t i = 0; i < report.opponent_count; ++i) {
     const ReportedOpponent& seen = report.opponents[i];
-    regista_track& opponent = scratch_.emplace_back();
+    regista_track& opponent = told_.emplace_back();
     opponent.label = static_cast<std::int32_t>(i) + 1;
     opponent.x = seen.position.x();
     opponent.y = seen.position.y();
@@ -84,16 +101,32 @@ void TeamModel::absorb(const Report& report, double now) {
     opponent.weight = 1.0;
     opponent.age = seen.age;
   }
-  member.opponents.absorb(scratch_, age);
+  merge(model,
+        {report.pose, camera_.half_angle + camera_.head_yaw, camera_.robot_range, camera_.robot_probability,
+         Report::tells_opponents_for, report.opponent_count < Report::most_opponents},
+        age);
+}
+
+// What was told `age` seconds ago is brought to now by the model's own law, as what is known has been.
+void TeamModel::merge(plugin::Predictor& model, const SenderView& sender, double age) {
+  const auto known = model.tracks();
+  known_.assign(known.begin(), known.end());
+  model.absorb(told_, age);
+  if (known_.empty()) return;
+  const auto told = model.tracks();
+  told_.assign(told.begin(), told.end());
+  merge_told(known_, told_, sender, merged_);
+  model.absorb(merged_, 0.0);
 }
 
 void TeamModel::refresh() {
   for (Member& member : members_) {
     member.track = nullptr;
-    if (!member.report) continue;
-    member.ball_tracks = member.report->ball ? member.ball.tracks() : std::span<const regista_track>{};
-    member.opponent_tracks =
-        member.report->opponent_count > 0 ? member.opponents.tracks() : std::span<const regista_track>{};
+    if (!member.has_ball && !member.has_opponents) continue;
+    member.ball_tracks = member.ball.tracks();
+    member.opponent_tracks = member.opponents.tracks();
+    member.has_ball = !member.ball_tracks.empty();
+    member.has_opponents = !member.opponent_tracks.empty();
   }
   for (const regista_track& track : teammates_.tracks()) {
     const auto index = static_cast<std::size_t>(track.label - 1);

@@ -29,6 +29,7 @@ WorldModel::WorldModel(const TeamPlan& plan, int own_number, LocalModel local, T
       negative_(plan.rules().team_size),
       fusion_(merge_distance, static_cast<std::size_t>(plan.rules().team_size)) {
   estimates_.reserve(256);
+  seen_teammates_.reserve(static_cast<std::size_t>(plan.rules().team_size));
 }
 
 void WorldModel::sense(const Percepts& percepts, double dt, const regista_frame* last) {
@@ -67,6 +68,7 @@ void WorldModel::fuse(const Percepts& percepts, double dt, const OwnRole& own) {
   fuse_balls(percepts, dt);
   fuse_opponents();
   fill_robots(percepts);
+  sharpen_teammates();
   fill_self(percepts, own);
   mine_.close();
   common_.close();
@@ -131,6 +133,14 @@ void WorldModel::fill_robots(const Percepts& percepts) {
   }
   mine_.robots = common_.robots;
   common_.robot(own_number_).flags |= REGISTA_ROBOT_SELF;
+}
+
+// Teammates that the own eyes see are nearer to there than to where their last packet has them by now. Eyes know no
+// numbers: the nearest pair first, and each once.
+void WorldModel::sharpen_teammates() {
+  seen_teammates_.clear();
+  match_teammates(local_.teammates(), mine_.robots, own_number_, seen_teammates_);
+  for (const SeenTeammate& each : seen_teammates_) sharpen(mine_.robot(each.number), *each.track);
 }
 
 void WorldModel::fill_self(const Percepts& percepts, const OwnRole& own) {

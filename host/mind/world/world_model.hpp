@@ -10,6 +10,7 @@
 #include "mind/world/fusion.hpp"
 #include "mind/world/local_model.hpp"
 #include "mind/world/negative_information.hpp"
+#include "mind/world/seen_teammates.hpp"
 #include "mind/world/snapshot.hpp"
 #include "mind/world/team_model.hpp"
 
@@ -42,6 +43,7 @@ class WorldModel {
   void fuse_balls(const Percepts& percepts, double dt);
   void fuse_opponents();
   void fill_robots(const Percepts& percepts);
+  void sharpen_teammates();
   void fill_self(const Percepts& percepts, const OwnRole& own);
   regista_game game(const Percepts& percepts) const;
 
@@ -54,6 +56,7 @@ class WorldModel {
   NegativeInformation negative_;
   OpponentFusion fusion_;
   std::vector<Estimate> estimates_;
+  std::vector<SeenTeammate> seen_teammates_;
 };
 
 }  // namespace regista::mind

@@ -305,7 +305,8 @@ typedef struct regista_predictor {
   int32_t (*correct)(void* instance, regista_span measurements, const regista_visible_area* area,
                      regista_error* error);
   /* Replaces the labels in `tracks` (regista_track) by what a packet said `age` >= 0 seconds ago, carried forward to
-   * now. For subjects other than teammates a packet replaces the whole model. */
+   * now. For subjects other than teammates `tracks` replaces the whole model: the host has merged what was known before
+   * with what the packet said. */
   int32_t (*absorb)(void* instance, regista_span tracks, double age, regista_error* error);
   /* Writes the present estimate. Ball: best hypothesis first. Teammates: ascending label. */
   int32_t (*tracks)(void* instance, regista_track* out, uint32_t capacity, uint32_t* count, regista_error* error);

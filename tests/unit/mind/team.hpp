@@ -102,8 +102,10 @@ inline std::unique_ptr<WorldModel> world_model(const TeamPlan& plan, int number)
   }
   return std::make_unique<WorldModel>(
       plan, number,
-      LocalModel(plan, still(REGISTA_SUBJECT_SELF), still(REGISTA_SUBJECT_BALL), still(REGISTA_SUBJECT_OPPONENTS)),
-      TeamModel(plan.rules().team_size, still(REGISTA_SUBJECT_TEAMMATES), std::move(balls), std::move(opponents)));
+      LocalModel(plan, still(REGISTA_SUBJECT_SELF), still(REGISTA_SUBJECT_BALL), still(REGISTA_SUBJECT_OPPONENTS),
+                 still(REGISTA_SUBJECT_OPPONENTS)),
+      TeamModel(plan.rules().team_size, plan.robot().camera, still(REGISTA_SUBJECT_TEAMMATES), std::move(balls),
+                std::move(opponents)));
 }
 
 inline Report report(int sender, double time, double x = 0.0, double y = 0.0) {

@@ -152,8 +152,41 @@ TEST_F(World, ANewPacketReplacesBallAndOpponentsToo) {
   EXPECT_DOUBLE_EQ(world->common().raw.ball.age, 0.5);
   EXPECT_EQ(world->common().opponents.size(), 2u);
   tick(2.0, {report(3, 2.0)});
-  EXPECT_FALSE(world->common().ball_known());
+  EXPECT_FALSE(world->common().ball_known()) << "seen 1.5 s ago, its sender would have told it";
   EXPECT_TRUE(world->common().opponents.empty());
+}
+
+TEST_F(World, APacketKeepsWhatItsSenderLeavesOutForItsAge) {
+  Report told = report(3, 1.0);
+  told.ball = ReportedBall{{1, 1}, {0, 0}, 0.1, 9.5};
+  told.opponent_count = 2;
+  told.opponents[0] = {{-4, 2}, 0.1, 3.5};
+  told.opponents[1] = {{-4, -2}, 0.1, 3.5};
+  tick(1.0, {told});
+  Report next = report(3, 2.0);
+  next.opponent_count = 1;
+  next.opponents[0] = {{-4, -1.8}, 0.1, 0.0};
+  tick(2.0, {next});
+  EXPECT_TRUE(world->common().ball_known());
+  EXPECT_DOUBLE_EQ(world->common().raw.ball.age, 10.5);
+  ASSERT_EQ(world->common().opponents.size(), 2u);
+  std::vector<double> y;
+  for (const regista_opponent& each : world->common().opponents) y.push_back(each.position[1]);
+  std::ranges::sort(y);
+  EXPECT_NEAR(y[0], -1.8, 1e-9);
+  EXPECT_NEAR(y[1], 2.0, 1e-9) << "4.5 s old: its sender would not tell it any more";
+}
+
+TEST_F(World, ASeenTeammateIsWhereTheEyesSeeIt) {
+  Percepts given = percepts(1.0);
+  given.placed = PlacedPose{{0.0, 0.0, 0.0}, 0.01, 0.01};
+  given.robots.push_back({{2.0, 0.5}, 0.05, 0.05, true});
+  Report told = report(4, 1.0, 2.0, 0.0);
+  told.position_deviation = 0.5;
+  tick(1.0, given, {told, report(5, 1.0, -3.0, 0.0)});
+  EXPECT_NEAR(world->mine().robot(4).pose[1], 0.5, 0.02);
+  EXPECT_LT(world->mine().robot(4).covariance[4], 0.01);
+  EXPECT_EQ(world->common().robot(4).pose[1], 0.0) << "what the eyes see is not common";
 }
 
 TEST_F(World, PenalisedBitsBelongToTheirRobots) {
@@ -239,6 +272,9 @@ TEST_F(World, SightingsComeIntoTheFieldFrameWithTheOwnUncertainty) {
   EXPECT_NEAR(ball.covariance[0], 0.04 + 0.01 + 0.01, 1e-12);
   EXPECT_NEAR(ball.covariance[5], 0.09 + 0.01, 1e-12);
   EXPECT_NEAR(ball.covariance[1], 0.0, 1e-12);
+  ASSERT_EQ(world->local().teammates().size(), 1u);
+  EXPECT_NEAR(world->local().teammates()[0].x, 0.0, 1e-12);
+  EXPECT_NEAR(world->local().teammates()[0].y, 3.0, 1e-12);
   ASSERT_EQ(world->local().opponents().size(), 1u) << "the own team is no opponent";
   EXPECT_NEAR(world->local().opponents()[0].x, 0.0, 1e-12);
   EXPECT_NEAR(world->local().opponents()[0].y, 2.0, 1e-12);

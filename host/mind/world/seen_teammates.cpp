@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "mind/world/seen_teammates.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <cstdint>
+#include <limits>
+
+namespace regista::mind {
+namespace {
+
+constexpr double gate = 9.21;           // chi-square, two degrees of freedom, 99 %
+constexpr double clearly_nearer = 4.0;  // the second best is so much less likely: exp(-4/2) = 0.14
+constexpr double least_weight = 0.5;    // a track that is less likely to be anybody at all says nothing
+
+Eigen::Matrix2d covariance(const regista_robot& robot) {
+  Eigen::Matrix2d out;
+  out << robot.covariance[0], robot.covariance[1], robot.covariance[3], robot.covariance[4];
+  return out;
+}
+
+Eigen::Matrix2d covariance(const regista_track& track) {
+  Eigen::Matrix2d out;
+  out << track.covariance[0], track.covariance[1], track.covariance[4], track.covariance[5];
+  return out;
+}
+
+Eigen::Vector2d gap(const regista_robot& robot, const regista_track& track) {
+  return {track.x - robot.pose[0], track.y - robot.pose[1]};
+}
+
+double distance2(const regista_robot& robot, const regista_track& track) {
+  const Eigen::Matrix2d spread = covariance(robot) + covariance(track);
+  if (spread.determinant() <= 0.0) return std::numeric_limits<double>::infinity();
+  const Eigen::Vector2d apart = gap(robot, track);
+  return apart.dot(spread.inverse() * apart);
+}
+
+bool reckoned_with(const regista_robot& robot, int own) {
+  return robot.number != own && (robot.flags & REGISTA_ROBOT_ACTIVE) != 0 && (robot.flags & REGISTA_ROBOT_KNOWN) != 0;
+}
+
+}  // namespace
+
+void match_teammates(std::span<const regista_track> seen, std::span<const regista_robot> robots, int own,
+                     std::vector<SeenTeammate>& out) {
+  std::uint64_t taken = 0;  // bits of robots
+  for (std::size_t count = 0; count < seen.size(); ++count) {
+    // The pair that is least in doubt among those left.
+    double best = gate;
+    SeenTeammate pair{0, nullptr};
+    for (const regista_track& track : seen) {
+      if (track.weight < least_weight) continue;
+      bool used = false;
+      for (const SeenTeammate& each : out) used = used || each.track == &track;
+      if (used) continue;
+      double nearest = std::numeric_limits<double>::infinity(), second = nearest;
+      int number = 0;
+      for (const regista_robot& robot : robots) {
+        if (!reckoned_with(robot, own) || (taken >> robot.number & 1u) != 0) continue;
+        const double d2 = distance2(robot, track);
+        if (d2 < nearest) {
+          second = nearest;
+          nearest = d2;
+          number = robot.number;
+        } else if (d2 < second) {
+          second = d2;
+        }
+      }
+      if (nearest >= best || second < nearest + clearly_nearer) continue;
+      best = nearest;
+      pair = {number, &track};
+    }
+    if (pair.track == nullptr) return;
+    taken |= std::uint64_t{1} << pair.number;
+    out.push_back(pair);
+  }
+}
+
+void sharpen(regista_robot& robot, const regista_track& seen) {
+  const Eigen::Matrix2d before = covariance(robot), spread = before + covariance(seen);
+  if (spread.determinant() <= 0.0) return;
+  const Eigen::Matrix2d gain = before * spread.inverse();
+  const Eigen::Vector2d moved = gain * gap(robot, seen);
+  const Eigen::Matrix2d after = before - gain * before;
+  robot.pose[0] += moved.x();
+  robot.pose[1] += moved.y();
+  robot.covariance[0] = after(0, 0);
+  robot.covariance[1] = robot.covariance[3] = 0.5 * (after(0, 1) + after(1, 0));
+  robot.covariance[4] = after(1, 1);
+}
+
+}  // namespace regista::mind
