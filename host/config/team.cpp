@@ -43,6 +43,12 @@ Behaviour usual_behaviour(const Role& role) {
   return role.name == "goalkeeper" ? Behaviour::keep_goal : Behaviour::support;
 }
 
+// The worlds of waypoints and filter where the page does not say them.
+void follow(TaskRules& tasks, const Node& written) {
+  if (!written["waypoints_knowledge"]) tasks.waypoints_knowledge = tasks.knowledge;
+  if (!written["filter_knowledge"]) tasks.filter_knowledge = tasks.knowledge;
+}
+
 void check_roles(TeamPage& page, const Node& document, Mistakes& mistakes) {
   for (RoleList& list : page.role_lists) {
     const Node roles = document["roles"][list.name];
@@ -130,9 +136,11 @@ Context resolved(const ContextPage& written, const Node& document, const TeamPag
   }
   Coordination coordination;
   read(declare(coordination), values, "", mistakes);
+  follow(coordination.tasks, values["tasks"]);
   context.name = written.name;
   context.priority = written.priority;
   context.use = written.plugin;
+  context.knowledge = written.knowledge;
   context.use.where = written.where;
   context.where = written.where;
   context.positioner = std::move(coordination.positioner);
@@ -157,6 +165,7 @@ Node in_context(const Node& document, const Node& use) {
 TeamPage read_team_page(const Node& document, Mistakes& mistakes) {
   TeamPage page;
   read(declare(page), document, "", mistakes);
+  follow(page.coordination.tasks, document["tasks"]);
   check_roles(page, document, mistakes);
   check_priorities(page, document, mistakes);
   return page;

@@ -87,7 +87,9 @@ struct TaskRules {
   enum class Keep { all, nearest_to_waypoints } keep = Keep::nearest_to_waypoints;
   double hysteresis = 0.0;      // m: a task kept at the last decision counts as so much nearer to the waypoints
   double offset_at_most = 0.5;  // m, 0 = off
-  Knowledge knowledge = Knowledge::mine;
+  Knowledge knowledge = Knowledge::mine;  // that tasks are placed in
+  // That the positioner sees and that tasks are chosen in; unless the page says it, as `knowledge`.
+  Knowledge waypoints_knowledge = Knowledge::mine, filter_knowledge = Knowledge::mine;
   bool walk_along_edges = false;
 };
 
@@ -96,7 +98,8 @@ struct Context {
   std::string name;
   int priority = 0;
   PluginUse use;
-  int role_list = 0;  // index into Team::role_lists; `use: {roles: NAME}`, else the first
+  Knowledge knowledge = Knowledge::mine;  // that the condition is asked about
+  int role_list = 0;                      // index into Team::role_lists; `use: {roles: NAME}`, else the first
   PluginUse positioner;
   TaskRules tasks;
   Knowledge utility_knowledge = Knowledge::mine;

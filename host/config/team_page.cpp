@@ -58,6 +58,12 @@ static Map declare(TaskRules& tasks) {
            "a task kept last time counts as so much nearer to a waypoint"),
       Field{"offset", "moving a kept task towards its nearest waypoint", Section{offset, [] { return true; }}},
       choice("knowledge", tasks.knowledge, {"mine", "common"}, "world that tasks are placed in"),
+      with_default_from(choice("waypoints_knowledge", tasks.waypoints_knowledge, {"mine", "common"},
+                               "world that the positioner sees"),
+                        "knowledge"),
+      with_default_from(choice("filter_knowledge", tasks.filter_knowledge, {"mine", "common"},
+                               "world in which the tasks that are kept are chosen"),
+                        "knowledge"),
       boolean("along_edges", tasks.walk_along_edges, "walk to a task along the edges between waypoints"),
   }};
 }
@@ -94,6 +100,8 @@ static Map declare(ContextPage& context) {
       integer("priority", context.priority, {-1000000, 1000000}, "1", "the highest that holds is in force"),
   };
   for (Field& field : plugin_fields(context.plugin)) fields.push_back(std::move(field));
+  fields.push_back(
+      choice("knowledge", context.knowledge, {"mine", "common"}, "world that the condition is asked about"));
   fields.push_back(
       free("use", context.use, "use", "values of the team that are others while it holds, by their paths"));
   return {.fields = std::move(fields), .where = &context.where, .plugin_kind = "context"};

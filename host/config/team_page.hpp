@@ -29,6 +29,7 @@ struct ContextPage {
   std::string name;
   int priority = 0;
   PluginUse plugin;
+  Knowledge knowledge = Knowledge::mine;
   Node use;
   Location where;
 };

@@ -6,9 +6,6 @@
 //   OSPA = (min over assignments of the m to different ones of the n: sum of min(c, distance) + c (n - m)) / n
 //
 // and 0 when both sets are empty. Order 1, because then the part of the places and the part of the numbers add up.
-// The optimal assignment by shortest augmenting paths: R. Jonker and A. Volgenant, "A Shortest Augmenting Path
-// Algorithm for Dense and Sparse Linear Assignment Problems", Computing 38, 1987 (without its initialisation); O(m^2
-// n).
 #pragma once
 
 #include <cstddef>
@@ -16,6 +13,7 @@
 #include <vector>
 
 #include "match/geometry.hpp"
+#include "mind/coordination/least_cost_assignment.hpp"
 
 namespace regista::match {
 
@@ -33,14 +31,9 @@ class Ospa {
   OspaParts operator()(std::span<const Vector> a, std::span<const Vector> b);
 
  private:
-  double assign(std::size_t rows, std::size_t columns);
-
   double cutoff_;
   std::vector<double> cost_;  // rows x columns, row by row
-  // Of the assignment; index 0 stands for nobody.
-  std::vector<double> row_price_, column_price_, slack_;
-  std::vector<std::size_t> row_of_, before_;
-  std::vector<char> visited_;
+  mind::LeastCostAssignment assignment_;
 };
 
 }  // namespace regista::match

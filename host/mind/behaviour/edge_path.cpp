@@ -5,8 +5,6 @@
 #include <array>
 #include <limits>
 
-#include "mind/coordination/task_filter.hpp"
-
 namespace regista::mind {
 namespace {
 
@@ -18,14 +16,22 @@ Vector2d at(const plugin::Placement& graph, std::size_t index) {
   return {graph.points[index].x, graph.points[index].y};
 }
 
+// The first of equally near ones.
+std::size_t nearest_node(const plugin::Placement& graph, const Vector2d& place) {
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < graph.points.size(); ++i) {
+    if ((at(graph, i) - place).squaredNorm() < (at(graph, nearest) - place).squaredNorm()) nearest = i;
+  }
+  return nearest;
+}
+
 }  // namespace
 
 Vector2d along_edges(const plugin::Placement& graph, const Vector2d& from, const Vector2d& to) {
-  const int first = nearest_waypoint(graph.points, from.x(), from.y());
-  const int last = nearest_waypoint(graph.points, to.x(), to.y());
-  if (first < 0 || first == last || graph.points.size() > most_nodes) return to;
-  const auto start = static_cast<std::size_t>(first), goal = static_cast<std::size_t>(last);
   const std::size_t count = graph.points.size();
+  if (count == 0 || count > most_nodes) return to;
+  const std::size_t start = nearest_node(graph, from), goal = nearest_node(graph, to);
+  if (start == goal) return to;
   if ((to - from).norm() <= (at(graph, start) - from).norm() + (at(graph, goal) - to).norm()) return to;
 
   // Distances to the goal. Small graphs: no heap.

@@ -25,7 +25,11 @@ regista_matrix matrix(std::vector<double>& values, std::size_t rows, std::size_t
 }  // namespace
 
 Coordination::Coordination(const TeamPlan& plan, int own_number, std::vector<ContextParts> parts)
-    : plan_(&plan), own_number_(own_number), parts_(std::move(parts)) {
+    : plan_(&plan),
+      own_number_(own_number),
+      parts_(std::move(parts)),
+      matching_(plan.roles().size(), plugin::Positioner::point_capacity) {
+  wanting_.reserve(plan.roles().size());
   previous_.assign(static_cast<std::size_t>(plan.rules().team_size), REGISTA_NO_TASK);
   decision_.role_of = previous_;
   decision_.placement.points.reserve(plugin::Positioner::point_capacity);
@@ -40,13 +44,18 @@ const config::Context& Coordination::context() const {
 const Snapshot& Coordination::world_for(config::Knowledge knowledge, const Worlds& worlds) {
   const bool common = knowledge == config::Knowledge::common;
   decision_.frame.knowledge = static_cast<std::int32_t>(common ? REGISTA_COMMON : REGISTA_MINE);
-  return common ? worlds.common : worlds.mine;
+  return worlds.of(knowledge);
+}
+
+// The rules let the task move to a waypoint.
+bool Coordination::moves(const regista_task& task) const {
+  return context().tasks.offset_at_most > 0.0 && plan_->roles()[static_cast<std::size_t>(task.id)].role->offset;
 }
 
 const Decision& Coordination::decide(const WorldModel& world, double time, std::uint64_t tick) {
   const Worlds worlds{world.mine(), world.common()};
   begin(worlds, time, tick);
-  choose_context();
+  choose_context(worlds);
   if (decision_.context < 0) {
     forget_roles();
     return decision_;
@@ -77,10 +86,15 @@ void Coordination::begin(const Worlds& worlds, double time, std::uint64_t tick) 
 }
 
 const Decision& Coordination::decide_in_context(const Worlds& worlds) {
-  const Snapshot& task_world = world_for(context().tasks.knowledge, worlds);
-  list_tasks(task_world);
+  const config::TaskRules& rules = context().tasks;
+  listed_in_.reset();
+  world_for(rules.waypoints_knowledge, worlds);
+  list_tasks(worlds, rules.waypoints_knowledge);
   place();
-  filter_and_offset(task_world);
+  list_tasks(worlds, rules.filter_knowledge);
+  keep_tasks(worlds.of(rules.filter_knowledge));
+  list_tasks(worlds, rules.knowledge);
+  offset_tasks();
 
   const Snapshot& utility_world = world_for(context().utility_knowledge, worlds);
   estimate_times(utility_world);
@@ -92,17 +106,20 @@ const Decision& Coordination::decide_in_context(const Worlds& worlds) {
 }
 
 // All conditions are asked, so that those with a memory keep it; the first that holds is in force.
-void Coordination::choose_context() {
+void Coordination::choose_context(const Worlds& worlds) {
   int chosen = -1;
-  decision_.frame.knowledge = REGISTA_MINE;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
+    world_for(plan_->team().contexts[i].knowledge, worlds);
     if (parts_[i].condition.holds(decision_.frame) && chosen < 0) chosen = static_cast<int>(i);
   }
   decision_.context = chosen;
   decision_.frame.context = chosen;
 }
 
-void Coordination::list_tasks(const Snapshot& world) {
+void Coordination::list_tasks(const Worlds& worlds, config::Knowledge knowledge) {
+  if (listed_in_ == knowledge) return;
+  listed_in_ = knowledge;
+  const Snapshot& world = worlds.of(knowledge);
   const Anchors anchors(plan_->rules().field, plan_->rules().ball.rolling_deceleration, world);
   const int list = context().role_list;
   decision_.tasks.clear();
@@ -141,16 +158,23 @@ void Coordination::forget_placement() {
   decision_.placement.vertices.clear();
 }
 
-void Coordination::filter_and_offset(const Snapshot& world) {
+void Coordination::keep_tasks(const Snapshot& world) {
   const config::TaskRules& rules = context().tasks;
-  const auto& waypoints = decision_.placement.points;
-  filter_.keep(decision_.tasks, waypoints, world.active, rules.hysteresis, rules.keep == config::TaskRules::Keep::all,
-               decision_.kept);
+  filter_.keep(decision_.tasks, decision_.placement.points, world.active, rules.hysteresis,
+               rules.keep == config::TaskRules::Keep::all, decision_.kept);
+}
+
+void Coordination::offset_tasks() {
+  auto& waypoints = decision_.placement.points;
+  wanting_.clear();
+  for (const std::size_t index : decision_.kept) {
+    if (moves(decision_.tasks[index])) wanting_.push_back(index);
+  }
+  matching_.match(decision_.tasks, wanting_, waypoints);
   decision_.columns.clear();
   for (const std::size_t index : decision_.kept) {
     regista_task& task = decision_.columns.emplace_back(decision_.tasks[index]);
-    const bool movable = plan_->roles()[static_cast<std::size_t>(task.id)].role->offset;
-    if (movable && rules.offset_at_most > 0.0) offset(task, static_cast<int>(index), waypoints, rules.offset_at_most);
+    if (moves(task)) offset(task, static_cast<int>(index), waypoints, context().tasks.offset_at_most);
   }
   // From here on the frame's tasks are the kept ones, and waypoints name tasks by their place in the frame.
   for (regista_waypoint& waypoint : decision_.placement.points) {
@@ -233,9 +257,7 @@ void Coordination::take_own_role() {
   for (regista_task& task : decision_.columns) {
     if (task.id != role) continue;
     decision_.own_task = &task;
-    const double at_most = context().tasks.offset_at_most;
-    const bool movable = plan_->roles()[static_cast<std::size_t>(task.id)].role->offset;
-    if (movable && at_most > 0.0) offset_to_own(task, own_number_, decision_.placement.points, at_most);
+    if (moves(task)) offset_to_own(task, own_number_, decision_.placement.points, context().tasks.offset_at_most);
   }
   if (decision_.own_task == nullptr) role = -1;
   if (role != decision_.own_role) {

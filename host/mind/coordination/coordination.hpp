@@ -8,6 +8,7 @@
 
 #include "mind/coordination/decision.hpp"
 #include "mind/coordination/task_filter.hpp"
+#include "mind/coordination/waypoint_matching.hpp"
 #include "mind/team_plan.hpp"
 #include "mind/world/world_model.hpp"
 #include "plugin/kinds.hpp"
@@ -41,16 +42,21 @@ class Coordination {
  private:
   struct Worlds {
     const Snapshot &mine, &common;
+    const Snapshot& of(config::Knowledge knowledge) const {
+      return knowledge == config::Knowledge::common ? common : mine;
+    }
   };
   const config::Context& context() const;
   const Snapshot& world_for(config::Knowledge knowledge, const Worlds& worlds);
+  bool moves(const regista_task& task) const;
   void begin(const Worlds& worlds, double time, std::uint64_t tick);
-  void choose_context();
+  void choose_context(const Worlds& worlds);
   const Decision& decide_in_context(const Worlds& worlds);
-  void list_tasks(const Snapshot& world);
+  void list_tasks(const Worlds& worlds, config::Knowledge knowledge);
   void place();
   void forget_placement();
-  void filter_and_offset(const Snapshot& world);
+  void keep_tasks(const Snapshot& world);
+  void offset_tasks();
   void estimate_times(const Snapshot& world);
   void estimate_utilities(const Snapshot& world);
   void forbid(const Snapshot& world);
@@ -61,6 +67,9 @@ class Coordination {
   int own_number_;
   std::vector<ContextParts> parts_;
   TaskFilter filter_;
+  WaypointMatching matching_;
+  std::vector<std::size_t> wanting_;            // kept tasks that move to a waypoint
+  std::optional<config::Knowledge> listed_in_;  // world of the tasks of this decision, once they are listed
   Decision decision_;
   std::vector<std::int32_t> previous_;  // role_of, one decision ago
 };

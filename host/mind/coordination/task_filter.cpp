@@ -84,8 +84,8 @@ void TaskFilter::keep(std::span<const regista_task> tasks, std::span<const regis
 }
 
 void offset(regista_task& task, int index, std::span<const regista_waypoint> waypoints, double at_most) {
-  const int nearest = waypoint_for(task, static_cast<std::size_t>(index), waypoints);
-  if (nearest >= 0) move_towards(task, waypoints[static_cast<std::size_t>(nearest)], at_most);
+  const auto own = std::ranges::find(waypoints, index, &regista_waypoint::task);
+  if (own != waypoints.end()) move_towards(task, *own, at_most);
 }
 
 void offset_to_own(regista_task& task, int number, std::span<const regista_waypoint> waypoints, double at_most) {

@@ -36,8 +36,8 @@ class TaskFilter {
 // are left out.
 int nearest_waypoint(std::span<const regista_waypoint> waypoints, double x, double y);
 
-// Moves `after` towards the nearest waypoint by at most `at_most` metres. A waypoint that belongs to this very task
-// (its `index` among the context's) takes precedence over nearer ones.
+// Moves `after` towards the waypoint that belongs to this very task (its `index` among the context's), by at most
+// `at_most` metres; without one, nothing changes.
 void offset(regista_task& task, int index, std::span<const regista_waypoint> waypoints, double at_most);
 
 // The same towards the waypoint that belongs to robot `number`, which has taken the task; without one, nothing changes.

@@ -43,9 +43,10 @@ template <int N>
 struct ScriptedContext {
   static constexpr auto id = "context", version = "1.0.0", summary = "Scripted";
   static inline bool answer = true;
-  static inline int asked = 0, told = -5;
+  static inline int asked = 0, told = -5, knowledge = -1;
   bool holds(const Frame& frame) {
     ++asked;
+    knowledge = frame.raw().knowledge;
     told = frame.context();
     EXPECT_EQ(frame.raw().tasks.count, 0u);
     EXPECT_EQ(frame.raw().waypoints.count, 0u);
@@ -97,10 +98,13 @@ class CoordinationTest : public testing::Test {
     coordination = std::make_unique<Coordination>(*plan, own, std::move(parts));
   }
 
+  std::vector<BallSighting> balls_seen;
+
   // Robots at (number, 0) tell where they are; the own one sees for itself.
   const Decision& decide(double time, const std::vector<int>& heard, const Vector2d& own_place = {0.0, 0.0}) {
     Percepts given = percepts(time);
     given.placed = placed(own_place.x(), own_place.y());
+    given.balls = balls_seen;
     const double dt = time - now;
     now = time;
     world->sense(given, dt, coordination->last_frame());
@@ -381,23 +385,50 @@ TEST_F(CoordinationTest, WithoutAContextNothingIsAssigned) {
 
 TEST_F(CoordinationTest, KnowledgeChoosesTheWorldOfEachStep) {
   config::Team page = team();
-  page.contexts[0].tasks.knowledge = config::Knowledge::common;
-  page.contexts[0].utility_knowledge = config::Knowledge::mine;
+  using enum config::Knowledge;
+  page.contexts[0].utility_knowledge = mine;
   ScriptedContext<0>::answer = true;
-  make(page);
   int place_knowledge = -1, term_knowledge = -1, assign_knowledge = -1;
   ScriptedPositioner::hook = [&](const Frame& frame, Placement) { place_knowledge = frame.raw().knowledge; };
   ScriptedTerm<0>::hook = [&](const Frame& frame, Utilities) { term_knowledge = frame.raw().knowledge; };
   ScriptedAssigner::hook = [&](const Frame& frame, UtilityMatrix, Assignment) {
     assign_knowledge = frame.raw().knowledge;
   };
-  const Decision& decision = decide(1.0, {3, 4});
-  EXPECT_EQ(place_knowledge, REGISTA_COMMON);
-  EXPECT_EQ(term_knowledge, REGISTA_MINE);
-  EXPECT_EQ(assign_knowledge, REGISTA_MINE);
-  // The own robot has not been heard of: two tasks of the common world, three rows of the own one.
-  EXPECT_EQ(decision.columns.size(), 2u);
-  EXPECT_EQ(decision.rows(), 3u);
+  for (const auto tasks : {mine, common}) {
+    for (const auto waypoints : {mine, common}) {
+      for (const auto filter : {mine, common}) {
+        page.contexts[0].tasks.knowledge = tasks;
+        page.contexts[0].tasks.waypoints_knowledge = waypoints;
+        page.contexts[0].tasks.filter_knowledge = filter;
+        make(page);
+        now = 0.0;
+        balls_seen = {{{1.0, 0.5}, 0.1, 0.1}};
+        const Decision& decision = decide(1.0, {3, 4});
+        EXPECT_EQ(place_knowledge, waypoints == common ? REGISTA_COMMON : REGISTA_MINE);
+        EXPECT_EQ(term_knowledge, REGISTA_MINE);
+        EXPECT_EQ(assign_knowledge, REGISTA_MINE);
+        // The own robot has not been heard of: two robots in the common world, three rows of the own one.
+        EXPECT_EQ(decision.columns.size(), filter == common ? 2u : 3u);
+        EXPECT_EQ(decision.rows(), 3u);
+        // Nobody has told of the ball that the own eyes see.
+        const bool at_ball = std::ranges::any_of(decision.columns, [](const regista_task& task) {
+          return std::hypot(task.before[0] - 1.0, task.before[1] - 0.5) < 0.1;
+        });
+        EXPECT_EQ(at_ball, tasks == mine);
+      }
+    }
+  }
+}
+
+TEST_F(CoordinationTest, AConditionIsAskedAboutTheWorldThatItsContextNames) {
+  for (const auto knowledge : {config::Knowledge::mine, config::Knowledge::common}) {
+    config::Team page = team();
+    page.contexts[0].knowledge = knowledge;
+    ScriptedContext<0>::answer = true;
+    make(page);
+    decide(1.0, {3, 4});
+    EXPECT_EQ(ScriptedContext<0>::knowledge, knowledge == config::Knowledge::common ? REGISTA_COMMON : REGISTA_MINE);
+  }
 }
 
 TEST_F(CoordinationTest, OnCommonKnowledgeARobotNeverHeardOfHasNoRow) {

@@ -135,7 +135,7 @@ TEST(TaskFilter, NearestWaypointIsTheFirstOfEquals) {
 }
 
 TEST(Offset, MovesAtMostSoFarAndNeverBeyond) {
-  const std::vector<regista_waypoint> waypoints{point(3, 4), point(-10, 0)};
+  const std::vector<regista_waypoint> waypoints{point(3, 4, 0), point(-10, 0)};
   regista_task far = task(0, 0);
   far.before[2] = far.after[2] = 0.7;
   offset(far, 0, waypoints, 0.5);
@@ -157,13 +157,13 @@ TEST(Offset, MovesAtMostSoFarAndNeverBeyond) {
   EXPECT_EQ(alone.after[1], 2.0);
 }
 
-TEST(Offset, OwnWaypointBeatsNearerOnes) {
+TEST(Offset, OnlyToTheOwnWaypoint) {
   const std::vector<regista_waypoint> waypoints{point(0.1, 0), point(2, 0, 3), point(-1, 0, 4)};
   regista_task third = task(0, 0), fifth = task(0, 0);
   offset(third, 3, waypoints, 0.5);
   EXPECT_DOUBLE_EQ(third.after[0], 0.5);
   offset(fifth, 5, waypoints, 0.5);
-  EXPECT_DOUBLE_EQ(fifth.after[0], 0.1);
+  EXPECT_DOUBLE_EQ(fifth.after[0], 0.0) << "nobody has been given the first";
 }
 
 // A task without a waypoint of its own is not moved to another's, and the filter measures each to what it may go to.

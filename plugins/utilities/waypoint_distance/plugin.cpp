@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Utility plugin around algorithm.hpp: the chosen world's active robots against the waypoints that the host has matched
+// with the tasks, or that a positioner has given them.
+#include <vector>
+
+#include <regista/utility.hpp>
+
+#include "../frame_places.hpp"
+#include "algorithm.hpp"
+
+namespace {
+
+struct WaypointDistance {
+  static constexpr auto id = "waypoint_distance", version = "1.0.0",
+                        summary = "Nearness of the robot to the waypoint of the task, straight or along the edges";
+  waypoint_distance::Settings settings;
+  static constexpr std::tuple parameters{regista::within(
+      &WaypointDistance::settings,
+      regista::real("reach", &waypoint_distance::Settings::reach, {0.5, 100.0}, "m",
+                    "Distance from which on the utility is 0; as the distance to the task, SPQR 2022: 11")
+          .tunable(),
+      regista::boolean(
+          "along_edges", &waypoint_distance::Settings::along_edges,
+          "To the nearest waypoint, then along the edges, instead of straight; the paper gives no formula"))};
+
+  std::vector<waypoint_distance::Point> robots, nodes;
+  std::vector<waypoint_distance::Edge> edges;
+  std::vector<std::size_t> node_of;
+  waypoint_distance::Ways ways;
+
+  void setup(const regista::Environment& environment) {
+    robots.reserve(environment->team_size);
+    nodes.reserve(64);
+    edges.reserve(192);
+    node_of.reserve(environment.roles().size());
+  }
+  void score(const regista::Frame& frame, regista::Utilities out) {
+    read_robots(frame.world(), robots);
+    node_of.assign(frame.tasks().size(), waypoint_distance::no_node);
+    nodes.clear();
+    for (const regista::Waypoint& point : frame.waypoints()) {
+      if (point.task >= 0 && point.robot == 0) node_of[static_cast<std::size_t>(point.task)] = nodes.size();
+      nodes.push_back({point.x, point.y});
+    }
+    edges.clear();
+    for (const regista::Edge& edge : frame.edges()) edges.push_back({edge.from, edge.to});
+    waypoint_distance::score(robots, node_of, {nodes, edges}, settings, ways, out.data(), out.stride());
+  }
+};
+
+}  // namespace
+
+REGISTA_PLUGIN(WaypointDistance, regista::utility)
