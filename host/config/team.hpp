@@ -85,7 +85,7 @@ struct UtilityTerm {
 
 struct TaskRules {
   enum class Keep { all, nearest_to_waypoints } keep = Keep::nearest_to_waypoints;
-  double hysteresis = 0.0;      // m: a task kept at the last decision counts as so much nearer to the waypoints
+  double hysteresis = 0.0;      // m: a task that a robot is said to play counts as so much nearer to the waypoints
   double offset_at_most = 0.5;  // m, 0 = off
   Knowledge knowledge = Knowledge::mine;  // that tasks are placed in
   // That the positioner sees and that tasks are chosen in; unless the page says it, as `knowledge`.

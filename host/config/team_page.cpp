@@ -55,7 +55,7 @@ static Map declare(TaskRules& tasks) {
   return {{
       choice("keep", tasks.keep, {"all", "nearest_to_waypoints"}, "which of the tasks are kept for the active robots"),
       real("hysteresis", tasks.hysteresis, {0, 20}, "m",
-           "a task kept last time counts as so much nearer to a waypoint"),
+           "a task that a robot is said to play counts as so much nearer to a waypoint"),
       Field{"offset", "moving a kept task towards its nearest waypoint", Section{offset, [] { return true; }}},
       choice("knowledge", tasks.knowledge, {"mine", "common"}, "world that tasks are placed in"),
       with_default_from(choice("waypoints_knowledge", tasks.waypoints_knowledge, {"mine", "common"},

@@ -29,6 +29,7 @@ Coordination::Coordination(const TeamPlan& plan, int own_number, std::vector<Con
       own_number_(own_number),
       parts_(std::move(parts)),
       matching_(plan.roles().size(), plugin::Positioner::point_capacity) {
+  played_.reserve(static_cast<std::size_t>(plan.rules().team_size));
   wanting_.reserve(plan.roles().size());
   previous_.assign(static_cast<std::size_t>(plan.rules().team_size), REGISTA_NO_TASK);
   decision_.role_of = previous_;
@@ -160,8 +161,10 @@ void Coordination::forget_placement() {
 
 void Coordination::keep_tasks(const Snapshot& world) {
   const config::TaskRules& rules = context().tasks;
-  filter_.keep(decision_.tasks, decision_.placement.points, world.active, rules.hysteresis,
-               rules.keep == config::TaskRules::Keep::all, decision_.kept);
+  played_.clear();
+  for (const int number : world.active) played_.push_back(world.robot(number).role);
+  filter_.keep(decision_.tasks, decision_.placement.points, world.active, played_,
+               {rules.hysteresis, rules.keep == config::TaskRules::Keep::all}, decision_.kept);
 }
 
 void Coordination::offset_tasks() {

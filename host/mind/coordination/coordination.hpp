@@ -68,6 +68,7 @@ class Coordination {
   std::vector<ContextParts> parts_;
   TaskFilter filter_;
   WaypointMatching matching_;
+  std::vector<std::int32_t> played_;            // ids of tasks, -1 for none
   std::vector<std::size_t> wanting_;            // kept tasks that move to a waypoint
   std::optional<config::Knowledge> listed_in_;  // world of the tasks of this decision, once they are listed
   Decision decision_;

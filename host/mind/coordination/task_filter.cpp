@@ -48,12 +48,12 @@ int nearest_waypoint(std::span<const regista_waypoint> waypoints, double x, doub
 }
 
 void TaskFilter::keep(std::span<const regista_task> tasks, std::span<const regista_waypoint> waypoints,
-                      std::span<const std::int32_t> active, double hysteresis, bool all,
-                      std::vector<std::size_t>& kept) {
+                      std::span<const std::int32_t> active, std::span<const std::int32_t> played,
+                      const FilterRule& rule, std::vector<std::size_t>& kept) {
   kept.clear();
   chosen_.assign(tasks.size(), 0);
   candidates_.clear();
-  std::size_t room = all ? tasks.size() : active.size();
+  std::size_t room = rule.all ? tasks.size() : active.size();
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const regista_task& task = tasks[i];
     if (task.robot != 0) {
@@ -67,7 +67,7 @@ void TaskFilter::keep(std::span<const regista_task> tasks, std::span<const regis
     double distance = 0.0;
     if (nearest >= 0) {
       distance = std::sqrt(distance2(waypoints[static_cast<std::size_t>(nearest)], task.before[0], task.before[1]));
-      if (contains(last_, task.id)) distance = std::max(0.0, distance - hysteresis);
+      if (contains(played, task.id)) distance = std::max(0.0, distance - rule.hysteresis);
     }
     if ((task.flags & REGISTA_TASK_REQUIRED) != 0) distance = -1.0;
     candidates_.push_back({distance, i});
@@ -79,8 +79,6 @@ void TaskFilter::keep(std::span<const regista_task> tasks, std::span<const regis
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     if (chosen_[i] != 0) kept.push_back(i);
   }
-  last_.clear();
-  for (const std::size_t i : kept) last_.push_back(tasks[i].id);
 }
 
 void offset(regista_task& task, int index, std::span<const regista_waypoint> waypoints, double at_most) {

@@ -12,15 +12,21 @@
 
 namespace regista::mind {
 
+struct FilterRule {
+  double hysteresis = 0.0;  // m: a task that a robot is said to play counts as so much nearer
+  bool all = false;         // whoever can be kept is
+};
+
 // Keeps at most as many tasks as there are active robots (their numbers, ascending), in the given order: those bound to
 // an active robot, those required, then those nearest to a waypoint (their own, or one that belongs to nothing), or the
-// first ones while there are no waypoints.
-// A task bound to a robot that is not active is never kept. A task kept at the last call (by its id) counts as
-// `hysteresis` metres nearer. `all`: whoever can be kept is. Writes indices, ascending.
+// first ones while there are no waypoints. A task bound to a robot that is not active is never kept. `played`: ids of
+// tasks that active robots are said to play. All of it is of one world, and nothing else is remembered: robots that
+// share a world keep the same tasks. Writes indices, ascending.
 class TaskFilter {
  public:
   void keep(std::span<const regista_task> tasks, std::span<const regista_waypoint> waypoints,
-            std::span<const std::int32_t> active, double hysteresis, bool all, std::vector<std::size_t>& kept);
+            std::span<const std::int32_t> active, std::span<const std::int32_t> played, const FilterRule& rule,
+            std::vector<std::size_t>& kept);
 
  private:
   struct Candidate {
@@ -29,7 +35,6 @@ class TaskFilter {
   };
   std::vector<Candidate> candidates_;
   std::vector<char> chosen_;
-  std::vector<std::int32_t> last_;  // ids kept at the last call
 };
 
 // The waypoint nearest to (x, y), the first of equals; -1 without waypoints. Those that belong to a robot or to a task

@@ -26,7 +26,7 @@ std::vector<std::size_t> keep(const std::vector<regista_task>& tasks, const std:
                               const std::vector<std::int32_t>& active, bool all = false) {
   TaskFilter filter;
   std::vector<std::size_t> kept{99};
-  filter.keep(tasks, waypoints, active, 0.0, all, kept);
+  filter.keep(tasks, waypoints, active, {}, {0.0, all}, kept);
   return kept;
 }
 
@@ -105,26 +105,26 @@ TEST(TaskFilter, CoincidentWaypointsCountOnce) {
   EXPECT_EQ(once, (std::vector<std::size_t>{1, 2}));
 }
 
-// Distances 1.0 and 1.2 to the only waypoint: with 0.3 m of hysteresis whichever was kept stays, until the other is
+// Distances 1.0 and 1.2 to the only waypoint: with 0.3 m of hysteresis the one that is played stays, until the other is
 // more than that much nearer; ids count, not places in the list.
-TEST(TaskFilter, HysteresisKeepsWhatWasKept) {
+TEST(TaskFilter, HysteresisKeepsWhatIsPlayed) {
   const std::vector<regista_waypoint> waypoints{point(0, 0)};
-  const std::vector<std::int32_t> active{1};
   regista_task near = task(1.0, 0), far = task(1.2, 0);
   near.id = 10;
   far.id = 11;
   TaskFilter filter;
-  std::vector<std::size_t> kept;
-  filter.keep(std::vector{near, far}, waypoints, active, 0.3, false, kept);
-  EXPECT_EQ(kept, (std::vector<std::size_t>{0}));
-  far.before[0] = 0.75;
-  filter.keep(std::vector{near, far}, waypoints, active, 0.3, false, kept);
-  EXPECT_EQ(kept, (std::vector<std::size_t>{0}));
-  filter.keep(std::vector{far, near}, waypoints, active, 0.3, false, kept);
-  EXPECT_EQ(kept, (std::vector<std::size_t>{1}));
-  far.before[0] = 0.65;
-  filter.keep(std::vector{near, far}, waypoints, active, 0.3, false, kept);
-  EXPECT_EQ(kept, (std::vector<std::size_t>{1}));
+  const auto first = [&](const std::vector<regista_task>& tasks, const std::vector<std::int32_t>& played) {
+    std::vector<std::size_t> kept;
+    filter.keep(tasks, waypoints, std::vector<std::int32_t>{1}, played, {0.3, false}, kept);
+    return tasks[kept.at(0)].id;
+  };
+  EXPECT_EQ(first({near, far}, {-1}), 10);
+  EXPECT_EQ(first({near, far}, {-1, 11}), 11);
+  EXPECT_EQ(first({far, near}, {11}), 11);
+  EXPECT_EQ(first({near, far}, {11, 10}), 10) << "both are played: the nearer one";
+  far.before[0] = 1.31;
+  EXPECT_EQ(first({near, far}, {11}), 10);
+  EXPECT_EQ(first({near, far}, {}), 10) << "nothing is remembered of earlier calls";
 }
 
 TEST(TaskFilter, NearestWaypointIsTheFirstOfEquals) {
