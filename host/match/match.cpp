@@ -101,6 +101,7 @@ class OngoingMatch {
   void decide(int id);
   void feel_contact(int id, Robot& robot);
   bool sees_ball(int id) const;
+  RobotSet able() const;  // who stands and has not crashed
   void ask(int id);
   int move_bodies();
   void jostle();
@@ -151,7 +152,7 @@ OngoingMatch::OngoingMatch(const Setup& setup, std::span<const mind::Think> home
                Trouble(setup.disturbances[1], setup.rules.field, roster_.team_size, setup.seed, Side::away)},
       radio_{Radio(setup.robots[0].radio, trouble_[0], roster_.team_size, setup.seed, Side::home),
              Radio(setup.robots[1].radio, trouble_[1], roster_.team_size, setup.seed, Side::away)},
-      metrics_(setup.rules, setup.roles) {
+      metrics_(setup.rules, setup.robots, setup.roles) {
   if (observer.physics_log != nullptr) {
     *observer.physics_log = {setup.rules.field, setup.rules.ball, bodies_of(setup), {}, {}};
     arena_.record(observer.physics_log);
@@ -207,7 +208,7 @@ Result OngoingMatch::run() {
     time_ = tick_ * physics_step;
     judge(kicker);
     digest_.add(std::as_bytes(arena_.states()));
-    if (tick_ % steps_per_sample == 0) metrics_.sample(referee_.state(), arena_.states());
+    if (tick_ % steps_per_sample == 0) metrics_.sample(referee_.state(), arena_.states(), able());
     observe();
   }
   const GameState& state = referee_.state();
@@ -230,7 +231,7 @@ void OngoingMatch::suffer(Side side) {
     crashed_ ^= only(id);
     if (affliction.crashed) {
       body.freeze(time_);
-      metrics_.decided(side, number, -1, {}, false, referee_.state());  // plays no role any more
+      metrics_.crashed(side, number, referee_.state());
     } else {
       body.thaw(time_);
     }
@@ -274,7 +275,7 @@ void OngoingMatch::decide(int id) {
   }
 
   add(digest_, outcome);
-  metrics_.decided(side, number, outcome.role, outcome.assignment, sees_ball(id), state);
+  metrics_.decided(side, number, outcome, sees_ball(id), time_, state);
   ask(id);
   robot.sensing.look(outcome.command.head_yaw);
   if (!percepts.penalised) {
@@ -310,6 +311,14 @@ bool OngoingMatch::sees_ball(int id) const {
   return std::ranges::any_of(robot.percepts.balls, [ball](const mind::BallSighting& each) {
     return squared_length(Vector{each.position.x(), each.position.y()} - ball) < sighting_error * sighting_error;
   });
+}
+
+RobotSet OngoingMatch::able() const {
+  RobotSet out = 0;
+  for (int id = 0; id < roster_.count(); ++id) {
+    if (!robots_[static_cast<std::size_t>(id)].body.fallen(time_)) out |= only(id);
+  }
+  return out & ~crashed_;
 }
 
 // Once a second, at its first decision in it, what a robot in play believes.

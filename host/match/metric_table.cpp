@@ -47,6 +47,15 @@ std::vector<MetricRow> numbers_of_the_match() {
        .total = Total::sum,
        .meaning = "ball in play",
        .get = [](const Source& from) { return from.result.metrics.in_play_seconds; }},
+      {.of = Of::match,
+       .part = part,
+       .name = "ball_rest_seconds",
+       .unit = "s",
+       .total = Total::sum,
+       .meaning = "in play, the ball is slower than 0.05 m/s though an able robot of either team could touch it within "
+                  "3 s: the way from its centre to that of the ball, less the radius of its body, is at most what it "
+                  "walks in 3 s at full forward speed",
+       .get = [](const Source& from) { return from.result.metrics.ball_rest_seconds; }},
   };
 }
 
@@ -148,6 +157,86 @@ std::vector<MetricRow> rates() {
   return rows;
 }
 
+std::vector<MetricRow> agreement_by_step() {
+  const auto row = [](const char* name, const char* title, const char* meaning,
+                      std::optional<double> AgreementMetrics::*value) {
+    return MetricRow{.part = "coordination",
+                     .name = name,
+                     .unit = "share",
+                     .title = title,
+                     .digits = 3,
+                     .meaning = meaning,
+                     .get = [value](const Source& from) { return from.team().agreement.*value; }};
+  };
+  return {row("context_agreement", "Agreement of all robots on the context, share of time",
+              "of the samples with `R >= 2`: all active robots last decided in the same context, or all in none",
+              &AgreementMetrics::context),
+          row("kept_tasks_agreement", "Agreement of all robots on the kept tasks, share of time",
+              "of the same samples: all active robots last kept the same tasks, or had none to keep",
+              &AgreementMetrics::kept_tasks),
+          row("assignment_agreement_given_tasks", "",
+              "of those of them with the same kept tasks: all active robots last decided on the same assignment",
+              &AgreementMetrics::assignment_given_tasks)};
+}
+
+std::vector<MetricRow> tenures_and_targets() {
+  const std::string_view part = "coordination";
+  return {
+      {.part = part,
+       .name = "tenure_median_seconds",
+       .unit = "s",
+       .title = "Median tenure of a role, s",
+       .meaning = "how long a robot holds a role before it takes another: median over all finished tenures of all "
+                  "robots; `null` without one",
+       .get = [](const Source& from) { return from.team().tenure.median_seconds; }},
+      {.part = part,
+       .name = "tenure_10_percent_seconds",
+       .unit = "s",
+       .meaning = "their 0.1 quantile: a tenth of the tenures are shorter",
+       .get = [](const Source& from) { return from.team().tenure.tenth_seconds; }},
+      {.part = part,
+       .name = "target_distance_mean_metres",
+       .unit = "m",
+       .title = "Distance between two targets, m",
+       .meaning = "distance between the targets of two active robots: mean over all pairs of all samples",
+       .get = [](const Source& from) { return from.team().targets.mean_metres; }},
+      {.part = part,
+       .name = "target_distance_least_metres",
+       .unit = "m",
+       .meaning = "that of the pair whose targets are nearest together: mean over the samples with two targets or more",
+       .get = [](const Source& from) { return from.team().targets.least_metres; }},
+  };
+}
+
+std::vector<MetricRow> at_the_ball() {
+  const std::string_view part = "coordination";
+  return {
+      {.part = part,
+       .name = "nearest_plays_ball",
+       .unit = "share",
+       .title = "The robot nearest to the ball plays it, share of time in play",
+       .digits = 3,
+       .meaning =
+           "of the samples in play with an able robot of the team: the one nearest to the ball last decided on a "
+           "role that plays the ball",
+       .get = [](const Source& from) { return from.team().ball.nearest_plays_share; }},
+      {.part = part,
+       .name = "robots_near_ball",
+       .unit = "robots",
+       .title = "Robots within 1 m of the ball",
+       .meaning = "active ones whose centre is within 1 m of that of the ball: mean over the samples in play",
+       .get = [](const Source& from) { return from.team().ball.robots_near; }},
+      {.part = part,
+       .name = "ball_chased_by_several_seconds",
+       .unit = "s",
+       .total = Total::sum,
+       .title = "Two or more robots go for the ball, s",
+       .digits = 1,
+       .meaning = "in play, two or more able robots of the team go for the ball",
+       .get = [](const Source& from) { return from.team().ball.chased_by_several_seconds; }},
+  };
+}
+
 std::vector<MetricRow> numbers_of_coordination() {
   const std::string_view part = "coordination";
   std::vector<MetricRow> rows = numbers_of_roles();
@@ -177,7 +266,9 @@ std::vector<MetricRow> numbers_of_coordination() {
                   .unit = "share",
                   .meaning = "of those after it began",
                   .get = [](const Source& from) { return from.team().coordination.agreement_after_silence; }});
-  std::ranges::move(rates(), std::back_inserter(rows));
+  for (auto* const more : {agreement_by_step, tenures_and_targets, at_the_ball, rates}) {
+    std::ranges::move(more(), std::back_inserter(rows));
+  }
   return rows;
 }
 
@@ -270,19 +361,21 @@ std::vector<MetricRow> numbers_of_the_world() {
              "over pairs of active robots: it reckons with the other (heard of, not believed penalised, not given up "
              "for lost)",
              "over the pairs with `K`", as_before, as_before});
-  const auto opponents = [&](const char* name, const char* title, const char* meaning,
+  const auto opponents = [&](const char* name, const char* unit, const char* title, const char* meaning,
                              std::optional<double> WorldModelMetrics::*value) {
     rows.push_back({.part = part,
                     .name = std::string("world_model.opponents.") + name,
-                    .unit = "m",
+                    .unit = unit,
                     .title = title,
                     .meaning = meaning,
                     .get = [value](const Source& from) { return from.team().world_model.*value; }});
   };
-  opponents("ospa_metres", "Error of opponents, m (OSPA)",
+  opponents("listed", "robots", "Opponents known to a robot", "mean number of opponents that it lists, right or wrong",
+            &WorldModelMetrics::opponents_listed);
+  opponents("ospa_metres", "m", "Error of opponents, m (OSPA)",
             "mean OSPA between the opponents it lists and the active ones", &WorldModelMetrics::ospa_metres);
-  opponents("ospa_location_metres", "", "its part from places", &WorldModelMetrics::ospa_location_metres);
-  opponents("ospa_cardinality_metres", "", "its part from numbers; the two add up",
+  opponents("ospa_location_metres", "m", "", "its part from places", &WorldModelMetrics::ospa_location_metres);
+  opponents("ospa_cardinality_metres", "m", "", "its part from numbers; the two add up",
             &WorldModelMetrics::ospa_cardinality_metres);
   return rows;
 }

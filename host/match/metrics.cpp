@@ -14,10 +14,17 @@ constexpr double minute = 60.0;  // s
 
 TeamMetrics::TeamMetrics() : packets_by_reason(REGISTA_EVENT_COUNT, 0) {}
 
-Metrics::Metrics(const config::Rules& rules, const std::array<std::vector<Role>, 2>& roles)
+Metrics::Metrics(const config::Rules& rules, const std::array<config::Robot, 2>& robots,
+                 const std::array<std::vector<Role>, 2>& roles)
     : roster_{rules.team_size},
       half_(rules.durations.half),
+      table_(roles),
       roles_{RoleMeasures(rules.team_size, roles[0]), RoleMeasures(rules.team_size, roles[1])},
+      agreements_{AgreementMeasures(rules.team_size, roles[0].size()),
+                  AgreementMeasures(rules.team_size, roles[1].size())},
+      tenures_{TenureMeasures(rules.team_size, half_), TenureMeasures(rules.team_size, half_)},
+      targets_{TargetMeasures(rules.team_size), TargetMeasures(rules.team_size)},
+      ball_(rules.team_size, robots),
       worlds_{WorldMeasures(rules.team_size), WorldMeasures(rules.team_size)},
       play_(rules) {
   own_.reserve(at(rules.team_size));
@@ -31,10 +38,28 @@ std::uint32_t Metrics::active(Side side, const GameState& state) const {
   return ((1u << roster_.team_size) - 1u) & ~state.penalised[index(side)];
 }
 
-void Metrics::decided(Side side, int number, int role, std::span<const int> assignment, bool sees_ball,
+void Metrics::decided(Side side, int number, const mind::Outcome& outcome, bool sees_ball, double time,
                       const GameState& state) {
-  roles_[index(side)].decided(number, role, assignment, state.phase == mind::Phase::playing);
-  worlds_[index(side)].looked(number, sees_ball);
+  const bool plays = state.phase == mind::Phase::playing && !state.is_penalised(side, number);
+  tenures_[index(side)].decided(number, outcome.role, time, plays);
+  took(side, number, outcome, sees_ball, state);
+}
+
+void Metrics::crashed(Side side, int number, const GameState& state) {
+  tenures_[index(side)].crashed(number);
+  took(side, number, {}, false, state);
+}
+
+void Metrics::took(Side side, int number, const mind::Outcome& outcome, bool sees_ball, const GameState& state) {
+  const std::size_t i = index(side);
+  std::optional<Vector> target;
+  if (outcome.target) target = Vector{outcome.target->x, outcome.target->y};
+  const bool plays_ball = outcome.role >= 0 && table_[i][at(outcome.role)].plays_ball;
+  roles_[i].decided(number, outcome.role, outcome.assignment, state.phase == mind::Phase::playing);
+  agreements_[i].decided(number, outcome.context, outcome.kept);
+  targets_[i].decided(number, target);
+  ball_.decided(roster_.id(side, number), plays_ball, outcome.command.kick.has_value(), target);
+  worlds_[i].looked(number, sees_ball);
 }
 
 void Metrics::believes(Side side, int number, const Belief& belief, std::span<const BodyState> bodies,
@@ -69,14 +94,21 @@ void Metrics::stepped(const BodyState& ball, int touched_by, const GameState& st
   if (state.phase == mind::Phase::playing) play_.step(ball, touched_by, state.half);
 }
 
-void Metrics::sample(const GameState& state, std::span<const BodyState> bodies) {
+void Metrics::sample(const GameState& state, std::span<const BodyState> bodies, RobotSet able) {
   add_minutes(state, {&result_.teams[0].budget_curve, &result_.teams[1].budget_curve});
   if (state.phase != mind::Phase::playing) return;
   ++samples_;
-  if (state.in_play()) ++in_play_;
+  if (state.in_play()) {
+    ++in_play_;
+    ball_.sample(state, bodies, able);
+  }
   for (const Side side : both_sides) {
-    roles_[index(side)].sample(active(side, state));
-    worlds_[index(side)].sample(active(side, state));
+    const std::size_t i = index(side);
+    const std::uint32_t robots = active(side, state);
+    roles_[i].sample(robots);
+    agreements_[i].sample(robots, roles_[i].agree(robots));
+    targets_[i].sample(robots);
+    worlds_[i].sample(robots);
   }
   play_.sample(state, bodies, last_touch_);
 }
@@ -92,11 +124,16 @@ void Metrics::add_minutes(const GameState& state, std::array<std::vector<int>*, 
 MatchMetrics Metrics::result(const GameState& state, double end) const {
   MatchMetrics out = result_;
   add_minutes(state, {&out.teams[0].budget_curve, &out.teams[1].budget_curve});
-  out.playing_seconds = static_cast<double>(samples_) / samples_per_second;
-  out.in_play_seconds = static_cast<double>(in_play_) / samples_per_second;
+  out.playing_seconds = seconds(samples_);
+  out.in_play_seconds = seconds(in_play_);
+  out.ball_rest_seconds = ball_.rest_seconds();
   for (const Side side : both_sides) {
     TeamMetrics& team = out.teams[index(side)];
     team.coordination = roles_[index(side)].result(end);
+    team.agreement = agreements_[index(side)].result();
+    team.tenure = tenures_[index(side)].result();
+    team.targets = targets_[index(side)].result();
+    team.ball = ball_.result(side);
     team.world_model = worlds_[index(side)].result();
     team.play = play_.result(side);
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // All numbers about one match, a function of its course alone: how well the teams were coordinated (metrics_roles.hpp),
-// how well they knew the world (metrics_world.hpp), what they sent, and their soccer (metrics_play.hpp). Fed with plain
-// values as the match goes on; it keeps sums, not the course. docs/metrics.md lists every number.
+// on what they agreed (metrics_agreement.hpp), how long they held their roles (metrics_tenure.hpp), how far apart they
+// wanted to be (metrics_targets.hpp), who went for the ball (metrics_ball.hpp), how well they knew the world
+// (metrics_world.hpp), what they sent, and their soccer (metrics_play.hpp). Fed with plain values as the match goes on;
+// it keeps sums, not the course. docs/metrics.md lists every number.
 //
 // Sampled at 10 Hz in the phase Playing, each sample counting 0.1 s; beliefs once a second.
 #pragma once
@@ -12,19 +14,29 @@
 #include <span>
 #include <vector>
 
+#include "config/robot.hpp"
 #include "config/rules.hpp"
 #include "match/arena.hpp"
 #include "match/belief.hpp"
 #include "match/game_state.hpp"
+#include "match/metrics_agreement.hpp"
+#include "match/metrics_ball.hpp"
 #include "match/metrics_play.hpp"
 #include "match/metrics_roles.hpp"
+#include "match/metrics_targets.hpp"
+#include "match/metrics_tenure.hpp"
 #include "match/metrics_world.hpp"
+#include "mind/command.hpp"
 
 namespace regista::match {
 
 struct TeamMetrics {
   TeamMetrics();
   CoordinationMetrics coordination;
+  AgreementMetrics agreement;
+  TenureMetrics tenure;
+  TargetMetrics targets;
+  BallMetrics ball;
   WorldModelMetrics world_model;
   PlayMetrics play;
   int packets = 0;                     // sent, charged or not delivered as too long
@@ -37,16 +49,20 @@ struct MatchMetrics {
   std::array<TeamMetrics, 2> teams;  // by side
   double playing_seconds = 0.0;      // phase Playing
   double in_play_seconds = 0.0;      // without set plays
+  double ball_rest_seconds = 0.0;    // in play, though somebody could soon be there
 };
 
 class Metrics {
  public:
-  Metrics(const config::Rules& rules, const std::array<std::vector<Role>, 2>& roles);
+  // Arrays are by side.
+  Metrics(const config::Rules& rules, const std::array<config::Robot, 2>& robots,
+          const std::array<std::vector<Role>, 2>& roles);
 
-  // Robot `number` has decided. role: row or -1; assignment: per robot row, -1, -2, or empty. sees_ball: in the image
-  // it decided on.
-  void decided(Side side, int number, int role, std::span<const int> assignment, bool sees_ball,
+  // Robot `number` has decided. sees_ball: in the image it decided on. time: s of match time.
+  void decided(Side side, int number, const mind::Outcome& outcome, bool sees_ball, double time,
                const GameState& state);
+  // From now on it decides nothing, and holds no role.
+  void crashed(Side side, int number, const GameState& state);
 
   // What it believes after this decision. Bodies: the truth at that instant, robots by id, then the ball.
   void believes(Side side, int number, const Belief& belief, std::span<const BodyState> bodies, const GameState& state);
@@ -60,20 +76,28 @@ class Metrics {
   // After each physics step, before the referee judges it. touched_by: who touched the ball (id; -1: nobody).
   void stepped(const BodyState& ball, int touched_by, const GameState& state);
 
-  // To be called ten times in a second of match time.
-  void sample(const GameState& state, std::span<const BodyState> bodies);
+  // To be called ten times in a second of match time. able: who stands and has not crashed; what it says of penalised
+  // robots is not looked at.
+  void sample(const GameState& state, std::span<const BodyState> bodies, RobotSet able);
 
   // At the end of the match: its state, and its length in seconds.
   MatchMetrics result(const GameState& state, double end) const;
 
  private:
   std::uint32_t active(Side side, const GameState& state) const;
+  // What it decided, for all measures but the tenures.
+  void took(Side side, int number, const mind::Outcome& outcome, bool sees_ball, const GameState& state);
   // Of minutes that have passed and are not in the curve yet.
   void add_minutes(const GameState& state, std::array<std::vector<int>*, 2> curves) const;
 
   Roster roster_;
   double half_;  // s
+  std::array<std::vector<Role>, 2> table_;
   std::array<RoleMeasures, 2> roles_;
+  std::array<AgreementMeasures, 2> agreements_;
+  std::array<TenureMeasures, 2> tenures_;
+  std::array<TargetMeasures, 2> targets_;
+  BallMeasures ball_;
   std::array<WorldMeasures, 2> worlds_;
   PlayMeasures play_;
   MatchMetrics result_;

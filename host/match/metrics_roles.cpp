@@ -7,16 +7,6 @@
 #include "match/sampling.hpp"
 
 namespace regista::match {
-namespace {
-
-std::optional<double> share(int part, int whole) {
-  return whole > 0 ? std::optional(static_cast<double>(part) / whole) : std::nullopt;
-}
-
-double seconds(int samples) { return static_cast<double>(samples) / samples_per_second; }
-
-}  // namespace
-
 RoleMeasures::RoleMeasures(int team_size, std::span<const Role> roles)
     : team_size_(team_size),
       roles_(roles.begin(), roles.end()),

@@ -36,7 +36,8 @@ struct Role {
   std::string name;
   std::string list = "playing";  // the role list it stands in
   int priority = 0;
-  int robot = 0;  // number of the robot that alone may take it; 0 = any
+  int robot = 0;            // number of the robot that alone may take it; 0 = any
+  bool plays_ball = false;  // whoever holds it goes to the ball and kicks it
 };
 
 struct RoleMetrics {
@@ -69,6 +70,9 @@ class RoleMeasures {
   // A sample; active: bit n - 1 for robot n.
   void sample(std::uint32_t active);
 
+  // All active robots last decided on the same assignment of the whole team.
+  bool agree(std::uint32_t active) const;
+
   CoordinationMetrics result(double end) const;  // s of match time
 
  private:
@@ -81,7 +85,6 @@ class RoleMeasures {
     std::vector<Count> roles;
   };
   static RoleMetrics::Counts told(const Count& all, const Count& without);
-  bool agree(std::uint32_t active) const;
   void count_votes(std::uint32_t active);
 
   int team_size_;

@@ -3,13 +3,13 @@
 
 #include <cmath>
 
+#include "match/sampling.hpp"
+
 namespace regista::match {
 namespace {
 
 // Quantile 0.95 of the chi-square law with two degrees of freedom: -2 ln 0.05.
 constexpr double chi_square_95 = 5.991464547107981;
-
-std::optional<double> mean(double sum, int count) { return count > 0 ? std::optional(sum / count) : std::nullopt; }
 
 }  // namespace
 
@@ -60,6 +60,7 @@ void WorldMeasures::compare(int number, const Belief& belief, const Truth& truth
   }
   const OspaParts parts = ospa_(belief.opponents, truth.opponents);
   ++compared_;
+  listed_ += static_cast<int>(belief.opponents.size());
   location_ += parts.location;
   cardinality_ += parts.cardinality;
 }
@@ -72,6 +73,7 @@ WorldModelMetrics WorldMeasures::result() const {
   out.ospa_metres = mean(location_ + cardinality_, compared_);
   out.ospa_location_metres = mean(location_, compared_);
   out.ospa_cardinality_metres = mean(cardinality_, compared_);
+  out.opponents_listed = mean(listed_, compared_);
   out.ball_seen_share = mean(seen_, samples_);
   return out;
 }

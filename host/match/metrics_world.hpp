@@ -33,6 +33,7 @@ struct EstimateMetrics {
 struct WorldModelMetrics {
   EstimateMetrics ball, self, teammates;
   std::optional<double> ospa_metres, ospa_location_metres, ospa_cardinality_metres;  // of opponents; means
+  std::optional<double> opponents_listed;                                            // mean number
   std::optional<double> ball_seen_share;
 };
 
@@ -66,7 +67,7 @@ class WorldMeasures {
   };
   Errors ball_, self_, teammates_;
   Ospa ospa_;
-  int compared_ = 0;
+  int compared_ = 0, listed_ = 0;
   double location_ = 0.0, cardinality_ = 0.0;
   std::vector<char> sees_ball_;
   int samples_ = 0, seen_ = 0;

@@ -26,8 +26,20 @@ std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, st
     }
     if (!std::isfinite(kick.direction) || !std::isfinite(kick.distance)) return "kick is not finite";
   }
-  if (outcome.role < -1 || outcome.role >= static_cast<int>(roles)) {
-    return "role " + std::to_string(outcome.role) + ", but the table of roles has " + std::to_string(roles);
+  const auto lacks = [roles](int row) { return row >= static_cast<int>(roles); };
+  const auto but = [roles] { return ", but the table of roles has " + std::to_string(roles); };
+  if (outcome.role < -1 || lacks(outcome.role)) {
+    return "role " + std::to_string(outcome.role) + but();
+  }
+  for (std::size_t i = 0; i < outcome.assignment.size(); ++i) {
+    const int role = outcome.assignment[i];
+    if (lacks(role)) return "role " + std::to_string(role) + " for robot " + std::to_string(i + 1) + but();
+  }
+  for (const int task : outcome.kept) {
+    if (task < 0 || lacks(task)) return "task " + std::to_string(task) + but();
+  }
+  if (outcome.target && !(std::isfinite(outcome.target->x) && std::isfinite(outcome.target->y))) {
+    return "target is not finite";
   }
   if (outcome.send && (outcome.send_reason < 0 || outcome.send_reason >= REGISTA_EVENT_COUNT)) {
     return "no reason to send has number " + std::to_string(outcome.send_reason);

@@ -10,8 +10,8 @@
 
 namespace regista::match {
 
-// Why it is not sound: not finite, no such kick of the robot, no such role of `roles`, no such reason to send. Empty
-// when it is.
+// Why it is not sound: not finite, no such kick of the robot, no such role or task of `roles`, no such reason to send.
+// Empty when it is.
 std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, std::size_t roles);
 
 void add(Digest& digest, const mind::Outcome& outcome);

@@ -24,7 +24,8 @@ std::vector<Role> roles(const mind::TeamPlan& plan) {
   std::vector<Role> out;
   for (const mind::RoleRow& row : plan.roles()) {
     const auto& list = plan.team().role_lists[static_cast<std::size_t>(row.list)];
-    out.push_back({row.role->name, list.name, row.priority, row.role->robot});
+    out.push_back({row.role->name, list.name, row.priority, row.role->robot,
+                   row.role->behaviour == config::Behaviour::play_ball});
   }
   return out;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // All that leaves one robot's mind at a decision: what the body shall do, perhaps a packet, and, for whoever keeps
-// count, the role it took. Units SI and radians, robot frame.
+// count, what it decided. Units SI and radians, robot frame.
 #pragma once
 
 #include <cstdint>
@@ -30,13 +30,21 @@ struct Command {
   double head_yaw = 0.0;            // wanted heading of the camera relative to the body
 };
 
+// Where the own task is played. Field frame of the own team, so far as the robot knows where that is.
+struct Target {
+  double x = 0.0, y = 0.0;
+};
+
 struct Outcome {
   Command command;
   bool send = false;    // the bytes below are a packet
   int send_reason = 0;  // REGISTA_EVENT_*
   std::vector<std::uint8_t> packet;
-  int role = -1;                // row of the team's table of roles, -1 = none (penalised, no task)
-  std::vector<int> assignment;  // per robot (n - 1): row of the table of roles, -1 none, -2 unknown
+  int role = -1;                 // row of the team's table of roles, -1 = none (penalised, no task)
+  std::vector<int> assignment;   // per robot (n - 1): row of the table of roles, -1 none, -2 unknown
+  int context = -1;              // of the team's contexts, -1 = none holds
+  std::vector<int> kept;         // tasks that the filter kept: rows of the table of roles, ascending
+  std::optional<Target> target;  // nothing without a task
 
   // As it is handed to a mind; keeps the memory.
   void clear() {
@@ -46,6 +54,9 @@ struct Outcome {
     packet.clear();
     role = -1;
     assignment.clear();
+    context = -1;
+    kept.clear();
+    target.reset();
   }
 };
 

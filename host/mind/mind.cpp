@@ -17,6 +17,17 @@ namespace {
 constexpr double ball_trusted_for = 5.0;  // s: nobody acts on older news of the ball
 constexpr double time_rounding = 1e-3;    // s, of a packet's time
 
+// What it decided, for whoever keeps count.
+void tell(const Decision& decision, Outcome& out) {
+  out.role = decision.own_role;
+  out.assignment.assign(decision.role_of.begin(), decision.role_of.end());
+  out.context = decision.context;
+  out.kept.clear();
+  for (const regista_task& task : decision.columns) out.kept.push_back(task.id);
+  out.target.reset();
+  if (decision.own_task != nullptr) out.target = Target{decision.own_task->after[0], decision.own_task->after[1]};
+}
+
 }  // namespace
 
 struct Mind::Parts {
@@ -94,8 +105,7 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   const Decision& decision = parts.coordination.decide(parts.world, percepts.time, parts.caller.tick);
   out.command = parts.act(percepts);
   parts.decide_to_send(percepts, out);
-  out.role = decision.own_role;
-  out.assignment.assign(decision.role_of.begin(), decision.role_of.end());
+  tell(decision, out);
   parts.first = false;
   ++parts.caller.tick;
 }

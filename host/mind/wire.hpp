@@ -72,8 +72,14 @@ void visit(Archive& archive, Command& command) {
 }
 
 template <class Archive>
+void visit(Archive& archive, Target& target) {
+  archive(target.x, target.y);
+}
+
+template <class Archive>
 void visit(Archive& archive, Outcome& outcome) {
-  archive(outcome.command, outcome.send, outcome.send_reason, outcome.packet, outcome.role, outcome.assignment);
+  archive(outcome.command, outcome.send, outcome.send_reason, outcome.packet, outcome.role, outcome.assignment,
+          outcome.context, outcome.kept, outcome.target);
 }
 
 inline void write_heard(config::BytesOut& bytes, std::span<const HeardPacket> heard) {

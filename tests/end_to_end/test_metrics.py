@@ -108,10 +108,20 @@ class Metrics(program.Case):
             opponents = result["world_model"][side]["opponents"]
             self.assertAlmostEqual(opponents["ospa_metres"], opponents["ospa_location_metres"] +
                                    opponents["ospa_cardinality_metres"], 5)
-            for value in (result["ball_seen_share"][side], result["agreement"][side],
+            # Who assigns the same of the same tasks agrees.
+            self.assertGreaterEqual(result["agreement"][side] + 1e-5, result["kept_tasks_agreement"][side] *
+                                    (result["assignment_agreement_given_tasks"][side] or 0))
+            self.assertLessEqual(result["ball_chased_by_several_seconds"][side], result["in_play_seconds"])
+            if result["tenure_median_seconds"][side] is not None:
+                self.assertLessEqual(result["tenure_10_percent_seconds"][side], result["tenure_median_seconds"][side])
+            self.assertGreaterEqual(result["target_distance_least_metres"][side], 0)
+            for value in (result["ball_seen_share"][side], result["agreement"][side], result["context_agreement"][side],
+                          result["kept_tasks_agreement"][side], result["assignment_agreement_given_tasks"][side],
+                          result["nearest_plays_ball"][side],
                           *(result["world_model"][side][what][share] for what in ("ball", "self", "teammates")
                             for share in ("known_share", "coverage_95"))):
                 self.assertTrue(value is None or 0 <= value <= 1, value)
+        self.assertLessEqual(result["ball_rest_seconds"], result["in_play_seconds"])
         x = [territory["ball_x_metres"] for territory in result["territory"]]
         self.assertAlmostEqual(x[0], -x[1], 5)
 
@@ -134,6 +144,7 @@ class Metrics(program.Case):
         play = ("tournament", "--team", "small.yaml", "--team", "other.yaml", "--pairs", "2", "--limit", "10",
                 *program.PLAY_SOON, "--quiet")
         for i, metric in enumerate(("world_model.ball.rmse_metres", "agreement_after_silence", "shots",
+                                    "nearest_plays_ball", "tenure_median_seconds",
                                     "striker.overlap_before_silence_seconds", "packets_by_reason.period",
                                     "unplayed_seconds")):
             with self.subTest(metric):

@@ -297,6 +297,24 @@ TEST(Match, RefusesUnsoundOutcomesAndNamesTheRobot) {
   EXPECT_THAT(complaint(s, [](auto&, Heard, mind::Outcome& out) { out.role = 0; }), HasSubstr("role 0"));
   EXPECT_THAT(complaint(s,
                         [](auto&, Heard, mind::Outcome& out) {
+                          out.assignment = {-2, -1, 0};
+                        }),
+              HasSubstr("role 0 for robot 3, but the table of roles has 0"));
+  EXPECT_THAT(complaint(s, [](auto&, Heard, mind::Outcome& out) { out.kept = {0}; }), HasSubstr("task 0"));
+  s.roles[0] = {{.name = "striker"}};
+  EXPECT_THAT(complaint(s, [](auto&, Heard, mind::Outcome& out) { out.kept = {0, -1}; }), HasSubstr("task -1"));
+  EXPECT_THAT(complaint(s,
+                        [](auto&, Heard, mind::Outcome& out) {
+                          out.kept = {0, 1};
+                        }),
+              HasSubstr("task 1, but the table of roles has 1"));
+  EXPECT_THAT(complaint(s,
+                        [nan](auto&, Heard, mind::Outcome& out) {
+                          out.target = mind::Target{0.0, nan};
+                        }),
+              HasSubstr("target"));
+  EXPECT_THAT(complaint(s,
+                        [](auto&, Heard, mind::Outcome& out) {
                           out.send = true;
                           out.send_reason = 99;
                         }),

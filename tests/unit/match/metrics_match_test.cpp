@@ -79,6 +79,70 @@ TEST(MetricsOfAMatch, NobodyIsAskedWhereNobodyAnswers) {
   EXPECT_EQ(teams[0].budget_curve.size(), 0u) << "forty seconds";
 }
 
+// Statues that tell where they would stand, and that the odd ones see another context. No ball is near them.
+TEST(MetricsOfAMatch, WhatMindsTellIsMeasured) {
+  match::Setup s = short_halves(4);
+  for (auto& roles : s.roles) roles = {{.name = "striker", .plays_ball = true}, {.name = "supporter"}};
+  std::vector<mind::Think> minds;
+  for (int number = 1; number <= 7; ++number) {
+    minds.emplace_back(
+        [number](const mind::Percepts& percepts, std::span<const mind::HeardPacket>, mind::Outcome& out) {
+          out.context = number % 2;
+          out.kept = {0, 1};
+          out.target = mind::Target{static_cast<double>(number), 0.0};
+          // Robot 2 takes the other role every 2 s.
+          out.role = number == 2 && static_cast<int>((percepts.time + 1e-6) / 2.0) % 2 == 1 ? 0 : 1;
+        });
+  }
+  const Result result = play(s, minds, statues(7));
+  const TeamMetrics& home = result.metrics.teams[0];
+  EXPECT_EQ(home.agreement.context, 0.0);
+  EXPECT_EQ(home.agreement.kept_tasks, 1.0);
+  EXPECT_EQ(home.agreement.assignment_given_tasks, 1.0);
+  EXPECT_NEAR(*home.targets.mean_metres, 8.0 / 3.0, 1e-9) << "of seven points in a row, 1 m apart";
+  EXPECT_NEAR(*home.targets.least_metres, 1.0, 1e-9);
+  EXPECT_NEAR(*home.tenure.median_seconds, 2.0, 1e-9);
+  EXPECT_EQ(result.metrics.teams[1].targets.mean_metres, std::nullopt);
+  EXPECT_EQ(result.metrics.teams[1].tenure.median_seconds, std::nullopt);
+}
+
+// A game from the middle, of one robot a side: one turns about 0.6 m from the ball, the other one is far away.
+match::Setup beside_the_ball() {
+  match::Setup s = setup(5, 1);
+  config::Opening opening;
+  opening.ball.at = {0.0, 2.5};
+  opening.home = {{{-0.6, 2.5}, {}}};
+  opening.away = {{{3.0, 0.0}, {}}};
+  s.opening = opening;
+  s.limit = 10.0;
+  for (auto& robot : s.robots) robot.body.falls_per_walking_minute = 0.0;
+  return s;
+}
+
+double rest(const match::Setup& s) {
+  const mind::Think turns = [](const mind::Percepts&, std::span<const mind::HeardPacket>, mind::Outcome& out) {
+    out.command.walk.turn = 0.5;
+  };
+  return play(s, std::vector{turns}, std::vector{turns}).metrics.ball_rest_seconds;
+}
+
+TEST(MetricsOfAMatch, TheBallRestsBesideWhoStands) {
+  match::Setup s = beside_the_ball();
+  EXPECT_NEAR(rest(s), 10.0, 0.2);
+  s.robots[0].body.falls_per_walking_minute = 1e9;  // as soon as it has got up
+  EXPECT_LT(rest(s), 1.0);
+}
+
+TEST(MetricsOfAMatch, TheBallDoesNotRestBesideWhoHasCrashed) {
+  match::Setup s = beside_the_ball();
+  config::Incident crash;
+  crash.kind = config::Incident::Kind::crash;
+  crash.robots = {config::Incident::Whom::Choice::listed, {1}};
+  crash.at = {4.0};
+  s.disturbances[0].incidents = {crash};
+  EXPECT_NEAR(rest(s), 4.0, 0.2);
+}
+
 // Of a goal that somebody shot there is a shot.
 TEST(MetricsOfAMatch, GoalsComeFromShots) {
   match::Setup s = setup(3);

@@ -9,7 +9,8 @@
 namespace regista::match {
 namespace {
 
-const std::vector<Role> table{{"goalkeeper", "playing", 0, 1}, {"striker", "playing", 1, 0}};
+const std::vector<Role> table{{"goalkeeper", "playing", 0, 1}, {"striker", "playing", 1, 0, true}};
+constexpr RobotSet everybody = 0b111111;
 
 config::Rules rules_of_three() {
   config::Rules rules;
@@ -17,14 +18,23 @@ config::Rules rules_of_three() {
   return rules;
 }
 
+mind::Outcome of_role(int role) {
+  mind::Outcome out;
+  out.role = role;
+  return out;
+}
+
 struct Course : testing::Test {
-  Metrics metrics{rules_of_three(), {table, {}}};
+  Metrics metrics{rules_of_three(), {}, {table, {}}};
   GameState state;
   std::vector<BodyState> bodies = std::vector<BodyState>(7, BodyState{});
   Course() { state.phase = mind::Phase::playing; }
 
-  void sample(int times) {
-    for (int i = 0; i < times; ++i) metrics.sample(state, bodies);
+  void sample(int times, RobotSet able = everybody) {
+    for (int i = 0; i < times; ++i) metrics.sample(state, bodies, able);
+  }
+  void decide(Side side, int number, const mind::Outcome& outcome, double time = 0.0, bool sees_ball = false) {
+    metrics.decided(side, number, outcome, sees_ball, time, state);
   }
   void touch(int id) { metrics.stepped(bodies.back(), id, state); }
   MatchMetrics result(double end = 0.0) const { return metrics.result(state, end); }
@@ -32,8 +42,8 @@ struct Course : testing::Test {
 
 TEST_F(Course, CountsOnlyWhilePlaying) {
   state.phase = mind::Phase::ready;
-  metrics.decided(Side::home, 2, 1, {}, true, state);
-  metrics.decided(Side::home, 3, 1, {}, true, state);
+  decide(Side::home, 2, of_role(1), 0.0, true);
+  decide(Side::home, 3, of_role(1), 0.0, true);
   sample(10);
   const MatchMetrics all = result();
   EXPECT_EQ(all.teams[0].coordination.roles[1].all.overlap_seconds, 0.0);
@@ -67,8 +77,8 @@ TEST_F(Course, AccountsPacketsByReason) {
 }
 
 TEST_F(Course, SilenceIsOfOneTeam) {
-  metrics.decided(Side::home, 2, 1, {}, false, state);
-  metrics.decided(Side::home, 3, 1, {}, false, state);
+  decide(Side::home, 2, of_role(1));
+  decide(Side::home, 3, of_role(1));
   sample(300);
   metrics.sent(Side::home, 0, 30.0);
   sample(500);
@@ -79,6 +89,85 @@ TEST_F(Course, SilenceIsOfOneTeam) {
   EXPECT_EQ(all.teams[0].coordination.roles[1].after_silence.overlap_seconds, 50.0);
 }
 
+// A team of three that agrees on its context alone, with targets at the corners of a triangle of 3, 4 and 5 m.
+TEST_F(Course, WhatWasDecidedReachesTheMeasuresOfItsTeam) {
+  bodies[1].x = 0.5f;
+  bodies[2].x = 0.9f;
+  mind::Outcome first, second, third;
+  first.context = second.context = third.context = 0;
+  first.role = 0;
+  first.kept = {0};
+  second.kept = third.kept = {0, 1};
+  first.target = {-3.0, 0.0};
+  second.target = {0.0, 0.0};
+  second.role = 1;
+  third.target = {0.0, 4.0};
+  third.command.kick = mind::KickRequest{};
+  bodies[0].x = -4.0f;
+  decide(Side::home, 1, first);
+  decide(Side::home, 2, second);
+  decide(Side::home, 3, third);
+  sample(10);
+  const MatchMetrics all = result();
+  const TeamMetrics& home = all.teams[0];
+  EXPECT_EQ(home.agreement.context, 1.0);
+  EXPECT_EQ(home.agreement.kept_tasks, 0.0);
+  EXPECT_EQ(home.agreement.assignment_given_tasks, std::nullopt);
+  EXPECT_DOUBLE_EQ(*home.targets.mean_metres, 4.0);
+  EXPECT_DOUBLE_EQ(*home.targets.least_metres, 3.0);
+  EXPECT_EQ(home.ball.nearest_plays_share, 1.0);
+  EXPECT_EQ(home.ball.robots_near, 2.0);
+  EXPECT_EQ(home.ball.chased_by_several_seconds, 1.0) << "one plays it, one wants to kick it";
+  EXPECT_EQ(all.ball_rest_seconds, 1.0);
+  EXPECT_EQ(all.teams[1].ball.nearest_plays_share, 0.0);
+  EXPECT_EQ(all.teams[1].targets.mean_metres, std::nullopt);
+  // Out of play nothing of it is about the ball; the rest goes on.
+  state.set_play = mind::SetPlay::kick_in;
+  decide(Side::home, 1, second);
+  decide(Side::home, 3, second);
+  sample(10);
+  EXPECT_EQ(result().teams[0].ball.chased_by_several_seconds, 1.0);
+  EXPECT_EQ(result().ball_rest_seconds, 1.0);
+  EXPECT_EQ(result().teams[0].agreement.kept_tasks, 0.5);
+  EXPECT_EQ(result().teams[0].agreement.assignment_given_tasks, 1.0);
+}
+
+TEST_F(Course, TenuresAreFinishedByDecisionsInPlayAlone) {
+  const auto take = [this](int role, double time) { decide(Side::home, 2, of_role(role), time); };
+  take(0, 0.0);
+  take(1, 3.0);
+  EXPECT_EQ(result().teams[0].tenure.median_seconds, 3.0);
+  state.penalised[0] = 0b010;
+  take(-1, 4.0);
+  state.penalised[0] = 0;
+  take(1, 5.0);
+  metrics.crashed(Side::home, 2, state);
+  take(0, 9.0);
+  state.phase = mind::Phase::ready;
+  take(1, 10.0);
+  state.phase = mind::Phase::playing;
+  EXPECT_EQ(result().teams[0].tenure.median_seconds, 3.0);
+  take(1, 11.0);
+  take(0, 16.0);
+  EXPECT_EQ(result().teams[0].tenure.median_seconds, 4.0) << "the mean of 3 s and 5 s";
+  EXPECT_EQ(result().teams[1].tenure.median_seconds, std::nullopt);
+}
+
+TEST_F(Course, WhoHasCrashedDecidesOnNothing) {
+  mind::Outcome same;
+  same.context = 0;
+  same.role = 1;
+  same.target = {0.0, 0.0};
+  for (int number = 1; number <= 3; ++number) decide(Side::home, number, same);
+  metrics.crashed(Side::home, 1, state);
+  sample(10, everybody & ~only(0));
+  const TeamMetrics home = result().teams[0];
+  EXPECT_EQ(home.agreement.context, 0.0);
+  EXPECT_EQ(home.coordination.roles[1].robot_seconds, (std::vector{0.0, 1.0, 1.0}));
+  EXPECT_EQ(home.targets.mean_metres, 0.0) << "of the other two";
+  EXPECT_EQ(home.ball.nearest_plays_share, 1.0);
+}
+
 // Two halves of ten minutes; a packet of home every ten seconds of the clock.
 TEST_F(Course, TheBudgetCurveHasAPointForEachMinuteOfTheClock) {
   state.packets_left = {1200, 1200};
@@ -87,7 +176,7 @@ TEST_F(Course, TheBudgetCurveHasAPointForEachMinuteOfTheClock) {
       state.clock = 0.1 * tenths;
       if (tenths > 0 && tenths % 100 == 0) --state.packets_left[0];
       // The last one ends the match, and is not sampled.
-      if (state.half < 2 || tenths < 6000) metrics.sample(state, bodies);
+      if (state.half < 2 || tenths < 6000) metrics.sample(state, bodies, everybody);
     }
   }
   state.half = 2;

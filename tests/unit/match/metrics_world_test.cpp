@@ -45,6 +45,7 @@ TEST_F(World, NothingSampledIsNothingSaid) {
   EXPECT_EQ(result.ball.known_share, std::nullopt);
   EXPECT_EQ(result.self.rmse_metres, std::nullopt);
   EXPECT_EQ(result.ospa_metres, std::nullopt);
+  EXPECT_EQ(result.opponents_listed, std::nullopt);
   EXPECT_EQ(result.ball_seen_share, std::nullopt);
 }
 
@@ -117,6 +118,7 @@ TEST_F(World, OpponentsTooManyAndTooFew) {
   EXPECT_DOUBLE_EQ(*result.ospa_location_metres, 0.3 / 2.0);
   EXPECT_DOUBLE_EQ(*result.ospa_cardinality_metres, (ospa_cutoff / 3.0 + ospa_cutoff / 2.0) / 2.0);
   EXPECT_DOUBLE_EQ(*result.ospa_metres, *result.ospa_location_metres + *result.ospa_cardinality_metres);
+  EXPECT_DOUBLE_EQ(*result.opponents_listed, (3.0 + 1.0) / 2.0);
 }
 
 // Errors drawn from the very covariance: NEES has mean 2, and the ellipse holds 95 %.

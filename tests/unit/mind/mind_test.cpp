@@ -240,6 +240,32 @@ TEST(MindTest, WithoutAContextThereIsNoRoleAndNoPacket) {
   EXPECT_EQ(out.role, -1);
   EXPECT_FALSE(out.send);
   EXPECT_EQ(out.assignment, std::vector<int>(7, -1));
+  EXPECT_EQ(out.context, -1);
+  EXPECT_TRUE(out.kept.empty());
+  EXPECT_FALSE(out.target);
+}
+
+TEST(MindTest, AnOutcomeTellsHowTheDecisionCameAbout) {
+  config::Team page = team();
+  page.contexts.insert(page.contexts.begin(), context("never", {{"from", "1000"}}));
+  const auto plan = plan_of(page);
+  Mind mind(*plan, 3, 1);
+  Outcome out;
+  Percepts given = percepts(0.0);
+  given.placed = placed(-1.0, 0.5, 0.0);
+  given.balls.push_back({{1.0, 0.0}, 0.05, 0.05});
+  mind.think(given, {}, out);
+  EXPECT_EQ(out.context, 1);
+  EXPECT_EQ(out.kept, std::vector<int>{1}) << "alone it keeps what is required";
+  EXPECT_EQ(out.role, 1);
+  ASSERT_TRUE(out.target);
+  ASSERT_NE(mind.decision().own_task, nullptr);
+  EXPECT_EQ(out.target->x, mind.decision().own_task->after[0]);
+  EXPECT_EQ(out.target->y, mind.decision().own_task->after[1]);
+  out.clear();
+  EXPECT_EQ(out.context, -1);
+  EXPECT_TRUE(out.kept.empty());
+  EXPECT_FALSE(out.target);
 }
 
 TEST(MindTest, TheSameInputsGiveTheSameBytes) {

@@ -65,9 +65,13 @@ auto members(Is<Command> auto& all) {
   auto& [walk, kick, head_yaw] = all;
   return std::tie(walk, kick, head_yaw);
 }
+auto members(Is<Target> auto& all) {
+  auto& [x, y] = all;
+  return std::tie(x, y);
+}
 auto members(Is<Outcome> auto& all) {
-  auto& [command, send, reason, packet, role, assignment] = all;
-  return std::tie(command, send, reason, packet, role, assignment);
+  auto& [command, send, reason, packet, role, assignment, context, kept, target] = all;
+  return std::tie(command, send, reason, packet, role, assignment, context, kept, target);
 }
 
 // Any bits: infinities, signed noughts, what is not a number.
