@@ -22,6 +22,14 @@ regista_matrix matrix(std::vector<double>& values, std::size_t rows, std::size_t
           static_cast<std::uint32_t>(columns), 0};
 }
 
+void place_task(regista_task& task, const config::TargetRule& rule, const Anchors& anchors) {
+  const Vector2d point = target_of(rule, anchors);
+  const Vector2d facing = anchors.at(rule.facing) - point;
+  task.before[0] = task.after[0] = point.x();
+  task.before[1] = task.after[1] = point.y();
+  task.before[2] = task.after[2] = facing.isZero() ? 0.0 : angle_of(facing);
+}
+
 }  // namespace
 
 Coordination::Coordination(const TeamPlan& plan, int own_number, std::vector<ContextParts> parts)
@@ -94,7 +102,7 @@ const Decision& Coordination::decide_in_context(const Worlds& worlds) {
   place();
   list_tasks(worlds, rules.filter_knowledge);
   keep_tasks(worlds.of(rules.filter_knowledge));
-  list_tasks(worlds, rules.knowledge);
+  place_kept_tasks(worlds, rules.knowledge);
   offset_tasks();
 
   const Snapshot& utility_world = world_for(context().utility_knowledge, worlds);
@@ -120,8 +128,7 @@ void Coordination::choose_context(const Worlds& worlds) {
 void Coordination::list_tasks(const Worlds& worlds, config::Knowledge knowledge) {
   if (listed_in_ == knowledge) return;
   listed_in_ = knowledge;
-  const Snapshot& world = worlds.of(knowledge);
-  const Anchors anchors(plan_->rules().field, plan_->rules().ball.rolling_deceleration, world);
+  const Anchors anchors(plan_->rules().field, plan_->rules().ball.rolling_deceleration, worlds.of(knowledge));
   const int list = context().role_list;
   decision_.tasks.clear();
   const auto& roles = plan_->team().role_lists[static_cast<std::size_t>(list)].roles;
@@ -134,13 +141,19 @@ void Coordination::list_tasks(const Worlds& worlds, config::Knowledge knowledge)
     task.group = role.group;
     task.robot = role.robot;
     task.flags = role.required ? std::uint32_t{REGISTA_TASK_REQUIRED} : 0u;
-    const Vector2d point = target_of(role.target, anchors);
-    const Vector2d facing = anchors.at(role.target.facing) - point;
-    task.before[0] = task.after[0] = point.x();
-    task.before[1] = task.after[1] = point.y();
-    task.before[2] = task.after[2] = facing.isZero() ? 0.0 : angle_of(facing);
+    place_task(task, role.target, anchors);
   }
   decision_.frame.tasks = span(decision_.tasks);
+}
+
+// Those that are kept are played where this world has them.
+void Coordination::place_kept_tasks(const Worlds& worlds, config::Knowledge knowledge) {
+  if (listed_in_ == knowledge) return;
+  const Anchors anchors(plan_->rules().field, plan_->rules().ball.rolling_deceleration, worlds.of(knowledge));
+  for (const std::size_t index : decision_.kept) {
+    regista_task& task = decision_.tasks[index];
+    place_task(task, plan_->roles()[static_cast<std::size_t>(task.id)].role->target, anchors);
+  }
 }
 
 void Coordination::place() {

@@ -53,6 +53,7 @@ class Coordination {
   void choose_context(const Worlds& worlds);
   const Decision& decide_in_context(const Worlds& worlds);
   void list_tasks(const Worlds& worlds, config::Knowledge knowledge);
+  void place_kept_tasks(const Worlds& worlds, config::Knowledge knowledge);
   void place();
   void forget_placement();
   void keep_tasks(const Snapshot& world);

@@ -17,13 +17,6 @@ bool contains(std::span<const std::int32_t> numbers, std::int32_t number) {
   return std::ranges::find(numbers, number) != numbers.end();
 }
 
-// Its own waypoint, or the nearest of those that belong to nothing; -1 when there is neither.
-int waypoint_for(const regista_task& task, std::size_t index, std::span<const regista_waypoint> waypoints) {
-  const auto own = std::ranges::find(waypoints, static_cast<std::int32_t>(index), &regista_waypoint::task);
-  if (own != waypoints.end()) return static_cast<int>(own - waypoints.begin());
-  return nearest_waypoint(waypoints, task.before[0], task.before[1]);
-}
-
 void move_towards(regista_task& task, const regista_waypoint& point, double at_most) {
   const double dx = point.x - task.before[0], dy = point.y - task.before[1];
   const double distance = std::sqrt(dx * dx + dy * dy);
@@ -34,17 +27,20 @@ void move_towards(regista_task& task, const regista_waypoint& point, double at_m
 
 }  // namespace
 
-int nearest_waypoint(std::span<const regista_waypoint> waypoints, double x, double y) {
-  int nearest = -1;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < waypoints.size(); ++i) {
-    if (waypoints[i].robot != 0 || waypoints[i].task >= 0) continue;
-    const double d2 = distance2(waypoints[i], x, y);
-    // Selected, not branched on: which one is nearest is anybody's guess.
-    nearest = d2 < least ? static_cast<int>(i) : nearest;
-    least = std::min(least, d2);
+// To its own waypoint, or to the nearest of those that belong to nothing; infinity when there is neither.
+double TaskFilter::distance_to_waypoint(const regista_task& task, std::size_t index,
+                                        std::span<const regista_waypoint> waypoints) const {
+  const double x = task.before[0], y = task.before[1];
+  if (some_belong_to_tasks_) {
+    const auto own = std::ranges::find(waypoints, static_cast<std::int32_t>(index), &regista_waypoint::task);
+    if (own != waypoints.end()) return std::sqrt(distance2(*own, x, y));
   }
-  return nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < free_x_.size(); ++i) {
+    const double dx = free_x_[i] - x, dy = free_y_[i] - y;
+    least = std::min(least, dx * dx + dy * dy);
+  }
+  return std::sqrt(least);
 }
 
 void TaskFilter::keep(std::span<const regista_task> tasks, std::span<const regista_waypoint> waypoints,
@@ -53,6 +49,15 @@ void TaskFilter::keep(std::span<const regista_task> tasks, std::span<const regis
   kept.clear();
   chosen_.assign(tasks.size(), 0);
   candidates_.clear();
+  free_x_.clear();
+  free_y_.clear();
+  some_belong_to_tasks_ = false;
+  for (const regista_waypoint& point : waypoints) {
+    some_belong_to_tasks_ = some_belong_to_tasks_ || point.task >= 0;
+    if (point.task >= 0 || point.robot != 0) continue;
+    free_x_.push_back(point.x);
+    free_y_.push_back(point.y);
+  }
   std::size_t room = rule.all ? tasks.size() : active.size();
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const regista_task& task = tasks[i];
@@ -63,12 +68,9 @@ void TaskFilter::keep(std::span<const regista_task> tasks, std::span<const regis
       }
       continue;
     }
-    const int nearest = waypoint_for(task, i, waypoints);
-    double distance = 0.0;
-    if (nearest >= 0) {
-      distance = std::sqrt(distance2(waypoints[static_cast<std::size_t>(nearest)], task.before[0], task.before[1]));
-      if (contains(played, task.id)) distance = std::max(0.0, distance - rule.hysteresis);
-    }
+    double distance = distance_to_waypoint(task, i, waypoints);
+    if (std::isinf(distance)) distance = 0.0;
+    if (contains(played, task.id)) distance = std::max(0.0, distance - rule.hysteresis);
     if ((task.flags & REGISTA_TASK_REQUIRED) != 0) distance = -1.0;
     candidates_.push_back({distance, i});
   }

@@ -33,13 +33,14 @@ class TaskFilter {
     double distance;
     std::size_t index;
   };
+  double distance_to_waypoint(const regista_task& task, std::size_t index,
+                              std::span<const regista_waypoint> waypoints) const;
+
+  std::vector<double> free_x_, free_y_;  // of waypoints that belong to nothing
+  bool some_belong_to_tasks_ = false;
   std::vector<Candidate> candidates_;
   std::vector<char> chosen_;
 };
-
-// The waypoint nearest to (x, y), the first of equals; -1 without waypoints. Those that belong to a robot or to a task
-// are left out.
-int nearest_waypoint(std::span<const regista_waypoint> waypoints, double x, double y);
 
 // Moves `after` towards the waypoint that belongs to this very task (its `index` among the context's), by at most
 // `at_most` metres; without one, nothing changes.

@@ -11,7 +11,9 @@ namespace {
 
 constexpr double gate = 9.21;           // chi-square, two degrees of freedom, 99 %
 constexpr double clearly_nearer = 4.0;  // the second best is so much less likely: exp(-4/2) = 0.14
-constexpr double least_weight = 0.5;    // a track that is less likely to be anybody at all says nothing
+constexpr double out_of_question = gate + clearly_nearer;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double least_weight = 0.5;  // a track that is less likely to be anybody at all says nothing
 
 Eigen::Matrix2d covariance(const regista_robot& robot) {
   Eigen::Matrix2d out;
@@ -30,9 +32,10 @@ Eigen::Vector2d gap(const regista_robot& robot, const regista_track& track) {
 }
 
 double distance2(const regista_robot& robot, const regista_track& track) {
-  const Eigen::Matrix2d spread = covariance(robot) + covariance(track);
-  if (spread.determinant() <= 0.0) return std::numeric_limits<double>::infinity();
   const Eigen::Vector2d apart = gap(robot, track);
+  const Eigen::Matrix2d spread = covariance(robot) + covariance(track);
+  // The trace is no less than the variance in any direction: most robots are too far away at a glance.
+  if (apart.squaredNorm() > out_of_question * spread.trace() || spread.determinant() <= 0.0) return infinity;
   return apart.dot(spread.inverse() * apart);
 }
 
@@ -54,7 +57,7 @@ void match_teammates(std::span<const regista_track> seen, std::span<const regist
       bool used = false;
       for (const SeenTeammate& each : out) used = used || each.track == &track;
       if (used) continue;
-      double nearest = std::numeric_limits<double>::infinity(), second = nearest;
+      double nearest = infinity, second = nearest;
       int number = 0;
       for (const regista_robot& robot : robots) {
         if (!reckoned_with(robot, own) || (taken >> robot.number & 1u) != 0) continue;

@@ -122,9 +122,8 @@ void TeamModel::merge(plugin::Predictor& model, const SenderView& sender, double
 void TeamModel::refresh() {
   for (Member& member : members_) {
     member.track = nullptr;
-    if (!member.has_ball && !member.has_opponents) continue;
-    member.ball_tracks = member.ball.tracks();
-    member.opponent_tracks = member.opponents.tracks();
+    member.ball_tracks = member.has_ball ? member.ball.tracks() : std::span<const regista_track>{};
+    member.opponent_tracks = member.has_opponents ? member.opponents.tracks() : std::span<const regista_track>{};
     member.has_ball = !member.ball_tracks.empty();
     member.has_opponents = !member.opponent_tracks.empty();
   }

@@ -30,36 +30,52 @@ struct Graph {
   std::span<const Edge> edges;
 };
 
-inline double distance(const Point& a, const Point& b) {
-  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
+inline double squared_distance(const Point& a, const Point& b) {
+  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
+inline double distance(const Point& a, const Point& b) { return std::sqrt(squared_distance(a, b)); }
 
-// Lengths of the shortest ways along the edges from every node to `goal` (Dijkstra 1959; the graphs are too small for a
-// heap), infinity where there is none.
+// The shortest ways along the edges of one graph (Dijkstra 1959; the graphs are too small for a heap).
 class Ways {
  public:
-  std::span<const double> to(std::size_t goal, const Graph& graph) {
-    const std::size_t count = graph.nodes.size();
-    length_.assign(count, infinity);
-    done_.assign(count, 0);
-    length_[goal] = 0.0;
-    for (;;) {
-      std::size_t nearest = count;
-      for (std::size_t i = 0; i < count; ++i) {
-        if (done_[i] == 0 && length_[i] < (nearest == count ? infinity : length_[nearest])) nearest = i;
-      }
-      if (nearest == count) return length_;
-      done_[nearest] = 1;
-      for (const Edge& edge : graph.edges) {
-        if (edge.from != nearest && edge.to != nearest) continue;
-        const std::size_t other = edge.from == nearest ? edge.to : edge.from;
-        const double through = length_[nearest] + distance(graph.nodes[nearest], graph.nodes[other]);
-        length_[other] = std::min(length_[other], through);
-      }
+  void set(const Graph& graph) {
+    count_ = graph.nodes.size();
+    edges_.clear();
+    for (const Edge& edge : graph.edges) {
+      edges_.push_back({edge.from, edge.to, distance(graph.nodes[edge.from], graph.nodes[edge.to])});
     }
   }
 
+  // Their lengths from every node to `goal`, infinity where there is none. Valid until the next call.
+  std::span<const double> to(std::size_t goal) {
+    length_.assign(count_, infinity);
+    done_.assign(count_, 0);
+    length_[goal] = 0.0;
+    for (std::size_t nearest = goal; nearest != count_;) {
+      done_[nearest] = 1;
+      for (const Measured& edge : edges_) {
+        if (edge.from == nearest) length_[edge.to] = std::min(length_[edge.to], length_[nearest] + edge.length);
+        if (edge.to == nearest) length_[edge.from] = std::min(length_[edge.from], length_[nearest] + edge.length);
+      }
+      nearest = count_;
+      double least = infinity;
+      for (std::size_t i = 0; i < count_; ++i) {
+        if (done_[i] == 0 && length_[i] < least) {
+          least = length_[i];
+          nearest = i;
+        }
+      }
+    }
+    return length_;
+  }
+
  private:
+  struct Measured {
+    std::size_t from, to;
+    double length;
+  };
+  std::size_t count_ = 0;
+  std::vector<Measured> edges_;
   std::vector<double> length_;
   std::vector<char> done_;
 };
@@ -67,8 +83,13 @@ class Ways {
 // The first of equally near ones; there is at least one.
 inline std::size_t nearest_node(const Point& place, std::span<const Point> nodes) {
   std::size_t nearest = 0;
-  for (std::size_t i = 1; i < nodes.size(); ++i) {
-    if (distance(place, nodes[i]) < distance(place, nodes[nearest])) nearest = i;
+  double least = infinity;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const double squared = squared_distance(place, nodes[i]);
+    if (squared < least) {
+      least = squared;
+      nearest = i;
+    }
   }
   return nearest;
 }
@@ -80,24 +101,43 @@ struct Settings {
 
 inline constexpr std::size_t no_node = static_cast<std::size_t>(-1);
 
-// out[i * stride + j] for robot i and task j, whose node is node_of[j]; a task without one (no_node) gives every robot
-// 0. Where no edges lead to the node, the way is straight.
-inline void score(std::span<const Point> robots, std::span<const std::size_t> node_of, const Graph& graph,
-                  const Settings& settings, Ways& ways, double* out, std::size_t stride) {
-  assert(settings.reach > 0.0);
-  for (std::size_t j = 0; j < node_of.size(); ++j) {
-    const std::size_t node = node_of[j];
-    if (node == no_node) continue;
-    const std::span<const double> lengths = settings.along_edges ? ways.to(node, graph) : std::span<const double>{};
-    for (std::size_t i = 0; i < robots.size(); ++i) {
-      double way = distance(robots[i], graph.nodes[node]);
-      if (settings.along_edges) {
-        const std::size_t entrance = nearest_node(robots[i], graph.nodes);
-        if (lengths[entrance] < infinity) way = distance(robots[i], graph.nodes[entrance]) + lengths[entrance];
+// Reuse one object: it keeps its memory.
+class Scorer {
+ public:
+  // out[i * stride + j] for robot i and task j, whose node is node_of[j]; a task without one (no_node) gives every
+  // robot 0. Where no edges lead to the node, the way is straight.
+  void score(std::span<const Point> robots, std::span<const std::size_t> node_of, const Graph& graph,
+             const Settings& settings, double* out, std::size_t stride) {
+    assert(settings.reach > 0.0);
+    const bool along = settings.along_edges && !graph.edges.empty();
+    if (along) {
+      ways_.set(graph);
+      entrances_.clear();
+      for (const Point& robot : robots) {
+        const std::size_t node = nearest_node(robot, graph.nodes);
+        entrances_.push_back({node, distance(robot, graph.nodes[node])});
       }
-      out[i * stride + j] = std::max(0.0, 1.0 - way / settings.reach);
+    }
+    for (std::size_t j = 0; j < node_of.size(); ++j) {
+      const std::size_t node = node_of[j];
+      if (node == no_node) continue;
+      const std::span<const double> lengths = along ? ways_.to(node) : std::span<const double>{};
+      for (std::size_t i = 0; i < robots.size(); ++i) {
+        const bool leads_there = along && lengths[entrances_[i].node] < infinity;
+        const double way =
+            leads_there ? entrances_[i].away + lengths[entrances_[i].node] : distance(robots[i], graph.nodes[node]);
+        out[i * stride + j] = std::max(0.0, 1.0 - way / settings.reach);
+      }
     }
   }
-}
+
+ private:
+  struct Entrance {
+    std::size_t node;
+    double away;  // m
+  };
+  Ways ways_;
+  std::vector<Entrance> entrances_;
+};
 
 }  // namespace waypoint_distance

@@ -26,7 +26,7 @@ struct WaypointDistance {
   std::vector<waypoint_distance::Point> robots, nodes;
   std::vector<waypoint_distance::Edge> edges;
   std::vector<std::size_t> node_of;
-  waypoint_distance::Ways ways;
+  waypoint_distance::Scorer scorer;
 
   void setup(const regista::Environment& environment) {
     robots.reserve(environment->team_size);
@@ -44,7 +44,7 @@ struct WaypointDistance {
     }
     edges.clear();
     for (const regista::Edge& edge : frame.edges()) edges.push_back({edge.from, edge.to});
-    waypoint_distance::score(robots, node_of, {nodes, edges}, settings, ways, out.data(), out.stride());
+    scorer.score(robots, node_of, {nodes, edges}, settings, out.data(), out.stride());
   }
 };
 

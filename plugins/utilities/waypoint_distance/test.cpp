@@ -15,8 +15,7 @@ namespace {
 std::vector<double> table(const std::vector<Point>& robots, const std::vector<std::size_t>& node_of,
                           const std::vector<Point>& nodes, const std::vector<Edge>& edges, const Settings& settings) {
   std::vector<double> out(robots.size() * node_of.size(), 0.0);
-  Ways ways;
-  score(robots, node_of, {nodes, edges}, settings, ways, out.data(), node_of.size());
+  Scorer().score(robots, node_of, {nodes, edges}, settings, out.data(), node_of.size());
   return out;
 }
 
@@ -67,7 +66,8 @@ TEST(WaypointDistance, WaysAreTheShortestOfAllPaths) {
       }
     }
     const Graph graph{nodes, edges};
-    const auto lengths = ways.to(2, graph);
+    ways.set(graph);
+    const auto lengths = ways.to(2);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       std::vector<bool> visited(nodes.size(), false);
       const double expected = shortest_path(i, 2, graph, visited);

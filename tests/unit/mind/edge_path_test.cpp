@@ -14,6 +14,14 @@ namespace {
 
 Vector2d node(const plugin::Placement& graph, std::size_t i) { return {graph.points[i].x, graph.points[i].y}; }
 
+std::size_t nearest(const plugin::Placement& graph, const Vector2d& place) {
+  std::size_t out = 0;
+  for (std::size_t i = 1; i < graph.points.size(); ++i) {
+    if ((node(graph, i) - place).norm() < (node(graph, out) - place).norm()) out = i;
+  }
+  return out;
+}
+
 // The length of the shortest simple path, by depth-first search over all of them.
 double shortest(const plugin::Placement& graph, std::size_t from, std::size_t to, std::vector<char>& used) {
   if (from == to) return 0.0;
@@ -44,7 +52,8 @@ TEST(EdgePath, OntoTheNearestEdgeThenToItsBetterEnd) {
     const std::size_t n = 2 + engine() % 6;
     for (std::size_t i = 0; i < n; ++i) {
       const double x = in(-4, 4), y = in(-3, 3);
-      graph.points.push_back({x, y, 1.0, -1, 0});
+      graph.points.push_back(
+          {x, y, 1.0, static_cast<std::int32_t>(i % 3) - 1, 0});  // to whom a node belongs does not matter
     }
     const std::size_t edges = engine() % 10;
     for (std::size_t i = 0; i < edges; ++i) {
@@ -60,8 +69,7 @@ TEST(EdgePath, OntoTheNearestEdgeThenToItsBetterEnd) {
       const double share = in(0, 1);
       from = (1 - share) * node(graph, edge.from) + share * node(graph, edge.to) + Vector2d(0.1, 0.0);
     }
-    const auto start = static_cast<std::size_t>(nearest_waypoint(graph.points, from.x(), from.y()));
-    const auto goal = static_cast<std::size_t>(nearest_waypoint(graph.points, to.x(), to.y()));
+    const std::size_t start = nearest(graph, from), goal = nearest(graph, to);
     const Vector2d next = along_edges(graph, from, to);
 
     const double there = (node(graph, start) - from).norm(), back = (node(graph, goal) - to).norm();

@@ -127,13 +127,6 @@ TEST(TaskFilter, HysteresisKeepsWhatIsPlayed) {
   EXPECT_EQ(first({near, far}, {}), 10) << "nothing is remembered of earlier calls";
 }
 
-TEST(TaskFilter, NearestWaypointIsTheFirstOfEquals) {
-  const std::vector<regista_waypoint> waypoints{point(3, 0), point(1, 0), point(-1, 0), point(1, 0)};
-  EXPECT_EQ(nearest_waypoint(waypoints, 0.0, 0.0), 1);
-  EXPECT_EQ(nearest_waypoint(waypoints, -0.1, 0.0), 2);
-  EXPECT_EQ(nearest_waypoint({}, 0.0, 0.0), -1);
-}
-
 TEST(Offset, MovesAtMostSoFarAndNeverBeyond) {
   const std::vector<regista_waypoint> waypoints{point(3, 4, 0), point(-10, 0)};
   regista_task far = task(0, 0);
@@ -172,7 +165,6 @@ TEST(Offset, WaypointsOfOtherTasksAreNone) {
   regista_task unnamed = task(0.9, 0.0);
   offset(unnamed, 2, points, 20.0);
   EXPECT_EQ(unnamed.after[0], 0.9);
-  EXPECT_EQ(nearest_waypoint(points, 1.0, 0.0), -1);
   // Task 0 is 3 m from its own point, however near it is to that of task 1; tasks 1 and 2 are nearer to theirs.
   const std::vector<regista_task> tasks{task(1.0, 0.1), task(1.0, 0.5), task(4.0, 0.0)};
   const std::vector<regista_waypoint> bound{point(1.0, 3.1, 0), point(1.0, 0.0, 1), point(4.0, 0.2, 2)};
@@ -182,7 +174,6 @@ TEST(Offset, WaypointsOfOtherTasksAreNone) {
 // A point that belongs to a robot says nothing of tasks, but moves the task that this robot takes.
 TEST(Offset, WaypointsOfRobots) {
   const std::vector<regista_waypoint> points{{1.0, 0.0, 1.0, -1, 3}, {5.0, 0.0, 1.0, -1, 4}};
-  EXPECT_EQ(nearest_waypoint(points, 0.0, 0.0), -1);
   regista_task moved = task(0.0, 0.0);
   offset(moved, 0, points, 20.0);
   EXPECT_EQ(moved.after[0], 0.0);
