@@ -121,7 +121,7 @@ MatchSetup match_setup(const MatchRequest& request, const plugin::Catalogue& cat
         disturbance_of(own.empty() ? request.disturbance : own, overrides, side, out.setup.rules);
   }
   out.setup.opening = opening_of(request, overrides, out.setup);
-  out.setup.rules.messages.share = config::packet_share(out.setup.rules, match::limit_of(out.setup));
+  config::fit_packets(out.setup.rules, match::limit_of(out.setup), out.setup.opening.has_value());
 
   for (const match::Side side : match::both_sides) {
     const std::string& file = request.teams[match::index(side)];

@@ -7,13 +7,36 @@
 namespace regista::config {
 namespace {
 
-double match_length(const Rules& rules) { return rules.durations.half * rules.durations.halves; }
+double standing_time(const Durations& durations) { return durations.ready + durations.set; }
+
+// s in which a team may send in so many simulated seconds.
+double sending_within(const Durations& durations, double seconds, bool begins_in_play) {
+  double sending = 0.0;
+  for (int half = 1; half <= durations.halves; ++half) {
+    const bool in_play = half == 1 && begins_in_play;
+    if (!in_play) seconds -= Durations::initial;
+    const double lasts = durations.half + (in_play ? 0.0 : standing_time(durations));
+    sending += std::clamp(seconds, 0.0, lasts);
+    seconds -= lasts;
+  }
+  return sending;
+}
 
 }  // namespace
 
 double packet_share(const Rules& rules, std::optional<double> seconds) {
   if (rules.messages.short_games == ShortGames::whole || !seconds) return 1.0;
-  return std::min(1.0, *seconds / match_length(rules));
+  return std::min(1.0, *seconds / (rules.durations.half * rules.durations.halves));
+}
+
+void fit_packets(Rules& rules, std::optional<double> seconds, bool begins_in_play) {
+  Messages& messages = rules.messages;
+  messages.share = packet_share(rules, seconds);
+  messages.earlier = begins_in_play ? standing_time(rules.durations) : 0.0;
+  messages.later = 0.0;
+  if (messages.short_games == ShortGames::whole || !seconds) return;
+  messages.later = std::max(0.0, sending_time(rules.durations) - messages.earlier -
+                                     sending_within(rules.durations, *seconds, begins_in_play));
 }
 
 int packets(const Messages& messages) {
@@ -22,15 +45,17 @@ int packets(const Messages& messages) {
   return static_cast<int>(std::floor(messages.budget * messages.share + rounding));
 }
 
-double packet_time_left(const Rules& rules, double match_time_left) {
-  if (rules.messages.share == 1.0) return match_time_left;
-  return std::max(0.0, match_time_left - (1.0 - rules.messages.share) * match_length(rules));
+double sending_time(const Durations& durations) {
+  return durations.halves * (durations.half + standing_time(durations));
 }
 
-double packet_line(const Rules& rules, double match_time_left) {
-  const double match = match_length(rules);
-  if (rules.messages.share == 1.0) return rules.messages.budget * match_time_left / match;
-  return packets(rules.messages) * packet_time_left(rules, match_time_left) / (rules.messages.share * match);
+double packet_time_left(const Rules& rules, double sending_time_left) {
+  return std::max(0.0, sending_time_left - rules.messages.later);
+}
+
+double packet_line(const Rules& rules, double sending_time_left) {
+  const double all = sending_time(rules.durations) - rules.messages.earlier - rules.messages.later;
+  return all > 0.0 ? packets(rules.messages) * packet_time_left(rules, sending_time_left) / all : 0.0;
 }
 
 }  // namespace regista::config

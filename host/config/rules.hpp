@@ -28,6 +28,8 @@ struct BallSize {
 };
 
 struct Durations {
+  static constexpr double initial = 1.0;  // s, before each half; of no rule book: every robot decides there once
+
   double half = 600.0;
   int halves = 2;
   double ready = 45.0;
@@ -47,7 +49,9 @@ struct Messages {
   int budget = 1200;  // packets per team and match
   int size = 128;     // bytes
   ShortGames short_games = ShortGames::whole;
-  double share = 1.0;  // of the budget, for this game; follows from its length, see packet_share.hpp
+  // What of a match this game is; follows from its length and beginning, see packet_share.hpp.
+  double share = 1.0;                 // of the budget
+  double earlier = 0.0, later = 0.0;  // s in which a team may send in a match, but not in this game
 };
 
 // What offences cost, in seconds of Ready and Playing.

@@ -124,6 +124,16 @@ void warn_of_shared_robots(const RoleList& list, const Node& roles, std::vector<
   }
 }
 
+void warn_of_contexts_below(const Team& team, std::vector<Warning>& out) {
+  const auto always = std::ranges::find_if(team.contexts, always_holds);
+  if (always == team.contexts.end()) return;
+  for (auto below = always + 1; below != team.contexts.end(); ++below) {
+    out.push_back(
+        {below->where, fmt::format("contexts.{}: never in force, for {} ({}), which comes first, always holds",
+                                   below->name, always->name, to_string(always->where))});
+  }
+}
+
 void warn_of_targets(const RoleList& list, const Node& roles, const Carpet& carpet, std::vector<Warning>& out) {
   for (std::size_t i = 0; i < list.roles.size(); ++i) {
     const Node target = roles.elements()[i]["target"];
@@ -140,8 +150,11 @@ std::string to_string(const Warning& warning) {
   return one_line(fmt::format("{}: warning: {}", to_string(warning.where), warning.message));
 }
 
+bool always_holds(const Context& context) { return context.use.plugin == "always" && context.use.file.empty(); }
+
 std::vector<Warning> warnings(const Team& team, const Rules& rules, const Node& document) {
   std::vector<Warning> out;
+  warn_of_contexts_below(team, out);
   for (std::size_t i = 0; i < team.role_lists.size(); ++i) {
     const RoleList& list = team.role_lists[i];
     const std::string contexts = contexts_that_play(team, i);

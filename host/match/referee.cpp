@@ -13,8 +13,6 @@ namespace {
 using mind::Phase;
 using mind::SetPlay;
 
-constexpr double initial_lasts = 1.0;  // s; see the head of referee.hpp
-
 EventKind event_of(SetPlay kind) {
   switch (kind) {
     case SetPlay::kick_in:
@@ -110,7 +108,8 @@ const Calls& Referee::update(const Scene& scene) {
   if (state_.phase == Phase::ready || state_.phase == Phase::playing) box_.pass(passed);
   switch (state_.phase) {
     case Phase::initial:
-      if (since(state_.phase_began, initial_lasts)) begin_ready(SetPlay::kick_off, state_.kicking, {}, false);
+      if (since(state_.phase_began, config::Durations::initial))
+        begin_ready(SetPlay::kick_off, state_.kicking, {}, false);
       break;
     case Phase::ready:
       watch_offences(scene);

@@ -9,6 +9,7 @@
 #include "mind/behaviour/behaviour.hpp"
 #include "mind/behaviour/robot_memory.hpp"
 #include "mind/coordination/events.hpp"
+#include "mind/sending_time.hpp"
 #include "mind/world/packet.hpp"
 
 namespace regista::mind {
@@ -180,8 +181,9 @@ void Mind::Parts::decide_to_send(const Percepts& percepts, Outcome& out) {
   regista_budget budget{};
   budget.size = sizeof budget;
   budget.packets_left = percepts.game.packets_left;
-  budget.line = config::packet_line(rules, percepts.game.match_time_left);
-  budget.match_time_left = config::packet_time_left(rules, percepts.game.match_time_left);
+  const double sending_left = sending_time_left(rules.durations, percepts.game);
+  budget.line = config::packet_line(rules, sending_left);
+  budget.match_time_left = config::packet_time_left(rules, sending_left);
   budget.since_own = now - own_sent_at;
   budget.since_team = now - std::max(own_sent_at, team_sent_at);
   budget.bytes_free = mailboxes.bytes_free();

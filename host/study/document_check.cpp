@@ -11,8 +11,8 @@
 #include "mind/team_plan.hpp"
 #include "plugin/failure.hpp"
 #include "study/experiment_setup.hpp"
-#include "study/idle_terms_check.hpp"
 #include "study/prediction/forecast.hpp"
+#include "study/scenes_check.hpp"
 #include "study/tuning/tuning_setup.hpp"
 
 namespace regista::study {
@@ -105,7 +105,7 @@ class Checker {
     if (!mistakes.none()) return;
     const mind::Mind first(plan, 1, 0);  // and what they refuse, files too
     out.warnings = config::warnings(team, by_.rules, document);
-    std::ranges::move(idle_terms_check(plan), std::back_inserter(out.warnings));
+    std::ranges::move(scenes_check(plan), std::back_inserter(out.warnings));
   }
 
   const Profiles& by_;

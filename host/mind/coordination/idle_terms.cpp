@@ -2,14 +2,14 @@
 #include "mind/coordination/idle_terms.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
-#include <random>
 
 #include "mind/assembly.hpp"
 #include "mind/coordination/coordination.hpp"
-#include "mind/geometry.hpp"
+#include "mind/coordination/made_up.hpp"
 
 namespace regista::mind {
 namespace {
@@ -19,64 +19,11 @@ constexpr int matrices = 4;       // for each scene, to find out what the assign
 constexpr double interval = 3.7;  // s between scenes, so that roles are held for a while
 constexpr std::uint64_t seed = 1;
 
-// The standard's distributions differ between libraries, its generator does not.
-class Dice {
- public:
-  double real(double low, double high) {
-    const double share = static_cast<double>(random_() >> 11) * 0x1p-53;
-    return low + share * (high - low);
-  }
-  // Sixteenths, whose sums are exact: equal sums stay equal.
-  double sixteenths(double most) { return std::floor(real(0.0, 16.0 * most)) / 16.0; }
-
- private:
-  std::mt19937_64 random_{seed};
-};
-
-// Everybody somewhere on the field with a role of the list, everything known. From the seventh scene on one robot is
-// out of play.
-void make_up(Snapshot& world, const TeamPlan& plan, int list, int scene, double time, int own, Dice& dice) {
-  const double x = plan.rules().field.length / 2.0, y = plan.rules().field.width / 2.0;
+// From the seventh scene on one robot is out of play.
+void make_up_scene(Snapshot& world, const TeamPlan& plan, int list, int scene, double time, int own, Dice& dice) {
   const int team_size = plan.rules().team_size;
-  const auto roles = static_cast<int>(plan.team().role_lists[static_cast<std::size_t>(list)].roles.size());
-  for (int number = 1; number <= team_size; ++number) {
-    regista_robot& robot = world.robot(number);
-    const bool out_of_play = scene >= scenes - 2 && team_size > 2 && number == 1 + scene % (team_size - 1);
-    robot.flags = REGISTA_ROBOT_KNOWN | REGISTA_ROBOT_HAS_TARGET;
-    robot.flags |= out_of_play ? REGISTA_ROBOT_PENALISED : REGISTA_ROBOT_ACTIVE;
-    if (number == own) robot.flags |= REGISTA_ROBOT_SELF;
-    robot.pose[0] = dice.real(-x, x);
-    robot.pose[1] = dice.real(-y, y);
-    robot.pose[2] = dice.real(-pi, pi);
-    robot.velocity[0] = dice.real(-0.2, 0.2);
-    robot.velocity[1] = dice.real(-0.2, 0.2);
-    for (const std::size_t k : {0u, 4u, 8u}) robot.covariance[k] = 0.01;
-    robot.target[0] = dice.real(-x, x);
-    robot.target[1] = dice.real(-y, y);
-    robot.age = number == own ? 0.0 : dice.real(0.0, 5.0);
-    robot.role = plan.first_role(list) + (number + scene) % roles;
-    robot.role_since = time - dice.real(0.0, 20.0);
-  }
-  for (int k = 0; k < team_size; ++k) {
-    regista_opponent& opponent = world.opponents.emplace_back();
-    opponent = {};
-    opponent.label = k;
-    opponent.position[0] = dice.real(-x, x);
-    opponent.position[1] = dice.real(-y, y);
-    opponent.covariance[0] = opponent.covariance[3] = 0.04;
-    opponent.weight = 0.9;
-  }
-  regista_ball& ball = world.raw.ball;
-  ball.flags = REGISTA_BALL_KNOWN;
-  ball.position[0] = dice.real(-x, x);
-  ball.position[1] = dice.real(-y, y);
-  ball.velocity[0] = dice.real(-1.0, 1.0);
-  ball.velocity[1] = dice.real(-1.0, 1.0);
-  for (const std::size_t k : {0u, 5u, 10u, 15u}) ball.covariance[k] = 0.01;
-  world.raw.game.phase = REGISTA_PHASE_PLAYING;
-  world.raw.game.half = 1;
-  world.raw.game.phase_time = time;
-  world.raw.game.time_left = plan.rules().durations.half - time;
+  const bool one_out = scene >= scenes - 2 && team_size > 2;
+  make_up(world, plan, list, scene, time, own, one_out ? 1 + scene % (team_size - 1) : 0, dice);
   world.close();
 }
 
@@ -128,6 +75,48 @@ bool heeds_columns(const TeamPlan& plan, const Part& assigner, const plugin::Cal
   return false;
 }
 
+bool all_are_equal(const std::vector<double>& term) {
+  return std::ranges::all_of(term, [&](double each) { return each == term.front(); });
+}
+
+// One of no task and no robot, one of each.
+std::vector<regista_waypoint> made_up_waypoints(const TeamPlan& plan, const Decision& decision, Dice& dice) {
+  const double x = plan.rules().field.length / 2.0, y = plan.rules().field.width / 2.0;
+  std::vector<regista_waypoint> out;
+  const auto add = [&](int task, int robot) {
+    regista_waypoint& point = out.emplace_back();
+    point = {};
+    point.x = dice.real(-x, x);
+    point.y = dice.real(-y, y);
+    point.score = dice.real(0.5, 1.0);
+    point.task = task;
+    point.robot = robot;
+  };
+  add(-1, 0);
+  for (std::size_t j = 0; j < decision.columns.size(); ++j) add(static_cast<int>(j), 0);
+  for (int number = 1; number <= plan.rules().team_size; ++number) add(-1, number);
+  return out;
+}
+
+// By a fresh one: what it remembers is of no other frame.
+std::vector<double> scored(const TeamPlan& plan, const Part& term, const plugin::Caller& caller,
+                           const Decision& decision, const regista_frame& frame) {
+  auto instance = std::make_shared<plugin::Instance>(*term.found, term.parameters, plan.environment(caller.robot),
+                                                     nullptr, &caller);
+  instance->reset(seed);
+  std::vector<double> out(decision.utility.size());
+  const auto rows = static_cast<std::uint32_t>(decision.rows()),
+             columns = static_cast<std::uint32_t>(decision.columns.size());
+  plugin::Utility(std::move(instance)).score(frame, {out.data(), rows, columns, columns, 0});
+  return out;
+}
+
+// "context a", "contexts a and b"
+std::string contexts_text(const std::vector<std::string>& names) {
+  return fmt::format("{} {}", names.size() == 1 ? "context" : "contexts",
+                     fmt::join(names, names.size() == 2 ? " and " : ", "));
+}
+
 }  // namespace
 
 std::vector<bool> idle_terms(const TeamPlan& plan, plugin::Noting noting) {
@@ -137,7 +126,7 @@ std::vector<bool> idle_terms(const TeamPlan& plan, plugin::Noting noting) {
   Mailboxes mailboxes(static_cast<std::size_t>(plan.rules().messages.size));
   Assembly assembly(plan, own, seed, mailboxes, caller);
   Coordination coordination(plan, own, assembly.contexts());
-  Dice dice;
+  Dice dice(seed);
   std::vector<bool> out;
   for (std::size_t c = 0; c < plan.contexts().size(); ++c) {
     const ContextPlan& context = plan.contexts()[c];
@@ -148,7 +137,7 @@ std::vector<bool> idle_terms(const TeamPlan& plan, plugin::Noting noting) {
     for (int scene = 0; open && scene < scenes; ++scene) {
       time += interval;
       Snapshot world(plan.rules().team_size);
-      make_up(world, plan, plan.team().contexts[c].role_list, scene, time, own, dice);
+      make_up_scene(world, plan, plan.team().contexts[c].role_list, scene, time, own, dice);
       const Decision& decision =
           coordination.decide_in(static_cast<int>(c), world, time, static_cast<std::uint64_t>(scene));
       const std::size_t rows = decision.rows(), columns = decision.columns.size();
@@ -166,37 +155,88 @@ std::vector<bool> idle_terms(const TeamPlan& plan, plugin::Noting noting) {
   return out;
 }
 
-std::vector<config::Warning> idle_term_warnings(const TeamPlan& plan, const std::vector<bool>& idle) {
+std::vector<bool> terms_without_waypoints(const TeamPlan& plan, plugin::Noting noting) {
+  const int own = plan.rules().team_size;
+  plugin::AnswerRooms rooms;
+  const plugin::Caller caller{plan.team().name, own, 0, noting, &rooms};
+  Mailboxes mailboxes(static_cast<std::size_t>(plan.rules().messages.size));
+  Assembly assembly(plan, own, seed, mailboxes, caller);
+  Coordination coordination(plan, own, assembly.contexts());
+  Dice dice(seed);
+  std::vector<bool> out;
+  for (std::size_t c = 0; c < plan.contexts().size(); ++c) {
+    const ContextPlan& context = plan.contexts()[c];
+    std::vector<bool> constant, reads(context.terms.size(), false);
+    for (const TermPart& term : context.terms) constant.push_back(term.weight != 0.0 && !talks(term.part));
+    const bool open = !context.positioner && std::ranges::find(constant, true) != constant.end();
+    for (int scene = 0; open && scene < scenes; ++scene) {
+      const double time = interval * (scene + 1);
+      Snapshot world(plan.rules().team_size);
+      make_up_scene(world, plan, plan.team().contexts[c].role_list, scene, time, own, dice);
+      const Decision& decision =
+          coordination.decide_in(static_cast<int>(c), world, time, static_cast<std::uint64_t>(scene));
+      const std::vector<regista_waypoint> waypoints = made_up_waypoints(plan, decision, dice);
+      regista_frame frame = decision.frame;
+      frame.waypoints = {waypoints.data(), static_cast<std::uint32_t>(waypoints.size()), sizeof(regista_waypoint)};
+      for (std::size_t k = 0; k < constant.size(); ++k) {
+        constant[k] = constant[k] && all_are_equal(decision.terms[k]);
+        if (!constant[k]) continue;
+        reads[k] = reads[k] || !all_are_equal(scored(plan, context.terms[k].part, caller, decision, frame));
+      }
+    }
+    for (std::size_t k = 0; k < constant.size(); ++k) out.push_back(open && constant[k] && reads[k]);
+  }
+  return out;
+}
+
+std::vector<config::Warning> idle_term_warnings(const TeamPlan& plan, const std::vector<bool>& idle,
+                                                const std::vector<bool>& without_waypoints) {
   struct Found {
     const TermPart* term;
     const config::UtilityTerm* page;
     std::string assigner;
-    bool everywhere;
+    bool idle = true;                  // in all contexts
+    bool has_waypoints = false;        // in some context, or needs none
+    std::vector<std::string> lacking;  // contexts without waypoints
   };
   std::vector<Found> all;
   std::size_t next = 0;
   for (std::size_t c = 0; c < plan.contexts().size(); ++c) {
     const ContextPlan& context = plan.contexts()[c];
-    for (std::size_t k = 0; k < context.terms.size(); ++k) {
+    for (std::size_t k = 0; k < context.terms.size(); ++k, ++next) {
       const TermPart& term = context.terms[k];
-      const bool is_idle = idle.at(next++);
       if (term.weight == 0.0) continue;
       const auto same = std::ranges::find_if(all, [&](const Found& each) { return each.term->name == term.name; });
-      if (same == all.end()) {
-        all.push_back({&term, &plan.team().contexts[c].terms[k], context.assigner.use.plugin, is_idle});
+      Found& found = same != all.end()
+                         ? *same
+                         : all.emplace_back(Found{
+                               &term, &plan.team().contexts[c].terms[k], context.assigner.use.plugin, true, false, {}});
+      found.idle = found.idle && idle.at(next);
+      if (without_waypoints.at(next)) {
+        found.lacking.push_back(plan.team().contexts[c].name);
       } else {
-        same->everywhere = same->everywhere && is_idle;
+        found.has_waypoints = true;
       }
     }
   }
   std::vector<config::Warning> out;
   for (const Found& each : all) {
-    if (!each.everywhere) continue;
+    const std::string& plugin = each.term->part.use.plugin;
+    if (!each.lacking.empty()) {
+      const std::string where = each.has_waypoints ? contexts_text(each.lacking) : "the team";
+      const bool one = !each.has_waypoints || each.lacking.size() == 1;
+      out.push_back(
+          {each.page->use.where,
+           fmt::format("utility.terms.{}: {} rewards nearness to waypoints, which {} {} no positioner to "
+                       "make: it changes nothing{}",
+                       each.term->name, plugin, where, one ? "has" : "have", each.has_waypoints ? " there" : "")});
+    }
+    if (!each.idle || !each.has_waypoints) continue;
     out.push_back(
         {each.page->use.where,
          fmt::format("utility.terms.{}: {} gives all robots the same number for a task, which changes nothing "
                      "that {} decides; weight: 0 leaves it out",
-                     each.term->name, each.term->part.use.plugin, each.assigner)});
+                     each.term->name, plugin, each.assigner)});
   }
   return out;
 }

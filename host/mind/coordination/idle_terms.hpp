@@ -21,7 +21,14 @@ namespace regista::mind {
 // plan gives the same answer.
 std::vector<bool> idle_terms(const TeamPlan& plan, plugin::Noting noting = {});
 
-// A warning for each term that is idle in every context where it has a weight. idle: from idle_terms().
-std::vector<config::Warning> idle_term_warnings(const TeamPlan& plan, const std::vector<bool>& idle);
+// For each term of each context, in the same order, whether it rewards nearness to waypoints that its context has not:
+// in a context without a positioner, it gave all robots the same number for all tasks, but others when there were
+// waypoints. As above, a weight of 0 is no finding.
+std::vector<bool> terms_without_waypoints(const TeamPlan& plan, plugin::Noting noting = {});
+
+// A warning for each term that is idle in every context where it has a weight, and for each that lacks waypoints in
+// some context. Of one that lacks them in all it is enough to say that.
+std::vector<config::Warning> idle_term_warnings(const TeamPlan& plan, const std::vector<bool>& idle,
+                                                const std::vector<bool>& without_waypoints);
 
 }  // namespace regista::mind

@@ -420,8 +420,9 @@ typedef struct regista_offer {
 typedef struct regista_budget {
   uint32_t size;
   int32_t packets_left;              /* of the whole team, as the game controller told */
-  double line;                       /* packets that would be left if spent evenly over the match */
-  double match_time_left;            /* s; see share */
+  double line;                       /* packets that would be left if spent evenly over match_time_left, from its start */
+  double match_time_left;            /* s in which a team may send: play, and the Ready and Set before each half, in
+                                        which the clock stands; see share */
   double since_own;                  /* s since this robot sent; since the start of the match if never */
   double since_team;                 /* s since any packet was sent or heard */
   uint32_t bytes_free;               /* for segments, with the largest core a packet can have */

@@ -87,7 +87,7 @@ match::Result play_with(config::ShortGames short_games, const config::Overrides&
   match::Setup setup;
   setup.opening = config::read_opening(file);
   setup.rules.messages.short_games = short_games;
-  setup.rules.messages.share = config::packet_share(setup.rules, match::limit_of(setup));
+  config::fit_packets(setup.rules, match::limit_of(setup), true);
   const config::Team team = config::read_team(fs::path(REGISTA_CONFIGS) / "teams" / "paper.yaml", overrides);
   const mind::TeamPlan plan(team, setup.rules, config::Robot{}, all);
   return match::play(setup, {&plan, &plan});

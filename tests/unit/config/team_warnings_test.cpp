@@ -62,6 +62,30 @@ TEST(TeamWarnings, AListThatNoContextPlays) {
                                      "spare} to one"});
 }
 
+TEST(TeamWarnings, AContextBelowOneThatAlwaysHolds) {
+  const auto warned_of = [](const std::string& contexts) {
+    const Node document =
+        parse_text(small_page(contexts,
+                              "    - {name: goalkeeper, target: {at: own_goal}}\n    - {name: striker, target: "
+                              "{at: ball}}\n"),
+                   "t.yaml");
+    std::vector<std::string> out;
+    for (const Warning& each : warnings(read_team(document), of_size(2), document)) out.push_back(to_string(each));
+    return out;
+  };
+  EXPECT_EQ(warned_of("{name: late, priority: 1, plugin: c}, {name: rest, plugin: always}"),
+            std::vector<std::string>{});
+  EXPECT_EQ(
+      warned_of("{name: late, plugin: c}, {name: rest, priority: 1, plugin: always}"),
+      std::vector<std::string>{"t.yaml:3:12: warning: contexts.late: never in force, for rest (t.yaml:3:37), which "
+                               "comes first, always holds"});
+  // Another shared object may call anything so. Any file will do.
+  EXPECT_EQ(
+      warned_of(fmt::format("{{name: late, plugin: c}}, {{name: rest, priority: 1, plugin: always, file: \"{}\"}}",
+                            (project / "README.md").string())),
+      std::vector<std::string>{});
+}
+
 // What is said of a list of a goalkeeper, a striker and this role. The field is 9 m by 6 m with 0.7 m about it.
 std::vector<std::string> of_third(const std::string& role) {
   return missing(

@@ -6,6 +6,7 @@
 
 #include <cstring>
 
+#include "config/packet_share.hpp"
 #include "mind/world/packet.hpp"
 #include "team.hpp"
 
@@ -55,12 +56,14 @@ Report sent_by(const Outcome& outcome) {
   return report.value_or(Report{});
 }
 
-// By a clock that leaves so much of a match, with so many packets left.
-bool sends_evenly(double share, double match_time_left, int packets_left) {
+// By a clock that leaves so much of a match, with so many packets left; a game of less than the whole begins in play.
+bool sends_evenly(double seconds, double match_time_left, int packets_left) {
   config::Team page = team();
   page.contexts.front().sender = use("even");
   config::Rules rules;
-  rules.messages.share = share;
+  rules.durations.ready = rules.durations.set = 0.0;
+  rules.messages.short_games = config::ShortGames::share;
+  config::fit_packets(rules, seconds, true);
   const auto plan = plan_of(page, rules);
   Mind mind(*plan, 3, 1);
   Percepts given = percepts(1.0);
@@ -73,14 +76,14 @@ bool sends_evenly(double share, double match_time_left, int packets_left) {
 
 // Of 1200 packets in 1200 s one is due in each second, in a whole match and in a game of 30 s.
 TEST(MindTest, ASenderIsToldWhatIsLeftOfTheShareOfTheGame) {
-  EXPECT_TRUE(sends_evenly(1.0, 1186.0, 1186));
-  EXPECT_FALSE(sends_evenly(1.0, 1186.0, 1185));
-  EXPECT_TRUE(sends_evenly(0.025, 1186.0, 16));  // 14 s played, 16 of 30 s left
-  EXPECT_FALSE(sends_evenly(0.025, 1186.0, 15));
-  EXPECT_TRUE(sends_evenly(0.025, 1200.0, 30));
-  EXPECT_FALSE(sends_evenly(0.025, 1200.0, 31));  // more than the environment's budget
-  EXPECT_FALSE(sends_evenly(0.025, 1170.0, 30));  // over
-  EXPECT_TRUE(sends_evenly(1.0, 1170.0, 1170));
+  EXPECT_TRUE(sends_evenly(1200.0, 1186.0, 1186));
+  EXPECT_FALSE(sends_evenly(1200.0, 1186.0, 1185));
+  EXPECT_TRUE(sends_evenly(30.0, 1186.0, 16));  // 14 s played, 16 of 30 s left
+  EXPECT_FALSE(sends_evenly(30.0, 1186.0, 15));
+  EXPECT_TRUE(sends_evenly(30.0, 1200.0, 30));
+  EXPECT_FALSE(sends_evenly(30.0, 1200.0, 31));  // more than the environment's budget
+  EXPECT_FALSE(sends_evenly(30.0, 1170.0, 30));  // over
+  EXPECT_TRUE(sends_evenly(1200.0, 1170.0, 1170));
 }
 
 TEST(MindTest, APacketTellsWhatItsSenderKnows) {

@@ -7,4 +7,5 @@ REGISTA_PLUGINS(regista::Plugin<stubs::Still, regista::predictor>, regista::Plug
                 regista::Plugin<stubs::Nearness, regista::utility>, regista::Plugin<stubs::InOrder, regista::assigner>,
                 regista::Plugin<stubs::Steady, regista::sender>, regista::Plugin<stubs::Gossip, regista::utility>,
                 regista::Plugin<stubs::Even, regista::sender>, regista::Plugin<stubs::Flat, regista::utility>,
-                regista::Plugin<stubs::LargestFirst, regista::assigner>)
+                regista::Plugin<stubs::LargestFirst, regista::assigner>,
+                regista::Plugin<stubs::NearPoints, regista::utility>, regista::Plugin<stubs::Rumour, regista::context>)

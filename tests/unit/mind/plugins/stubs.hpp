@@ -155,6 +155,33 @@ struct Nearness {
   }
 };
 
+// Of tasks alone, as Flat, but nothing without waypoints.
+struct NearPoints {
+  static constexpr auto id = "near_points", version = "1.0.0",
+                        summary = "Falls with the distance from the first waypoint";
+  void score(const regista::Frame& frame, regista::Utilities out) {
+    if (frame.waypoints().empty()) return;
+    const regista::Waypoint& point = frame.waypoints()[0];
+    for (std::size_t i = 0; i < out.rows(); ++i) {
+      for (std::size_t j = 0; j < out.columns(); ++j) {
+        out(i, j) = 1.0 / (1.0 + std::abs(frame.tasks()[j].after[0] - point.x));
+      }
+    }
+  }
+};
+
+// Holds once somebody has said so.
+struct Rumour {
+  static constexpr auto id = "rumour", version = "1.0.0", summary = "Holds once it has heard anything";
+  void setup(const regista::Environment&, regista::Mailbox) {}
+  void reset(std::uint64_t) { heard_ = false; }
+  bool holds(const regista::Frame&) { return heard_; }
+  void receive(const regista::Message&) { heard_ = true; }
+
+ private:
+  bool heard_ = false;
+};
+
 // Tasks in their order, each to its best robot that is still free.
 struct InOrder {
   static constexpr auto id = "in_order", version = "1.0.0", summary = "Best free robot per task";

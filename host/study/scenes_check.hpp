@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Warnings of terms of a team's utility that change nothing (mind/coordination/idle_terms.hpp). The team's plugins are
+// Warnings of what a team's plugins make of made-up scenes: contexts that may never be in force
+// (mind/coordination/idle_contexts.hpp) and terms of the utility that change nothing (idle_terms.hpp). The plugins are
 // called in a copy of this process: one that ends it, or does not return, is a warning too.
 #pragma once
 
@@ -12,6 +13,6 @@ namespace regista::study {
 
 // This process must have no threads and no other children, see campaign/supervised.hpp. A signal that asks to end ends
 // it as it would end any other.
-std::vector<config::Warning> idle_terms_check(const mind::TeamPlan& plan);
+std::vector<config::Warning> scenes_check(const mind::TeamPlan& plan);
 
 }  // namespace regista::study

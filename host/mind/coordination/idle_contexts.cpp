@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include "mind/coordination/idle_contexts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "mind/coordination/made_up.hpp"
+#include "mind/geometry.hpp"
+#include "mind/world/mailbox.hpp"
+#include "plugin/context.hpp"
+
+namespace regista::mind {
+namespace {
+
+constexpr int courses = 3000, moments = 4;  // of each course
+constexpr std::uint64_t seed = 1;
+constexpr double unknown_after = 30.0;  // s without news of the ball
+
+bool talks(const Part& part) { return plugin::implements(*part.found, REGISTA_KIND_MAILBOX); }
+
+// One course of the game.
+class Course {
+ public:
+  Course(const TeamPlan& plan, int own, Dice& dice) : plan_(&plan), own_(own), dice_(&dice) {
+    const config::Rules& rules = plan.rules();
+    interval_ = dice.log_real(0.1, 20.0);
+    half_ = 1 + dice.below(rules.durations.halves);
+    clock_ = dice.chance(0.5) ? dice.real(0.0, rules.durations.half)
+                              : rules.durations.half - dice.log_real(0.1, rules.durations.half);
+    const int difference = dice.below(2 * rules.mercy_difference - 1) - (rules.mercy_difference - 1);
+    least_score_ = dice.below(3);
+    own_lead_ = std::max(0, difference);
+    opponent_lead_ = std::max(0, -difference);
+    stage();
+    ball_known_ = dice.chance(0.85);
+    ball_seen_ = dice.chance(0.5);
+    ball_age_ = ball_seen_ ? 0.0 : dice.log_real(0.1, 2.0 * unknown_after);
+    about_ball_ = dice.chance(0.5) ? dice.real(0.0, 1.0) : 0.0;
+    reach_ = dice.log_real(0.05, 3.0);
+    opponents_ = dice.below(rules.team_size + 1);
+    out_of_play_ = dice.chance(0.2) ? 1 + dice.below(rules.team_size) : 0;
+    Snapshot first(rules.team_size);
+    make_up(first, plan, 0, 0, 0.0, own, out_of_play_, dice);
+    if (phase_ != REGISTA_PHASE_PLAYING && set_play_ == REGISTA_SET_PLAY_KICK_OFF) {
+      first.raw.ball.position[0] = first.raw.ball.position[1] = 0.0;
+    }
+    still_ = phase_ != REGISTA_PHASE_PLAYING || dice.chance(0.3);
+    gather(first);
+    robots_ = first.robots;
+    others_ = first.opponents;
+    ball_ = first.raw.ball;
+    free_at_ = dice.chance(0.3) ? 1 + dice.below(moments) : moments;
+  }
+
+  // As if every Ready and Set had been waited for.
+  double time(int moment) const {
+    const config::Durations& durations = plan_->rules().durations;
+    const double standing = config::Durations::initial + durations.ready + durations.set;
+    return half_ * standing + (half_ - 1) * durations.half + clock_ + moment * interval_;
+  }
+
+  void moment(int number, Snapshot& world) {
+    if (number == free_at_) {
+      phase_ = REGISTA_PHASE_PLAYING;
+      set_play_ = REGISTA_SET_PLAY_NONE;
+      phase_began_ = time(number);
+    }
+    world.robots = robots_;
+    world.opponents = others_;
+    world.raw.ball = ball_;
+    if (!still_) {
+      world.raw.ball.position[0] += ball_.velocity[0] * number * interval_;
+      world.raw.ball.position[1] += ball_.velocity[1] * number * interval_;
+    } else {
+      for (double& each : world.raw.ball.velocity) each = 0.0;
+    }
+    const double age = ball_age_ + (ball_seen_ ? 0.0 : number * interval_);
+    world.raw.ball.age = age;
+    if (!ball_known_ || age > unknown_after) world.raw.ball = {};
+    regista_game& game = world.raw.game;
+    game.phase = phase_;
+    game.set_play = set_play_;
+    game.own_kick = own_kick_ ? 1 : 0;
+    game.half = half_;
+    game.own_score = least_score_ + own_lead_;
+    game.opponent_score = least_score_ + opponent_lead_;
+    game.phase_time = time(number) - phase_began_;
+    game.time_left = std::max(0.0, plan_->rules().durations.half - clock_ - number * interval_);
+    world.close();
+  }
+
+ private:
+  void stage() {
+    Dice& dice = *dice_;
+    own_kick_ = dice.chance(0.5);
+    phase_began_ = time(0) - dice.log_real(0.01, 60.0);
+    if (dice.chance(0.3)) {
+      phase_ = dice.chance(0.5) ? REGISTA_PHASE_READY : REGISTA_PHASE_SET;
+      set_play_ = dice.chance(0.7) ? REGISTA_SET_PLAY_KICK_OFF : REGISTA_SET_PLAY_PENALTY_KICK;
+    } else {
+      phase_ = REGISTA_PHASE_PLAYING;
+      set_play_ = dice.chance(0.5) ? REGISTA_SET_PLAY_NONE : REGISTA_SET_PLAY_KICK_OFF + dice.below(6);
+    }
+  }
+
+  // Some of the robots are about the ball.
+  void gather(Snapshot& world) {
+    Dice& dice = *dice_;
+    const auto place = [&](double* position) {
+      if (!dice.chance(about_ball_)) return;
+      const double angle = dice.real(-pi, pi), distance = dice.real(0.0, reach_);
+      position[0] = world.raw.ball.position[0] + distance * std::cos(angle);
+      position[1] = world.raw.ball.position[1] + distance * std::sin(angle);
+    };
+    world.opponents.resize(static_cast<std::size_t>(opponents_));
+    for (regista_robot& robot : world.robots) place(robot.pose);
+    const double theirs = dice.real(0.0, 1.0);
+    about_ball_ *= theirs;
+    for (regista_opponent& opponent : world.opponents) place(opponent.position);
+  }
+
+  const TeamPlan* plan_;
+  int own_;
+  Dice* dice_;
+  double interval_ = 0.1, clock_ = 0.0, phase_began_ = 0.0;
+  int half_ = 1, least_score_ = 0, own_lead_ = 0, opponent_lead_ = 0;
+  int phase_ = REGISTA_PHASE_PLAYING, set_play_ = REGISTA_SET_PLAY_NONE;
+  bool own_kick_ = false, ball_known_ = true, ball_seen_ = true, still_ = false;
+  double ball_age_ = 0.0, about_ball_ = 0.0, reach_ = 1.0;
+  int opponents_ = 0, out_of_play_ = 0, free_at_ = moments;
+  std::vector<regista_robot> robots_;
+  std::vector<regista_opponent> others_;
+  regista_ball ball_{};
+};
+
+// The conditions of one robot.
+class Conditions {
+ public:
+  Conditions(const TeamPlan& plan, const plugin::Caller& caller)
+      : mailboxes_(static_cast<std::size_t>(plan.rules().messages.size)) {
+    for (const ContextPlan& each : plan.contexts()) {
+      instances_.push_back(std::make_shared<plugin::Instance>(*each.condition.found, each.condition.parameters,
+                                                              plan.environment(caller.robot), mailboxes_.open(),
+                                                              &caller));
+      mailboxes_.connect(instances_.back());
+      conditions_.emplace_back(instances_.back());
+    }
+  }
+  void reset() {
+    for (std::size_t i = 0; i < instances_.size(); ++i) instances_[i]->reset(seed + i);
+  }
+  void ask(const regista_frame& frame, std::vector<char>& out) {
+    out.clear();
+    for (plugin::Context& each : conditions_) out.push_back(each.holds(frame) ? 1 : 0);
+  }
+
+ private:
+  Mailboxes mailboxes_;
+  std::vector<std::shared_ptr<plugin::Instance>> instances_;
+  std::vector<plugin::Context> conditions_;
+};
+
+// "a (team.yaml:3:5)"
+std::string placed(const config::Context& context) {
+  return fmt::format("{} ({})", context.name, to_string(context.where));
+}
+
+}  // namespace
+
+ContextFindings idle_contexts(const TeamPlan& plan, plugin::Noting noting) {
+  const int team_size = plan.rules().team_size;
+  const std::size_t count = plan.contexts().size();
+  plugin::AnswerRooms rooms;
+  std::vector<std::unique_ptr<plugin::Caller>> callers;
+  std::vector<std::unique_ptr<Conditions>> robots;
+  for (int number = 1; number <= team_size; ++number) {
+    callers.push_back(std::make_unique<plugin::Caller>(plugin::Caller{plan.team().name, number, 0, noting, &rooms}));
+    robots.push_back(std::make_unique<Conditions>(plan, *callers.back()));
+  }
+  Dice dice(seed);
+  ContextFindings out;
+  out.contexts.resize(count);
+  std::vector<std::vector<char>> covers(count, std::vector<char>(count, 1));  // [j][i]: i held whenever j did
+  std::vector<char> holds;
+  std::vector<std::int32_t> previous(static_cast<std::size_t>(team_size), REGISTA_NO_TASK);
+  for (int c = 0; c < courses; ++c) {
+    const int own = 1 + c % team_size;
+    Conditions& robot = *robots[static_cast<std::size_t>(own - 1)];
+    robot.reset();
+    Course course(plan, own, dice);
+    int in_force = -1;
+    for (int moment = 0; moment < moments; ++moment) {
+      Snapshot world(team_size);
+      course.moment(moment, world);
+      regista_frame frame{};
+      frame.size = sizeof frame;
+      frame.own_number = own;
+      frame.tick = static_cast<std::uint64_t>(moment);
+      frame.time = course.time(moment);
+      frame.mine = frame.common = &world.raw;
+      frame.knowledge = REGISTA_MINE;
+      frame.previous = {previous.data(), static_cast<std::uint32_t>(previous.size()), sizeof(std::int32_t)};
+      frame.context = in_force;
+      robot.ask(frame, holds);
+      ++out.scenes;
+      const auto first = std::ranges::find(holds, 1);
+      in_force = first == holds.end() ? -1 : static_cast<int>(first - holds.begin());
+      if (in_force < 0) ++out.without;
+      for (std::size_t j = 0; j < count; ++j) {
+        if (holds[j] == 0) continue;
+        ++out.contexts[j].held;
+        for (std::size_t i = 0; i < j; ++i) covers[j][i] = covers[j][i] != 0 && holds[i] != 0 ? 1 : 0;
+      }
+      if (in_force >= 0) ++out.contexts[static_cast<std::size_t>(in_force)].in_force;
+    }
+  }
+  for (std::size_t j = 0; j < count; ++j) {
+    const auto end = covers[j].begin() + static_cast<std::ptrdiff_t>(j);
+    const auto cover = std::find(covers[j].begin(), end, 1);
+    if (out.contexts[j].held > 0 && cover != end) {
+      out.contexts[j].covered_by = static_cast<int>(cover - covers[j].begin());
+    }
+  }
+  return out;
+}
+
+std::vector<config::Warning> idle_context_warnings(const TeamPlan& plan, const ContextFindings& found) {
+  std::vector<config::Warning> out;
+  const std::vector<config::Context>& contexts = plan.team().contexts;
+  bool always = false, any_talks = false;
+  for (std::size_t i = 0; i < contexts.size(); ++i) {
+    const config::Context& context = contexts[i];
+    const ContextFinding& its = found.contexts[i];
+    const bool silent = !talks(plan.contexts()[i].condition);
+    any_talks = any_talks || !silent;
+    const std::string& condition = context.use.plugin;
+    if (silent && its.held == 0) {
+      out.push_back({context.where,
+                     fmt::format("contexts.{}: {} held in none of {} made-up scenes (score, set play, ball, robots): "
+                                 "with these parameters it may never hold",
+                                 context.name, condition, found.scenes)});
+    } else if (silent && its.in_force == 0 && !always) {
+      const std::string what = its.covered_by < 0
+                                   ? "one of those above it, which come"
+                                   : placed(contexts[static_cast<std::size_t>(its.covered_by)]) + ", which comes";
+      out.push_back({context.where,
+                     fmt::format("contexts.{}: in each of the {} made-up scenes in which {} held, {} first, held too: "
+                                 "it may never be in force",
+                                 context.name, its.held, condition, what)});
+    }
+    always = always || config::always_holds(context);
+  }
+  if (found.without > 0 && !any_talks && !contexts.empty()) {
+    out.push_back({contexts.back().where,
+                   fmt::format("contexts: none holds in {} of {} made-up scenes, and then no robot has a role: plugin: "
+                               "always, below {}, holds at all times",
+                               found.without, found.scenes, contexts.back().name)});
+  }
+  return out;
+}
+
+}  // namespace regista::mind
