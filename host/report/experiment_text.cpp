@@ -100,7 +100,9 @@ std::string failures_text(const ExperimentView& view) {
                        forfeit_text(opponent ? std::string("the opponent") : label(view.plan, each.team), each.failure),
                        view.again(each.first_match));
   }
-  if (forfeits.unlisted() > 0) out += fmt::format("{} more were forfeited for other reasons\n", forfeits.unlisted());
+  if (forfeits.unlisted() > 0) {
+    out += config::counted(forfeits.unlisted(), "more was", "more were") + " forfeited for other reasons\n";
+  }
   if (!out.empty()) out = "\nForfeits, whose pairs are left out of every number:\n" + out;
   return out;
 }

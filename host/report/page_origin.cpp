@@ -38,7 +38,8 @@ Html failures_section(const PageSource& source) {
   out << table.html() << "</div>\n"_html;
   if (course.unlisted_forfeits() > 0) {
     out << "<p>"_html
-        << text(fmt::format("{} more matches were forfeited for other reasons.", course.unlisted_forfeits()))
+        << text(config::counted(course.unlisted_forfeits(), "more match was", "more matches were") +
+                " forfeited for other reasons.")
         << "</p>\n"_html;
   }
   return section("failures", "Failures"_html, out);

@@ -190,8 +190,8 @@ std::string failures_text(const TournamentView& view) {
     out += fmt::format("{} {}\n  the first again: {}\n", config::counted(each.count, "match", "matches"),
                        forfeit_text(view.label(each.team), each.failure), view.again(each.first_match));
   }
-  if (view.course.unlisted_forfeits() > 0) {
-    out += fmt::format("{} more matches forfeited for other reasons\n", view.course.unlisted_forfeits());
+  if (const std::uint64_t more = view.course.unlisted_forfeits(); more > 0) {
+    out += config::counted(more, "more match", "more matches") + " forfeited for other reasons\n";
   }
   return out.empty() ? "" : '\n' + out;
 }

@@ -76,6 +76,11 @@ class Rank(program.Case):
         self.assertNotAlmostEqual(alone["ranking"][0]["elo_interval"][0], as_counts["ranking"][0]["elo_interval"][0],
                                   delta=0.1)
 
+    # Who stands first in a line of counts changes nothing.
+    def test_lines_of_counts_may_be_turned_round(self):
+        self.assertEqual(self.result("first,second,wins,draws,losses\na,b,4,0,1\nb,a,2,0,3\na,c,9,0,1\nc,b,4,0,6\n"),
+                         self.result(TRIANGLE))
+
     def test_counts_that_cannot_be_used(self):
         head = "first,second,wins,draws,losses\na,b,1,2,3\n"
         wanted = "is no whole number from 0 to 1000000000"

@@ -6,6 +6,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "store_fixture.hpp"
 
@@ -42,6 +45,26 @@ TEST(DocumentCopies, NamesLeadToTheCopies) {
   EXPECT_THAT(here.plugins, ElementsAre("/league/plugins", "/elsewhere"));
   EXPECT_EQ(content(copies.folder("/league") / "base.yaml"), "team: base");
   EXPECT_TRUE(fs::is_directory(copies.folder("/another/folder")));
+}
+
+TEST(DocumentCopies, EveryDocumentOfAMatchIsACopy) {
+  Job job;
+  const std::vector<std::pair<std::string, std::string*>> names{{"/home", &job.teams[0]},
+                                                                {"/away", &job.teams[1]},
+                                                                {"/rules", &job.rules},
+                                                                {"/robot", &job.robot},
+                                                                {"/disturbance", &job.disturbance},
+                                                                {"/home_disturbance", &job.home_disturbance},
+                                                                {"/away_disturbance", &job.away_disturbance},
+                                                                {"/opening", &job.opening}};
+  std::vector<Document> documents;
+  for (const auto& [path, name] : names) {
+    *name = path;
+    documents.push_back({path, "text of " + path});
+  }
+  const DocumentCopies copies(documents);
+  job = copies.job(job, "/");
+  for (const auto& [path, name] : names) EXPECT_EQ(content(*name), "text of " + path);
 }
 
 TEST(DocumentCopies, OfSharedObjectsThePathAlone) {

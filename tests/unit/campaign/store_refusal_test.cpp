@@ -156,5 +156,17 @@ TEST_F(StoreRefusalTest, DamagedTextsAreErrorsOfTheStore) {
   EXPECT_THAT(damage(), HasSubstr("match 1: what was to be played is missing"));
 }
 
+TEST_F(StoreRefusalTest, OfManyDamagedMatchesSomeAreNamedAndTheRestCounted) {
+  {
+    Store store(file, Mode::create, "1.0");
+    for (int i = 1; i <= 14; ++i) store.insert(i, {number(store, "key"), static_cast<std::uint64_t>(i)}, played, 1);
+  }
+  const std::string named = "match 1: its checksum does not fit; matches 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 cannot be read";
+  execute("UPDATE matches SET home_goals = home_goals + 1 WHERE row <= 11");
+  EXPECT_THAT(damage(), testing::EndsWith(named + " either"));
+  execute("UPDATE matches SET home_goals = home_goals + 1 WHERE row > 11");
+  EXPECT_THAT(damage(), testing::EndsWith(named + " either, nor can 3 more"));
+}
+
 }  // namespace
 }  // namespace regista::campaign

@@ -6,6 +6,7 @@
 #include "course.hpp"
 #include "report/course_record.hpp"
 #include "report/experiment.hpp"
+#include "report/match_summary.hpp"
 #include "report/tournament.hpp"
 #include "report/tournament_page.hpp"
 #include "tuning_course.hpp"
@@ -15,6 +16,7 @@ namespace regista::report {
 namespace {
 
 using nlohmann::json;
+using testing::AllOf;
 using testing::Contains;
 using testing::EndsWith;
 using testing::HasSubstr;
@@ -49,6 +51,19 @@ TEST(PacketsSpent, TextOfATournament) {
               HasSubstr("\na spent 45 packets per match; the share of the budget for this length is 30: OVERSPENT\n"
                         "b spent 20 packets per match; the share of the budget for this length is 30\n"));
   EXPECT_THAT(standing_text(course.view()), Not(HasSubstr("packets")));  // of the live display
+}
+
+// Of one match; 30 packets are its share of the budget.
+TEST(PacketsSpent, WhoSpendsTheShareToTheLastPacketHasNotOverspent) {
+  campaign::PlayedMatch match;
+  match.teams = {"a", "b"};
+  match.budget = 1200;
+  match.packets_share = 30.0;
+  match.result.packets = {30, 31};
+  EXPECT_THAT(
+      summary_text(match),
+      AllOf(HasSubstr("\na (home)\n"), HasSubstr("  packets 30 of 1200 (share of this length: 30)\n"),
+            HasSubstr("\nb (away)\n"), HasSubstr("  packets 31 of 1200 (share of this length: 30, OVERSPENT)\n")));
 }
 
 TEST(PacketsSpent, TextOfSeveralTeamsStandsBelowTheirPairings) {

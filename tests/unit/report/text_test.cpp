@@ -168,6 +168,19 @@ TEST(TournamentText, FailuresTellWhoAndHowToSeeItAgain) {
   EXPECT_THAT(tournament_text(once.view()), HasSubstr("\n1 match forfeited by bad: plugin greedy, assign: "));
 }
 
+TEST(TournamentText, OfManyReasonsAHundredAreToldAndTheOthersCounted) {
+  Course course({"good", "bad"}, 60);
+  course.plan.failures_in_a_row = 0;
+  int played = 0;
+  const auto play = [&](int matches) {
+    for (; played < matches; ++played) course.take(failed(1 - played % 2, fmt::format("reason {}", played)));
+    return tournament_text(course.view());
+  };
+  EXPECT_THAT(play(100), Not(HasSubstr("for other reasons")));
+  EXPECT_THAT(play(101), HasSubstr("\n1 more match forfeited for other reasons\n"));
+  EXPECT_THAT(play(104), HasSubstr("\n4 more matches forfeited for other reasons\n"));
+}
+
 TEST(TournamentText, ThreeTeamsAreRanked) {
   Course course({"the longest name of all", "b", "c"}, 5);
   course.take_pairs({{1, 0, 1, 0, 3}, {0, 0, 1, 0, 4}, {2, 0, 0, 0, 3}});

@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 
+#include "report/tuned_file.hpp"
 #include "report/tuning_sentences.hpp"
 #include "tuning_course.hpp"
 
@@ -48,7 +51,7 @@ TEST(TuningText, WhatTheSearchPromisedStandsBesideWhatCameOfIt) {
   ASSERT_TRUE(of.seen && of.value && of.optimism);
   EXPECT_DOUBLE_EQ(*of.optimism, of.seen->mean - of.value->mean);
   EXPECT_THAT(tuning_text(course.view()),
-              HasSubstr(*of.optimism > 0.0 ? "the search was too optimistic by" : "its promise was not too high"));
+              HasSubstr(*of.optimism > 0.0 ? "the search was too optimistic by" : "the search was not too optimistic"));
 }
 
 // All weights play equally well, each with luck of its own.
@@ -155,6 +158,26 @@ TEST(TuningText, AMinimisedObjectiveHasTheUsersSign) {
               AllOf(HasSubstr("striker.overlap_seconds as small as possible"),
                     HasSubstr("striker.overlap_seconds (min per 60 min), the smaller the better"),
                     HasSubstr("difference -1."), HasSubstr("The tuned team is better")));
+}
+
+// Less overlap, or more goals: by its interval the verified difference lies on the side that was asked for.
+TEST(TunedFile, ItsHeadHasTheDifferenceInItsInterval) {
+  for (const bool minimise : {false, true}) {
+    study::TuningPlan plan = tuning_plan();
+    if (minimise) plan.objective = {{{"striker.overlap_seconds", 1.0}}, true};
+    const TunedCourse course(plan);
+    ASSERT_TRUE(course.record.verified());
+    const std::string text = tuned_file_text("tuned.yaml", course.plan, course.record, "0.2", "none");
+    EXPECT_THAT(text, HasSubstr("VERIFIED better than the base team"));
+    const std::size_t bracket = text.find(" [");
+    ASSERT_NE(bracket, std::string::npos) << text;
+    double low = 0.0, high = 0.0;
+    ASSERT_EQ(std::sscanf(text.c_str() + bracket, " [%lf, %lf] at 95 %%", &low, &high), 2) << text;
+    const double value = std::strtod(text.c_str() + text.rfind(' ', bracket - 1), nullptr);
+    EXPECT_LT(low, value) << text;
+    EXPECT_LT(value, high) << text;
+    EXPECT_TRUE(minimise ? high < 0.0 : low > 0.0) << text;
+  }
 }
 
 TEST(TuningText, ValuesAtTheEndOfTheirRangeAreMarked) {
