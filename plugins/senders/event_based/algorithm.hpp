@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// When to spend a packet: on events, with a slow period beneath (the events e of Affinita et al. 2023, "Distributed
-// World Model"). Events, periods and the reserve are those of the SPQR team's released code; that every event has its
-// own interval and threshold follows Nao Devils, the least time between two packets and the budget spread over the
-// match follow B-Human.
+// When to spend a packet: on events, with a slow period beneath unless a team will have none (the events e of Affinita
+// et al. 2023, "Distributed World Model": "sending messages only when specific events occur"). Events, periods and the
+// reserve are those of the SPQR team's released code; that every event has its own interval and threshold follows Nao
+// Devils, the least time between two packets and the budget spread over the match follow B-Human.
 //
 // Great events tell what changes the game for all. Small ones, and the period, are held back while the team has spent
 // more than its share of the budget.
@@ -55,6 +55,7 @@ struct Settings {
   std::array<Rule, causes> rules{};                           // by cause; that of `period` is not used
   double minimum_interval = 1.0;                              // s between two packets of this robot, whatever the cause
   double pending_for = 2.0;                                   // s for which an event that had to wait still counts
+  bool periodic = true;                                       // false: nothing is sent for time alone
   double period = 10.0;                                       // s
   double period_alone = 4.0;                                  // s, of the only robot that sees the ball
   double period_goalkeeper = 20.0;                            // s
@@ -101,7 +102,7 @@ class Sender {
       if (now.time - sent_for_[k] < settings.rules[k].interval - rounding) continue;
       return sent(cause, now.time);
     }
-    if (!in_pace) return std::nullopt;
+    if (!settings.periodic || !in_pace) return std::nullopt;
     // The first time each number is due at another moment, so that robots do not send at once.
     const double share = has_sent_ ? 1.0 : (now.number - 0.5) / now.team_size;
     if (now.since_own < share * period_of(settings, now) - rounding) return std::nullopt;

@@ -76,8 +76,8 @@ constexpr auto threshold(const char* name, regista::Range range, const char* uni
 }
 
 struct EventBased {
-  static constexpr auto id = "event_based", version = "1.1.0",
-                        summary = "A packet on events, with a slow period beneath";
+  static constexpr auto id = "event_based", version = "1.2.0",
+                        summary = "A packet on events, with a slow period beneath or by events alone";
 
   Settings settings = initial_settings();
   int reserve = 30;
@@ -100,6 +100,11 @@ struct EventBased {
           regista::real("pace_margin", &Settings::pace_margin, {0.0, 10000.0}, "1",
                         "Packets below the even share at which they begin to wait; our choice")
               .tunable(),
+          regista::boolean(
+              "periodic", &Settings::periodic,
+              "Send for time alone too, by the periods below; SPQR: yes; false: by events alone, which leaves robots "
+              "silent for minutes: the team's `teammates_forgotten_after` must then be long (3600: never), and "
+              "`phase_changed` lets robots know of each other before the first whistle"),
           regista::real("period", &Settings::period, {0.5, 120.0}, "s", "A packet at least so often; SPQR: 10")
               .tunable(),
           regista::real("period_alone", &Settings::period_alone, {0.5, 120.0}, "s",

@@ -80,6 +80,28 @@ TEST(EventBased, Periods) {
   EXPECT_NEAR(steady_period(7, [](Situation& now) { now.ready_or_set = true; }), 14.0, 1e-6);
 }
 
+TEST(EventBased, ByEventsAloneNothingIsSentForTime) {
+  Settings settings;
+  settings.periodic = false;
+  for (const bool ready : {false, true}) {
+    for (const bool alone : {false, true}) {
+      const auto set = [&](int, Situation& now) {
+        now.ready_or_set = ready;
+        now.alone_with_ball = alone;
+        return std::vector<Event>{};
+      };
+      for (int number = 1; number <= 7; ++number) EXPECT_TRUE(run(settings, 300.0, set, number).empty());
+    }
+  }
+  const auto packets = run(settings, 300.0, [](int tick, Situation&) {
+    return tick == 1000 || tick == 2000 ? std::vector<Event>{{Cause::pose_moved, 2.0}} : std::vector<Event>{};
+  });
+  ASSERT_EQ(packets.size(), 2u);
+  EXPECT_NEAR(packets[0].time, 100.0, 1e-9);
+  EXPECT_NEAR(packets[1].time, 200.0, 1e-9);
+  for (const Packet& packet : packets) EXPECT_EQ(packet.cause, Cause::pose_moved);
+}
+
 TEST(EventBased, FirstPacketsAreSpread) {
   std::vector<double> first;
   for (int number = 2; number <= 7; ++number) first.push_back(run({}, 30.0, nothing, number).at(0).time);
@@ -318,6 +340,18 @@ TEST(EventBasedPlugin, EventsAreTheReasonsOfThePackets) {
   EXPECT_EQ(answer(REGISTA_EVENT_BALL_MOVED, 1.0), REGISTA_EVENT_BALL_MOVED);
   EXPECT_EQ(answer(REGISTA_EVENT_POSE_MOVED, 1.0), REGISTA_EVENT_POSE_MOVED);
   EXPECT_EQ(answer(REGISTA_EVENT_CONTEXT_CHANGED, 1.0), -1);
+}
+
+TEST(EventBasedPlugin, PeriodsAreLeftOutWhenAskedFor) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "event_based");
+  const auto sends = [&](const Values& values) {
+    Instance sender(plugin, EnvironmentBuilder{}.own(3), values);
+    regista_budget budget = plenty();
+    budget.since_own = 120.0;
+    return sender.decide(FrameBuilder{}.own(3).time(120.0).robot(3).build(), {}, {}, budget).send == 1;
+  };
+  EXPECT_TRUE(sends(Values(plugin)));
+  EXPECT_FALSE(sends(Values(plugin).set("periodic", false)));
 }
 
 // In a tenth of a match a tenth of the reserve, and no fewer than one packet of it.

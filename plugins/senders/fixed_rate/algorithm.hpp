@@ -2,7 +2,7 @@
 // Packets at a fixed rate: the arm "without events" of Affinita et al. 2023, with the periods of the SPQR team's
 // fixed-rate configuration: every 8 s, the striker every 4 s. Seven robots then send one packet a second: 1200 in two
 // halves of 600 s. What is sent while the clock stands (in Ready and Set) is missing at the end, and a team that falls
-// silent minutes before the end plays as seven strangers: stretch() makes periods longer instead.
+// silent minutes before the end plays as seven strangers: stretch() makes periods longer instead, from the beginning.
 //
 // Every robot has a phase of its own, so that robots do not send at once, and the times at which it is due do not drift
 // with the moments at which it decides.

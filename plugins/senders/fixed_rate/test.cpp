@@ -261,6 +261,7 @@ TEST(FixedRatePlugin, TheFastRoleIsKnownByName) {
   EXPECT_EQ(packets_as("striker", "striker"), 20);
   EXPECT_EQ(packets_as("supporter", "striker"), 10);
   EXPECT_EQ(packets_as("supporter", "supporter"), 20);
+  EXPECT_EQ(packets_as("striker", ""), 10);
 }
 
 TEST(FixedRatePlugin, ReserveIsOfTheShareOfAMatch) {
