@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The teams that are shipped, with the plugins that are shipped, as a user meets them first."""
 
+import collections
 import json
 import re
 import unittest
@@ -48,12 +49,98 @@ class ShippedTeams(Shipped):
         openness = "utility: {terms: {waypoint: ~, free: {plugin: openness, weight: 0.3}}}\n"
         self.assertEqual(self.idle_terms(openness), ["free"])
         # As many tasks as robots, the largest sum: the same number for all is in every sum.
-        self.assertEqual(self.idle_terms(openness + "assigner: {plugin: hungarian}\n"), ["free"])
-        # More tasks than robots: it says which of them are done.
+        self.assertEqual(self.idle_terms(openness + "assigner: {plugin: hungarian}\ncontexts: {kick_off: ~}\n"), ["free"])
+        # More tasks than robots, if only until a kick-off: it says which of them are done.
+        self.assertEqual(self.idle_terms(openness + "assigner: {plugin: hungarian}\n"), [])
         self.assertEqual(self.idle_terms(openness + "assigner: {plugin: hungarian}\ntasks: {keep: all}\n"), [])
         # A waypoint for each robot: then the numbers differ.
         self.assertEqual(self.idle_terms("positioner: {plugin: voronoi_cells}\n"), [])
         self.assertEqual(self.idle_terms("utility: {terms: {waypoint: {weight: 0}}}\n"), [])
+
+    def warned(self, name, page):
+        """What a team is warned of, but for its terms, of a page that extends paper.yaml."""
+        self.write(name, f"extends: {TEAMS / 'paper.yaml'}\nteam: other\n{page}")
+        found = json.loads(self.succeed("config", "check", name, "--json"))["documents"][0]["warnings"]
+        return [(each["line"], each["message"]) for each in found if not each["message"].startswith("utility.")]
+
+    def test_contexts_that_contradict_themselves_are_warned_of(self):
+        contradictions = {"ball_zone": "{x_least: 2, x_most: 1}", "numbers_near_ball": "{least: 3, most: 2}",
+                          "score": "{least: 2, most: 1}", "set_play": "{at_most: 0}",
+                          "possession": "{who: fight, likely: 1, reach: 0.05, settle: 10}"}
+        for plugin, params in contradictions.items():
+            found = self.warned("never.yaml", "contexts: {never: {before: search, priority: 70, plugin: "
+                                f"{plugin}, params: {params}}}}}\n")
+            if plugin == "possession":  # unlikely, but no contradiction
+                self.assertEqual(found, [])
+                continue
+            self.assertEqual(found, [(3, f"contexts.never: {plugin} held in none of 12000 made-up scenes (score, set play, "
+                                      "ball, robots): with these parameters it may never hold")])
+
+    def test_contexts_that_hold_now_and_then_are_not_warned_of(self):
+        for plugin, params in (
+                ("ball_zone", "{x_least: 3.5, x_most: 4.5, y_least: -0.8, y_most: 0.8, band: 0}"),
+                ("ball_lost", "{after: 25, seen_again: 1}"),
+                ("numbers_near_ball", "{least: 4, reach: 1, margin: 0}"),
+                ("numbers_near_ball", "{least: -100, most: -4}"),
+                ("possession", "{who: none, settle: 5}"),
+                ("score", "{least: 9, in_last: 30}"),
+                ("score", "{least: -5, most: -5, in_last: 300}"),
+                ("set_play", "{corner_kick: true, whose: own, at_most: 1}"),
+                ("set_play", "{penalty_kick: true, whose: opponent, ready: true}"),
+                ("set_play", "{goal_kick: true, whose: own, at_most: 1, still_for: 2}")):
+            self.assertEqual(self.warned("rare.yaml", "contexts: {rare: {before: search, priority: 70, plugin: "
+                                         f"{plugin}, params: {params}}}}}\n"), [], (plugin, params))
+
+    def test_contexts_below_one_that_always_holds_and_scenes_without_any(self):
+        below = self.warned("below.yaml", "contexts: {low: {after: playing, priority: -5, plugin: possession}}\n")
+        self.assertEqual([line for line, _ in below], [3])
+        self.assertRegex(below[0][1], r"^contexts\.low: never in force, for playing \(.*/paper\.yaml:\d+:5\), which comes "
+                                      r"first, always holds$")
+        above = self.warned("above.yaml", "contexts: {any: {before: search, priority: 55, plugin: score, params: "
+                                          "{least: -100}}}\n")
+        self.assertEqual(len(above), 2)
+        for name, (_, message) in zip(("search", "playing"), above):
+            self.assertRegex(message, rf"^contexts\.{name}: in each of the \d+ made-up scenes in which \w+ held, any "
+                                      r"\(above\.yaml:3:17\), which comes first, held too: it may never be in force$")
+        bare = self.warned("bare.yaml", "contexts: {playing: ~}\n")
+        self.assertEqual(len(bare), 1)
+        self.assertRegex(bare[0][1], r"^contexts: none holds in \d+ of 12000 made-up scenes, and then no robot has a role: "
+                                     r"plugin: always, below search, holds at all times$")
+        # Between them, these two hold at all times.
+        self.assertEqual(self.warned("both.yaml", "contexts: {playing: {plugin: score, params: {least: 0}}, behind: {after: "
+                                     "playing, priority: -1, plugin: score, params: {least: -100, most: -1}}}\n"), [])
+
+    def packets(self, name, page, of="fixed_rate.yaml"):
+        """Of each robot of the home team: how many packets for which reason, in the first 130 s."""
+        self.write(name, f"extends: {TEAMS / of}\nteam: other\n{page}")
+        played = json.loads(self.succeed("match", name, TEAMS / "fixed_rate.yaml", "--limit", "130", "--json", "--decisions",
+                                         "decisions.jsonl"))
+        self.assertEqual(played["failures"], [])
+        self.assertGreater(sum(played["kicks"]), 0)
+        out = {number: collections.Counter() for number in range(1, 8)}
+        with open(self.folder / "decisions.jsonl", encoding="utf-8") as file:
+            for line in map(json.loads, file):
+                if line["kind"] == "decision" and line["side"] == "home" and line["packet"] is not None:
+                    out[line["robot"]][line["packet"]] += 1
+        return out
+
+    @unittest.skipIf(program.SANITIZED, "plays several matches, which sanitizers slow down to minutes")
+    def test_every_reading_of_the_fixed_rate_and_of_events_is_played(self):
+        """A page each, as docs/writing-a-team.md has it."""
+        totals = lambda packets: sorted(sum(each.values()) for each in packets.values())
+        usual = totals(self.packets("usual.yaml", ""))
+        self.assertGreater(usual[-1], usual[-2] + 5)  # the striker
+        alike = totals(self.packets("alike.yaml", 'sender: {params: {period: 7, fast_role: ""}}\n'))
+        self.assertLessEqual(alike[-1], alike[-2] + 1)  # who is out of play sends less
+        for page in ("sender: {params: {at_once: false}}\n", "sender: {params: {lasts: false}}\n",
+                     "predictors: {teammates: {plugin: hold_last}}\n"):
+            self.assertGreater(sum(totals(self.packets("other.yaml", page))), 100, page)
+        alone = self.packets("alone.yaml", "teammates_forgotten_after: 3600\nsender: {params: {periodic: false}}\n",
+                             "paper.yaml")
+        reasons = sum(alone.values(), collections.Counter())
+        self.assertNotIn("period", reasons)
+        self.assertGreaterEqual(reasons["phase_changed"], 14)
+        self.assertLess(sum(totals(alone)), sum(usual))
 
     def test_every_study_is_sound(self):
         """For experiments that means every arm at every value of the sweep."""
