@@ -57,7 +57,8 @@ class OpeningOfPlugins(program.Case):
         self.assertEqual(self.refused_files(), {name: REASONS[name] for name in ("crash", "leave", "start_a_thread")})
         played = self.run_program("match", "small.yaml", "small.yaml", "--limit", "5", "--quiet", "--json")
         self.assertEqual((played.returncode, played.stderr), (0, ""))
-        for words in (("config", "check", "small.yaml"), ("plugin", "info", "nearness"), ("plugin", "list"),
+        self.assertEqual(self.run_program("config", "check", "small.yaml").returncode, 0)  # it is warned of
+        for words in (("plugin", "info", "nearness"), ("plugin", "list"),
                       ("config", "show", "small.yaml"),
                       ("tournament", "--team", "small.yaml", "--team", "small.yaml", "--pairs", "1", "--limit", "5",
                        "--quiet", "--no-page")):

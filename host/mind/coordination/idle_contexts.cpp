@@ -38,7 +38,6 @@ class Course {
     ball_known_ = dice.chance(0.85);
     ball_seen_ = dice.chance(0.5);
     ball_age_ = ball_seen_ ? 0.0 : dice.log_real(0.1, 2.0 * unknown_after);
-    about_ball_ = dice.chance(0.5) ? dice.real(0.0, 1.0) : 0.0;
     reach_ = dice.log_real(0.05, 3.0);
     opponents_ = dice.below(rules.team_size + 1);
     out_of_play_ = dice.chance(0.2) ? 1 + dice.below(rules.team_size) : 0;
@@ -106,20 +105,23 @@ class Course {
     }
   }
 
-  // Some of the robots are about the ball.
+  // In half of the courses some of the robots are about the ball, of either side another share.
   void gather(Snapshot& world) {
     Dice& dice = *dice_;
-    const auto place = [&](double* position) {
-      if (!dice.chance(about_ball_)) return;
+    const bool gathered = dice.chance(0.5);
+    const double ours = gathered ? dice.real(0.0, 1.0) : 0.0, theirs = gathered ? dice.real(0.0, 1.0) : 0.0;
+    const auto place = [&](double share, double* position) {
+      if (!dice.chance(share)) return;
       const double angle = dice.real(-pi, pi), distance = dice.real(0.0, reach_);
       position[0] = world.raw.ball.position[0] + distance * std::cos(angle);
       position[1] = world.raw.ball.position[1] + distance * std::sin(angle);
     };
+    for (regista_robot& robot : world.robots) place(ours, robot.pose);
     world.opponents.resize(static_cast<std::size_t>(opponents_));
-    for (regista_robot& robot : world.robots) place(robot.pose);
-    const double theirs = dice.real(0.0, 1.0);
-    about_ball_ *= theirs;
-    for (regista_opponent& opponent : world.opponents) place(opponent.position);
+    for (regista_opponent& opponent : world.opponents) {
+      place(theirs, opponent.position);
+      opponent.weight = dice.chance(0.5) ? 1.0 : dice.real(0.3, 1.0);
+    }
   }
 
   const TeamPlan* plan_;
@@ -129,7 +131,7 @@ class Course {
   int half_ = 1, least_score_ = 0, own_lead_ = 0, opponent_lead_ = 0;
   int phase_ = REGISTA_PHASE_PLAYING, set_play_ = REGISTA_SET_PLAY_NONE;
   bool own_kick_ = false, ball_known_ = true, ball_seen_ = true, still_ = false;
-  double ball_age_ = 0.0, about_ball_ = 0.0, reach_ = 1.0;
+  double ball_age_ = 0.0, reach_ = 1.0;
   int opponents_ = 0, out_of_play_ = 0, free_at_ = moments;
   std::vector<regista_robot> robots_;
   std::vector<regista_opponent> others_;
