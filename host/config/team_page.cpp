@@ -56,7 +56,7 @@ static Map declare(TaskRules& tasks) {
       choice("keep", tasks.keep, {"all", "nearest_to_waypoints"}, "which of the tasks are kept for the active robots"),
       real("hysteresis", tasks.hysteresis, {0, 20}, "m",
            "a task that a robot is said to play counts as so much nearer to a waypoint"),
-      Field{"offset", "moving a kept task towards its nearest waypoint", Section{offset, [] { return true; }}},
+      Field{"offset", "moving a kept task towards the waypoint that is matched with it", Section{offset, [] { return true; }}},
       choice("knowledge", tasks.knowledge, {"mine", "common"}, "world that tasks are placed in"),
       with_default_from(choice("waypoints_knowledge", tasks.waypoints_knowledge, {"mine", "common"},
                                "world that the positioner sees"),
