@@ -5,6 +5,7 @@
 // Environment with Limited Communication", 2023.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -107,6 +108,12 @@ struct Context {
   PluginUse assigner;
   PluginUse sender;
   Location where;
+
+  // Something in it is computed on what all robots know.
+  bool uses_common() const {
+    const auto any = {knowledge, tasks.knowledge, tasks.waypoints_knowledge, tasks.filter_knowledge, utility_knowledge};
+    return std::find(any.begin(), any.end(), Knowledge::common) != any.end();
+  }
 };
 
 struct Team {

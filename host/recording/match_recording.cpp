@@ -178,10 +178,7 @@ struct MatchRecording::Parts {
       limits[match::index(side)] = {team_size, static_cast<int>(plan.roles().size()),
                                     static_cast<int>(plan.contexts().size()),
                                     static_cast<std::size_t>(plan.rules().messages.size)};
-      with_common[match::index(side)] = std::ranges::any_of(plan.team().contexts, [](const config::Context& context) {
-        return context.utility_knowledge == config::Knowledge::common ||
-               context.tasks.knowledge == config::Knowledge::common;
-      });
+      with_common[match::index(side)] = std::ranges::any_of(plan.team().contexts, &config::Context::uses_common);
       for (std::size_t i = 0; i < robots.size(); ++i) {
         const std::string whose = std::string("/") + match::name(side) + '/' + std::to_string(i + 1);
         robots[i].decisions = writer.add_channel("/decision" + whose, "json", decision);

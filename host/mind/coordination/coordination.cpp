@@ -36,6 +36,7 @@ Coordination::Coordination(const TeamPlan& plan, int own_number, std::vector<Con
     : plan_(&plan),
       own_number_(own_number),
       parts_(std::move(parts)),
+      filter_(plan.roles().size(), plugin::Positioner::point_capacity),
       matching_(plan.roles().size(), plugin::Positioner::point_capacity) {
   played_.reserve(static_cast<std::size_t>(plan.rules().team_size));
   wanting_.reserve(plan.roles().size());

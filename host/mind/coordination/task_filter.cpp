@@ -43,6 +43,13 @@ double TaskFilter::distance_to_waypoint(const regista_task& task, std::size_t in
   return std::sqrt(least);
 }
 
+TaskFilter::TaskFilter(std::size_t most_tasks, std::size_t most_waypoints) {
+  free_x_.reserve(most_waypoints);
+  free_y_.reserve(most_waypoints);
+  candidates_.reserve(most_tasks);
+  chosen_.reserve(most_tasks);
+}
+
 void TaskFilter::keep(std::span<const regista_task> tasks, std::span<const regista_waypoint> waypoints,
                       std::span<const std::int32_t> active, std::span<const std::int32_t> played,
                       const FilterRule& rule, std::vector<std::size_t>& kept) {

@@ -24,6 +24,7 @@ struct FilterRule {
 // share a world keep the same tasks. Writes indices, ascending.
 class TaskFilter {
  public:
+  TaskFilter(std::size_t most_tasks, std::size_t most_waypoints);
   void keep(std::span<const regista_task> tasks, std::span<const regista_waypoint> waypoints,
             std::span<const std::int32_t> active, std::span<const std::int32_t> played, const FilterRule& rule,
             std::vector<std::size_t>& kept);

@@ -38,6 +38,12 @@ inline double distance(const Point& a, const Point& b) { return std::sqrt(square
 // The shortest ways along the edges of one graph (Dijkstra 1959; the graphs are too small for a heap).
 class Ways {
  public:
+  void reserve(std::size_t nodes, std::size_t edges) {
+    edges_.reserve(edges);
+    length_.reserve(nodes);
+    done_.reserve(nodes);
+  }
+
   void set(const Graph& graph) {
     count_ = graph.nodes.size();
     edges_.clear();
@@ -104,6 +110,11 @@ inline constexpr std::size_t no_node = static_cast<std::size_t>(-1);
 // Reuse one object: it keeps its memory.
 class Scorer {
  public:
+  void reserve(std::size_t robots, std::size_t nodes, std::size_t edges) {
+    ways_.reserve(nodes, edges);
+    entrances_.reserve(robots);
+  }
+
   // out[i * stride + j] for robot i and task j, whose node is node_of[j]; a task without one (no_node) gives every
   // robot 0. Where no edges lead to the node, the way is straight.
   void score(std::span<const Point> robots, std::span<const std::size_t> node_of, const Graph& graph,

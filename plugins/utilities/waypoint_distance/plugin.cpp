@@ -30,8 +30,10 @@ struct WaypointDistance {
 
   void setup(const regista::Environment& environment) {
     robots.reserve(environment->team_size);
-    nodes.reserve(64);
-    edges.reserve(192);
+    constexpr std::size_t most_nodes = 64, most_edges = 192;  // more than there are; only memory depends on it
+    nodes.reserve(most_nodes);
+    edges.reserve(most_edges);
+    scorer.reserve(environment->team_size, most_nodes, most_edges);
     node_of.reserve(environment.roles().size());
   }
   void score(const regista::Frame& frame, regista::Utilities out) {

@@ -18,7 +18,9 @@ namespace fs = std::filesystem;
 std::vector<fs::path> teams() {
   std::vector<fs::path> out;
   for (const char* folder : {REGISTA_CONFIGS "/teams", REGISTA_FIXTURES "/teams"}) {
-    for (const fs::directory_entry& each : fs::directory_iterator(folder)) out.push_back(each.path());
+    for (const fs::directory_entry& each : fs::recursive_directory_iterator(folder)) {
+      if (each.is_regular_file()) out.push_back(each.path());
+    }
   }
   std::ranges::sort(out);
   return out;
@@ -50,7 +52,10 @@ TEST_P(Allocations, NoneInTheSteadyState) {
   EXPECT_EQ(allocating, 0u) << "of " << steps << " steps";
 }
 
-std::string name(const ::testing::TestParamInfo<fs::path>& info) { return info.param.stem().string(); }
+std::string name(const ::testing::TestParamInfo<fs::path>& info) {
+  const std::string folder = info.param.parent_path().stem().string(), team = info.param.stem().string();
+  return folder == "teams" ? team : folder + "_" + team;
+}
 INSTANTIATE_TEST_SUITE_P(Teams, Allocations, ::testing::ValuesIn(teams()), name);
 
 }  // namespace

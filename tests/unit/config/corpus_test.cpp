@@ -14,7 +14,7 @@ std::vector<std::filesystem::path> corpus() {
   std::vector<std::filesystem::path> files;
   for (const char* folder : {"configs/rules", "configs/robots", "configs/disturbances", "configs/teams",
                              "configs/openings", "tests/fixtures/config", "tests/fixtures/config/corpus"}) {
-    for (const auto& entry : std::filesystem::directory_iterator(project / folder)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(project / folder)) {
       if (entry.is_regular_file()) files.push_back(entry.path());
     }
   }

@@ -38,7 +38,8 @@ TEST(Documents, EveryShippedOneIsSound) {
        {std::pair{"configs/rules", DocumentKind::rules}, std::pair{"configs/robots", DocumentKind::robot},
         std::pair{"configs/disturbances", DocumentKind::disturbance}, std::pair{"configs/teams", DocumentKind::team},
         std::pair{"configs/openings", DocumentKind::opening}}) {
-    for (const auto& entry : std::filesystem::directory_iterator(project / folder)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(project / folder)) {
+      if (!entry.is_regular_file()) continue;
       EXPECT_EQ(error_of([&, wanted = kind] { EXPECT_EQ(check(entry.path()), wanted); }), "");
       ++files;
     }

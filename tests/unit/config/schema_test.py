@@ -70,7 +70,7 @@ for kind, document in documents.items():
 
 for folder, kind in [("rules", "rules"), ("robots", "robot"), ("disturbances", "disturbance"), ("openings", "opening"),
                      ("teams", "team")]:
-    for path in sorted((project / "configs" / folder).iterdir()):
+    for path in sorted((project / "configs" / folder).rglob("*.yaml")):
         expect(True, schemas[kind][0], load(path.relative_to(project)), path.name)
 
 broken = {

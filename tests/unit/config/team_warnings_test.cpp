@@ -161,7 +161,8 @@ TEST(TeamWarnings, IsRightForEveryListOfThreeRoles) {
 }
 
 TEST(TeamWarnings, ShippedTeamsPlayWithEveryRobotOfSeven) {
-  for (const auto& entry : std::filesystem::directory_iterator(project / "configs/teams")) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(project / "configs/teams")) {
+    if (!entry.is_regular_file()) continue;
     const Node document = load(entry.path());
     const Team team = read_team(document);
     EXPECT_TRUE(warnings(team, Rules{}, document).empty()) << entry.path();

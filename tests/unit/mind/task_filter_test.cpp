@@ -24,7 +24,7 @@ regista_waypoint point(double x, double y, int of_task = -1) { return {x, y, 1.0
 
 std::vector<std::size_t> keep(const std::vector<regista_task>& tasks, const std::vector<regista_waypoint>& waypoints,
                               const std::vector<std::int32_t>& active, bool all = false) {
-  TaskFilter filter;
+  TaskFilter filter(16, 16);
   std::vector<std::size_t> kept{99};
   filter.keep(tasks, waypoints, active, {}, {0.0, all}, kept);
   return kept;
@@ -112,7 +112,7 @@ TEST(TaskFilter, HysteresisKeepsWhatIsPlayed) {
   regista_task near = task(1.0, 0), far = task(1.2, 0);
   near.id = 10;
   far.id = 11;
-  TaskFilter filter;
+  TaskFilter filter(16, 16);
   const auto first = [&](const std::vector<regista_task>& tasks, const std::vector<std::int32_t>& played) {
     std::vector<std::size_t> kept;
     filter.keep(tasks, waypoints, std::vector<std::int32_t>{1}, played, {0.3, false}, kept);

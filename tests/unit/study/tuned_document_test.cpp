@@ -36,7 +36,9 @@ const Declarations& shipped_plugins() {
 
 std::vector<fs::path> shipped_teams() {
   std::vector<fs::path> out;
-  for (const auto& each : fs::directory_iterator(REGISTA_CONFIGS "/teams")) out.push_back(each.path());
+  for (const auto& each : fs::recursive_directory_iterator(REGISTA_CONFIGS "/teams")) {
+    if (each.is_regular_file()) out.push_back(each.path());
+  }
   std::ranges::sort(out);
   return out;
 }
