@@ -10,7 +10,8 @@ import program
 
 COMMANDS = (("--version",), ("--help",), ("plugin", "list"), ("plugin", "list", "--json"),
             ("plugin", "info", "first_free"), ("config", "show", "small.yaml"), ("config", "schema", "team"),
-            ("config", "check", "small.yaml"), ("match", "small.yaml", "small.yaml", "--limit", "1"),
+            ("config", "check", str(program.SOURCE / "configs" / "rules" / "spl2023.yaml")),
+            ("match", "small.yaml", "small.yaml", "--limit", "1"),
             ("match", "small.yaml", "small.yaml", "--limit", "1", "--json"))
 
 
