@@ -24,7 +24,7 @@ bool talks(const Part& part) { return plugin::implements(*part.found, REGISTA_KI
 // One course of the game.
 class Course {
  public:
-  Course(const TeamPlan& plan, int own, Dice& dice) : plan_(&plan), own_(own), dice_(&dice) {
+  Course(const TeamPlan& plan, int own, Dice& dice) : plan_(&plan), dice_(&dice) {
     const config::Rules& rules = plan.rules();
     interval_ = dice.log_real(0.1, 20.0);
     half_ = 1 + dice.below(rules.durations.halves);
@@ -125,7 +125,6 @@ class Course {
   }
 
   const TeamPlan* plan_;
-  int own_;
   Dice* dice_;
   double interval_ = 0.1, clock_ = 0.0, phase_began_ = 0.0;
   int half_ = 1, least_score_ = 0, own_lead_ = 0, opponent_lead_ = 0;

@@ -9,33 +9,33 @@
 namespace regista::mind {
 namespace {
 
-constexpr double gate = 9.21;           // chi-square, two degrees of freedom, 99 %
+constexpr double teammate_gate = 9.21;  // chi-square, two degrees of freedom, 99 %
 constexpr double clearly_nearer = 4.0;  // the second best is so much less likely: exp(-4/2) = 0.14
-constexpr double out_of_question = gate + clearly_nearer;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double least_weight = 0.5;  // a track that is less likely to be anybody at all says nothing
+constexpr double out_of_question = teammate_gate + clearly_nearer;
+constexpr double never_fits = std::numeric_limits<double>::infinity();
+constexpr double least_believed_weight = 0.5;  // a track that is less likely to be anybody at all says nothing
 
-Eigen::Matrix2d covariance(const regista_robot& robot) {
+Eigen::Matrix2d place_covariance(const regista_robot& robot) {
   Eigen::Matrix2d out;
   out << robot.covariance[0], robot.covariance[1], robot.covariance[3], robot.covariance[4];
   return out;
 }
 
-Eigen::Matrix2d covariance(const regista_track& track) {
+Eigen::Matrix2d place_covariance(const regista_track& track) {
   Eigen::Matrix2d out;
   out << track.covariance[0], track.covariance[1], track.covariance[4], track.covariance[5];
   return out;
 }
 
-Eigen::Vector2d gap(const regista_robot& robot, const regista_track& track) {
+Eigen::Vector2d gap_between(const regista_robot& robot, const regista_track& track) {
   return {track.x - robot.pose[0], track.y - robot.pose[1]};
 }
 
-double distance2(const regista_robot& robot, const regista_track& track) {
-  const Eigen::Vector2d apart = gap(robot, track);
-  const Eigen::Matrix2d spread = covariance(robot) + covariance(track);
+double misfit(const regista_robot& robot, const regista_track& track) {
+  const Eigen::Vector2d apart = gap_between(robot, track);
+  const Eigen::Matrix2d spread = place_covariance(robot) + place_covariance(track);
   // The trace is no less than the variance in any direction: most robots are too far away at a glance.
-  if (apart.squaredNorm() > out_of_question * spread.trace() || spread.determinant() <= 0.0) return infinity;
+  if (apart.squaredNorm() > out_of_question * spread.trace() || spread.determinant() <= 0.0) return never_fits;
   return apart.dot(spread.inverse() * apart);
 }
 
@@ -50,18 +50,18 @@ void match_teammates(std::span<const regista_track> seen, std::span<const regist
   std::uint64_t taken = 0;  // bits of robots
   for (std::size_t count = 0; count < seen.size(); ++count) {
     // The pair that is least in doubt among those left.
-    double best = gate;
+    double best = teammate_gate;
     SeenTeammate pair{0, nullptr};
     for (const regista_track& track : seen) {
-      if (track.weight < least_weight) continue;
+      if (track.weight < least_believed_weight) continue;
       bool used = false;
       for (const SeenTeammate& each : out) used = used || each.track == &track;
       if (used) continue;
-      double nearest = infinity, second = nearest;
+      double nearest = never_fits, second = nearest;
       int number = 0;
       for (const regista_robot& robot : robots) {
         if (!reckoned_with(robot, own) || (taken >> robot.number & 1u) != 0) continue;
-        const double d2 = distance2(robot, track);
+        const double d2 = misfit(robot, track);
         if (d2 < nearest) {
           second = nearest;
           nearest = d2;
@@ -81,10 +81,10 @@ void match_teammates(std::span<const regista_track> seen, std::span<const regist
 }
 
 void sharpen(regista_robot& robot, const regista_track& seen) {
-  const Eigen::Matrix2d before = covariance(robot), spread = before + covariance(seen);
+  const Eigen::Matrix2d before = place_covariance(robot), spread = before + place_covariance(seen);
   if (spread.determinant() <= 0.0) return;
   const Eigen::Matrix2d gain = before * spread.inverse();
-  const Eigen::Vector2d moved = gain * gap(robot, seen);
+  const Eigen::Vector2d moved = gain * gap_between(robot, seen);
   const Eigen::Matrix2d after = before - gain * before;
   robot.pose[0] += moved.x();
   robot.pose[1] += moved.y();

@@ -10,18 +10,18 @@ namespace {
 
 // Two robots cannot be told apart below the distance at which the fusion takes them for one (B-Human: 1.1 m).
 constexpr double one_object = 1.1;
-constexpr double gate = 9.21;          // chi-square, two degrees of freedom, 99 %
-constexpr double least_weight = 0.05;  // of what is worth keeping
+constexpr double same_object_gate = 9.21;   // chi-square, two degrees of freedom, 99 %
+constexpr double least_kept_weight = 0.05;  // of what is worth keeping
 
 // Squared Mahalanobis distance of the places, under the sum of both covariances.
-double distance2(const regista_track& a, const regista_track& b) {
+double squared_mahalanobis(const regista_track& a, const regista_track& b) {
   const double xx = a.covariance[0] + b.covariance[0], xy = a.covariance[1] + b.covariance[1];
   const double yy = a.covariance[5] + b.covariance[5], dx = a.x - b.x, dy = a.y - b.y;
   const double determinant = xx * yy - xy * xy;
-  return determinant > 0.0 ? (yy * dx * dx - 2.0 * xy * dx * dy + xx * dy * dy) / determinant : gate + 1.0;
+  return determinant > 0.0 ? (yy * dx * dx - 2.0 * xy * dx * dy + xx * dy * dy) / determinant : same_object_gate + 1.0;
 }
 
-bool within(const regista_track& a, const regista_track& b, double distance) {
+bool nearer_than(const regista_track& a, const regista_track& b, double distance) {
   const double dx = a.x - b.x, dy = a.y - b.y;
   return dx * dx + dy * dy <= distance * distance;
 }
@@ -53,12 +53,12 @@ void merge_told(std::span<const regista_track> known, std::span<const regista_tr
   const std::size_t known_count = std::min<std::size_t>(known.size(), 64),
                     told_count = std::min<std::size_t>(told.size(), 64);
   for (;;) {
-    double least = gate;
+    double least = same_object_gate;
     std::optional<std::pair<std::size_t, std::size_t>> pair;
     for (std::size_t i = 0; i < known_count; ++i) {
       for (std::size_t j = 0; j < told_count; ++j) {
         if (has(continued, i) || has(continuing, j)) continue;
-        const double d2 = distance2(known[i], told[j]);
+        const double d2 = squared_mahalanobis(known[i], told[j]);
         if (d2 > least || (d2 == least && pair)) continue;
         least = d2;
         pair = {i, j};
@@ -74,10 +74,10 @@ void merge_told(std::span<const regista_track> known, std::span<const regista_tr
   }
   for (std::size_t i = 0; i < known_count; ++i) {
     if (has(continued, i)) continue;
-    if (std::ranges::any_of(told, [&](const regista_track& each) { return within(each, known[i], one_object); }))
+    if (std::ranges::any_of(told, [&](const regista_track& each) { return nearer_than(each, known[i], one_object); }))
       continue;
     const double weight = weight_untold(known[i], sender);
-    if (weight < least_weight) continue;
+    if (weight < least_kept_weight) continue;
     out.push_back(known[i]);
     out.back().weight = weight;
   }
