@@ -10,11 +10,15 @@ import program
 
 COMMANDS = (("--version",), ("--help",), ("plugin", "list"), ("plugin", "list", "--json"),
             ("plugin", "info", "first_free"), ("config", "show", "small.yaml"), ("config", "schema", "team"),
-            ("config", "check", "small.yaml"), ("match", "small.yaml", "small.yaml", "--limit", "1"),
+            ("config", "check", "rules.yaml"), ("match", "small.yaml", "small.yaml", "--limit", "1"),
             ("match", "small.yaml", "small.yaml", "--limit", "1", "--json"))
 
 
 class Writing(program.Case):
+    def setUp(self):
+        super().setUp()
+        self.write("rules.yaml", "rules: small\n")
+
     def assert_told(self, command, done, reason, target="standard output"):
         self.assertEqual((command, done.returncode, done.stderr),
                          (command, 1, f"regista: cannot write to {target}: {reason}\n"))
