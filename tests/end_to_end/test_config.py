@@ -161,6 +161,13 @@ class Config(program.Case):
             self.assertRegex(done.stderr, rf"(?m)^regista: bad\.yaml:1:1: warning: utility: its terms could not be tried on "
                                           rf"scenes: {why}\n\Z")
 
+    def test_contexts_that_cannot_be_tried(self):
+        self.write("bad.yaml", program.TEAM.format(name="bad").replace("ball_seen", "aborts"))
+        done = self.run_program("config", "check", "bad.yaml", "--plugins", program.TEST_PLUGINS / "deaths")
+        self.assertEqual((done.returncode, done.stdout), (0, "bad.yaml: team, sound\n"))
+        why = r"Aborted, in .*deaths\.so, in holds of plugin aborts" if not program.SANITIZED else ".*"
+        self.assertRegex(done.stderr, rf"(?m)^regista: bad\.yaml:1:1: warning: contexts: could not be tried on scenes: {why}\n\Z")
+
     def test_shipped_documents_are_sound_without_warnings(self):
         for kind in ("rules", "robots", "disturbances", "openings"):
             files = sorted((program.SOURCE / "configs" / kind).glob("*.yaml"))

@@ -29,7 +29,7 @@ using intent_aware::Parameters;
 using intent_aware::Teammate;
 
 struct IntentAware {
-  static constexpr auto id = "intent_aware", version = "1.0.0",
+  static constexpr auto id = "intent_aware", version = "1.1.0",
                         summary = "Teammates: walk to the target that the team's rule gives them, then are held";
   static constexpr unsigned subjects = REGISTA_SUBJECT_TEAMMATES;
 
@@ -170,8 +170,9 @@ struct IntentAware {
     return out;
   }
 
-  // Seconds of the next `dt` for which all know that it cannot walk.
+  // Seconds of the next `dt` for which all know that it cannot walk. In Set nobody may.
   static double kept_from_walking(const regista::Frame& last, int number, double dt) {
+    if (last.common().game().phase == REGISTA_PHASE_SET) return dt;
     const auto robots = last.common().robots();
     if (index(number) >= robots.size()) return 0.0;
     const regista::Robot& robot = robots[index(number)];

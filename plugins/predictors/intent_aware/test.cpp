@@ -166,9 +166,10 @@ regista_track packet_of(int number, double x, double y, double target_x, double 
 }
 
 // A frame of robot 2 in which robot 5 had `task` before; the striker's place is (2, 1), the supporter's (-1, -1).
-Scene frame(std::uint64_t tick, const char* task, int knowledge = REGISTA_COMMON) {
+Scene frame(std::uint64_t tick, const char* task, int knowledge = REGISTA_COMMON, int phase = REGISTA_PHASE_PLAYING) {
   FrameBuilder builder;
   builder.own(2)
+      .phase(phase)
       .tick(tick)
       .time(0.1 * static_cast<double>(tick))
       .knowledge(knowledge)
@@ -211,6 +212,23 @@ TEST(Plugin, FollowsTheAnswerThatChangedAfterThePacket) {
   EXPECT_NEAR(after.age, 0.8, 1e-12);
   instance.absorb(std::vector{packet_of(5, 0.0, 0.0, 0.0, 1.0)}, 0.5);
   EXPECT_NEAR(instance.tracks().front().y, 0.0625, 1e-12) << "a new packet is believed";
+}
+
+TEST(Plugin, NobodyWalksInSet) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "intent_aware");
+  Instance instance(plugin, teammates());
+  instance.absorb(std::vector{packet_of(5, -2.0, -1.0, -1.0, -1.0)}, 0.0);
+  const auto pass = [&](std::uint64_t tick, int phase) {
+    const Scene last = frame(tick, "supporter", REGISTA_COMMON, phase);
+    instance.predict(0.1, nullptr, &last.raw());
+    return instance.tracks().front();
+  };
+  EXPECT_NEAR(pass(0, REGISTA_PHASE_READY).x, -2.0 + 0.0125, 1e-12);
+  const regista_track stands = pass(1, REGISTA_PHASE_SET);
+  EXPECT_NEAR(stands.x, -2.0 + 0.0125, 1e-12);
+  EXPECT_EQ(stands.vx, 0.0);
+  EXPECT_NEAR(stands.age, 0.2, 1e-12);
+  EXPECT_NEAR(pass(2, REGISTA_PHASE_PLAYING).x, -2.0 + 0.025, 1e-12);
 }
 
 TEST(Plugin, LeavesPrivateAnswersAloneUnlessToldOtherwise) {

@@ -26,7 +26,8 @@ struct FixedRate {
           regista::real("fast_period", &Settings::fast_period, {0.5, 120.0}, "s",
                         "The same for the robot that has the fast role; SPQR: 4")
               .tunable()),
-      regista::text("fast_role", &FixedRate::fast_role, "Name of the fast role, in any list of roles; empty: none, all send alike; SPQR: striker"),
+      regista::text("fast_role", &FixedRate::fast_role,
+                    "Name of the fast role, in any list of roles; empty: none, all send alike; SPQR: striker"),
       regista::within(
           &FixedRate::settings,
           regista::integer(
