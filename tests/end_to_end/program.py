@@ -30,7 +30,7 @@ SOUND = TEST_PLUGINS / "contract" / "contract_good.so"
 AT_ONCE = 5.0 if SANITIZED else 1.0
 
 # How long a command is waited for, in seconds.
-PATIENCE = 480 if SANITIZED else 120
+PATIENCE = 480 if SANITIZED else 300
 
 # Robots walk to their places for 45 s before a game is played: too long for a short match.
 PLAY_SOON = ("--set", "rules.durations.ready=3", "--set", "rules.durations.set=1")

@@ -129,7 +129,7 @@ class Tournament(program.Case):
                 pass  # it is gone, or another user's
         return found
 
-    def wait_for(self, condition, seconds=20):
+    def wait_for(self, condition, seconds=program.PATIENCE):
         end = time.monotonic() + seconds
         while not condition():
             self.assertLess(time.monotonic(), end, "waited in vain")
