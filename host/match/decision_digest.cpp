@@ -65,7 +65,7 @@ std::uint64_t step_of(const T& list) {
 
 std::uint64_t worlds(const mind::WorldModel& model) {
   Step step;
-  for (const mind::Snapshot* world : {&model.mine(), &model.common()}) {
+  for (const mind::DistributedWorldModel* world : {&model.mine(), &model.common()}) {
     for (const regista_robot& each : world->robots) step(each);
     for (const regista_opponent& each : world->opponents) step(each);
     step(world->raw.ball);
@@ -83,8 +83,8 @@ DecisionDigest digest_of(const mind::Mind& mind, const mind::Outcome& outcome) {
   Step points, utilities;
   for (const regista_waypoint& each : decision.placement.points) points(each);
   for (const regista_edge& each : decision.placement.edges) points(each);
-  for (const std::vector<double>& term : decision.terms) utilities(term);
-  utilities(decision.utility);
+  for (const std::vector<double>& term : decision.utility.terms()) utilities(term);
+  utilities(decision.utility.values());
   Digest acts;
   add(acts, outcome);
   return {Step{}(local.self()).value(),      step_of(local.balls()),

@@ -7,7 +7,7 @@ namespace regista::match {
 
 void belief_of(const mind::Mind& mind, Belief& out) {
   const mind::WorldModel& model = mind.world();
-  const mind::Snapshot& world = model.mine();
+  const mind::DistributedWorldModel& world = model.mine();
   const regista_track& self = model.local().self();
   out.self = {true, {self.x, self.y}, self.covariance[0], self.covariance[1], self.covariance[5]};
   const regista_ball& ball = world.raw.ball;

@@ -133,7 +133,7 @@ const RoleRow* Mind::Parts::own_role() const {
 
 Situation Mind::Parts::situation() const {
   const Decision& decision = coordination.decision();
-  const Snapshot& mine = world.mine();
+  const DistributedWorldModel& mine = world.mine();
   const Pose pose = world.local().pose();
   Situation situation{.rules = plan.rules(),
                       .robot = plan.robot(),

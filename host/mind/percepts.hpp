@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// All that reaches one robot between two of its decisions: what its body measured, what its camera saw, what it was
-// told, what it heard. There is no other way into a mind, so nothing of the truth can leak: a real robot or another
-// simulator can fill these structs as well.
+// I of the paper: all that reaches one robot between two of its decisions: what its body measured, what its camera saw,
+// what it was told, what it heard. There is no other way into a mind, so nothing of the truth can leak: a real robot or
+// another simulator can fill these structs as well.
 //
 // Units SI and radians. Robot frame: x ahead, y to the left, origin between the feet. Field frame of the own team.
 // Robots are numbered from 1.

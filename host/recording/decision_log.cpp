@@ -37,7 +37,7 @@ Json role_or_null(const std::vector<std::string>& names, int role) {
   return names[static_cast<std::size_t>(role)];
 }
 
-Json ball(const mind::Snapshot& world) {
+Json ball(const mind::DistributedWorldModel& world) {
   if (!world.ball_known()) return nullptr;
   return {{"position", point(world.ball().x(), world.ball().y())}, {"age", rounded(world.raw.ball.age, millimetres)}};
 }
@@ -51,8 +51,8 @@ Json utilities(const mind::TeamPlan& plan, const mind::Mind& mind, const std::ve
   const auto& active = (common ? mind.world().common() : mind.world().mine()).active;
   const auto own = std::ranges::find(active, mind.number());
   const std::size_t columns = decision.columns.size();
-  if (own == active.end() || decision.utility.size() != active.size() * columns) return nullptr;
-  const double* const row = decision.utility.data() + static_cast<std::size_t>(own - active.begin()) * columns;
+  if (own == active.end() || decision.utility.values().size() != active.size() * columns) return nullptr;
+  const double* const row = decision.utility.values().data() + static_cast<std::size_t>(own - active.begin()) * columns;
   Json out = Json::object();
   for (std::size_t j = 0; j < columns; ++j) {
     const std::string& task = names[static_cast<std::size_t>(decision.columns[j].id)];

@@ -60,7 +60,7 @@ void column(JsonText& json, std::string_view name, const Elements& elements, Wri
 }
 
 // Robots stand in columns: a name is written once, not once for each robot, which halves the bytes.
-void world(JsonText& json, const mind::Snapshot& snapshot, const ToWorld& to) {
+void world(JsonText& json, const mind::DistributedWorldModel& snapshot, const ToWorld& to) {
   const regista_ball& ball = snapshot.raw.ball;
   json.key("ball");
   if (snapshot.ball_known()) {
@@ -242,9 +242,9 @@ void MatchRecording::Parts::write_decision(Last& robot, match::Side side, const 
       json.integer(number);
     const std::size_t columns = decision.columns.size();
     json.close(']').key("utility");
-    matrix(json, decision.utility, columns, 5);
+    matrix(json, decision.utility.values(), columns, 5);
     json.key("terms").open('[');
-    for (const std::vector<double>& term : decision.terms) matrix(json, term, columns, 4);
+    for (const std::vector<double>& term : decision.utility.terms()) matrix(json, term, columns, 4);
     json.close(']');
   }
   json.key("assigned").open('[');

@@ -61,7 +61,7 @@ class Labels {
   std::vector<Box> taken_;
 };
 
-void put(mind::Snapshot& world, const std::array<double, 2>& ball) {
+void put(mind::DistributedWorldModel& world, const std::array<double, 2>& ball) {
   world.raw.ball.flags = REGISTA_BALL_KNOWN;
   std::ranges::copy(ball, world.raw.ball.position);
 }
@@ -132,7 +132,7 @@ std::string roles_svg(const RolesToDraw& what, const config::FieldSize& field) {
   };
   std::vector<Named> named;
   for (std::size_t i = 0; i < balls.size(); ++i) {
-    mind::Snapshot world(1);
+    mind::DistributedWorldModel world(1);
     if (known) put(world, balls[i]);
     // The ball rests: what slows it down does not matter.
     const mind::Anchors anchors(field, 1.0, world);

@@ -9,7 +9,7 @@
 #include "config/rules.hpp"
 #include "config/team.hpp"
 #include "mind/geometry.hpp"
-#include "mind/world/snapshot.hpp"
+#include "mind/world/distributed_world_model.hpp"
 #include "plugin/positioner.hpp"
 
 namespace regista::mind {
@@ -17,7 +17,7 @@ namespace regista::mind {
 struct Situation {
   const config::Rules& rules;
   const config::Robot& robot;
-  const Snapshot& world;               // `mine`
+  const DistributedWorldModel& world;  // `mine`
   const plugin::Placement& placement;  // V, for walking along its edges
   double time = 0.0;
   int own_number = 0;

@@ -3,23 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "mind/coordination/context_provider.hpp"
 #include "mind/coordination/target.hpp"
 
 namespace regista::mind {
 namespace {
 
-constexpr double forbidden = -std::numeric_limits<double>::infinity();
-
 template <class T>
 regista_span span(const std::vector<T>& elements) {
   return {elements.data(), static_cast<std::uint32_t>(elements.size()), sizeof(T)};
-}
-
-regista_matrix matrix(std::vector<double>& values, std::size_t rows, std::size_t columns) {
-  return {values.data(), static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(columns),
-          static_cast<std::uint32_t>(columns), 0};
 }
 
 void place_task(regista_task& task, const config::TargetRule& rule, const Anchors& anchors) {
@@ -51,9 +44,8 @@ const config::Context& Coordination::context() const {
 }
 
 // The world of a step; plugins called next see it as frame.world().
-const Snapshot& Coordination::world_for(config::Knowledge knowledge, const Worlds& worlds) {
-  const bool common = knowledge == config::Knowledge::common;
-  decision_.frame.knowledge = static_cast<std::int32_t>(common ? REGISTA_COMMON : REGISTA_MINE);
+const DistributedWorldModel& Coordination::world_for(config::Knowledge knowledge, const Worlds& worlds) {
+  decision_.frame.knowledge = raw(knowledge);
   return worlds.of(knowledge);
 }
 
@@ -65,7 +57,7 @@ bool Coordination::moves(const regista_task& task) const {
 const Decision& Coordination::decide(const WorldModel& world, double time, std::uint64_t tick) {
   const Worlds worlds{world.mine(), world.common()};
   begin(worlds, time, tick);
-  choose_context(worlds);
+  decision_.context = decision_.frame.context = choose_context(plan_->team().contexts, parts_, decision_.frame);
   if (decision_.context < 0) {
     forget_roles();
     return decision_;
@@ -73,7 +65,8 @@ const Decision& Coordination::decide(const WorldModel& world, double time, std::
   return decide_in_context(worlds);
 }
 
-const Decision& Coordination::decide_in(int context, const Snapshot& world, double time, std::uint64_t tick) {
+const Decision& Coordination::decide_in(int context, const DistributedWorldModel& world, double time,
+                                        std::uint64_t tick) {
   const Worlds worlds{world, world};
   begin(worlds, time, tick);
   decision_.context = decision_.frame.context = context;
@@ -106,24 +99,12 @@ const Decision& Coordination::decide_in_context(const Worlds& worlds) {
   place_kept_tasks(worlds, rules.knowledge);
   offset_tasks();
 
-  const Snapshot& utility_world = world_for(context().utility_knowledge, worlds);
+  const DistributedWorldModel& utility_world = world_for(context().utility_knowledge, worlds);
   estimate_times(utility_world);
   estimate_utilities(utility_world);
-  forbid(utility_world);
   assign(utility_world);
   take_own_role();
   return decision_;
-}
-
-// All conditions are asked, so that those with a memory keep it; the first that holds is in force.
-void Coordination::choose_context(const Worlds& worlds) {
-  int chosen = -1;
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    world_for(plan_->team().contexts[i].knowledge, worlds);
-    if (parts_[i].condition.holds(decision_.frame) && chosen < 0) chosen = static_cast<int>(i);
-  }
-  decision_.context = chosen;
-  decision_.frame.context = chosen;
 }
 
 void Coordination::list_tasks(const Worlds& worlds, config::Knowledge knowledge) {
@@ -173,7 +154,7 @@ void Coordination::forget_placement() {
   decision_.placement.vertices.clear();
 }
 
-void Coordination::keep_tasks(const Snapshot& world) {
+void Coordination::keep_tasks(const DistributedWorldModel& world) {
   const config::TaskRules& rules = context().tasks;
   played_.clear();
   for (const int number : world.active) played_.push_back(world.robot(number).role);
@@ -206,7 +187,7 @@ void Coordination::offset_tasks() {
 
 // Straight walk at full speed, once the robot stands. Turning is left out: it takes a second at most, and is what the
 // bearing term of a utility weighs.
-void Coordination::estimate_times(const Snapshot& world) {
+void Coordination::estimate_times(const DistributedWorldModel& world) {
   const std::size_t rows = world.active.size(), columns = decision_.columns.size();
   const double slowness = 1.0 / plan_->robot().walk.forward;
   decision_.time_to_task.resize(rows * columns);
@@ -221,43 +202,17 @@ void Coordination::estimate_times(const Snapshot& world) {
   decision_.frame.time_to_task = matrix(decision_.time_to_task, rows, columns);
 }
 
-void Coordination::estimate_utilities(const Snapshot& world) {
-  const std::size_t rows = world.active.size(), columns = decision_.columns.size();
-  auto& plugins = parts_[static_cast<std::size_t>(decision_.context)].terms;
-  const auto& terms = plan_->contexts()[static_cast<std::size_t>(decision_.context)].terms;
-  decision_.utility.assign(rows * columns, 0.0);
-  decision_.terms.resize(plugins.size());
-  for (std::size_t k = 0; k < plugins.size(); ++k) {
-    std::vector<double>& term = decision_.terms[k];
-    term.resize(rows * columns);  // score() sets all to zero first
-    plugins[k].score(decision_.frame, matrix(term, rows, columns));
-    for (std::size_t i = 0; i < term.size(); ++i) decision_.utility[i] += terms[k].weight * term[i];
-  }
+void Coordination::estimate_utilities(const DistributedWorldModel& world) {
+  const auto context = static_cast<std::size_t>(decision_.context);
+  decision_.utility.estimate(parts_[context].terms, plan_->contexts()[context].terms, decision_.frame, world.active,
+                             decision_.columns);
 }
 
-// A task that is bound to a robot is for that robot alone, and that robot for it.
-void Coordination::forbid(const Snapshot& world) {
-  const std::size_t rows = world.active.size(), columns = decision_.columns.size();
-  for (std::size_t j = 0; j < columns; ++j) {
-    const int bound = decision_.columns[j].robot;
-    if (bound == 0) continue;
-    for (std::size_t i = 0; i < rows; ++i) {
-      if (world.active[i] != bound) {
-        decision_.utility[i * columns + j] = forbidden;
-        continue;
-      }
-      for (std::size_t other = 0; other < columns; ++other) {
-        if (decision_.columns[other].robot != bound) decision_.utility[i * columns + other] = forbidden;
-      }
-    }
-  }
-}
-
-void Coordination::assign(const Snapshot& world) {
+void Coordination::assign(const DistributedWorldModel& world) {
   const std::size_t rows = world.active.size(), columns = decision_.columns.size();
   decision_.assigned.assign(rows, REGISTA_NO_TASK);
   parts_[static_cast<std::size_t>(decision_.context)].assigner.assign(
-      decision_.frame, matrix(decision_.utility, rows, columns), decision_.assigned);
+      decision_.frame, decision_.utility.view(rows, columns), decision_.assigned);
   std::ranges::fill(decision_.role_of, REGISTA_NO_TASK);
   for (std::size_t i = 0; i < rows; ++i) {
     const std::int32_t column = decision_.assigned[i];

@@ -6,31 +6,23 @@
 #include <optional>
 #include <vector>
 
+#include "mind/coordination/context_parts.hpp"
 #include "mind/coordination/decision.hpp"
 #include "mind/coordination/task_filter.hpp"
 #include "mind/coordination/waypoint_matching.hpp"
 #include "mind/team_plan.hpp"
 #include "mind/world/world_model.hpp"
-#include "plugin/kinds.hpp"
 
 namespace regista::mind {
 
-// The running plugins of one context, in the order of the team's contexts.
-struct ContextParts {
-  plugin::Context condition;
-  std::optional<plugin::Positioner> positioner;
-  std::vector<plugin::Utility> terms;
-  plugin::Assigner assigner;
-  plugin::Sender sender;
-};
-
 class Coordination {
  public:
+  // `parts` in the order of the team's contexts.
   Coordination(const TeamPlan& plan, int own_number, std::vector<ContextParts> parts);
 
   const Decision& decide(const WorldModel& world, double time, std::uint64_t tick);
   // As if this context held, and all that the robot believes were common: for scenes that are made up.
-  const Decision& decide_in(int context, const Snapshot& world, double time, std::uint64_t tick);
+  const Decision& decide_in(int context, const DistributedWorldModel& world, double time, std::uint64_t tick);
 
   const Decision& decision() const { return decision_; }
   // The frame of the last decision, null before the first.
@@ -41,27 +33,25 @@ class Coordination {
 
  private:
   struct Worlds {
-    const Snapshot &mine, &common;
-    const Snapshot& of(config::Knowledge knowledge) const {
+    const DistributedWorldModel &mine, &common;
+    const DistributedWorldModel& of(config::Knowledge knowledge) const {
       return knowledge == config::Knowledge::common ? common : mine;
     }
   };
   const config::Context& context() const;
-  const Snapshot& world_for(config::Knowledge knowledge, const Worlds& worlds);
+  const DistributedWorldModel& world_for(config::Knowledge knowledge, const Worlds& worlds);
   bool moves(const regista_task& task) const;
   void begin(const Worlds& worlds, double time, std::uint64_t tick);
-  void choose_context(const Worlds& worlds);
   const Decision& decide_in_context(const Worlds& worlds);
   void list_tasks(const Worlds& worlds, config::Knowledge knowledge);
   void place_kept_tasks(const Worlds& worlds, config::Knowledge knowledge);
   void place();
   void forget_placement();
-  void keep_tasks(const Snapshot& world);
+  void keep_tasks(const DistributedWorldModel& world);
   void offset_tasks();
-  void estimate_times(const Snapshot& world);
-  void estimate_utilities(const Snapshot& world);
-  void forbid(const Snapshot& world);
-  void assign(const Snapshot& world);
+  void estimate_times(const DistributedWorldModel& world);
+  void estimate_utilities(const DistributedWorldModel& world);
+  void assign(const DistributedWorldModel& world);
   void take_own_role();
 
   const TeamPlan* plan_;

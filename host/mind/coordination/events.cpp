@@ -18,8 +18,8 @@ void EventDetector::detect(const Percepts& percepts, const WorldModel& world, co
                            std::vector<regista_event>& out) {
   out.clear();
   const auto add = [&out](int kind, double value) { out.push_back({kind, 0, value}); };
-  const Snapshot& mine = world.mine();
-  const Snapshot& common = world.common();
+  const DistributedWorldModel& mine = world.mine();
+  const DistributedWorldModel& common = world.common();
   const double now = percepts.time;
 
   if (common.ball_known()) team_ball_seen_at_ = now - common.raw.ball.age;

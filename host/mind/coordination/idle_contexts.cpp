@@ -41,7 +41,7 @@ class Course {
     reach_ = dice.log_real(0.05, 3.0);
     opponents_ = dice.below(rules.team_size + 1);
     out_of_play_ = dice.chance(0.2) ? 1 + dice.below(rules.team_size) : 0;
-    Snapshot first(rules.team_size);
+    DistributedWorldModel first(rules.team_size);
     make_up(first, plan, 0, 0, 0.0, own, out_of_play_, dice);
     if (phase_ != REGISTA_PHASE_PLAYING && set_play_ == REGISTA_SET_PLAY_KICK_OFF) {
       first.raw.ball.position[0] = first.raw.ball.position[1] = 0.0;
@@ -61,7 +61,7 @@ class Course {
     return half_ * standing + (half_ - 1) * durations.half + clock_ + moment * interval_;
   }
 
-  void moment(int number, Snapshot& world) {
+  void moment(int number, DistributedWorldModel& world) {
     if (number == free_at_) {
       phase_ = REGISTA_PHASE_PLAYING;
       set_play_ = REGISTA_SET_PLAY_NONE;
@@ -106,7 +106,7 @@ class Course {
   }
 
   // In half of the courses some of the robots are about the ball, of either side another share.
-  void gather(Snapshot& world) {
+  void gather(DistributedWorldModel& world) {
     Dice& dice = *dice_;
     const bool gathered = dice.chance(0.5);
     const double ours = gathered ? dice.real(0.0, 1.0) : 0.0, theirs = gathered ? dice.real(0.0, 1.0) : 0.0;
@@ -194,7 +194,7 @@ ContextFindings idle_contexts(const TeamPlan& plan, plugin::Noting noting) {
     Course course(plan, own, dice);
     int in_force = -1;
     for (int moment = 0; moment < moments; ++moment) {
-      Snapshot world(team_size);
+      DistributedWorldModel world(team_size);
       course.moment(moment, world);
       regista_frame frame{};
       frame.size = sizeof frame;

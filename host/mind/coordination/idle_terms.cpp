@@ -20,7 +20,8 @@ constexpr double interval = 3.7;  // s between scenes, so that roles are held fo
 constexpr std::uint64_t seed = 1;
 
 // From the seventh scene on one robot is out of play.
-void make_up_scene(Snapshot& world, const TeamPlan& plan, int list, int scene, double time, int own, Dice& dice) {
+void make_up_scene(DistributedWorldModel& world, const TeamPlan& plan, int list, int scene, double time, int own,
+                   Dice& dice) {
   const int team_size = plan.rules().team_size;
   const bool one_out = scene >= scenes - 2 && team_size > 2;
   make_up(world, plan, list, scene, time, own, one_out ? 1 + scene % (team_size - 1) : 0, dice);
@@ -63,7 +64,7 @@ bool heeds_columns(const TeamPlan& plan, const Part& assigner, const plugin::Cal
                    Dice& dice) {
   const std::size_t columns = decision.columns.size();
   for (int k = 0; k < matrices; ++k) {
-    std::vector<double> utilities = decision.utility, shift(columns);
+    std::vector<double> utilities = decision.utility.values(), shift(columns);
     for (double& each : utilities) each = std::isfinite(each) ? dice.sixteenths(16.0) : each;
     for (double& each : shift) each = dice.sixteenths(k % 2 == 0 ? 16.0 : 256.0);
     std::vector<double> shifted = utilities;
@@ -104,7 +105,7 @@ std::vector<double> scored(const TeamPlan& plan, const Part& term, const plugin:
   auto instance = std::make_shared<plugin::Instance>(*term.found, term.parameters, plan.environment(caller.robot),
                                                      nullptr, &caller);
   instance->reset(seed);
-  std::vector<double> out(decision.utility.size());
+  std::vector<double> out(decision.utility.values().size());
   const auto rows = static_cast<std::uint32_t>(decision.rows()),
              columns = static_cast<std::uint32_t>(decision.columns.size());
   plugin::Utility(std::move(instance)).score(frame, {out.data(), rows, columns, columns, 0});
@@ -136,7 +137,7 @@ std::vector<bool> idle_terms(const TeamPlan& plan, plugin::Noting noting) {
     double time = 0.0;
     for (int scene = 0; open && scene < scenes; ++scene) {
       time += interval;
-      Snapshot world(plan.rules().team_size);
+      DistributedWorldModel world(plan.rules().team_size);
       make_up_scene(world, plan, plan.team().contexts[c].role_list, scene, time, own, dice);
       const Decision& decision =
           coordination.decide_in(static_cast<int>(c), world, time, static_cast<std::uint64_t>(scene));
@@ -144,7 +145,7 @@ std::vector<bool> idle_terms(const TeamPlan& plan, plugin::Noting noting) {
       if (rows < 2 || columns == 0) continue;
       seen = true;
       for (std::size_t k = 0; k < idle.size(); ++k) {
-        idle[k] = idle[k] && rows_are_equal(decision.terms[k], rows, columns);
+        idle[k] = idle[k] && rows_are_equal(decision.utility.terms()[k], rows, columns);
       }
       open =
           std::ranges::find(idle, true) != idle.end() && !heeds_columns(plan, context.assigner, caller, decision, dice);
@@ -171,7 +172,7 @@ std::vector<bool> terms_without_waypoints(const TeamPlan& plan, plugin::Noting n
     const bool open = !context.positioner && std::ranges::find(constant, true) != constant.end();
     for (int scene = 0; open && scene < scenes; ++scene) {
       const double time = interval * (scene + 1);
-      Snapshot world(plan.rules().team_size);
+      DistributedWorldModel world(plan.rules().team_size);
       make_up_scene(world, plan, plan.team().contexts[c].role_list, scene, time, own, dice);
       const Decision& decision =
           coordination.decide_in(static_cast<int>(c), world, time, static_cast<std::uint64_t>(scene));
@@ -179,7 +180,7 @@ std::vector<bool> terms_without_waypoints(const TeamPlan& plan, plugin::Noting n
       regista_frame frame = decision.frame;
       frame.waypoints = {waypoints.data(), static_cast<std::uint32_t>(waypoints.size()), sizeof(regista_waypoint)};
       for (std::size_t k = 0; k < constant.size(); ++k) {
-        constant[k] = constant[k] && all_are_equal(decision.terms[k]);
+        constant[k] = constant[k] && all_are_equal(decision.utility.terms()[k]);
         if (!constant[k]) continue;
         reads[k] = reads[k] || !all_are_equal(scored(plan, context.terms[k].part, caller, decision, frame));
       }

@@ -5,8 +5,8 @@
 
 namespace regista::mind {
 
-void make_up(Snapshot& world, const TeamPlan& plan, int list, int scene, double time, int own, int out_of_play,
-             Dice& dice) {
+void make_up(DistributedWorldModel& world, const TeamPlan& plan, int list, int scene, double time, int own,
+             int out_of_play, Dice& dice) {
   const double x = plan.rules().field.length / 2.0, y = plan.rules().field.width / 2.0;
   const int team_size = plan.rules().team_size;
   const auto roles = static_cast<int>(plan.team().role_lists[static_cast<std::size_t>(list)].roles.size());

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "mind/team_plan.hpp"
-#include "mind/world/snapshot.hpp"
+#include "mind/world/distributed_world_model.hpp"
 
 namespace regista::mind {
 
@@ -32,7 +32,7 @@ class Dice {
 
 // Everybody somewhere on the field with a role of the list, everything known, in play. out_of_play: number of a robot
 // that is penalised; 0: none. The caller closes the world.
-void make_up(Snapshot& world, const TeamPlan& plan, int list, int scene, double time, int own, int out_of_play,
-             Dice& dice);
+void make_up(DistributedWorldModel& world, const TeamPlan& plan, int list, int scene, double time, int own,
+             int out_of_play, Dice& dice);
 
 }  // namespace regista::mind

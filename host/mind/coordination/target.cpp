@@ -34,7 +34,7 @@ Vector2d on_circle(const Vector2d& from, const Vector2d& towards, const Vector2d
 
 }  // namespace
 
-Anchors::Anchors(const config::FieldSize& field, double rolling_deceleration, const Snapshot& world)
+Anchors::Anchors(const config::FieldSize& field, double rolling_deceleration, const DistributedWorldModel& world)
     : field_(&field), ball_known_(world.ball_known()), ball_(world.ball()), ball_rest_(ball_) {
   const Vector2d velocity = world.ball_velocity();
   ball_rest_ += velocity * (velocity.norm() / (2.0 * rolling_deceleration));

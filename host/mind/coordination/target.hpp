@@ -5,7 +5,7 @@
 #include "config/rules.hpp"
 #include "config/team.hpp"
 #include "mind/geometry.hpp"
-#include "mind/world/snapshot.hpp"
+#include "mind/world/distributed_world_model.hpp"
 
 namespace regista::mind {
 
@@ -13,7 +13,7 @@ namespace regista::mind {
 class Anchors {
  public:
   // `rolling_deceleration` in m/s^2, for the point where the ball will come to rest.
-  Anchors(const config::FieldSize& field, double rolling_deceleration, const Snapshot& world);
+  Anchors(const config::FieldSize& field, double rolling_deceleration, const DistributedWorldModel& world);
   bool ball_known() const { return ball_known_; }
   Vector2d at(const config::Place& place) const;
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What one robot tells the others in one packet, and its bytes. The core takes 24 bytes, a ball 11 more and each
-// opponent 4, in fixed point, little endian, so that all robots read the same numbers; the rest of the packet carries
-// segments of plugins (mailbox). decode() accepts any bytes and either yields a report that makes sense or nothing.
+// What one robot tells the others in one packet (the event e as it arrives), and its bytes. The core takes 24 bytes, a
+// ball 11 more and each opponent 4, in fixed point, little endian, so that all robots read the same numbers; the rest
+// of the packet carries segments of plugins (mailbox). decode() accepts any bytes and either yields a report that makes
+// sense or nothing.
 //
 // core:     version:3 sender:5 | flags | time ms:24 | x y mm:16 | heading:16 | deviations | vx vy cm/s:8 | target mm:16
 //           | role:8 | role since ds:16 (at most 109 min) | context:8 | time until up ds:8

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The distributed world model (DWM of Affinita et al. 2023) twice over: `mine` fuses the own local model with the
-// models of the others; `common` fuses only what has been sent, the own packets included, so that robots which heard
-// the same packets see the same world.
+// All that a robot believes: LM and all OLM_j of Affinita et al. 2023, and the distributed world model that f makes of
+// them, twice over. `mine` fuses the own local model with the models of the others; `common` fuses only what has been
+// sent, the own packets included, so that robots which heard the same packets see the same world.
 #pragma once
 
 #include <vector>
 
 #include "mind/percepts.hpp"
+#include "mind/world/distributed_world_model.hpp"
 #include "mind/world/fusion.hpp"
 #include "mind/world/local_model.hpp"
 #include "mind/world/negative_information.hpp"
 #include "mind/world/seen_teammates.hpp"
-#include "mind/world/snapshot.hpp"
 #include "mind/world/team_model.hpp"
 
 namespace regista::mind {
@@ -32,8 +32,8 @@ class WorldModel {
   void hear(const Report& report, double now) { team_.absorb(report, now); }
   void fuse(const Percepts& percepts, double dt, const OwnRole& own);
 
-  const Snapshot& mine() const { return mine_; }
-  const Snapshot& common() const { return common_; }
+  const DistributedWorldModel& mine() const { return mine_; }
+  const DistributedWorldModel& common() const { return common_; }
   const LocalModel& local() const { return local_; }
   const TeamModel& team() const { return team_; }
   // Every estimate of the ball has been looked for in vain: `mine` still tells the last news, but it is not there.
@@ -51,7 +51,7 @@ class WorldModel {
   int own_number_;
   LocalModel local_;
   TeamModel team_;
-  Snapshot mine_, common_;
+  DistributedWorldModel mine_, common_;
   bool ball_refuted_ = false;
   NegativeInformation negative_;
   OpponentFusion fusion_;

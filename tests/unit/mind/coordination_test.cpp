@@ -156,12 +156,12 @@ TEST_F(CoordinationTest, UtilityIsTheWeightedSumOfItsTerms) {
       const bool allowed = (task == 0) == (rows[i] == 1);  // task 0, the goalkeeper, is bound to robot 1
       const double sum = 0.7 * value(0, rows[i], task) + 0.2 * value(1, rows[i], task);
       if (allowed) {
-        EXPECT_NEAR(decision.utility[4 * i + j], sum, 1e-12);
+        EXPECT_NEAR(decision.utility.values()[4 * i + j], sum, 1e-12);
       } else {
-        EXPECT_EQ(decision.utility[4 * i + j], forbidden);
+        EXPECT_EQ(decision.utility.values()[4 * i + j], forbidden);
       }
-      EXPECT_EQ(decision.terms[0][4 * i + j], value(0, rows[i], task));
-      EXPECT_EQ(decision.terms[1][4 * i + j], value(1, rows[i], task));
+      EXPECT_EQ(decision.utility.terms()[0][4 * i + j], value(0, rows[i], task));
+      EXPECT_EQ(decision.utility.terms()[1][4 * i + j], value(1, rows[i], task));
     }
   }
 }
@@ -456,7 +456,7 @@ TEST_F(CoordinationTest, ATaskBoundToAnAbsentRobotIsNobodys) {
   scripted_values();
   const Decision& decision = decide(1.0, {3});
   ASSERT_EQ(decision.columns.size(), 9u) << "all but the goalkeeper of robot 1";
-  for (const double each : decision.utility) EXPECT_NE(each, forbidden);
+  for (const double each : decision.utility.values()) EXPECT_NE(each, forbidden);
 }
 
 TEST_F(CoordinationTest, TasksFaceWhereTheRoleSays) {

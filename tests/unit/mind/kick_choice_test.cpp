@@ -53,7 +53,7 @@ class KickChoice : public testing::Test {
 
   config::Rules rules;
   config::Robot robot;
-  Snapshot world{7};
+  DistributedWorldModel world{7};
   plugin::Placement placement;
   Pose pose;
 };

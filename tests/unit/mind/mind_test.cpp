@@ -141,9 +141,9 @@ TEST(MindTest, OffersTravelBetweenMinds) {
   // Packets leave at 0, 1 and 2 s and arrive one decision later; the offer of each is pending since the decision
   // before.
   for (int k = 0; k <= 21; ++k) squad.decide(0.1 * k, nothing);
-  EXPECT_EQ(squad.mind(0).decision().terms[1][0], 3.0 * (3 + 5));
-  EXPECT_EQ(squad.mind(1).decision().terms[1][0], 3.0 * (2 + 5));
-  EXPECT_EQ(squad.mind(2).decision().terms[1][0], 3.0 * (2 + 3));
+  EXPECT_EQ(squad.mind(0).decision().utility.terms()[1][0], 3.0 * (3 + 5));
+  EXPECT_EQ(squad.mind(1).decision().utility.terms()[1][0], 3.0 * (2 + 5));
+  EXPECT_EQ(squad.mind(2).decision().utility.terms()[1][0], 3.0 * (2 + 3));
 }
 
 // Whatever the predictors' luck: what is common is the same in all robots, what is their own is not.
@@ -164,7 +164,7 @@ TEST(MindTest, LuckIsSharedInWhatIsCommonAlone) {
     given.placed = placed(0.0, 0.0);
     each->think(given, {&packet, 1}, out);
   }
-  const Snapshot &a = one.world().common(), &b = two.world().common(), &c = other_match.world().common();
+  const DistributedWorldModel &a = one.world().common(), &b = two.world().common(), &c = other_match.world().common();
   EXPECT_EQ(a.robot(3).pose[0], b.robot(3).pose[0]);
   EXPECT_EQ(a.raw.ball.position[0], b.raw.ball.position[0]);
   ASSERT_EQ(a.opponents.size(), 1u);

@@ -28,7 +28,7 @@ class Target : public testing::Test {
   }
 
   config::FieldSize field;
-  Snapshot world{7};
+  DistributedWorldModel world{7};
   config::TargetRule rule;
 };
 

@@ -68,7 +68,7 @@ TEST(WalkTo, StaysWithinWhatTheWalkCanDo) {
   const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
   const config::Rules rules;
   const config::Robot robot;
-  const Snapshot world(7);
+  const DistributedWorldModel world(7);
   const plugin::Placement placement;
   for (int round = 0; round < 2000; ++round) {
     const double x = in(-4, 4), y = in(-3, 3), heading = in(-pi, pi);
@@ -97,7 +97,7 @@ TEST(WalkTo, NeverPushes) {
   const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
   const config::Rules rules;
   const config::Robot robot;
-  const Snapshot world(7);
+  const DistributedWorldModel world(7);
   const plugin::Placement placement;
   for (int round = 0; round < 2000; ++round) {
     const Pose pose{0.0, 0.0, in(-pi, pi)};
@@ -131,7 +131,7 @@ TEST(WalkTo, Arrives) {
   const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
   const config::Rules rules;
   const config::Robot robot;
-  const Snapshot world(7);
+  const DistributedWorldModel world(7);
   const plugin::Placement placement;
   for (int round = 0; round < 200; ++round) {
     const double x = in(-4, 4), y = in(-3, 3), heading = in(-pi, pi), tx = in(-4, 4), ty = in(-3, 3), th = in(-pi, pi);

@@ -63,7 +63,7 @@ TEST_F(World, CommonIsBitEqualForAllWhoHeardTheSame) {
     for (const Report& each : heard) other->hear(each, time);
     other->fuse(theirs, dt, OwnRole{});
 
-    const Snapshot &a = world->common(), &b = other->common();
+    const DistributedWorldModel &a = world->common(), &b = other->common();
     EXPECT_TRUE(same_bytes(a.raw.ball, b.raw.ball));
     EXPECT_TRUE(same_bytes(a.raw.game, b.raw.game));
     EXPECT_EQ(a.active, b.active);
@@ -107,7 +107,7 @@ TEST_F(World, TellsWhatAPacketSaidCarriedForward) {
   told.heading_deviation = 0.2;
   tick(1.2, {told});
   tick(2.0);
-  for (const Snapshot* each : {&world->mine(), &world->common()}) {
+  for (const DistributedWorldModel* each : {&world->mine(), &world->common()}) {
     const regista_robot& robot = each->robot(4);
     EXPECT_EQ(robot.flags, std::uint32_t{REGISTA_ROBOT_ACTIVE | REGISTA_ROBOT_KNOWN | REGISTA_ROBOT_HAS_TARGET |
                                          REGISTA_ROBOT_FALLEN});

@@ -11,9 +11,9 @@
 
 namespace regista::mind {
 
-class Snapshot {
+class DistributedWorldModel {
  public:
-  explicit Snapshot(int team_size) : robots(static_cast<std::size_t>(team_size)) {
+  explicit DistributedWorldModel(int team_size) : robots(static_cast<std::size_t>(team_size)) {
     for (int number = 1; number <= team_size; ++number) {
       robot(number).number = number;
       robot(number).role = -1;
@@ -22,8 +22,8 @@ class Snapshot {
     raw.size = sizeof raw;
   }
   // `raw` points into the vectors.
-  Snapshot(const Snapshot&) = delete;
-  Snapshot& operator=(const Snapshot&) = delete;
+  DistributedWorldModel(const DistributedWorldModel&) = delete;
+  DistributedWorldModel& operator=(const DistributedWorldModel&) = delete;
 
   regista_robot& robot(int number) { return robots[static_cast<std::size_t>(number - 1)]; }
   const regista_robot& robot(int number) const { return robots[static_cast<std::size_t>(number - 1)]; }
