@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The events e of Affinita et al. 2023: what happened to this robot since its last decision that its teammates may want
-// to know. Whether one is worth a packet is for the sender to say; here they are only noticed.
+// to know. Whether one is worth a packet is for the sender to say; here they are only noticed. As it arrives at the
+// others, an event is a Report (mind/world/packet.hpp).
 #pragma once
 
 #include <vector>

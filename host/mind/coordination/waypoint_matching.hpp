@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One node for one task (Affinita et al. 2023, "Voronoi Diagram"): "applying offsets to the tasks in their nearest node
-// directions" reduces overlaps "by distributing the tasks of each role far from the tasks of the other roles". Tasks
+// One node for one task. Affinita et al. 2023 move tasks by "applying offsets to the tasks in their nearest node
+// directions", and explain what it gains "by distributing the tasks of each role far from the tasks of the other roles"
+// ("Experimental Results"). Tasks
 // that all move towards one nearest node do not spread, so tasks and nodes are paired, each once, with the least total
 // distance.
 #pragma once

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// f of the paper: several robots' estimates of the same thing become one. Their errors are correlated to an unknown
-// degree (they saw the same ball, they carry it forward by the same model), so multiplying Gaussians would be
-// overconfident; covariance intersection (Julier and Uhlmann 1997) with the closed-form weights of Niehsen 2002
-// stays consistent.
+// f of the paper: several robots' estimates of the same thing become one (WorldModel::fuse calls it for each part).
+// Their errors are correlated to an unknown degree (they saw the same ball, they carry it forward by the same model),
+// so multiplying Gaussians would be overconfident; covariance intersection (Julier and Uhlmann 1997) with the
+// closed-form weights of Niehsen 2002 stays consistent.
 #pragma once
 
 #include <cstdint>

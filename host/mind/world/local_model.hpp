@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // LM and its update psi (Affinita et al. 2023): what one robot knows through its own sensors alone. Own pose, ball and
-// obstacles, which are "all robots", are modelled by the team's predictors; this class brings sightings into the field
-// frame, with the uncertainty of the own pose added to theirs. Opponents and teammates are told apart by their jerseys,
-// so each side has a model of its own, by the predictor of opponents.
+// obstacles, which are "all robots", are modelled by the team's predictors (plugins/predictors); this class brings
+// sightings into the field frame, with the uncertainty of the own pose added to theirs. Opponents and teammates are
+// told apart by their jerseys, so each side has a model of its own, by the predictor of opponents.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // When to spend a packet: on events, with a slow period beneath unless a team will have none (the events e of Affinita
-// et al. 2023, "Distributed World Model": "sending messages only when specific events occur"). Events, periods and the
+// et al. 2023, "Conclusions": "sending messages only when specific events occur"). Events, periods and the
 // reserve are those of the SPQR team's released code; that every event has its own interval and threshold follows Nao
 // Devils, the least time between two packets and the budget spread over the match follow B-Human.
 //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's "portion of the reward" that comes from V (Affinita et al. 2023, "Voronoi Diagram"): a task is worth more
+// The paper's "portion of the reward" that comes from V (Affinita et al. 2023, "Conclusions"): a task is worth more
 // the nearer it is to a desirable point. A point that belongs to a task counts for that task alone, one that belongs to
 // a robot for that robot alone. The paper gives no formula; both forms here are 1 at a point of score 1.
 #pragma once
