@@ -16,10 +16,7 @@ namespace regista::mind {
 namespace {
 
 constexpr int courses = 3000, moments = 4;  // of each course
-constexpr std::uint64_t seed = 1;
-constexpr double unknown_after = 30.0;  // s without news of the ball
-
-bool talks(const Part& part) { return plugin::implements(*part.found, REGISTA_KIND_MAILBOX); }
+constexpr double unknown_after = 30.0;      // s without news of the ball
 
 // One course of the game.
 class Course {
@@ -151,7 +148,7 @@ class Conditions {
     }
   }
   void reset() {
-    for (std::size_t i = 0; i < instances_.size(); ++i) instances_[i]->reset(seed + i);
+    for (std::size_t i = 0; i < instances_.size(); ++i) instances_[i]->reset(made_up_seed + i);
   }
   void ask(const regista_frame& frame, std::vector<char>& out) {
     out.clear();
@@ -181,7 +178,7 @@ ContextFindings idle_contexts(const TeamPlan& plan, plugin::Noting noting) {
     callers.push_back(std::make_unique<plugin::Caller>(plugin::Caller{plan.team().name, number, 0, noting, &rooms}));
     robots.push_back(std::make_unique<Conditions>(plan, *callers.back()));
   }
-  Dice dice(seed);
+  Dice dice(made_up_seed);
   ContextFindings out;
   out.contexts.resize(count);
   std::vector<std::vector<char>> covers(count, std::vector<char>(count, 1));  // [j][i]: i held whenever j did

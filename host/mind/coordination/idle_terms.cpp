@@ -17,7 +17,6 @@ namespace {
 constexpr int scenes = 8;
 constexpr int matrices = 4;       // for each scene, to find out what the assigner heeds
 constexpr double interval = 3.7;  // s between scenes, so that roles are held for a while
-constexpr std::uint64_t seed = 1;
 
 // From the seventh scene on one robot is out of play.
 void make_up_scene(DistributedWorldModel& world, const TeamPlan& plan, int list, int scene, double time, int own,
@@ -27,8 +26,6 @@ void make_up_scene(DistributedWorldModel& world, const TeamPlan& plan, int list,
   make_up(world, plan, list, scene, time, own, one_out ? 1 + scene % (team_size - 1) : 0, dice);
   world.close();
 }
-
-bool talks(const Part& part) { return plugin::implements(*part.found, REGISTA_KIND_MAILBOX); }
 
 // Whether what it answers follows from its matrix, as far as can be known: not of teammates, nor of another step.
 bool answers_for_itself(const Part& assigner) {
@@ -51,7 +48,7 @@ std::vector<std::int32_t> assigned(const TeamPlan& plan, const Part& assigner, c
                                    const Decision& decision, std::vector<double>& utilities) {
   auto instance = std::make_shared<plugin::Instance>(*assigner.found, assigner.parameters,
                                                      plan.environment(caller.robot), nullptr, &caller);
-  instance->reset(seed);
+  instance->reset(made_up_seed);
   const auto columns = static_cast<std::uint32_t>(decision.columns.size());
   std::vector<std::int32_t> out(decision.rows(), REGISTA_NO_TASK);
   plugin::Assigner(std::move(instance))
@@ -104,7 +101,7 @@ std::vector<double> scored(const TeamPlan& plan, const Part& term, const plugin:
                            const Decision& decision, const regista_frame& frame) {
   auto instance = std::make_shared<plugin::Instance>(*term.found, term.parameters, plan.environment(caller.robot),
                                                      nullptr, &caller);
-  instance->reset(seed);
+  instance->reset(made_up_seed);
   std::vector<double> out(decision.utility.values().size());
   const auto rows = static_cast<std::uint32_t>(decision.rows()),
              columns = static_cast<std::uint32_t>(decision.columns.size());
@@ -125,9 +122,9 @@ std::vector<bool> idle_terms(const TeamPlan& plan, plugin::Noting noting) {
   plugin::AnswerRooms rooms;
   const plugin::Caller caller{plan.team().name, own, 0, noting, &rooms};
   Mailboxes mailboxes(static_cast<std::size_t>(plan.rules().messages.size));
-  Assembly assembly(plan, own, seed, mailboxes, caller);
+  Assembly assembly(plan, own, made_up_seed, mailboxes, caller);
   Coordination coordination(plan, own, assembly.contexts());
-  Dice dice(seed);
+  Dice dice(made_up_seed);
   std::vector<bool> out;
   for (std::size_t c = 0; c < plan.contexts().size(); ++c) {
     const ContextPlan& context = plan.contexts()[c];
@@ -161,9 +158,9 @@ std::vector<bool> terms_without_waypoints(const TeamPlan& plan, plugin::Noting n
   plugin::AnswerRooms rooms;
   const plugin::Caller caller{plan.team().name, own, 0, noting, &rooms};
   Mailboxes mailboxes(static_cast<std::size_t>(plan.rules().messages.size));
-  Assembly assembly(plan, own, seed, mailboxes, caller);
+  Assembly assembly(plan, own, made_up_seed, mailboxes, caller);
   Coordination coordination(plan, own, assembly.contexts());
-  Dice dice(seed);
+  Dice dice(made_up_seed);
   std::vector<bool> out;
   for (std::size_t c = 0; c < plan.contexts().size(); ++c) {
     const ContextPlan& context = plan.contexts()[c];

@@ -11,6 +11,12 @@
 
 namespace regista::mind {
 
+// Of all that is made up.
+inline constexpr std::uint64_t made_up_seed = 1;
+
+// What a plugin that talks answers hangs on teammates, which a made-up scene does not have.
+inline bool talks(const Part& part) { return plugin::implements(*part.found, REGISTA_KIND_MAILBOX); }
+
 // The standard's distributions differ between libraries, its generator does not.
 class Dice {
  public:
