@@ -43,11 +43,10 @@ Json ball(const mind::DistributedWorldModel& world) {
 }
 
 // The own row of the utility estimation matrix, by task; null when this robot has none.
-Json utilities(const mind::TeamPlan& plan, const mind::Mind& mind, const std::vector<std::string>& names) {
+Json utilities(const mind::Mind& mind, const std::vector<std::string>& names) {
   const mind::Decision& decision = mind.decision();
   if (decision.context < 0) return nullptr;
-  const config::Context& context = plan.team().contexts[static_cast<std::size_t>(decision.context)];
-  const bool common = context.utility_knowledge == config::Knowledge::common;
+  const bool common = decision.frame.knowledge == REGISTA_COMMON;
   const auto& active = (common ? mind.world().common() : mind.world().mine()).active;
   const auto own = std::ranges::find(active, mind.number());
   const std::size_t columns = decision.columns.size();
@@ -107,7 +106,7 @@ void DecisionLog::decided(const mind::Mind& mind, const match::Decision& turn) {
   }
   Json& assignment = out["assignment"] = Json::array();
   for (const std::int32_t role : decision.role_of) assignment.push_back(role_or_null(names, role));
-  out["utility"] = utilities(*plans_[i], mind, names);
+  out["utility"] = utilities(mind, names);
   out["packet"] = turn.packet_charged ? Json(match::reason_name(turn.outcome.send_reason)) : Json(nullptr);
   write_(line(out));
 }

@@ -232,8 +232,7 @@ void MatchRecording::Parts::write_decision(Last& robot, match::Side side, const 
       json.key(empty).open('[').close(']');
     }
   } else {
-    const auto& context = plans[match::index(side)]->team().contexts[static_cast<std::size_t>(decision.context)];
-    const bool common = context.utility_knowledge == config::Knowledge::common;
+    const bool common = decision.frame.knowledge == REGISTA_COMMON;
     json.key("knowledge").word(common ? "common" : "mine");
     placement(json, decision.placement, to);
     tasks(json, decision, to);

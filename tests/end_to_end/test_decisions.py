@@ -6,6 +6,7 @@ import json
 import unittest
 
 import program
+import recorded
 
 SECONDS = 120
 
@@ -69,6 +70,34 @@ class Decisions(program.Case):
         sent = collections.Counter(line["side"] for line in self.by_kind["decision"] if line["packet"] is not None)
         with self.subTest("a line for each packet"):
             self.assertEqual([sent["home"], sent["away"]], self.result["packets"])
+
+    def test_a_robot_that_is_given_up_plays_on(self):
+        # Robots that speak once a second are given up half a second later, each by itself too; who decides on what all
+        # know then decides on what it knows itself, and the recorders tell of that.
+        self.succeed("match", "small.yaml", "small.yaml", "--limit", "20", *program.PLAY_SOON, "--force", "--decisions",
+                     "decisions.jsonl", "--record", "given_up.mcap", "--set", "teammates_forgotten_after=0.5", "--set",
+                     "tasks.knowledge=common", "--set", "utility.knowledge=common")
+        with open(self.folder / "decisions.jsonl", encoding="utf-8") as file:
+            lines = [json.loads(line) for line in file]
+        penalised = {(line["side"], line["robot"]) for line in lines if line.get("event") == "penalty"}
+        self.assertLess(len(penalised), 7)
+        decisions = [line for line in lines if line["kind"] == "decision" and line["context"] and
+                     (line["side"], line["robot"]) not in penalised]
+        self.assertGreater(len(decisions), 100)
+        for line in decisions:
+            self.assertIsNotNone(line["role"], line)
+            self.assertEqual(set(line["utility"]), set(line["kept"]))
+        worlds = collections.Counter()
+        recording = recorded.read(self.folder / "given_up.mcap")
+        for side in ("home", "away"):
+            for number in range(1, 8):
+                for decision in recording.of(f"/decision/{side}/{number}"):
+                    if decision["context"] < 0 or (side, number) in penalised:
+                        continue
+                    worlds[decision["knowledge"]] += 1
+                    self.assertIn(number, decision["rows"])
+                    self.assertEqual(len(decision["utility"]), len(decision["rows"]))
+        self.assertGreater(min(worlds["mine"], worlds["common"]), 100)
 
     def test_the_striker_stands_where_it_believes(self):
         # Beliefs are in the field frame of the own team, the truth in that of home: half a turn apart for away.

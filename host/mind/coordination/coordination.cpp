@@ -45,7 +45,7 @@ const config::Context& Coordination::context() const {
 
 // The world of a step; plugins called next see it as frame.world().
 const DistributedWorldModel& Coordination::world_for(config::Knowledge knowledge, const Worlds& worlds) {
-  decision_.frame.knowledge = raw(knowledge);
+  decision_.frame.knowledge = raw(worlds.answering(knowledge));
   return worlds.of(knowledge);
 }
 
@@ -55,9 +55,9 @@ bool Coordination::moves(const regista_task& task) const {
 }
 
 const Decision& Coordination::decide(const WorldModel& world, double time, std::uint64_t tick) {
-  const Worlds worlds{world.mine(), world.common()};
+  const Worlds worlds(world.mine(), world.common(), own_number_);
   begin(worlds, time, tick);
-  decision_.context = decision_.frame.context = choose_context(plan_->team().contexts, parts_, decision_.frame);
+  decision_.context = decision_.frame.context = choose_context(plan_->team().contexts, parts_, worlds, decision_.frame);
   if (decision_.context < 0) {
     forget_roles();
     return decision_;
@@ -67,7 +67,7 @@ const Decision& Coordination::decide(const WorldModel& world, double time, std::
 
 const Decision& Coordination::decide_in(int context, const DistributedWorldModel& world, double time,
                                         std::uint64_t tick) {
-  const Worlds worlds{world, world};
+  const Worlds worlds(world, world, own_number_);
   begin(worlds, time, tick);
   decision_.context = decision_.frame.context = context;
   return decide_in_context(worlds);
@@ -82,8 +82,8 @@ void Coordination::begin(const Worlds& worlds, double time, std::uint64_t tick) 
   frame.own_number = own_number_;
   frame.tick = tick;
   frame.time = time;
-  frame.mine = &worlds.mine.raw;
-  frame.common = &worlds.common.raw;
+  frame.mine = &worlds.mine().raw;
+  frame.common = &worlds.common().raw;
   frame.previous = span(previous_);
   frame.context = decision_.context;
 }

@@ -10,6 +10,7 @@
 #include "mind/coordination/decision.hpp"
 #include "mind/coordination/task_filter.hpp"
 #include "mind/coordination/waypoint_matching.hpp"
+#include "mind/coordination/worlds.hpp"
 #include "mind/team_plan.hpp"
 #include "mind/world/world_model.hpp"
 
@@ -32,12 +33,6 @@ class Coordination {
   void forget_roles();
 
  private:
-  struct Worlds {
-    const DistributedWorldModel &mine, &common;
-    const DistributedWorldModel& of(config::Knowledge knowledge) const {
-      return knowledge == config::Knowledge::common ? common : mine;
-    }
-  };
   const config::Context& context() const;
   const DistributedWorldModel& world_for(config::Knowledge knowledge, const Worlds& worlds);
   bool moves(const regista_task& task) const;
@@ -61,7 +56,7 @@ class Coordination {
   WaypointMatching matching_;
   std::vector<std::int32_t> played_;            // ids of tasks, -1 for none
   std::vector<std::size_t> wanting_;            // kept tasks that move to a waypoint
-  std::optional<config::Knowledge> listed_in_;  // world of the tasks of this decision, once they are listed
+  std::optional<config::Knowledge> listed_in_;  // world asked for the tasks of this decision, once they are listed
   Decision decision_;
   std::vector<std::int32_t> previous_;  // role_of, one decision ago
 };

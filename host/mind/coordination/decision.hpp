@@ -13,7 +13,9 @@
 namespace regista::mind {
 
 struct Decision {
-  regista_frame frame{};               // as the sender sees it; its spans point into this struct and the world model
+  // As the sender sees it; its knowledge is that of the utilities, its spans point into this struct and the world
+  // model.
+  regista_frame frame{};
   int context = -1;                    // index into Team::contexts, -1 = none holds
   std::vector<regista_task> tasks;     // M: all of the context
   plugin::Placement placement;         // V; its points name tasks by their place in `columns`

@@ -100,6 +100,13 @@ class CoordinationTest : public testing::Test {
 
   std::vector<BallSighting> balls_seen;
 
+  // What the own robot has sent, as the others decoded it: from then on the common world counts it.
+  void send(double time, int role = -1) {
+    Report packet = report(own, time, own, 0.0);
+    packet.role = role;
+    world->hear(packet, time);
+  }
+
   // Robots at (number, 0) tell where they are; the own one sees for itself.
   const Decision& decide(double time, const std::vector<int>& heard, const Vector2d& own_place = {0.0, 0.0}) {
     Percepts given = percepts(time);
@@ -387,9 +394,13 @@ TEST_F(CoordinationTest, KnowledgeChoosesTheWorldOfEachStep) {
   config::Team page = team();
   using enum config::Knowledge;
   page.contexts[0].utility_knowledge = mine;
+  page.contexts[0].tasks.hysteresis = 20.0;
   ScriptedContext<0>::answer = true;
   int place_knowledge = -1, term_knowledge = -1, assign_knowledge = -1;
-  ScriptedPositioner::hook = [&](const Frame& frame, Placement) { place_knowledge = frame.raw().knowledge; };
+  ScriptedPositioner::hook = [&](const Frame& frame, Placement out) {
+    place_knowledge = frame.raw().knowledge;
+    out.point(-3.4, 1.5);  // 0.1 from place_0, far from place_7, task 9
+  };
   ScriptedTerm<0>::hook = [&](const Frame& frame, Utilities) { term_knowledge = frame.raw().knowledge; };
   ScriptedAssigner::hook = [&](const Frame& frame, UtilityMatrix, Assignment) {
     assign_knowledge = frame.raw().knowledge;
@@ -403,13 +414,15 @@ TEST_F(CoordinationTest, KnowledgeChoosesTheWorldOfEachStep) {
         make(page);
         now = 0.0;
         balls_seen = {{{1.0, 0.5}, 0.1, 0.1}};
+        send(0.9, 9);
         const Decision& decision = decide(1.0, {3, 4});
         EXPECT_EQ(place_knowledge, waypoints == common ? REGISTA_COMMON : REGISTA_MINE);
         EXPECT_EQ(term_knowledge, REGISTA_MINE);
         EXPECT_EQ(assign_knowledge, REGISTA_MINE);
-        // The own robot has not been heard of: two robots in the common world, three rows of the own one.
-        EXPECT_EQ(decision.columns.size(), filter == common ? 2u : 3u);
         EXPECT_EQ(decision.rows(), 3u);
+        // It said that it plays task 9 and has dropped it since: nobody tells the others. A task that is played is
+        // kept.
+        EXPECT_EQ(decision.columns.back().id == 9, filter == common);
         // Nobody has told of the ball that the own eyes see.
         const bool at_ball = std::ranges::any_of(decision.columns, [](const regista_task& task) {
           return std::hypot(task.before[0] - 1.0, task.before[1] - 0.5) < 0.1;
@@ -426,26 +439,108 @@ TEST_F(CoordinationTest, AConditionIsAskedAboutTheWorldThatItsContextNames) {
     page.contexts[0].knowledge = knowledge;
     ScriptedContext<0>::answer = true;
     make(page);
+    now = 0.0;
+    send(0.9);
     decide(1.0, {3, 4});
     EXPECT_EQ(ScriptedContext<0>::knowledge, knowledge == config::Knowledge::common ? REGISTA_COMMON : REGISTA_MINE);
   }
 }
 
-TEST_F(CoordinationTest, OnCommonKnowledgeARobotNeverHeardOfHasNoRow) {
+TEST_F(CoordinationTest, OnCommonKnowledgeATeammateNeverHeardOfHasNoRow) {
   config::Team page = team();
   page.contexts[0].tasks.knowledge = page.contexts[0].utility_knowledge = config::Knowledge::common;
   ScriptedContext<0>::answer = true;
   make(page);
-  ScriptedAssigner::hook = [](const Frame&, UtilityMatrix, Assignment out) {
+  const Decision& decision = decide(1.0, {});
+  send(1.05);
+  decide(1.1, {});
+  EXPECT_EQ(decision.rows(), 1u);
+  decide(1.2, {4});
+  EXPECT_EQ(decision.rows(), 2u);
+}
+
+// Silent for longer than a teammate is reckoned with, robot 2 is given up in its own common world. It plays on, by what
+// it knows itself, until it is heard of again.
+TEST_F(CoordinationTest, ARobotThatTheCommonWorldHasGivenUpDecidesOnItsOwn) {
+  using enum config::Knowledge;
+  config::Team page = team();
+  page.forget_teammate_after = 25.0;
+  config::Context& context = page.contexts[0];
+  context.knowledge = context.tasks.knowledge = context.tasks.waypoints_knowledge = context.tasks.filter_knowledge =
+      context.utility_knowledge = common;
+  ScriptedContext<0>::answer = true;
+  make(page);
+  std::vector<int> asked;  // worlds that the plugins are told to compute on, in their order
+  ScriptedPositioner::hook = [&](const Frame& frame, Placement) { asked.push_back(frame.raw().knowledge); };
+  ScriptedTerm<0>::hook = [&](const Frame& frame, Utilities) { asked.push_back(frame.raw().knowledge); };
+  ScriptedAssigner::hook = [&](const Frame& frame, UtilityMatrix, Assignment out) {
+    asked.push_back(frame.raw().knowledge);
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = static_cast<std::int32_t>(i);
   };
-  const Decision& decision = decide(1.0, {});
-  EXPECT_EQ(decision.rows(), 0u);
-  EXPECT_EQ(decision.own_role, -1);
-  world->hear(report(2, 1.05, 2.0, 0.0), 1.05);  // the own packet, as the others decoded it
-  decide(1.1, {4});
-  EXPECT_EQ(decision.rows(), 2u);
+  balls_seen = {{{1.0, 0.5}, 0.1, 0.1}};  // and never told
+  const auto decide_on = [&](double time, const std::vector<int>& heard, int knowledge) -> const Decision& {
+    asked.clear();
+    const Decision& decision = decide(time, heard);
+    EXPECT_EQ(ScriptedContext<0>::knowledge, knowledge) << time;
+    EXPECT_EQ(asked, std::vector<int>(3, knowledge)) << time;
+    EXPECT_EQ(decision.frame.knowledge, knowledge) << time;
+    return decision;
+  };
+  const auto plays_the_ball_it_sees = [](const Decision& decision) {
+    return std::ranges::any_of(decision.columns, [](const regista_task& task) {
+      return task.id == 1 && std::hypot(task.before[0] - 1.0, task.before[1] - 0.5) < 0.1;
+    });
+  };
+
+  send(1.0);
+  const Decision& decision = decide_on(25.9, {3, 4}, REGISTA_COMMON);
+  EXPECT_FALSE(plays_the_ball_it_sees(decision));
+  decide_on(26.1, {3, 4}, REGISTA_MINE);
+  EXPECT_EQ(world->common().active, (std::vector<std::int32_t>{3, 4}));
+  EXPECT_EQ(decision.rows(), 3u);
+  EXPECT_EQ(decision.columns.size(), 3u) << "a task for each of 2, 3 and 4";
+  EXPECT_TRUE(plays_the_ball_it_sees(decision));
   EXPECT_EQ(decision.own_role, decision.columns[0].id);
+  EXPECT_TRUE(decision.own_task != nullptr);
+  decide_on(60.0, {}, REGISTA_MINE);
+  EXPECT_EQ(world->common().active.size(), 0u);
+  EXPECT_EQ(decision.own_role, 1) << "alone it is the striker";
+  send(60.05);
+  decide_on(60.1, {}, REGISTA_COMMON);
+}
+
+// As in paper.yaml: waypoints and filter on what all know, the rest on what the robot knows itself.
+TEST_F(CoordinationTest, ARobotThatTheCommonWorldHasGivenUpKeepsATask) {
+  config::Team page = team();
+  page.forget_teammate_after = 25.0;
+  page.contexts[0].tasks.waypoints_knowledge = page.contexts[0].tasks.filter_knowledge = config::Knowledge::common;
+  ScriptedContext<0>::answer = true;
+  make(page);
+  ScriptedAssigner::hook = [](const Frame&, UtilityMatrix utilities, Assignment out) {
+    for (std::size_t i = 0; i < std::min(out.size(), utilities.columns()); ++i) out[i] = static_cast<std::int32_t>(i);
+  };
+  send(1.0);
+  const Decision& decision = decide(1.1, {3});
+  EXPECT_EQ(decision.columns.size(), 2u);
+  decide(60.0, {});
+  EXPECT_EQ(decision.kept.size(), 1u);
+  EXPECT_EQ(decision.own_role, 1);
+}
+
+TEST(Worlds, TheCommonWorldAnswersIfItCountsTheRobot) {
+  constexpr auto mine_asked = config::Knowledge::mine, common_asked = config::Knowledge::common;
+  DistributedWorldModel mine(3), common(3);
+  for (const bool plays : {false, true}) {
+    for (const bool counted : {false, true}) {
+      mine.robot(2).flags = plays ? REGISTA_ROBOT_ACTIVE : 0;
+      common.robot(2).flags = counted ? REGISTA_ROBOT_ACTIVE : 0;
+      const Worlds worlds(mine, common, 2);
+      const bool given_up = plays && !counted;  // one that does not play, as under a penalty, is not: nobody counts it
+      EXPECT_EQ(worlds.answering(common_asked), given_up ? mine_asked : common_asked);
+      EXPECT_EQ(&worlds.of(common_asked), given_up ? &mine : &common);
+      EXPECT_EQ(&worlds.of(mine_asked), &mine);
+    }
+  }
 }
 
 TEST_F(CoordinationTest, ATaskBoundToAnAbsentRobotIsNobodys) {
