@@ -5,7 +5,8 @@
 // Devils, the least time between two packets and the budget spread over the match follow B-Human.
 //
 // Great events tell what changes the game for all. Small ones, and the period, are held back while the team has spent
-// more than its share of the budget.
+// more than its share of the budget. What is shared out is the budget without the reserve, so that a team that keeps to
+// its share is not silent before the end.
 #pragma once
 
 #include <array>
@@ -61,7 +62,7 @@ struct Settings {
   double period_goalkeeper = 20.0;                            // s
   double period_ready_least = 8.0, period_ready_most = 14.0;  // s, in Ready and Set; spread over the numbers
   Pace pace = Pace::linear;
-  double pace_margin = 20.0;  // packets below the line at which the small causes are held back
+  double pace_margin = 20.0;  // packets below the line to the reserve at which the small causes are held back
 };
 
 struct Situation {
@@ -69,9 +70,10 @@ struct Situation {
   int number = 1, team_size = 1;  // of this robot; number 1 keeps the goal
   bool ready_or_set = false;      // phase Ready or Set
   bool alone_with_ball = false;   // this robot sees the ball, and nobody else tells of it
-  int packets_left = 0;           // of the team
+  int budget = 0;                 // packets of the team in this game
+  int packets_left = 0;           // of these
   int reserve = 0;                // packets; the team is silent when no more are left
-  double line = 0.0;              // packets that would be left if spent evenly
+  double line = 0.0;              // packets that would be left if the budget were spent evenly, down to none
   double since_own = 0.0;         // s since this robot sent, since the start of the match if never
 };
 
@@ -84,6 +86,12 @@ inline double period_of(const Settings& settings, const Situation& now) {
   return now.number == 1 ? settings.period_goalkeeper : settings.period;
 }
 
+// Packets that would be left if all but the reserve were spent evenly.
+inline double line_to_reserve(const Situation& now) {
+  if (now.budget <= now.reserve) return now.reserve;
+  return now.reserve + now.line * (now.budget - now.reserve) / now.budget;
+}
+
 class Sender {
  public:
   // Whether to send now, and why. events: those since the last call, in any order. Call once per decision.
@@ -94,7 +102,7 @@ class Sender {
     }
     if (now.packets_left <= now.reserve) return std::nullopt;
     if (now.since_own < settings.minimum_interval - rounding) return std::nullopt;
-    const bool in_pace = settings.pace == Pace::none || now.packets_left >= now.line - settings.pace_margin;
+    const bool in_pace = settings.pace == Pace::none || now.packets_left >= line_to_reserve(now) - settings.pace_margin;
     for (std::size_t k = 0; k < index(Cause::period); ++k) {
       const auto cause = static_cast<Cause>(k);
       if (!is_great(cause) && !in_pace) break;

@@ -76,7 +76,7 @@ constexpr auto threshold(const char* name, regista::Range range, const char* uni
 }
 
 struct EventBased {
-  static constexpr auto id = "event_based", version = "1.2.0",
+  static constexpr auto id = "event_based", version = "1.3.0",
                         summary = "A packet on events, with a slow period beneath or by events alone";
 
   Settings settings = initial_settings();
@@ -95,8 +95,8 @@ struct EventBased {
                         "How long an event that had to wait still counts; our choice")
               .tunable(),
           regista::choice("pace", &Settings::pace, paces,
-                          "linear: roles, moves and periods wait while more than an even share of the budget is spent, "
-                          "after B-Human; none: they never wait, as in SPQR's released code"),
+                          "linear: roles, moves and periods wait while more than an even share of what lies above the "
+                          "reserve is spent, after B-Human; none: they never wait, as in SPQR's released code"),
           regista::real("pace_margin", &Settings::pace_margin, {0.0, 10000.0}, "1",
                         "Packets below the even share at which they begin to wait; our choice")
               .tunable(),
@@ -173,7 +173,7 @@ struct EventBased {
 
   event_based::Sender sender;
   event_based::BallWitness witness;
-  int number = 1, team_size = 1;
+  int number = 1, team_size = 1, budget = 0;
   std::vector<event_based::Event> events;
   std::vector<regista::PendingOffer> pending;
   std::vector<std::size_t> chosen;
@@ -181,6 +181,7 @@ struct EventBased {
   void setup(const regista::Environment& environment) {
     number = environment->own_number;
     team_size = static_cast<int>(environment->team_size);
+    budget = static_cast<int>(environment->packet_budget);
     events.reserve(32);
     pending.reserve(16);
     chosen.reserve(16);
@@ -209,6 +210,7 @@ struct EventBased {
     now.ready_or_set = phase == REGISTA_PHASE_READY || phase == REGISTA_PHASE_SET;
     now.alone_with_ball = witness.is_alone(now.time, {mine.ball_known(), mine.ball().age},
                                            {common.ball_known(), common.ball().age}, alone_after);
+    now.budget = budget;
     now.packets_left = query.budget.packets_left;
     now.reserve = regista::in_this_game(reserve, query.budget);
     now.line = query.budget.line;

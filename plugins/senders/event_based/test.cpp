@@ -43,6 +43,7 @@ std::vector<Packet> run(const Settings& settings, double length,
     now.time = 0.1 * tick;
     now.number = number;
     now.team_size = 7;
+    now.budget = 1200;
     now.packets_left = 1000;
     now.reserve = 30;
     now.since_own = now.time - last;
@@ -200,9 +201,12 @@ TEST(EventBased, SilentAtTheReserve) {
 
 TEST(EventBased, BehindTheLineOnlyGreatEventsAreTold) {
   Settings settings;
-  const auto behind = [](int tick, Situation& now) {
-    now.packets_left = 479;
-    now.line = 500.0;
+  // 1170 of 1200 packets lie above the reserve. A third of the time is left: 30 + 1170 / 3 = 420, less the margin
+  // of 20.
+  int left = 399;
+  const auto behind = [&left](int tick, Situation& now) {
+    now.packets_left = left;
+    now.line = 400.0;
     std::vector<Event> events{{Cause::role_changed}, {Cause::pose_moved, 5.0}};
     if (tick == 100) events.push_back({Cause::returned});
     return events;
@@ -215,12 +219,34 @@ TEST(EventBased, BehindTheLineOnlyGreatEventsAreTold) {
   settings.pace = Pace::linear;
   settings.pace_margin = 21.0;
   EXPECT_GT(run(settings, 60.0, behind).size(), 10u);
+  settings.pace_margin = 20.0;
+  left = 400;
+  EXPECT_GT(run(settings, 60.0, behind).size(), 10u);
+}
+
+TEST(EventBased, TheLineRunsFromTheBudgetToTheReserve) {
+  const auto line = [](int budget, int reserve, double left_evenly) {
+    Situation now;
+    now.budget = budget;
+    now.reserve = reserve;
+    now.line = left_evenly;
+    return event_based::line_to_reserve(now);
+  };
+  EXPECT_DOUBLE_EQ(line(1200, 30, 1200.0), 1200.0);
+  EXPECT_DOUBLE_EQ(line(1200, 30, 600.0), 615.0);  // half of the 1170, and the reserve
+  EXPECT_DOUBLE_EQ(line(1200, 30, 40.0), 69.0);    // a thirtieth of them
+  EXPECT_DOUBLE_EQ(line(1200, 30, 0.0), 30.0);
+  EXPECT_DOUBLE_EQ(line(120, 3, 60.0), 61.5);
+  EXPECT_DOUBLE_EQ(line(1200, 0, 345.6), 345.6);
+  EXPECT_DOUBLE_EQ(line(20, 30, 10.0), 30.0);  // no packet may be spent
+  EXPECT_DOUBLE_EQ(line(0, 0, 0.0), 0.0);
 }
 
 // Seven restless robots for 1200 s. `left_at_end`: what the line leaves is spent, and never more.
 struct Totals {
   int packets = 0, least_left = 1200;
-  double worst_lag = 0.0;  // packets below the line
+  double last_packet = 0.0;  // s
+  double worst_lag = 0.0;    // packets below the line to the reserve
   std::map<Cause, int> by_cause;
 };
 
@@ -237,6 +263,7 @@ Totals play(const Settings& settings, double events_per_second, bool great_event
       now.time = 0.1 * tick + 0.013 * number;
       now.number = number;
       now.team_size = 7;
+      now.budget = 1200;
       now.packets_left = 1200 - totals.packets;
       now.reserve = 30;
       now.line = 1200.0 - now.time;
@@ -246,11 +273,12 @@ Totals play(const Settings& settings, double events_per_second, bool great_event
       if (great(random)) events.push_back({Cause::ball_known_again, 10.0});
       if (const auto cause = senders[i].decide(settings, now, events)) {
         EXPECT_GE(now.time - last[i], settings.minimum_interval - 1e-6);
-        last[i] = now.time;
+        last[i] = totals.last_packet = now.time;
         ++totals.packets;
         ++totals.by_cause[*cause];
         if (!event_based::is_great(*cause)) {
-          totals.worst_lag = std::max(totals.worst_lag, now.line - (1200 - totals.packets));
+          const double line = 30.0 + 0.975 * (1200.0 - now.time);
+          totals.worst_lag = std::max(totals.worst_lag, line - (1200 - totals.packets));
         }
       }
     }
@@ -263,6 +291,8 @@ TEST(EventBased, PaceKeepsSmallEventsToTheLine) {
   const Totals restless = play({}, 1.0, false);
   EXPECT_LE(restless.worst_lag, 21.0);  // the margin, and the packet itself
   EXPECT_EQ(restless.least_left, 30);
+  // Always 20 packets below the line, they reach the reserve when 20 of its 1170 packets in 1200 s are left to it.
+  EXPECT_NEAR(restless.last_packet, 1200.0 - 20.0 / 0.975, 2.0);
   EXPECT_GT(restless.by_cause.at(Cause::role_changed), 800);
 }
 
@@ -352,6 +382,23 @@ TEST(EventBasedPlugin, PeriodsAreLeftOutWhenAskedFor) {
   };
   EXPECT_TRUE(sends(Values(plugin)));
   EXPECT_FALSE(sends(Values(plugin).set("periodic", false)));
+}
+
+// A change of role waits from 20 packets below the line on, which is that of the team's own budget.
+TEST(EventBasedPlugin, PaceIsTowardsTheReserve) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "event_based");
+  const auto tells_its_role = [&](unsigned packets, double line, int left) {
+    Instance sender(plugin, EnvironmentBuilder{}.own(3).packets(128, packets), Values(plugin).set("reserve", 30));
+    const std::vector<regista_event> events{{REGISTA_EVENT_ROLE_CHANGED, 0, 4.0}};
+    regista_budget budget = plenty();
+    budget.packets_left = left;
+    budget.line = line;
+    return sender.decide(at_five_seconds(), events, {}, budget).send == 1;
+  };
+  EXPECT_TRUE(tells_its_role(1200, 400.0, 400));  // 30 + 1170 / 3 - 20
+  EXPECT_FALSE(tells_its_role(1200, 400.0, 399));
+  EXPECT_TRUE(tells_its_role(600, 200.0, 200));  // 30 + 570 / 3 - 20
+  EXPECT_FALSE(tells_its_role(600, 200.0, 199));
 }
 
 // In a tenth of a match a tenth of the reserve, and no fewer than one packet of it.
