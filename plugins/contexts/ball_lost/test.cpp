@@ -73,13 +73,32 @@ using namespace regista::testkit;
 
 TEST(BallLostPlugin, LooksAtTheBallOfTheChosenWorld) {
   const Loaded plugin(REGISTA_PLUGIN_FILE, "ball_lost");
-  Instance context(plugin, EnvironmentBuilder{}, Values(plugin).set("after", 2.0));
+  Instance context(plugin, EnvironmentBuilder{}, Values(plugin).set("after", 2.0).set("own_sightings", false));
   const auto stale_in_common = [](WorldBuilder& world) { world.ball_age(9.0); };
   const FrameBuilder frame =
       FrameBuilder{}.own(2).time(20.0).robot(2).at(0, 0).ball(1, 1).ball_age(1.0).common(stale_in_common);
   EXPECT_EQ(context.holds(FrameBuilder(frame).knowledge(REGISTA_MINE).build().before_tasks()), 0);
   EXPECT_EQ(context.holds(FrameBuilder(frame).knowledge(REGISTA_COMMON).build().before_tasks()), 1);
   EXPECT_EQ(context.holds(FrameBuilder(frame).no_ball().build().before_tasks()), 1);
+}
+
+// Judged on what all know, by a robot that has seen the ball and not told of it, or the other way round.
+TEST(BallLostPlugin, WhoSeesTheBallDoesNotSearch) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "ball_lost");
+  const auto searches = [&](bool own_sightings, const FrameBuilder& frame) {
+    Instance context(plugin, EnvironmentBuilder{}, Values(plugin).set("own_sightings", own_sightings));
+    return context.holds(FrameBuilder(frame).knowledge(REGISTA_COMMON).build().before_tasks()) == 1;
+  };
+  const auto team_age = [](double age) { return [age](WorldBuilder& world) { world.ball_age(age); }; };
+  const FrameBuilder robot = FrameBuilder{}.own(2).time(20.0).robot(2).at(0, 0).ball(1, 1);
+  const FrameBuilder in_sight = FrameBuilder(robot).ball_age(0.1);
+  EXPECT_TRUE(searches(false, FrameBuilder(in_sight).common(team_age(9.0))));
+  EXPECT_FALSE(searches(true, FrameBuilder(in_sight).common(team_age(9.0))));
+  EXPECT_FALSE(searches(true, FrameBuilder(in_sight).common([](WorldBuilder& world) { world.no_ball(); })));
+  const FrameBuilder seen_long_ago = FrameBuilder(robot).ball_age(4.6);
+  EXPECT_TRUE(searches(true, FrameBuilder(seen_long_ago).common(team_age(9.0))));
+  EXPECT_FALSE(searches(true, FrameBuilder(seen_long_ago).common(team_age(4.4)))) << "the team has seen it since";
+  EXPECT_TRUE(searches(true, FrameBuilder(robot).no_ball()));
 }
 
 REGISTA_CONTEXT_CONTRACT(REGISTA_PLUGIN_FILE, "ball_lost");
