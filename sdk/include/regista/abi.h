@@ -96,6 +96,16 @@ typedef struct regista_role {
   int32_t robot;                     /* shirt number that alone may take it, 0 = any */
 } regista_role;
 
+/* One kind of kick that the robot can do. The ball leaves `impact` s after the beginning; the robot stands until
+ * `duration` is over. */
+typedef struct regista_kick {
+  const char* name;                  /* as in the robot's profile */
+  double minimum_distance, maximum_distance; /* that the ball rolls, m */
+  double duration, impact;           /* s */
+  double distance_error;             /* half width of a triangular law, relative */
+  double direction_error;            /* standard deviation, rad */
+} regista_kick;
+
 typedef struct regista_environment {
   uint32_t size;
   uint32_t team_size;                /* robots are numbered 1..team_size */
@@ -117,6 +127,16 @@ typedef struct regista_environment {
   uint32_t packet_budget;            /* packets the team may send in a match */
   regista_span landmarks;            /* regista_landmark */
   regista_span roles;                /* regista_role; lives as long as the instance */
+  double goal_post_radius;
+  double ball_deceleration;          /* of a rolling ball, m/s^2 */
+  double set_play_distance;          /* that opponents keep from the ball of a set play, m */
+  double kick_reach;                 /* from the centre of the robot to that of a ball that it can kick, m */
+  double kick_reach_angle;           /* to either side of its heading, within which it can kick, rad */
+  double camera_half_angle;          /* of the horizontal field of view, rad */
+  double camera_ball_range, camera_robot_range; /* m */
+  double head_yaw;                   /* the camera turns up to this to either side, rad */
+  double head_speed;                 /* rad/s */
+  regista_span kicks;                /* regista_kick; may be empty */
 } regista_environment;
 
 /* --- Worlds and frames ---------------------------------------------------------------------------------------- */
@@ -195,7 +215,10 @@ typedef struct regista_world {
   regista_span active;               /* int32_t: numbers of the active robots, ascending; rows of matrices */
 } regista_world;
 
-enum { REGISTA_TASK_REQUIRED = 1 };  /* never filtered away while a robot can take it */
+enum {
+  REGISTA_TASK_REQUIRED = 1,         /* never filtered away while a robot can take it */
+  REGISTA_TASK_ALONG_EDGES = 2       /* the team wants robots to walk to it along the edges of the frame */
+};
 
 /* A role of the current context, with the place where it is to be played. */
 typedef struct regista_task {
@@ -450,6 +473,86 @@ typedef struct regista_sender {
                     const regista_budget* budget, regista_send* out, regista_error* error);
 } regista_sender;
 
+/* --- Behaviour --------------------------------------------------------------------------------------------------- */
+
+/* What the behaviour is for, to those who count and warn: which roles play the ball, keep the goal, look for the ball. */
+enum { REGISTA_BEHAVIOUR_PLAYS_BALL = 1, REGISTA_BEHAVIOUR_KEEPS_GOAL = 2, REGISTA_BEHAVIOUR_SEARCHES = 4 };
+
+enum {
+  REGISTA_BODY_SEES_BALL = 1,        /* in the image of this decision */
+  REGISTA_BODY_BALL_REFUTED = 2,     /* looked where the ball of `mine` should be, and it is not there */
+  REGISTA_BODY_FALLEN = 4,
+  REGISTA_BODY_PENALISED = 8,
+  REGISTA_BODY_KICKING = 16,         /* a kick is under way: motion and kick are ignored */
+  REGISTA_BODY_TOUCHED = 32          /* feels a robot against its arms or feet, at `contact` */
+};
+
+typedef struct regista_point {
+  double x, y;
+} regista_point;
+
+/* The own body, and what it is to do. */
+typedef struct regista_body {
+  uint32_t size;
+  uint32_t flags;                    /* REGISTA_BODY_* */
+  int32_t task;                      /* index into the frame's tasks; -1: the robot has none */
+  int32_t reserved;
+  double pose[3];                    /* where it believes to be: x, y, heading; field frame */
+  double motion[3];                  /* since the last decision, by odometry, in the robot frame at its beginning */
+  double head_yaw;                   /* of the camera now, relative to the body */
+  double time_until_up;              /* s, 0 when it stands */
+  double contact;                    /* rad, robot frame; if TOUCHED */
+  regista_span robots_near;          /* regista_point, field frame: robots of either team, seen a moment ago */
+} regista_body;
+
+enum {
+  REGISTA_MOTION_STAND = 0,
+  REGISTA_MOTION_VELOCITY = 1,       /* moves with `velocity`, as far as the body can */
+  REGISTA_MOTION_WALK_TO = 2         /* walks to `pose`: around robots, goals and `avoid`, and pushes nobody */
+};
+
+enum {
+  REGISTA_WALK_BRISK = 1,            /* WALK_TO: at full speed, also on arrival */
+  REGISTA_WALK_STRAIGHT = 2,         /* WALK_TO: around nobody */
+  REGISTA_WALK_CREEP = 4             /* WALK_TO: turns as on the way to `pose`, but walks with velocity[0] and [1] */
+};
+
+/* A disc that the centre of the robot stays out of. */
+typedef struct regista_disc {
+  double x, y, radius;
+} regista_disc;
+
+enum { REGISTA_NO_KICK = -1, REGISTA_MOST_AVOIDED = 8 };
+
+enum { REGISTA_ACTION_TARGET = 1 };  /* `target` is to be told to teammates instead of the task's place */
+
+/* What the robot shall do until its next decision. */
+typedef struct regista_action {
+  uint32_t size;
+  uint32_t flags;                    /* REGISTA_ACTION_* */
+  int32_t motion;                    /* REGISTA_MOTION_* */
+  uint32_t walk;                     /* REGISTA_WALK_* */
+  double velocity[3];                /* forward, left, turn; robot frame */
+  double pose[3];                    /* x, y, heading; field frame, |x|, |y| <= 1e4 */
+  double gaze;                       /* wanted heading of the camera relative to the body, in [-pi, pi] */
+  int32_t kick;                      /* index into the environment's kicks, or REGISTA_NO_KICK */
+  uint32_t avoid_count;
+  double kick_direction;             /* in which the ball shall go, robot frame, in [-pi, pi] */
+  double kick_distance;              /* that it shall roll: within the range of the kick */
+  double target[2];                  /* field frame; if ACTION_TARGET */
+  regista_disc avoid[REGISTA_MOST_AVOIDED]; /* WALK_TO: walked around like robots */
+} regista_action;
+
+typedef struct regista_behaviour {
+  uint32_t size;
+  uint32_t flags;                    /* REGISTA_BEHAVIOUR_* */
+  /* Called at every decision of a robot whose role names this behaviour, in every phase, whether it stands, lies or is
+   * penalised. All of `out` is 0 on entry but its size and kick = REGISTA_NO_KICK: the robot stands and looks ahead. A kick begins when
+   * the ball is in reach, else nothing happens. */
+  int32_t (*act)(void* instance, const regista_frame* frame, const regista_body* body, regista_action* out,
+                 regista_error* error);
+} regista_behaviour;
+
 /* --- Mailbox: for plugins of any kind --------------------------------------------------------------------------- */
 
 typedef struct regista_message {
@@ -488,7 +591,8 @@ typedef struct regista_host {
 /* --- Descriptor ------------------------------------------------------------------------------------------------- */
 
 enum { REGISTA_KIND_PREDICTOR = 1, REGISTA_KIND_CONTEXT = 2, REGISTA_KIND_POSITIONER = 3, REGISTA_KIND_UTILITY = 4,
-       REGISTA_KIND_ASSIGNER = 5, REGISTA_KIND_SENDER = 6, REGISTA_KIND_MAILBOX = 7, REGISTA_KIND_END = 8 };
+       REGISTA_KIND_ASSIGNER = 5, REGISTA_KIND_SENDER = 6, REGISTA_KIND_MAILBOX = 7, REGISTA_KIND_BEHAVIOUR = 8,
+       REGISTA_KIND_END = 9 };
 
 enum { REGISTA_TYPE_REAL = 1, REGISTA_TYPE_INTEGER = 2, REGISTA_TYPE_BOOLEAN = 3, REGISTA_TYPE_CHOICE = 4,
        REGISTA_TYPE_TEXT = 5, REGISTA_TYPE_FILE = 6 };

@@ -126,6 +126,7 @@ class Environment {
   const regista_environment& raw() const { return *raw_; }
   Span<Landmark> landmarks() const { return Span<Landmark>(raw_->landmarks); }
   Span<Role> roles() const { return Span<Role>(raw_->roles); }
+  Span<regista_kick> kicks() const { return Span<regista_kick>(raw_->kicks); }
 
  private:
   const regista_environment* raw_;
