@@ -36,11 +36,11 @@ void check_target(const TargetRule& target, const Node& node, const std::string&
 }
 
 // The behaviour of a role that does not name one.
-Behaviour usual_behaviour(const Role& role) {
+std::string usual_behaviour(const Role& role) {
   const TargetRule& target = role.target;
   const bool moved = target.shift != std::array<double, 2>{} || target.across;
-  if (target.at && target.at->anchor == Anchor::ball && !moved) return Behaviour::play_ball;
-  return role.name == "goalkeeper" ? Behaviour::keep_goal : Behaviour::support;
+  if (target.at && target.at->anchor == Anchor::ball && !moved) return "play_ball";
+  return role.name == "goalkeeper" ? "keep_goal" : "support";
 }
 
 // The worlds of waypoints and filter where the page does not say them.
@@ -55,7 +55,10 @@ void check_roles(TeamPage& page, const Node& document, Mistakes& mistakes) {
     for (std::size_t i = 0; i < list.roles.size(); ++i) {
       const Node node = roles.elements()[i];
       check_target(list.roles[i].target, node["target"], fmt::format("roles.{}.{}.target", list.name, i), mistakes);
-      if (!node["behaviour"]) list.roles[i].behaviour = usual_behaviour(list.roles[i]);
+      Role& role = list.roles[i];
+      const Node behaviour = node["behaviour"];
+      if (!behaviour) role.behaviour = usual_behaviour(role);
+      role.behaviour_where = behaviour ? behaviour.where() : role.where;
     }
   }
 }
@@ -197,6 +200,10 @@ Team read_team(const Node& document, Mistakes& mistakes) {
   team.teammates = std::move(page.predictors.teammates);
   team.forget_teammate_after = page.forget_teammate_after;
   team.role_lists = std::move(page.role_lists);
+  team.behaviours = std::move(page.behaviours);
+  team.behaviour_without_role = std::move(page.behaviour_without_role);
+  const Node without_role = document["behaviour_without_role"];
+  team.behaviour_without_role_where = without_role ? without_role.where() : document.where();
   team.where = document.where();
   return team;
 }

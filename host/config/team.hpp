@@ -56,9 +56,11 @@ struct TargetRule {
   std::optional<Place> without_ball;  // used instead while nobody knows the ball
 };
 
-// How a role acts. Unless the page says it: play_ball for a target that is the unmoved ball, keep_goal for the role
-// named goalkeeper, support for all others.
-enum class Behaviour { keep_goal, play_ball, support, search };
+// How roles act that name it.
+struct Behaviour {
+  std::string name;
+  PluginUse use;  // unless the page says it, the plugin of that name
+};
 
 struct Role {
   std::string name;
@@ -66,9 +68,11 @@ struct Role {
   bool required = false;
   bool offset = true;  // may be moved towards a waypoint
   int group = -1;      // at most one role of a group per robot; -1 = none
-  Behaviour behaviour = Behaviour::support;
+  // Name of a behaviour. Unless the page says it: play_ball for a target that is the unmoved ball, keep_goal for the
+  // role named goalkeeper, support for all others.
+  std::string behaviour = "support";
   TargetRule target;
-  Location where;
+  Location where, behaviour_where;
 };
 
 struct RoleList {
@@ -122,8 +126,18 @@ struct Team {
   PluginUse self, ball, opponents, teammates;  // predictors
   double forget_teammate_after = 25.0;         // s of silence until a teammate is given up
   std::vector<RoleList> role_lists;
+  std::vector<Behaviour> behaviours;             // those that the page says something of
+  std::string behaviour_without_role = "search";
   std::vector<Context> contexts;  // highest priority first; the first that holds is in force
-  Location where;
+  Location where, behaviour_without_role_where;
+
+  // What is meant by the name of a behaviour. `where`: it was written there.
+  PluginUse behaviour_named(const std::string& wanted, const Location& place) const {
+    for (const Behaviour& each : behaviours) {
+      if (each.name == wanted) return each.use;
+    }
+    return {wanted, "", {}, place};
+  }
 };
 
 }  // namespace regista::config

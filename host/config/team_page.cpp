@@ -147,12 +147,28 @@ static Map declare(Role& role) {
                   boolean("required", role.required, "must be taken"),
                   boolean("offset", role.offset, "may be moved towards a waypoint"),
                   integer("group", role.group, {-1, 99}, "1", "at most one role of a group per robot; -1 is none"),
-                  with_default_from(choice("behaviour", role.behaviour, {"keep_goal", "play_ball", "support", "search"},
-                                           "how it acts; follows from target and name where not given"),
+                  with_default_from(name("behaviour", role.behaviour,
+                                         "how it acts: a name of `behaviours`, or a plugin; follows from target and "
+                                         "name where not given"),
                                     "target and name"),
                   required(section("target", role.target, "where it is played")),
               },
           .where = &role.where};
+}
+
+static Map declare(Behaviour& behaviour) {
+  std::vector<Field> fields = plugin_fields(behaviour.use);
+  for (Field& field : fields) {
+    if (field.key != "plugin") continue;
+    field.required = false;
+    field = with_default_from(std::move(field), "the name");
+  }
+  return {.fields = std::move(fields), .where = &behaviour.use.where, .plugin_kind = "behaviour"};
+}
+
+static Field behaviour_field(Behaviour& behaviour) {
+  if (behaviour.use.plugin.empty()) behaviour.use.plugin = behaviour.name;
+  return section(behaviour.name, behaviour, "behaviour that roles may name");
 }
 
 static Field role_list_field(RoleList& roles) {
@@ -168,6 +184,9 @@ Map declare(TeamPage& page) {
   for (Field& field : declare(page.coordination).fields) fields.push_back(std::move(field));
   fields.push_back(required(
       dictionary("roles", page.role_lists, &role_list_field, 1, 64, "lists of roles; the first is the usual")));
+  fields.push_back(dictionary("behaviours", page.behaviours, &behaviour_field, 0, 64,
+                              "how robots act; one that is not here is the plugin of its name"));
+  fields.push_back(name("behaviour_without_role", page.behaviour_without_role, "of robots that have no role"));
   fields.push_back(real("teammates_forgotten_after", page.forget_teammate_after, {0.1, 3600}, "s",
                         "silence until a teammate is given up"));
   return {std::move(fields)};

@@ -40,6 +40,8 @@ struct TeamPage {
   std::vector<ContextPage> contexts;
   Coordination coordination;
   std::vector<RoleList> role_lists;
+  std::vector<Behaviour> behaviours;
+  std::string behaviour_without_role = Team{}.behaviour_without_role;
   double forget_teammate_after = Team{}.forget_teammate_after;
 };
 

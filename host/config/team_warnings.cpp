@@ -58,17 +58,22 @@ Location key_of(const Node& roles, const std::string& name) {
   return roles.where();
 }
 
-bool has(const RoleList& list, Behaviour behaviour) {
-  return std::ranges::any_of(list.roles, [&](const Role& role) { return role.behaviour == behaviour; });
+// Whether a role of the list may act by one of these plugins. Of others than the shipped ones nothing is known here.
+bool may_act_by(const Team& team, const RoleList& list, std::initializer_list<std::string_view> plugins) {
+  constexpr std::array<std::string_view, 4> shipped{"keep_goal", "play_ball", "support", "search"};
+  return std::ranges::any_of(list.roles, [&](const Role& role) {
+    const std::string plugin = team.behaviour_named(role.behaviour, role.behaviour_where).plugin;
+    return std::ranges::count(plugins, plugin) > 0 || std::ranges::count(shipped, plugin) == 0;
+  });
 }
 
 // What nobody does in the list though a game needs it.
-std::vector<std::string> missing_behaviours(const RoleList& list) {
+std::vector<std::string> missing_behaviours(const Team& team, const RoleList& list) {
   std::vector<std::string> out;
-  if (!has(list, Behaviour::play_ball) && !has(list, Behaviour::search)) {
+  if (!may_act_by(team, list, {"play_ball", "search"})) {
     out.emplace_back("no role plays the ball: one has target {at: ball}, or behaviour: play_ball");
   }
-  if (!has(list, Behaviour::keep_goal)) {
+  if (!may_act_by(team, list, {"keep_goal"})) {
     out.emplace_back("no role keeps the goal: one has the name goalkeeper, or behaviour: keep_goal");
   }
   return out;
@@ -164,7 +169,7 @@ std::vector<Warning> warnings(const Team& team, const Rules& rules, const Node& 
                      fmt::format("roles.{0}: no context plays this list: add use: {{roles: {0}}} to one", list.name)});
       continue;
     }
-    for (const std::string& each : missing_behaviours(list)) {
+    for (const std::string& each : missing_behaviours(team, list)) {
       out.push_back(
           {key_of(document["roles"], list.name), fmt::format("roles.{}: in {} {}", list.name, contexts, each)});
     }

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::array<std::string_view, decision_steps> names{
     "the own pose", "the ball",  "the opponents", "the worlds",     "the context",
-    "the points",   "the tasks", "the utilities", "the assignment", "the command or the packet"};
+    "the points",   "the tasks", "the utilities", "the assignment", "the command",
+    "the packet"};
 
 // Field by field: a struct's padding may hold anything.
 class Step {
@@ -85,13 +86,15 @@ DecisionDigest digest_of(const mind::Mind& mind, const mind::Outcome& outcome) {
   for (const regista_edge& each : decision.placement.edges) points(each);
   for (const std::vector<double>& term : decision.utility.terms()) utilities(term);
   utilities(decision.utility.values());
-  Digest acts;
-  add(acts, outcome);
+  Digest acts, sends;
+  add(acts, outcome.command);
+  add(sends, outcome);
   return {Step{}(local.self()).value(),      step_of(local.balls()),
           step_of(local.opponents()),        worlds(mind.world()),
           Step{}(decision.context).value(),  points.value(),
           step_of(decision.columns),         utilities.value(),
-          Step{}(decision.assigned).value(), acts.value()};
+          Step{}(decision.assigned).value(), acts.value(),
+          sends.value()};
 }
 
 std::string plugins_of_step(const mind::TeamPlan& plan, std::size_t step) {
@@ -113,6 +116,9 @@ std::string plugins_of_step(const mind::TeamPlan& plan, std::size_t step) {
     case 3:
       for (const mind::Part* each : {&plan.ball(), &plan.opponents(), &plan.teammates()}) add(*each);
       break;
+    case 9:
+      for (const mind::BehaviourPlan& behaviour : plan.behaviours()) add(behaviour.part);
+      break;
     default:
       for (const mind::ContextPlan& context : plan.contexts()) {
         if (step == 4) add(context.condition);
@@ -121,7 +127,7 @@ std::string plugins_of_step(const mind::TeamPlan& plan, std::size_t step) {
           for (const mind::TermPart& term : context.terms) add(term.part);
         }
         if (step == 8) add(context.assigner);
-        if (step == 9) add(context.sender);
+        if (step == 10) add(context.sender);
       }
   }
   std::string out;

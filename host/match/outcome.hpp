@@ -14,6 +14,8 @@ namespace regista::match {
 // Empty when it is.
 std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, std::size_t roles);
 
+// The command, and all of the outcome that a match acts on.
+void add(Digest& digest, const mind::Command& command);
 void add(Digest& digest, const mind::Outcome& outcome);
 
 }  // namespace regista::match

@@ -22,10 +22,11 @@ std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64
 
 std::vector<Role> roles(const mind::TeamPlan& plan) {
   std::vector<Role> out;
-  for (const mind::RoleRow& row : plan.roles()) {
+  for (std::size_t i = 0; i < plan.roles().size(); ++i) {
+    const mind::RoleRow& row = plan.roles()[i];
     const auto& list = plan.team().role_lists[static_cast<std::size_t>(row.list)];
     out.push_back({row.role->name, list.name, row.priority, row.role->robot,
-                   row.role->behaviour == config::Behaviour::play_ball});
+                   (plan.purposes(static_cast<int>(i)) & REGISTA_BEHAVIOUR_PLAYS_BALL) != 0});
   }
   return out;
 }

@@ -65,4 +65,10 @@ std::vector<ContextParts> Assembly::contexts() {
   return out;
 }
 
+std::vector<plugin::Behaviour> Assembly::behaviours() {
+  std::vector<plugin::Behaviour> out;
+  for (const BehaviourPlan& each : plan_->behaviours()) out.emplace_back(shared(each.part));
+  return out;
+}
+
 }  // namespace regista::mind

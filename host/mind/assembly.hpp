@@ -26,6 +26,8 @@ class Assembly {
   LocalModel local_model();
   TeamModel team_model();
   std::vector<ContextParts> contexts();
+  // In the order of the plan's. After contexts(), whose instances they may share.
+  std::vector<plugin::Behaviour> behaviours();
 
  private:
   // `stream`: robot whose luck the instance has, 0 = the same luck for all robots.

@@ -6,8 +6,8 @@
 
 #include "config/packet_share.hpp"
 #include "mind/assembly.hpp"
-#include "mind/behaviour/behaviour.hpp"
-#include "mind/behaviour/robot_memory.hpp"
+#include "mind/body/carry_out.hpp"
+#include "mind/body/robot_memory.hpp"
 #include "mind/coordination/events.hpp"
 #include "mind/sending_time.hpp"
 #include "mind/world/packet.hpp"
@@ -15,7 +15,6 @@
 namespace regista::mind {
 namespace {
 
-constexpr double ball_trusted_for = 5.0;  // s: nobody acts on older news of the ball
 constexpr double time_rounding = 1e-3;    // s, of a packet's time
 
 // What it decided, for whoever keeps count.
@@ -41,6 +40,7 @@ struct Mind::Parts {
         // In braces: the order of evaluation, and so of creating plugins, is that of the text.
         world{team_plan, own_number, assembly.local_model(), assembly.team_model()},
         coordination(team_plan, own_number, assembly.contexts()),
+        behaviours(assembly.behaviours()),
         detector(own_number) {
     limits.team_size = plan.rules().team_size;
     limits.role_count = static_cast<int>(plan.roles().size());
@@ -48,15 +48,17 @@ struct Mind::Parts {
     limits.size = static_cast<std::size_t>(plan.rules().messages.size);
     events.reserve(REGISTA_EVENT_COUNT);
     segments.reserve(limits.size / segment_heading);
+    points_near.reserve(RobotMemory::most);
   }
 
   void hear(std::span<const HeardPacket> heard);
   void listen_to(const HeardPacket& packet);
-  Situation situation() const;
+  Vector2d target() const;
+  plugin::Behaviour& behaviour();
+  regista_body body(const Percepts& percepts);
   Command act(const Percepts& percepts);
   void decide_to_send(const Percepts& percepts, Outcome& out);
   Report report(const Percepts& percepts) const;
-  const RoleRow* own_role() const;
 
   const TeamPlan& plan;
   int number;
@@ -68,8 +70,10 @@ struct Mind::Parts {
   WorldModel world;
   Coordination coordination;
   EventDetector detector;
+  std::vector<plugin::Behaviour> behaviours;
   RobotMemory robots_near;
-  Behaviour behaviour;
+  std::vector<regista_point> points_near;
+  std::optional<Vector2d> told_target;  // by the behaviour, instead of the task's place
 
   bool first = true;
   double now = 0.0;
@@ -100,9 +104,7 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   parts.world.sense(percepts, dt, parts.coordination.last_frame());
   parts.hear(heard);
   const Decision& last = parts.coordination.decision();
-  const Vector2d target = last.own_task != nullptr ? Vector2d(last.own_task->after[0], last.own_task->after[1])
-                                                   : position(parts.world.local().pose());
-  parts.world.fuse(percepts, dt, {last.own_role, last.own_role_since, target});
+  parts.world.fuse(percepts, dt, {last.own_role, last.own_role_since, parts.target()});
   const Decision& decision = parts.coordination.decide(parts.world, percepts.time, parts.caller.tick);
   out.command = parts.act(percepts);
   parts.decide_to_send(percepts, out);
@@ -126,49 +128,57 @@ void Mind::Parts::listen_to(const HeardPacket& packet) {
   }
 }
 
-const RoleRow* Mind::Parts::own_role() const {
-  const int role = coordination.decision().own_role;
-  return role < 0 ? nullptr : &plan.roles()[static_cast<std::size_t>(role)];
+// Where the robot walks to, for its teammates.
+Vector2d Mind::Parts::target() const {
+  if (told_target) return *told_target;
+  const regista_task* task = coordination.decision().own_task;
+  return task != nullptr ? Vector2d(task->after[0], task->after[1]) : position(world.local().pose());
 }
 
-Situation Mind::Parts::situation() const {
+plugin::Behaviour& Mind::Parts::behaviour() {
+  const int role = coordination.decision().own_role;
+  return behaviours[role < 0 ? plan.behaviour_without_role() : plan.roles()[static_cast<std::size_t>(role)].behaviour];
+}
+
+regista_body Mind::Parts::body(const Percepts& percepts) {
   const Decision& decision = coordination.decision();
-  const DistributedWorldModel& mine = world.mine();
+  const auto flag = [](bool is, std::uint32_t bit) { return is ? bit : 0u; };
+  points_near.clear();
+  for (const Vector2d& each : robots_near.positions()) points_near.push_back({each.x(), each.y()});
   const Pose pose = world.local().pose();
-  Situation situation{.rules = plan.rules(),
-                      .robot = plan.robot(),
-                      .world = mine,
-                      .placement = decision.placement,
-                      .time = now,
-                      .own_number = number,
-                      .pose = pose,
-                      .frame = world.local().frame(),
-                      .target = pose,
-                      .robots_near = robots_near.positions()};
-  if (const RoleRow* row = own_role()) {
-    situation.has_role = true;
-    situation.behaviour = row->role->behaviour;
-    const double* after = decision.own_task->after;
-    situation.target = {after[0], after[1], after[2]};
-    situation.along_edges = plan.team().contexts[static_cast<std::size_t>(decision.context)].tasks.walk_along_edges;
-  }
-  situation.ball = mine.ball();
-  situation.ball_velocity = mine.ball_velocity();
-  situation.ball_age = mine.raw.ball.age;
-  situation.ball_trusted = mine.ball_known() && situation.ball_age < ball_trusted_for && !world.ball_refuted();
-  situation.sees_ball = world.local().sees_ball();
-  return situation;
+  regista_body out{};
+  out.size = sizeof out;
+  out.flags = flag(world.local().sees_ball(), REGISTA_BODY_SEES_BALL) |
+              flag(world.ball_refuted(), REGISTA_BODY_BALL_REFUTED) | flag(percepts.fallen, REGISTA_BODY_FALLEN) |
+              flag(percepts.penalised, REGISTA_BODY_PENALISED) | flag(percepts.kicking, REGISTA_BODY_KICKING) |
+              flag(percepts.contact.has_value(), REGISTA_BODY_TOUCHED);
+  out.task = decision.own_task == nullptr ? -1 : static_cast<std::int32_t>(decision.own_task - decision.columns.data());
+  out.pose[0] = pose.x;
+  out.pose[1] = pose.y;
+  out.pose[2] = pose.heading;
+  out.motion[0] = percepts.odometry.x;
+  out.motion[1] = percepts.odometry.y;
+  out.motion[2] = percepts.odometry.heading;
+  out.head_yaw = percepts.view.heading;
+  out.time_until_up = percepts.time_until_up;
+  out.contact = percepts.contact.value_or(0.0);
+  out.robots_near = {points_near.data(), static_cast<std::uint32_t>(points_near.size()), sizeof(regista_point)};
+  return out;
 }
 
 Command Mind::Parts::act(const Percepts& percepts) {
   robots_near.update(percepts, world.local().frame(), 2.0 * plan.robot().body.radius);
-  return behaviour.act(situation(), percepts);
+  const regista_action& action = behaviour().act(coordination.decision().frame, body(percepts));
+  told_target.reset();
+  if ((action.flags & REGISTA_ACTION_TARGET) != 0) told_target.emplace(action.target[0], action.target[1]);
+  return carry_out({plan.rules(), plan.robot(), world.mine(), number, world.local().pose(), world.local().frame(),
+                    robots_near.positions()},
+                   action);
 }
 
 void Mind::Parts::decide_to_send(const Percepts& percepts, Outcome& out) {
   const Decision& decision = coordination.decision();
-  const RoleRow* role = own_role();
-  const bool searching = role != nullptr && role->role->behaviour == config::Behaviour::search;
+  const bool searching = decision.own_role >= 0 && (plan.purposes(decision.own_role) & REGISTA_BEHAVIOUR_SEARCHES) != 0;
   detector.detect(percepts, world, decision, searching, events);
 
   out.send = false;
@@ -212,8 +222,7 @@ Report Mind::Parts::report(const Percepts& percepts) const {
   report.position_deviation = std::sqrt(0.5 * (self.covariance[0] + self.covariance[5]));
   report.heading_deviation = std::sqrt(self.heading_variance);
   report.velocity = {self.vx, self.vy};
-  report.target = decision.own_task != nullptr ? Vector2d(decision.own_task->after[0], decision.own_task->after[1])
-                                               : position(report.pose);
+  report.target = target();
   report.fallen = percepts.fallen;
   report.time_until_up = percepts.time_until_up;
   report.playing = world.mine().raw.game.phase == REGISTA_PHASE_PLAYING;

@@ -3,7 +3,7 @@
 // the same code could run on a robot or against another simulator.
 //
 // A decision: sense -> hear -> predict -> fuse -> choose context -> place -> filter and offset tasks -> score -> assign
-// -> act -> decide to send.
+// -> act -> decide to send. All that decides is a plugin.
 #pragma once
 
 #include <cstdint>

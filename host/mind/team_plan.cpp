@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mind/team_plan.hpp"
 
+#include <algorithm>
+
 #include "config/packet_share.hpp"
 #include "mind/landmarks.hpp"
 
@@ -57,15 +59,24 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
                          open.part(context.sender, REGISTA_KIND_SENDER), std::move(terms)});
   }
 
+  const auto behaviour = [&](const std::string& name, const config::Location& where) {
+    const auto known = std::ranges::find(behaviours_, name, &BehaviourPlan::name);
+    if (known != behaviours_.end()) return static_cast<std::size_t>(known - behaviours_.begin());
+    behaviours_.push_back({name, open.part(team_.behaviour_named(name, where), REGISTA_KIND_BEHAVIOUR)});
+    return behaviours_.size() - 1;
+  };
   for (std::size_t list = 0; list < team_.role_lists.size(); ++list) {
     const config::RoleList& roles = team_.role_lists[list];
     first_role_.push_back(static_cast<int>(roles_.size()));
     for (std::size_t i = 0; i < roles.roles.size(); ++i) {
       const config::Role& role = roles.roles[i];
-      roles_.push_back({&role, static_cast<int>(list), static_cast<int>(i)});
+      roles_.push_back({&role, static_cast<int>(list), static_cast<int>(i), behaviour(role.behaviour, role.behaviour_where)});
       role_table_.push_back({role.name.c_str(), roles.name.c_str(), static_cast<std::int32_t>(i), role.robot});
     }
   }
+  behaviour_without_role_ = behaviour(team_.behaviour_without_role, team_.behaviour_without_role_where);
+  // Those that nobody names are looked at too: a mistake in one is one.
+  for (const config::Behaviour& each : team_.behaviours) behaviour(each.name, each.use.where);
   constexpr std::size_t most_roles = 254;  // one byte in a packet, one value of it for "none"
   if (roles_.size() > most_roles) {
     mistakes.add(config::Error(team_.where, "a team may name at most 254 roles in all its lists, this one has " +
@@ -73,6 +84,10 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
                  "roles");
   }
   landmarks_ = landmarks(rules_.field);
+  for (const config::Kick& kick : robot_.kicks) {
+    kicks_.push_back({kick.name.c_str(), kick.minimum_distance, kick.maximum_distance, kick.duration, kick.impact,
+                      kick.distance_noise, kick.direction_noise});
+  }
 }
 
 std::vector<const Part*> TeamPlan::parts() const {
@@ -84,6 +99,7 @@ std::vector<const Part*> TeamPlan::parts() const {
     out.push_back(&context.assigner);
     out.push_back(&context.sender);
   }
+  for (const BehaviourPlan& behaviour : behaviours_) out.push_back(&behaviour.part);
   return out;
 }
 
@@ -116,6 +132,17 @@ regista_environment TeamPlan::environment(int number, unsigned subject) const {
   out.packet_budget = static_cast<std::uint32_t>(config::packets(rules_.messages));
   out.landmarks = {landmarks_.data(), static_cast<std::uint32_t>(landmarks_.size()), sizeof(regista_landmark)};
   out.roles = {role_table_.data(), static_cast<std::uint32_t>(role_table_.size()), sizeof(regista_role)};
+  out.goal_post_radius = field.post_diameter / 2.0;
+  out.ball_deceleration = rules_.ball.rolling_deceleration;
+  out.set_play_distance = rules_.set_play_distance;
+  out.kick_reach = robot_.body.reach;
+  out.kick_reach_angle = robot_.body.reach_angle;
+  out.camera_half_angle = robot_.camera.half_angle;
+  out.camera_ball_range = robot_.camera.ball_range;
+  out.camera_robot_range = robot_.camera.robot_range;
+  out.head_yaw = robot_.camera.head_yaw;
+  out.head_speed = robot_.camera.head_speed;
+  out.kicks = {kicks_.data(), static_cast<std::uint32_t>(kicks_.size()), sizeof(regista_kick)};
   return out;
 }
 

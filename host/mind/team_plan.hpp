@@ -37,11 +37,17 @@ struct ContextPlan {
   std::vector<TermPart> terms;
 };
 
+struct BehaviourPlan {
+  std::string name;
+  Part part;
+};
+
 // A row of the table of roles: its index is the id of role and task.
 struct RoleRow {
   const config::Role* role = nullptr;
-  int list = 0;      // index into Team::role_lists
-  int priority = 0;  // place in the list
+  int list = 0;               // index into Team::role_lists
+  int priority = 0;           // place in the list
+  std::size_t behaviour = 0;  // index into TeamPlan::behaviours()
 };
 
 class TeamPlan {
@@ -69,6 +75,15 @@ class TeamPlan {
   // In the order of Team::contexts: highest priority first.
   const std::vector<ContextPlan>& contexts() const { return contexts_; }
 
+  // Those that roles name, each once, in the order of the table of roles; then those that nobody names.
+  const std::vector<BehaviourPlan>& behaviours() const { return behaviours_; }
+  // Of a robot without a role.
+  std::size_t behaviour_without_role() const { return behaviour_without_role_; }
+  // REGISTA_BEHAVIOUR_*: what the behaviour of a row of the table of roles is for.
+  std::uint32_t purposes(int role) const {
+    return plugin::purposes(*behaviours_[roles_[static_cast<std::size_t>(role)].behaviour].part.found);
+  }
+
   // All of the above, in a fixed order; a plugin may have several.
   std::vector<const Part*> parts() const;
 
@@ -88,10 +103,13 @@ class TeamPlan {
   config::Robot robot_;
   Part self_, ball_, opponents_, teammates_;
   std::vector<ContextPlan> contexts_;
+  std::vector<BehaviourPlan> behaviours_;
+  std::size_t behaviour_without_role_ = 0;
   std::vector<RoleRow> roles_;
   std::vector<int> first_role_;
   std::vector<regista_role> role_table_;
   std::vector<regista_landmark> landmarks_;
+  std::vector<regista_kick> kicks_;
 };
 
 }  // namespace regista::mind

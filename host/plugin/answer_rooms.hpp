@@ -34,6 +34,8 @@ struct AnswerRooms {
   GuardedRoom<double> utilities{1};
   // Assigner
   GuardedRoom<std::int32_t> columns{1};
+  // Behaviour
+  GuardedValue<regista_action> action;
   // Sender
   GuardedValue<regista_send> send;
   GuardedRoom<std::uint64_t> granted{1};

@@ -44,6 +44,7 @@ Description::Description(const regista_descriptor& live) : declared_(live) {
   for (const int kind : plugin::kinds(live)) kinds_ |= 1u << kind;
   if (const auto* predictor = table<regista_predictor>(live, REGISTA_KIND_PREDICTOR)) subjects_ = predictor->subjects;
   if (const auto* assigner = table<regista_assigner>(live, REGISTA_KIND_ASSIGNER)) assigner_flags_ = assigner->flags;
+  if (const auto* behaviour = table<regista_behaviour>(live, REGISTA_KIND_BEHAVIOUR)) purposes_ = behaviour->flags;
   declared_.table = nullptr;
   declared_.create = nullptr;
   declared_.reset = nullptr;
@@ -53,7 +54,7 @@ Description::Description(const regista_descriptor& live) : declared_(live) {
 template <class Archive>
 void Description::visit_numbers(Archive& archive) {
   archive(declared_.size, declared_.abi_major, declared_.abi_minor, declared_.parameter_count, kinds_, subjects_,
-          assigner_flags_);
+          assigner_flags_, purposes_);
 }
 
 void Description::write(config::BytesOut& bytes) const {

@@ -32,6 +32,7 @@ class Description {
   bool implements(int kind) const { return (kinds_ >> kind & 1u) != 0; }
   std::uint32_t subjects() const { return subjects_; }              // REGISTA_SUBJECT_*, of a predictor
   std::uint32_t assigner_flags() const { return assigner_flags_; }  // REGISTA_ASSIGNER_*
+  std::uint32_t purposes() const { return purposes_; }              // REGISTA_BEHAVIOUR_*
 
  private:
   template <class Archive>
@@ -39,7 +40,7 @@ class Description {
   const char* keep(std::string text);
 
   regista_descriptor declared_{};
-  std::uint32_t kinds_ = 0, subjects_ = 0, assigner_flags_ = 0;
+  std::uint32_t kinds_ = 0, subjects_ = 0, assigner_flags_ = 0, purposes_ = 0;
   std::deque<std::string> texts_;
   std::vector<regista_parameter> parameters_;
   std::deque<std::vector<const char*>> choices_;

@@ -46,12 +46,14 @@ constexpr std::array<TableCheck, REGISTA_KIND_END> table_checks{
     check_of<regista_utility, &regista_utility::score>(),
     check_of<regista_assigner, &regista_assigner::assign>(),
     check_of<regista_sender, &regista_sender::decide>(),
-    check_of<regista_mailbox, &regista_mailbox::transmitted, &regista_mailbox::dropped, &regista_mailbox::receive>()};
+    check_of<regista_mailbox, &regista_mailbox::transmitted, &regista_mailbox::dropped, &regista_mailbox::receive>(),
+    check_of<regista_behaviour, &regista_behaviour::act>()};
 
-constexpr std::array<std::string_view, REGISTA_KIND_END> kind_names{"",        "predictor", "context", "positioner",
-                                                                    "utility", "assigner",  "sender",  "mailbox"};
+constexpr std::array<std::string_view, REGISTA_KIND_END> kind_names{
+    "", "predictor", "context", "positioner", "utility", "assigner", "sender", "mailbox", "behaviour"};
 constexpr std::array<std::string_view, REGISTA_KIND_END> kinds_with_article{
-    "", "a predictor", "a context", "a positioner", "a utility", "an assigner", "a sender", "a mailbox"};
+    "",           "a predictor", "a context", "a positioner", "a utility",
+    "an assigner", "a sender",    "a mailbox", "a behaviour"};
 constexpr std::array<std::string_view, 7> type_names{"", "real", "integer", "boolean", "choice", "text", "file"};
 
 bool lower_snake_case(std::string_view name) {

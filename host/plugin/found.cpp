@@ -30,6 +30,12 @@ std::uint32_t assigner_flags(const Found& plugin) {
   return assigner == nullptr ? 0 : assigner->flags;
 }
 
+std::uint32_t purposes(const Found& plugin) {
+  if (plugin.description) return plugin.description->purposes();
+  const auto* const behaviour = table<regista_behaviour>(*plugin.descriptor, REGISTA_KIND_BEHAVIOUR);
+  return behaviour == nullptr ? 0 : behaviour->flags;
+}
+
 const regista_descriptor& loaded(const Found& plugin) {
   return plugin.object ? plugin.object->descriptor(plugin.index) : *plugin.descriptor;
 }

@@ -58,11 +58,18 @@ void Inputs::add(const char* name, const regista_message* message) {
   add(name, ".bytes", message->bytes, message->count);
 }
 
+void Inputs::add(const char* name, const regista_body* body) {
+  if (body == nullptr) return;
+  add(name, "", body, sizeof *body);
+  add(name, ".robots_near", body->robots_near);
+}
+
 void Inputs::add(const char* name, const regista_environment* environment) {
   if (environment == nullptr) return;
   add(name, "", environment, sizeof *environment);
   add(name, ".landmarks", environment->landmarks);
   add(name, ".roles", environment->roles);
+  add(name, ".kicks", environment->kicks);
   const regista_span& roles = environment->roles;
   for (std::uint32_t i = 0; i < roles.count; ++i) {
     regista_role role;

@@ -28,7 +28,9 @@ class Inputs {
   void add(const char* name, const regista_matrix* matrix);
   // With its bytes.
   void add(const char* name, const regista_message* message);
-  // With landmarks and roles.
+  // With the robots near.
+  void add(const char* name, const regista_body* body);
+  // With landmarks, roles and kicks.
   void add(const char* name, const regista_environment* environment);
 
   // The innermost part that is not what it was, "frame.mine.robots"; empty when all is as it was. Follows no pointer

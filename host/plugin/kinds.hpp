@@ -3,6 +3,7 @@
 #pragma once
 
 #include "plugin/assigner.hpp"
+#include "plugin/behaviour.hpp"
 #include "plugin/context.hpp"
 #include "plugin/mailbox.hpp"
 #include "plugin/positioner.hpp"

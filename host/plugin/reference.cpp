@@ -25,6 +25,7 @@ constexpr Chapter chapters[] = {
     {REGISTA_KIND_POSITIONER, "Positioners", "Which points of the field are worth being at?"},
     {REGISTA_KIND_UTILITY, "Utilities", "How well would each robot do each task?"},
     {REGISTA_KIND_ASSIGNER, "Assigners", "Who takes which task?"},
+    {REGISTA_KIND_BEHAVIOUR, "Behaviours", "How does a robot act that has this role?"},
     {REGISTA_KIND_SENDER, "Senders", "Is this moment worth one of the team's packets?"},
 };
 

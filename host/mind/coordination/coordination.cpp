@@ -122,7 +122,8 @@ void Coordination::list_tasks(const Worlds& worlds, config::Knowledge knowledge)
     task.priority = static_cast<std::int32_t>(i);
     task.group = role.group;
     task.robot = role.robot;
-    task.flags = role.required ? std::uint32_t{REGISTA_TASK_REQUIRED} : 0u;
+    task.flags = (role.required ? std::uint32_t{REGISTA_TASK_REQUIRED} : 0u) |
+                 (context().tasks.walk_along_edges ? std::uint32_t{REGISTA_TASK_ALONG_EDGES} : 0u);
     place_task(task, role.target, anchors);
   }
   decision_.frame.tasks = span(decision_.tasks);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mind/behaviour/walking.hpp"
+#include "mind/body/walking.hpp"
 
 namespace regista::mind {
 namespace {

@@ -50,7 +50,7 @@ TEST(DecisionDigest, BeginsToDifferWhereWhatDiffersIsUsed) {
             "the opponents");
   config::Team thrifty = team();
   thrifty.contexts.front().sender = use("even");
-  EXPECT_EQ(told(thrifty, [](Percepts& given) { given.game.packets_left = 0; }), "the command or the packet");
+  EXPECT_EQ(told(thrifty, [](Percepts& given) { given.game.packets_left = 0; }), "the packet");
 }
 
 // Teams that differ in one plugin alone, which answers otherwise.

@@ -271,6 +271,37 @@ TEST(MindTest, AnOutcomeTellsHowTheDecisionCameAbout) {
   EXPECT_FALSE(out.target);
 }
 
+TEST(MindTest, TheBehaviourOfTheRoleActs) {
+  config::Team page = team();
+  page.behaviours.push_back({"tells", use("walks", {{"tells", "true"}, {"tells_x", "2.5"}})});
+  page.role_lists[0].roles[1].behaviour = "tells";
+  const auto plan = plan_of(page);
+  Mind mind(*plan, 3, 1);
+  Outcome out;
+  Percepts given = percepts(0.0);
+  given.placed = placed(-1.0, 0.0, 0.0);
+  given.balls.push_back({{1.5, 0.0}, 0.05, 0.05});
+  mind.think(given, {}, out);
+  ASSERT_EQ(out.role, 1) << "alone it keeps what is required";
+  EXPECT_GT(out.command.walk.forward, 0.2) << "the ball lies ahead";
+  EXPECT_EQ(out.command.head_yaw, 0.5);
+  EXPECT_NEAR(sent_by(out).target.x(), 2.5, 0.01) << "the packet tells what the behaviour says";
+  EXPECT_NE(out.target->x, 2.5) << "the task's place is another thing";
+}
+
+TEST(MindTest, EveryBehaviourOfThePageIsLookedForOnce) {
+  config::Team page = team();
+  page.behaviours.push_back({"lazy", use("seeks")});
+  page.role_lists[0].roles[2].behaviour = "seeks";
+  const auto plan = plan_of(page);
+  std::vector<std::string> names;
+  for (const BehaviourPlan& each : plan->behaviours()) names.push_back(each.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"walks", "seeks", "lazy"}));
+  EXPECT_EQ(plan->purposes(2), REGISTA_BEHAVIOUR_SEARCHES);
+  EXPECT_EQ(plan->purposes(0), 0u);
+  EXPECT_EQ(plan->behaviour_without_role(), 0u);
+}
+
 TEST(MindTest, TheSameInputsGiveTheSameBytes) {
   const auto plan = plan_of(team());
   Squad one(*plan, {1, 2, 3}), two(*plan, {1, 2, 3});

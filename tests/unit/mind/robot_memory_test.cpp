@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Who was seen a moment ago is remembered, once, where it was on the field.
-#include "mind/behaviour/robot_memory.hpp"
+#include "mind/body/robot_memory.hpp"
 
 #include <gtest/gtest.h>
 

@@ -25,20 +25,20 @@ inline config::PluginUse use(std::string id, std::vector<std::pair<std::string, 
 inline config::Place place(config::Anchor anchor) { return {anchor, {}}; }
 inline config::Place place(double x, double y) { return {config::Anchor::point, {x, y}}; }
 
-inline config::Role role(std::string name, config::Place at, config::Behaviour behaviour = config::Behaviour::support) {
+inline config::Role role(std::string name, config::Place at) {
   config::Role out;
   out.name = std::move(name);
   out.target.at = at;
-  out.behaviour = behaviour;
+  out.behaviour = "walks";
   return out;
 }
 
 // Ten roles for seven robots: a goalkeeper bound to robot 1, a striker that is required, and eight places.
 inline config::RoleList playing() {
   config::RoleList list{"playing", {}};
-  list.roles.push_back(role("goalkeeper", place(-4.0, 0.0), config::Behaviour::keep_goal));
+  list.roles.push_back(role("goalkeeper", place(-4.0, 0.0)));
   list.roles.back().robot = 1;
-  list.roles.push_back(role("striker", place(config::Anchor::ball), config::Behaviour::play_ball));
+  list.roles.push_back(role("striker", place(config::Anchor::ball)));
   list.roles.back().required = true;
   for (int i = 0; i < 8; ++i) {
     list.roles.push_back(role("place_" + std::to_string(i), place(i - 3.5, i % 2 == 0 ? 1.5 : -1.5)));
@@ -61,6 +61,7 @@ inline config::Context context(std::string name, std::vector<std::pair<std::stri
 inline config::Team team() {
   config::Team out;
   out.name = "stubs";
+  out.behaviour_without_role = "walks";
   out.self = out.ball = out.opponents = out.teammates = use("still");
   out.role_lists.push_back(playing());
   out.contexts.push_back(context("playing"));

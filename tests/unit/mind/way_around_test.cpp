@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "mind/behaviour/walking.hpp"
+#include "mind/body/walking.hpp"
 
 namespace regista::mind {
 namespace {
@@ -69,21 +69,13 @@ TEST(WalkTo, StaysWithinWhatTheWalkCanDo) {
   const config::Rules rules;
   const config::Robot robot;
   const DistributedWorldModel world(7);
-  const plugin::Placement placement;
   for (int round = 0; round < 2000; ++round) {
     const double x = in(-4, 4), y = in(-3, 3), heading = in(-pi, pi);
     const Pose pose{x, y, heading};
-    const Situation situation{.rules = rules,
-                              .robot = robot,
-                              .world = world,
-                              .placement = placement,
-                              .pose = pose,
-                              .frame = Frame2(pose),
-                              .target = pose,
-                              .robots_near = {}};
+    const Body body{rules, robot, world, 1, pose, Frame2(pose), {}};
     const double reach = round % 2 == 0 ? 4.0 : 0.1;
     const double tx = x + in(-reach, reach), ty = y + in(-reach, reach), th = in(-pi, pi);
-    const Walk walk = walk_to(situation, {tx, ty, th}, {}, round % 3 == 0);
+    const Walk walk = walk_to(body, {tx, ty, th}, {}, round % 3 == 0);
     const double along = walk.forward >= 0.0 ? robot.walk.forward : robot.walk.backward;
     EXPECT_LE(std::hypot(walk.forward / along, walk.sideways / robot.walk.sideways), 1.0 + 1e-9);
     EXPECT_LE(std::abs(walk.turn), robot.walk.turn);
@@ -98,24 +90,16 @@ TEST(WalkTo, NeverPushes) {
   const config::Rules rules;
   const config::Robot robot;
   const DistributedWorldModel world(7);
-  const plugin::Placement placement;
   for (int round = 0; round < 2000; ++round) {
     const Pose pose{0.0, 0.0, in(-pi, pi)};
-    const Situation situation{.rules = rules,
-                              .robot = robot,
-                              .world = world,
-                              .placement = placement,
-                              .pose = pose,
-                              .frame = Frame2(pose),
-                              .target = pose,
-                              .robots_near = {}};
+    const Body body{rules, robot, world, 1, pose, Frame2(pose), {}};
     const double distance = in(0.2, 0.6), angle = in(-pi, pi);
     const Vector2d towards(std::cos(angle), std::sin(angle));
     const std::vector<Obstacle> obstacles{{towards * distance, 0.42}};
     const double reach = round % 2 == 0 ? 3.0 : 0.05;
     const double tx = in(-reach, reach), ty = in(-reach, reach), th = in(-pi, pi);
-    const Walk walk = walk_to(situation, {tx, ty, th}, obstacles, round % 3 == 0);
-    const double speed = situation.frame.direction_to_field({walk.forward, walk.sideways}).dot(towards);
+    const Walk walk = walk_to(body, {tx, ty, th}, obstacles, round % 3 == 0);
+    const double speed = body.frame.direction_to_field({walk.forward, walk.sideways}).dot(towards);
     if (distance < 0.42) {
       EXPECT_LE(speed, 1e-9) << round;
     }
@@ -132,21 +116,13 @@ TEST(WalkTo, Arrives) {
   const config::Rules rules;
   const config::Robot robot;
   const DistributedWorldModel world(7);
-  const plugin::Placement placement;
   for (int round = 0; round < 200; ++round) {
     const double x = in(-4, 4), y = in(-3, 3), heading = in(-pi, pi), tx = in(-4, 4), ty = in(-3, 3), th = in(-pi, pi);
     Pose pose{x, y, heading};
     for (int step = 0; step < 600; ++step) {
-      const Situation situation{.rules = rules,
-                                .robot = robot,
-                                .world = world,
-                                .placement = placement,
-                                .pose = pose,
-                                .frame = Frame2(pose),
-                                .target = pose,
-                                .robots_near = {}};
-      const Walk walk = walk_to(situation, {tx, ty, th}, {});
-      const Vector2d moved = situation.frame.to_field({0.1 * walk.forward, 0.1 * walk.sideways});
+      const Body body{rules, robot, world, 1, pose, Frame2(pose), {}};
+      const Walk walk = walk_to(body, {tx, ty, th}, {});
+      const Vector2d moved = body.frame.to_field({0.1 * walk.forward, 0.1 * walk.sideways});
       pose = {moved.x(), moved.y(), wrap(pose.heading + 0.1 * walk.turn)};
     }
     EXPECT_LT(std::hypot(pose.x - tx, pose.y - ty), 0.1) << round;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <regista/assigner.hpp>
+#include <regista/behaviour.hpp>
 #include <regista/context.hpp>
 #include <regista/positioner.hpp>
 #include <regista/predictor.hpp>
@@ -259,6 +260,34 @@ struct Even {
     if (now.packets_left > static_cast<int>(budget) || now.match_time_left <= 0.0) return std::nullopt;
     return now.packets_left >= now.line ? std::optional(REGISTA_EVENT_PERIOD) : std::nullopt;
   }
+};
+
+// Walks to its task's place, looks half to the left, and tells of another target where it is asked to.
+struct Walks {
+  static constexpr auto id = "walks", version = "1.0.0", summary = "Walks to its task";
+  double tells_x = 0.0;
+  bool tells = false;
+  static constexpr std::tuple parameters{
+      regista::real("tells_x", &Walks::tells_x, {-10.0, 10.0}, "m", "x of the target that it tells of"),
+      regista::boolean("tells", &Walks::tells, "Tells of a target")};
+  void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
+    out.gaze = 0.5;
+    if (tells) {
+      out.flags = REGISTA_ACTION_TARGET;
+      out.target[0] = tells_x;
+    }
+    const regista::Task* task = body.task(frame);
+    if (task == nullptr || frame.mine().game().phase != REGISTA_PHASE_PLAYING) return;
+    out.motion = REGISTA_MOTION_WALK_TO;
+    for (int i = 0; i < 3; ++i) out.pose[i] = task->after[i];
+  }
+};
+
+// Does nothing; that it searches is all there is to it.
+struct Seeks {
+  static constexpr auto id = "seeks", version = "1.0.0", summary = "Searches, they say";
+  static constexpr unsigned purposes = REGISTA_BEHAVIOUR_SEARCHES;
+  void act(const regista::Frame&, const regista::Body&, regista::Action&) {}
 };
 
 // Offers its number whenever its last offer is gone; scores everything by the sum of what it received.

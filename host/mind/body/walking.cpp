@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mind/behaviour/walking.hpp"
+#include "mind/body/walking.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,9 @@ Vector2d yielding(Vector2d velocity, const Vector2d& own, std::span<const Obstac
   return velocity;
 }
 
-// Scales a velocity in the robot frame into the ellipse of what the walk can do.
+}  // namespace
+
+// The ellipse of what the walk can do.
 Walk limited(const config::Walk& walk, Vector2d velocity, double turn) {
   const double along = velocity.x() >= 0.0 ? walk.forward : walk.backward;
   // A direction in which the robot cannot walk at all.
@@ -45,28 +47,26 @@ Walk limited(const config::Walk& walk, Vector2d velocity, double turn) {
   return {velocity.x(), velocity.y(), std::clamp(turn, -walk.turn, walk.turn)};
 }
 
-}  // namespace
-
-Obstacles obstacles_around(const Situation& situation) {
+Obstacles obstacles_around(const Body& body) {
   Obstacles out;
-  const double radius = 2.0 * situation.robot.body.radius + personal_space;
-  for (const Vector2d& robot : situation.robots_near) out.add(robot, radius);
-  for (const regista_opponent& opponent : situation.world.opponents) {
+  const double radius = 2.0 * body.robot.body.radius + personal_space;
+  for (const Vector2d& robot : body.robots_near) out.add(robot, radius);
+  for (const regista_opponent& opponent : body.world.opponents) {
     const Vector2d position(opponent.position[0], opponent.position[1]);
-    if ((position - situation.frame.origin()).squaredNorm() < 2.25) out.add(position, radius);
+    if ((position - body.frame.origin()).squaredNorm() < 2.25) out.add(position, radius);
   }
-  for (const regista_robot& robot : situation.world.robots) {
-    if ((robot.flags & REGISTA_ROBOT_ACTIVE) == 0 || robot.number == situation.own_number) continue;
+  for (const regista_robot& robot : body.world.robots) {
+    if ((robot.flags & REGISTA_ROBOT_ACTIVE) == 0 || robot.number == body.own_number) continue;
     const Vector2d position(robot.pose[0], robot.pose[1]);
     // Old news of a teammate's place are worse than none.
-    if (robot.age < 3.0 && (position - situation.frame.origin()).squaredNorm() < 2.25) out.add(position, radius);
+    if (robot.age < 3.0 && (position - body.frame.origin()).squaredNorm() < 2.25) out.add(position, radius);
   }
-  const config::FieldSize& field = situation.rules.field;
-  const Vector2d own = situation.frame.origin();
+  const config::FieldSize& field = body.rules.field;
+  const Vector2d own = body.frame.origin();
   if (std::abs(own.x()) > field.length / 2.0 - look_ahead) {
     const double line = std::copysign(field.length / 2.0, own.x());
     const double post = (field.goal_width + field.post_diameter) / 2.0;
-    const double apart = situation.robot.body.radius + field.post_diameter / 2.0 + post_space;
+    const double apart = body.robot.body.radius + field.post_diameter / 2.0 + post_space;
     for (const double y : {-post, post}) out.add({line, y}, apart);
   }
   return out;
@@ -131,31 +131,27 @@ Vector2d around_goals(const config::FieldSize& field, double radius, const Vecto
   return {before, same_end && at_line(from) ? from.y() : target.y()};
 }
 
-Walk walk_to(const Situation& situation, const Pose& target, std::span<const Obstacle> obstacles, bool brisk) {
-  const config::Walk& walk = situation.robot.walk;
+Walk walk_to(const Body& body, const Pose& target, std::span<const Obstacle> obstacles, bool brisk) {
+  const config::Walk& walk = body.robot.walk;
   const Vector2d goal =
-      around_goals(situation.rules.field, situation.robot.body.radius, situation.frame.origin(), {target.x, target.y});
-  const double distance = (goal - situation.frame.origin()).norm();
+      around_goals(body.rules.field, body.robot.body.radius, body.frame.origin(), {target.x, target.y});
+  const double distance = (goal - body.frame.origin()).norm();
   if (distance < arrived && !brisk) {
-    const double turn = wrap(target.heading - situation.pose.heading);
-    const Vector2d velocity = yielding(goal - situation.frame.origin(), situation.frame.origin(), obstacles);
-    return limited(walk, situation.frame.direction_to_robot(velocity),
+    const double turn = wrap(target.heading - body.pose.heading);
+    const Vector2d velocity = yielding(goal - body.frame.origin(), body.frame.origin(), obstacles);
+    return limited(walk, body.frame.direction_to_robot(velocity),
                    std::abs(turn) < heading_reached ? 0.0 : turn_gain * turn);
   }
-  const Vector2d next = way_around(situation.frame.origin(), goal, obstacles);
-  const Vector2d direction = situation.frame.direction_to_robot(next - situation.frame.origin());
+  const Vector2d next = way_around(body.frame.origin(), goal, obstacles);
+  const Vector2d direction = body.frame.direction_to_robot(next - body.frame.origin());
   const double wanted =
-      distance > walk_turned_from ? angle_of(direction) : wrap(target.heading - situation.pose.heading);
+      distance > walk_turned_from ? angle_of(direction) : wrap(target.heading - body.pose.heading);
   // Far targets: turn first, so that the walk is forward, the fastest there is.
   const double facing = distance > walk_turned_from ? std::max(0.0, std::cos(wanted)) : 1.0;
   const double speed = brisk ? walk.forward : std::min(walk.forward, distance_gain * distance);
-  const Vector2d velocity = (next - situation.frame.origin()).normalized() * (speed * facing);
-  return limited(walk, situation.frame.direction_to_robot(yielding(velocity, situation.frame.origin(), obstacles)),
+  const Vector2d velocity = (next - body.frame.origin()).normalized() * (speed * facing);
+  return limited(walk, body.frame.direction_to_robot(yielding(velocity, body.frame.origin(), obstacles)),
                  turn_gain * wanted);
-}
-
-Walk turn_to(const Situation& situation, double heading) {
-  return limited(situation.robot.walk, {0.0, 0.0}, turn_gain * wrap(heading - situation.pose.heading));
 }
 
 }  // namespace regista::mind

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mind/behaviour/robot_memory.hpp"
+#include "mind/body/robot_memory.hpp"
 
 #include <cmath>
 

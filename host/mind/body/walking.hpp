@@ -7,7 +7,7 @@
 
 #include "config/robot.hpp"
 #include "config/rules.hpp"
-#include "mind/behaviour/situation.hpp"
+#include "mind/body/body.hpp"
 #include "mind/command.hpp"
 #include "mind/geometry.hpp"
 
@@ -34,7 +34,7 @@ class Obstacles {
 };
 
 // Robots that are seen now, opponents and teammates that are believed to be near, and goal posts.
-Obstacles obstacles_around(const Situation& situation);
+Obstacles obstacles_around(const Body& body);
 
 // The point to walk to next on the way from `from` to `to`: `to` itself, or beside the first obstacle in the way.
 Vector2d way_around(const Vector2d& from, const Vector2d& to, std::span<const Obstacle> obstacles);
@@ -44,9 +44,9 @@ Vector2d way_around(const Vector2d& from, const Vector2d& to, std::span<const Ob
 Vector2d around_goals(const config::FieldSize& field, double radius, const Vector2d& from, const Vector2d& to);
 
 // Velocity towards a pose. `brisk`: do not slow down to arrive.
-Walk walk_to(const Situation& situation, const Pose& target, std::span<const Obstacle> obstacles, bool brisk = false);
+Walk walk_to(const Body& body, const Pose& target, std::span<const Obstacle> obstacles, bool brisk = false);
 
-// Turn in place towards a heading.
-Walk turn_to(const Situation& situation, double heading);
+// A wanted velocity (robot frame) and turn, scaled into what the walk can do.
+Walk limited(const config::Walk& walk, Vector2d velocity, double turn);
 
 }  // namespace regista::mind

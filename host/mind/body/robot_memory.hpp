@@ -13,13 +13,13 @@ namespace regista::mind {
 
 class RobotMemory {
  public:
+  static constexpr std::size_t most = 16;
   // `own`: frame of the own pose when the percepts were taken. touching: between the centres of robots in contact.
   void update(const Percepts& percepts, const Frame2& own, double touching);
   // Field frame, the latest seen last.
   std::span<const Vector2d> positions() const { return {positions_.data(), count_}; }
 
  private:
-  static constexpr std::size_t most = 16;
   void remember(const Vector2d& position, double time);
   void forget(std::size_t index);
 
