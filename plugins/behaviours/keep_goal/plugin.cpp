@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Glue of the behaviour `keep_goal`; the keeper's own part is in algorithm.hpp, how it plays the ball in
+// ../kick_choice.hpp and ../approach.hpp.
+#include <regista/behaviour.hpp>
+
+#include "../by_phase.hpp"
+#include "../conduct_parameters.hpp"
+#include "../kick_memory.hpp"
+#include "../kick_parameters.hpp"
+#include "../read_situation.hpp"
+#include "../write_action.hpp"
+#include "algorithm.hpp"
+
+namespace {
+
+using keep_goal::Settings;
+
+struct KeepGoal {
+  static constexpr auto id = "keep_goal", version = "1.0.0",
+                        summary = "Stands between ball and goal, goes for shots, and clears a ball that lies near";
+  static constexpr unsigned purposes = REGISTA_BEHAVIOUR_KEEPS_GOAL;
+
+  behaviours::Conduct conduct;
+  behaviours::RollingSettings rolling;
+  Settings settings;
+  behaviours::KickSettings kick;
+  behaviours::ApproachSettings approach;
+  static constexpr std::tuple parameters{
+      regista::within(&KeepGoal::conduct, behaviours::conduct_parameters),
+      regista::within(&KeepGoal::rolling, behaviours::rolling_parameter),
+      regista::within(
+          &KeepGoal::settings,
+          regista::real("beyond_area", &Settings::beyond_area, {-2.0, 5.0}, "m",
+                        "The keeper plays a ball that is no farther from the centre of the goal than the length of the "
+                        "penalty area and this; our choice: 0.2")
+              .tunable(),
+          regista::real("near_ball", &Settings::near_ball, {0.0, 10.0}, "m",
+                        "The keeper plays a ball that is nearer to it, wherever it stands; our choice: 1")
+              .tunable(),
+          regista::real("slow", &Settings::slow, {0.0, 10.0}, "m/s",
+                        "The keeper plays slower balls only; our choice: 0.5")
+              .tunable(),
+          regista::real("shot_reach", &Settings::shot_reach, {0.0, 10.0}, "m",
+                        "The keeper leaves its place by so much for the line of a shot; our choice: 1.5")
+              .tunable()),
+      regista::within(&KeepGoal::kick, behaviours::kick_parameters),
+      regista::within(&KeepGoal::approach, behaviours::approach_parameters)};
+
+  behaviours::SituationReader reader{behaviours::Duty::keeps_goal};
+  behaviours::KickMemory kicks;
+
+  void setup(const regista::Environment& environment) {
+    reader.setup(environment);
+    kicks.setup(environment, kick);
+  }
+
+  void reset(std::uint64_t) { kicks.forget(); }
+
+  void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
+    const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
+    const behaviours::Movement movement = behaviours::by_phase(situation, conduct.legal, [&] {
+      if (!situation.facts.can_kick || !keep_goal::plays_ball(situation, settings)) {
+        return keep_goal::guard(situation, settings, rolling, conduct.legal);
+      }
+      return behaviours::approach(situation, approach, rolling, kicks.choose(frame, situation));
+    });
+    behaviours::write_action(movement, behaviours::look(situation, conduct.gaze), out);
+  }
+};
+
+}  // namespace
+
+REGISTA_PLUGIN(KeepGoal, regista::behaviour)

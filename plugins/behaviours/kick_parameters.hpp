@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Parameters of the behaviours that kick. Glue: a plugin puts them within its settings.
+#pragma once
+
+#include <tuple>
+
+#include <regista/parameters.hpp>
+
+#include "approach.hpp"
+#include "kick_choice.hpp"
+
+namespace behaviours {
+
+inline constexpr std::tuple kick_parameters{
+    regista::real("goal_bonus", &KickSettings::goal_bonus, {0.0, 20.0}, "m",
+                  "A shot that nobody blocks is worth this much of ground besides; our choice: 4")
+        .tunable(),
+    regista::real("along_goal_line", &KickSettings::along_goal_line, {0.0, 1.0}, "1",
+                  "Share of half the goal that shots use; our choice: 0.9")
+        .tunable(),
+    regista::real(
+        "beside_keeper", &KickSettings::beside_keeper, {0.0, 1.0}, "1",
+        "Shots that do not go to the middle are aimed off it by this share of what shots use; our choice: 0.6")
+        .tunable(),
+    regista::real("into_net", &KickSettings::into_net, {0.0, 5.0}, "m",
+                  "A shot would roll this far behind the goal line; our choice: 1")
+        .tunable(),
+    regista::real("over_line", &KickSettings::over_line, {0.0, 5.0}, "m",
+                  "A kick that would end nearer behind the goal line than this is no shot; our choice: 0.2"),
+    regista::real("shot_cost", &KickSettings::shot_cost, {0.0, 5.0}, "1",
+                  "Ground that each metre from the ball to the goal takes from the worth of a shot, because far shots "
+                  "miss; our choice: 0.3")
+        .tunable(),
+    regista::real("pass_bonus", &KickSettings::pass_bonus, {0.0, 20.0}, "m",
+                  "A pass is worth this much of ground besides, because the ball arrives at somebody; our choice: 0.5")
+        .tunable(),
+    regista::real("teammate_news_at_most", &KickSettings::teammate_news_at_most, {0.0, 60.0}, "s",
+                  "Nobody passes to a teammate of whom the news are older; our choice: 6")
+        .tunable(),
+    regista::real("pass_ahead", &KickSettings::pass_ahead, {-2.0, 2.0}, "m",
+                  "Passes are aimed this far in front of the teammate, towards the opponent's end; our choice: 0.3")
+        .tunable(),
+    regista::real("shortest_pass", &KickSettings::shortest_pass, {0.0, 5.0}, "m",
+                  "Nobody passes to a place that is nearer to the ball; our choice: 1")
+        .tunable(),
+    regista::real("pass_miss", &KickSettings::pass_miss, {0.0, 5.0}, "m",
+                  "No pass is played with a kick that ends farther short of its aim, or beyond it; our choice: 0.7")
+        .tunable(),
+    regista::real("slight_turn", &KickSettings::slight_turn, {0.0, 3.1}, "rad",
+                  "First angle to either side of the goal at which a kick ahead is tried; our choice: 0.4")
+        .tunable(),
+    regista::real("half_turn", &KickSettings::half_turn, {0.0, 3.1}, "rad",
+                  "Second angle to either side of the goal at which a kick ahead is tried; our choice: 0.8")
+        .tunable(),
+    regista::real("wide_turn", &KickSettings::wide_turn, {0.0, 3.1}, "rad",
+                  "Third angle to either side of the goal at which a kick ahead is tried; our choice: 1.2")
+        .tunable(),
+    regista::real("dribble_distance", &KickSettings::dribble_distance, {0.1, 10.0}, "m",
+                  "Wanted distance of a short kick ahead; our choice: 0.8, within a NAO's kick in walking")
+        .tunable(),
+    regista::real("clear_distance", &KickSettings::clear_distance, {0.1, 10.0}, "m",
+                  "Wanted distance of a long kick ahead; our choice: 3, within a NAO's fast kick")
+        .tunable(),
+    regista::real("blocked_cost", &KickSettings::blocked_cost, {0.1, 20.0}, "m",
+                  "An opponent right in the way of a kick costs this much of ground; our choice: 3")
+        .tunable(),
+    regista::real(
+        "corridor", &KickSettings::corridor, {0.05, 3.0}, "m",
+        "An opponent this far beside the way of a kick is in it, at the beginning; our choice: 0.35, more than "
+        "a robot and a ball")
+        .tunable(),
+    regista::real("corridor_growth", &KickSettings::corridor_growth, {0.0, 2.0}, "1",
+                  "That distance grows by this share of the way that the ball has rolled; our choice: 0.15")
+        .tunable(),
+    regista::real("behind_end", &KickSettings::behind_end, {0.0, 5.0}, "m",
+                  "An opponent counts up to this far beyond the end of the way of a kick; our choice: 0.5")
+        .tunable(),
+    regista::real("out_cost", &KickSettings::out_cost, {0.0, 20.0}, "m",
+                  "A kick that leaves the field costs this much of ground; our choice: 4")
+        .tunable(),
+    regista::real("constancy", &KickSettings::constancy, {0.0, 10.0}, "m",
+                  "The last choice is kept unless another kick is worth this much more ground; our choice: 0.6")
+        .tunable(),
+    regista::real(
+        "same_direction", &KickSettings::same_direction, {0.0, 1.0}, "1",
+        "A kick whose direction makes an angle with the last one of a larger cosine is still that choice; our "
+        "choice: 0.97, 14 degrees")};
+
+inline constexpr std::tuple approach_parameters{
+    regista::real("meet_within", &ApproachSettings::meet_within, {0.0, 10.0}, "s",
+                  "The robot walks to where a rolling ball is when it arrives there, but no farther ahead in time than "
+                  "this; our choice: 2")
+        .tunable(),
+    regista::real("behind", &ApproachSettings::behind, {0.0, 1.0}, "1",
+                  "The robot is behind the ball where the angle between its way to the ball and the kick has a larger "
+                  "cosine; our choice: 0.8, 37 degrees")
+        .tunable(),
+    regista::real("aligned", &ApproachSettings::aligned, {0.02, 1.5}, "rad",
+                  "The robot kicks when its heading is no farther than this off the direction of the kick; our choice: "
+                  "0.3")
+        .tunable(),
+    regista::real("stand_off", &ApproachSettings::stand_off, {0.0, 2.0}, "1",
+                  "The robot stands behind the ball at this share of the distance at which it touches the ball and its "
+                  "reach together; our choice: 0.5, midway between the two")
+        .tunable(),
+    regista::real(
+        "berth", &ApproachSettings::berth, {0.0, 2.0}, "m",
+        "The robot keeps this distance from the ball beyond touching it while it walks around it; our choice: "
+        "0.15")
+        .tunable(),
+    regista::real("step_back", &ApproachSettings::step_back, {0.0, 2.0}, "m",
+                  "While it walks around the ball, the robot aims this much farther behind it; our choice: 0.15")
+        .tunable(),
+    regista::real("creep_within", &ApproachSettings::creep_within, {0.0, 2.0}, "m",
+                  "Nearer than this to where it stands for the kick, the robot creeps onto the ball; our choice: 0.12")
+        .tunable(),
+    regista::real("creep_aligned", &ApproachSettings::creep_aligned, {0.0, 10.0}, "1",
+                  "The robot creeps when its heading is off the kick by less than this multiple of `aligned`; our "
+                  "choice: 2"),
+    regista::real("creep_speed", &ApproachSettings::creep_speed, {0.0, 1.0}, "m/s",
+                  "Speed at which the robot creeps onto the ball; our choice: 0.12, half of a NAO's walk")
+        .tunable()};
+
+}  // namespace behaviours

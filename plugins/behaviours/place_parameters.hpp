@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Parameters of the behaviours that go to the place of their task: to support, or to search. Glue: a plugin puts them
+// within its settings.
+#pragma once
+
+#include <tuple>
+
+#include <regista/parameters.hpp>
+
+#include "searching.hpp"
+#include "supporting.hpp"
+
+namespace behaviours {
+
+inline constexpr auto reception_reach_parameter = regista::real(
+    "reception_reach", &SupportSettings::reception_reach, {0.0, 10.0}, "m",
+    "The robot leaves its place by so much for a ball that comes along, unless the ball is the opponent's; "
+    "our choice: 1");
+
+inline constexpr auto node_reached_parameter = regista::within(
+    &SupportSettings::path,
+    regista::real("node_reached", &EdgePathSettings::node_reached, {0.01, 2.0}, "m",
+                  "A robot so near to a node or an edge is on it, where the team walks along edges; our "
+                  "choice: 0.3"));
+
+inline constexpr std::tuple search_parameters{
+    regista::real("at_target", &SearchSettings::at_target, {0.0, 5.0}, "m",
+                  "A searching robot is at its place from this distance on, and turns about; our choice: 0.5")
+        .tunable(),
+    regista::real("search_turn_rate", &SearchSettings::turn_rate, {0.0, 3.0}, "rad/s",
+                  "A searching robot turns about so fast; our choice: 0.6, slow enough for the camera")
+        .tunable()};
+
+}  // namespace behaviours

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Glue of the behaviour `play_ball`: chooses a kick, walks behind the ball and kicks. Looks for a ball that is lost,
+// and supports while the ball must not be touched.
+#include <regista/behaviour.hpp>
+
+#include "../by_phase.hpp"
+#include "../conduct_parameters.hpp"
+#include "../kick_memory.hpp"
+#include "../kick_parameters.hpp"
+#include "../place_parameters.hpp"
+#include "../read_situation.hpp"
+#include "../write_action.hpp"
+
+namespace {
+
+struct PlayBall {
+  static constexpr auto id = "play_ball", version = "1.0.0",
+                        summary = "Walks behind the ball and kicks it at goal, to a teammate or ahead";
+  static constexpr unsigned purposes = REGISTA_BEHAVIOUR_PLAYS_BALL;
+
+  behaviours::Conduct conduct;
+  behaviours::RollingSettings rolling;
+  behaviours::KickSettings kick;
+  behaviours::ApproachSettings approach;
+  behaviours::SupportSettings support;
+  behaviours::SearchSettings search;
+  static constexpr std::tuple parameters{
+      regista::within(&PlayBall::conduct, behaviours::conduct_parameters),
+      regista::within(&PlayBall::rolling, behaviours::rolling_parameter),
+      regista::within(&PlayBall::kick, behaviours::kick_parameters),
+      regista::within(&PlayBall::approach, behaviours::approach_parameters),
+      regista::within(&PlayBall::support, behaviours::reception_reach_parameter, behaviours::node_reached_parameter),
+      regista::within(&PlayBall::search, behaviours::search_parameters)};
+
+  behaviours::SituationReader reader{behaviours::Duty::plays_ball};
+  behaviours::KickMemory kicks;
+  behaviours::EdgePath path;
+
+  void setup(const regista::Environment& environment) {
+    reader.setup(environment);
+    kicks.setup(environment, kick);
+    path.reserve(behaviours::SituationReader::most_nodes);
+  }
+
+  void reset(std::uint64_t) { kicks.forget(); }
+
+  void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
+    const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
+    const behaviours::Movement movement =
+        behaviours::by_phase(situation, conduct.legal, [&] { return play(frame, situation); });
+    behaviours::write_action(movement, behaviours::look(situation, conduct.gaze), out);
+  }
+
+  behaviours::Movement play(const regista::Frame& frame, const behaviours::Situation& situation) {
+    if (!situation.ball_trusted) return behaviours::search(situation, search, conduct.legal);
+    if (!situation.facts.can_kick || ball_is_theirs(situation)) {
+      return behaviours::support(situation, support, rolling, conduct.legal, path);
+    }
+    return behaviours::approach(situation, approach, rolling, kicks.choose(frame, situation));
+  }
+};
+
+}  // namespace
+
+REGISTA_PLUGIN(PlayBall, regista::behaviour)

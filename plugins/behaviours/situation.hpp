@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// What a behaviour acts on: the facts, the game and what the robot believes, as plain values. SI units, field frame
+// unless said otherwise.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "plane.hpp"
+
+namespace behaviours {
+
+// As in abi.h, and in its order.
+enum class Phase { initial, ready, set, playing, finished };
+enum class SetPlay { none, kick_off, kick_in, goal_kick, corner_kick, pushing_free_kick, penalty_kick };
+
+// What the robot is there for: the rules of a set play let who plays the ball, and who keeps the goal, stand elsewhere.
+enum class Duty { other, plays_ball, keeps_goal };
+
+// Between the centres of the lines.
+struct Field {
+  double length = 9.0, width = 6.0;
+  double goal_width = 1.5;  // inner
+  double goal_area_length = 0.6, goal_area_width = 2.2;
+  double penalty_area_length = 1.65;
+  double penalty_mark_distance = 1.3;  // from the goal line
+  double centre_circle_radius = 0.75;
+};
+
+// What stays the same through a match. The values here are those of the SPL rule book 2023 and of a NAO.
+struct Facts {
+  Field field;
+  double ball_radius = 0.05;
+  double ball_deceleration = 0.32;  // of a rolling ball
+  double set_play_distance = 0.75;  // that opponents keep from the ball of a set play
+  double robot_radius = 0.15;
+  double reach = 0.22;         // from its centre to that of a ball that it can kick
+  double walk_forward = 0.25;  // highest speed
+  double head_yaw = 1.5707963267948966;
+  bool can_kick = true;
+  int own_number = 1;
+};
+
+struct Edge {
+  std::uint32_t from = 0, to = 0;  // undirected
+};
+
+// Places, and the ways between them. Owns nothing.
+struct Graph {
+  std::span<const Vector2d> nodes;
+  std::span<const Edge> edges;  // each between two of the nodes
+};
+
+struct Situation {
+  Facts facts;
+  Duty duty = Duty::other;
+  Phase phase = Phase::playing;
+  SetPlay set_play = SetPlay::none;
+  bool own_kick = false;  // the set play, or the last kick-off, is the own team's
+  double time = 0.0;
+  Pose pose;
+  Frame2 frame{Pose{}};    // of the pose
+  bool incapable = false;  // lies, is penalised or in the middle of a kick
+  bool has_task = false;
+  Pose target;               // of the own task; the pose without one
+  bool along_edges = false;  // the team wants robots to walk to it along the edges of the graph
+  Graph graph;               // empty unless along_edges
+  bool sees_ball = false;
+  bool ball_trusted = false;  // known, and young enough to act on
+  Vector2d ball{0, 0}, ball_velocity{0, 0};
+};
+
+// The set play, or the kick-off until the ball is free, is the opponent's: the ball must not be touched.
+inline bool ball_is_theirs(const Situation& situation) {
+  return situation.set_play != SetPlay::none && !situation.own_kick;
+}
+
+}  // namespace behaviours

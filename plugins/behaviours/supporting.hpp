@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Being where the team wants the robot: walks to the place of its task, legally, and receives a ball that comes along.
+#pragma once
+
+#include "edge_path.hpp"
+#include "interception.hpp"
+#include "legal_place.hpp"
+#include "movement.hpp"
+#include "situation.hpp"
+
+namespace behaviours {
+
+struct SupportSettings {
+  double reception_reach = 1.0;  // m that it leaves its place for a ball that comes along
+  EdgePathSettings path;
+};
+
+// `path`: memory for the way along edges.
+inline Movement support(const Situation& situation, const SupportSettings& settings, const RollingSettings& rolling,
+                        const LegalPlaceSettings& legal, EdgePath& path) {
+  if (!ball_is_theirs(situation)) {
+    if (const auto point = interception(situation, rolling, settings.reception_reach)) {
+      return intercept(situation, *point);
+    }
+  }
+  Pose target = legal_place(situation, legal, situation.target);
+  if (situation.along_edges) {
+    const Vector2d next = path.next(situation.graph, settings.path, situation.frame.origin(), {target.x, target.y});
+    target = {next.x(), next.y(), target.heading};
+  }
+  return WalkTo{.target = target};
+}
+
+}  // namespace behaviours
