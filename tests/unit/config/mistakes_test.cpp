@@ -134,7 +134,7 @@ TEST(Mistakes, OfATeamAreAllTold) {
                     {"{on_line: [ball, own_goal], from_goal: 1}", "{at: ball, from_goal: 1}"},
                     {"within: [-4, 0, -2, 2]", "within: [4, 0, -2, 2]"},
                     {"radius: [1, 2]", "radius: [3, 2]"},
-                    {"behaviour: search", "behaviour: serch"},
+                    {"behaviour: search", "behaviour: 2nd"},
                     {"near: {plugin: nearness, weight: 1}", "near: {plugin: nearness, weight: heavy}"},
                     {"far: {plugin: nearness, weight: 1}", "far: {weight: 1}"},
                     {"sender: {plugin: event_based}", "sendr: {plugin: event_based}"},

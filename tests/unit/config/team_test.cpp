@@ -31,7 +31,7 @@ TEST(Team, ReadsEveryKeyOfThePage) {
 
   EXPECT_EQ(keeper.robot, 1);
   EXPECT_FALSE(keeper.offset);
-  EXPECT_EQ(keeper.behaviour, Behaviour::keep_goal);
+  EXPECT_EQ(keeper.behaviour, "keep_goal");
   ASSERT_TRUE(keeper.target.on_line && !keeper.target.at && !keeper.target.on_circle);
   EXPECT_EQ(keeper.target.on_line->from.anchor, Anchor::ball);
   EXPECT_EQ(keeper.target.on_line->to.anchor, Anchor::own_goal);
@@ -39,10 +39,10 @@ TEST(Team, ReadsEveryKeyOfThePage) {
 
   EXPECT_TRUE(striker.required);
   EXPECT_TRUE(striker.offset);
-  EXPECT_EQ(striker.behaviour, Behaviour::play_ball);
+  EXPECT_EQ(striker.behaviour, "play_ball");
   EXPECT_EQ(striker.target.at->anchor, Anchor::ball);
 
-  EXPECT_EQ(supporter.behaviour, Behaviour::support);
+  EXPECT_EQ(supporter.behaviour, "support");
   EXPECT_EQ(supporter.target.shift, (std::array{-1.0, 0.0}));
   EXPECT_EQ(*supporter.target.within, (std::array{-4.0, 3.5, -2.5, 2.5}));
 
@@ -61,8 +61,8 @@ TEST(Team, ReadsEveryKeyOfThePage) {
 
   EXPECT_EQ(*jolly.target.across, 0.8);
   EXPECT_EQ(jolly.target.facing.anchor, Anchor::opponent_goal);
-  EXPECT_EQ(jolly.behaviour, Behaviour::support) << "moved away from the ball";
-  EXPECT_EQ(team.role_lists[1].roles[1].behaviour, Behaviour::search);
+  EXPECT_EQ(jolly.behaviour, "support") << "moved away from the ball";
+  EXPECT_EQ(team.role_lists[1].roles[1].behaviour, "search");
 }
 
 TEST(Team, EveryContextHasItsOwnValues) {
@@ -156,6 +156,25 @@ TEST(Team, TheSmallestPage) {
   EXPECT_EQ(team.forget_teammate_after, 25.0);
 }
 
+TEST(Team, ABehaviourIsThePluginOfItsNameUnlessThePageSaysIt) {
+  const std::string with_behaviours =
+      std::string(page).substr(0, std::string_view(page).find("roles:")) +
+      "roles: {playing: [{name: s, behaviour: press, target: {at: ball}}, {name: t, behaviour: dance, target: {at: "
+      "centre}}, {name: u, target: {at: ball}}]}\n"
+      "behaviours: {press: {plugin: hunt, params: {near: 2}}, play_ball: {params: {goal_bonus: 5}}}\n"
+      "behaviour_without_role: dance\n";
+  const Team team = read_team(parse_text(with_behaviours, "t.yaml"));
+  const std::vector<Role>& roles = team.role_lists[0].roles;
+  const auto meant = [&](std::size_t i) { return team.behaviour_named(roles[i].behaviour, roles[i].behaviour_where); };
+  EXPECT_EQ(meant(0).plugin, "hunt");
+  EXPECT_TRUE(meant(0).params["near"]);
+  EXPECT_EQ(meant(1).plugin, "dance");
+  EXPECT_EQ(to_string(meant(1).where), "t.yaml:6:90");
+  EXPECT_EQ(meant(2).plugin, "play_ball") << "the name is the plugin";
+  EXPECT_TRUE(meant(2).params["goal_bonus"]);
+  EXPECT_EQ(team.behaviour_without_role, "dance");
+}
+
 TEST(Team, WhatIsRefused) {
   struct Case {
     int line;  // of the page, that is replaced; 0: added
@@ -179,7 +198,7 @@ TEST(Team, WhatIsRefused) {
       {4, "asigner: {plugin: greedy}",
        "t.yaml:4:1: unknown key \"asigner\"; nearest: \"assigner\"; known: team, predictors, contexts, positioner, "
        "tasks, "
-       "utility, assigner, sender, roles, teammates_forgotten_after"},
+       "utility, assigner, sender, roles, behaviours, behaviour_without_role, teammates_forgotten_after"},
       {0, "teammates_forgotten_after: 0", "t.yaml:7:28: teammates_forgotten_after: \"0\" is outside 0.1 to 3600 s"},
       {0, "tasks: {keep: nearest}",
        "t.yaml:7:15: tasks.keep: unknown value \"nearest\"; known: all, nearest_to_waypoints"},
@@ -235,8 +254,8 @@ TEST(Team, WhatIsRefused) {
       {6, "roles: {playing: [{name: s, target: {at: ball}}, {name: s, target: {at: ball}}]}",
        "t.yaml:6:57: roles.playing: second element named \"s\"; the first is at t.yaml:6:26"},
       {6, "roles: {playing: [{name: s}]}", "t.yaml:6:19: missing key \"target\" in roles.playing.0"},
-      {6, "roles: {playing: [{name: s, behaviour: dance, target: {at: ball}}]}",
-       "t.yaml:6:40: roles.playing.0.behaviour: unknown value \"dance\"; known: keep_goal, play_ball, support, search"},
+      {6, "roles: {playing: [{name: s, behaviour: 2nd, target: {at: ball}}]}",
+       "t.yaml:6:44: roles.playing.0.behaviour: \"2nd\" is not a name (a letter, then letters, digits, '_' and '-')"},
       {6, "roles: {playing: [{name: s, robot: -1, target: {at: ball}}]}",
        "t.yaml:6:36: roles.playing.0.robot: -1 is outside 0 to 99"},
       // Targets

@@ -53,6 +53,9 @@ TEST(TeamWarnings, WhatNobodyDoesIsSaid) {
             (std::vector<std::string>{where + ball, where + goal}));
   EXPECT_EQ(missing(list("goalkeeper, target: {at: own_goal}", "scout, behaviour: search, target: {at: centre}")),
             std::vector<std::string>{});
+  EXPECT_EQ(missing(list("first, behaviour: press, target: {at: centre}", "second, target: {at: centre}")),
+            std::vector<std::string>{})
+      << "what a behaviour of another author does is not known";
 }
 
 TEST(TeamWarnings, AListThatNoContextPlays) {
