@@ -11,27 +11,47 @@
  *
  * LIFE OF AN INSTANCE
  *   create -> reset -> any calls of its kinds -> destroy. reset may come again at any time (a new match). A shared
- *   object is never unloaded. The calls of one process are made by one thread, never re-entrantly.
+ *   object is never unloaded. The calls of one instance never overlap, and it makes none of the host's but from within
+ *   them. Two instances may be called by two threads at the same time.
+ *
+ * ONE DECISION OF A ROBOT calls, in this order
+ *   dropped                    of offers whose time has come
+ *   predict, correct, tracks   of the own models
+ *   absorb, receive            for each packet that arrived: its models, then its segments
+ *   predict, tracks            of the models of teammates
+ *   holds                      every context, by priority
+ *   place, score, assign       of the context in force; no context holds: none of them
+ *   act                        of the behaviour of the own role, or of that for robots without one
+ *   decide                     in Ready, Set and Playing, when a context holds and the robot is not penalised
+ *   transmitted                of the offers that left
+ *   All else happens in every phase, also while the robot is penalised or lies on the ground.
  *
  * RULES FOR EVERY CALL
  *   - Chance comes from the seed of reset() alone; time comes from the frame alone. No clock, thread, file, global
  *     variable that changes, or change of the floating-point environment. The same calls must give the same bytes.
  *   - A pointer that goes in is valid, read-only and owned by the host until the call returns. Null appears only where
- *     it is said. A buffer that comes out is owned by the host too; the plugin writes at most `capacity` elements.
+ *     it is said. Room for an answer is owned by the host too; the plugin writes at most `capacity` elements.
  *   - Nothing is thrown across. A call returns REGISTA_OK, or REGISTA_FAILED after writing one line to `error`.
  *   - The host checks all it takes back (finite, in range, as promised below). A violation ends the match with an
  *     error that names plugin, robot, tick and value.
  *   - Strings are UTF-8, end with NUL, and live as long as the shared object (plugin) or the instance (host).
+ *   - Reserved fields and flags that are not named here: write 0, and ignore what stands there. A reader takes an
+ *     enumerator that it does not know as the first one of its list, and a flag that it does not know as not set.
  *
  * UNITS AND FRAMES
  *   SI and radians. The field frame is the own team's: origin at the centre, x towards the opponent's goal, y to the
- *   left. The robot frame: x ahead, y to the left. Headings are in (-pi, pi]. Covariances are row-major, symmetric and
- *   positive semi-definite. Time is seconds since the start of the match; it stands still between the halves.
+ *   left. The robot frame: x ahead, y to the left. Headings are in (-pi, pi]. Time is seconds since the start of the
+ *   match; it stands still between the halves. Covariances are symmetric and positive semi-definite; of each pair of
+ *   equal entries one is told: of a place xx, xy, yy; of a pose these and x heading, y heading, heading heading; of a
+ *   motion those of its place and x vx, x vy, y vx, y vy, vx vx, vx vy, vy vy.
  *
  * GROWTH
- *   Major versions must be equal; a plugin's minor version is at most the host's. Structs that start with `size` grow
- *   at their ends: a reader uses no field beyond the size it is given. Elements of arrays come in strided spans for
- *   the same reason: step by `stride`, never by sizeof. Constants keep their values for ever.
+ *   While the major version is 0, a plugin must have been built against the host's minor version. From 1.0 on majors
+ *   must be equal and a plugin's `minimum` is at most the host's version. Structs that start with `size` grow at
+ *   their ends: a reader uses no field beyond the size it is given. Elements of arrays grow too and come with their
+ *   stride: step by it, never by sizeof. Arrays of plain numbers do not grow. Where a plugin writes elements that are
+ *   larger than it knows, the host has set the rest to 0. Constants keep their values for ever. docs/abi.md says what
+ *   may change when.
  */
 /* clang-format off */
 #ifndef REGISTA_ABI_H
@@ -44,8 +64,8 @@
 extern "C" {
 #endif
 
-#define REGISTA_ABI_MAJOR 1u
-#define REGISTA_ABI_MINOR 0u
+#define REGISTA_ABI_MAJOR 0u
+#define REGISTA_ABI_MINOR 2u
 #define REGISTA_ENTRY_NAME "regista_plugin_entry"
 
 /* Result of a call. */
@@ -62,6 +82,30 @@ typedef struct regista_span {
   uint32_t count;
   uint32_t stride;
 } regista_span;
+
+/* Room for elements that a plugin writes: element i begins at data + i * stride, i < capacity. count comes in as 0. */
+typedef struct regista_room {
+  void* data;
+  uint32_t capacity, count;
+  uint32_t stride;
+  uint32_t reserved;
+} regista_room;
+
+/* Row-major; element (i, j) is values[i * stride + j]. */
+typedef struct regista_matrix {
+  const double* values;
+  uint32_t rows, columns;
+  uint32_t stride;                   /* in elements, >= columns */
+  uint32_t reserved;
+} regista_matrix;
+
+/* The same as room for an answer. */
+typedef struct regista_matrix_room {
+  double* values;
+  uint32_t rows, columns;
+  uint32_t stride;                   /* in elements, >= columns */
+  uint32_t reserved;
+} regista_matrix_room;
 
 /* --- Environment: given once, at create ---------------------------------------------------------------------- */
 
@@ -106,6 +150,13 @@ typedef struct regista_kick {
   double direction_error;            /* standard deviation, rad */
 } regista_kick;
 
+/* What an event is called in accounts of packets and in recordings. */
+typedef struct regista_event_name {
+  int32_t kind;                      /* REGISTA_EVENT_*, or one that this header does not know */
+  int32_t reserved;
+  const char* name;                  /* lower_snake_case */
+} regista_event_name;
+
 typedef struct regista_environment {
   uint32_t size;
   uint32_t team_size;                /* robots are numbered 1..team_size */
@@ -129,6 +180,9 @@ typedef struct regista_environment {
   regista_span roles;                /* regista_role; lives as long as the instance */
   double goal_post_radius;
   double ball_deceleration;          /* of a rolling ball, m/s^2 */
+  uint32_t halves;                   /* of a match, without extra time */
+  uint32_t reserved;
+  double half_length;                /* s */
   double set_play_distance;          /* that opponents keep from the ball of a set play, m */
   double kick_reach;                 /* from the centre of the robot to that of a ball that it can kick, m */
   double kick_reach_angle;           /* to either side of its heading, within which it can kick, rad */
@@ -137,10 +191,12 @@ typedef struct regista_environment {
   double head_yaw;                   /* the camera turns up to this to either side, rad */
   double head_speed;                 /* rad/s */
   regista_span kicks;                /* regista_kick; may be empty */
+  regista_span events;               /* regista_event_name: all that this host detects */
 } regista_environment;
 
 /* --- Worlds and frames ---------------------------------------------------------------------------------------- */
 
+/* Phases and set plays of other leagues may follow: numbers from 1000 on are theirs. */
 enum { REGISTA_PHASE_INITIAL = 0, REGISTA_PHASE_READY = 1, REGISTA_PHASE_SET = 2, REGISTA_PHASE_PLAYING = 3,
        REGISTA_PHASE_FINISHED = 4 };
 
@@ -150,11 +206,13 @@ enum { REGISTA_SET_PLAY_NONE = 0, REGISTA_SET_PLAY_KICK_OFF = 1, REGISTA_SET_PLA
 
 /* The game as the robot was told (late, over the network, except for the whistle). */
 typedef struct regista_game {
+  uint32_t size;
   int32_t phase;
   int32_t set_play;
   int32_t own_kick;                  /* 1: the set play, or the last kick-off, is the own team's; 0: the opponent's */
-  int32_t half;                      /* 1 or 2 */
+  int32_t half;                      /* from 1; beyond the environment's `halves`: extra time */
   int32_t own_score, opponent_score;
+  int32_t reserved;
   double phase_time;                 /* s since phase or set play began */
   double time_left;                  /* s left in this half */
 } regista_game;
@@ -174,7 +232,7 @@ typedef struct regista_robot {
   uint32_t flags;
   double pose[3];                    /* x, y, heading */
   double velocity[3];                /* vx, vy (field frame), turn rate */
-  double covariance[9];              /* of pose */
+  double covariance[6];              /* of the pose */
   double target[2];                  /* where it walks to, as last sent; if HAS_TARGET */
   double time_until_up;              /* s, 0 when it stands */
   double age;                        /* s since the last news of it; 0 for oneself in `mine` */
@@ -188,7 +246,7 @@ typedef struct regista_opponent {
   uint32_t flags;                    /* 0 */
   double position[2];
   double velocity[2];
-  double covariance[4];              /* of position */
+  double covariance[3];              /* of the place */
   double weight;                     /* probability that it exists, (0, 1] */
   double age;                        /* s since it was last seen by anyone */
 } regista_opponent;
@@ -196,11 +254,11 @@ typedef struct regista_opponent {
 enum { REGISTA_BALL_KNOWN = 1 };     /* someone believes to know where the ball is */
 
 typedef struct regista_ball {
+  uint32_t size;
   uint32_t flags;
-  uint32_t reserved;
   double position[2];
   double velocity[2];
-  double covariance[16];             /* of (x, y, vx, vy) */
+  double covariance[10];             /* of the motion */
   double age;                        /* s since it was last seen by anyone whose news are in this world */
 } regista_ball;
 
@@ -208,11 +266,13 @@ typedef struct regista_ball {
 typedef struct regista_world {
   uint32_t size;
   uint32_t reserved;
-  regista_game game;
-  regista_ball ball;
+  const regista_game* game;
+  const regista_ball* ball;
   regista_span robots;               /* regista_robot */
   regista_span opponents;            /* regista_opponent */
-  regista_span active;               /* int32_t: numbers of the active robots, ascending; rows of matrices */
+  regista_span active;               /* int32_t: numbers of the active robots, ascending; rows of matrices. The own
+                                        number is missing while the robot is penalised, and from `common` also while
+                                        its teammates must have given it up */
 } regista_world;
 
 enum {
@@ -243,15 +303,22 @@ typedef struct regista_edge {
   uint32_t from, to;                 /* indices into the waypoints; undirected */
 } regista_edge;
 
-/* Row-major; element (i, j) is values[i * stride + j]. */
-typedef struct regista_matrix {
-  double* values;
-  uint32_t rows, columns;
-  uint32_t stride;                   /* in elements, >= columns */
-  uint32_t reserved;
-} regista_matrix;
-
 enum { REGISTA_MINE = 0, REGISTA_COMMON = 1 };
+
+/* Parts of a frame. A descriptor says which of them its plugin reads; the others need not be made. They are null or
+ * empty, and single numbers of them are anything, NaN when a host checks. All else of a frame is there for everybody. */
+enum {
+  REGISTA_READS_NOTHING = 0,
+  REGISTA_READS_OPPONENTS_MINE = 1,  /* mine->opponents */
+  REGISTA_READS_OPPONENTS_COMMON = 2,
+  REGISTA_READS_COVARIANCES = 4,     /* of robots, opponents and balls of either world */
+  REGISTA_READS_FACINGS = 8,         /* the third number of `before` and `after` of tasks */
+  REGISTA_READS_TIMES = 16,          /* time_to_task */
+  REGISTA_READS_WAYPOINTS = 32,
+  REGISTA_READS_EDGES = 64,
+  REGISTA_READS_PREVIOUS = 128,
+  REGISTA_READS_ALL = 0x7fffffff     /* also what later versions add */
+};
 
 /* What a plugin sees at one decision of one robot. */
 typedef struct regista_frame {
@@ -268,7 +335,7 @@ typedef struct regista_frame {
   regista_span edges;                /* regista_edge */
   regista_span previous;             /* int32_t per robot (n - 1): task id in this robot's last assignment, -1 none */
   regista_matrix time_to_task;       /* s; rows: active robots of the chosen world, columns: tasks. 0 x 0 before the
-                                        filter. Read-only although the type does not say so. */
+                                        filter */
 } regista_frame;
 
 /* --- Predictor -------------------------------------------------------------------------------------------------- */
@@ -298,23 +365,33 @@ typedef struct regista_measurement {
   int32_t label;
   double position[2];
   double heading;                    /* REGISTA_MEASURED_POSE only */
-  double covariance[9];              /* of (x, y, heading); heading row and column 0 unless POSE. Contains the own
-                                        pose's uncertainty where position is in the field frame */
+  double covariance[6];              /* of the pose; entries of the heading are 0 unless POSE. Contains the own pose's
+                                        uncertainty where position is in the field frame */
 } regista_measurement;
 
 enum { REGISTA_TRACK_HAS_TARGET = 1, REGISTA_TRACK_VELOCITY = 2 /* the velocity is believed */ };
+
+/* What only self and teammates have. */
+typedef struct regista_track_pose {
+  double heading, turn_rate;
+  double heading_variance;
+  double velocity_variance;          /* of vx and of vy */
+  double target[2];                  /* teammates: where it said to walk to; if HAS_TARGET */
+} regista_track_pose;
 
 /* An estimate of one object's state. */
 typedef struct regista_track {
   int32_t label;
   uint32_t flags;
-  double x, y, heading;              /* |x|, |y| <= 1e4 */
-  double vx, vy, turn_rate;          /* field frame; |vx|, |vy| <= 1e4 */
-  double covariance[16];             /* of (x, y, vx, vy) */
-  double heading_variance;
+  double x, y;                       /* |x|, |y| <= 1e4 */
+  double vx, vy;                     /* field frame; |vx|, |vy| <= 1e4 */
   double weight;                     /* probability of existence, or of the hypothesis, (0, 1] */
   double age;                        /* s since the last observation behind it */
-  double target[2];                  /* teammates: where it said to walk to; if HAS_TARGET */
+  double covariance[3];              /* of the place */
+  union {
+    double motion[7];                /* ball, opponents: the rest of the covariance of the motion */
+    regista_track_pose pose;         /* self, teammates */
+  };
 } regista_track;
 
 typedef struct regista_predictor {
@@ -328,11 +405,14 @@ typedef struct regista_predictor {
   int32_t (*correct)(void* instance, regista_span measurements, const regista_visible_area* area,
                      regista_error* error);
   /* Replaces the labels in `tracks` (regista_track) by what a packet said `age` >= 0 seconds ago, carried forward to
-   * now. For subjects other than teammates `tracks` replaces the whole model: the host has merged what was known before
-   * with what the packet said. */
+   * now: `tracks` is as it was then, and the plugin adds `age` to their ages. For subjects other than teammates
+   * `tracks` replaces the whole model: the host has merged what was known before with what the packet said. */
   int32_t (*absorb)(void* instance, regista_span tracks, double age, regista_error* error);
-  /* Writes the present estimate. Ball: best hypothesis first. Teammates: ascending label. */
-  int32_t (*tracks)(void* instance, regista_track* out, uint32_t capacity, uint32_t* count, regista_error* error);
+  /* Writes the present estimate (regista_track). Ball: best hypothesis first. Teammates: ascending label. */
+  int32_t (*tracks)(void* instance, regista_room* out, regista_error* error);
+  /* May be null. For models of teammates: what `tracks` would give `age` seconds after absorb had taken `told` with age
+   * 0, by a formula and without changing the model, so that only those are computed that somebody asks for. */
+  int32_t (*track_at)(void* instance, const regista_track* told, double age, regista_track* out, regista_error* error);
 } regista_predictor;
 
 /* --- Context ---------------------------------------------------------------------------------------------------- */
@@ -357,18 +437,13 @@ typedef struct regista_vertex {
   double x, y;
 } regista_vertex;
 
-/* Output buffers, owned by the host. Counts come in as 0. */
 typedef struct regista_placement {
   uint32_t size;
-  uint32_t point_capacity, point_count;
-  uint32_t edge_capacity, edge_count;
-  uint32_t cell_capacity, cell_count;
-  uint32_t vertex_capacity, vertex_count;
   uint32_t reserved;
-  regista_waypoint* points;          /* inside field and border strip */
-  regista_edge* edges;
-  regista_cell* cells;
-  regista_vertex* vertices;
+  regista_room points;               /* regista_waypoint, inside field and border strip */
+  regista_room edges;                /* regista_edge */
+  regista_room cells;                /* regista_cell */
+  regista_room vertices;             /* regista_vertex */
 } regista_placement;
 
 typedef struct regista_positioner {
@@ -384,12 +459,14 @@ typedef struct regista_utility {
   uint32_t reserved;
   /* Fills out(i, j) with the utility of active robot i for task j: in [0, 1e12], larger is better. All entries are 0
    * on entry. Called only with rows > 0 and columns > 0. */
-  int32_t (*score)(void* instance, const regista_frame* frame, const regista_matrix* out, regista_error* error);
+  int32_t (*score)(void* instance, const regista_frame* frame, const regista_matrix_room* out, regista_error* error);
 } regista_utility;
 
 /* --- Assigner --------------------------------------------------------------------------------------------------- */
 
-enum { REGISTA_NO_TASK = -1, REGISTA_UNKNOWN_TASK = -2 }; /* unknown: negotiations have not told yet */
+/* No task: the robot acts as robots without a role do. Unknown: negotiations have not told yet; the robot goes on with
+ * the task it has while the filter keeps that, and else has none. */
+enum { REGISTA_NO_TASK = -1, REGISTA_UNKNOWN_TASK = -2 };
 enum { REGISTA_ASSIGNER_NEGOTIATES = 1 }; /* may show a task twice while robots have not agreed */
 
 typedef struct regista_assigner {
@@ -420,7 +497,8 @@ enum {
   REGISTA_EVENT_CONTEXT_CHANGED = 11, /* value: index of the new context */
   REGISTA_EVENT_RETURNED = 12,       /* is back in play after a penalty */
   REGISTA_EVENT_OFFER = 13,          /* as a reason: a plugin's offer was urgent */
-  REGISTA_EVENT_COUNT = 14
+  REGISTA_EVENT_COUNT = 14,          /* of this version */
+  REGISTA_REASON_OWN = 1000          /* as a reason: this and above are the sender's own `reasons` */
 };
 
 typedef struct regista_event {
@@ -448,7 +526,7 @@ typedef struct regista_budget {
                                         which the clock stands; see share */
   double since_own;                  /* s since this robot sent; since the start of the match if never */
   double since_team;                 /* s since any packet was sent or heard */
-  uint32_t bytes_free;               /* for segments, with the largest core a packet can have */
+  uint32_t bytes_free;               /* for segments with their headings, beside the largest core a packet can have */
   uint32_t reserved;
   double share;                      /* of a whole match's packets that this game has; (0, 1]. packets_left, line,
                                         match_time_left and the environment's packet_budget are of the share; what a
@@ -459,7 +537,8 @@ typedef struct regista_budget {
 typedef struct regista_send {
   uint32_t size;
   int32_t send;                      /* 1: send a packet now */
-  int32_t reason;                    /* REGISTA_EVENT_*, for the account of packets */
+  int32_t reason;                    /* REGISTA_EVENT_*, or REGISTA_REASON_OWN + index into the sender's reasons, for
+                                        the account of packets */
   uint32_t granted_count;            /* comes in as 0 */
   uint64_t* granted;                 /* handles of offers to take along, in this order; capacity: offers.count. What
                                         does not fit in bytes_free stays pending */
@@ -467,10 +546,11 @@ typedef struct regista_send {
 
 typedef struct regista_sender {
   uint32_t size;
-  uint32_t reserved;
+  uint32_t reason_count;             /* at most 64 */
   /* Called at every decision in the phases Ready, Set and Playing. events: regista_event, offers: regista_offer. */
   int32_t (*decide)(void* instance, const regista_frame* frame, regista_span events, regista_span offers,
                     const regista_budget* budget, regista_send* out, regista_error* error);
+  const char* const* reasons;        /* lower_snake_case: what packets are sent for, beside events; null when none */
 } regista_sender;
 
 /* --- Behaviour --------------------------------------------------------------------------------------------------- */
@@ -564,8 +644,10 @@ typedef struct regista_message {
   uint32_t reserved;
 } regista_message;
 
-/* Broadcast only; nothing is acknowledged. Messages reach the instances of the plugin with the same id in the same
- * place of the teammates' teams. */
+/* Broadcast only; nothing is acknowledged. Messages reach the instance of the plugin with the same id in the same place
+ * of the teammates' teams. All instances of all contexts live from the beginning of a match and are counted in the
+ * order of the team's page, so the place does not depend on which context is in force: an instance whose context is
+ * not in force receives as well. receive runs while packets are heard, before the contexts are asked. */
 typedef struct regista_mailbox {
   uint32_t size;
   uint32_t reserved;
@@ -585,8 +667,18 @@ typedef struct regista_host {
   uint64_t (*offer)(void* context, const uint8_t* bytes, uint32_t count, double urgency, double expiry,
                     int32_t medium, uint64_t replaces);
   void (*withdraw)(void* context, uint64_t handle); /* unknown handles are ignored */
-  uint32_t (*bytes_free)(void* context);            /* longest segment that a packet could take now */
+  uint32_t (*bytes_free)(void* context);            /* longest segment with its heading that a packet could take now */
+  /* The host's side of an extension, "regista.log/0", or null when it has none of that name. The same answer every
+   * time; what it leads to lives as long as the instance. */
+  const void* (*extension)(void* context, const char* id);
 } regista_host;
+
+/* --- Extensions ---------------------------------------------------------------------------------------------------- */
+
+/* What only some need has a name: "regista.draw/0" is version 0, a draft, of the extension draw. Those of others stand
+ * under their own prefix. Either side asks the other by name, gets a table whose layout belongs to the name, or null,
+ * and does without. Headers: <regista/extensions/...>. Reserved names: regista.state, regista.reward (null except in
+ * training: a mind may not learn the truth from it in play), regista.evaluate, regista.media. */
 
 /* --- Descriptor ------------------------------------------------------------------------------------------------- */
 
@@ -635,12 +727,17 @@ typedef struct regista_descriptor {
   uint32_t reserved;
   /* The table of calls of a kind, or null. Same answer every time; the table lives as long as the shared object. */
   const void* (*table)(int32_t kind);
-  /* A new instance, or null after writing to error. values: one for each parameter, in declared order. */
-  void* (*create)(const regista_environment* environment, const regista_host* host, const regista_value* values,
+  /* A new instance, or null after writing to error. values: regista_value, one for each parameter, in declared order. */
+  void* (*create)(const regista_environment* environment, const regista_host* host, regista_span values,
                   regista_error* error);
   /* Back to the beginning of a match. */
   int32_t (*reset)(void* instance, uint64_t seed, regista_error* error);
   void (*destroy)(void* instance);
+  uint32_t minimum_major, minimum_minor; /* the oldest version that has all it needs; counts from 1.0 on */
+  uint32_t reads;                    /* REGISTA_READS_*: the parts of frames that it reads */
+  uint32_t reserved_too;
+  /* The plugin's side of an extension, or null. The same answer every time. May itself be null. */
+  const void* (*extension)(const char* id);
 } regista_descriptor;
 
 /* Descriptor number `index`, null past the end. Called at any time after loading; always the same answer. A plugin

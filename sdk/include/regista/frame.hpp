@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cstddef>
 #include <iterator>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include <regista/abi.h>
@@ -70,13 +72,30 @@ class Span {
   std::size_t count_ = 0, stride_ = 0;
 };
 
+// Room for elements that may be larger than this header knows.
+template <class T>
+class Room {
+ public:
+  explicit Room(regista_room& raw) : raw_(&raw) { assert(raw.capacity == 0 || raw.stride >= sizeof(T)); }
+  std::size_t capacity() const { return raw_->capacity; }
+  std::size_t size() const { return raw_->count; }
+  // The next element, as it stands in memory. `what`: of the elements, for the exception when the room is full.
+  T& add(const char* what) const {
+    if (raw_->count >= raw_->capacity) throw std::length_error(std::string("more ") + what + " than the host has room for");
+    return *reinterpret_cast<T*>(static_cast<char*>(raw_->data) + std::size_t{raw_->count++} * raw_->stride);
+  }
+
+ private:
+  regista_room* raw_;
+};
+
 // One consistent picture of the game.
 class World {
  public:
   explicit World(const regista_world& raw) : raw_(&raw) {}
-  const Game& game() const { return raw_->game; }
-  const Ball& ball() const { return raw_->ball; }
-  bool ball_known() const { return (raw_->ball.flags & REGISTA_BALL_KNOWN) != 0; }
+  const Game& game() const { return *raw_->game; }
+  const Ball& ball() const { return *raw_->ball; }
+  bool ball_known() const { return (raw_->ball->flags & REGISTA_BALL_KNOWN) != 0; }
   Span<Robot> robots() const { return Span<Robot>(raw_->robots); }
   const Robot& robot(int number) const { return robots()[static_cast<std::size_t>(number - 1)]; }
   Span<Opponent> opponents() const { return Span<Opponent>(raw_->opponents); }
@@ -127,6 +146,7 @@ class Environment {
   Span<Landmark> landmarks() const { return Span<Landmark>(raw_->landmarks); }
   Span<Role> roles() const { return Span<Role>(raw_->roles); }
   Span<regista_kick> kicks() const { return Span<regista_kick>(raw_->kicks); }
+  Span<regista_event_name> events() const { return Span<regista_event_name>(raw_->events); }
 
  private:
   const regista_environment* raw_;

@@ -6,6 +6,7 @@
 // and may have
 //   static constexpr std::tuple parameters{...};        see parameters.hpp
 //   static constexpr auto licence = "Apache-2.0";       SPDX expression; MIT when absent
+//   static constexpr unsigned reads = REGISTA_READS_...; the parts of frames that it reads, or-ed; all when absent
 //   void setup(const regista::Environment&);            after the parameters are set, before reset
 //   void setup(const regista::Environment&, regista::Mailbox);   when it wants to offer bytes
 //   void reset(std::uint64_t seed);                     the beginning of a match
@@ -106,14 +107,16 @@ struct Plugin {
     return found;
   }
 
-  static void* create(const regista_environment* environment, const regista_host* host, const regista_value* values,
+  static void* create(const regista_environment* environment, const regista_host* host, regista_span values,
                       regista_error* error) {
     std::unique_ptr<Class> plugin;
     const std::int32_t status = detail::guarded(error, [&] {
       plugin = std::make_unique<Class>();
       if constexpr (count > 0) {
-        detail::each_parameter(*plugin, Class::parameters,
-                               [&](const auto&, auto& member) { detail::assign(member, *values++); });
+        std::size_t next = 0;
+        detail::each_parameter(*plugin, Class::parameters, [&](const auto&, auto& member) {
+          detail::assign(member, Span<regista_value>(values)[next++]);
+        });
       }
       if constexpr (requires { plugin->setup(Environment(*environment), Mailbox(host)); }) {
         plugin->setup(Environment(*environment), Mailbox(host));
@@ -155,6 +158,10 @@ struct Plugin {
     out.create = &create;
     out.reset = &reset;
     out.destroy = &destroy;
+    out.minimum_major = REGISTA_ABI_MAJOR;
+    out.minimum_minor = REGISTA_ABI_MINOR;
+    out.reads = REGISTA_READS_ALL;
+    if constexpr (requires { Class::reads; }) out.reads = Class::reads;
     return out;
   }
 };

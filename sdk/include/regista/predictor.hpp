@@ -7,12 +7,13 @@
 //   void correct(regista::Span<regista::Measurement>, const regista::VisibleArea&);
 //   void absorb(regista::Span<regista::Track>, double age);
 //   void tracks(regista::Tracks out) const;                           out.add() = a track to fill in
+//   regista::Track track_at(const regista::Track& told, double age) const;      optional, see abi.h
 //
 // regista_environment::subject says in setup() which part this instance models.
 #pragma once
 
+#include <concepts>
 #include <optional>
-#include <stdexcept>
 
 #include <regista/plugin.hpp>
 
@@ -23,33 +24,41 @@ using Measurement = regista_measurement;
 using VisibleArea = regista_visible_area;
 using Track = regista_track;
 
-// The host's buffer for the estimate.
+// The host's room for the estimate.
 class Tracks {
  public:
-  Tracks(Track* out, std::uint32_t capacity, std::uint32_t* count) : out_(out), capacity_(capacity), count_(count) {}
-  std::size_t capacity() const { return capacity_; }
-  std::size_t size() const { return *count_; }
-  void add(const Track& track) { next() = track; }
+  explicit Tracks(regista_room& raw) : room_(raw) {}
+  std::size_t capacity() const { return room_.capacity(); }
+  std::size_t size() const { return room_.size(); }
+  void add(const Track& track) { room_.add("tracks") = track; }
   // A track of zeros, to be filled in place: cheaper than a copy.
   Track& add() {
-    Track& track = next();
+    Track& track = room_.add("tracks");
     track = {};
     return track;
   }
 
  private:
-  Track& next() {
-    if (*count_ == capacity_) throw std::length_error("more tracks than the host has room for");
-    return out_[(*count_)++];
-  }
-
-  Track* out_;
-  std::uint32_t capacity_;
-  std::uint32_t* count_;
+  Room<Track> room_;
 };
 
 struct predictor {
   static constexpr std::int32_t kind = REGISTA_KIND_PREDICTOR;
+
+  using TrackAt = std::int32_t (*)(void*, const Track*, double, Track*, regista_error*);
+
+  template <class Class>
+  static constexpr TrackAt track_at() {
+    if constexpr (requires(const Class& plugin, const Track& told) {
+                    { plugin.track_at(told, 0.0) } -> std::convertible_to<Track>;
+                  }) {
+      return [](void* instance, const Track* told, double age, Track* out, regista_error* error) {
+        return detail::guarded(error, [&] { *out = static_cast<const Class*>(instance)->track_at(*told, age); });
+      };
+    } else {
+      return nullptr;
+    }
+  }
 
   template <class Class>
   static const void* table() {
@@ -69,11 +78,10 @@ struct predictor {
         [](void* instance, regista_span tracks, double age, regista_error* error) {
           return detail::guarded(error, [&] { static_cast<Class*>(instance)->absorb(Span<Track>(tracks), age); });
         },
-        [](void* instance, Track* out, std::uint32_t capacity, std::uint32_t* count, regista_error* error) {
-          *count = 0;
-          return detail::guarded(error,
-                                 [&] { static_cast<const Class*>(instance)->tracks(Tracks(out, capacity, count)); });
-        }};
+        [](void* instance, regista_room* out, regista_error* error) {
+          return detail::guarded(error, [&] { static_cast<const Class*>(instance)->tracks(Tracks(*out)); });
+        },
+        track_at<Class>()};
     return &calls;
   }
 };

@@ -4,7 +4,9 @@
 //
 //   std::optional<int> decide(const regista::Frame&, const regista::SendQuery&, regista::Grants out);
 //
-// which returns the reason (REGISTA_EVENT_*) to send a packet now, or nothing.
+// which returns the reason (REGISTA_EVENT_*) to send a packet now, or nothing. Reasons of its own have names,
+//
+//   static constexpr std::array<const char*, N> reasons{"lost_bid", ...};       returned as regista::own_reason(index)
 #pragma once
 
 #include <cmath>
@@ -49,13 +51,32 @@ class Grants {
   std::size_t capacity_;
 };
 
+constexpr int own_reason(std::size_t index) { return REGISTA_REASON_OWN + static_cast<int>(index); }
+
 struct sender {
   static constexpr std::int32_t kind = REGISTA_KIND_SENDER;
 
   template <class Class>
+  static constexpr std::uint32_t reason_count() {
+    if constexpr (requires { Class::reasons; }) {
+      return static_cast<std::uint32_t>(Class::reasons.size());
+    } else {
+      return 0;
+    }
+  }
+  template <class Class>
+  static constexpr const char* const* reasons() {
+    if constexpr (requires { Class::reasons; }) {
+      return Class::reasons.data();
+    } else {
+      return nullptr;
+    }
+  }
+
+  template <class Class>
   static const void* table() {
     static constexpr regista_sender calls{
-        sizeof(regista_sender), 0,
+        sizeof(regista_sender), reason_count<Class>(),
         [](void* instance, const regista_frame* frame, regista_span events, regista_span offers,
            const regista_budget* budget, regista_send* out, regista_error* error) {
           return detail::guarded(error, [&] {
@@ -65,7 +86,8 @@ struct sender {
             out->send = reason ? 1 : 0;
             out->reason = reason.value_or(REGISTA_EVENT_PERIOD);
           });
-        }};
+        },
+        reasons<Class>()};
     return &calls;
   }
 };

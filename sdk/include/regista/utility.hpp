@@ -14,7 +14,7 @@ namespace regista {
 // A matrix in the host's memory.
 class Utilities {
  public:
-  explicit Utilities(const regista_matrix& raw) : raw_(raw) {}
+  explicit Utilities(const regista_matrix_room& raw) : raw_(raw) {}
   std::size_t rows() const { return raw_.rows; }
   std::size_t columns() const { return raw_.columns; }
   std::size_t stride() const { return raw_.stride; }
@@ -26,7 +26,7 @@ class Utilities {
   }
 
  private:
-  regista_matrix raw_;
+  regista_matrix_room raw_;
 };
 
 struct utility {
@@ -36,7 +36,7 @@ struct utility {
   static const void* table() {
     static constexpr regista_utility calls{
         sizeof(regista_utility), 0,
-        [](void* instance, const regista_frame* frame, const regista_matrix* out, regista_error* error) {
+        [](void* instance, const regista_frame* frame, const regista_matrix_room* out, regista_error* error) {
           return detail::guarded(error, [&] { static_cast<Class*>(instance)->score(Frame(*frame), Utilities(*out)); });
         }};
     return &calls;
