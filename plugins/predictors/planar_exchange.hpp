@@ -24,7 +24,7 @@ class Image {
       if (each.kind != kind || count == seen_.size()) continue;
       Sighting& sighting = seen_[count++];
       sighting.position << each.position[0], each.position[1];
-      sighting.covariance << each.covariance[0], each.covariance[1], each.covariance[1], each.covariance[4];
+      sighting.covariance << each.covariance[0], each.covariance[1], each.covariance[1], each.covariance[2];
       sighting.covariance.diagonal().array() += smallest_variance;
     }
     return {seen_.data(), count};
@@ -35,34 +35,42 @@ class Image {
 };
 
 inline State state_of(const regista::Track& told) {
-  const auto& c = told.covariance;
+  const auto& place = told.covariance;
+  const auto& rest = told.motion;
   State state;
   state.position << told.x, told.y;
   state.velocity << told.vx, told.vy;
-  state.position_covariance << c[0], c[1], c[4], c[5];
-  state.cross << c[2], c[3], c[6], c[7];
-  state.velocity_covariance << c[10], c[11], c[14], c[15];
+  state.position_covariance << place[0], place[1], place[1], place[2];
+  state.cross << rest[0], rest[1], rest[2], rest[3];
+  state.velocity_covariance << rest[4], rest[5], rest[5], rest[6];
   return state;
-}
-
-inline void write_block(const Eigen::Matrix2d& block, double (&covariance)[16], int row, int column) {
-  for (int i = 0; i < 2; ++i) {
-    for (int j = 0; j < 2; ++j) covariance[4 * (row + i) + column + j] = block(i, j);
-  }
 }
 
 inline void write_position(const State& state, regista::Track& track) {
   track.x = state.position.x();
   track.y = state.position.y();
-  write_block(state.position_covariance, track.covariance, 0, 0);
+  const Eigen::Matrix2d& place = state.position_covariance;
+  track.covariance[0] = place(0, 0);
+  track.covariance[1] = place(0, 1);
+  track.covariance[2] = place(1, 1);
+}
+
+inline void write_velocity_covariance(double xx, double xy, double yy, regista::Track& track) {
+  track.motion[4] = xx;
+  track.motion[5] = xy;
+  track.motion[6] = yy;
 }
 
 inline void write_velocity(const State& state, regista::Track& track) {
   track.vx = state.velocity.x();
   track.vy = state.velocity.y();
-  write_block(state.cross, track.covariance, 0, 2);
-  write_block(state.cross.transpose(), track.covariance, 2, 0);
-  write_block(state.velocity_covariance, track.covariance, 2, 2);
+  const Eigen::Matrix2d &cross = state.cross, &velocity = state.velocity_covariance;
+  auto& rest = track.motion;
+  rest[0] = cross(0, 0);
+  rest[1] = cross(0, 1);
+  rest[2] = cross(1, 0);
+  rest[3] = cross(1, 1);
+  write_velocity_covariance(velocity(0, 0), velocity(0, 1), velocity(1, 1), track);
 }
 
 }  // namespace planar

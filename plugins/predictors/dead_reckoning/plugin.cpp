@@ -54,12 +54,12 @@ struct DeadReckoning {
       }
       Packet packet;
       packet.position << told.x, told.y;
-      packet.heading = told.heading;
+      packet.heading = told.pose.heading;
       if ((told.flags & REGISTA_TRACK_VELOCITY) != 0) packet.speed = std::sqrt(told.vx * told.vx + told.vy * told.vy);
       packet.has_target = (told.flags & REGISTA_TRACK_HAS_TARGET) != 0;
-      packet.target << told.target[0], told.target[1];
-      packet.covariance << told.covariance[0], told.covariance[1], told.covariance[4], told.covariance[5];
-      packet.heading_variance = told.heading_variance;
+      packet.target << told.pose.target[0], told.pose.target[1];
+      packet.covariance << told.covariance[0], told.covariance[1], told.covariance[1], told.covariance[2];
+      packet.heading_variance = told.pose.heading_variance;
       packet.weight = told.weight;
       packet.age = told.age;
       team.hear(told.label, packet, age);
@@ -75,22 +75,19 @@ struct DeadReckoning {
       track.flags = REGISTA_TRACK_VELOCITY;
       if (packet.has_target) {
         track.flags |= REGISTA_TRACK_HAS_TARGET;
-        track.target[0] = packet.target.x();
-        track.target[1] = packet.target.y();
+        track.pose.target[0] = packet.target.x();
+        track.pose.target[1] = packet.target.y();
       }
       track.x = now.position.x();
       track.y = now.position.y();
-      track.heading = packet.heading;
+      track.pose.heading = packet.heading;
       track.vx = now.velocity.x();
       track.vy = now.velocity.y();
-      auto& c = track.covariance;
-      c[0] = now.position_covariance(0, 0);
-      c[1] = now.position_covariance(0, 1);
-      c[4] = now.position_covariance(1, 0);
-      c[5] = now.position_covariance(1, 1);
-      c[2] = c[7] = c[8] = c[13] = now.cross;
-      c[10] = c[15] = now.velocity_variance;
-      track.heading_variance = now.heading_variance;
+      track.covariance[0] = now.position_covariance(0, 0);
+      track.covariance[1] = now.position_covariance(0, 1);
+      track.covariance[2] = now.position_covariance(1, 1);
+      track.pose.velocity_variance = now.velocity_variance;
+      track.pose.heading_variance = now.heading_variance;
       track.weight = packet.weight;
       track.age = now.age;
     }

@@ -89,7 +89,7 @@ struct GmPhd {
     for (const regista::Measurement& each : measurements) {
       if (each.kind != REGISTA_MEASURED_ROBOT || count == seen.size()) continue;
       seen[count++] = {each.position[0], each.position[1], each.covariance[0] + smallest_variance, each.covariance[1],
-                       each.covariance[4] + smallest_variance};
+                       each.covariance[2] + smallest_variance};
     }
     const bool all_round = area.half_angle >= pi;
     filter.correct(
@@ -101,23 +101,24 @@ struct GmPhd {
   void absorb(regista::Span<regista::Track> tracks, double age) {
     filter.clear();
     for (const regista::Track& heard : tracks) {
-      const auto& c = heard.covariance;
+      const auto& place = heard.covariance;
+      const auto& rest = heard.motion;
       Component component;
       component.x = heard.x;
       component.y = heard.y;
-      component.pxx = c[0];
-      component.pxy = c[1];
-      component.pyy = c[5];
+      component.pxx = place[0];
+      component.pxy = place[1];
+      component.pyy = place[2];
       if ((heard.flags & REGISTA_TRACK_VELOCITY) != 0) {
         component.vx = heard.vx;
         component.vy = heard.vy;
-        component.cxx = c[2];
-        component.cxy = c[3];
-        component.cyx = c[6];
-        component.cyy = c[7];
-        component.vxx = c[10];
-        component.vxy = c[11];
-        component.vyy = c[15];
+        component.cxx = rest[0];
+        component.cxy = rest[1];
+        component.cyx = rest[2];
+        component.cyy = rest[3];
+        component.vxx = rest[4];
+        component.vxy = rest[5];
+        component.vyy = rest[6];
       } else {
         component.vxx = component.vyy = settings.speed * settings.speed;
       }
@@ -143,9 +144,10 @@ struct GmPhd {
       track.y = each.y;
       track.vx = each.vx;
       track.vy = each.vy;
-      const double covariance[16] = {each.pxx, each.pxy, each.cxx, each.cxy, each.pxy, each.pyy, each.cyx, each.cyy,
-                                     each.cxx, each.cyx, each.vxx, each.vxy, each.cxy, each.cyy, each.vxy, each.vyy};
-      std::copy_n(covariance, 16, track.covariance);
+      const std::array place{each.pxx, each.pxy, each.pyy};
+      const std::array rest{each.cxx, each.cxy, each.cyx, each.cyy, each.vxx, each.vxy, each.vyy};
+      std::ranges::copy(place, track.covariance);
+      std::ranges::copy(rest, track.motion);
       track.weight = std::min(each.weight, 1.0);
       track.age = each.age;
     }

@@ -60,7 +60,7 @@ struct HoldLast {
       if (each.kind != kind || count == seen.size()) continue;
       Sighting& sighting = seen[count++];
       sighting.position << each.position[0], each.position[1];
-      sighting.covariance << each.covariance[0], each.covariance[1], each.covariance[1], each.covariance[4];
+      sighting.covariance << each.covariance[0], each.covariance[1], each.covariance[1], each.covariance[2];
     }
     const std::span image(seen.data(), count);
     if (subject == REGISTA_SUBJECT_BALL) {
@@ -81,11 +81,13 @@ struct HoldLast {
       Held held;
       held.label = subject == REGISTA_SUBJECT_BALL ? 1 : told.label;
       held.position << told.x, told.y;
-      held.heading = told.heading;
-      held.covariance << told.covariance[0], told.covariance[1], told.covariance[4], told.covariance[5];
-      held.heading_variance = told.heading_variance;
-      held.has_target = (told.flags & REGISTA_TRACK_HAS_TARGET) != 0;
-      if (held.has_target) held.target << told.target[0], told.target[1];
+      held.covariance << told.covariance[0], told.covariance[1], told.covariance[1], told.covariance[2];
+      if (team) {
+        held.heading = told.pose.heading;
+        held.heading_variance = told.pose.heading_variance;
+        held.has_target = (told.flags & REGISTA_TRACK_HAS_TARGET) != 0;
+        if (held.has_target) held.target << told.pose.target[0], told.pose.target[1];
+      }
       held.weight = told.weight;
       held.age_then = told.age;
       held.elapsed = age;
@@ -102,26 +104,31 @@ struct HoldLast {
       regista::Track& track = present[count++];
       track = {};
       track.label = held.label;
-      if (held.has_target) {
-        track.flags = REGISTA_TRACK_HAS_TARGET;
-        track.target[0] = held.target.x();
-        track.target[1] = held.target.y();
-      }
       track.x = held.position.x();
       track.y = held.position.y();
-      track.heading = held.heading;
-      auto& c = track.covariance;
-      c[0] = held.covariance(0, 0) + growth.position;
-      c[1] = held.covariance(0, 1);
-      c[4] = held.covariance(1, 0);
-      c[5] = held.covariance(1, 1) + growth.position;
-      c[2] = c[7] = c[8] = c[13] = growth.cross;
-      c[10] = c[15] = growth.velocity;
-      track.heading_variance = held.heading_variance + growth.heading;
+      track.covariance[0] = held.covariance(0, 0) + growth.position;
+      track.covariance[1] = held.covariance(0, 1);
+      track.covariance[2] = held.covariance(1, 1) + growth.position;
+      if (subject == REGISTA_SUBJECT_TEAMMATES) {
+        write_pose(held, growth, track);
+      } else {
+        track.motion[0] = track.motion[3] = growth.cross;
+        track.motion[4] = track.motion[6] = growth.velocity;
+      }
       track.weight = held.weight;
       track.age = held.age();
     }
     for (std::size_t i = 0; i < count; ++i) out.add(present[i]);
+  }
+
+  static void write_pose(const Held& held, const hold_last::Growth& growth, regista::Track& track) {
+    track.pose.heading = held.heading;
+    track.pose.heading_variance = held.heading_variance + growth.heading;
+    track.pose.velocity_variance = growth.velocity;
+    if (!held.has_target) return;
+    track.flags = REGISTA_TRACK_HAS_TARGET;
+    track.pose.target[0] = held.target.x();
+    track.pose.target[1] = held.target.y();
   }
 
   std::uint32_t subject = 0;

@@ -108,8 +108,8 @@ struct ImmBall {
         }
         write_velocity(ball, track);
       } else {
-        track.covariance[10] = track.covariance[15] =
-            settings.speed_prior * settings.speed_prior;  // told as standing until believed
+        const double variance = settings.speed_prior * settings.speed_prior;
+        planar::write_velocity_covariance(variance, 0.0, variance, track);  // told as standing until believed
       }
       track.weight = std::min(1.0, each.weight);
       track.age = each.age;
@@ -125,10 +125,10 @@ struct ImmBall {
     };
     for (const regista::Robot& robot : world.robots()) {
       if ((robot.flags & (REGISTA_ROBOT_KNOWN | REGISTA_ROBOT_PENALISED)) != REGISTA_ROBOT_KNOWN) continue;
-      if (near(robot.pose[0], robot.pose[1], std::max(robot.covariance[0], robot.covariance[4]))) return true;
+      if (near(robot.pose[0], robot.pose[1], std::max(robot.covariance[0], robot.covariance[2]))) return true;
     }
     for (const regista::Opponent& each : world.opponents()) {
-      if (near(each.position[0], each.position[1], std::max(each.covariance[0], each.covariance[3]))) return true;
+      if (near(each.position[0], each.position[1], std::max(each.covariance[0], each.covariance[2]))) return true;
     }
     return false;
   }

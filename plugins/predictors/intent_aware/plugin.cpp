@@ -102,11 +102,11 @@ struct IntentAware {
       }
       Packet packet;
       packet.position << told.x, told.y;
-      packet.heading = told.heading;
+      packet.heading = told.pose.heading;
       packet.has_target = (told.flags & REGISTA_TRACK_HAS_TARGET) != 0;
-      if (packet.has_target) packet.target << told.target[0], told.target[1];
-      packet.covariance << told.covariance[0], told.covariance[1], told.covariance[4], told.covariance[5];
-      packet.heading_variance = told.heading_variance;
+      if (packet.has_target) packet.target << told.pose.target[0], told.pose.target[1];
+      packet.covariance << told.covariance[0], told.covariance[1], told.covariance[1], told.covariance[2];
+      packet.heading_variance = told.pose.heading_variance;
       packet.weight = told.weight;
       packet.age = told.age;
       const Teammate fresh(told.label, packet, age, model);
@@ -133,22 +133,19 @@ struct IntentAware {
       track.flags = REGISTA_TRACK_VELOCITY;
       if (packet.has_target || mate.follows_rule()) {
         track.flags |= REGISTA_TRACK_HAS_TARGET;
-        track.target[0] = mate.goal().x();
-        track.target[1] = mate.goal().y();
+        track.pose.target[0] = mate.goal().x();
+        track.pose.target[1] = mate.goal().y();
       }
       track.x = mate.position().x();
       track.y = mate.position().y();
-      track.heading = packet.heading;
+      track.pose.heading = packet.heading;
       track.vx = velocity.x();
       track.vy = velocity.y();
-      auto& c = track.covariance;
-      c[0] = place(0, 0);
-      c[1] = place(0, 1);
-      c[4] = place(1, 0);
-      c[5] = place(1, 1);
-      c[2] = c[7] = c[8] = c[13] = mate.cross();
-      c[10] = c[15] = mate.velocity_variance();
-      track.heading_variance = mate.heading_variance();
+      track.covariance[0] = place(0, 0);
+      track.covariance[1] = place(0, 1);
+      track.covariance[2] = place(1, 1);
+      track.pose.velocity_variance = mate.velocity_variance();
+      track.pose.heading_variance = mate.heading_variance();
       track.weight = packet.weight;
       track.age = mate.age();
     }

@@ -83,8 +83,8 @@ struct KalmanBall {
         track.flags = REGISTA_TRACK_VELOCITY;
         write_velocity(ball, track);
       } else if (each.kind == kalman_ball::Kind::moving) {
-        track.covariance[10] = track.covariance[15] =
-            settings.speed_prior * settings.speed_prior;  // told as standing until believed
+        const double variance = settings.speed_prior * settings.speed_prior;
+        planar::write_velocity_covariance(variance, 0.0, variance, track);  // told as standing until believed
       }
       track.weight = std::min(1.0, each.weight);
       track.age = each.age;

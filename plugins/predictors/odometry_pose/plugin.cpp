@@ -75,11 +75,11 @@ struct OdometryPose {
       const auto& c = each.covariance;
       if (each.kind == REGISTA_MEASURED_POSE) {
         Estimate pose{each.position[0], each.position[1], odometry_pose::normalised(each.heading), {}};
-        pose.covariance << c[0], c[1], c[2], c[1], c[4], c[5], c[2], c[5], c[8];
+        pose.covariance << c[0], c[1], c[3], c[1], c[2], c[4], c[3], c[4], c[5];
         filter->place(pose);
       } else if (each.kind == REGISTA_MEASURED_LANDMARK) {
         Eigen::Matrix2d noise;
-        noise << c[0], c[1], c[1], c[4];
+        noise << c[0], c[1], c[1], c[2];
         filter->sight(each.label, {each.position[0], each.position[1]}, noise);
       }
     }
@@ -89,10 +89,10 @@ struct OdometryPose {
   void absorb(regista::Span<regista::Track> tracks, double) {
     if (tracks.empty()) return;
     const regista::Track& told = tracks[0];
-    Estimate pose{told.x, told.y, odometry_pose::normalised(told.heading), Eigen::Matrix3d::Zero()};
+    Estimate pose{told.x, told.y, odometry_pose::normalised(told.pose.heading), Eigen::Matrix3d::Zero()};
     pose.covariance.topLeftCorner<2, 2>() << told.covariance[0], told.covariance[1], told.covariance[1],
-        told.covariance[5];
-    pose.covariance(2, 2) = told.heading_variance;
+        told.covariance[2];
+    pose.covariance(2, 2) = told.pose.heading_variance;
     filter->place(pose);
   }
 
@@ -104,15 +104,15 @@ struct OdometryPose {
     track.flags = REGISTA_TRACK_VELOCITY;
     track.x = pose.x;
     track.y = pose.y;
-    track.heading = pose.heading;
+    track.pose.heading = pose.heading;
     track.vx = velocity.x();
     track.vy = velocity.y();
-    track.turn_rate = filter->turn_rate();
+    track.pose.turn_rate = filter->turn_rate();
     track.covariance[0] = pose.covariance(0, 0);
-    track.covariance[1] = track.covariance[4] = pose.covariance(0, 1);
-    track.covariance[5] = pose.covariance(1, 1);
-    track.covariance[10] = track.covariance[15] = filter->velocity_variance();
-    track.heading_variance = pose.covariance(2, 2);
+    track.covariance[1] = pose.covariance(0, 1);
+    track.covariance[2] = pose.covariance(1, 1);
+    track.pose.velocity_variance = filter->velocity_variance();
+    track.pose.heading_variance = pose.covariance(2, 2);
     track.weight = 1.0;
     track.age = filter->age();
   }
