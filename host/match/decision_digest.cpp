@@ -41,9 +41,9 @@ class Step {
   void add(const T (&values)[N]) {
     digest_.add(std::as_bytes(std::span(values)));
   }
+  // `motion` is the larger part of the union; what is not used of it is 0.
   void add(const regista_track& t) {
-    operator()(t.label, t.flags, t.x, t.y, t.heading, t.vx, t.vy, t.turn_rate, t.covariance, t.heading_variance,
-               t.weight, t.age, t.target);
+    operator()(t.label, t.flags, t.x, t.y, t.vx, t.vy, t.weight, t.age, t.covariance, t.motion);
   }
   void add(const regista_robot& r) {
     operator()(r.number, r.flags, r.pose, r.velocity, r.covariance, r.target, r.time_until_up, r.age, r.role,
@@ -69,7 +69,7 @@ std::uint64_t worlds(const mind::WorldModel& model) {
   for (const mind::DistributedWorldModel* world : {&model.mine(), &model.common()}) {
     for (const regista_robot& each : world->robots) step(each);
     for (const regista_opponent& each : world->opponents) step(each);
-    step(world->raw.ball);
+    step(world->ball_state);
   }
   return step.value();
 }

@@ -219,13 +219,13 @@ Report Mind::Parts::report(const Percepts& percepts) const {
   report.sender = number;
   report.time_sent = now;
   report.pose = world.local().pose();
-  report.position_deviation = std::sqrt(0.5 * (self.covariance[0] + self.covariance[5]));
-  report.heading_deviation = std::sqrt(self.heading_variance);
+  report.position_deviation = std::sqrt(0.5 * (self.covariance[0] + self.covariance[2]));
+  report.heading_deviation = std::sqrt(self.pose.heading_variance);
   report.velocity = {self.vx, self.vy};
   report.target = target();
   report.fallen = percepts.fallen;
   report.time_until_up = percepts.time_until_up;
-  report.playing = world.mine().raw.game.phase == REGISTA_PHASE_PLAYING;
+  report.playing = world.mine().game.phase == REGISTA_PHASE_PLAYING;
   report.role = decision.own_role;
   report.role_since = decision.own_role_since;
   report.context = decision.context;
@@ -236,7 +236,7 @@ Report Mind::Parts::report(const Percepts& percepts) const {
     const bool moves = (ball.flags & REGISTA_TRACK_VELOCITY) != 0;
     report.ball = ReportedBall{{ball.x, ball.y},
                                moves ? Vector2d(ball.vx, ball.vy) : Vector2d(0.0, 0.0),
-                               std::sqrt(0.5 * (ball.covariance[0] + ball.covariance[5])),
+                               std::sqrt(0.5 * (ball.covariance[0] + ball.covariance[2])),
                                ball.age};
   }
   // The five that were seen last, the likelier of equals.
@@ -255,7 +255,7 @@ Report Mind::Parts::report(const Percepts& percepts) const {
   for (const regista_track* track : chosen) {
     if (track == nullptr) break;
     report.opponents[report.opponent_count++] = {
-        {track->x, track->y}, std::sqrt(0.5 * (track->covariance[0] + track->covariance[5])), track->age};
+        {track->x, track->y}, std::sqrt(0.5 * (track->covariance[0] + track->covariance[2])), track->age};
   }
   return report;
 }

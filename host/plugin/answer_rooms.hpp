@@ -21,7 +21,7 @@ struct AnswerRooms {
   CallNote unheard;                   // where calls are noted that nobody listens to
   GuardedValue<regista_error> error;  // of every call
   // Predictor
-  GuardedValue<std::uint32_t> track_count;
+  GuardedValue<regista_room> track_room;
   // Context
   GuardedValue<std::int32_t> holds;
   // Positioner

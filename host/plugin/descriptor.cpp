@@ -14,7 +14,7 @@
 namespace regista::plugin {
 namespace {
 
-constexpr std::uint32_t most_parameters = 1000;
+constexpr std::uint32_t most_parameters = 1000, most_reasons = 64;
 
 // Tables of all kinds begin with their size.
 std::uint32_t size_of_table(const void* table) {
@@ -167,6 +167,21 @@ std::string wrong_with_parameters(const regista_descriptor& d) {
   return {};
 }
 
+std::string wrong_with_reasons(const regista_sender& sender) {
+  if (sender.reason_count > most_reasons) return fmt::format("names {} reasons; at most {} are taken", sender.reason_count, most_reasons);
+  if (sender.reason_count > 0 && sender.reasons == nullptr) return "its reasons are null";
+  std::set<std::string_view> seen;
+  for (std::uint32_t i = 0; i < sender.reason_count; ++i) {
+    if (sender.reasons[i] == nullptr) return fmt::format("reason {} is null", i);
+    const std::string_view name = sender.reasons[i];
+    if (const std::string wrong = wrong_with_name(name); !wrong.empty()) {
+      return fmt::format("reason {} {}", config::in_quotes(sender.reasons[i]), wrong);
+    }
+    if (!seen.insert(name).second) return fmt::format("names the reason \"{}\" twice", name);
+  }
+  return {};
+}
+
 std::string wrong_with_tables(const regista_descriptor& d) {
   bool any = false;
   for (int kind = 1; kind < REGISTA_KIND_END; ++kind) {
@@ -185,16 +200,21 @@ std::string wrong_with_tables(const regista_descriptor& d) {
       predictor != nullptr && predictor->subjects == 0) {
     return "is a predictor of nothing";
   }
-  return {};
+  const auto* sender = table<regista_sender>(d, REGISTA_KIND_SENDER);
+  return sender == nullptr ? "" : wrong_with_reasons(*sender);
 }
 
 }  // namespace
 
 std::string what_is_wrong(const regista_descriptor& d, std::uint32_t index) {
-  // Only these fields keep their places in every major version.
-  if (d.abi_major != REGISTA_ABI_MAJOR || d.abi_minor > REGISTA_ABI_MINOR) {
-    return fmt::format("built for Regista plugin interface {}.{}; this host speaks {}.{}", d.abi_major, d.abi_minor,
-                       REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR);
+  // Only these fields keep their places in every major version. Before 1.0 each minor version is another interface.
+  static_assert(REGISTA_ABI_MAJOR == 0);
+  if (d.abi_major != REGISTA_ABI_MAJOR || d.abi_minor != REGISTA_ABI_MINOR) {
+    const char* why = d.abi_major == 1 && d.abi_minor == 0
+                          ? ", whose number is lower because the interface was opened again before it is frozen"
+                          : "";
+    return fmt::format("built for Regista plugin interface {}.{}; this host speaks {}.{}{}: build it anew", d.abi_major,
+                       d.abi_minor, REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR, why);
   }
   if (d.size < sizeof d) {
     return fmt::format("descriptor {} is {} bytes; the interface needs {}", index, d.size, sizeof d);

@@ -29,6 +29,8 @@ void Inputs::add(const char* name, const char* text) {
 void Inputs::add_world(const char* whole, const char* const (&parts)[4], const regista_world* world) {
   if (world == nullptr) return;
   add(whole, parts[0], world, sizeof *world);
+  add(whole, parts[0], world->game, sizeof *world->game);
+  add(whole, parts[0], world->ball, sizeof *world->ball);
   add(whole, parts[1], world->robots);
   add(whole, parts[2], world->opponents);
   add(whole, parts[3], world->active);

@@ -19,7 +19,8 @@ const regista_host host_without_radio{sizeof(regista_host),
                                       [](void*, const std::uint8_t*, std::uint32_t, double, double, std::int32_t,
                                          std::uint64_t) -> std::uint64_t { return 0; },
                                       [](void*, std::uint64_t) {},
-                                      [](void*) -> std::uint32_t { return 0; }};
+                                      [](void*) -> std::uint32_t { return 0; },
+                                      [](void*, const char*) -> const void* { return nullptr; }};
 
 // What a plugin wrote, as it may be shown; it may lack its end.
 std::string said(const regista_error& error) {
@@ -79,7 +80,11 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
   rooms_->error.data()->text[0] = '\0';
   begin("create");
   try {
-    raw_ = descriptor_->create(&environment_, host, parameters.values().data(), rooms_->error.data());
+    const std::span<const regista_value> values = parameters.values();
+    raw_ = descriptor_->create(
+        &environment_, host,
+        {values.data(), static_cast<std::uint32_t>(values.size()), static_cast<std::uint32_t>(sizeof(regista_value))},
+        rooms_->error.data());
   } catch (...) {
     threw("create");
   }

@@ -26,14 +26,14 @@ void Positioner::place(const regista_frame& frame, Placement& out) {
   regista_placement& raw = *instance_->open(rooms.placement);
   raw = {};
   raw.size = sizeof raw;
-  raw.point_capacity = point_capacity;
-  raw.edge_capacity = edge_capacity;
-  raw.cell_capacity = cell_capacity;
-  raw.vertex_capacity = vertex_capacity;
-  raw.points = instance_->open(rooms.points, point_capacity);
-  raw.edges = instance_->open(rooms.edges, edge_capacity);
-  raw.cells = instance_->open(rooms.cells, cell_capacity);
-  raw.vertices = instance_->open(rooms.vertices, vertex_capacity);
+  const auto room = [this](auto& guarded, std::uint32_t capacity) {
+    auto* const data = instance_->open(guarded, capacity);
+    return regista_room{data, capacity, 0, sizeof *data, 0};
+  };
+  raw.points = room(rooms.points, point_capacity);
+  raw.edges = room(rooms.edges, edge_capacity);
+  raw.cells = room(rooms.cells, cell_capacity);
+  raw.vertices = room(rooms.vertices, vertex_capacity);
   instance_->call_with([](Inputs& inputs, const regista_frame* seen, auto*) { inputs.add("frame", seen); }, "place",
                        calls_->place, &frame, &raw);
   instance_->check("place", Instance::Written{rooms.placement, "the placement itself"},
@@ -41,14 +41,14 @@ void Positioner::place(const regista_frame& frame, Placement& out) {
                    Instance::Written{rooms.cells, "cells"}, Instance::Written{rooms.vertices, "vertices"});
 
   // Of the struct only the counts are read: the plugin may have written over the rest.
-  check_count(*instance_, raw.point_count, point_capacity, "points");
-  check_count(*instance_, raw.edge_count, edge_capacity, "edges");
-  check_count(*instance_, raw.cell_count, cell_capacity, "cells");
-  check_count(*instance_, raw.vertex_count, vertex_capacity, "vertices");
-  const auto points = rooms.points.first(raw.point_count);
-  const auto edges = rooms.edges.first(raw.edge_count);
-  const auto cells = rooms.cells.first(raw.cell_count);
-  const auto vertices = rooms.vertices.first(raw.vertex_count);
+  check_count(*instance_, raw.points.count, point_capacity, "points");
+  check_count(*instance_, raw.edges.count, edge_capacity, "edges");
+  check_count(*instance_, raw.cells.count, cell_capacity, "cells");
+  check_count(*instance_, raw.vertices.count, vertex_capacity, "vertices");
+  const auto points = rooms.points.first(raw.points.count);
+  const auto edges = rooms.edges.first(raw.edges.count);
+  const auto cells = rooms.cells.first(raw.cells.count);
+  const auto vertices = rooms.vertices.first(raw.vertices.count);
   check_points(frame, points);
   check_edges(edges, points.size());
   check_cells(cells, vertices);

@@ -16,20 +16,29 @@ namespace {
 // Nothing on a field is farther away, or faster; what is beyond would overflow somewhere else. m, m/s
 constexpr double farthest = 1e4;
 
-// True for nearly every track that keeps all promises, and for no other: one branch instead of twenty.
+constexpr double largest = std::numeric_limits<double>::max();
+
+bool has_pose(std::uint32_t subject) {
+  return subject == REGISTA_SUBJECT_SELF || subject == REGISTA_SUBJECT_TEAMMATES;
+}
+
+// What ball and opponents have of a track, or all robots. Each is true for nearly every track that keeps all promises,
+// and for no other: one branch instead of twenty.
 bool clearly_sound(const regista_track& t) {
-  constexpr double largest = std::numeric_limits<double>::max();
+  const double x = std::abs(t.x), y = std::abs(t.y), vx = std::abs(t.vx), vy = std::abs(t.vy);
+  const bool near = (x <= farthest) & (y <= farthest) & (vx <= farthest) & (vy <= farthest);
+  const bool certain = (t.weight > 0.0) & (t.weight <= 1.0) & (t.age >= 0.0) & (t.age <= largest);
+  return near & certain;
+}
+bool clearly_sound(const regista_track& t, const regista_track_pose& pose) {
   const bool has_target = (t.flags & REGISTA_TRACK_HAS_TARGET) != 0;
-  const double x = std::abs(t.x), y = std::abs(t.y), vx = std::abs(t.vx), vy = std::abs(t.vy),
-               heading = std::abs(t.heading), turn_rate = std::abs(t.turn_rate), target_x = std::abs(t.target[0]),
-               target_y = std::abs(t.target[1]);
-  const bool near = (x <= farthest) & (y <= farthest) & (vx <= farthest) & (vy <= farthest) &
-                    (heading <= std::numbers::pi) & (turn_rate <= largest);
-  const bool certain = (t.heading_variance >= 0.0) & (t.heading_variance <= largest) & (t.weight > 0.0) &
-                       (t.weight <= 1.0) & (t.age >= 0.0) & (t.age <= largest);
+  const double heading = std::abs(pose.heading), turn_rate = std::abs(pose.turn_rate),
+               target_x = std::abs(pose.target[0]), target_y = std::abs(pose.target[1]);
+  const bool turned = (heading <= std::numbers::pi) & (turn_rate <= largest);
+  const bool certain = (pose.heading_variance >= 0.0) & (pose.heading_variance <= largest) &
+                       (pose.velocity_variance >= 0.0) & (pose.velocity_variance <= largest);
   const bool aimed = (!has_target) | ((target_x <= largest) & (target_y <= largest));
-  const bool definite = clearly_definite(t.covariance);
-  return near & certain & aimed & definite;
+  return turned & certain & aimed & clearly_definite(t.covariance);
 }
 
 }  // namespace
@@ -74,23 +83,27 @@ void Predictor::absorb(std::span<const regista_track> tracks, double age) {
 }
 
 std::span<const regista_track> Predictor::tracks() {
-  GuardedValue<std::uint32_t>& number = instance_->rooms().track_count;
-  *instance_->open(number) = 0;
-  instance_->call("tracks", calls_->tracks, instance_->open(tracks_, track_capacity), track_capacity, number.data());
-  instance_->check("tracks", Instance::Written{tracks_, "tracks"}, Instance::Written{number, "number of tracks"});
-  const std::uint32_t count = *number.data();
+  GuardedValue<regista_room>& room = instance_->rooms().track_room;
+  *instance_->open(room) = {instance_->open(tracks_, track_capacity), track_capacity, 0, sizeof(regista_track), 0};
+  instance_->call("tracks", calls_->tracks, room.data());
+  instance_->check("tracks", Instance::Written{tracks_, "tracks"}, Instance::Written{room, "number of tracks"});
+  // Of the room only the count is read: the plugin may have written over the rest.
+  const std::uint32_t count = room.data()->count;
   if (count > track_capacity) [[unlikely]]
     instance_->fail("tracks", fmt::format("wrote {} tracks into room for {}", count, track_capacity));
   const std::span<const regista_track> out = tracks_.first(count);
+  const bool poses = has_pose(instance_->environment().subject);
   for (const regista_track& track : out) {
-    if (!clearly_sound(track)) [[unlikely]]
-      check(track);
+    const bool sound = poses ? clearly_sound(track) & clearly_sound(track, track.pose)
+                             : clearly_sound(track) & clearly_definite(track.covariance, track.motion);
+    if (!sound) [[unlikely]]
+      check(track, poses);
   }
   check_together(out);
   return out;
 }
 
-void Predictor::check(const regista_track& t) const {
+void Predictor::check(const regista_track& t, bool has_pose) const {
   const auto wrong = [&](const char* what, double value) {
     instance_->fail("tracks", fmt::format("{} of label {} is {}", what, t.label, value));
   };
@@ -98,43 +111,35 @@ void Predictor::check(const regista_track& t) const {
     const char* name;
     double value;
   };
-  // A sum is finite only if all its terms are; the terms are looked at one by one only when it is not.
-  const double sum = ((t.x + t.y) + (t.heading + t.vx)) + ((t.vy + t.turn_rate) + (t.heading_variance + t.age));
-  const bool has_target = (t.flags & REGISTA_TRACK_HAS_TARGET) != 0;
-  if (!std::isfinite(sum) || (has_target && !std::isfinite(t.target[0] + t.target[1]))) [[unlikely]] {
-    for (const Field& field : {Field{"x", t.x},
-                               {"y", t.y},
-                               {"heading", t.heading},
-                               {"vx", t.vx},
-                               {"vy", t.vy},
-                               {"turn rate", t.turn_rate},
-                               {"heading variance", t.heading_variance},
-                               {"weight", t.weight},
-                               {"age", t.age},
-                               {"x of the target", has_target ? t.target[0] : 0.0},
-                               {"y of the target", has_target ? t.target[1] : 0.0}}) {
-      if (!std::isfinite(field.value)) wrong(field.name, field.value);
-    }
+  const bool has_target = has_pose && (t.flags & REGISTA_TRACK_HAS_TARGET) != 0;
+  const regista_track_pose pose = has_pose ? t.pose : regista_track_pose{};
+  for (const Field& field : {Field{"x", t.x},
+                             {"y", t.y},
+                             {"heading", pose.heading},
+                             {"vx", t.vx},
+                             {"vy", t.vy},
+                             {"turn rate", pose.turn_rate},
+                             {"heading variance", pose.heading_variance},
+                             {"velocity variance", pose.velocity_variance},
+                             {"weight", t.weight},
+                             {"age", t.age},
+                             {"x of the target", has_target ? pose.target[0] : 0.0},
+                             {"y of the target", has_target ? pose.target[1] : 0.0}}) {
+    if (!std::isfinite(field.value)) wrong(field.name, field.value);
   }
   for (const Field& field : {Field{"x", t.x}, {"y", t.y}, {"vx", t.vx}, {"vy", t.vy}}) {
-    if (std::abs(field.value) > farthest) [[unlikely]]
-      wrong(field.name, field.value);
+    if (std::abs(field.value) > farthest) wrong(field.name, field.value);
   }
-  if (std::abs(t.heading) > std::numbers::pi) [[unlikely]]
-    wrong("heading", t.heading);
-  if (t.heading_variance < 0.0) [[unlikely]]
-    wrong("heading variance", t.heading_variance);
-  if (!(t.weight > 0.0 && t.weight <= 1.0)) [[unlikely]]
-    wrong("weight", t.weight);
-  if (t.age < 0.0) [[unlikely]]
-    wrong("age", t.age);
-  switch (examine_covariance(t.covariance)) {
+  if (std::abs(pose.heading) > std::numbers::pi) wrong("heading", pose.heading);
+  if (pose.heading_variance < 0.0) wrong("heading variance", pose.heading_variance);
+  if (pose.velocity_variance < 0.0) wrong("velocity variance", pose.velocity_variance);
+  if (!(t.weight > 0.0 && t.weight <= 1.0)) wrong("weight", t.weight);
+  if (t.age < 0.0) wrong("age", t.age);
+  switch (has_pose ? examine_covariance(t.covariance) : examine_covariance(t.covariance, t.motion)) {
     case Covariance::valid:
       return;
     case Covariance::not_finite:
       instance_->fail("tracks", fmt::format("covariance of label {} is not finite", t.label));
-    case Covariance::not_symmetric:
-      instance_->fail("tracks", fmt::format("covariance of label {} is not symmetric", t.label));
     case Covariance::not_semi_definite:
       instance_->fail("tracks", fmt::format("covariance of label {} is not positive semi-definite", t.label));
   }

@@ -23,13 +23,13 @@ class Predictor {
   void correct(std::span<const regista_measurement> measurements, const regista_visible_area& area);
   // What a packet said `age` >= 0 seconds ago, carried forward to now.
   void absorb(std::span<const regista_track> tracks, double age);
-  // The present estimate, valid until the next call. Checked: finite; |heading| <= pi; covariances symmetric and
-  // positive semi-definite; weights in (0, 1]; ages >= 0; self is one track with the own number; the best hypothesis of
-  // the ball comes first; teammates are in ascending order of their numbers; labels of opponents are unique.
+  // The present estimate, valid until the next call. Checked: finite; |heading| <= pi; covariances positive
+  // semi-definite; weights in (0, 1]; ages >= 0; self is one track with the own number; the best hypothesis of the ball
+  // comes first; teammates are in ascending order of their numbers; labels of opponents are unique.
   std::span<const regista_track> tracks();
 
  private:
-  void check(const regista_track& track) const;
+  void check(const regista_track& track, bool has_pose) const;
   void check_together(std::span<const regista_track> tracks) const;
 
   std::shared_ptr<Instance> instance_;

@@ -30,7 +30,7 @@ bool suspect(std::span<const double> values) {
   return (seen & sign) != 0;
 }
 
-void check_each(const Instance& instance, const regista_matrix& m) {
+void check_each(const Instance& instance, const regista_matrix_room& m) {
   for (std::uint32_t i = 0; i < m.rows; ++i) {
     for (std::uint32_t j = 0; j < m.columns; ++j) {
       const double value = m.values[std::size_t{i} * m.stride + j];
@@ -52,16 +52,16 @@ Utility::Utility(std::shared_ptr<Instance> instance)
   instance_->rooms().utilities.open(std::size_t{environment.team_size} * environment.roles.count);
 }
 
-void Utility::score(const regista_frame& frame, const regista_matrix& out) {
+void Utility::score(const regista_frame& frame, const regista_matrix_room& out) {
   if (out.rows == 0 || out.columns == 0) return;
   const std::size_t count = std::size_t{out.rows - 1} * out.stride + out.columns;
   GuardedRoom<double>& entries = instance_->rooms().utilities;
   double* const room = instance_->open(entries, count);
   std::fill_n(room, count, 0.0);
-  const regista_matrix answer{room, out.rows, out.columns, out.stride, 0};
-  const regista_matrix shown = answer;  // a plugin that writes over it does not change what is checked
+  const regista_matrix_room answer{room, out.rows, out.columns, out.stride, 0};
+  const regista_matrix_room shown = answer;  // a plugin that writes over it does not change what is checked
   instance_->call_with(
-      [](Inputs& inputs, const regista_frame* seen, const regista_matrix* written_to) {
+      [](Inputs& inputs, const regista_frame* seen, const regista_matrix_room* written_to) {
         inputs.add("frame", seen);
         inputs.add("out", written_to, sizeof *written_to);
       },

@@ -15,7 +15,7 @@ class Utility {
 
   // out(i, j): utility of active robot i for task j. Clears `out` first; does not call the plugin when there is nothing
   // to score. Checked: every entry finite and in [0, 1e12].
-  void score(const regista_frame& frame, const regista_matrix& out);
+  void score(const regista_frame& frame, const regista_matrix_room& out);
 
  private:
   std::shared_ptr<Instance> instance_;

@@ -39,7 +39,7 @@ Json role_or_null(const std::vector<std::string>& names, int role) {
 
 Json ball(const mind::DistributedWorldModel& world) {
   if (!world.ball_known()) return nullptr;
-  return {{"position", point(world.ball().x(), world.ball().y())}, {"age", rounded(world.raw.ball.age, millimetres)}};
+  return {{"position", point(world.ball().x(), world.ball().y())}, {"age", rounded(world.ball_state.age, millimetres)}};
 }
 
 // The own row of the utility estimation matrix, by task; null when this robot has none.

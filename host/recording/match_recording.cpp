@@ -61,7 +61,7 @@ void column(JsonText& json, std::string_view name, const Elements& elements, Wri
 
 // Robots stand in columns: a name is written once, not once for each robot, which halves the bytes.
 void world(JsonText& json, const mind::DistributedWorldModel& snapshot, const ToWorld& to) {
-  const regista_ball& ball = snapshot.raw.ball;
+  const regista_ball& ball = snapshot.ball_state;
   json.key("ball");
   if (snapshot.ball_known()) {
     json.open('{').key("at");
@@ -69,7 +69,7 @@ void world(JsonText& json, const mind::DistributedWorldModel& snapshot, const To
     json.key("velocity");
     to.point(json, ball.velocity);
     json.key("covariance");
-    covariance(json, ball.covariance[0], ball.covariance[1], ball.covariance[5]);
+    covariance(json, ball.covariance[0], ball.covariance[1], ball.covariance[2]);
     json.key("age").number(ball.age, 2).close('}');
   } else {
     json.null();
@@ -83,7 +83,7 @@ void world(JsonText& json, const mind::DistributedWorldModel& snapshot, const To
   known("number", [&](const regista_robot& robot) { json.integer(robot.number); });
   known("pose", [&](const regista_robot& robot) { to.pose(json, robot.pose); });
   known("covariance", [&](const regista_robot& robot) {
-    covariance(json, robot.covariance[0], robot.covariance[1], robot.covariance[4]);
+    covariance(json, robot.covariance[0], robot.covariance[1], robot.covariance[2]);
   });
   known("age", [&](const regista_robot& robot) { json.number(robot.age, 2); });
   known("role", [&](const regista_robot& robot) { json.integer(robot.role); });
@@ -91,7 +91,7 @@ void world(JsonText& json, const mind::DistributedWorldModel& snapshot, const To
   json.close('}').key("opponents").open('{');
   column(json, "at", snapshot.opponents, [&](const regista_opponent& opponent) { to.point(json, opponent.position); });
   column(json, "covariance", snapshot.opponents, [&](const regista_opponent& opponent) {
-    covariance(json, opponent.covariance[0], opponent.covariance[1], opponent.covariance[3]);
+    covariance(json, opponent.covariance[0], opponent.covariance[1], opponent.covariance[2]);
   });
   column(json, "age", snapshot.opponents, [&](const regista_opponent& opponent) { json.number(opponent.age, 2); });
   column(json, "weight", snapshot.opponents,

@@ -62,8 +62,8 @@ class Labels {
 };
 
 void put(mind::DistributedWorldModel& world, const std::array<double, 2>& ball) {
-  world.raw.ball.flags = REGISTA_BALL_KNOWN;
-  std::ranges::copy(ball, world.raw.ball.position);
+  world.ball_state.flags = REGISTA_BALL_KNOWN;
+  std::ranges::copy(ball, world.ball_state.position);
 }
 
 Html arrow(const Vector2d& at, const Vector2d& towards, const Scale& to) {

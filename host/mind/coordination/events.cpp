@@ -22,7 +22,7 @@ void EventDetector::detect(const Percepts& percepts, const WorldModel& world, co
   const DistributedWorldModel& common = world.common();
   const double now = percepts.time;
 
-  if (common.ball_known()) team_ball_seen_at_ = now - common.raw.ball.age;
+  if (common.ball_known()) team_ball_seen_at_ = now - common.ball_state.age;
   if (percepts.whistle) add(REGISTA_EVENT_WHISTLE, 0.0);
   if (world.local().sees_ball()) {
     const regista_track& ball = world.local().balls().front();
@@ -49,11 +49,11 @@ void EventDetector::detect(const Percepts& percepts, const WorldModel& world, co
   if (percepts.fallen && !fallen_) add(REGISTA_EVENT_FELL, 0.0);
   if (!percepts.fallen && fallen_) add(REGISTA_EVENT_GOT_UP, 0.0);
   if (penalised_ && !percepts.penalised) add(REGISTA_EVENT_RETURNED, 0.0);
-  if (mine.raw.game.phase != phase_) add(REGISTA_EVENT_PHASE_CHANGED, mine.raw.game.phase);
+  if (mine.game.phase != phase_) add(REGISTA_EVENT_PHASE_CHANGED, mine.game.phase);
 
   role_ = decision.own_role;
   context_ = decision.context;
-  phase_ = mine.raw.game.phase;
+  phase_ = mine.game.phase;
   fallen_ = percepts.fallen;
   penalised_ = percepts.penalised;
   searching_ = searching;

@@ -41,13 +41,13 @@ class Course {
     DistributedWorldModel first(rules.team_size);
     make_up(first, plan, 0, 0, 0.0, own, out_of_play_, dice);
     if (phase_ != REGISTA_PHASE_PLAYING && set_play_ == REGISTA_SET_PLAY_KICK_OFF) {
-      first.raw.ball.position[0] = first.raw.ball.position[1] = 0.0;
+      first.ball_state.position[0] = first.ball_state.position[1] = 0.0;
     }
     still_ = phase_ != REGISTA_PHASE_PLAYING || dice.chance(0.3);
     gather(first);
     robots_ = first.robots;
     others_ = first.opponents;
-    ball_ = first.raw.ball;
+    ball_ = first.ball_state;
     free_at_ = dice.chance(0.3) ? 1 + dice.below(moments) : moments;
   }
 
@@ -66,17 +66,17 @@ class Course {
     }
     world.robots = robots_;
     world.opponents = others_;
-    world.raw.ball = ball_;
+    world.ball_state = ball_;
     if (!still_) {
-      world.raw.ball.position[0] += ball_.velocity[0] * number * interval_;
-      world.raw.ball.position[1] += ball_.velocity[1] * number * interval_;
+      world.ball_state.position[0] += ball_.velocity[0] * number * interval_;
+      world.ball_state.position[1] += ball_.velocity[1] * number * interval_;
     } else {
-      for (double& each : world.raw.ball.velocity) each = 0.0;
+      for (double& each : world.ball_state.velocity) each = 0.0;
     }
     const double age = ball_age_ + (ball_seen_ ? 0.0 : number * interval_);
-    world.raw.ball.age = age;
-    if (!ball_known_ || age > unknown_after) world.raw.ball = {};
-    regista_game& game = world.raw.game;
+    world.ball_state.age = age;
+    if (!ball_known_ || age > unknown_after) world.ball_state = {};
+    regista_game& game = world.game;
     game.phase = phase_;
     game.set_play = set_play_;
     game.own_kick = own_kick_ ? 1 : 0;
@@ -110,8 +110,8 @@ class Course {
     const auto place = [&](double share, double* position) {
       if (!dice.chance(share)) return;
       const double angle = dice.real(-pi, pi), distance = dice.real(0.0, reach_);
-      position[0] = world.raw.ball.position[0] + distance * std::cos(angle);
-      position[1] = world.raw.ball.position[1] + distance * std::sin(angle);
+      position[0] = world.ball_state.position[0] + distance * std::cos(angle);
+      position[1] = world.ball_state.position[1] + distance * std::sin(angle);
     };
     for (regista_robot& robot : world.robots) place(ours, robot.pose);
     world.opponents.resize(static_cast<std::size_t>(opponents_));

@@ -20,7 +20,7 @@ void make_up(DistributedWorldModel& world, const TeamPlan& plan, int list, int s
     robot.pose[2] = dice.real(-pi, pi);
     robot.velocity[0] = dice.real(-0.2, 0.2);
     robot.velocity[1] = dice.real(-0.2, 0.2);
-    for (const std::size_t k : {0u, 4u, 8u}) robot.covariance[k] = 0.01;
+    for (const std::size_t k : {0u, 2u, 5u}) robot.covariance[k] = 0.01;
     robot.target[0] = dice.real(-x, x);
     robot.target[1] = dice.real(-y, y);
     robot.age = number == own ? 0.0 : dice.real(0.0, 5.0);
@@ -33,20 +33,20 @@ void make_up(DistributedWorldModel& world, const TeamPlan& plan, int list, int s
     opponent.label = k;
     opponent.position[0] = dice.real(-x, x);
     opponent.position[1] = dice.real(-y, y);
-    opponent.covariance[0] = opponent.covariance[3] = 0.04;
+    opponent.covariance[0] = opponent.covariance[2] = 0.04;
     opponent.weight = 0.9;
   }
-  regista_ball& ball = world.raw.ball;
+  regista_ball& ball = world.ball_state;
   ball.flags = REGISTA_BALL_KNOWN;
   ball.position[0] = dice.real(-x, x);
   ball.position[1] = dice.real(-y, y);
   ball.velocity[0] = dice.real(-1.0, 1.0);
   ball.velocity[1] = dice.real(-1.0, 1.0);
-  for (const std::size_t k : {0u, 5u, 10u, 15u}) ball.covariance[k] = 0.01;
-  world.raw.game.phase = REGISTA_PHASE_PLAYING;
-  world.raw.game.half = 1;
-  world.raw.game.phase_time = time;
-  world.raw.game.time_left = plan.rules().durations.half - time;
+  for (const std::size_t k : {0u, 2u, 7u, 9u}) ball.covariance[k] = 0.01;
+  world.game.phase = REGISTA_PHASE_PLAYING;
+  world.game.half = 1;
+  world.game.phase_time = time;
+  world.game.time_left = plan.rules().durations.half - time;
 }
 
 }  // namespace regista::mind

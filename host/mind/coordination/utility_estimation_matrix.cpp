@@ -15,7 +15,7 @@ void UtilityEstimationMatrix::estimate(std::span<plugin::Utility> plugins, std::
   for (std::size_t k = 0; k < plugins.size(); ++k) {
     std::vector<double>& term = terms_[k];
     term.resize(entries);  // score() sets all to zero first
-    plugins[k].score(frame, matrix(term, active.size(), columns.size()));
+    plugins[k].score(frame, matrix_room(term, active.size(), columns.size()));
     for (std::size_t i = 0; i < entries; ++i) values_[i] += terms[k].weight * term[i];
   }
   forbid(active, columns);

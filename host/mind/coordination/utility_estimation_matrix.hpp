@@ -17,8 +17,12 @@
 
 namespace regista::mind {
 
-// A view of rows x columns values without gaps.
-inline regista_matrix matrix(std::vector<double>& values, std::size_t rows, std::size_t columns) {
+// rows x columns values without gaps, to be read or to be written.
+inline regista_matrix matrix(const std::vector<double>& values, std::size_t rows, std::size_t columns) {
+  return {values.data(), static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(columns),
+          static_cast<std::uint32_t>(columns), 0};
+}
+inline regista_matrix_room matrix_room(std::vector<double>& values, std::size_t rows, std::size_t columns) {
   return {values.data(), static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(columns),
           static_cast<std::uint32_t>(columns), 0};
 }
@@ -33,8 +37,8 @@ class UtilityEstimationMatrix {
                 std::span<const std::int32_t> active, std::span<const regista_task> columns);
   void clear() { values_.clear(); }
 
-  // For the assigner, which reads it.
-  regista_matrix view(std::size_t rows, std::size_t columns) { return matrix(values_, rows, columns); }
+  // For the assigner.
+  regista_matrix view(std::size_t rows, std::size_t columns) const { return matrix(values_, rows, columns); }
   const std::vector<double>& values() const { return values_; }             // rows x columns
   const std::vector<std::vector<double>>& terms() const { return terms_; }  // of each plugin, unweighted
 

@@ -21,7 +21,7 @@ constexpr double least_variance = 1e-6;
 constexpr double unwatched_speed = 0.3;
 
 double position_trace(const regista_track& track) {
-  return std::max(track.covariance[0] + track.covariance[5], 2.0 * least_variance);
+  return std::max(track.covariance[0] + track.covariance[2], 2.0 * least_variance);
 }
 
 // An estimate of the ball, with what its age adds to its uncertainty.
@@ -34,13 +34,13 @@ struct Weighed {
 Weighed weighed(const regista_track& ball) {
   const double deviation = unwatched_speed * ball.age;
   const double unwatched = deviation * deviation + least_variance;
-  return {&ball, unwatched, ball.weight / (ball.covariance[0] + ball.covariance[5] + 2.0 * unwatched)};
+  return {&ball, unwatched, ball.weight / (ball.covariance[0] + ball.covariance[2] + 2.0 * unwatched)};
 }
 
 Vector4 state(const regista_track& track) { return {track.x, track.y, track.vx, track.vy}; }
 
 Symmetric4 covariance(const Weighed& ball) {
-  Symmetric4 out = Symmetric4::from(ball.track->covariance);
+  Symmetric4 out = Symmetric4::from(ball.track->covariance, ball.track->motion);
   out.position.xx += ball.unwatched;
   out.position.yy += ball.unwatched;
   out.velocity.xx += least_variance;
@@ -54,7 +54,7 @@ bool agree(const Weighed& a, const Weighed& b) {
   const double unwatched = a.unwatched + b.unwatched;
   const double xx = a.track->covariance[0] + b.track->covariance[0] + unwatched;
   const double xy = a.track->covariance[1] + b.track->covariance[1];
-  const double yy = a.track->covariance[5] + b.track->covariance[5] + unwatched;
+  const double yy = a.track->covariance[2] + b.track->covariance[2] + unwatched;
   const double dx = a.track->x - b.track->x, dy = a.track->y - b.track->y;
   return yy * dx * dx - 2.0 * xy * dx * dy + xx * dy * dy <= gate * (xx * yy - xy * xy);
 }
@@ -177,7 +177,7 @@ void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regis
     opponent.velocity[1] = cluster.velocity.y();
     // Trace of the intersection: sum(w_i / t_i)^-1 with w_i = (1/t_i) / sum(1/t).
     const double variance = 0.5 * cluster.information / cluster.information2;
-    opponent.covariance[0] = opponent.covariance[3] = variance;
+    opponent.covariance[0] = opponent.covariance[2] = variance;
     opponent.weight = std::clamp(1.0 - cluster.missing, 1e-3, 1.0);
     opponent.age = cluster.age;
   }

@@ -20,8 +20,8 @@ struct Spread {
 
 void set_position_covariance(regista_measurement& measurement, double xx, double xy, double yy) {
   measurement.covariance[0] = xx;
-  measurement.covariance[1] = measurement.covariance[3] = xy;
-  measurement.covariance[4] = yy;
+  measurement.covariance[1] = xy;
+  measurement.covariance[2] = yy;
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ void LocalModel::measure_self(const Percepts& percepts) {
     measurement.heading = percepts.placed->pose.heading;
     const double variance = percepts.placed->position_deviation * percepts.placed->position_deviation;
     set_position_covariance(measurement, variance, 0.0, variance);
-    measurement.covariance[8] = percepts.placed->heading_deviation * percepts.placed->heading_deviation;
+    measurement.covariance[5] = percepts.placed->heading_deviation * percepts.placed->heading_deviation;
   }
   for (const LandmarkSighting& sighting : percepts.landmarks) {
     regista_measurement& measurement = measurements_.emplace_back();
@@ -67,10 +67,10 @@ void LocalModel::add_in_field_frame(int kind, const Frame2& frame, const Vector2
   measurement.position[1] = self_.y + offset.y();
   const Spread spread(offset, along, across);
   // A heading that is wrong by a little moves what is seen across the line of sight.
-  const double turn = self_.heading_variance;
+  const double turn = self_.pose.heading_variance;
   set_position_covariance(measurement, spread.xx + self_.covariance[0] + turn * offset.y() * offset.y(),
                           spread.xy + self_.covariance[1] - turn * offset.x() * offset.y(),
-                          spread.yy + self_.covariance[5] + turn * offset.x() * offset.x());
+                          spread.yy + self_.covariance[2] + turn * offset.x() * offset.x());
 }
 
 void LocalModel::update(const Percepts& percepts, double dt, const regista_frame* last, bool ball_on_centre) {
@@ -90,7 +90,7 @@ void LocalModel::update(const Percepts& percepts, double dt, const regista_frame
   frame_ = Frame2(pose());
   area.x = self_.x;
   area.y = self_.y;
-  area.heading = wrap(self_.heading + percepts.view.heading);
+  area.heading = wrap(self_.pose.heading + percepts.view.heading);
 
   if (dt > 0.0) ball_model_.predict(dt, &motion, last);
   measurements_.clear();

@@ -25,7 +25,7 @@ class LocalModel {
   void update(const Percepts& percepts, double dt, const regista_frame* last, bool ball_on_centre);
 
   const regista_track& self() const { return self_; }
-  Pose pose() const { return {self_.x, self_.y, self_.heading}; }
+  Pose pose() const { return {self_.x, self_.y, self_.pose.heading}; }
   const Frame2& frame() const { return frame_; }  // of the pose
   // Hypotheses, best first; robots in no order, and without a number. Valid until the next update.
   std::span<const regista_track> balls() const { return balls_; }

@@ -38,7 +38,7 @@ void NegativeInformation::look(std::span<const Estimate> balls, const Frame2& ow
     const bool news = ball.age < source.age;
     source.age = ball.age;
     if (news) source.in_vain = 0.0;
-    const double deviation = std::sqrt(0.5 * (ball.covariance[0] + ball.covariance[5]));
+    const double deviation = std::sqrt(0.5 * (ball.covariance[0] + ball.covariance[2]));
     if (!percepts.camera || deviation > known_to) continue;
     const Vector2d expected = own.to_robot({ball.x, ball.y});
     if (!in_clear_view(expected, deviation, percepts)) continue;

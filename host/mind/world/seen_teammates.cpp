@@ -17,13 +17,13 @@ constexpr double least_believed_weight = 0.5;  // a track that is less likely to
 
 Eigen::Matrix2d place_covariance(const regista_robot& robot) {
   Eigen::Matrix2d out;
-  out << robot.covariance[0], robot.covariance[1], robot.covariance[3], robot.covariance[4];
+  out << robot.covariance[0], robot.covariance[1], robot.covariance[1], robot.covariance[2];
   return out;
 }
 
 Eigen::Matrix2d place_covariance(const regista_track& track) {
   Eigen::Matrix2d out;
-  out << track.covariance[0], track.covariance[1], track.covariance[4], track.covariance[5];
+  out << track.covariance[0], track.covariance[1], track.covariance[1], track.covariance[2];
   return out;
 }
 
@@ -89,8 +89,8 @@ void sharpen(regista_robot& robot, const regista_track& seen) {
   robot.pose[0] += moved.x();
   robot.pose[1] += moved.y();
   robot.covariance[0] = after(0, 0);
-  robot.covariance[1] = robot.covariance[3] = 0.5 * (after(0, 1) + after(1, 0));
-  robot.covariance[4] = after(1, 1);
+  robot.covariance[1] = 0.5 * (after(0, 1) + after(1, 0));
+  robot.covariance[2] = after(1, 1);
 }
 
 }  // namespace regista::mind

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 
 namespace regista::mind {
 
@@ -19,21 +20,14 @@ struct Symmetric4 {
   Block position, velocity;
   double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;  // cross: of x with vx, of x with vy, of y with vx, of y with vy
 
-  // Row-major; the upper triangle is read.
-  static Symmetric4 from(const double (&m)[16]) {
-    return {{m[0], m[1], m[5]}, {m[10], m[11], m[15]}, m[2], m[3], m[6], m[7]};
+  // In the order of abi.h: of a place, and the rest of a motion; or both in one.
+  static Symmetric4 from(const double (&place)[3], const double (&rest)[7]) {
+    return {{place[0], place[1], place[2]}, {rest[4], rest[5], rest[6]}, rest[0], rest[1], rest[2], rest[3]};
   }
-  void write(double (&m)[16]) const {
-    m[0] = position.xx;
-    m[1] = m[4] = position.xy;
-    m[5] = position.yy;
-    m[2] = m[8] = xx;
-    m[3] = m[12] = xy;
-    m[6] = m[9] = yx;
-    m[7] = m[13] = yy;
-    m[10] = velocity.xx;
-    m[11] = m[14] = velocity.xy;
-    m[15] = velocity.yy;
+  void write(double (&motion)[10]) const {
+    const double values[10]{position.xx, position.xy, position.yy, xx, xy, yx, yy,
+                            velocity.xx, velocity.xy, velocity.yy};
+    std::copy_n(values, 10, motion);
   }
 
   // this += factor * other

@@ -12,10 +12,13 @@ constexpr double ball_velocity_variance = 0.04;   // (m/s)^2
 constexpr double robot_velocity_variance = 0.01;  // (m/s)^2
 constexpr double least_deviation = 0.01;          // m; a packet rounds
 
-void set_covariance(regista_track& track, double deviation, double velocity_variance) {
-  const double variance = deviation * deviation + least_deviation * least_deviation;
-  track.covariance[0] = track.covariance[5] = variance;
-  track.covariance[10] = track.covariance[15] = velocity_variance;
+void set_place(regista_track& track, double deviation) {
+  track.covariance[0] = track.covariance[2] = deviation * deviation + least_deviation * least_deviation;
+}
+
+void set_motion(regista_track& track, double deviation, double velocity_variance) {
+  set_place(track, deviation);
+  track.motion[4] = track.motion[6] = velocity_variance;
 }
 
 }  // namespace
@@ -57,14 +60,15 @@ void TeamModel::absorb_robot(const Report& report, double age) {
   robot.flags = REGISTA_TRACK_HAS_TARGET | REGISTA_TRACK_VELOCITY;
   robot.x = report.pose.x;
   robot.y = report.pose.y;
-  robot.heading = report.pose.heading;
+  robot.pose.heading = report.pose.heading;
   robot.vx = report.velocity.x();
   robot.vy = report.velocity.y();
-  set_covariance(robot, report.position_deviation, robot_velocity_variance);
-  robot.heading_variance = report.heading_deviation * report.heading_deviation;
+  set_place(robot, report.position_deviation);
+  robot.pose.velocity_variance = robot_velocity_variance;
+  robot.pose.heading_variance = report.heading_deviation * report.heading_deviation;
   robot.weight = 1.0;
-  robot.target[0] = report.target.x();
-  robot.target[1] = report.target.y();
+  robot.pose.target[0] = report.target.x();
+  robot.pose.target[1] = report.target.y();
   teammates_.absorb(told_, age);
 }
 
@@ -77,7 +81,7 @@ void TeamModel::absorb_ball(const Report& report, double age, plugin::Predictor&
     ball.y = report.ball->position.y();
     ball.vx = report.ball->velocity.x();
     ball.vy = report.ball->velocity.y();
-    set_covariance(ball, report.ball->deviation, ball_velocity_variance);
+    set_motion(ball, report.ball->deviation, ball_velocity_variance);
     ball.weight = 1.0;
     ball.age = report.ball->age;
     model.absorb(told_, age);  // there is one ball
@@ -97,7 +101,7 @@ void TeamModel::absorb_opponents(const Report& report, double age, plugin::Predi
     opponent.label = static_cast<std::int32_t>(i) + 1;
     opponent.x = seen.position.x();
     opponent.y = seen.position.y();
-    set_covariance(opponent, seen.deviation, robot_velocity_variance);
+    set_motion(opponent, seen.deviation, robot_velocity_variance);
     opponent.weight = 1.0;
     opponent.age = seen.age;
   }

@@ -16,7 +16,7 @@ constexpr double least_kept_weight = 0.05;  // of what is worth keeping
 // Squared Mahalanobis distance of the places, under the sum of both covariances.
 double squared_mahalanobis(const regista_track& a, const regista_track& b) {
   const double xx = a.covariance[0] + b.covariance[0], xy = a.covariance[1] + b.covariance[1];
-  const double yy = a.covariance[5] + b.covariance[5], dx = a.x - b.x, dy = a.y - b.y;
+  const double yy = a.covariance[2] + b.covariance[2], dx = a.x - b.x, dy = a.y - b.y;
   const double determinant = xx * yy - xy * xy;
   return determinant > 0.0 ? (yy * dx * dx - 2.0 * xy * dx * dy + xx * dy * dy) / determinant : same_object_gate + 1.0;
 }

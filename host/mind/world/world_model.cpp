@@ -17,6 +17,11 @@ int abi(SetPlay set_play) { return static_cast<int>(set_play); }
 static_assert(static_cast<int>(Phase::finished) == REGISTA_PHASE_FINISHED);
 static_assert(static_cast<int>(SetPlay::penalty_kick) == REGISTA_SET_PLAY_PENALTY_KICK);
 
+void set_covariance(regista_robot& robot, const regista_track& track) {
+  std::ranges::copy(track.covariance, robot.covariance);
+  robot.covariance[5] = track.pose.heading_variance;
+}
+
 }  // namespace
 
 WorldModel::WorldModel(const TeamPlan& plan, int own_number, LocalModel local, TeamModel team)
@@ -64,7 +69,7 @@ regista_game WorldModel::game(const Percepts& percepts) const {
 
 void WorldModel::fuse(const Percepts& percepts, double dt, const OwnRole& own) {
   team_.refresh();
-  mine_.raw.game = common_.raw.game = game(percepts);
+  mine_.game = common_.game = game(percepts);
   fuse_balls(percepts, dt);
   fuse_opponents();
   fill_robots(percepts);
@@ -86,12 +91,12 @@ void WorldModel::fuse_balls(const Percepts& percepts, double dt) {
   const auto refuted = [this](const Estimate& each) { return negative_.refutes(each.source); };
   ball_refuted_ = std::ranges::all_of(estimates_, refuted);
   if (!ball_refuted_) std::erase_if(estimates_, refuted);
-  mine_.raw.ball = fuse_ball(estimates_);
+  mine_.ball_state = fuse_ball(estimates_);
 
   estimates_.clear();
   team_.balls(0, estimates_);
   std::erase_if(estimates_, forgotten);
-  common_.raw.ball = fuse_ball(estimates_);
+  common_.ball_state = fuse_ball(estimates_);
 }
 
 void WorldModel::fuse_opponents() {
@@ -118,14 +123,11 @@ void WorldModel::fill_robots(const Percepts& percepts) {
     if (robot.time_until_up > 0.0) robot.flags |= REGISTA_ROBOT_FALLEN;
     robot.pose[0] = track->x;
     robot.pose[1] = track->y;
-    robot.pose[2] = track->heading;
+    robot.pose[2] = track->pose.heading;
     robot.velocity[0] = track->vx;
     robot.velocity[1] = track->vy;
-    robot.velocity[2] = track->turn_rate;
-    robot.covariance[0] = track->covariance[0];
-    robot.covariance[1] = robot.covariance[3] = track->covariance[1];
-    robot.covariance[4] = track->covariance[5];
-    robot.covariance[8] = track->heading_variance;
+    robot.velocity[2] = track->pose.turn_rate;
+    set_covariance(robot, *track);
     robot.target[0] = report->target.x();
     robot.target[1] = report->target.y();
     robot.role = report->role;
@@ -153,14 +155,11 @@ void WorldModel::fill_self(const Percepts& percepts, const OwnRole& own) {
   self.time_until_up = percepts.time_until_up;
   self.pose[0] = track.x;
   self.pose[1] = track.y;
-  self.pose[2] = track.heading;
+  self.pose[2] = track.pose.heading;
   self.velocity[0] = track.vx;
   self.velocity[1] = track.vy;
-  self.velocity[2] = track.turn_rate;
-  self.covariance[0] = track.covariance[0];
-  self.covariance[1] = self.covariance[3] = track.covariance[1];
-  self.covariance[4] = track.covariance[5];
-  self.covariance[8] = track.heading_variance;
+  self.velocity[2] = track.pose.turn_rate;
+  set_covariance(self, track);
   self.target[0] = own.target.x();
   self.target[1] = own.target.y();
   self.role = own.role;

@@ -81,7 +81,7 @@ void Forecaster::listen(std::size_t now) {
       measurement.kind = ball ? REGISTA_MEASURED_BALL : REGISTA_MEASURED_ROBOT;
       measurement.position[0] = samples[i].x;
       measurement.position[1] = samples[i].y;
-      measurement.covariance[0] = measurement.covariance[4] = variance;
+      measurement.covariance[0] = measurement.covariance[2] = variance;
     }
     if (image_.empty()) continue;
     carry(then - reached);
@@ -116,7 +116,7 @@ std::optional<Estimate> Forecaster::estimate(int label) {
   const auto of_track = [](const regista_track& track) {
     Estimate out;
     out.position << track.x, track.y;
-    out.covariance << track.covariance[0], track.covariance[1], track.covariance[4], track.covariance[5];
+    out.covariance << track.covariance[0], track.covariance[1], track.covariance[1], track.covariance[2];
     return out;
   };
   if (tracks_.empty()) return std::nullopt;
