@@ -40,8 +40,8 @@ struct Mind::Parts {
         // In braces: the order of evaluation, and so of creating plugins, is that of the text.
         world{team_plan, own_number, assembly.local_model(), assembly.team_model()},
         coordination(team_plan, own_number, assembly.contexts()),
-        behaviours(assembly.behaviours()),
-        detector(own_number) {
+        detector(own_number),
+        behaviours(assembly.behaviours()) {
     limits.team_size = plan.rules().team_size;
     limits.role_count = static_cast<int>(plan.roles().size());
     limits.context_count = static_cast<int>(plan.contexts().size());
