@@ -258,7 +258,7 @@ void MatchRecording::Parts::write_belief(Last& robot, match::Side side, const mi
   const regista_track& self = mind.world().local().self();
   begin(time);
   json.key("pose");
-  to.pose(json, {self.x, self.y, self.heading});
+  to.pose(json, {self.x, self.y, self.pose.heading});
   json.key("sees_ball").boolean(mind.world().local().sees_ball());
   json.key("mine").open('{');
   world(json, mind.world().mine(), to);
