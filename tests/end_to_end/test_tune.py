@@ -77,7 +77,7 @@ class Tuning(tournament.Tournament):
 class Played(Tuning):
     def test_how_a_robot_plays_the_ball_is_tuned(self):
         path = "behaviours.play_ball.params.goal_bonus"
-        self.document(parameters=f"[{path}]", matches=8, objective="{maximise: kicks}")
+        self.document(parameters=f"[{path}]", matches=24, objective="{maximise: kicks}")
         told = self.tune("--trace", "trace.csv", "--output", "tuned.yaml", "--workers", 2)
         self.assertEqual([each["path"] for each in told["parameters"]], [path])
         tried = {row[path] for row in self.trace("trace.csv")}
