@@ -78,13 +78,11 @@ class Played(Tuning):
     def test_how_a_robot_plays_the_ball_is_tuned(self):
         path = "behaviours.play_ball.params.goal_bonus"
         self.document(parameters=f"[{path}]", matches=24, objective="{maximise: kicks}")
-        told = self.tune("--trace", "trace.csv", "--output", "tuned.yaml", "--workers", 2)
+        told = self.tune("--trace", "trace.csv", "--workers", 2)
         self.assertEqual([each["path"] for each in told["parameters"]], [path])
-        tried = {row[path] for row in self.trace("trace.csv")}
-        self.assertGreater(len(tried), 2, tried)
-        tuned = (self.folder / "tuned.yaml").read_text()
-        self.assertRegex(tuned, r"behaviours:\n  play_ball:\n    params:\n      goal_bonus: [0-9.]+")
-        self.succeed("config", "check", "tuned.yaml")
+        trace = self.trace("trace.csv")
+        self.assertGreater(len({row[path] for row in trace}), 2, trace)
+        self.assertGreater(len({row["value"] for row in trace}), 1, "it plays otherwise with another bonus")
 
     def test_trace_does_not_depend_on_workers_or_interruptions(self):
         for algorithm in ("spsa",) if program.SANITIZED else ("spsa", "sbplx", "isres"):
