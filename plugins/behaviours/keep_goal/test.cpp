@@ -52,6 +52,7 @@ TEST(Keeper, GoesForTheLineOfAShot) {
     return !std::get<WalkTo>(keep_goal::guard(situation, {}, {}, {})).straight;
   };
   EXPECT_TRUE(stays(with_ball(keeper(-4, 0), {-3, 0.5}, {1, 0}))) << "it leaves";
+  EXPECT_TRUE(stays(with_ball(keeper(-2, 0), {-3, 0.5}, {1, 0}))) << "away from the goal";
   EXPECT_TRUE(stays(with_ball(keeper(-4, 0), {-3, 1.6}, {-1, 0}))) << "it passes too far away";
   EXPECT_FALSE(stays(with_ball(keeper(-4, 0), {-3, 1.4}, {-1, 0})));
   EXPECT_TRUE(stays(in_set_play(shot, SetPlay::kick_in, false))) << "nobody may touch it";

@@ -153,6 +153,30 @@ TEST_F(KickChoosing, PassesToWhoSpokeLately) {
   EXPECT_LT(choose(ball).direction.dot(aim), 0.99);
 }
 
+// 3 m ahead are worth 3 m; turned by 0.4 rad they are worth 2.585 m.
+TEST_F(KickChoosing, APassIsWorthMoreThanItsGround) {
+  const Vector2d ball(-2.0, 0.0), aim = ball + 3.0 * Vector2d(std::cos(0.4), std::sin(0.4));
+  teammates = {{aim - Vector2d(0.3, 0.0), 0.0}};
+  EXPECT_NEAR(angle_of(choose(ball).direction), 0.4, 1e-9);
+  EXPECT_NEAR(angle_of(choose(ball, {}, {.pass_bonus = 0.4}).direction), 0.0, 1e-9);
+}
+
+// After 2 m an opponent is in the way up to 0.35 + 0.15 * 2 = 0.65 m beside the line: at 0.5 m it costs 0.69 m.
+TEST_F(KickChoosing, TheCorridorGrows) {
+  const Vector2d ball(-2.0, 0.0);
+  opponent(0.0, 0.5);
+  EXPECT_NEAR(angle_of(choose(ball).direction), -0.4, 1e-9);
+  EXPECT_NEAR(angle_of(choose(ball, {}, {.corridor_growth = 0.05}).direction), 0.0, 1e-9);
+}
+
+TEST_F(KickChoosing, OpponentsJustBeyondTheEndCount) {
+  const Vector2d ball(-2.0, 0.0);
+  opponent(1.6, 0.0);
+  EXPECT_NEAR(angle_of(choose(ball).direction), 0.0, 1e-9);
+  opponents = {{{1.4, 0.0}, 1.0}};
+  EXPECT_GT(std::abs(angle_of(choose(ball).direction)), 0.3);
+}
+
 TEST_F(KickChoosing, KeepsTheBallOnTheField) {
   kinds = {{3.0, 3.0}};
   const Vector2d ball(3.9, 2.6);
