@@ -126,7 +126,7 @@ struct Team {
   PluginUse self, ball, opponents, teammates;  // predictors
   double forget_teammate_after = 25.0;         // s of silence until a teammate is given up
   std::vector<RoleList> role_lists;
-  std::vector<Behaviour> behaviours;             // those that the page says something of
+  std::vector<Behaviour> behaviours;  // those that the page says something of
   std::string behaviour_without_role = "search";
   std::vector<Context> contexts;  // highest priority first; the first that holds is in force
   Location where, behaviour_without_role_where;

@@ -13,9 +13,8 @@ namespace regista::match {
 namespace {
 
 constexpr std::array<std::string_view, decision_steps> names{
-    "the own pose", "the ball",  "the opponents", "the worlds",     "the context",
-    "the points",   "the tasks", "the utilities", "the assignment", "the command",
-    "the packet"};
+    "the own pose", "the ball",      "the opponents",  "the worlds",  "the context", "the points",
+    "the tasks",    "the utilities", "the assignment", "the command", "the packet"};
 
 // Field by field: a struct's padding may hold anything.
 class Step {
@@ -89,11 +88,16 @@ DecisionDigest digest_of(const mind::Mind& mind, const mind::Outcome& outcome) {
   Digest acts, sends;
   add(acts, outcome.command);
   add(sends, outcome);
-  return {Step{}(local.self()).value(),      step_of(local.balls()),
-          step_of(local.opponents()),        worlds(mind.world()),
-          Step{}(decision.context).value(),  points.value(),
-          step_of(decision.columns),         utilities.value(),
-          Step{}(decision.assigned).value(), acts.value(),
+  return {Step{}(local.self()).value(),
+          step_of(local.balls()),
+          step_of(local.opponents()),
+          worlds(mind.world()),
+          Step{}(decision.context).value(),
+          points.value(),
+          step_of(decision.columns),
+          utilities.value(),
+          Step{}(decision.assigned).value(),
+          acts.value(),
           sends.value()};
 }
 

@@ -15,7 +15,7 @@
 namespace regista::mind {
 namespace {
 
-constexpr double time_rounding = 1e-3;    // s, of a packet's time
+constexpr double time_rounding = 1e-3;  // s, of a packet's time
 
 // What it decided, for whoever keeps count.
 void tell(const Decision& decision, Outcome& out) {

@@ -70,7 +70,8 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
     first_role_.push_back(static_cast<int>(roles_.size()));
     for (std::size_t i = 0; i < roles.roles.size(); ++i) {
       const config::Role& role = roles.roles[i];
-      roles_.push_back({&role, static_cast<int>(list), static_cast<int>(i), behaviour(role.behaviour, role.behaviour_where)});
+      roles_.push_back(
+          {&role, static_cast<int>(list), static_cast<int>(i), behaviour(role.behaviour, role.behaviour_where)});
       role_table_.push_back({role.name.c_str(), roles.name.c_str(), static_cast<std::int32_t>(i), role.robot});
     }
   }

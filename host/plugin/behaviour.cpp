@@ -10,9 +10,9 @@
 namespace regista::plugin {
 namespace {
 
-constexpr double farthest = 1e4;         // m, of a place
-constexpr double fastest = 1e4;          // m/s and rad/s
-constexpr double rounding = 1e-9;        // what arithmetic may lose
+constexpr double farthest = 1e4;   // m, of a place
+constexpr double fastest = 1e4;    // m/s and rad/s
+constexpr double rounding = 1e-9;  // what arithmetic may lose
 constexpr double half_turn = std::numbers::pi;
 
 // False for NaN.
@@ -51,8 +51,8 @@ void Behaviour::check(const regista_action& action) const {
       if (!within(pose[0], farthest) || !within(pose[1], farthest) || !within(pose[2], farthest)) [[unlikely]]
         instance_->fail("act", fmt::format("walks to ({}, {}), heading {}", pose[0], pose[1], pose[2]));
       if (action.avoid_count > REGISTA_MOST_AVOIDED) [[unlikely]] {
-        instance_->fail("act", fmt::format("avoids {} discs; there is room for {}", action.avoid_count,
-                                           int{REGISTA_MOST_AVOIDED}));
+        instance_->fail(
+            "act", fmt::format("avoids {} discs; there is room for {}", action.avoid_count, int{REGISTA_MOST_AVOIDED}));
       }
       for (const regista_disc& disc : std::span(action.avoid).first(action.avoid_count)) {
         if (!within(disc.x, farthest) || !within(disc.y, farthest) || !within(disc.radius, farthest) ||

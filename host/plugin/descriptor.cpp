@@ -52,8 +52,7 @@ constexpr std::array<TableCheck, REGISTA_KIND_END> table_checks{
 constexpr std::array<std::string_view, REGISTA_KIND_END> kind_names{
     "", "predictor", "context", "positioner", "utility", "assigner", "sender", "mailbox", "behaviour"};
 constexpr std::array<std::string_view, REGISTA_KIND_END> kinds_with_article{
-    "",           "a predictor", "a context", "a positioner", "a utility",
-    "an assigner", "a sender",    "a mailbox", "a behaviour"};
+    "", "a predictor", "a context", "a positioner", "a utility", "an assigner", "a sender", "a mailbox", "a behaviour"};
 constexpr std::array<std::string_view, 7> type_names{"", "real", "integer", "boolean", "choice", "text", "file"};
 
 bool lower_snake_case(std::string_view name) {

@@ -47,7 +47,7 @@ inline constexpr std::tuple conduct_parameters{
                         .tunable())};
 
 inline constexpr auto rolling_parameter =
-    regista::real("rolling", &RollingSettings::rolling, {0.0, 3.0}, "m/s",
+    regista::real("rolling", &RollingSettings::rolling, {0.01, 3.0}, "m/s",
                   "A faster ball is met where it will be, a slower one is walked to; our choice: 0.25, the speed at "
                   "which a NAO walks")
         .tunable();

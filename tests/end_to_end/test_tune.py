@@ -75,6 +75,15 @@ class Tuning(tournament.Tournament):
 
 
 class Played(Tuning):
+    def test_how_a_robot_plays_the_ball_is_tuned(self):
+        path = "behaviours.play_ball.params.creep_speed"
+        self.document(parameters=f"[{path}]", matches=24, objective="{maximise: touches}")
+        told = self.tune("--trace", "trace.csv", "--workers", 2)
+        self.assertEqual([each["path"] for each in told["parameters"]], [path])
+        trace = self.trace("trace.csv")
+        self.assertGreater(len({row[path] for row in trace}), 2, trace)
+        self.assertGreater(len({row["value"] for row in trace}), 1, "it plays otherwise with another speed")
+
     def test_trace_does_not_depend_on_workers_or_interruptions(self):
         for algorithm in ("spsa",) if program.SANITIZED else ("spsa", "sbplx", "isres"):
             with self.subTest(algorithm):

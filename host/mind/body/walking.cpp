@@ -144,8 +144,7 @@ Walk walk_to(const Body& body, const Pose& target, std::span<const Obstacle> obs
   }
   const Vector2d next = way_around(body.frame.origin(), goal, obstacles);
   const Vector2d direction = body.frame.direction_to_robot(next - body.frame.origin());
-  const double wanted =
-      distance > walk_turned_from ? angle_of(direction) : wrap(target.heading - body.pose.heading);
+  const double wanted = distance > walk_turned_from ? angle_of(direction) : wrap(target.heading - body.pose.heading);
   // Far targets: turn first, so that the walk is forward, the fastest there is.
   const double facing = distance > walk_turned_from ? std::max(0.0, std::cos(wanted)) : 1.0;
   const double speed = brisk ? walk.forward : std::min(walk.forward, distance_gain * distance);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string_view>
 
 #include "config/nearest.hpp"
@@ -24,13 +25,14 @@ class Collector {
  public:
   explicit Collector(std::span<const config::PluginDeclaration> plugins) : plugins_(plugins) {}
 
-  // use: what stands there; said: whether the document itself says so at a path below it.
+  // use: what stands there; said: whether the document itself says so at a path below it; usual: the plugin that is
+  // meant where it names none.
   template <class Said>
-  void plugin(const std::string& path, const char* kind, const Node& use, Said said) {
-    if (!use["plugin"]) return;
-    const auto declared = std::ranges::find_if(plugins_, [&](const config::PluginDeclaration& each) {
-      return each.id == use["plugin"].text() && each.kind == kind;
-    });
+  void plugin(const std::string& path, const char* kind, const Node& use, Said said, const std::string& usual = "") {
+    const Node named = use["plugin"];
+    const std::string id = named ? named.text() : usual;
+    const auto declared = std::ranges::find_if(
+        plugins_, [&](const config::PluginDeclaration& each) { return each.id == id && each.kind == kind; });
     if (declared == plugins_.end()) return;
     for (const PluginParameter& each : declared->parameters) {
       const bool number = each.type == PluginParameter::Type::real || each.type == PluginParameter::Type::integer;
@@ -71,6 +73,32 @@ class Collector {
     }
     plugin(fmt::format("{}assigner", before), "assigner", values["assigner"], below("assigner"));
     plugin(fmt::format("{}sender", before), "sender", values["sender"], below("sender"));
+  }
+
+  // Those that the page says something of, then those that its roles may act by.
+  void behaviours(const Node& team) {
+    const auto path_of = [](const std::string& name) { return fmt::format("behaviours.{}", name); };
+    const Node written = team["behaviours"];
+    for (const Node::Entry& each : written.entries()) {
+      plugin(
+          path_of(each.key), "behaviour", each.value, [](const std::string&) { return true; }, each.key);
+    }
+    const Node without_role = team["behaviour_without_role"];
+    std::set<std::string> named{without_role ? without_role.text() : config::Team{}.behaviour_without_role};
+    for (const Node::Entry& list : team["roles"].entries()) {
+      for (const Node& role : list.value.elements()) {
+        if (role["behaviour"]) {
+          named.insert(role["behaviour"].text());
+        } else {
+          named.insert({"keep_goal", "play_ball", "support"});
+        }
+      }
+    }
+    for (const std::string& each : named) {
+      if (!written[each])
+        plugin(
+            path_of(each), "behaviour", {}, [](const std::string&) { return false; }, each);
+    }
   }
 
   std::vector<Tunable> take() { return std::move(found_); }
@@ -167,6 +195,7 @@ std::vector<Tunable> tunables(const Node& team, std::span<const config::PluginDe
     collector.plugin(path, "context", context, all_said);
     collector.coordination(fmt::format("{}.use.", path), config::in_context(team, context["use"]), context["use"]);
   }
+  collector.behaviours(team);
   return collector.take();
 }
 

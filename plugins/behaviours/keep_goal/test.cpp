@@ -1,1 +1,103 @@
 // SPDX-License-Identifier: MIT
+// When the keeper plays the ball, when it goes for a shot, and where it stands otherwise.
+#include <gtest/gtest.h>
+
+#include "../test_conduct.hpp"
+#include "../test_situations.hpp"
+#include "algorithm.hpp"
+
+namespace {
+
+using namespace behaviours;
+
+Situation keeper(double x, double y) {
+  Situation out = standing(x, y);
+  out.duty = Duty::keeps_goal;
+  return out;
+}
+
+// 1.65 m of penalty area and 0.2 m from the goal's centre at (-4.5, 0), or 1 m from the robot.
+TEST(Keeper, PlaysABallThatLiesNear) {
+  const auto plays = [](const Situation& situation) { return keep_goal::plays_ball(situation, {}); };
+  EXPECT_TRUE(plays(with_ball(keeper(-4.2, 0), {-2.66, 0})));
+  EXPECT_FALSE(plays(with_ball(keeper(-4.2, 0), {-2.64, 0})));
+  EXPECT_TRUE(plays(with_ball(keeper(-4.2, 0), {-4.5, 1.84})));
+  EXPECT_FALSE(plays(with_ball(keeper(-4.2, 0), {-4.5, 1.86})));
+  EXPECT_TRUE(plays(with_ball(keeper(0, 0), {0.99, 0})));
+  EXPECT_FALSE(plays(with_ball(keeper(0, 0), {1.01, 0})));
+}
+
+TEST(Keeper, DoesNotPlayAFastALostOrTheOpponentsBall) {
+  const auto plays = [](const Situation& situation) { return keep_goal::plays_ball(situation, {}); };
+  EXPECT_TRUE(plays(with_ball(keeper(-4.2, 0), {-4, 0}, {0.3, 0.39})));
+  EXPECT_FALSE(plays(with_ball(keeper(-4.2, 0), {-4, 0}, {0.3, 0.41})));
+  Situation lost = with_ball(keeper(-4.2, 0), {-4, 0});
+  lost.ball_trusted = false;
+  EXPECT_FALSE(plays(lost));
+  const Situation near = with_ball(keeper(-4.2, 0), {-4, 0});
+  EXPECT_TRUE(plays(in_set_play(near, SetPlay::goal_kick, true)));
+  EXPECT_FALSE(plays(in_set_play(near, SetPlay::corner_kick, false)));
+}
+
+// A ball of 1 m/s rolls 1 / (2 * 0.32) = 1.5625 m.
+TEST(Keeper, GoesForTheLineOfAShot) {
+  const Situation shot = with_ball(keeper(-4, 0), {-3, 0.5}, {-1, 0});
+  const auto walk = std::get<WalkTo>(keep_goal::guard(shot, {}, {}, {}));
+  EXPECT_NEAR(walk.target.x, -4.0, 1e-12);
+  EXPECT_NEAR(walk.target.y, 0.5, 1e-12);
+  EXPECT_NEAR(walk.target.heading, std::atan2(0.5, 1.0), 1e-12) << "faces the ball";
+  EXPECT_TRUE(walk.brisk && walk.straight);
+
+  const auto stays = [](const Situation& situation) {
+    return !std::get<WalkTo>(keep_goal::guard(situation, {}, {}, {})).straight;
+  };
+  EXPECT_TRUE(stays(with_ball(keeper(-4, 0), {-3, 0.5}, {1, 0}))) << "it leaves";
+  EXPECT_TRUE(stays(with_ball(keeper(-2, 0), {-3, 0.5}, {1, 0}))) << "away from the goal";
+  EXPECT_TRUE(stays(with_ball(keeper(-4, 0), {-3, 1.6}, {-1, 0}))) << "it passes too far away";
+  EXPECT_FALSE(stays(with_ball(keeper(-4, 0), {-3, 1.4}, {-1, 0})));
+  EXPECT_TRUE(stays(in_set_play(shot, SetPlay::kick_in, false))) << "nobody may touch it";
+}
+
+TEST(Keeper, StandsAtItsPlaceInTheGoalArea) {
+  Situation situation = with_ball(keeper(-2, 0), {3, 0});
+  situation.target = {-4.3, 0.1, 0.2};
+  const auto walk = std::get<WalkTo>(keep_goal::guard(situation, {}, {}, {}));
+  EXPECT_EQ(walk.target.x, -4.3);
+  EXPECT_EQ(walk.target.y, 0.1);
+  EXPECT_EQ(walk.target.heading, 0.2);
+  EXPECT_FALSE(walk.brisk || walk.straight);
+}
+
+// --- The plugin ------------------------------------------------------------------------------------------------
+
+using namespace regista::testkit;
+
+TEST(KeepGoalPlugin, ClearsABallThatLiesBeforeIt) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "keep_goal");
+  const FrameBuilder base = FrameBuilder{}.own(1).robot(1).task("goalkeeper").at(-4.3, 0);
+  const Scene near = FrameBuilder(base).ball(-3.8, 0).build(), far = FrameBuilder(base).ball(1, 0).build();
+  const BodyBuilder behind = BodyBuilder{}.at(-4, 0).task(0).sees_ball();
+  Instance behaviour(plugin, EnvironmentBuilder{}.own(1));
+  const regista_action kick = behaviour.act(near, behind);
+  EXPECT_GE(kick.kick, 0);
+  EXPECT_LE(std::abs(kick.kick_direction), 0.3);
+  const regista_action guard = behaviour.act(far, behind);
+  EXPECT_EQ(guard.kick, REGISTA_NO_KICK);
+  EXPECT_EQ(guard.motion, REGISTA_MOTION_WALK_TO);
+  EXPECT_EQ(guard.pose[0], -4.3) << "a keeper may stand in its goal area";
+  Instance cannot_kick(plugin, EnvironmentBuilder{}.own(1).no_kicks());
+  EXPECT_EQ(cannot_kick.act(near, behind).pose[0], -4.3);
+}
+
+TEST(KeepGoalPlugin, ThrowsItselfAtAShotPastEverybody) {
+  Instance behaviour(Loaded(REGISTA_PLUGIN_FILE, "keep_goal"), EnvironmentBuilder{}.own(1));
+  const Scene shot = FrameBuilder{}.own(1).robot(1).ball(-3, 0.5).ball_velocity(-1, 0).task("goalkeeper").build();
+  const regista_action action = behaviour.act(shot, BodyBuilder{}.at(-4, 0).task(0).sees_ball());
+  EXPECT_EQ(action.motion, REGISTA_MOTION_WALK_TO);
+  EXPECT_EQ(action.walk, std::uint32_t{REGISTA_WALK_BRISK | REGISTA_WALK_STRAIGHT});
+  EXPECT_NEAR(action.pose[1], 0.5, 1e-12);
+}
+
+REGISTA_CONDUCT_TESTS("keep_goal", REGISTA_BEHAVIOUR_KEEPS_GOAL);
+
+}  // namespace

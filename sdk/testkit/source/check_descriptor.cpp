@@ -140,6 +140,7 @@ Findings check_descriptor(const Loaded& plugin) {
   table_size(REGISTA_KIND_ASSIGNER, "assigner", sizeof(regista_assigner));
   table_size(REGISTA_KIND_SENDER, "sender", sizeof(regista_sender));
   table_size(REGISTA_KIND_MAILBOX, "mailbox", sizeof(regista_mailbox));
+  table_size(REGISTA_KIND_BEHAVIOUR, "behaviour", sizeof(regista_behaviour));
   return f;
 }
 

@@ -20,6 +20,8 @@ std::vector<Rehearsal> rehearsals(std::int32_t kind, const Loaded& plugin, const
       return utility_rehearsals(options);
     case REGISTA_KIND_ASSIGNER:
       return assigner_rehearsals(options);
+    case REGISTA_KIND_BEHAVIOUR:
+      return behaviour_rehearsals(options);
     default:
       return sender_rehearsals(options);
   }

@@ -3,6 +3,7 @@
 #include <regista/testkit/environment_builder.hpp>
 
 #include <cstdint>
+#include <numbers>
 #include <utility>
 
 namespace regista::testkit {
@@ -15,9 +16,10 @@ const std::vector<std::string>& usual_roles() {
 }
 
 struct Setting::Stored {
-  std::vector<std::string> names, lists;
+  std::vector<std::string> names, lists, kick_names;
   Strided<regista_landmark> landmarks;
   Strided<regista_role> roles;
+  Strided<regista_kick> kicks;
   Grown<regista_environment> environment;
 };
 
@@ -27,6 +29,7 @@ regista::Environment Setting::environment() const { return regista::Environment(
 
 void Setting::end_of_create() const {
   stored_->landmarks.scribble();
+  stored_->kicks.scribble();
   stored_->environment.scribble();
 }
 
@@ -53,6 +56,18 @@ EnvironmentBuilder::EnvironmentBuilder() {
   e_.decision_period = 0.1;
   e_.packet_size = 128;
   e_.packet_budget = 1200;
+  e_.goal_post_radius = 0.05;
+  e_.ball_deceleration = 0.32;
+  e_.set_play_distance = 0.75;
+  constexpr double degree = std::numbers::pi / 180.0;
+  e_.kick_reach = 0.22;
+  e_.kick_reach_angle = 60.0 * degree;
+  e_.camera_half_angle = 27.35 * degree;
+  e_.camera_ball_range = 5.0;
+  e_.camera_robot_range = 4.0;
+  e_.head_yaw = 90.0 * degree;
+  e_.head_speed = 115.0 * degree;
+  kick("fast", 1.6, 4.5, 1.6, 0.65).kick("long", 5.4, 5.4, 1.65, 0.65).kick("in_walk", 0.4, 1.0, 0.5, 0.25);
   roles(usual_roles());
   roles_.front().robot = 1;  // the goalkeeper is number 1
 }
@@ -91,6 +106,14 @@ EnvironmentBuilder& EnvironmentBuilder::role(std::string name, int robot, std::s
   return *this;
 }
 
+EnvironmentBuilder& EnvironmentBuilder::kick(std::string name, double minimum_distance, double maximum_distance,
+                                             double duration, double impact) {
+  constexpr double distance_error = 0.07, direction_error = 7.0 * std::numbers::pi / 180.0;
+  kicks_.push_back({std::move(name),
+                    {nullptr, minimum_distance, maximum_distance, duration, impact, distance_error, direction_error}});
+  return *this;
+}
+
 EnvironmentBuilder& EnvironmentBuilder::no_landmarks() { return landmarks_ = false, *this; }
 
 Setting EnvironmentBuilder::build(Growth growth) const {
@@ -107,7 +130,16 @@ Setting EnvironmentBuilder::build(Growth growth) const {
   }
   s.roles = Strided<regista_role>(roles, growth);
   s.landmarks = Strided<regista_landmark>(landmarks_ ? landmarks() : std::vector<regista_landmark>{}, growth);
+  s.kick_names.reserve(kicks_.size());
+  std::vector<regista_kick> kicks;
+  for (const KickRow& row : kicks_) {
+    s.kick_names.push_back(row.name);
+    kicks.push_back(row.kick);
+    kicks.back().name = s.kick_names.back().c_str();
+  }
+  s.kicks = Strided<regista_kick>(kicks, growth);
   regista_environment e = e_;
+  e.kicks = s.kicks.span();
   e.roles = s.roles.span();
   e.landmarks = s.landmarks.span();
   s.environment = Grown<regista_environment>(e, growth);
@@ -122,7 +154,7 @@ std::vector<regista_landmark> EnvironmentBuilder::landmarks() const {
       for (const double sy : {-1.0, 1.0}) out.push_back({kind, 0, sx * px, sy * py});
     }
   };
-  four(REGISTA_LANDMARK_GOAL_POST, x, e_.goal_width / 2 + 0.05);
+  four(REGISTA_LANDMARK_GOAL_POST, x, e_.goal_width / 2 + e_.goal_post_radius);
   out.push_back({REGISTA_LANDMARK_PENALTY_MARK, 0, -(x - e_.penalty_mark_distance), 0.0});
   out.push_back({REGISTA_LANDMARK_PENALTY_MARK, 0, x - e_.penalty_mark_distance, 0.0});
   four(REGISTA_LANDMARK_CORNER, x, y);

@@ -192,6 +192,8 @@ FrameBuilder& FrameBuilder::only_for(int robot_number) { return last_task().robo
 
 FrameBuilder& FrameBuilder::required() { return last_task().flags |= REGISTA_TASK_REQUIRED, *this; }
 
+FrameBuilder& FrameBuilder::along_edges() { return last_task().flags |= REGISTA_TASK_ALONG_EDGES, *this; }
+
 FrameBuilder& FrameBuilder::after(double x, double y) {
   last_task().after[0] = x;
   return last_task().after[1] = y, *this;

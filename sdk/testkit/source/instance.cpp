@@ -250,6 +250,29 @@ Sent Instance::decide(const Scene& scene, std::span<const regista_event> events,
   return {out.get().send, out.get().reason, granted.take(out.get().granted_count, "granted")};
 }
 
+regista_action Instance::act(const Scene& scene, const BodyBuilder& body) {
+  const auto& t = table<regista_behaviour>(plugin_, REGISTA_KIND_BEHAVIOUR, "behaviour");
+  const Strided<regista_point> near(body.near(), growth_);
+  regista_body raw = body.raw();
+  raw.robots_near = near.span();
+  const Grown<regista_body> own(raw, growth_);
+  regista_action empty{};
+  empty.kick = REGISTA_NO_KICK;
+  constexpr std::uint32_t behind = 64;  // bytes that must stay as they are, beyond those that the plugin may know of
+  Grown<regista_action> out(empty, {growth_.bytes + behind});
+  const std::uint32_t size = out.get().size -= behind;
+  call(
+      "act", [&](regista_error* error) { return t.act(instance_, &scene.raw(), &own.get(), &out.get(), error); },
+      [&] {
+        if (!out.tail_unchanged()) throw CallFailed("act: wrote past the end of its output struct");
+        if (out.get().size != size) throw CallFailed("act: wrote to the size of its output struct");
+      });
+  if (!own.unchanged() || !near.unchanged()) throw CallFailed("act: wrote to the body");
+  regista_action action = out.get();
+  action.size = sizeof action;
+  return action;
+}
+
 void Instance::transmitted(std::uint64_t handle) {
   const auto& t = table<regista_mailbox>(plugin_, REGISTA_KIND_MAILBOX, "mailbox");
   call("transmitted", [&](regista_error* error) { return t.transmitted(instance_, handle, error); });

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <regista/assigner.hpp>
+#include <regista/behaviour.hpp>
 #include <regista/context.hpp>
 #include <regista/positioner.hpp>
 #include <regista/predictor.hpp>
@@ -31,5 +32,6 @@ using bare_positioner = Bare<REGISTA_KIND_POSITIONER, regista_positioner>;
 using bare_utility = Bare<REGISTA_KIND_UTILITY, regista_utility>;
 using bare_assigner = Bare<REGISTA_KIND_ASSIGNER, regista_assigner>;
 using bare_sender = Bare<REGISTA_KIND_SENDER, regista_sender>;
+using bare_behaviour = Bare<REGISTA_KIND_BEHAVIOUR, regista_behaviour>;
 
 }  // namespace bad

@@ -122,6 +122,46 @@ INSTANTIATE_TEST_SUITE_P(
                     positioner("fills_the_tail", "growth", "change the result")),
     name);
 
+constexpr auto behaviour = [](const char* id, const char* check, const char* finding) {
+  return Case{REGISTA_KIND_BEHAVIOUR, BAD_BEHAVIOURS, id, check, finding};
+};
+INSTANTIATE_TEST_SUITE_P(
+    Behaviour, Reports,
+    testing::Values(behaviour("walks_nowhere", "promises", "act: the pose (nan, 0, 0) is nowhere"),
+                    behaviour("walks_too_far", "promises", "act: the pose (0, -20000, 0) is nowhere"),
+                    behaviour("faces_nowhere", "promises", "act: the pose (0, 0, inf) is nowhere"),
+                    behaviour("endlessly_fast", "promises", "act: a velocity is not finite"),
+                    behaviour("no_such_motion", "promises", "act: the motion 3 does not exist"),
+                    behaviour("no_such_walk", "promises", "act: the walk 8 has flags that do not exist"),
+                    behaviour("no_such_flag", "promises", "act: the flags 2 do not all exist"),
+                    behaviour("looks_behind_itself", "promises", "act: the gaze is 3.5, outside [-pi, pi]"),
+                    behaviour("looks_nowhere", "promises", "act: the gaze is nan, outside [-pi, pi]"),
+                    behaviour("tells_no_target", "promises", "act: the target is not finite"),
+                    behaviour("no_such_kick", "promises", "act: kick 3 of 3"),
+                    behaviour("negative_kick", "promises", "act: kick -2 of 3"),
+                    behaviour("relies_on_kicks", "promises", "act: kick 0 of 0"),
+                    behaviour("kicks_too_far", "promises", "is 4.6, outside of that of \"fast\", [1.6, 4.5]"),
+                    behaviour("kicks_no_distance", "promises", "act: the distance of a kick is nan"),
+                    behaviour("kicks_full_turn", "promises", "act: the direction of a kick is 6, outside [-pi, pi]"),
+                    behaviour("avoids_negatively", "promises", "act: avoids no disc at (1, 2) of radius -0.1"),
+                    behaviour("avoids_nothing", "promises", "act: avoids no disc at (nan, 2) of radius 0.1"),
+                    behaviour("avoids_too_many", "promises", "act: more discs to avoid than there is room for"),
+                    behaviour("counts_too_many_discs", "promises", "act: avoids 9 discs of at most 8"),
+                    behaviour("writes_past_the_discs", "promises", "act: wrote past the end of its output struct"),
+                    behaviour("changes_the_size", "promises", "act: wrote to the size of its output struct"),
+                    behaviour("scribbles_body", "promises", "act: wrote to the body"),
+                    behaviour("scribbles_robots_near", "promises", "act: wrote to the body"),
+                    behaviour("wholly_upright", "promises", "act: lies"),
+                    behaviour("needs_a_task", "promises", "act: no task"),
+                    behaviour("remembers_the_ball", "determinism", "after reset() with the same seed"),
+                    behaviour("counts_decisions", "determinism", "two instances with the same seed"),
+                    behaviour("keeps_the_kicks", "promises", "act: the distance of a kick is"),
+                    behaviour("steps_by_kick_size", "growth", "change the result"),
+                    behaviour("steps_by_point_size", "growth", "change the result"),
+                    behaviour("refuses_larger_bodies", "growth", "change the result"),
+                    behaviour("refuses_larger_actions", "growth", "change the result")),
+    name);
+
 constexpr auto predictor = [](const char* id, const char* check, const char* finding) {
   return Case{REGISTA_KIND_PREDICTOR, BAD_PREDICTORS, id, check, finding};
 };

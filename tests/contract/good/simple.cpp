@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <regista/assigner.hpp>
+#include <regista/behaviour.hpp>
 #include <regista/context.hpp>
 #include <regista/positioner.hpp>
 #include <regista/predictor.hpp>
@@ -80,6 +81,35 @@ struct EverySecond {
     if (query.budget.packets_left <= 0 || query.budget.since_own < 1.0) return std::nullopt;
     for (const regista::Offer& offer : query.offers) out.grant(offer);
     return REGISTA_EVENT_PERIOD;
+  }
+};
+
+// Walks to its task, around whom it sees, and kicks what it can.
+struct ToThePlace {
+  static constexpr auto id = "to_the_place", version = "1.0.0", summary = "Walks to its task, and kicks what it can";
+  static constexpr unsigned purposes = REGISTA_BEHAVIOUR_PLAYS_BALL | REGISTA_BEHAVIOUR_SEARCHES;
+  double space = 0.4, reach = 0.0;
+  static constexpr std::tuple parameters{
+      regista::real("space", &ToThePlace::space, {0.0, 1.0}, "m", "Way around robots")};
+  std::vector<double> distances;  // of each kind of kick
+  void setup(const regista::Environment& e) {
+    reach = e->kick_reach;
+    for (const regista::Kick& kick : e.kicks())
+      distances.push_back(0.5 * (kick.minimum_distance + kick.maximum_distance));
+  }
+  void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
+    const regista::Task* task = body.task(frame);
+    if (task == nullptr || body.is(REGISTA_BODY_FALLEN)) return;
+    out.motion = REGISTA_MOTION_WALK_TO;
+    std::copy(task->after, task->after + 3, out.pose);
+    for (const regista::Point& robot : body.robots_near()) {
+      if (out.avoid_count < REGISTA_MOST_AVOIDED) regista::avoid(out, robot.x, robot.y, space);
+    }
+    const double* ball = frame.mine().ball().position;
+    const bool near = std::hypot(ball[0] - body->pose[0], ball[1] - body->pose[1]) < reach;
+    if (distances.empty() || !near || !body.is(REGISTA_BODY_SEES_BALL)) return;
+    out.kick = static_cast<std::int32_t>(frame.tick() % distances.size());
+    out.kick_distance = distances[static_cast<std::size_t>(out.kick)];
   }
 };
 
@@ -232,4 +262,4 @@ REGISTA_PLUGINS(regista::Plugin<FirstFree, regista::assigner>, regista::Plugin<N
                 regista::Plugin<BallSeen, regista::context>, regista::Plugin<AtTheBall, regista::positioner>,
                 regista::Plugin<EverySecond, regista::sender>, regista::Plugin<LastNews, regista::predictor>,
                 regista::Plugin<Everything, regista::utility>, regista::Plugin<SevenNumbers, regista::utility>,
-                regista::Plugin<Talker, regista::assigner>)
+                regista::Plugin<Talker, regista::assigner>, regista::Plugin<ToThePlace, regista::behaviour>)

@@ -189,6 +189,46 @@ TEST(EnvironmentBuilder, LandmarksOfTheSplField) {
   EXPECT_EQ(seen.count({REGISTA_LANDMARK_CENTRE, 0.0, 0.0}), 1u);
 }
 
+// Truth: the NAO of configs/robots/nao.yaml and the rules of configs/rules/spl2023.yaml.
+TEST(EnvironmentBuilder, TheUsualBodyIsANao) {
+  const Setting setting = EnvironmentBuilder{}.build();
+  const regista::Environment e = setting.environment();
+  ASSERT_EQ(e.kicks().size(), 3u);
+  EXPECT_STREQ(e.kicks()[1].name, "long");
+  EXPECT_EQ(e.kicks()[1].minimum_distance, 5.4);
+  EXPECT_EQ(e.kicks()[2].maximum_distance, 1.0);
+  EXPECT_EQ(e.kicks()[0].impact, 0.65);
+  EXPECT_EQ(e->goal_post_radius, 0.05);
+  EXPECT_EQ(e->set_play_distance, 0.75);
+  EXPECT_NEAR(e->head_yaw, std::acos(0.0), 1e-15);
+  EXPECT_NEAR(e->kick_reach_angle, std::acos(0.5), 1e-15);
+}
+
+TEST(EnvironmentBuilder, KicksAreWhatOneSays) {
+  EXPECT_TRUE(EnvironmentBuilder{}.no_kicks().build().environment().kicks().empty());
+  const Setting setting = EnvironmentBuilder{}.no_kicks().kick("nudge", 0.1, 0.2, 0.5, 0.3).build({24});
+  const regista::Environment e = setting.environment();
+  ASSERT_EQ(e.kicks().size(), 1u);
+  EXPECT_STREQ(e.kicks()[0].name, "nudge");
+  EXPECT_EQ(e.kicks()[0].duration, 0.5);
+  EXPECT_EQ(e->kicks.stride, sizeof(regista_kick) + 24);
+  const regista_kick* kept = &e.kicks()[0];
+  setting.end_of_create();
+  EXPECT_TRUE(std::isnan(kept->duration)) << "kicks end with create()";
+}
+
+TEST(BodyBuilder, HoldsWhatItWasTold) {
+  const BodyBuilder body = BodyBuilder{}.at(1, 2).heading(0.5).task(3).sees_ball().fallen(2.0).robot_near(4, 5);
+  EXPECT_EQ(body.raw().pose[1], 2.0);
+  EXPECT_EQ(body.raw().pose[2], 0.5);
+  EXPECT_EQ(body.raw().task, 3);
+  EXPECT_EQ(body.raw().flags, std::uint32_t{REGISTA_BODY_SEES_BALL | REGISTA_BODY_FALLEN});
+  EXPECT_EQ(body.raw().time_until_up, 2.0);
+  ASSERT_EQ(body.near().size(), 1u);
+  EXPECT_EQ(body.near()[0].y, 5.0);
+  EXPECT_EQ(BodyBuilder{}.raw().task, -1);
+}
+
 TEST(EnvironmentBuilder, RolesKeepTheirNamesAndPrioritiesPerList) {
   const Setting setting =
       EnvironmentBuilder{}.roles({"keeper", "kicker"}).role("seeker", 4, "searching").role("sweeper").build();

@@ -86,6 +86,8 @@ TEST_F(Descriptor, Tables) {
   EXPECT_THAT(found(), ElementsAre("descriptor: implements no kind"));
   descriptor.table = [](std::int32_t kind) -> const void* { return kind == REGISTA_KIND_UTILITY ? &small : nullptr; };
   EXPECT_THAT(found(), ElementsAre("utility: the size field of its table says 8 bytes"));
+  descriptor.table = [](std::int32_t kind) -> const void* { return kind == REGISTA_KIND_BEHAVIOUR ? &small : nullptr; };
+  EXPECT_THAT(found(), ElementsAre("behaviour: the size field of its table says 8 bytes"));
   descriptor.table = [](std::int32_t kind) -> const void* {
     if (kind != REGISTA_KIND_UTILITY) return nullptr;
     static const regista_utility other = sound;
@@ -93,7 +95,7 @@ TEST_F(Descriptor, Tables) {
   };
   EXPECT_THAT(found(), Contains("descriptor: its table of kind 4 changes from call to call"));
   descriptor.table = [](std::int32_t kind) -> const void* { return kind >= REGISTA_KIND_UTILITY ? &sound : nullptr; };
-  EXPECT_THAT(found(), Contains("descriptor: has a table for kind 8, which does not exist"));
+  EXPECT_THAT(found(), Contains("descriptor: has a table for kind 9, which does not exist"));
 }
 
 TEST_F(Descriptor, NamesAndDocsOfParameters) {

@@ -52,7 +52,11 @@ std::vector<PluginDeclaration> plugins() {
           {"track", "predictor", "", {number("noise", 0, 5, 1, true)}},
           {"lost", "context", "", {number("after", 0, 60, 5)}},
           {"always", "context", "", {}},
-          {"grid", "positioner", "", {number("step", 0.1, 1, 0.5)}}};
+          {"grid", "positioner", "", {number("step", 0.1, 1, 0.5)}},
+          {"hunt", "behaviour", "", {number("haste", 0, 2, 1)}},
+          {"support", "behaviour", "", {number("reach", 0, 3, 1.5)}},
+          {"play_ball", "behaviour", "", {number("bonus", 0, 20, 4)}},
+          {"idle", "behaviour", "", {number("patience", 0, 9, 1)}}};
 }
 
 constexpr auto team = R"(team: t
@@ -121,6 +125,23 @@ TEST(Tunables, TheTeamsOwnInTheOrderOfTheDocument) {
                        "utility.terms.near.params.reach", "utility.terms.far.weight", "utility.terms.far.params.scale",
                        "utility.terms.far.params.fixed", "assigner.params.depth", "assigner.params.mode",
                        "sender.params.period", "sender.params.reserve"));
+}
+
+TEST(Tunables, OfBehavioursThatThePageListsOrItsRolesMayActBy) {
+  const auto all = of(std::string(team) +
+                      "behaviours: {press: {plugin: hunt, params: {haste: 1.5}}, play_ball: {params: {bonus: 6}}}\n");
+  EXPECT_EQ(find(all, "behaviours.press.params.haste")->value, 1.5);
+  EXPECT_TRUE(find(all, "behaviours.press.params.haste")->said);
+  EXPECT_EQ(find(all, "behaviours.play_ball.params.bonus")->value, 6.0) << "the plugin of its name";
+  EXPECT_EQ(find(all, "behaviours.support.params.reach"), nullptr) << "no role acts by it";
+  const std::string roles =
+      "roles: {r: [{name: a, target: {at: ball}}, {name: b, behaviour: hunt, target: {at: ball}}]}\n";
+  const auto by_roles = of(std::string(team).substr(0, std::string_view(team).find("roles: {r: []}")) + roles);
+  EXPECT_EQ(find(by_roles, "behaviours.play_ball.params.bonus")->value, 4.0);
+  EXPECT_FALSE(find(by_roles, "behaviours.play_ball.params.bonus")->said) << "no pattern finds it";
+  EXPECT_NE(find(by_roles, "behaviours.support.params.reach"), nullptr);
+  EXPECT_NE(find(by_roles, "behaviours.hunt.params.haste"), nullptr);
+  EXPECT_EQ(find(by_roles, "behaviours.idle.params.patience"), nullptr);
 }
 
 TEST(Tunables, ValuesInForceAndWhatIsDeclared) {

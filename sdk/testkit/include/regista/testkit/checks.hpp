@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <regista/testkit/check_assigner.hpp>
+#include <regista/testkit/check_behaviour.hpp>
 #include <regista/testkit/check_context.hpp>
 #include <regista/testkit/check_descriptor.hpp>
 #include <regista/testkit/check_mailbox.hpp>
@@ -30,7 +31,7 @@ struct Check {
   std::function<bool(const Loaded&, const Options&)> applies = [](const Loaded&, const Options&) { return true; };
 };
 
-// kind: REGISTA_KIND_PREDICTOR .. REGISTA_KIND_SENDER.
+// kind: REGISTA_KIND_PREDICTOR .. REGISTA_KIND_SENDER, or REGISTA_KIND_BEHAVIOUR.
 std::vector<Check> contract(std::int32_t kind);
 
 }  // namespace regista::testkit

@@ -44,3 +44,5 @@ struct Registration {
 #define REGISTA_ASSIGNER_CONTRACT(file, ...) \
   REGISTA_CONTRACT(REGISTA_KIND_ASSIGNER, "AssignerContract", file, __VA_ARGS__)
 #define REGISTA_SENDER_CONTRACT(file, ...) REGISTA_CONTRACT(REGISTA_KIND_SENDER, "SenderContract", file, __VA_ARGS__)
+#define REGISTA_BEHAVIOUR_CONTRACT(file, ...) \
+  REGISTA_CONTRACT(REGISTA_KIND_BEHAVIOUR, "BehaviourContract", file, __VA_ARGS__)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The facts that an instance is created with. Defaults: the field, robot and budget of the SPL rule book 2023.
+// The facts that an instance is created with. Defaults: the field and budget of the SPL rule book 2023, and a NAO.
 //
 //   const Setting setting = EnvironmentBuilder{}.team_size(5).own(2).roles({"goalkeeper", "striker"}).build();
 #pragma once
@@ -45,6 +45,10 @@ class EnvironmentBuilder {
   // Adds a row to the table of roles. `robot`: shirt number that alone may take it, 0 = any.
   EnvironmentBuilder& role(std::string name, int robot = 0, std::string list = "playing");
   EnvironmentBuilder& no_landmarks();
+  EnvironmentBuilder& no_kicks() { return kicks_.clear(), *this; }
+  // Adds a kind of kick: how far the ball rolls, when it leaves and when the robot walks again, with a NAO's errors.
+  EnvironmentBuilder& kick(std::string name, double minimum_distance, double maximum_distance, double duration,
+                           double impact);
   // For what no function above names.
   regista_environment& raw() { return e_; }
 
@@ -55,12 +59,17 @@ class EnvironmentBuilder {
     std::string name, list;
     int priority, robot;
   };
+  struct KickRow {
+    std::string name;
+    regista_kick kick;  // without its name
+  };
 
-  // Every landmark that the field's measures give. Goal posts are 0.1 thick: centres 0.05 beyond the inner width.
+  // Every landmark that the field's measures give. The centres of goal posts are their radius beyond the inner width.
   std::vector<regista_landmark> landmarks() const;
 
   regista_environment e_{};
   std::vector<RoleRow> roles_;
+  std::vector<KickRow> kicks_;
   bool landmarks_ = true;
 };
 

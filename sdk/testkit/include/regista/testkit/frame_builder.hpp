@@ -132,6 +132,7 @@ class FrameBuilder {
   FrameBuilder& group(int number);
   FrameBuilder& only_for(int robot_number);
   FrameBuilder& required();
+  FrameBuilder& along_edges();
   // Where the offset step moved it.
   FrameBuilder& after(double x, double y);
 

@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <regista/testkit/body_builder.hpp>
 #include <regista/testkit/environment_builder.hpp>
 #include <regista/testkit/loaded.hpp>
 #include <regista/testkit/recording_host.hpp>
@@ -93,6 +94,9 @@ class Instance {
   // --- Sender
   Sent decide(const Scene& scene, std::span<const regista_event> events, std::span<const regista_offer> offers,
               const regista_budget& budget);
+
+  // --- Behaviour
+  regista_action act(const Scene& scene, const BodyBuilder& body);
 
   // --- Mailbox
   void transmitted(std::uint64_t handle);
