@@ -38,7 +38,7 @@ struct Target {
 struct Outcome {
   Command command;
   bool send = false;    // the bytes below are a packet
-  int send_reason = 0;  // REGISTA_EVENT_*
+  int send_reason = 0;  // of the team: TeamPlan::reasons()
   std::vector<std::uint8_t> packet;
   int role = -1;                 // row of the team's table of roles, -1 = none (penalised, no task)
   std::vector<int> assignment;   // per robot (n - 1): row of the table of roles, -1 none, -2 unknown

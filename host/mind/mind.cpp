@@ -204,6 +204,10 @@ void Mind::Parts::decide_to_send(const Percepts& percepts, Outcome& out) {
   out.send = true;
   encode(report(percepts), out.packet);
   out.send_reason = send_decision.reason;
+  if (send_decision.reason >= REGISTA_REASON_OWN) {
+    const ContextPlan& context = plan.contexts()[static_cast<std::size_t>(decision.context)];
+    out.send_reason = context.own_reasons[static_cast<std::size_t>(send_decision.reason - REGISTA_REASON_OWN)];
+  }
   mailboxes.load(send_decision.granted, out.packet);
   own_sent_at = now;
   // What the others will know of this robot is what they decode.

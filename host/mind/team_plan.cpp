@@ -5,6 +5,7 @@
 
 #include "config/packet_share.hpp"
 #include "mind/landmarks.hpp"
+#include "plugin/event_names.hpp"
 
 namespace regista::mind {
 namespace {
@@ -54,9 +55,12 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
     for (const config::UtilityTerm& term : context.terms) {
       terms.push_back({term.name, term.weight, open.part(term.use, REGISTA_KIND_UTILITY)});
     }
-    contexts_.push_back({open.part(context.use, REGISTA_KIND_CONTEXT), std::move(positioner),
+    contexts_.push_back({open.part(context.use, REGISTA_KIND_CONTEXT),
+                         std::move(positioner),
                          open.part(context.assigner, REGISTA_KIND_ASSIGNER),
-                         open.part(context.sender, REGISTA_KIND_SENDER), std::move(terms)});
+                         open.part(context.sender, REGISTA_KIND_SENDER),
+                         std::move(terms),
+                         {}});
   }
 
   const auto behaviour = [&](const std::string& name, const config::Location& where) {
@@ -85,9 +89,25 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
                  "roles");
   }
   landmarks_ = landmarks(rules_.field);
+  name_reasons();
   for (const config::Kick& kick : robot_.kicks) {
     kicks_.push_back({kick.name.c_str(), kick.minimum_distance, kick.maximum_distance, kick.duration, kick.impact,
                       kick.distance_noise, kick.direction_noise});
+  }
+}
+
+void TeamPlan::name_reasons() {
+  for (std::size_t kind = 0; kind < plugin::event_names.size(); ++kind) {
+    events_.push_back({static_cast<std::int32_t>(kind), 0, plugin::event_names[kind]});
+    reasons_.emplace_back(plugin::event_names[kind]);
+  }
+  for (ContextPlan& context : contexts_) {
+    if (context.sender.found == nullptr) continue;
+    for (const std::string& name : plugin::reasons(*context.sender.found)) {
+      const auto known = std::ranges::find(reasons_, name);
+      context.own_reasons.push_back(static_cast<int>(known - reasons_.begin()));
+      if (known == reasons_.end()) reasons_.push_back(name);
+    }
   }
 }
 
@@ -143,6 +163,9 @@ regista_environment TeamPlan::environment(int number, unsigned subject) const {
   out.camera_robot_range = robot_.camera.robot_range;
   out.head_yaw = robot_.camera.head_yaw;
   out.head_speed = robot_.camera.head_speed;
+  out.halves = static_cast<std::uint32_t>(rules_.durations.halves);
+  out.half_length = rules_.durations.half;
+  out.events = {events_.data(), static_cast<std::uint32_t>(events_.size()), sizeof(regista_event_name)};
   out.kicks = {kicks_.data(), static_cast<std::uint32_t>(kicks_.size()), sizeof(regista_kick)};
   return out;
 }

@@ -35,6 +35,7 @@ struct ContextPlan {
   std::optional<Part> positioner;  // none: no waypoints, no filter by them, no offset
   Part assigner, sender;
   std::vector<TermPart> terms;
+  std::vector<int> own_reasons;  // of the sender: indices into TeamPlan::reasons()
 };
 
 struct BehaviourPlan {
@@ -87,6 +88,9 @@ class TeamPlan {
   // All of the above, in a fixed order; a plugin may have several.
   std::vector<const Part*> parts() const;
 
+  // What packets are sent for: the events of abi.h by their numbers, then those of the team's senders.
+  const std::vector<std::string>& reasons() const { return reasons_; }
+
   const std::vector<RoleRow>& roles() const { return roles_; }
   // Row of the first role of a list.
   int first_role(int list) const { return first_role_[static_cast<std::size_t>(list)]; }
@@ -97,6 +101,7 @@ class TeamPlan {
  private:
   TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue,
            config::Mistakes&& mistakes);
+  void name_reasons();
 
   config::Team team_;
   config::Rules rules_;
@@ -110,6 +115,8 @@ class TeamPlan {
   std::vector<regista_role> role_table_;
   std::vector<regista_landmark> landmarks_;
   std::vector<regista_kick> kicks_;
+  std::vector<regista_event_name> events_;
+  std::vector<std::string> reasons_;
 };
 
 }  // namespace regista::mind

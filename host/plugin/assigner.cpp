@@ -26,7 +26,7 @@ void Assigner::assign(const regista_frame& frame, const regista_matrix& utilitie
         inputs.add("frame", seen);
         inputs.add("utilities", scored);
       },
-      "assign", calls_->assign, &frame, &shown, room);
+      "assign", calls_->assign, instance_->shown(&frame), &shown, room);
   instance_->check("assign", Instance::Written{instance_->rooms().columns, "columns"});
   std::copy_n(room, out.size(), out.begin());
   row_of_column_.assign(utilities.columns, nobody);

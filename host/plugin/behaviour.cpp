@@ -34,7 +34,7 @@ const regista_action& Behaviour::act(const regista_frame& frame, const regista_b
         inputs.add("frame", seen);
         inputs.add("body", own);
       },
-      "act", calls_->act, &frame, &body, &out);
+      "act", calls_->act, instance_->shown(&frame), &body, &out);
   instance_->check("act", Instance::Written{answer, "the action"});
   check(out);
   return out;

@@ -12,7 +12,7 @@ bool Context::holds(const regista_frame& frame) {
   GuardedValue<std::int32_t>& answer = instance_->rooms().holds;
   *instance_->open(answer) = 0;
   instance_->call_with([](Inputs& inputs, const regista_frame* seen, auto*) { inputs.add("frame", seen); }, "holds",
-                       calls_->holds, &frame, answer.data());
+                       calls_->holds, instance_->shown(&frame), answer.data());
   instance_->check("holds", Instance::Written{answer, "whether it holds"});
   const std::int32_t out = *answer.data();
   if (out != 0 && out != 1) [[unlikely]]

@@ -82,9 +82,9 @@ inline Covariance examine_covariance(const double (&p)[3]) {
 
 inline Covariance examine_covariance(const double (&p)[3], const double (&r)[7]) {
   if (clearly_definite(p, r)) return Covariance::valid;
-  return examine_covariance_by_elimination<4>({p[0], p[1], r[0], r[1],   //
-                                               p[1], p[2], r[2], r[3],   //
-                                               r[0], r[2], r[4], r[5],   //
+  return examine_covariance_by_elimination<4>({p[0], p[1], r[0], r[1],  //
+                                               p[1], p[2], r[2], r[3],  //
+                                               r[0], r[2], r[4], r[5],  //
                                                r[1], r[3], r[5], r[6]});
 }
 

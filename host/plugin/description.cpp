@@ -45,16 +45,18 @@ Description::Description(const regista_descriptor& live) : declared_(live) {
   if (const auto* predictor = table<regista_predictor>(live, REGISTA_KIND_PREDICTOR)) subjects_ = predictor->subjects;
   if (const auto* assigner = table<regista_assigner>(live, REGISTA_KIND_ASSIGNER)) assigner_flags_ = assigner->flags;
   if (const auto* behaviour = table<regista_behaviour>(live, REGISTA_KIND_BEHAVIOUR)) purposes_ = behaviour->flags;
+  if (const auto* sender = table<regista_sender>(live, REGISTA_KIND_SENDER)) reasons_ = reasons_of(*sender);
   declared_.table = nullptr;
   declared_.create = nullptr;
   declared_.reset = nullptr;
   declared_.destroy = nullptr;
+  declared_.extension = nullptr;
 }
 
 template <class Archive>
 void Description::visit_numbers(Archive& archive) {
   archive(declared_.size, declared_.abi_major, declared_.abi_minor, declared_.parameter_count, kinds_, subjects_,
-          assigner_flags_, purposes_);
+          assigner_flags_, purposes_, declared_.minimum_major, declared_.minimum_minor, declared_.reads);
 }
 
 void Description::write(config::BytesOut& bytes) const {
@@ -67,6 +69,7 @@ void Description::write(config::BytesOut& bytes) const {
        {declared_.id, declared_.version, declared_.summary, declared_.licence, declared_.build_tag}) {
     put(text);
   }
+  bytes(reasons_);
   for (const regista_parameter& p : parameters_) {
     const bool has_text = p.initial_text != nullptr;
     bytes(p.size, p.type, p.minimum, p.maximum, p.initial, p.choice_count, p.flags, has_text);
@@ -88,6 +91,7 @@ Description::Description(config::BytesIn& bytes) {
   declared_.summary = take();
   declared_.licence = take();
   declared_.build_tag = take();
+  bytes(reasons_);
   for (std::uint32_t i = 0; i < declared_.parameter_count; ++i) {
     regista_parameter p{};
     bool has_text = false;

@@ -30,9 +30,10 @@ class Description {
   // Texts and parameters belong to this description; the calls are null.
   const regista_descriptor& declared() const { return declared_; }
   bool implements(int kind) const { return (kinds_ >> kind & 1u) != 0; }
-  std::uint32_t subjects() const { return subjects_; }              // REGISTA_SUBJECT_*, of a predictor
-  std::uint32_t assigner_flags() const { return assigner_flags_; }  // REGISTA_ASSIGNER_*
-  std::uint32_t purposes() const { return purposes_; }              // REGISTA_BEHAVIOUR_*
+  std::uint32_t subjects() const { return subjects_; }                  // REGISTA_SUBJECT_*, of a predictor
+  std::uint32_t assigner_flags() const { return assigner_flags_; }      // REGISTA_ASSIGNER_*
+  std::uint32_t purposes() const { return purposes_; }                  // REGISTA_BEHAVIOUR_*
+  const std::vector<std::string>& reasons() const { return reasons_; }  // of a sender, its own
 
  private:
   template <class Archive>
@@ -44,6 +45,7 @@ class Description {
   std::deque<std::string> texts_;
   std::vector<regista_parameter> parameters_;
   std::deque<std::vector<const char*>> choices_;
+  std::vector<std::string> reasons_;
 };
 
 }  // namespace regista::plugin

@@ -167,7 +167,8 @@ std::string wrong_with_parameters(const regista_descriptor& d) {
 }
 
 std::string wrong_with_reasons(const regista_sender& sender) {
-  if (sender.reason_count > most_reasons) return fmt::format("names {} reasons; at most {} are taken", sender.reason_count, most_reasons);
+  if (sender.reason_count > most_reasons)
+    return fmt::format("names {} reasons; at most {} are taken", sender.reason_count, most_reasons);
   if (sender.reason_count > 0 && sender.reasons == nullptr) return "its reasons are null";
   std::set<std::string_view> seen;
   for (std::uint32_t i = 0; i < sender.reason_count; ++i) {
@@ -244,6 +245,10 @@ std::string what_is_wrong(const regista_descriptor& d, std::uint32_t index) {
 const regista_parameter& parameter(const regista_descriptor& descriptor, std::uint32_t index) {
   const char* const first = reinterpret_cast<const char*>(descriptor.parameters);
   return *reinterpret_cast<const regista_parameter*>(first + std::size_t{index} * descriptor.parameter_stride);
+}
+
+std::vector<std::string> reasons_of(const regista_sender& sender) {
+  return {sender.reasons, sender.reasons + sender.reason_count};
 }
 
 bool implements(const regista_descriptor& descriptor, int kind) { return descriptor.table(kind) != nullptr; }

@@ -36,6 +36,12 @@ std::uint32_t purposes(const Found& plugin) {
   return behaviour == nullptr ? 0 : behaviour->flags;
 }
 
+std::vector<std::string> reasons(const Found& plugin) {
+  if (plugin.description) return plugin.description->reasons();
+  const auto* const sender = table<regista_sender>(*plugin.descriptor, REGISTA_KIND_SENDER);
+  return sender == nullptr ? std::vector<std::string>{} : reasons_of(*sender);
+}
+
 const regista_descriptor& loaded(const Found& plugin) {
   return plugin.object ? plugin.object->descriptor(plugin.index) : *plugin.descriptor;
 }

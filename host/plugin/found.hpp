@@ -30,9 +30,10 @@ struct Found {
 // Whether it has a table of calls for this kind; all of them, ascending.
 bool implements(const Found& plugin, int kind);
 std::vector<int> kinds(const Found& plugin);
-std::uint32_t subjects(const Found& plugin);        // REGISTA_SUBJECT_*, of a predictor
-std::uint32_t assigner_flags(const Found& plugin);  // REGISTA_ASSIGNER_*
-std::uint32_t purposes(const Found& plugin);        // REGISTA_BEHAVIOUR_*
+std::uint32_t subjects(const Found& plugin);            // REGISTA_SUBJECT_*, of a predictor
+std::uint32_t assigner_flags(const Found& plugin);      // REGISTA_ASSIGNER_*
+std::uint32_t purposes(const Found& plugin);            // REGISTA_BEHAVIOUR_*
+std::vector<std::string> reasons(const Found& plugin);  // of a sender, its own
 
 // The plugin's own descriptor: loads the file if it has not been yet. Throws std::runtime_error with one line that says
 // why it cannot be loaded (any more).

@@ -18,6 +18,7 @@
 
 #include "plugin/answer_rooms.hpp"
 #include "plugin/call_note.hpp"
+#include "plugin/declared_reads.hpp"
 #include "plugin/descriptor.hpp"
 #include "plugin/failure.hpp"
 #include "plugin/floating_point_state.hpp"
@@ -46,6 +47,14 @@ class alignas(64) Instance {
   AnswerRooms& rooms() const { return *rooms_; }
   // As given at create; its spans belong to whoever gave them.
   const regista_environment& environment() const { return environment_; }
+
+  // The frame as this plugin is to see it: without what it does not declare to read where inputs are compared, as it is
+  // elsewhere. Null stays null. Valid until the next.
+  const regista_frame* shown(const regista_frame* frame) {
+    if (declared_reads_ == nullptr || frame == nullptr) [[likely]]
+      return frame;
+    return declared_reads_->of(*frame);
+  }
 
   // Calls `function` of a table of this plugin; `name` is the call's, for the note and the Failure. Fails when the
   // plugin says so, changed the floating-point state, which is restored, or wrote outside of the room for its error's
@@ -179,6 +188,7 @@ class alignas(64) Instance {
   CallNote* note_;
   const Caller* caller_;
   bool compares_inputs_;
+  std::unique_ptr<DeclaredReads> declared_reads_;
   FloatingPointState floating_point_ = FloatingPointState::now();
 
   Found plugin_;

@@ -35,7 +35,7 @@ void Positioner::place(const regista_frame& frame, Placement& out) {
   raw.cells = room(rooms.cells, cell_capacity);
   raw.vertices = room(rooms.vertices, vertex_capacity);
   instance_->call_with([](Inputs& inputs, const regista_frame* seen, auto*) { inputs.add("frame", seen); }, "place",
-                       calls_->place, &frame, &raw);
+                       calls_->place, instance_->shown(&frame), &raw);
   instance_->check("place", Instance::Written{rooms.placement, "the placement itself"},
                    Instance::Written{rooms.points, "points"}, Instance::Written{rooms.edges, "edges"},
                    Instance::Written{rooms.cells, "cells"}, Instance::Written{rooms.vertices, "vertices"});

@@ -18,9 +18,7 @@ constexpr double farthest = 1e4;
 
 constexpr double largest = std::numeric_limits<double>::max();
 
-bool has_pose(std::uint32_t subject) {
-  return subject == REGISTA_SUBJECT_SELF || subject == REGISTA_SUBJECT_TEAMMATES;
-}
+bool has_pose(std::uint32_t subject) { return subject == REGISTA_SUBJECT_SELF || subject == REGISTA_SUBJECT_TEAMMATES; }
 
 // What ball and opponents have of a track, or all robots. Each is true for nearly every track that keeps all promises,
 // and for no other: one branch instead of twenty.
@@ -61,7 +59,7 @@ void Predictor::predict(double dt, const regista_motion* motion, const regista_f
         inputs.add("motion", moved);
         inputs.add("last", before);
       },
-      "predict", calls_->predict, dt, motion, last);
+      "predict", calls_->predict, dt, motion, instance_->shown(last));
 }
 
 void Predictor::correct(std::span<const regista_measurement> measurements, const regista_visible_area& area) {

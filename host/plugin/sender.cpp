@@ -29,7 +29,7 @@ SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_
         inputs.add("offers", offered);
         inputs.add("budget", left);
       },
-      "decide", calls_->decide, &frame, raw_events, raw_offers, &budget, answer.data());
+      "decide", calls_->decide, instance_->shown(&frame), raw_events, raw_offers, &budget, answer.data());
   instance_->check("decide", Instance::Written{answer, "whether to send"},
                    Instance::Written{handles, "granted handles"});
 
@@ -40,7 +40,9 @@ SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_
     instance_->fail("decide", fmt::format("granted {} offers of {}", out.granted_count, offers.size()));
   }
   if (out.send == 0) return {};
-  if (out.reason < 0 || out.reason >= REGISTA_EVENT_COUNT) [[unlikely]]
+  const bool own = out.reason >= REGISTA_REASON_OWN &&
+                   static_cast<std::uint32_t>(out.reason - REGISTA_REASON_OWN) < calls_->reason_count;
+  if (!own && (out.reason < 0 || out.reason >= REGISTA_EVENT_COUNT)) [[unlikely]]
     instance_->fail("decide", fmt::format("reason {} does not exist", out.reason));
   const std::span<const std::uint64_t> granted = handles.first(out.granted_count);
   for (std::size_t i = 0; i < granted.size(); ++i) {

@@ -12,7 +12,7 @@ namespace regista::plugin {
 
 struct SendDecision {
   bool send = false;
-  int reason = REGISTA_EVENT_PERIOD;       // REGISTA_EVENT_*, when send
+  int reason = REGISTA_EVENT_PERIOD;       // REGISTA_EVENT_* or an own one, when send
   std::span<const std::uint64_t> granted;  // handles of offers to take along, in this order; valid until the next call
 };
 

@@ -65,7 +65,7 @@ void Utility::score(const regista_frame& frame, const regista_matrix_room& out) 
         inputs.add("frame", seen);
         inputs.add("out", written_to, sizeof *written_to);
       },
-      "score", calls_->score, &frame, &shown);
+      "score", calls_->score, instance_->shown(&frame), &shown);
   instance_->check("score", Instance::Written{entries, "utilities"});
   if (out.stride != out.columns || suspect(entries.first(count))) [[unlikely]]
     check_each(*instance_, answer);

@@ -50,6 +50,7 @@ const regista_host* Mailboxes::open() {
   endpoint.host.bytes_free = [](void* context) {
     return static_cast<std::uint32_t>(static_cast<Endpoint*>(context)->owner->longest_segment());
   };
+  endpoint.host.extension = [](void*, const char*) -> const void* { return nullptr; };
   return &endpoint.host;
 }
 

@@ -25,8 +25,8 @@ struct Symmetric4 {
     return {{place[0], place[1], place[2]}, {rest[4], rest[5], rest[6]}, rest[0], rest[1], rest[2], rest[3]};
   }
   void write(double (&motion)[10]) const {
-    const double values[10]{position.xx, position.xy, position.yy, xx, xy, yx, yy,
-                            velocity.xx, velocity.xy, velocity.yy};
+    const double values[10]{position.xx, position.xy, position.yy, xx,          xy,
+                            yx,          yy,          velocity.xx, velocity.xy, velocity.yy};
     std::copy_n(values, 10, motion);
   }
 

@@ -81,7 +81,8 @@ class Room {
   std::size_t size() const { return raw_->count; }
   // The next element, as it stands in memory. `what`: of the elements, for the exception when the room is full.
   T& add(const char* what) const {
-    if (raw_->count >= raw_->capacity) throw std::length_error(std::string("more ") + what + " than the host has room for");
+    if (raw_->count >= raw_->capacity)
+      throw std::length_error(std::string("more ") + what + " than the host has room for");
     return *reinterpret_cast<T*>(static_cast<char*>(raw_->data) + std::size_t{raw_->count++} * raw_->stride);
   }
 

@@ -22,9 +22,7 @@ class Placement {
     points_.add("points") = {x, y, score, task, robot};
     return index;
   }
-  void edge(std::uint32_t from, std::uint32_t to) {
-    edges_.add("edges") = {from, to};
-  }
+  void edge(std::uint32_t from, std::uint32_t to) { edges_.add("edges") = {from, to}; }
   // The region of robot `number`, counter-clockwise.
   void cell(int number, std::span<const Vertex> vertices) {
     const auto first = static_cast<std::uint32_t>(vertices_.size());
