@@ -12,6 +12,7 @@ namespace {
 struct Greedy {
   static constexpr auto id = "greedy", version = "1.0.0",
                         summary = "Roles in order of importance, each to its best free robot";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
 
   std::vector<std::uint32_t> order;
 

@@ -12,6 +12,7 @@ namespace {
 struct Hungarian {
   static constexpr auto id = "hungarian", version = "1.0.0",
                         summary = "Largest sum of utilities, ties to the lexicographically least assignment";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
 
   hungarian::Solver solver;
   std::vector<std::uint32_t> order;

@@ -12,6 +12,7 @@ namespace {
 struct Regret {
   static constexpr auto id = "regret", version = "1.0.0",
                         summary = "Repeatedly the robot with most to lose takes its best free task";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
 
   regret::Solver solver;
   std::vector<std::uint32_t> order;

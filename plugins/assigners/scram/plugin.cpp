@@ -17,6 +17,7 @@ namespace {
 struct Scram {
   static constexpr auto id = "scram", version = "1.0.0",
                         summary = "Least longest walk, then the next longest or the least sum of squares (SCRAM)";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
 
   enum class Cost { distance, utility };
   static constexpr std::array criteria{"mmdr", "mmd_msd2"};

@@ -12,6 +12,7 @@ namespace {
 struct StaticPartition {
   static constexpr auto id = "static_partition", version = "1.0.0",
                         summary = "Robot n takes the n-th role of the list, whatever happens";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
 
   bool fill = false;
   static constexpr std::tuple parameters{

@@ -16,6 +16,8 @@ namespace {
 struct PlayBall {
   static constexpr auto id = "play_ball", version = "1.0.0",
                         summary = "Walks behind the ball and kicks it at goal, to a teammate or ahead";
+  static constexpr unsigned reads =
+      REGISTA_READS_OPPONENTS_MINE | REGISTA_READS_FACINGS | REGISTA_READS_WAYPOINTS | REGISTA_READS_EDGES;
   static constexpr unsigned purposes = REGISTA_BEHAVIOUR_PLAYS_BALL;
 
   behaviours::Conduct conduct;

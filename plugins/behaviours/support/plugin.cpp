@@ -13,6 +13,7 @@ namespace {
 struct Support {
   static constexpr auto id = "support", version = "1.0.0",
                         summary = "Walks to the place of the task, and receives a ball that comes along";
+  static constexpr unsigned reads = REGISTA_READS_FACINGS | REGISTA_READS_WAYPOINTS | REGISTA_READS_EDGES;
 
   behaviours::Conduct conduct;
   behaviours::RollingSettings rolling;

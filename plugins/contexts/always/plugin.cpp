@@ -7,6 +7,7 @@ namespace {
 
 struct Always {
   static constexpr auto id = "always", version = "1.0.0", summary = "Holds at all times";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   bool holds(const regista::Frame&) { return true; }
 };
 

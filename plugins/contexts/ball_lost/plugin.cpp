@@ -13,6 +13,7 @@ namespace {
 struct BallLost {
   static constexpr auto id = "ball_lost", version = "1.1.0",
                         summary = "Nobody has seen the ball for a while, or nobody knows it";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   ball_lost::Rule rule;
   bool own_sightings = true;
   static constexpr std::tuple parameters{

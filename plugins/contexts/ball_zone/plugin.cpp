@@ -10,6 +10,7 @@ namespace {
 struct BallZone {
   static constexpr auto id = "ball_zone", version = "1.0.0",
                         summary = "The ball is within a box of the field; an unknown ball is in none";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   double x_least = -100.0, x_most = 100.0, y_least = -100.0, y_most = 100.0, band = 0.3;
   static constexpr regista::Range metres{-100.0, 100.0};
   static constexpr std::tuple parameters{

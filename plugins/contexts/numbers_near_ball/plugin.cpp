@@ -12,6 +12,7 @@ namespace {
 struct NumbersNearBall {
   static constexpr auto id = "numbers_near_ball", version = "1.0.0",
                         summary = "Own robots minus opponents near the ball lie in a range; not with an unknown ball";
+  static constexpr unsigned reads = REGISTA_READS_OPPONENTS_MINE | REGISTA_READS_OPPONENTS_COMMON;
   int least = 1, most = 100;
   double reach = 1.5, margin = 0.3, likely = 0.5;
   static constexpr std::tuple parameters{

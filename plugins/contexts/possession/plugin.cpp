@@ -14,6 +14,7 @@ using possession::State;
 
 struct Possession {
   static constexpr auto id = "possession", version = "1.0.0", summary = "Who is at the ball: us, them, none or a fight";
+  static constexpr unsigned reads = REGISTA_READS_OPPONENTS_MINE | REGISTA_READS_OPPONENTS_COMMON;
   State who = State::us;
   possession::Rule rule;
   double likely = 0.5;

@@ -8,6 +8,7 @@ namespace {
 
 struct Score {
   static constexpr auto id = "score", version = "1.0.0", summary = "The difference of goals lies in a range";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   score_context::Rule rule;
   static constexpr std::tuple parameters{regista::within(
       &Score::rule,

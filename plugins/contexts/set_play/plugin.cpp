@@ -10,6 +10,7 @@ static_assert(set_play::none == REGISTA_SET_PLAY_NONE && set_play::playing == RE
 
 struct SetPlay {
   static constexpr auto id = "set_play", version = "1.0.0", summary = "A set play is on, or has just been";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   bool kick_off = false, kick_in = false, goal_kick = false, corner_kick = false, pushing_free_kick = false,
        penalty_kick = false;
   bool ready = false, set = false, playing = false;

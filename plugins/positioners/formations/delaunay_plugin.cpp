@@ -20,6 +20,7 @@ namespace {
 struct DelaunayFormation {
   static constexpr auto id = "delaunay_formation", version = "1.0.0",
                         summary = "Formation file of librcsc: positions linear in the triangle of samples of the ball";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   std::string file, roles;
   double file_length = 105.0, file_width = 68.0;
   formations::Beyond beyond = formations::Beyond::nearest_point;

@@ -15,6 +15,7 @@ namespace {
 struct FixedFormation {
   static constexpr auto id = "fixed_formation", version = "1.0.0",
                         summary = "Places of roles written in a text or a file, mirrored for set plays";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   std::string places, file;
   bool mirror = false;
   static constexpr std::tuple parameters{

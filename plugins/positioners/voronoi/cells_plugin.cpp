@@ -18,6 +18,7 @@ enum class Target { centroid, best };
 struct VoronoiCells {
   static constexpr auto id = "voronoi_cells", version = "1.0.0", licence = "GPL-3.0-or-later",
                         summary = "Voronoi cells of the own robots, each with its centroid or its best point";
+  static constexpr unsigned reads = REGISTA_READS_OPPONENTS_MINE | REGISTA_READS_OPPONENTS_COMMON;
   Target target = Target::centroid;
   voronoi::Attraction attraction;
   static constexpr std::array target_names{"centroid", "best"};

@@ -17,6 +17,7 @@ using voronoi::Settings;
 struct Voronoi {
   static constexpr auto id = "voronoi", version = "1.0.0", licence = "GPL-3.0-or-later",
                         summary = "Nodes and edges of the Voronoi diagram of the opponents";
+  static constexpr unsigned reads = REGISTA_READS_OPPONENTS_MINE | REGISTA_READS_OPPONENTS_COMMON;
   Settings settings;
   double drop_beyond = 1.0, inset = 0.15;
   bool cells = false;

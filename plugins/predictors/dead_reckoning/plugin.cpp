@@ -16,6 +16,7 @@ using dead_reckoning::Teammate;
 struct DeadReckoning {
   static constexpr auto id = "dead_reckoning", version = "1.0.0",
                         summary = "Teammates: walk to the sent target at half the sent speed";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   static constexpr unsigned subjects = REGISTA_SUBJECT_TEAMMATES;
 
   Parameters settings;

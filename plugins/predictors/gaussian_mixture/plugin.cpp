@@ -13,6 +13,7 @@ using gaussian_mixture::Parameters;
 struct GaussianMixture {
   static constexpr auto id = "gaussian_mixture", version = "1.0.0",
                         summary = "Opponents: a Gaussian mixture; predict, match, merge, prune";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   static constexpr unsigned subjects = REGISTA_SUBJECT_OPPONENTS;
 
   Parameters settings;

@@ -16,6 +16,7 @@ using gm_phd::Sighting;
 struct GmPhd {
   static constexpr auto id = "gm_phd", version = "1.0.0",
                         summary = "Opponents: Gaussian mixture PHD filter; what is not looked at is not forgotten";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   static constexpr unsigned subjects = REGISTA_SUBJECT_OPPONENTS;
 
   Parameters settings;

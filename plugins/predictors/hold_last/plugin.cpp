@@ -18,6 +18,7 @@ using hold_last::Sighting;
 struct HoldLast {
   static constexpr auto id = "hold_last", version = "1.0.0",
                         summary = "Ball, opponents, teammates: stay where they were last measured or said to be";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   static constexpr unsigned subjects = REGISTA_SUBJECT_BALL | REGISTA_SUBJECT_OPPONENTS | REGISTA_SUBJECT_TEAMMATES;
 
   Parameters settings;

@@ -17,6 +17,8 @@ using imm_ball::Parameters;
 struct ImmBall {
   static constexpr auto id = "imm_ball", version = "1.1.0",
                         summary = "Ball: interacting multiple models, resting, rolling or kicked by a robot in reach";
+  static constexpr unsigned reads =
+      REGISTA_READS_OPPONENTS_MINE | REGISTA_READS_OPPONENTS_COMMON | REGISTA_READS_COVARIANCES;
   static constexpr unsigned subjects = REGISTA_SUBJECT_BALL;
 
   Parameters settings;

@@ -31,6 +31,7 @@ using intent_aware::Teammate;
 struct IntentAware {
   static constexpr auto id = "intent_aware", version = "1.1.0",
                         summary = "Teammates: walk to the target that the team's rule gives them, then are held";
+  static constexpr unsigned reads = REGISTA_READS_PREVIOUS;
   static constexpr unsigned subjects = REGISTA_SUBJECT_TEAMMATES;
 
   Parameters model;

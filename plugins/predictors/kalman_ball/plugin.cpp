@@ -17,6 +17,7 @@ using kalman_ball::Parameters;
 struct KalmanBall {
   static constexpr auto id = "kalman_ball", version = "1.2.0",
                         summary = "Ball: weighted Kalman hypotheses, resting or rolling";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   static constexpr unsigned subjects = REGISTA_SUBJECT_BALL;
 
   Parameters settings;

@@ -13,6 +13,7 @@ using odometry_pose::Parameters;
 struct OdometryPose {
   static constexpr auto id = "odometry_pose", version = "1.0.0",
                         summary = "Own pose: odometry corrected by landmarks (extended Kalman filter)";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   static constexpr unsigned subjects = REGISTA_SUBJECT_SELF;
 
   Parameters settings;

@@ -78,6 +78,7 @@ constexpr auto threshold(const char* name, regista::Range range, const char* uni
 struct EventBased {
   static constexpr auto id = "event_based", version = "1.3.0",
                         summary = "A packet on events, with a slow period beneath or by events alone";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
 
   Settings settings = initial_settings();
   int reserve = 30;

@@ -15,6 +15,7 @@ using fixed_rate::Settings;
 
 struct FixedRate {
   static constexpr auto id = "fixed_rate", version = "1.2.0", summary = "A packet every so many seconds";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   Settings settings;
   std::string fast_role = "striker";
   bool lasts = true;

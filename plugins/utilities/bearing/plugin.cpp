@@ -14,6 +14,7 @@ enum class Towards { task, opponent_goal };
 
 struct Bearing {
   static constexpr auto id = "bearing", version = "1.0.0", summary = "How little the robot must turn to face the task";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   bearing_utility::Form form = bearing_utility::Form::cosine;
   Towards towards = Towards::task;
   static constexpr std::array<const char*, 2> forms{"cosine", "angle"};

@@ -11,6 +11,7 @@ namespace {
 
 struct Distance {
   static constexpr auto id = "distance", version = "1.0.0", summary = "Nearness of the robot to the task, linear";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   double reach = 11.0;
   static constexpr std::tuple parameters{
       regista::real("reach", &Distance::reach, {0.5, 100.0}, "m",

@@ -12,6 +12,7 @@ namespace {
 struct GoalBearing {
   static constexpr auto id = "goal_bearing", version = "1.0.0",
                         summary = "How little the robot must turn to face the opponent's goal";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   goal_bearing::Form form = goal_bearing::Form::angle;
   static constexpr std::array<const char*, 2> forms{"angle", "cosine"};
   static constexpr std::tuple parameters{

@@ -12,6 +12,7 @@ namespace {
 struct InverseDistance {
   static constexpr auto id = "inverse_distance", version = "1.0.0",
                         summary = "One over the distance to the task, as in SPQR 2023";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   inverse_distance::Settings settings;
   static constexpr std::tuple parameters{regista::within(
       &InverseDistance::settings,

@@ -15,6 +15,7 @@ namespace {
 struct Openness {
   static constexpr auto id = "openness", version = "1.0.0",
                         summary = "How free of opponents the task is, and the lines of a pass and a shot through it";
+  static constexpr unsigned reads = REGISTA_READS_OPPONENTS_MINE | REGISTA_READS_OPPONENTS_COMMON;
   openness::Settings settings;
   double likely = 0.5;
   static constexpr regista::Range share{0.0, 1.0}, metres{0.05, 20.0};

@@ -15,6 +15,7 @@ enum class Rows { all, own };
 
 struct Persistence {
   static constexpr auto id = "persistence", version = "1.1.0", summary = "How long the robot has held the role";
+  static constexpr unsigned reads = REGISTA_READS_PREVIOUS;
   persistence_utility::Settings settings;
   Rows rows = Rows::all;
   static constexpr std::array<const char*, 2> row_choices{"all", "own"};

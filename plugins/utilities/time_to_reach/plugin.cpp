@@ -13,6 +13,7 @@ using time_to_reach::Settings;
 
 struct TimeToReach {
   static constexpr auto id = "time_to_reach", version = "1.0.0", summary = "How soon the robot can be at the task";
+  static constexpr unsigned reads = REGISTA_READS_PREVIOUS | REGISTA_READS_TIMES;
   Settings settings;
   double getting_up = 0.0;
   static constexpr std::array<const char*, 2> forms{"linear", "inverse"};

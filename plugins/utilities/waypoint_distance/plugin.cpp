@@ -13,6 +13,7 @@ namespace {
 struct WaypointDistance {
   static constexpr auto id = "waypoint_distance", version = "1.0.0",
                         summary = "Nearness of the robot to the waypoint of the task, straight or along the edges";
+  static constexpr unsigned reads = REGISTA_READS_WAYPOINTS | REGISTA_READS_EDGES;
   waypoint_distance::Settings settings;
   static constexpr std::tuple parameters{regista::within(
       &WaypointDistance::settings,

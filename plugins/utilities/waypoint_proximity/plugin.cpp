@@ -11,6 +11,7 @@ namespace {
 struct WaypointProximity {
   static constexpr auto id = "waypoint_proximity", version = "1.0.0",
                         summary = "Nearness of the task to the nearest waypoint";
+  static constexpr unsigned reads = REGISTA_READS_WAYPOINTS;
   waypoint_utility::Settings settings;
   static constexpr std::array<const char*, 2> forms{"inverse", "linear"};
   static constexpr std::tuple parameters{regista::within(
