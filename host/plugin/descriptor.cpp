@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <set>
 
@@ -36,6 +37,12 @@ constexpr TableCheck check_of() {
           }};
 }
 
+// The same of tables that may end before the calls that came with later versions.
+constexpr TableCheck at_least(std::size_t size, TableCheck check) {
+  check.size = static_cast<std::uint32_t>(size);
+  return check;
+}
+
 // By kind; there is no kind 0.
 constexpr std::array<TableCheck, REGISTA_KIND_END> table_checks{
     TableCheck{0, nullptr},
@@ -46,7 +53,8 @@ constexpr std::array<TableCheck, REGISTA_KIND_END> table_checks{
     check_of<regista_utility, &regista_utility::score>(),
     check_of<regista_assigner, &regista_assigner::assign>(),
     check_of<regista_sender, &regista_sender::decide>(),
-    check_of<regista_mailbox, &regista_mailbox::transmitted, &regista_mailbox::dropped, &regista_mailbox::receive>()};
+    at_least(offsetof(regista_mailbox, describe), check_of<regista_mailbox, &regista_mailbox::transmitted,
+                                                           &regista_mailbox::dropped, &regista_mailbox::receive>())};
 
 constexpr std::array<std::string_view, REGISTA_KIND_END> kind_names{"",        "predictor", "context", "positioner",
                                                                     "utility", "assigner",  "sender",  "mailbox"};

@@ -180,7 +180,8 @@ struct unguarded_mailbox {
         [](void*, const regista_message* message, regista_error*) -> std::int32_t {
           if (message->count < 4) throw std::runtime_error("too short");
           return REGISTA_OK;
-        }};
+        },
+        nullptr};
     return &calls;
   }
 };
