@@ -8,6 +8,7 @@
 #include <functional>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "in_process.hpp"
 #include "regista/utility.hpp"
@@ -358,6 +359,19 @@ TEST_F(JournalTest, FollowsEachOfferToItsEnd) {
   robot.mailboxes.begin(2.1);
   EXPECT_EQ(told(robot), "");
   EXPECT_EQ(counted(robot), (Counts{0, 0, 0, 0, 0}));
+}
+
+TEST_F(JournalTest, SaysWhichSegmentOfItsPacketItIs) {
+  Robot robot(128, true);
+  const auto first = robot.offer({1}), large = robot.offer(Bytes(71)), third = robot.offer({3});
+  robot.mailboxes.begin(1.0);
+  Bytes packet(60);
+  robot.mailboxes.load(Handles{third, large, first}, packet);
+  std::vector<std::pair<std::uint64_t, int>> sent;
+  for (const SegmentEvent& event : robot.mailboxes.journal()) {
+    if (event.kind == SegmentEvent::Kind::sent) sent.emplace_back(event.handle, event.at);
+  }
+  EXPECT_EQ(sent, (std::vector<std::pair<std::uint64_t, int>>{{third, 0}, {first, 1}})) << "the large one does not fit";
 }
 
 TEST_F(JournalTest, SaysWhyAnOfferIsRefused) {
