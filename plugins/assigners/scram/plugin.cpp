@@ -98,13 +98,15 @@ struct Scram {
   void transmitted(std::uint64_t handle) { forget(handle); }
   void dropped(std::uint64_t handle) { forget(handle); }
 
-  // "vote for tasks of print 5: 1 4 3 0": robots in order of the tasks' importance, 0 for nobody.
+  // "vote for tasks of print 5: 1 0 3": robots in order of the tasks' importance, 0 for nobody. Nobody at the end is left
+  // out, as a ballot does not tell it from bits that fill its last byte.
   std::string describe(std::span<const std::uint8_t> bytes) const {
     if (!vote || bytes.empty()) return "no vote";
     const std::size_t robots = scram::most_tasks(bytes.size(), team_size);
     std::vector<std::int32_t> named(std::min(robots, roles));
     if (scram::ballot_bytes(named.size(), team_size) != bytes.size()) return "no vote of this team";
     scram::read_ballot(bytes, team_size, named);
+    while (!named.empty() && named.back() == 0) named.pop_back();
     std::string out = "vote for tasks of print " + std::to_string(scram::fingerprint_of(bytes)) + ':';
     for (const std::int32_t number : named) out += ' ' + std::to_string(number);
     return out;
