@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Plugins that talk to their counterparts: what each segment came to stands in the recording, in the log of decisions and
-in the numbers of the match, and all of them say the same."""
+"""Plugins that talk to their counterparts: what each segment came to stands in the recording, in the log of decisions
+and in the numbers of the match, and all of them say the same."""
 
 import collections
 import csv

@@ -53,7 +53,8 @@ test("what no packet took was dropped, refused, or is pending still", () => {
     ],
   );
   assert.equal(of(1)[0]!.length, 300);
-  for (const segment of [...of(3), ...of(1)]) assert.deepEqual(reach(segment), { heard: [], undelivered: [], lost: [] });
+  for (const segment of [...of(3), ...of(1)])
+    assert.deepEqual(reach(segment), { heard: [], undelivered: [], lost: [] });
 });
 
 test("a packet that never left reached nobody, and nothing is said of what is not recorded", async () => {

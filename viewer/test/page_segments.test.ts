@@ -18,11 +18,10 @@ test("segments around the moment: offered, sent, heard or lost, dropped and why"
   await settle(page);
   assert.equal(await page.locator("#panel-segments").isVisible(), true);
   assert.equal(await text(page, "#segment-count"), "16: 12 sent, 2 dropped, 1 refused");
-  assert.deepEqual(await cells(page, "home/2/1"), ["0:04.6", "2", "bids", "bid 1 for \u201cstriker\u201d", "sent 0:05.0", "1 lost: 3"]);
-  assert.deepEqual(await cells(page, "home/2/2"), ["0:09.6", "2", "bids", "bid 2 for \u201cstriker\u201d", "sent 0:10.0", "1 3"]);
-  assert.deepEqual(await cells(page, "home/2/4"), [
-    ...["0:19.6", "2", "bids", "bid 4 for \u201cstriker\u201d", "sent 0:20.0", "1 3: no mailbox"],
-  ]);
+  const bid = (number: number) => `bid ${number} for \u201cstriker\u201d`;
+  assert.deepEqual(await cells(page, "home/2/1"), ["0:04.6", "2", "bids", bid(1), "sent 0:05.0", "1 lost: 3"]);
+  assert.deepEqual(await cells(page, "home/2/2"), ["0:09.6", "2", "bids", bid(2), "sent 0:10.0", "1 3"]);
+  assert.deepEqual(await cells(page, "home/2/4"), ["0:19.6", "2", "bids", bid(4), "sent 0:20.0", "1 3: no mailbox"]);
   assert.deepEqual(await cells(page, "home/3/1"), ["0:12.0", "3", "bids", "0a 1f", "replaced 0:12.5", ""]);
   assert.deepEqual(await cells(page, "home/3/2"), ["0:12.5", "3", "bids", "ff 00", "expired 0:15.5", ""]);
   assert.deepEqual(await cells(page, "home/1/0"), ["0:15.0", "1", "bids", "300 bytes", "refused: too long", ""]);

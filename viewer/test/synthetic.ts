@@ -52,9 +52,9 @@ export function posesAt(time: number): [number[][], number[][]] {
   ];
 }
 
-// Robot 2 of home offers a bid 0.4 s before each of its packets, which takes it along: robot 1 hears all of them, robot 3
-// each second one, but that of 20 s reaches no plugin of it. Robot 3 offers twice and sends nothing; robot 1 offers too
-// much at 15 s, and something at 59 s that stays pending.
+// Robot 2 of home offers a bid 0.4 s before each of its packets, which takes it along: robot 1 hears all of them, robot
+// 3 each second one, but that of 20 s reaches no plugin of it. Robot 3 offers twice and sends nothing; robot 1 offers
+// too much at 15 s, and something at 59 s that stays pending.
 export function segmentsAt(time: number): Json[] {
   const at = (when: number) => Math.abs(time - when) < 1e-6;
   const base = { time, side: "home", place: 7, plugin: "bids" };
@@ -62,12 +62,16 @@ export function segmentsAt(time: number): Json[] {
   const out: Json[] = [];
   const round = Math.round((time + 0.4) / 5);
   if (round > 0 && at(5 * round - 0.4))
-    out.push({ ...base, ...offer, robot: 2, segment: "offered", handle: round, text: `bid ${round} for “striker”` });
+    out.push({
+      ...{ ...base, ...offer, robot: 2, segment: "offered", handle: round },
+      text: `bid ${round} for “striker”`,
+    });
   const sent = Math.round(time / 5);
   if (sent > 0 && at(5 * sent)) out.push({ ...base, robot: 2, segment: "sent", handle: sent, at: 0, left: true });
   const heard = Math.round((time - 0.1) / 5);
   if (heard > 0 && at(5 * heard + 0.1)) {
-    const hearing = { ...base, segment: "heard", handle: heard, at: 0, sender: 2, sent: 5 * heard, heard: 5 * heard + 0.05 };
+    const came = { sender: 2, sent: 5 * heard, heard: 5 * heard + 0.05 };
+    const hearing = { ...base, ...came, segment: "heard", handle: heard, at: 0 };
     out.push({ ...hearing, robot: 1 });
     if (heard === 4) out.push({ ...hearing, robot: 3, segment: "undelivered", why: "no_mailbox" });
     else if (heard % 2 === 0) out.push({ ...hearing, robot: 3 });

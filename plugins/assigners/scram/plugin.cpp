@@ -98,8 +98,8 @@ struct Scram {
   void transmitted(std::uint64_t handle) { forget(handle); }
   void dropped(std::uint64_t handle) { forget(handle); }
 
-  // "vote for tasks of print 5: 1 0 3": robots in order of the tasks' importance, 0 for nobody. Nobody at the end is left
-  // out, as a ballot does not tell it from bits that fill its last byte.
+  // "vote for tasks of print 5: 1 0 3": robots in order of the tasks' importance, 0 for nobody. Nobody at the end is
+  // left out, as a ballot does not tell it from bits that fill its last byte.
   std::string describe(std::span<const std::uint8_t> bytes) const {
     if (!vote || bytes.empty()) return "no vote";
     const std::size_t robots = scram::most_tasks(bytes.size(), team_size);

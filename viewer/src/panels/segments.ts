@@ -11,7 +11,13 @@ const rowsBefore = 40;
 const rowsAfter = 10;
 const mostLetters = 90; // of what a segment says
 
-const fates = { "": "all segments", sent: "sent", lost: "sent, not heard by all", dropped: "dropped", refused: "refused" };
+const fates = {
+  "": "all segments",
+  sent: "sent",
+  lost: "sent, not heard by all",
+  dropped: "dropped",
+  refused: "refused",
+};
 
 export class SegmentPanel {
   private readonly side = element("select", { "aria-label": "Team", id: "segment-side" });
@@ -136,7 +142,11 @@ export class SegmentPanel {
     const then = element("td", { class: later(segment.at), title: this.fateTitle(segment) }, fateText(segment));
     return row(
       [
-        element("td", {}, element("button", { class: "link", type: "button", "data-time": String(from) }, timeText(from))),
+        element(
+          "td",
+          {},
+          element("button", { class: "link", type: "button", "data-time": String(from) }, timeText(from)),
+        ),
         who,
         named(plugin, {}, `${plugin}, place ${place}`),
         this.says(segment),
@@ -162,7 +172,8 @@ export class SegmentPanel {
     const { heard, undelivered, lost } = this.reach(segment);
     const part = (title: string, text: string, later: boolean, warn = false) =>
       cell.append(element("span", { title, class: `${later ? "muted" : ""} ${warn ? "warn" : ""}`.trim() }, text), " ");
-    for (const { robot, time } of heard) part(`robot ${robot} heard it at ${timeText(time, 2)}`, `${robot}`, time > now);
+    for (const { robot, time } of heard)
+      part(`robot ${robot} heard it at ${timeText(time, 2)}`, `${robot}`, time > now);
     for (const { robot, time, why } of undelivered)
       part(`came to robot ${robot} at ${timeText(time, 2)}`, `${robot}: ${words(why)}`, time > now, true);
     if (!segment.left) part("its radio was silent, or it may not send", "the packet never left", false, true);
