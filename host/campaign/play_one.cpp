@@ -80,6 +80,7 @@ class JobRecording {
       why_not_ = error.what();
       return;
     }
+    observer_.segments = true;
     observer_.step = [this](const match::Snapshot& snapshot) { write([&] { file_->stepped(snapshot); }); };
     observer_.event = [this](double time, const match::Event& event, const match::GameState& state) {
       write([&] { file_->event(time, event, state); });

@@ -95,6 +95,7 @@ int play_prepared(const MatchOptions& options, std::vector<std::string> words, c
   };
   match::AfterDecision after;
   if (log || recording) {
+    observer.segments = true;
     observer.step = [&](const match::Snapshot& snapshot) {
       if (log) log->stepped(snapshot);
       if (recording) recording->stepped(snapshot);

@@ -12,7 +12,7 @@
 
 namespace regista::markup {
 
-// Keys and words are names of this program: nothing in them needs to be escaped.
+// Keys and words are names of this program: nothing in them needs to be escaped. Texts may hold any UTF-8.
 class JsonText {
  public:
   JsonText() : memory_(4096), end_(memory_.data()) {}
@@ -24,6 +24,26 @@ class JsonText {
     first_ = true;
   }
   std::string_view text() const { return {memory_.data(), static_cast<std::size_t>(end_ - memory_.data())}; }
+
+  JsonText& string(std::string_view text) {
+    constexpr std::size_t longest_escape = 6;
+    begin_value(longest_escape * text.size() + 3);
+    *end_++ = '"';
+    for (const char each : text) {
+      const auto byte = static_cast<unsigned char>(each);
+      if (each == '"' || each == '\\') *end_++ = '\\';
+      if (byte >= 0x20) {
+        *end_++ = each;
+        continue;
+      }
+      constexpr char digits[] = "0123456789abcdef";
+      put("\\u00");
+      *end_++ = digits[byte >> 4];
+      *end_++ = digits[byte & 15u];
+    }
+    *end_++ = '"';
+    return *this;
+  }
 
   JsonText& key(std::string_view name) {
     begin_value(name.size() + 4);

@@ -86,6 +86,8 @@ struct Observer {
   std::function<void(const Snapshot&)> step;
   std::function<void(const Decision&)> decision;
   PhysicsLog* physics_log = nullptr;  // of what is done to the bodies, for Replay
+  // Minds that this match creates (teams.hpp) keep journals of their segments, for AfterDecision.
+  bool segments = false;
 };
 
 // Plays. home, away: a mind for each robot, number n at n - 1. Throws std::invalid_argument when the setup cannot be

@@ -272,6 +272,16 @@ std::vector<MetricRow> numbers_of_coordination() {
   return rows;
 }
 
+// How many segments of a team's mailboxes came to something.
+MetricRow segments(const char* what, const char* meaning, std::int64_t SegmentMetrics::*count) {
+  return {.part = "packets",
+          .name = std::string("segments_") + what,
+          .unit = "segments",
+          .total = Total::sum,
+          .meaning = meaning,
+          .get = [count](const Source& from) { return from.team().segments.*count; }};
+}
+
 std::vector<MetricRow> numbers_of_packets() {
   const std::string_view part = "packets";
   return {
@@ -312,6 +322,21 @@ std::vector<MetricRow> numbers_of_packets() {
        .meaning =
            "what is left of the budget when the clock of the match shows 1, 2, 3 ... minutes, through all halves",
        .get = [](const Source& from) { return reals(from.team().budget_curve); }},
+      segments("offered", "bytes that plugins offered for packets through their mailboxes, those refused left out",
+               &SegmentMetrics::offered),
+      segments("refused",
+               "offers that were refused: too long for any packet, expired already, too many pending, or senseless",
+               &SegmentMetrics::refused),
+      segments("sent", "of those offered: left a robot in a packet, whatever the radio made of it",
+               &SegmentMetrics::sent),
+      segments("dropped",
+               "of those offered: expired, replaced or withdrawn before a packet took them. What is neither sent nor "
+               "dropped was pending at the end",
+               &SegmentMetrics::dropped),
+      segments("heard",
+               "segments that reached a plugin of a teammate: each of those sent counts once for every teammate that "
+               "heard it",
+               &SegmentMetrics::heard),
   };
 }
 

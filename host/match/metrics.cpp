@@ -42,6 +42,12 @@ void Metrics::decided(Side side, int number, const mind::Outcome& outcome, bool 
                       const GameState& state) {
   const bool plays = state.phase == mind::Phase::playing && !state.is_penalised(side, number);
   tenures_[index(side)].decided(number, outcome.role, time, plays);
+  SegmentMetrics& segments = result_.teams[index(side)].segments;
+  segments.offered += outcome.segments.offered;
+  segments.refused += outcome.segments.refused;
+  segments.sent += outcome.segments.sent;
+  segments.dropped += outcome.segments.dropped;
+  segments.heard += outcome.segments.heard;
   took(side, number, outcome, sees_ball, state);
 }
 

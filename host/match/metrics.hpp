@@ -30,6 +30,11 @@
 
 namespace regista::match {
 
+// What became of the segments of a team's mailboxes; see mind/world/segment_counts.hpp.
+struct SegmentMetrics {
+  std::int64_t offered = 0, refused = 0, sent = 0, dropped = 0, heard = 0;
+};
+
 struct TeamMetrics {
   TeamMetrics();
   CoordinationMetrics coordination;
@@ -42,6 +47,7 @@ struct TeamMetrics {
   int packets = 0;                     // sent, charged or not delivered as too long
   std::vector<int> packets_by_reason;  // REGISTA_EVENT_*
   std::vector<int> budget_curve;       // packets left when the clock of the match shows 1, 2, ... minutes
+  SegmentMetrics segments;
   int falls = 0, penalties = 0, kicks = 0, touches = 0;
 };
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mind/percepts.hpp"
+#include "mind/world/segment_counts.hpp"
 
 namespace regista::mind {
 
@@ -45,6 +46,7 @@ struct Outcome {
   int context = -1;              // of the team's contexts, -1 = none holds
   std::vector<int> kept;         // tasks that the filter kept: rows of the table of roles, ascending
   std::optional<Target> target;  // nothing without a task
+  SegmentCounts segments;        // of this decision
 
   // As it is handed to a mind; keeps the memory.
   void clear() {
@@ -57,6 +59,7 @@ struct Outcome {
     context = -1;
     kept.clear();
     target.reset();
+    segments = {};
   }
 };
 

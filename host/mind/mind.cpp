@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "config/packet_share.hpp"
 #include "mind/assembly.hpp"
@@ -31,11 +32,11 @@ void tell(const Decision& decision, Outcome& out) {
 }  // namespace
 
 struct Mind::Parts {
-  Parts(const TeamPlan& team_plan, int own_number, std::uint64_t seed, plugin::Noting noting)
+  Parts(const TeamPlan& team_plan, int own_number, std::uint64_t seed, plugin::Noting noting, Journal journal)
       : plan(team_plan),
         number(own_number),
         caller{team_plan.team().name, own_number, 0, noting, &rooms},
-        mailboxes(static_cast<std::size_t>(team_plan.rules().messages.size)),
+        mailboxes(static_cast<std::size_t>(team_plan.rules().messages.size), journal == Journal::kept),
         assembly(team_plan, own_number, seed, mailboxes, caller),
         // In braces: the order of evaluation, and so of creating plugins, is that of the text.
         world{team_plan, own_number, assembly.local_model(), assembly.team_model()},
@@ -82,8 +83,8 @@ struct Mind::Parts {
   std::vector<Segment> segments;
 };
 
-Mind::Mind(const TeamPlan& plan, int number, std::uint64_t seed, plugin::Noting noting)
-    : parts_(std::make_unique<Parts>(plan, number, seed, noting)) {}
+Mind::Mind(const TeamPlan& plan, int number, std::uint64_t seed, plugin::Noting noting, Journal journal)
+    : parts_(std::make_unique<Parts>(plan, number, seed, noting, journal)) {}
 Mind::~Mind() = default;
 Mind::Mind(Mind&&) noexcept = default;
 Mind& Mind::operator=(Mind&&) noexcept = default;
@@ -91,6 +92,7 @@ Mind& Mind::operator=(Mind&&) noexcept = default;
 const Decision& Mind::decision() const { return parts_->coordination.decision(); }
 const WorldModel& Mind::world() const { return parts_->world; }
 std::span<const regista_event> Mind::events() const { return parts_->events; }
+std::span<const SegmentEvent> Mind::segments() const { return std::as_const(parts_->mailboxes).journal(); }
 int Mind::number() const { return parts_->number; }
 
 void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, Outcome& out) {
@@ -109,6 +111,8 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   out.command = parts.act(percepts);
   parts.decide_to_send(percepts, out);
   tell(decision, out);
+  out.segments = parts.mailboxes.take_counts();
+  parts.mailboxes.complete_journal();
   parts.first = false;
   ++parts.caller.tick;
 }
@@ -120,11 +124,19 @@ void Mind::Parts::hear(std::span<const HeardPacket> heard) {
 void Mind::Parts::listen_to(const HeardPacket& packet) {
   const std::optional<Report> report = decode(packet.bytes, limits, segments);
   // What is no packet of this team, or claims to be one's own or to come from the future, is noise.
-  if (!report || report->sender == number || report->time_sent > now + time_rounding) return;
+  const auto is_noise = [&](const Report& told) {
+    return told.sender == number || told.time_sent > now + time_rounding;
+  };
+  if (!report) {
+    const std::optional<Report> core = decode_core(packet.bytes, limits);
+    if (core && !is_noise(*core)) mailboxes.wrong_length(core->sender, core->time_sent, packet.time_heard);
+    return;
+  }
+  if (is_noise(*report)) return;
   world.hear(*report, now);
   team_sent_at = std::max(team_sent_at, report->time_sent);
-  for (const Segment& segment : segments) {
-    mailboxes.deliver(segment, report->sender, report->time_sent, packet.time_heard);
+  for (std::size_t at = 0; at < segments.size(); ++at) {
+    mailboxes.deliver(segments[at], static_cast<int>(at), report->sender, report->time_sent, packet.time_heard);
   }
 }
 

@@ -14,17 +14,22 @@
 #include "mind/coordination/decision.hpp"
 #include "mind/percepts.hpp"
 #include "mind/team_plan.hpp"
+#include "mind/world/segment_journal.hpp"
 #include "mind/world/world_model.hpp"
 #include "plugin/call_note.hpp"
 
 namespace regista::mind {
 
+// Whether a mind keeps a journal of what its plugins say to teammates. It costs memory and time and changes nothing.
+enum class Journal { none, kept };
+
 class Mind {
  public:
   // `plan` outlives the mind. `seed`: of the match and the side; every plugin instance gets its own stream of it.
-  // `noting`: where calls of plugins are noted, if anywhere; outlives the mind.
+  // `noting`: where calls of plugins are noted, if anywhere; outlives the mind. `journal`: of its segments, see below.
   // Throws plugin::Failure when a plugin cannot be created.
-  Mind(const TeamPlan& plan, int number, std::uint64_t seed, plugin::Noting noting = {});
+  Mind(const TeamPlan& plan, int number, std::uint64_t seed, plugin::Noting noting = {},
+       Journal journal = Journal::none);
   ~Mind();
   Mind(Mind&&) noexcept;
   Mind& operator=(Mind&&) noexcept;
@@ -36,6 +41,8 @@ class Mind {
   const Decision& decision() const;
   const WorldModel& world() const;
   std::span<const regista_event> events() const;
+  // What became of segments at the last decision, in the order in which it happened; nothing without a journal.
+  std::span<const SegmentEvent> segments() const;
   int number() const;
 
  private:

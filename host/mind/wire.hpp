@@ -77,9 +77,14 @@ void visit(Archive& archive, Target& target) {
 }
 
 template <class Archive>
+void visit(Archive& archive, SegmentCounts& segments) {
+  archive(segments.offered, segments.refused, segments.sent, segments.dropped, segments.heard);
+}
+
+template <class Archive>
 void visit(Archive& archive, Outcome& outcome) {
   archive(outcome.command, outcome.send, outcome.send_reason, outcome.packet, outcome.role, outcome.assignment,
-          outcome.context, outcome.kept, outcome.target);
+          outcome.context, outcome.kept, outcome.target, outcome.segments);
 }
 
 inline void write_heard(config::BytesOut& bytes, std::span<const HeardPacket> heard) {

@@ -39,6 +39,8 @@ struct AnswerRooms {
   // Sender
   GuardedValue<regista_send> send;
   GuardedRoom<std::uint64_t> granted{1};
+  // Mailbox
+  GuardedRoom<char> text{1};
 };
 
 }  // namespace regista::plugin

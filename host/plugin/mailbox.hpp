@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 
 #include "plugin/instance.hpp"
 
@@ -18,6 +20,8 @@ class Mailbox {
   void transmitted(std::uint64_t handle);  // the offer left in a packet just now
   void dropped(std::uint64_t handle);      // it expired, was replaced or withdrawn
   void receive(const regista_message& message);
+  // For recordings: what these bytes of the plugin say, in one line; empty when it has no words for them.
+  std::string describe(std::span<const std::uint8_t> bytes);
 
  private:
   Mailbox(std::shared_ptr<Instance> instance, const regista_mailbox* calls);

@@ -73,7 +73,19 @@ DecisionLog::DecisionLog(Write write, const std::array<const mind::TeamPlan*, 2>
       {{"kind", "match"}, {"time", 0.0}, {"teams", {plans[0]->team().name, plans[1]->team().name}}, {"seed", seed}}));
 }
 
+void DecisionLog::write_segments(const mind::Mind& mind, const match::Decision& turn) {
+  for (const mind::SegmentEvent& event : mind.segments()) {
+    const std::uint64_t handle = sent_.follow(turn.side, mind.number(), event);
+    segment_.clear();
+    segment_.open('{').key("kind").word("segment").key("time").number(turn.time);
+    recording::write(segment_, {turn.side, mind.number(), event, handle, turn.packet_charged});
+    segment_.close('}');
+    write_(std::string(segment_.text()) + '\n');
+  }
+}
+
 void DecisionLog::decided(const mind::Mind& mind, const match::Decision& turn) {
+  write_segments(mind, turn);
   const match::Side side = turn.side;
   const std::size_t i = match::index(side);
   Last& last = last_[i][static_cast<std::size_t>(mind.number() - 1)];

@@ -5,6 +5,8 @@
 //   decision  of a robot, when context, kept tasks, assignment or own role changed or a packet was sent: what it
 //             believed, what it chose, what it sent (a packet that was charged, not one that it may not or cannot
 //             send). In the field frame of its own team.
+//   segment   of bytes that a plugin offered for a packet: offered, refused, sent, dropped, heard by a teammate, or not
+//             delivered, and why
 //   event     of the referee
 //   truth     once a second: all robots ([x, y, heading]), the ball, the score. In the field frame of the home team; a
 //             half turn about the centre leads to that of the away team.
@@ -18,9 +20,11 @@
 #include <string_view>
 #include <vector>
 
+#include "markup/json_text.hpp"
 #include "match/match.hpp"
 #include "mind/mind.hpp"
 #include "mind/team_plan.hpp"
+#include "recording/segment_record.hpp"
 
 namespace regista::recording {
 
@@ -39,6 +43,8 @@ class DecisionLog {
   void stepped(const match::Snapshot& snapshot);
 
  private:
+  void write_segments(const mind::Mind& mind, const match::Decision& turn);
+
   // What a line was last written for.
   struct Last {
     int context = -2, role = -2;
@@ -49,6 +55,8 @@ class DecisionLog {
   std::array<std::vector<Last>, 2> last_;  // by side and number
   std::array<std::vector<std::string>, 2> role_names_;
   std::uint64_t steps_ = 0;
+  SentSegments sent_;
+  markup::JsonText segment_;
   Write write_;
 };
 

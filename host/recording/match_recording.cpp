@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string_view>
 
 #include "markup/json_text.hpp"
@@ -12,6 +13,7 @@
 #include "mcap/writer.hpp"
 #include "mind/world/packet.hpp"
 #include "recording/schemas.hpp"
+#include "recording/segment_record.hpp"
 
 namespace regista::recording {
 namespace {
@@ -201,6 +203,7 @@ struct MatchRecording::Parts {
     json.open('{').key("time").number(time);
   }
 
+  void write_segments(const mind::Mind& mind, const match::Decision& turn);
   void write_decision(Last& robot, match::Side side, const mind::Mind& mind, double time);
   void write_belief(Last& robot, match::Side side, const mind::Mind& mind, double time);
 
@@ -209,16 +212,32 @@ struct MatchRecording::Parts {
   mcap::Writer writer;
   JsonText json;
   mcap::ChannelId game{}, events{}, packets{}, heard{};
-  std::uint32_t game_count = 0, event_count = 0, packet_count = 0, heard_count = 0;
+  std::optional<mcap::ChannelId> segment_channel;  // from the first segment on: most teams have none
+  std::uint32_t game_count = 0, event_count = 0, packet_count = 0, heard_count = 0, segment_count = 0;
   std::array<mind::PacketLimits, 2> limits;
   std::array<bool, 2> with_common{};  // a context of the team uses what all can know
   std::vector<mind::Segment> segments;
+  SentSegments sent;
   std::array<std::vector<Last>, 2> last;  // by side and number
   std::uint64_t steps = 0;
   double chunk_began = 0.0;
   int half = 1;
   mind::Phase phase = mind::Phase::initial;
 };
+
+void MatchRecording::Parts::write_segments(const mind::Mind& mind, const match::Decision& turn) {
+  for (const mind::SegmentEvent& event : mind.segments()) {
+    if (!segment_channel) {
+      segment_channel =
+          writer.add_channel("/segment", "json", writer.add_schema("segment", "jsonschema", schema::segment()));
+    }
+    const std::uint64_t handle = sent.follow(turn.side, mind.number(), event);
+    begin(turn.time);
+    recording::write(json, {turn.side, mind.number(), event, handle, turn.packet_charged});
+    json.close('}');
+    write(*segment_channel, turn.time, segment_count);
+  }
+}
 
 void MatchRecording::Parts::write_decision(Last& robot, match::Side side, const mind::Mind& mind, double time) {
   const mind::Decision& decision = mind.decision();
@@ -305,6 +324,7 @@ void MatchRecording::decided(const mind::Mind& mind, const match::Decision& turn
     parts.json.key("bytes").integer(static_cast<std::int64_t>(turn.outcome.packet.size())).close('}');
     parts.write(parts.packets, time, parts.packet_count);
   }
+  parts.write_segments(mind, turn);
   const bool kept_same = std::ranges::equal(last.kept, decision.columns, {}, {}, &regista_task::id);
   const bool changed =
       !kept_same || role_changed || last.context != decision.context || last.assignment != decision.role_of;

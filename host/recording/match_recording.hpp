@@ -7,6 +7,7 @@
 //   /event                 of the referee, when it happens
 //   /packet                when it is sent and charged, by whom and why
 //   /heard                 when a robot hears a packet of another
+//   /segment               what becomes of the bytes that plugins offer for packets; only where they offer some
 //   /decision/<side>/<n>   of a robot, when its context, kept tasks, assignment or role changed,
 //                          when another robot has taken the same role or play begins, and after 5 s without any of
 //                          these

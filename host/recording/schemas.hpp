@@ -113,6 +113,36 @@ inline std::string heard() {
                 "heard");
 }
 
+inline std::string segment() {
+  using namespace part;
+  const auto one_of = [](std::string_view words) { return R"({"type":"string","enum":[)" + std::string(words) + "]}"; };
+  return object(
+      {{"time", described(number, "s since the match began, of the decision that it is of")},
+       {"side", side},
+       {"robot", described(integer, "whose mind it is of")},
+       {"segment", one_of(R"("offered","refused","sent","dropped","heard","undelivered")")},
+       {"why",
+        described(one_of(R"("senseless","too_long","too_many_places","too_many_pending","expired","replaced",)"
+                         R"("withdrawn","unknown_place","no_mailbox","wrong_length")"),
+                  "it is refused, dropped or not delivered"),
+        true},
+       {"place", described(integer, "of the plugin among those of the mind, from 0"), true},
+       {"plugin", described(R"({"type":"string"})", "its id; empty where the place is not known"), true},
+       {"handle", described(integer, "of the offer: one number for each robot that offers"), true},
+       {"length", described(integer, "bytes that were offered"), true},
+       {"bytes", described(R"({"type":"string"})", "two hexadecimal digits each"), true},
+       {"text", described(R"({"type":"string"})", "what the plugin says that they say"), true},
+       {"urgency", described(or_null(number), "0 to 1; 1 is worth a packet of its own"), true},
+       {"expires", described(or_null(number), "s since the match began"), true},
+       {"by", described(integer, "handle of the offer that replaced it"), true},
+       {"at", described(integer, "which segment of its packet, from 0"), true},
+       {"left", described(R"({"type":"boolean"})", "of what is sent: the packet left the robot"), true},
+       {"sender", described(integer, "who sent what is heard or not delivered"), true},
+       {"sent", described(number, "s since the match began"), true},
+       {"heard", described(number, "s since the match began: when it arrived"), true}},
+      "segment");
+}
+
 inline std::string decision() {
   using namespace part;
   const std::string task = object({{"role", role}, {"before", pose}, {"after", or_null(pose)}});

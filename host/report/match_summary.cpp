@@ -45,6 +45,13 @@ std::string packets(const match::TeamMetrics& team, int charged, int budget, con
   return out + '\n';
 }
 
+// A team whose plugins say nothing to each other has no such line.
+std::string segments(const match::SegmentMetrics& counts) {
+  if (counts.offered + counts.refused == 0) return "";
+  return fmt::format("  segments offered {}, {} of them sent, {} dropped; heard {}; refused {}\n", counts.offered,
+                     counts.sent, counts.dropped, counts.heard, counts.refused);
+}
+
 std::string table(const match::TeamMetrics& team, const std::vector<std::string>& names) {
   std::size_t width = 4;
   for (const std::string& role : names) width = std::max(width, role.size());
@@ -85,6 +92,7 @@ std::string summary_text(const campaign::PlayedMatch& match) {
     out += fmt::format("\n{} ({})\n", match.teams[i], match::name(side));
     out += table(team, match.role_names[i]);
     out += packets(team, result.packets[i], match.budget, match.packets_share);
+    out += segments(team.segments);
     if (const double silent = team.coordination.silent_seconds; silent > 0.0) {
       out += fmt::format("  silent for the last {:.0f} s of play\n", silent);
     }

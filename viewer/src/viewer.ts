@@ -19,6 +19,7 @@ import { Head } from "./panels/head";
 import { MatchPanel } from "./panels/match";
 import { OverlapList } from "./panels/overlaps";
 import { RobotPanel } from "./panels/robot";
+import { SegmentPanel, hasSegments } from "./panels/segments";
 import type { Side } from "./recording/about";
 import type { Match } from "./recording/match";
 import { isGoal } from "./recording/messages";
@@ -29,6 +30,7 @@ const panelTexts: Record<PanelName, string> = {
   overlaps: "Overlaps",
   robot: "Robot",
   compare: "Compare",
+  segments: "Segments",
   match: "Match",
 };
 const layerTexts: Record<LayerName, [string, string]> = {
@@ -53,6 +55,7 @@ export class Viewer {
   private readonly list: OverlapList;
   private readonly robotPanel: RobotPanel;
   private readonly comparePanel: ComparePanel;
+  private readonly segmentPanel: SegmentPanel;
   private readonly matchPanel: MatchPanel;
   private readonly address: Address;
   private readonly computed: readonly [string[], string[]]; // by side: names of what its positioners compute
@@ -91,6 +94,7 @@ export class Viewer {
     this.comparePanel = new ComparePanel(byId("panel-compare"), byId("tab-row"), match, (pair) =>
       this.state.set({ pair }),
     );
+    this.segmentPanel = new SegmentPanel(byId("panel-segments"), match, (time) => this.state.set({ time }));
     this.matchPanel = new MatchPanel(byId("panel-match"), match, name, (time) => this.state.set({ time }));
     this.address = new Address(() => {
       const { time, robot, panel, pair } = this.state.view;
@@ -179,6 +183,7 @@ export class Viewer {
     scrub.setAttribute("aria-valuetext", timeText(view.time));
     if (view.panel === "overlaps") this.list.update(view.time, true);
     if (view.panel === "robot") this.robotPanel.update(view);
+    if (view.panel === "segments") this.segmentPanel.update(view.time);
     if (view.panel === "compare") {
       this.followPair(view);
       this.comparePanel.update(this.state.view);
@@ -282,6 +287,9 @@ export class Viewer {
       key(["o"], "o", "list of overlaps", () => this.state.set({ panel: "overlaps" })),
       key(["r"], "r", "the chosen robot", () => this.state.set({ panel: "robot" })),
       key(["c"], "c", "comparison", () => this.state.set({ panel: "compare" })),
+      key(["s"], "s", "segments of packets, if there are any", () => {
+        if (hasSegments(this.match)) this.state.set({ panel: "segments" });
+      }),
       key(["m"], "m", "sums, events, recording", () => this.state.set({ panel: "match" })),
       ...layerNames.map((layer) => {
         const [text, name] = layerTexts[layer];
@@ -367,6 +375,7 @@ export class Viewer {
         panelTexts[panel],
       );
       tab.addEventListener("click", () => this.state.set({ panel }));
+      tab.hidden = panel === "segments" && !hasSegments(this.match);
       byId("tabs").append(tab);
     }
     for (const layer of layerNames) {

@@ -16,6 +16,7 @@ export interface Change {
   message?: (topic: string, message: Json, index: number) => unknown; // what is written instead; undefined: nothing
   raw?: (topic: string, index: number) => string | undefined; // text in place of a message
   chunkBytes?: number;
+  segments?: boolean; // plugins talk: see segmentsAt
 }
 
 // Half a minute of play between 10 and 50 s.
@@ -49,6 +50,39 @@ export function posesAt(time: number): [number[][], number[][]] {
       [2, 0.03 * time, -3.1],
     ],
   ];
+}
+
+// Robot 2 of home offers a bid 0.4 s before each of its packets, which takes it along: robot 1 hears all of them, robot
+// 3 each second one, but that of 20 s reaches no plugin of it. Robot 3 offers twice and sends nothing; robot 1 offers
+// too much at 15 s, and something at 59 s that stays pending.
+export function segmentsAt(time: number): Json[] {
+  const at = (when: number) => Math.abs(time - when) < 1e-6;
+  const base = { time, side: "home", place: 7, plugin: "bids" };
+  const offer = { length: 2, bytes: "0a1f", urgency: 0.5, expires: time + 3 };
+  const out: Json[] = [];
+  const round = Math.round((time + 0.4) / 5);
+  if (round > 0 && at(5 * round - 0.4))
+    out.push({
+      ...{ ...base, ...offer, robot: 2, segment: "offered", handle: round },
+      text: `bid ${round} for “striker”`,
+    });
+  const sent = Math.round(time / 5);
+  if (sent > 0 && at(5 * sent)) out.push({ ...base, robot: 2, segment: "sent", handle: sent, at: 0, left: true });
+  const heard = Math.round((time - 0.1) / 5);
+  if (heard > 0 && at(5 * heard + 0.1)) {
+    const came = { sender: 2, sent: 5 * heard, heard: 5 * heard + 0.05 };
+    const hearing = { ...base, ...came, segment: "heard", handle: heard, at: 0 };
+    out.push({ ...hearing, robot: 1 });
+    if (heard === 4) out.push({ ...hearing, robot: 3, segment: "undelivered", why: "no_mailbox" });
+    else if (heard % 2 === 0) out.push({ ...hearing, robot: 3 });
+  }
+  if (at(12)) out.push({ ...base, ...offer, robot: 3, segment: "offered", handle: 1 });
+  if (at(12.5)) out.push({ ...base, robot: 3, segment: "dropped", handle: 1, why: "replaced", by: 2 });
+  if (at(12.5)) out.push({ ...base, ...offer, robot: 3, segment: "offered", handle: 2, bytes: "ff00" });
+  if (at(15.5)) out.push({ ...base, robot: 3, segment: "dropped", handle: 2, why: "expired" });
+  if (at(15)) out.push({ ...base, ...offer, robot: 1, segment: "refused", why: "too_long", length: 300, bytes: "" });
+  if (at(59)) out.push({ ...base, ...offer, robot: 1, segment: "offered", handle: 1 });
+  return out;
 }
 
 const tables = ["striker", "defender"];
@@ -247,6 +281,7 @@ export async function recording(change: Change = {}): Promise<Uint8Array> {
       await put("/heard", { time: time + 0.05, side: "home", robot: 1, sender: 2, sent: time });
       if (i % 100 === 0) await put("/heard", { time: time + 0.05, side: "home", robot: 3, sender: 2, sent: time });
     }
+    if (change.segments === true) for (const segment of segmentsAt(time)) await put("/segment", segment);
     await put("/game", {
       time,
       half: 1,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace regista::mind {
 namespace {
@@ -11,16 +12,21 @@ constexpr std::size_t longest_core = 24 + 11 + 4 * Report::most_opponents;
 constexpr std::size_t most_places = 256;
 constexpr std::size_t most_pending = 64;  // offers of one instance
 constexpr std::size_t longest_bytes = 255;
+
+using Kind = SegmentEvent::Kind;
+using Why = SegmentEvent::Why;
 }  // namespace
 
 struct Mailboxes::Endpoint {
   Mailboxes* owner = nullptr;
   std::size_t place = 0;
   regista_host host{};
+  const char* plugin = "";
   std::optional<plugin::Mailbox> mailbox;  // none when the plugin takes no messages
 };
 
-Mailboxes::Mailboxes(std::size_t packet_size) : packet_size_(packet_size) {
+Mailboxes::Mailboxes(std::size_t packet_size, bool keeps_journal)
+    : packet_size_(packet_size), journal_(keeps_journal ? std::make_unique<SegmentJournal>() : nullptr) {
   constexpr std::size_t usual = 64;  // offers that wait; more take more memory
   waiting_.reserve(usual);
   dropped_.reserve(usual);
@@ -45,7 +51,7 @@ const regista_host* Mailboxes::open() {
     auto& waiting = self->owner->waiting_;
     const auto found = std::ranges::find_if(
         waiting, [&](const Waiting& each) { return each.offer.handle == handle && each.place == self->place; });
-    if (found != waiting.end()) self->owner->drop(found);
+    if (found != waiting.end()) self->owner->drop(found, Why::withdrawn);
   };
   endpoint.host.bytes_free = [](void* context) {
     return static_cast<std::uint32_t>(static_cast<Endpoint*>(context)->owner->longest_segment());
@@ -56,6 +62,7 @@ const regista_host* Mailboxes::open() {
 
 void Mailboxes::connect(const std::shared_ptr<plugin::Instance>& instance) {
   assert(!endpoints_.empty());
+  endpoints_.back()->plugin = instance->plugin().descriptor->id;
   endpoints_.back()->mailbox = plugin::Mailbox::of(instance);
 }
 
@@ -66,26 +73,87 @@ std::size_t Mailboxes::longest_segment() const {
 
 std::uint64_t Mailboxes::offer(std::size_t place, std::span<const std::uint8_t> bytes, double urgency, double expiry,
                                int medium, std::uint64_t replaces) {
-  const bool sensible = place < most_places && bytes.size() <= longest_segment() && urgency >= 0.0 && urgency <= 1.0 &&
-                        medium == REGISTA_MEDIUM_RADIO && expiry > now_ && (bytes.data() != nullptr || bytes.empty());
-  if (!sensible) return 0;
+  Why wrong = Why::none;
+  if (place >= most_places) wrong = Why::too_many_places;
+  if (bytes.size() > longest_segment()) wrong = Why::too_long;
+  if (!(expiry > now_)) wrong = Why::expired;
+  const bool sensible =
+      urgency >= 0.0 && urgency <= 1.0 && medium == REGISTA_MEDIUM_RADIO && (bytes.data() != nullptr || bytes.empty());
+  if (!sensible) wrong = Why::senseless;
+  if (wrong != Why::none) {
+    refuse(place, bytes, urgency, expiry, wrong);
+    return 0;
+  }
   const auto replaced = std::ranges::find_if(waiting_, [&](const Waiting& each) {
     return replaces != 0 && each.offer.handle == replaces && each.place == place;
   });
-  if (replaced != waiting_.end()) drop(replaced);
+  const bool replaces_one = replaced != waiting_.end();
   const auto pending = std::ranges::count_if(waiting_, [&](const Waiting& each) { return each.place == place; });
-  if (static_cast<std::size_t>(pending) >= most_pending) return 0;
+  if (!replaces_one && static_cast<std::size_t>(pending) >= most_pending) {
+    refuse(place, bytes, urgency, expiry, Why::too_many_pending);
+    return 0;
+  }
+  ++last_handle_;
+  if (replaces_one) drop(replaced, Why::replaced);
   Waiting& waiting = waiting_.emplace_back();
-  waiting.offer = {++last_handle_, static_cast<std::uint32_t>(bytes.size() + segment_heading), medium, urgency, expiry};
+  waiting.offer = {last_handle_, static_cast<std::uint32_t>(bytes.size() + segment_heading), medium, urgency, expiry};
   waiting.place = place;
   std::ranges::copy(bytes, waiting.bytes.begin());
+  ++counts_.offered;
+  if (SegmentEvent* const event = note(Kind::offered, Why::none, place)) {
+    event->handle = last_handle_;
+    event->urgency = urgency;
+    event->expiry = expiry;
+    event->length = bytes.size();
+    event->bytes.assign(bytes.begin(), bytes.end());
+  }
   return last_handle_;
 }
 
+void Mailboxes::refuse(std::size_t place, std::span<const std::uint8_t> bytes, double urgency, double expiry, Why why) {
+  ++counts_.refused;
+  SegmentEvent* const event = note(Kind::refused, why, place);
+  if (event == nullptr) return;
+  event->urgency = urgency;
+  event->expiry = expiry;
+  event->length = bytes.size();
+  // A plugin may offer as many as it likes: a recording needs no more than a packet could ever take.
+  if (bytes.data() != nullptr && bytes.size() <= longest_bytes) event->bytes.assign(bytes.begin(), bytes.end());
+}
+
 // A plugin replaces and withdraws from within its own calls, and calls are never re-entrant: it is told later.
-void Mailboxes::drop(std::vector<Waiting>::iterator offer) {
+std::vector<Mailboxes::Waiting>::iterator Mailboxes::drop(std::vector<Waiting>::iterator offer, Why why) {
   dropped_.push_back({offer->offer.handle, offer->place});
-  waiting_.erase(offer);
+  ++counts_.dropped;
+  if (SegmentEvent* const event = note(Kind::dropped, why, offer->place)) {
+    event->handle = offer->offer.handle;
+    if (why == Why::replaced) event->replaced_by = last_handle_;
+  }
+  return waiting_.erase(offer);
+}
+
+SegmentEvent* Mailboxes::note(Kind kind, Why why, std::size_t place) {
+  return journal_ == nullptr ? nullptr : &journal_->add(kind, why, now_, static_cast<int>(place));
+}
+
+SegmentCounts Mailboxes::take_counts() { return std::exchange(counts_, {}); }
+
+std::span<const SegmentEvent> Mailboxes::journal() const {
+  if (journal_ == nullptr) return {};
+  return std::as_const(*journal_).events();
+}
+
+void Mailboxes::complete_journal() {
+  if (journal_ == nullptr) return;
+  for (SegmentEvent& event : journal_->events()) {
+    if (event.place < 0 || static_cast<std::size_t>(event.place) >= endpoints_.size()) continue;
+    Endpoint& endpoint = *endpoints_[static_cast<std::size_t>(event.place)];
+    event.plugin = endpoint.plugin;
+    const bool whole = event.bytes.size() == event.length;
+    if ((event.kind == Kind::offered || event.kind == Kind::refused) && whole && endpoint.mailbox) {
+      event.text = endpoint.mailbox->describe(event.bytes);
+    }
+  }
 }
 
 // What plugins drop while they are told is for the next time.
@@ -100,13 +168,9 @@ void Mailboxes::tell_dropped() {
 
 void Mailboxes::begin(double now) {
   now_ = now;
+  if (journal_ != nullptr) journal_->begin();
   for (auto each = waiting_.begin(); each != waiting_.end();) {
-    if (each->offer.expiry > now) {
-      ++each;
-      continue;
-    }
-    dropped_.push_back({each->offer.handle, each->place});
-    each = waiting_.erase(each);
+    each = each->offer.expiry > now ? each + 1 : drop(each, Why::expired);
   }
   tell_dropped();
 }
@@ -123,20 +187,38 @@ std::uint32_t Mailboxes::bytes_free() const {
 }
 
 void Mailboxes::load(std::span<const std::uint64_t> granted, std::vector<std::uint8_t>& packet) {
+  int at = 0;
   for (const std::uint64_t handle : granted) {
     const auto found = std::ranges::find_if(waiting_, [&](const Waiting& each) { return each.offer.handle == handle; });
     if (found == waiting_.end() || packet.size() + found->offer.bytes > packet_size_) continue;
     const std::span<const std::uint8_t> bytes(found->bytes.data(), found->offer.bytes - segment_heading);
     append_segment({static_cast<int>(found->place), bytes}, packet);
     Endpoint& endpoint = *endpoints_[found->place];
+    ++counts_.sent;
+    if (SegmentEvent* const event = note(Kind::sent, Why::none, found->place)) {
+      event->handle = handle;
+      event->at = at;
+    }
+    ++at;
     waiting_.erase(found);
     if (endpoint.mailbox) endpoint.mailbox->transmitted(handle);
   }
 }
 
-void Mailboxes::deliver(const Segment& segment, int sender, double time_sent, double time_heard) {
+void Mailboxes::deliver(const Segment& segment, int at, int sender, double time_sent, double time_heard) {
   const auto place = static_cast<std::size_t>(segment.place);
-  if (place >= endpoints_.size() || !endpoints_[place]->mailbox) return;
+  const bool known = place < endpoints_.size();
+  const bool taken = known && endpoints_[place]->mailbox;
+  if (taken) ++counts_.heard;
+  const Why why = taken ? Why::none : known ? Why::no_mailbox : Why::unknown_place;
+  if (SegmentEvent* const event = note(taken ? Kind::heard : Kind::undelivered, why, place)) {
+    event->bytes.assign(segment.bytes.begin(), segment.bytes.end());
+    event->at = at;
+    event->sender = sender;
+    event->time_sent = time_sent;
+    event->time_heard = time_heard;
+  }
+  if (!taken) return;
   regista_message message{};
   message.sender = sender;
   message.medium = REGISTA_MEDIUM_RADIO;
@@ -145,6 +227,14 @@ void Mailboxes::deliver(const Segment& segment, int sender, double time_sent, do
   message.bytes = segment.bytes.data();
   message.count = static_cast<std::uint32_t>(segment.bytes.size());
   endpoints_[place]->mailbox->receive(message);
+}
+
+void Mailboxes::wrong_length(int sender, double time_sent, double time_heard) {
+  if (journal_ == nullptr) return;
+  SegmentEvent& event = journal_->add(Kind::undelivered, Why::wrong_length, now_, -1);
+  event.sender = sender;
+  event.time_sent = time_sent;
+  event.time_heard = time_heard;
 }
 
 }  // namespace regista::mind

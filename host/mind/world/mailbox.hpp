@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The mailboxes of one robot's plugins: what they offer for the next packets, what left, what arrived. Every plugin
 // instance has a place, numbered in the order of the team's page, so that bytes find the same place in the minds of the
-// teammates. Segments: see packet.hpp.
+// teammates. Segments: see packet.hpp. What becomes of them is counted, and kept in a journal where somebody records.
 #pragma once
 
 #include <array>
@@ -12,14 +12,16 @@
 #include <vector>
 
 #include "mind/world/packet.hpp"
+#include "mind/world/segment_counts.hpp"
+#include "mind/world/segment_journal.hpp"
 #include "plugin/kinds.hpp"
 
 namespace regista::mind {
 
 class Mailboxes {
  public:
-  // `packet_size` in bytes; room is kept for the largest core.
-  explicit Mailboxes(std::size_t packet_size);
+  // `packet_size` in bytes; room is kept for the largest core. `keeps_journal`: see journal().
+  explicit Mailboxes(std::size_t packet_size, bool keeps_journal = false);
   ~Mailboxes();
   Mailboxes(const Mailboxes&) = delete;
   Mailboxes& operator=(const Mailboxes&) = delete;
@@ -36,7 +38,17 @@ class Mailboxes {
   std::uint32_t bytes_free() const;
   // Appends the granted offers that fit to the packet and tells their plugins.
   void load(std::span<const std::uint64_t> granted, std::vector<std::uint8_t>& packet);
-  void deliver(const Segment& segment, int sender, double time_sent, double time_heard);
+  // `at`: which segment of its packet, from 0.
+  void deliver(const Segment& segment, int at, int sender, double time_sent, double time_heard);
+  // The segments of a packet do not end where it does: nobody gets them.
+  void wrong_length(int sender, double time_sent, double time_heard);
+
+  // What was counted since the last call.
+  SegmentCounts take_counts();
+  // What became of segments since begin(), in the order in which it happened; nothing where no journal is kept.
+  std::span<const SegmentEvent> journal() const;
+  // At the end of a decision: asks plugins what their offers say. Throws plugin::Failure.
+  void complete_journal();
 
  private:
   struct Endpoint;
@@ -51,7 +63,10 @@ class Mailboxes {
   };
   std::uint64_t offer(std::size_t place, std::span<const std::uint8_t> bytes, double urgency, double expiry, int medium,
                       std::uint64_t replaces);
-  void drop(std::vector<Waiting>::iterator offer);
+  std::vector<Waiting>::iterator drop(std::vector<Waiting>::iterator offer, SegmentEvent::Why why);
+  void refuse(std::size_t place, std::span<const std::uint8_t> bytes, double urgency, double expiry,
+              SegmentEvent::Why why);
+  SegmentEvent* note(SegmentEvent::Kind kind, SegmentEvent::Why why, std::size_t place);  // null: nobody records
   void tell_dropped();
   std::size_t longest_segment() const;
 
@@ -61,6 +76,8 @@ class Mailboxes {
   std::vector<Waiting> waiting_;
   std::vector<Dropped> dropped_, telling_;
   std::vector<regista_offer> listed_;
+  SegmentCounts counts_;
+  std::unique_ptr<SegmentJournal> journal_;
   std::vector<std::unique_ptr<Endpoint>> endpoints_;  // last: an instance may withdraw while it is destroyed
 };
 

@@ -76,6 +76,53 @@ class Reader {
 constexpr double millimetre = 1e-3, centimetre = 1e-2, decimetre = 0.1;
 constexpr double angle_step = 2.0 * pi / 65536.0;
 
+// Core, ball and opponents; `read` then stands at the first segment.
+std::optional<Report> read_core(Reader& read, const PacketLimits& limits) {
+  Report report;
+  const unsigned head = read.bits(1);
+  const unsigned flags = read.bits(1);
+  report.sender = static_cast<int>(head >> 3);
+  report.opponent_count = flags & count_mask;
+  if ((head & 7u) != version || report.sender < 1 || report.sender > limits.team_size) return std::nullopt;
+  if (report.opponent_count > Report::most_opponents || (flags & reserved_flags) != 0) return std::nullopt;
+  report.fallen = (flags & flag_fallen) != 0;
+  report.playing = (flags & flag_playing) != 0;
+  report.time_sent = read.number(1e-3, 3, false);
+  report.pose.x = read.number(millimetre, 2, true);
+  report.pose.y = read.number(millimetre, 2, true);
+  report.pose.heading = wrap(read.number(angle_step, 2, true));
+  report.position_deviation = read.number(centimetre, 1, false);
+  report.heading_deviation = read.number(0.01, 1, false);
+  report.velocity.x() = read.number(centimetre, 1, true);
+  report.velocity.y() = read.number(centimetre, 1, true);
+  report.target.x() = read.number(millimetre, 2, true);
+  report.target.y() = read.number(millimetre, 2, true);
+  const unsigned role = read.bits(1);
+  report.role = role == no_role ? -1 : static_cast<int>(role);
+  report.role_since = read.number(0.1, 2, false);
+  report.context = static_cast<int>(read.bits(1));
+  report.time_until_up = read.number(0.1, 1, false);
+  if (report.role >= limits.role_count || report.context >= std::max(limits.context_count, 1)) return std::nullopt;
+  if ((flags & flag_ball) != 0) {
+    ReportedBall& ball = report.ball.emplace();
+    ball.position.x() = read.number(millimetre, 2, true);
+    ball.position.y() = read.number(millimetre, 2, true);
+    ball.velocity.x() = read.number(millimetre, 2, true);
+    ball.velocity.y() = read.number(millimetre, 2, true);
+    ball.age = read.number(0.01, 2, false);
+    ball.deviation = read.number(centimetre, 1, false);
+  }
+  for (std::size_t i = 0; i < report.opponent_count; ++i) {
+    const std::uint32_t raw = read.bits(4);
+    ReportedOpponent& opponent = report.opponents[i];
+    opponent.position.x() = Reader::value_of(raw & 0xfffu, centimetre, 12, true);
+    opponent.position.y() = Reader::value_of(raw >> 12 & 0xfffu, centimetre, 12, true);
+    opponent.deviation = Reader::value_of(raw >> 24 & 15u, decimetre, 4, false);
+    opponent.age = Reader::value_of(raw >> 28, 0.5, 4, false);
+  }
+  return read.failed() ? std::nullopt : std::optional(report);
+}
+
 }  // namespace
 
 void encode(const Report& report, std::vector<std::uint8_t>& out) {
@@ -128,53 +175,19 @@ void append_segment(const Segment& segment, std::vector<std::uint8_t>& out) {
   out.insert(out.end(), segment.bytes.begin(), segment.bytes.end());
 }
 
+std::optional<Report> decode_core(std::span<const std::uint8_t> bytes, const PacketLimits& limits) {
+  if (bytes.size() > limits.size) return std::nullopt;
+  Reader read(bytes);
+  return read_core(read, limits);
+}
+
 std::optional<Report> decode(std::span<const std::uint8_t> bytes, const PacketLimits& limits,
                              std::vector<Segment>& segments) {
   segments.clear();
   if (bytes.size() > limits.size) return std::nullopt;
   Reader read(bytes);
-  Report report;
-  const unsigned head = read.bits(1);
-  const unsigned flags = read.bits(1);
-  report.sender = static_cast<int>(head >> 3);
-  report.opponent_count = flags & count_mask;
-  if ((head & 7u) != version || report.sender < 1 || report.sender > limits.team_size) return std::nullopt;
-  if (report.opponent_count > Report::most_opponents || (flags & reserved_flags) != 0) return std::nullopt;
-  report.fallen = (flags & flag_fallen) != 0;
-  report.playing = (flags & flag_playing) != 0;
-  report.time_sent = read.number(1e-3, 3, false);
-  report.pose.x = read.number(millimetre, 2, true);
-  report.pose.y = read.number(millimetre, 2, true);
-  report.pose.heading = wrap(read.number(angle_step, 2, true));
-  report.position_deviation = read.number(centimetre, 1, false);
-  report.heading_deviation = read.number(0.01, 1, false);
-  report.velocity.x() = read.number(centimetre, 1, true);
-  report.velocity.y() = read.number(centimetre, 1, true);
-  report.target.x() = read.number(millimetre, 2, true);
-  report.target.y() = read.number(millimetre, 2, true);
-  const unsigned role = read.bits(1);
-  report.role = role == no_role ? -1 : static_cast<int>(role);
-  report.role_since = read.number(0.1, 2, false);
-  report.context = static_cast<int>(read.bits(1));
-  report.time_until_up = read.number(0.1, 1, false);
-  if (report.role >= limits.role_count || report.context >= std::max(limits.context_count, 1)) return std::nullopt;
-  if ((flags & flag_ball) != 0) {
-    ReportedBall& ball = report.ball.emplace();
-    ball.position.x() = read.number(millimetre, 2, true);
-    ball.position.y() = read.number(millimetre, 2, true);
-    ball.velocity.x() = read.number(millimetre, 2, true);
-    ball.velocity.y() = read.number(millimetre, 2, true);
-    ball.age = read.number(0.01, 2, false);
-    ball.deviation = read.number(centimetre, 1, false);
-  }
-  for (std::size_t i = 0; i < report.opponent_count; ++i) {
-    const std::uint32_t raw = read.bits(4);
-    ReportedOpponent& opponent = report.opponents[i];
-    opponent.position.x() = Reader::value_of(raw & 0xfffu, centimetre, 12, true);
-    opponent.position.y() = Reader::value_of(raw >> 12 & 0xfffu, centimetre, 12, true);
-    opponent.deviation = Reader::value_of(raw >> 24 & 15u, decimetre, 4, false);
-    opponent.age = Reader::value_of(raw >> 28, 0.5, 4, false);
-  }
+  const std::optional<Report> report = read_core(read, limits);
+  if (!report) return std::nullopt;
   while (!read.failed() && read.left() > 0) {
     Segment segment;
     segment.place = static_cast<int>(read.bits(1));

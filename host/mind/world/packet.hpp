@@ -76,6 +76,9 @@ struct PacketLimits {
 void encode(const Report&, std::vector<std::uint8_t>& out);
 void append_segment(const Segment&, std::vector<std::uint8_t>& out);
 
+// The report of bytes whose segments need not end where they do; nothing, if there is none that makes sense.
+std::optional<Report> decode_core(std::span<const std::uint8_t> bytes, const PacketLimits&);
+
 // The report, and its segments into `segments` (views into `bytes`); nothing, if the bytes are no packet of this team.
 std::optional<Report> decode(std::span<const std::uint8_t> bytes, const PacketLimits&, std::vector<Segment>& segments);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <string>
 #include <vector>
 
 #include <regista/assigner.hpp>
@@ -48,12 +50,14 @@ struct Scram {
   regista::Mailbox mailbox;
   scram::BallotBox ballots;
   unsigned team_size = 0;
+  std::size_t roles = 0;
   std::uint64_t offer = 0;  // pending, 0 = none
   std::vector<std::uint8_t> offered, ballot;
   std::vector<std::int32_t> tasks, tasks_before, numbers, row_of_number, scratch;
 
   void setup(const regista::Environment& environment, regista::Mailbox way_out) {
-    const std::size_t robots = environment->team_size, roles = environment.roles().size();
+    const std::size_t robots = environment->team_size;
+    roles = environment.roles().size();
     mailbox = way_out;
     team_size = environment->team_size;
     solver.reserve(robots, roles);
@@ -94,6 +98,20 @@ struct Scram {
   }
   void transmitted(std::uint64_t handle) { forget(handle); }
   void dropped(std::uint64_t handle) { forget(handle); }
+
+  // "vote for tasks of print 5: 1 0 3": robots in order of the tasks' importance, 0 for nobody. Nobody at the end is
+  // left out, as a ballot does not tell it from bits that fill its last byte.
+  std::string describe(std::span<const std::uint8_t> bytes) const {
+    if (!vote || bytes.empty()) return "no vote";
+    const std::size_t robots = scram::most_tasks(bytes.size(), team_size);
+    std::vector<std::int32_t> named(std::min(robots, roles));
+    if (scram::ballot_bytes(named.size(), team_size) != bytes.size()) return "no vote of this team";
+    scram::read_ballot(bytes, team_size, named);
+    while (!named.empty() && named.back() == 0) named.pop_back();
+    std::string out = "vote for tasks of print " + std::to_string(scram::fingerprint_of(bytes)) + ':';
+    for (const std::int32_t number : named) out += ' ' + std::to_string(number);
+    return out;
+  }
 
  private:
   void choose_first_the_required(const regista::Span<regista::Task>& all) {

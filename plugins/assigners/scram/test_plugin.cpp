@@ -130,6 +130,15 @@ TEST(ScramPlugin, OtherTasksMakeVotesVoid) {
   EXPECT_EQ(assigner.assign(line().build(), Matrix(3, 3)), (Rows{0, 1, 2}));
 }
 
+TEST(ScramPlugin, SaysWhatAVoteIsFor) {
+  Instance assigner(scram_plugin(), EnvironmentBuilder{}.own(2), voting());
+  const std::string said = assigner.describe(vote_of_a_mirrored_robot(1));
+  EXPECT_EQ(said.substr(0, 24), "vote for tasks of print ");
+  EXPECT_EQ(said.substr(25), ": 3 2 1");
+  EXPECT_EQ(assigner.describe(std::vector<std::uint8_t>(40)), "no vote of this team");
+  EXPECT_EQ(assigner.describe({}), "no vote");
+}
+
 TEST(ScramPlugin, OneVoteIsPendingAlways) {
   Instance assigner(scram_plugin(), EnvironmentBuilder{}.own(2), voting());
   assigner.assign(line().build(), Matrix(3, 3));

@@ -34,6 +34,11 @@ inline std::size_t ballot_bytes(std::size_t tasks, unsigned team_size) {
   return (fingerprint_bits + tasks * static_cast<std::size_t>(std::bit_width(team_size)) + 7) / 8;
 }
 
+// Most tasks that a ballot of so many bytes, at least one, can be for.
+inline std::size_t most_tasks(std::size_t bytes, unsigned team_size) {
+  return (8 * bytes - fingerprint_bits) / static_cast<std::size_t>(std::bit_width(team_size));
+}
+
 // numbers: 0..team_size each. Fills `bytes` from its beginning.
 inline void write_ballot(std::uint8_t fingerprint, std::span<const std::int32_t> numbers, unsigned team_size,
                          std::vector<std::uint8_t>& bytes) {

@@ -654,6 +654,11 @@ typedef struct regista_mailbox {
   int32_t (*transmitted)(void* instance, uint64_t handle, regista_error* error); /* left in a packet just now */
   int32_t (*dropped)(void* instance, uint64_t handle, regista_error* error);     /* expired, replaced or withdrawn */
   int32_t (*receive)(void* instance, const regista_message* message, regista_error* error);
+  /* What these bytes of this plugin say, in one line of UTF-8 for people, with its NUL at most `capacity` bytes. Null,
+   * or beyond the size of the table: the plugin has none. Called only for recordings, and a recording must not change
+   * the match: so it changes nothing. */
+  int32_t (*describe)(void* instance, const uint8_t* bytes, uint32_t count, char* text, uint32_t capacity,
+                      regista_error* error);
 } regista_mailbox;
 
 /* What an instance may call, only from within its own calls. Lives as long as the instance. */

@@ -5,10 +5,18 @@
 //   void receive(const regista::Message&);              a teammate's segment arrived
 //   void transmitted(std::uint64_t handle);             optional: an offer left in a packet
 //   void dropped(std::uint64_t handle);                 optional: it expired, was replaced or withdrawn
+//   std::string describe(std::span<const std::uint8_t>) const;
+//                                                       optional: what these bytes of the plugin say, in one line of
+//                                                       UTF-8 for people; what is too long is cut
 #pragma once
 
+#include <algorithm>
+#include <concepts>
 #include <cstdint>
+#include <cstring>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include <regista/abi.h>
 
@@ -52,15 +60,48 @@ concept takes_messages = requires(Class& plugin, const Message& message) {
   plugin.receive(message);
 };
 
+template <class Class>
+concept describes_messages = requires(const Class& plugin, std::span<const std::uint8_t> bytes) {
+  { plugin.describe(bytes) } -> std::convertible_to<std::string>;
+};
+
 namespace detail {
 template <class Body>
 std::int32_t guarded(regista_error* error, Body&& body) noexcept;
+
+// As much of the text as fits with its NUL, cut between two characters.
+inline void put_text(std::string_view text, char* out, std::uint32_t capacity) {
+  if (capacity == 0) return;
+  const auto continues = [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0u) == 0x80u; };
+  std::size_t length = std::min<std::size_t>(text.size(), capacity - 1);
+  while (length > 0 && length < text.size() && continues(text[length])) --length;
+  std::memcpy(out, text.data(), length);
+  out[length] = '\0';
 }
+
+using Describe = decltype(regista_mailbox::describe);
+
+template <class Class>
+constexpr Describe describe_call() {
+  if constexpr (describes_messages<Class>) {
+    return [](void* instance, const std::uint8_t* bytes, std::uint32_t count, char* text, std::uint32_t capacity,
+              regista_error* error) {
+      return guarded(error, [&] {
+        const std::string said = static_cast<const Class*>(instance)->describe(std::span(bytes, count));
+        put_text(said, text, capacity);
+      });
+    };
+  } else {
+    return nullptr;
+  }
+}
+}  // namespace detail
 
 template <takes_messages Class>
 const regista_mailbox* mailbox_table() {
   static constexpr regista_mailbox table{
-      sizeof(regista_mailbox), 0,
+      sizeof(regista_mailbox),
+      0,
       [](void* instance, std::uint64_t handle, regista_error* error) {
         return detail::guarded(error, [&] {
           if constexpr (requires(Class & plugin) { plugin.transmitted(handle); }) {
@@ -77,7 +118,8 @@ const regista_mailbox* mailbox_table() {
       },
       [](void* instance, const regista_message* message, regista_error* error) {
         return detail::guarded(error, [&] { static_cast<Class*>(instance)->receive(Message(*message)); });
-      }};
+      },
+      detail::describe_call<Class>()};
   return &table;
 }
 

@@ -3,6 +3,7 @@
 #include <regista/testkit/check_descriptor.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <set>
 #include <string>
 #include <string_view>

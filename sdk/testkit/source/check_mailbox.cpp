@@ -21,7 +21,8 @@ Findings check_mailbox(const Loaded& plugin, const Options& options, std::uint32
             call();
           } catch (const CallFailed& failure) {
             const std::string text = failure.what();
-            for (const char* broken : {"across the boundary", "did not say why", "more than one line", "returned "}) {
+            for (const char* broken : {"across the boundary", "did not say why", "more than one line", "returned ",
+                                       "capacity", "says another thing"}) {
               if (text.find(broken) != std::string::npos) f.say(text);
             }
           }
@@ -31,6 +32,11 @@ Findings check_mailbox(const Loaded& plugin, const Options& options, std::uint32
           for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(dice.bits());
           const int sender = dice.integer(0, 1) == 0 ? 1 : dice.integer(3, 7);
           attempt([&] { instance.receive(sender, bytes, 0.1 * k, 0.1 * k + 0.05); });
+          attempt([&] {
+            if (instance.describe(bytes) != instance.describe(bytes)) {
+              throw CallFailed("describe: says another thing of the same bytes");
+            }
+          });
         }
         const auto handle = instance.host().offers.empty() ? 1 : instance.host().offers.front().handle;
         attempt([&] { instance.transmitted(handle); });

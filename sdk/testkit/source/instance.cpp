@@ -3,10 +3,12 @@
 #include <regista/testkit/instance.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace regista::testkit {
 
@@ -288,6 +290,28 @@ void Instance::receive(int sender, std::span<const std::uint8_t> bytes, double t
   const regista_message message{
       sender, REGISTA_MEDIUM_RADIO, time_sent, time_heard, bytes.data(), static_cast<std::uint32_t>(bytes.size()), 0};
   call("receive", [&](regista_error* error) { return t.receive(instance_, &message, error); });
+}
+
+std::string Instance::describe(std::span<const std::uint8_t> bytes) {
+  const auto& t = table<regista_mailbox>(plugin_, REGISTA_KIND_MAILBOX, "mailbox");
+  if (t.size < offsetof(regista_mailbox, describe) + sizeof t.describe || t.describe == nullptr) return {};
+  constexpr std::uint32_t capacity = 64;  // less than hosts give
+  Guarded<char> text(capacity);
+  text.data()[0] = '\0';
+  const std::uint8_t none = 0;
+  const std::uint8_t* const data = bytes.empty() ? &none : bytes.data();
+  call(
+      "describe",
+      [&](regista_error* error) {
+        return t.describe(instance_, data, static_cast<std::uint32_t>(bytes.size()), text.data(), capacity, error);
+      },
+      [&] { text.check("describe"); });
+  const std::string_view whole(text.data(), capacity);
+  const std::size_t end = whole.find('\0');
+  if (end == std::string_view::npos) throw CallFailed("describe: the text does not end within its capacity");
+  const std::string_view said = whole.substr(0, end);
+  if (said.find('\n') != std::string_view::npos) throw CallFailed("describe: more than one line");
+  return std::string(said);
 }
 
 }  // namespace regista::testkit

@@ -351,12 +351,13 @@ PLACE(regista_message, bytes, 24);
 PLACE(regista_message, count, 32);
 PLACE(regista_message, reserved, 36);
 
-SIZE(regista_mailbox, 32);
+SIZE(regista_mailbox, 40);
 PLACE(regista_mailbox, size, 0);
 PLACE(regista_mailbox, reserved, 4);
 PLACE(regista_mailbox, transmitted, 8);
 PLACE(regista_mailbox, dropped, 16);
 PLACE(regista_mailbox, receive, 24);
+PLACE(regista_mailbox, describe, 32);
 
 SIZE(regista_host, 40);
 PLACE(regista_host, size, 0);

@@ -175,12 +175,15 @@ struct unguarded_mailbox {
   template <class>
   static const void* table() {
     static constexpr regista_mailbox calls{
-        sizeof(regista_mailbox), 0, [](void*, std::uint64_t, regista_error*) -> std::int32_t { return REGISTA_OK; },
+        sizeof(regista_mailbox),
+        0,
+        [](void*, std::uint64_t, regista_error*) -> std::int32_t { return REGISTA_OK; },
         [](void*, std::uint64_t, regista_error*) -> std::int32_t { return REGISTA_OK; },
         [](void*, const regista_message* message, regista_error*) -> std::int32_t {
           if (message->count < 4) throw std::runtime_error("too short");
           return REGISTA_OK;
-        }};
+        },
+        nullptr};
     return &calls;
   }
 };

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
 #include <vector>
 
 namespace regista::match {
@@ -74,6 +75,18 @@ TEST_F(Course, AccountsPacketsByReason) {
   EXPECT_EQ(team.packets, 3);
   EXPECT_EQ(team.packets_by_reason[0], 1);
   EXPECT_EQ(team.packets_by_reason[5], 2);
+}
+
+TEST_F(Course, SegmentsAreCountedInEveryPhase) {
+  mind::Outcome outcome;
+  outcome.segments = {.offered = 5, .refused = 1, .sent = 2, .dropped = 2, .heard = 7};
+  decide(Side::away, 1, outcome);
+  state.phase = mind::Phase::ready;
+  decide(Side::away, 2, outcome, 0.1);
+  metrics.crashed(Side::away, 2, state);
+  const SegmentMetrics home = result().teams[0].segments, away = result().teams[1].segments;
+  EXPECT_EQ(home.offered + home.refused + home.sent + home.dropped + home.heard, 0);
+  EXPECT_EQ(std::tuple(away.offered, away.refused, away.sent, away.dropped, away.heard), std::tuple(10, 2, 4, 4, 14));
 }
 
 TEST_F(Course, SilenceIsOfOneTeam) {

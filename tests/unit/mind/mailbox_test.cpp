@@ -7,6 +7,8 @@
 
 #include <functional>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "in_process.hpp"
 #include "regista/utility.hpp"
@@ -51,6 +53,12 @@ struct Box {
     });
   }
 
+  std::string describe(std::span<const std::uint8_t> bytes) const {
+    if (inside) throw std::logic_error("called from within its own call");
+    ++asked;
+    return std::to_string(bytes.size()) + " bytes";
+  }
+
   template <class Body>
   void during(Body&& body) {
     if (inside) throw std::logic_error("called from within its own call");
@@ -59,25 +67,36 @@ struct Box {
     inside = false;
   }
 
+  static inline int asked = 0;  // to describe bytes
   Mailbox mailbox;
   std::string log;
   double sent = 0.0, heard = 0.0;
   bool inside = false;
 };
 
+// Takes no messages.
+struct Mute {
+  static constexpr auto id = "mute", version = "1.0.0", summary = "Says and hears nothing";
+  void score(const Frame&, Utilities) {}
+};
+
 class MailboxTest : public testing::Test {
  protected:
+  MailboxTest() { Box::asked = 0; }
   ~MailboxTest() override {
     Box::in_score = Box::in_dropped = Box::in_transmitted = Box::in_receive = Box::in_destroy = nullptr;
   }
 
   // A robot's mailboxes with one box.
   struct Robot {
-    explicit Robot(std::size_t packet_size = 128) : mailboxes(packet_size) { add(); }
+    explicit Robot(std::size_t packet_size = 128, bool journal = false) : mailboxes(packet_size, journal) { add(); }
+    void add() { add<Box>(); }
+    void add_mute() { add<Mute>(); }
+    template <class Class>
     void add() {
       regista_environment environment{};
       environment.own_number = 1;
-      const auto instance = in_process<Box, utility>(environment, mailboxes.open());
+      const auto instance = in_process<Class, utility>(environment, mailboxes.open());
       mailboxes.connect(instance);
       instances.push_back(instance);
     }
@@ -135,7 +154,7 @@ TEST_F(MailboxTest, AnOfferTravelsToTheSamePlaceOfATeammate) {
   std::vector<Segment> segments;
   ASSERT_TRUE(decode(packet, {.team_size = 7, .role_count = 1, .context_count = 1, .size = 128}, segments));
   ASSERT_EQ(segments.size(), 1u);
-  two.mailboxes.deliver(segments[0], 3, 1.5, 1.6);
+  two.mailboxes.deliver(segments[0], 0, 3, 1.5, 1.6);
   EXPECT_EQ(two.log(0), "");
   two.within(
       [](Box& box) {
@@ -149,8 +168,8 @@ TEST_F(MailboxTest, AnOfferTravelsToTheSamePlaceOfATeammate) {
 TEST_F(MailboxTest, PlacesThatDoNotExistHearNothing) {
   Robot robot;
   const Bytes bytes{1};
-  robot.mailboxes.deliver({1, bytes}, 2, 0.0, 0.0);
-  robot.mailboxes.deliver({255, bytes}, 2, 0.0, 0.0);
+  robot.mailboxes.deliver({1, bytes}, 0, 2, 0.0, 0.0);
+  robot.mailboxes.deliver({255, bytes}, 1, 2, 0.0, 0.0);
   EXPECT_EQ(robot.log(), "");
 }
 
@@ -286,6 +305,137 @@ TEST_F(MailboxTest, WhatDoesNotFitStaysPending) {
   EXPECT_EQ(robot.pending(), Handles{second});
   EXPECT_EQ(robot.log(), "t1 t3 ");
   EXPECT_EQ(Robot(55).mailboxes.bytes_free(), 0u);
+}
+
+// --- What recorders and reports are told -----------------------------------------------------------------------------
+
+class JournalTest : public MailboxTest {
+ protected:
+  // "offered 1 box 0 [7,8] 'two bytes'; dropped 1 expired", of what happened since the last begin().
+  static std::string told(Robot& robot) {
+    robot.mailboxes.complete_journal();
+    std::string out;
+    for (const SegmentEvent& event : robot.mailboxes.journal()) {
+      if (!out.empty()) out += "; ";
+      out += word(event.kind);
+      if (event.handle != 0) out += ' ' + std::to_string(event.handle);
+      if (event.why != SegmentEvent::Why::none) out += std::string(" ") + word(event.why);
+      if (event.replaced_by != 0) out += " by " + std::to_string(event.replaced_by);
+      if (event.sender != 0) out += " from " + std::to_string(event.sender);
+    }
+    return out;
+  }
+  static std::vector<std::uint32_t> counted(Robot& robot) {
+    const SegmentCounts counts = robot.mailboxes.take_counts();
+    return {counts.offered, counts.refused, counts.sent, counts.dropped, counts.heard};
+  }
+  using Counts = std::vector<std::uint32_t>;
+};
+
+TEST_F(JournalTest, FollowsEachOfferToItsEnd) {
+  Robot robot(128, true);
+  robot.mailboxes.begin(1.0);
+  const auto first = robot.offer({7, 8}, 3.0);
+  const auto second = robot.offer({9}, 100.0, first);
+  robot.within([&](Box& box) { box.mailbox.withdraw(second); });
+  const auto third = robot.offer({1, 2, 3});
+  const auto fourth = robot.offer({4}, 2.0);
+  Bytes packet(55);
+  robot.mailboxes.load(Handles{third, 99}, packet);
+  EXPECT_EQ(told(robot),
+            "offered 1; dropped 1 replaced by 2; offered 2; dropped 2 withdrawn; offered 3; offered 4; sent 3");
+  const SegmentEvent& offered = robot.mailboxes.journal()[0];
+  EXPECT_EQ(offered.bytes, (Bytes{7, 8}));
+  EXPECT_EQ(offered.length, 2u);
+  EXPECT_EQ(std::tuple(offered.time, offered.place, offered.urgency, offered.expiry), std::tuple(1.0, 0, 0.5, 3.0));
+  EXPECT_STREQ(offered.plugin, "box");
+  EXPECT_EQ(offered.text, "2 bytes");
+  EXPECT_EQ(counted(robot), (Counts{4, 0, 1, 2, 0}));
+
+  robot.mailboxes.begin(2.0);
+  EXPECT_EQ(told(robot), "dropped " + std::to_string(fourth) + " expired");
+  EXPECT_EQ(robot.mailboxes.journal()[0].time, 2.0);
+  EXPECT_EQ(counted(robot), (Counts{0, 0, 0, 1, 0}));
+  robot.mailboxes.begin(2.1);
+  EXPECT_EQ(told(robot), "");
+  EXPECT_EQ(counted(robot), (Counts{0, 0, 0, 0, 0}));
+}
+
+TEST_F(JournalTest, SaysWhichSegmentOfItsPacketItIs) {
+  Robot robot(128, true);
+  const auto first = robot.offer({1}), large = robot.offer(Bytes(71)), third = robot.offer({3});
+  robot.mailboxes.begin(1.0);
+  Bytes packet(60);
+  robot.mailboxes.load(Handles{third, large, first}, packet);
+  std::vector<std::pair<std::uint64_t, int>> sent;
+  for (const SegmentEvent& event : robot.mailboxes.journal()) {
+    if (event.kind == SegmentEvent::Kind::sent) sent.emplace_back(event.handle, event.at);
+  }
+  EXPECT_EQ(sent, (std::vector<std::pair<std::uint64_t, int>>{{third, 0}, {first, 1}})) << "the large one does not fit";
+}
+
+TEST_F(JournalTest, SaysWhyAnOfferIsRefused) {
+  Robot robot(128, true);
+  robot.mailboxes.begin(1.0);
+  robot.within([](Box& box) {
+    box.mailbox.offer(Bytes(72), 0.5, 10.0);
+    box.mailbox.offer(Bytes(300), 0.5, 10.0);
+    box.mailbox.offer(Bytes(1), 1.1, 10.0);
+    box.mailbox.offer(Bytes(1), 0.5, 1.0);
+    for (int k = 0; k < 65; ++k) box.mailbox.offer(Bytes(1), 0.5, 10.0);
+  });
+  robot.mailboxes.complete_journal();
+  std::string why;
+  for (const SegmentEvent& event : robot.mailboxes.journal()) {
+    if (event.kind == SegmentEvent::Kind::refused) why += std::string(word(event.why)) + ' ';
+  }
+  EXPECT_EQ(why, "too_long too_long senseless expired too_many_pending ");
+  const SegmentEvent &long_one = robot.mailboxes.journal()[0], &huge = robot.mailboxes.journal()[1];
+  EXPECT_EQ(std::tuple(long_one.length, long_one.bytes.size(), long_one.text), std::tuple(72u, 72u, "72 bytes"));
+  EXPECT_EQ(std::tuple(huge.length, huge.bytes.size(), huge.text), std::tuple(300u, 0u, ""));
+  EXPECT_EQ(counted(robot), (Counts{64, 5, 0, 0, 0}));
+}
+
+TEST_F(JournalTest, SaysWhatCameAndWhatWentNowhere) {
+  Robot robot(128, true);
+  robot.add_mute();
+  robot.mailboxes.begin(2.0);
+  const Bytes bytes{5, 6};
+  robot.mailboxes.deliver({0, bytes}, 0, 3, 1.5, 1.75);
+  robot.mailboxes.deliver({1, bytes}, 1, 3, 1.5, 1.75);
+  robot.mailboxes.deliver({9, bytes}, 2, 3, 1.5, 1.75);
+  robot.mailboxes.wrong_length(4, 1.25, 1.5);
+  EXPECT_EQ(told(robot),
+            "heard from 3; undelivered no_mailbox from 3; undelivered unknown_place from 3; "
+            "undelivered wrong_length from 4");
+  const std::span<const SegmentEvent> journal = robot.mailboxes.journal();
+  EXPECT_EQ(journal[0].bytes, bytes);
+  EXPECT_EQ(std::tuple(journal[0].time, journal[0].time_sent, journal[0].time_heard), std::tuple(2.0, 1.5, 1.75));
+  EXPECT_EQ(std::tuple(journal[0].at, journal[1].at, journal[2].at), std::tuple(0, 1, 2));
+  EXPECT_STREQ(journal[1].plugin, "mute");
+  EXPECT_STREQ(journal[2].plugin, "");
+  EXPECT_EQ(journal[3].place, -1);
+  EXPECT_EQ(counted(robot), (Counts{0, 0, 0, 0, 1}));
+}
+
+TEST_F(JournalTest, WhatIsOfferedWhileItIsCreatedStandsWithTheFirstDecision) {
+  Robot robot(128, true);
+  robot.offer({1});
+  robot.mailboxes.begin(0.0);
+  EXPECT_EQ(told(robot), "offered 1");
+  robot.mailboxes.begin(0.1);
+  EXPECT_EQ(told(robot), "");
+}
+
+TEST_F(JournalTest, NobodyRecordsNobodyIsAsked) {
+  Robot robot;
+  robot.mailboxes.begin(1.0);
+  robot.offer({1});
+  robot.offer(Bytes(200));
+  robot.mailboxes.wrong_length(4, 1.0, 1.0);
+  EXPECT_EQ(told(robot), "");
+  EXPECT_EQ(counted(robot), (Counts{1, 1, 0, 0, 0}));
+  EXPECT_EQ(Box::asked, 0);
 }
 
 TEST_F(MailboxTest, AnInstanceMayWithdrawWhileItIsDestroyed) {

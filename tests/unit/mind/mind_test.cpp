@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <string>
+#include <tuple>
 
 #include "config/packet_share.hpp"
 #include "mind/world/packet.hpp"
@@ -16,8 +18,8 @@ namespace {
 // A team whose packets arrive at the next decision; nobody moves.
 class Squad {
  public:
-  explicit Squad(const TeamPlan& plan, std::vector<int> numbers) {
-    for (const int number : numbers) minds_.emplace_back(plan, number, 7);
+  explicit Squad(const TeamPlan& plan, std::vector<int> numbers, Journal journal = Journal::none) {
+    for (const int number : numbers) minds_.emplace_back(plan, number, 7, plugin::Noting{}, journal);
     outcomes_.resize(minds_.size());
   }
   // Percepts of robot `index` are changed by `given`.
@@ -144,6 +146,66 @@ TEST(MindTest, OffersTravelBetweenMinds) {
   EXPECT_EQ(squad.mind(0).decision().utility.terms()[1][0], 3.0 * (3 + 5));
   EXPECT_EQ(squad.mind(1).decision().utility.terms()[1][0], 3.0 * (2 + 5));
   EXPECT_EQ(squad.mind(2).decision().utility.terms()[1][0], 3.0 * (2 + 3));
+}
+
+TEST(MindTest, AJournalTellsOfSegmentsAndChangesNothing) {
+  const auto plan = plan_of(team());
+  Squad squad(*plan, {2, 3, 5}), recorded(*plan, {2, 3, 5}, Journal::kept);
+  const auto nothing = [](std::size_t, Percepts&) {};
+  SegmentCounts counted, told;
+  for (int k = 0; k <= 45; ++k) {
+    squad.decide(0.1 * k, nothing);
+    recorded.decide(0.1 * k, nothing);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(recorded.outcome(i).packet, squad.outcome(i).packet);
+      EXPECT_EQ(recorded.outcome(i).assignment, squad.outcome(i).assignment);
+      EXPECT_TRUE(squad.mind(i).segments().empty());
+      const SegmentCounts now = recorded.outcome(i).segments, without = squad.outcome(i).segments;
+      EXPECT_EQ(std::tuple(now.offered, now.refused, now.sent, now.dropped, now.heard),
+                std::tuple(without.offered, without.refused, without.sent, without.dropped, without.heard));
+      counted.offered += now.offered, counted.sent += now.sent;
+      counted.dropped += now.dropped, counted.heard += now.heard;
+      for (const SegmentEvent& event : recorded.mind(i).segments()) {
+        EXPECT_STREQ(event.plugin, "gossip");
+        EXPECT_EQ(event.time, 0.1 * k);
+        if (event.kind == SegmentEvent::Kind::offered) ++told.offered;
+        if (event.kind == SegmentEvent::Kind::sent) ++told.sent;
+        if (event.kind == SegmentEvent::Kind::dropped) ++told.dropped;
+        if (event.kind == SegmentEvent::Kind::heard) ++told.heard;
+      }
+    }
+  }
+  EXPECT_EQ(told.offered, counted.offered);
+  EXPECT_EQ(told.sent, counted.sent);
+  EXPECT_EQ(told.dropped, counted.dropped);
+  EXPECT_EQ(told.heard, counted.heard);
+  EXPECT_GT(told.dropped, 5u) << "an offer lives for 0.35 s, a packet leaves once a second";
+  EXPECT_GT(told.sent, 5u);
+  EXPECT_EQ(told.heard, 2 * told.sent) << "by both of the others";
+}
+
+TEST(MindTest, AJournalTellsOfSegmentsThatDoNotEndWithTheirPacket) {
+  const auto plan = plan_of(team());
+  Mind mind(*plan, 3, 1, {}, Journal::kept);
+  std::vector<std::uint8_t> good, cut, own;
+  encode(report(4, 0.9), good);
+  append_segment({200, std::vector<std::uint8_t>{1, 2}}, good);
+  cut = good;
+  cut.pop_back();
+  encode(report(3, 0.9), own);
+  own.push_back(200);
+  const std::vector<HeardPacket> heard{{0.95, good}, {0.96, cut}, {0.97, own}};
+  Outcome out;
+  mind.think(percepts(1.0), heard, out);
+  std::vector<std::tuple<std::string, int, double, double>> seen;
+  for (const SegmentEvent& event : mind.segments()) {
+    if (event.kind == SegmentEvent::Kind::undelivered) {
+      seen.emplace_back(word(event.why), event.sender, event.time_sent, event.time_heard);
+    }
+  }
+  const std::vector<std::tuple<std::string, int, double, double>> expected{{"unknown_place", 4, 0.9, 0.95},
+                                                                           {"wrong_length", 4, 0.9, 0.96}};
+  EXPECT_EQ(seen, expected) << "what claims to be one's own is noise";
 }
 
 // Whatever the predictors' luck: what is common is the same in all robots, what is their own is not.

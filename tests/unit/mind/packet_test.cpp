@@ -228,7 +228,13 @@ TEST(Packet, SegmentsFollowTheCoreAndAreViewsIntoTheBytes) {
     const bool at_a_border = cut == 2;  // only the empty segment is gone
     EXPECT_EQ(decode(shorter, limits, segments).has_value(), at_a_border) << cut;
     EXPECT_EQ(segments.empty(), !at_a_border) << "segments of a refused packet";
+    const std::optional<Report> core = decode_core(shorter, limits);
+    ASSERT_TRUE(core) << "whoever sent it is known all the same";
+    EXPECT_EQ(core->sender, 2);
   }
+  const std::span<const std::uint8_t> no_core(bytes.data(), 30);
+  EXPECT_FALSE(decode_core(no_core, limits)) << "the ball is cut";
+  EXPECT_FALSE(decode_core(std::vector<std::uint8_t>(129), limits));
 }
 
 // Buffers are exactly as long as the bytes, so that the sanitizers see a read past the end.

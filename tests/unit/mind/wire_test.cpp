@@ -69,9 +69,13 @@ auto members(Is<Target> auto& all) {
   auto& [x, y] = all;
   return std::tie(x, y);
 }
+auto members(Is<SegmentCounts> auto& all) {
+  auto& [offered, refused, sent, dropped, heard] = all;
+  return std::tie(offered, refused, sent, dropped, heard);
+}
 auto members(Is<Outcome> auto& all) {
-  auto& [command, send, reason, packet, role, assignment, context, kept, target] = all;
-  return std::tie(command, send, reason, packet, role, assignment, context, kept, target);
+  auto& [command, send, reason, packet, role, assignment, context, kept, target, segments] = all;
+  return std::tie(command, send, reason, packet, role, assignment, context, kept, target, segments);
 }
 
 // Any bits: infinities, signed noughts, what is not a number.

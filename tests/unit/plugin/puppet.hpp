@@ -38,9 +38,12 @@ struct Puppet {
     sender = {sizeof sender, 0,
               [](void*, const regista_frame*, regista_span, regista_span, const regista_budget*, regista_send*,
                  regista_error*) { return ok; }};
-    mailbox = {sizeof mailbox, 0, [](void*, std::uint64_t, regista_error*) { return ok; },
+    mailbox = {sizeof mailbox,
+               0,
                [](void*, std::uint64_t, regista_error*) { return ok; },
-               [](void*, const regista_message*, regista_error*) { return ok; }};
+               [](void*, std::uint64_t, regista_error*) { return ok; },
+               [](void*, const regista_message*, regista_error*) { return ok; },
+               [](void*, const std::uint8_t*, std::uint32_t, char*, std::uint32_t, regista_error*) { return ok; }};
   }
 
   static constexpr std::int32_t ok = REGISTA_OK;

@@ -55,6 +55,13 @@ std::string quantity(double value, int decimals) {
   return std::string(json.text());
 }
 
+TEST(JsonText, EscapesTextsOfOthers) {
+  const std::string text = "a \"b\" \\ \n\x01 \xc3\xbc";
+  JsonText json;
+  json.open('{').key("said").string(text).key("more").string("").close('}');
+  EXPECT_EQ(nlohmann::json::parse(json.text()), (nlohmann::json{{"said", text}, {"more", ""}}));
+}
+
 TEST(JsonText, WritesNumbersWithoutIdleDigits) {
   EXPECT_EQ(number(0.0, 3), "0");
   EXPECT_EQ(number(-0.0, 3), "0");

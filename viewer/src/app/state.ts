@@ -9,7 +9,7 @@ export interface Robot {
   number: number;
 }
 
-export const panelNames = ["overlaps", "robot", "compare", "match"] as const;
+export const panelNames = ["overlaps", "robot", "compare", "segments", "match"] as const;
 export type PanelName = (typeof panelNames)[number];
 
 // "computed": what the positioner computed, drawn only when wanted.

@@ -4,6 +4,7 @@
 import { Game, playing, sampleSeconds } from "../model/game";
 import { Packets } from "../model/packets";
 import { type RoleCourse, roleCourse } from "../model/roles";
+import { Segments } from "../model/segments";
 import { listText, timeText } from "../model/text";
 import { type About, type Side, UnreadableRecording, aboutOf, bothSides, sideNames } from "./about";
 import { WrongForm } from "./checked";
@@ -20,6 +21,7 @@ import {
   heardOf,
   packetOf,
   phases,
+  segmentOf,
 } from "./messages";
 
 export interface Match {
@@ -27,6 +29,7 @@ export interface Match {
   game: Game;
   events: EventMessage[];
   packets: Packets;
+  segments: Segments;
   decisions: [Log<Decision>[], Log<Decision>[]]; // by side and robot (n - 1)
   beliefs: [Log<Belief>[], Log<Belief>[]];
   courses: [RoleCourse, RoleCourse]; // by side
@@ -67,6 +70,7 @@ class Reading {
   game: Game | null = null;
   events: EventMessage[] = [];
   packets: Packets | null = null;
+  readonly segments = new Segments();
   decisions: [Log<Decision>[], Log<Decision>[]] = [[], []];
   beliefs: [Log<Belief>[], Log<Belief>[]] = [[], []];
   inPlay: [boolean[][], boolean[][]] = [[], []];
@@ -136,6 +140,8 @@ class Reading {
         const heard = heardOf(parsedJson(data));
         return this.whenKnown(() => this.packets!.addHeard(heard));
       }
+      case "/segment":
+        return this.segments.add(segmentOf(parsedJson(data)));
     }
     const [, kind, sideName, digits] = topic.split("/");
     const side = sideNames.indexOf(sideName as "home" | "away") as Side | -1;
@@ -203,6 +209,7 @@ export async function readMatch(bytes: Uint8Array, progress?: (share: number) =>
   }
 
   packets.close(game.end, reading.gaps);
+  reading.segments.close();
   for (const side of bothSides) {
     for (let n = 0; n < game.sizes[side]; ++n) {
       reading.decisions[side][n] ??= new Log(decisionOf);
@@ -215,6 +222,7 @@ export async function readMatch(bytes: Uint8Array, progress?: (share: number) =>
     about,
     game,
     packets,
+    segments: reading.segments,
     faults,
     gaps: reading.gaps,
     events: reading.events,

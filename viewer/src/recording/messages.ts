@@ -68,6 +68,30 @@ export interface HeardMessage {
   sent: number; // when it was sent
 }
 
+export const segmentEvents = ["offered", "refused", "sent", "dropped", "heard", "undelivered"] as const;
+
+// What became of bytes that a plugin offered for a packet; which fields hold something hangs on the event.
+export interface SegmentMessage {
+  time: number; // of the decision
+  side: Side;
+  robot: number; // whose mind it is of
+  segment: (typeof segmentEvents)[number];
+  why: string; // it is refused, dropped or not delivered
+  place: number; // of the plugin in the mind; -1: not known
+  plugin: string;
+  handle: number; // of the offer; 0: none
+  length: number | null;
+  bytes: string; // hexadecimal
+  text: string;
+  urgency: number | null;
+  expires: number | null;
+  by: number; // the offer that replaced it
+  left: boolean; // if sent: the packet left the robot
+  sender: number; // of what is heard or not delivered
+  sent: number;
+  heard: number;
+}
+
 export interface Task {
   role: number;
   before: Pose;
@@ -188,6 +212,34 @@ export function heardOf(json: unknown): HeardMessage {
     robot: checked.integer(m.robot, "robot"),
     sender: checked.integer(m.sender, "sender"),
     sent: checked.number(m.sent, "sent"),
+  };
+}
+
+export function segmentOf(json: unknown): SegmentMessage {
+  const m = checked.object(json, "the message");
+  const count = (key: string) => checked.integer(m[key] ?? 0, key);
+  const word = (key: string) => checked.text(m[key] ?? "", key);
+  const seconds = (key: string) => checked.number(m[key] ?? 0, key);
+  const known = (key: string) => (m[key] === undefined || m[key] === null ? null : checked.number(m[key], key));
+  return {
+    time: checked.number(m.time, "time"),
+    side: sideOf(m.side, "side"),
+    robot: checked.integer(m.robot, "robot"),
+    segment: checked.oneOf(m.segment, "segment", segmentEvents),
+    why: word("why"),
+    place: checked.integer(m.place ?? -1, "place"),
+    plugin: word("plugin"),
+    handle: count("handle"),
+    length: known("length"),
+    bytes: word("bytes"),
+    text: word("text"),
+    urgency: known("urgency"),
+    expires: known("expires"),
+    by: count("by"),
+    left: checked.boolean(m.left ?? true, "left"),
+    sender: count("sender"),
+    sent: seconds("sent"),
+    heard: seconds("heard"),
   };
 }
 

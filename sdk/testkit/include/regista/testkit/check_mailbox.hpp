@@ -9,7 +9,7 @@
 namespace regista::testkit {
 
 // Segments of any content may arrive (another version of the plugin may have written them). To refuse one is sound; to
-// break the rules of every call is not.
+// break the rules of every call is not. What it says of bytes, if anything, is one line that ends, and always the same.
 Findings check_mailbox(const Loaded& plugin, const Options& options, std::uint32_t subject);
 
 }  // namespace regista::testkit

@@ -102,6 +102,8 @@ class Instance {
   void transmitted(std::uint64_t handle);
   void dropped(std::uint64_t handle);
   void receive(int sender, std::span<const std::uint8_t> bytes, double time_sent, double time_heard);
+  // What the plugin says that these bytes say; empty when it has no words.
+  std::string describe(std::span<const std::uint8_t> bytes);
 
  private:
   Loaded plugin_;
