@@ -56,6 +56,7 @@ class IsolatedMatch {
         note_(note) {
     for (const match::Side side : match::both_sides)
       setup_.roles[match::index(side)] = match::roles(*plans[match::index(side)]);
+    setup_.reasons[match::index(side)] = plans[match::index(side)]->reasons();
     // A death of either interrupts the sleep for the other.
     struct sigaction action {};
     action.sa_handler = [](int) {};
@@ -139,7 +140,8 @@ class IsolatedMatch {
       damaged(side, number);
     }
     const std::string why =
-        match::unsound(out, setup_.robots[match::index(side)], setup_.roles[match::index(side)].size());
+        match::unsound(out, setup_.robots[match::index(side)], setup_.roles[match::index(side)].size(),
+                       setup_.reasons[match::index(side)].size());
     if (!why.empty()) throw Fault(noted(side, "its mind handed over an outcome that is not sound: " + why), false);
   }
 

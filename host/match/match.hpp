@@ -35,6 +35,8 @@ struct Setup {
   std::array<config::Robot, 2> robots;
   std::array<config::Disturbance, 2> disturbances;
   std::array<std::vector<Role>, 2> roles;  // the teams' tables of roles; Outcome::role is a row of it
+  // What their packets are sent for; Outcome::send_reason is one of them. Empty: the events of abi.h.
+  std::array<std::vector<std::string>, 2> reasons;
   std::uint64_t seed = 1;
   std::optional<double> limit;  // s of simulated time after which the match ends
   // The scene that it starts from, in play, instead of a kick-off; without a limit its length is one.

@@ -296,7 +296,7 @@ std::vector<MetricRow> numbers_of_packets() {
        .name = "packets_by_reason",
        .unit = "packets",
        .total = Total::sum,
-       .meaning = "those that the sender plugin sent for this reason",
+       .meaning = "those that the sender plugin sent for this reason: an event, or one that the plugin names",
        .get = [](const Source& from) { return from.team().packets_by_reason[from.member]; }},
       {.part = part,
        .name = "packets_share",
@@ -540,14 +540,10 @@ const std::vector<MetricRow>& metric_table() {
   return table;
 }
 
-std::vector<std::string> metric_members(const MetricRow& row, const std::vector<std::string>& roles) {
+std::vector<std::string> metric_members(const MetricRow& row, const std::vector<std::string>& roles,
+                                        const std::vector<std::string>& reasons) {
   if (row.of == Of::role) return roles;
-  if (row.of != Of::event) return {""};
-  std::vector<std::string> events;
-  for (int reason = 0; reason < static_cast<int>(TeamMetrics().packets_by_reason.size()); ++reason) {
-    events.emplace_back(reason_name(reason));
-  }
-  return events;
+  return row.of == Of::event ? reasons : std::vector<std::string>{""};
 }
 
 MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSource& source, const RoleNames& roles) {
@@ -563,7 +559,7 @@ MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSourc
     const std::vector<std::string>& own_roles = roles[index(side)];
     for (const MetricRow& row : table) {
       if (row.of != Of::team && row.of != Of::event) continue;
-      const std::vector<std::string> members = metric_members(row, own_roles);
+      const std::vector<std::string> members = metric_members(row, own_roles, from.team().reasons);
       for (from.member = 0; from.member < members.size(); ++from.member) {
         take(row, from, {.side = side, .name = row.path(members[from.member])}, names, values);
       }

@@ -74,7 +74,9 @@ const std::vector<MetricRow>& metric_table();
 using RoleNames = std::array<std::vector<std::string>, 2>;
 
 // What a row has a number of on a side with these roles: of each role, of each event, or of "" alone.
-std::vector<std::string> metric_members(const MetricRow& row, const std::vector<std::string>& roles);
+// `reasons`: what the team's packets are sent for.
+std::vector<std::string> metric_members(const MetricRow& row, const std::vector<std::string>& roles,
+                                        const std::vector<std::string>& reasons = TeamMetrics().reasons);
 
 // All numbers of a match. Those of lists have a place in their list, from 1.
 MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSource& source, const RoleNames& roles);

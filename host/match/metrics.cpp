@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "match/metrics.hpp"
 
-#include <regista/abi.h>
-
 #include "match/sampling.hpp"
+#include "plugin/event_names.hpp"
 
 namespace regista::match {
 namespace {
@@ -12,10 +11,11 @@ constexpr double minute = 60.0;  // s
 
 }  // namespace
 
-TeamMetrics::TeamMetrics() : packets_by_reason(REGISTA_EVENT_COUNT, 0) {}
+TeamMetrics::TeamMetrics()
+    : reasons(plugin::event_names.begin(), plugin::event_names.end()), packets_by_reason(reasons.size(), 0) {}
 
 Metrics::Metrics(const config::Rules& rules, const std::array<config::Robot, 2>& robots,
-                 const std::array<std::vector<Role>, 2>& roles)
+                 const std::array<std::vector<Role>, 2>& roles, const std::array<std::vector<std::string>, 2>& reasons)
     : roster_{rules.team_size},
       half_(rules.durations.half),
       table_(roles),
@@ -27,6 +27,12 @@ Metrics::Metrics(const config::Rules& rules, const std::array<config::Robot, 2>&
       ball_(rules.team_size, robots),
       worlds_{WorldMeasures(rules.team_size), WorldMeasures(rules.team_size)},
       play_(rules) {
+  for (const Side side : both_sides) {
+    if (reasons[index(side)].empty()) continue;
+    TeamMetrics& team = result_.teams[index(side)];
+    team.reasons = reasons[index(side)];
+    team.packets_by_reason.assign(team.reasons.size(), 0);
+  }
   own_.reserve(at(rules.team_size));
   opponents_.reserve(at(rules.team_size));
   for (TeamMetrics& team : result_.teams) {

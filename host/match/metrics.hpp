@@ -45,7 +45,8 @@ struct TeamMetrics {
   WorldModelMetrics world_model;
   PlayMetrics play;
   int packets = 0;                     // sent, charged or not delivered as too long
-  std::vector<int> packets_by_reason;  // REGISTA_EVENT_*
+  std::vector<std::string> reasons;    // names; those of abi.h first
+  std::vector<int> packets_by_reason;  // in that order
   std::vector<int> budget_curve;       // packets left when the clock of the match shows 1, 2, ... minutes
   SegmentMetrics segments;
   int falls = 0, penalties = 0, kicks = 0, touches = 0;
@@ -62,7 +63,7 @@ class Metrics {
  public:
   // Arrays are by side.
   Metrics(const config::Rules& rules, const std::array<config::Robot, 2>& robots,
-          const std::array<std::vector<Role>, 2>& roles);
+          const std::array<std::vector<Role>, 2>& roles, const std::array<std::vector<std::string>, 2>& reasons = {});
 
   // Robot `number` has decided. sees_ball: in the image it decided on. time: s of match time.
   void decided(Side side, int number, const mind::Outcome& outcome, bool sees_ball, double time,
@@ -73,6 +74,7 @@ class Metrics {
   // What it believes after this decision. Bodies: the truth at that instant, robots by id, then the ball.
   void believes(Side side, int number, const Belief& belief, std::span<const BodyState> bodies, const GameState& state);
 
+  std::size_t reasons(Side side) const { return result_.teams[index(side)].reasons.size(); }
   void sent(Side side, int reason, double time);  // s since the start of the match
   void fell(Side side) { ++result_.teams[index(side)].falls; }
   void kicked(Side side) { ++result_.teams[index(side)].kicks; }

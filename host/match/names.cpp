@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "match/names.hpp"
 
-#include <regista/abi.h>
-
 #include <algorithm>
 #include <array>
 
@@ -12,9 +10,6 @@ namespace {
 constexpr std::array<std::string_view, 5> phases{"initial", "ready", "set", "playing", "finished"};
 constexpr std::array<std::string_view, 7> set_plays{"none",        "kick_off",          "kick_in",     "goal_kick",
                                                     "corner_kick", "pushing_free_kick", "penalty_kick"};
-constexpr std::array<std::string_view, REGISTA_EVENT_COUNT> reasons{
-    "period",     "whistle", "ball_found", "goalkeeper_saw_ball", "ball_known_again", "role_changed", "ball_moved",
-    "pose_moved", "fell",    "got_up",     "phase_changed",       "context_changed",  "returned",     "offer"};
 
 std::string one_word(std::string text) {
   std::ranges::replace_if(
@@ -26,7 +21,6 @@ std::string one_word(std::string text) {
 
 std::string_view name(mind::Phase phase) { return phases.at(static_cast<std::size_t>(phase)); }
 std::string_view name(mind::SetPlay set_play) { return set_plays.at(static_cast<std::size_t>(set_play)); }
-std::string_view reason_name(int reason) { return reasons.at(static_cast<std::size_t>(reason)); }
 
 std::string word(EventKind kind) { return one_word(name(kind)); }
 std::string word(Offence offence) { return one_word(name(offence)); }

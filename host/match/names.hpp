@@ -20,7 +20,6 @@ std::string word(EventKind kind);
 std::string word(Offence offence);
 
 // Reason of a packet, for REGISTA_EVENT_*: "role_changed".
-std::string_view reason_name(int reason);
 
 // What each role of a team's table is called where one word is wanted: its name, or "list.name" when several lists have
 // a role of that name.

@@ -10,7 +10,7 @@
 
 namespace regista::match {
 
-std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, std::size_t roles) {
+std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, std::size_t roles, std::size_t reasons) {
   const mind::Command& command = outcome.command;
   if (!std::isfinite(command.walk.forward) || !std::isfinite(command.walk.sideways) ||
       !std::isfinite(command.walk.turn)) {
@@ -41,7 +41,7 @@ std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, st
   if (outcome.target && !(std::isfinite(outcome.target->x) && std::isfinite(outcome.target->y))) {
     return "target is not finite";
   }
-  if (outcome.send && (outcome.send_reason < 0 || outcome.send_reason >= REGISTA_EVENT_COUNT)) {
+  if (outcome.send && (outcome.send_reason < 0 || outcome.send_reason >= static_cast<int>(reasons))) {
     return "no reason to send has number " + std::to_string(outcome.send_reason);
   }
   return {};

@@ -10,9 +10,9 @@
 
 namespace regista::match {
 
-// Why it is not sound: not finite, no such kick of the robot, no such role or task of `roles`, no such reason to send.
-// Empty when it is.
-std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, std::size_t roles);
+// Why it is not sound: not finite, no such kick of the robot, no such role or task of `roles`, none of so many reasons
+// to send. Empty when it is.
+std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, std::size_t roles, std::size_t reasons);
 
 // The command, and all of the outcome that a match acts on.
 void add(Digest& digest, const mind::Command& command);

@@ -40,6 +40,7 @@ Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, cons
   for (const Side side : both_sides) {
     const mind::TeamPlan& plan = *teams[index(side)];
     setup.roles[index(side)] = roles(plan);
+    setup.reasons[index(side)] = plan.reasons();
     all[index(side)] = minds(plan, side, setup.seed, noting, recorded ? mind::Journal::kept : mind::Journal::none);
     for (mind::Mind& each : all[index(side)]) {
       think[index(side)].push_back([&each](const mind::Percepts& percepts, std::span<const mind::HeardPacket> heard,

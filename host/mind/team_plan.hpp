@@ -90,6 +90,7 @@ class TeamPlan {
 
   // What packets are sent for: the events of abi.h by their numbers, then those of the team's senders.
   const std::vector<std::string>& reasons() const { return reasons_; }
+  const std::string& reason(int of_packet) const { return reasons_.at(static_cast<std::size_t>(of_packet)); }
 
   const std::vector<RoleRow>& roles() const { return roles_; }
   // Row of the first role of a list.

@@ -119,7 +119,7 @@ void DecisionLog::decided(const mind::Mind& mind, const match::Decision& turn) {
   Json& assignment = out["assignment"] = Json::array();
   for (const std::int32_t role : decision.role_of) assignment.push_back(role_or_null(names, role));
   out["utility"] = utilities(mind, names);
-  out["packet"] = turn.packet_charged ? Json(match::reason_name(turn.outcome.send_reason)) : Json(nullptr);
+  out["packet"] = turn.packet_charged ? Json(plans_[i]->reason(turn.outcome.send_reason)) : Json(nullptr);
   write_(line(out));
 }
 

@@ -320,7 +320,7 @@ void MatchRecording::decided(const mind::Mind& mind, const match::Decision& turn
   if (turn.packet_charged) {
     parts.begin(time);
     parts.json.key("side").word(match::name(side)).key("robot").integer(mind.number());
-    parts.json.key("reason").word(match::reason_name(turn.outcome.send_reason));
+    parts.json.key("reason").word(parts.plans[match::index(side)]->reason(turn.outcome.send_reason));
     parts.json.key("bytes").integer(static_cast<std::int64_t>(turn.outcome.packet.size())).close('}');
     parts.write(parts.packets, time, parts.packet_count);
   }
