@@ -54,9 +54,10 @@ class IsolatedMatch {
         examination_{closely, static_cast<bool>(after)},
         after_(after),
         note_(note) {
-    for (const match::Side side : match::both_sides)
+    for (const match::Side side : match::both_sides) {
       setup_.roles[match::index(side)] = match::roles(*plans[match::index(side)]);
-    setup_.reasons[match::index(side)] = plans[match::index(side)]->reasons();
+      setup_.reasons[match::index(side)] = plans[match::index(side)]->reasons();
+    }
     // A death of either interrupts the sleep for the other.
     struct sigaction action {};
     action.sa_handler = [](int) {};

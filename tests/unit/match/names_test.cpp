@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "match/names.hpp"
 
-#include "plugin/event_names.hpp"
-
 #include <gtest/gtest.h>
 #include <regista/abi.h>
 
 #include <set>
-#include <stdexcept>
+
+#include "plugin/event_names.hpp"
 
 namespace regista::match {
 namespace {
