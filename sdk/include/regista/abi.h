@@ -83,7 +83,8 @@ typedef struct regista_span {
   uint32_t stride;
 } regista_span;
 
-/* Room for elements that a plugin writes: element i begins at data + i * stride, i < capacity. count comes in as 0. */
+/* Room for elements that a plugin writes: element i begins at data + i * stride, i < capacity. count comes in as 0. The
+ * plugin writes every field that it knows: what stands in one before is anything. */
 typedef struct regista_room {
   void* data;
   uint32_t capacity, count;
