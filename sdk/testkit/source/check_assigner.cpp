@@ -86,18 +86,16 @@ std::vector<Rehearsal> assigner_rehearsals(const Options& options) {
   std::vector<Rehearsal> out;
   for (const int size : team_sizes) {
     const std::vector<Scene> course = scenes(size);
-    std::vector<Scene> later;
-    for (const Scene& scene : course) later.push_back(scene.grown({24}));
     Rehearsal r;
     r.environment = EnvironmentBuilder{}.team_size(static_cast<unsigned>(size)).own(2);
     r.steps = course.size() * utility_variants;
     r.name = [course](std::size_t i) {
       return course[i / utility_variants].name() + ", utilities " + std::to_string(i % utility_variants);
     };
-    r.play = [course, later, options](Instance& instance, std::size_t i, Growth growth, Findings& findings,
-                                      Trail& trail) {
-      const Scene& scene = (growth.bytes == 0 ? course : later)[i / utility_variants];
-      const Matrix u = utilities_for(scene, i % utility_variants, growth);
+    r.play = [course, options](Instance& instance, std::size_t i, const Showing& showing, Findings& findings,
+                               Trail& trail) {
+      const Scene scene = course[i / utility_variants].shown(showing);
+      const Matrix u = utilities_for(scene, i % utility_variants, showing.growth);
       const std::vector<std::int32_t> columns = instance.assign(scene, u);
       trail.add_all(columns);
       check_assignment(u, columns, instance.negotiates(), options.may_idle, findings);

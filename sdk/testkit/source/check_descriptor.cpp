@@ -85,17 +85,34 @@ void check_parameter(Findings& f, const regista_parameter& p, std::size_t index,
   }
 }
 
+void check_reasons(Findings& f, const regista_sender& sender) {
+  constexpr std::uint32_t most = 64;
+  if (sender.reason_count > most) return f.say("sender: names ", sender.reason_count, " reasons of at most ", most);
+  if (sender.reason_count > 0 && sender.reasons == nullptr) return f.say("sender: its reasons are null");
+  std::set<std::string> seen;
+  for (std::uint32_t i = 0; i < sender.reason_count; ++i) {
+    const char* const name = sender.reasons[i];
+    if (name == nullptr || !is_lower_snake_case(name)) {
+      f.say("sender: its reason ", i, " is not in lower_snake_case");
+    } else if (!seen.insert(name).second) {
+      f.say("sender: its reason \"", name, "\" stands twice");
+    }
+  }
+}
+
 }  // namespace
 
 Findings check_descriptor(const Loaded& plugin) {
   Findings f;
   const regista_descriptor& d = plugin.descriptor();
+  static_assert(REGISTA_ABI_MAJOR == 0, "from 1.0 on, minor versions fit together");
+  if (d.abi_major != REGISTA_ABI_MAJOR || d.abi_minor != REGISTA_ABI_MINOR) {
+    f.say("descriptor: built for plugin interface ", d.abi_major, ".", d.abi_minor);
+    return f;  // its fields are others
+  }
   if (d.size < sizeof(regista_descriptor)) {
     f.say("descriptor: its size field says ", d.size, " bytes");
     return f;
-  }
-  if (d.abi_major != REGISTA_ABI_MAJOR || d.abi_minor > REGISTA_ABI_MINOR) {
-    f.say("descriptor: built for plugin interface ", d.abi_major, ".", d.abi_minor);
   }
   if (d.id == nullptr || !is_lower_snake_case(d.id)) f.say("descriptor: its id is not in lower_snake_case");
   need_line(f, "descriptor: its version", d.version);
@@ -108,6 +125,10 @@ Findings check_descriptor(const Loaded& plugin) {
   if (d.table == nullptr || d.create == nullptr || d.reset == nullptr || d.destroy == nullptr) {
     f.say("descriptor: table, create, reset and destroy must not be null");
     return f;
+  }
+  if (d.reserved != 0 || d.reserved_too != 0) f.say("descriptor: a reserved field is not 0");
+  if (d.extension != nullptr && d.extension("nobody.has_this/0") != nullptr) {
+    f.say("descriptor: has an extension for a name that nobody gave");
   }
   if (d.parameter_count > 0 && (d.parameters == nullptr || d.parameter_stride < sizeof(regista_parameter))) {
     f.say("descriptor: its parameters have no place or too small a stride");
@@ -142,6 +163,8 @@ Findings check_descriptor(const Loaded& plugin) {
   table_size(REGISTA_KIND_SENDER, "sender", sizeof(regista_sender));
   table_size(REGISTA_KIND_MAILBOX, "mailbox", sizeof(regista_mailbox));
   table_size(REGISTA_KIND_BEHAVIOUR, "behaviour", sizeof(regista_behaviour));
+  const auto* sender = static_cast<const regista_sender*>(d.table(REGISTA_KIND_SENDER));
+  if (sender != nullptr && sender->size >= sizeof(regista_sender)) check_reasons(f, *sender);
   return f;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -48,7 +49,7 @@ void play_tick(Instance& instance, const Tick& tick, const regista_frame* last, 
                Findings& findings, Trail& trail) {
   const auto look = [&] {
     std::vector<regista_track> tracks = instance.tracks();
-    trail.add_all(tracks);
+    trail.add_tracks(tracks, subject);
     check_tracks(tracks, subject, predictor_own, predictor_team, findings);
     return tracks;
   };
@@ -65,6 +66,37 @@ void play_tick(Instance& instance, const Tick& tick, const regista_frame* last, 
   }
 }
 
+bool equal(const regista_track& a, const regista_track& b) {
+  const auto near = [](double p, double q) { return std::abs(p - q) <= 1e-9 * std::max(1.0, std::abs(q)); };
+  const auto all_near = [near](std::span<const double> p, std::span<const double> q) {
+    return std::equal(p.begin(), p.end(), q.begin(), near);
+  };
+  if (a.label != b.label || a.flags != b.flags) return false;
+  const bool aims = (a.flags & REGISTA_TRACK_HAS_TARGET) != 0;
+  return near(a.x, b.x) && near(a.y, b.y) && near(a.vx, b.vx) && near(a.vy, b.vy) && near(a.weight, b.weight) &&
+         near(a.age, b.age) && all_near(a.covariance, b.covariance) && near(a.pose.heading, b.pose.heading) &&
+         near(a.pose.turn_rate, b.pose.turn_rate) && near(a.pose.heading_variance, b.pose.heading_variance) &&
+         near(a.pose.velocity_variance, b.pose.velocity_variance) &&
+         (!aims || all_near(a.pose.target, b.pose.target));
+}
+
+// `asked` tells, `model` absorbs and predicts.
+void compare_track_at(Instance& asked, Instance& model, const regista_track& told, double age, Findings& findings) {
+  const std::uint32_t subject = REGISTA_SUBJECT_TEAMMATES;
+  Trail before, after;
+  before.add_tracks(asked.tracks(), subject);
+  const regista_track answer = asked.track_at(told, age);
+  after.add_tracks(asked.tracks(), subject);
+  if (before != after) findings.say("track_at: changed the model");
+  model.reset(1);
+  model.absorb(std::span(&told, 1), 0.0);
+  if (age > 0.0) model.predict(age);
+  const std::vector<regista_track> tracks = model.tracks();
+  if (tracks.size() != 1 || !equal(answer, tracks.front())) {
+    findings.say("track_at: is not what the model holds that absorbed the same and predicted");
+  }
+}
+
 regista_track only_track(Instance& instance) {
   const std::vector<regista_track> tracks = instance.tracks();
   if (tracks.size() != 1) throw CallFailed("tracks: the own pose must be exactly one track");
@@ -78,9 +110,14 @@ std::uint32_t detail::subjects_of(const Loaded& plugin) {
   return table == nullptr ? 0 : table->subjects;
 }
 
+bool detail::tells_track_at(const Loaded& plugin) {
+  const auto* table = static_cast<const regista_predictor*>(plugin.descriptor().table(REGISTA_KIND_PREDICTOR));
+  return table != nullptr && table->track_at != nullptr;
+}
+
 std::vector<Rehearsal> predictor_rehearsals(const Loaded& plugin) {
   std::vector<Rehearsal> out;
-  const Scene frame = scenes(predictor_team).front(), later = frame.grown({24});
+  const Scene frame = scenes(predictor_team).front();
   for (const std::uint32_t subject : {1u, 2u, 4u, 8u}) {
     if ((detail::subjects_of(plugin) & subject) == 0) continue;
     for (const bool observer : {true, false}) {
@@ -93,9 +130,9 @@ std::vector<Rehearsal> predictor_rehearsals(const Loaded& plugin) {
         return std::string(subject_name(subject)) + (observer ? ", own model" : ", by packets") + ", tick " +
                std::to_string(i);
       };
-      r.play = [course, frame, later, subject](Instance& instance, std::size_t i, Growth growth, Findings& findings,
-                                               Trail& trail) {
-        const Scene& last = growth.bytes == 0 ? frame : later;
+      r.play = [course, frame, subject](Instance& instance, std::size_t i, const Showing& showing, Findings& findings,
+                                        Trail& trail) {
+        const Scene last = frame.shown(showing);
         play_tick(instance, course[i], i == 0 ? nullptr : &last.raw(), subject, findings, trail);
         if (!last.unchanged()) findings.say("predict: wrote to its input");
       };
@@ -118,7 +155,7 @@ Findings check_uncertainty_grows(const Loaded& plugin, const Options& options) {
                                 placed.kind = REGISTA_MEASURED_POSE;
                                 placed.position[0] = -2.0;
                                 placed.heading = 0.4;
-                                for (const std::size_t i : {0u, 4u, 8u}) placed.covariance[i] = 0.01;
+                                for (const std::size_t i : {0u, 2u, 5u}) placed.covariance[i] = 0.01;
                                 const regista_visible_area area{-2.0, 0.0, 0.4, 0.48, 5.0, 4.0};
                                 instance.correct(std::vector{placed}, area);
                                 const regista_motion motion{ahead, 0.0, 0.0};
@@ -127,17 +164,36 @@ Findings check_uncertainty_grows(const Loaded& plugin, const Options& options) {
                                 for (int tick = 0; tick < 100; ++tick) {
                                   instance.predict(0.1, &motion);
                                   const regista_track after = only_track(instance);
-                                  const double position_before = before.covariance[0] + before.covariance[5];
-                                  const double position_after = after.covariance[0] + after.covariance[5];
+                                  const double position_before = before.covariance[0] + before.covariance[2];
+                                  const double position_after = after.covariance[0] + after.covariance[2];
                                   if (position_after < position_before * (1.0 - 1e-9))
                                     f.say("predict: the own position became surer by itself");
-                                  if (after.heading_variance < before.heading_variance * (1.0 - 1e-9)) {
+                                  if (after.pose.heading_variance < before.pose.heading_variance * (1.0 - 1e-9)) {
                                     f.say("predict: the own heading became surer by itself");
                                   }
                                   before = after;
                                 }
                               }
                             });
+}
+
+Findings check_track_at(const Loaded& plugin, const Options& options) {
+  Rehearsal rehearsal;
+  rehearsal.environment = predictor_environment(REGISTA_SUBJECT_TEAMMATES);
+  const std::vector<Tick> course = measurement_course(REGISTA_SUBJECT_TEAMMATES, false, REGISTA_SUBJECT_TEAMMATES);
+  return detail::everywhere(plugin, options, {rehearsal}, [&](const Corner& corner, const Rehearsal& r, Findings& f) {
+    Instance asked(plugin, r.environment, corner.values), model(plugin, r.environment, corner.values);
+    for (std::size_t i = 0; i < course.size(); ++i) {
+      if (!course[i].absorbs) continue;
+      for (const regista_track& told : *course[i].absorbs) {
+        for (const double age : {0.0, 0.1, 1.7, 30.0}) {
+          f.where(corner.name, "packet of tick " + std::to_string(i) + ", " + std::to_string(age) + " s later");
+          compare_track_at(asked, model, told, age, f);
+        }
+      }
+      asked.absorb(*course[i].absorbs, course[i].packet_age);
+    }
+  });
 }
 
 Findings check_labels_are_stable(const Loaded& plugin, const Options& options) {
@@ -153,7 +209,7 @@ Findings check_labels_are_stable(const Loaded& plugin, const Options& options) {
     seen[k].kind = REGISTA_MEASURED_ROBOT;
     seen[k].position[0] = 1.0;
     seen[k].position[1] = k == 0 ? -2.0 : 2.0;
-    seen[k].covariance[0] = seen[k].covariance[4] = 0.02;
+    seen[k].covariance[0] = seen[k].covariance[2] = 0.02;
   }
   std::int32_t labels[2] = {0, 0};
   for (int tick = 0; tick < 60; ++tick) {

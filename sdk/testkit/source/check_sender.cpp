@@ -44,9 +44,12 @@ Query query_for(const Scene& scene, std::size_t round) {
   return q;
 }
 
-void check_sent(const Sent& sent, const Query& query, Findings& findings) {
+void check_sent(const Sent& sent, const Query& query, std::uint32_t own_reasons, Findings& findings) {
   if (sent.send != 0 && sent.send != 1) findings.say("decide: send is ", sent.send, ", neither 0 nor 1");
-  if (sent.send == 1 && (sent.reason < 0 || sent.reason >= REGISTA_EVENT_COUNT)) {
+  const bool event = sent.reason >= 0 && sent.reason < REGISTA_EVENT_COUNT;
+  const bool own = sent.reason >= REGISTA_REASON_OWN &&
+                   static_cast<std::uint32_t>(sent.reason - REGISTA_REASON_OWN) < own_reasons;
+  if (sent.send == 1 && !event && !own) {
     findings.say("decide: sends for the reason ", sent.reason, ", which does not exist");
   }
   for (std::size_t i = 0; i < sent.granted.size(); ++i) {
@@ -83,7 +86,7 @@ std::vector<Rehearsal> sender_rehearsals(const Options&) {
       trail.add(sent.send);
       trail.add(sent.reason);
       trail.add_all(sent.granted);
-      check_sent(sent, q, findings);
+      check_sent(sent, q, instance.reason_count(), findings);
     };
     out.push_back(rehearse_scenes(size, "decide", course, play));
   }

@@ -4,71 +4,106 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <numbers>
 #include <set>
+#include <span>
 
 namespace regista::testkit {
 
-bool detail::is_covariance(const double (&p)[16]) {
-  double scale[4], c[4][4];
-  for (int i = 0; i < 4; ++i) {
-    if (!(p[5 * i] >= 0.0)) return false;
-    scale[i] = std::sqrt(p[5 * i]);
+namespace {
+
+template <std::size_t n>
+bool is_semi_definite(const double (&p)[n][n]) {
+  double scale[n], c[n][n];
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!(p[i][i] >= 0.0)) return false;
+    scale[i] = std::sqrt(p[i][i]);
   }
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) {
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
       const double unit = scale[i] * scale[j];
       if (unit == 0.0) {
-        if (p[4 * i + j] != 0.0) return false;
+        if (p[i][j] != 0.0) return false;
         c[i][j] = i == j ? 1.0 : 0.0;
       } else {
-        if (std::abs(p[4 * i + j] - p[4 * j + i]) > 1e-9 * unit) return false;
-        c[i][j] = p[4 * i + j] / unit;
+        c[i][j] = p[i][j] / unit;
       }
     }
     c[i][i] += 1e-9;
   }
-  for (int k = 0; k < 4; ++k) {  // Cholesky
-    for (int m = 0; m < k; ++m) c[k][k] -= c[k][m] * c[k][m];
+  for (std::size_t k = 0; k < n; ++k) {  // Cholesky
+    for (std::size_t m = 0; m < k; ++m) c[k][k] -= c[k][m] * c[k][m];
     if (!(c[k][k] > 0.0)) return false;
     c[k][k] = std::sqrt(c[k][k]);
-    for (int i = k + 1; i < 4; ++i) {
-      for (int m = 0; m < k; ++m) c[i][k] -= c[i][m] * c[k][m];
+    for (std::size_t i = k + 1; i < n; ++i) {
+      for (std::size_t m = 0; m < k; ++m) c[i][k] -= c[i][m] * c[k][m];
       c[i][k] /= c[k][k];
     }
   }
   return true;
 }
 
-namespace {
+bool all_finite(std::span<const double> values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
 
-bool all_finite(const regista_track& t) {
-  const double single[] = {t.x,   t.y,         t.heading,  t.vx, t.vy, t.turn_rate, t.weight, t.heading_variance,
-                           t.age, t.target[0], t.target[1]};
-  const auto finite = [](double value) { return std::isfinite(value); };
-  return std::all_of(std::begin(single), std::end(single), finite) &&
-         std::all_of(std::begin(t.covariance), std::end(t.covariance), finite);
+bool has_pose(std::uint32_t subject) {
+  return (subject & (REGISTA_SUBJECT_SELF | REGISTA_SUBJECT_TEAMMATES)) != 0;
+}
+
+bool all_finite(const regista_track& t, std::uint32_t subject) {
+  const double single[] = {t.x, t.y, t.vx, t.vy, t.weight, t.age};
+  if (!all_finite(single) || !all_finite(t.covariance)) return false;
+  if (!has_pose(subject)) return all_finite(t.motion);
+  const regista_track_pose& p = t.pose;
+  const double turned[] = {p.heading, p.turn_rate, p.heading_variance, p.velocity_variance};
+  return all_finite(turned) && ((t.flags & REGISTA_TRACK_HAS_TARGET) == 0 || all_finite(p.target));
+}
+
+constexpr double farthest = 1e4;  // m, and m/s
+
+void check_pose(const regista_track_pose& pose, Findings& f) {
+  if (!(pose.heading > -std::numbers::pi && pose.heading <= std::numbers::pi)) {
+    f.say("tracks: a heading is outside (-pi, pi]");
+  }
+  if (pose.heading_variance < 0.0) f.say("tracks: a variance of the heading is negative");
+  if (pose.velocity_variance < 0.0) f.say("tracks: a variance of the velocity is negative");
 }
 
 }  // namespace
 
-void check_track(const regista_track& t, Findings& f) {
-  if (!all_finite(t)) return f.say("tracks: a value of a track is not finite");
-  if (!(t.heading > -std::numbers::pi && t.heading <= std::numbers::pi)) {
-    f.say("tracks: a heading is outside (-pi, pi]");
+bool detail::is_covariance(const double (&p)[3]) {
+  const double all[2][2] = {{p[0], p[1]}, {p[1], p[2]}};
+  return is_semi_definite(all);
+}
+
+bool detail::is_covariance(const double (&p)[3], const double (&r)[7]) {
+  const double all[4][4] = {
+      {p[0], p[1], r[0], r[1]}, {p[1], p[2], r[2], r[3]}, {r[0], r[2], r[4], r[5]}, {r[1], r[3], r[5], r[6]}};
+  return is_semi_definite(all);
+}
+
+void check_track(const regista_track& t, std::uint32_t subject, Findings& f) {
+  if (!all_finite(t, subject)) return f.say("tracks: a value of a track is not finite");
+  const double bounded[] = {t.x, t.y, t.vx, t.vy};
+  if (std::any_of(std::begin(bounded), std::end(bounded), [](double v) { return std::abs(v) > farthest; })) {
+    f.say("tracks: a place or velocity is beyond ", farthest);
   }
+  if (has_pose(subject)) check_pose(t.pose, f);
   if (!(t.weight > 0.0 && t.weight <= 1.0)) f.say("tracks: a weight is outside (0, 1]");
-  if (t.heading_variance < 0.0) f.say("tracks: a variance of the heading is negative");
   if (t.age < 0.0) f.say("tracks: an age is negative");
-  if (!detail::is_covariance(t.covariance)) f.say("tracks: a covariance is not symmetric and positive semi-definite");
+  const bool sound =
+      has_pose(subject) ? detail::is_covariance(t.covariance) : detail::is_covariance(t.covariance, t.motion);
+  if (!sound) f.say("tracks: a covariance is not positive semi-definite");
 }
 
 void check_tracks(const std::vector<regista_track>& tracks, std::uint32_t subject, int own_number, int team_size,
                   Findings& f) {
   std::set<std::int32_t> labels;
   for (const regista_track& t : tracks) {
-    check_track(t, f);
+    check_track(t, subject, f);
     if (!labels.insert(t.label).second) f.say("tracks: two tracks have one label");
   }
   if (subject == REGISTA_SUBJECT_SELF && (tracks.size() != 1 || tracks.front().label != own_number)) {

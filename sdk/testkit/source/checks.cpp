@@ -52,6 +52,15 @@ Check rehearsed(std::int32_t kind, const char* name, const char* promise, Rehear
           }};
 }
 
+// Who reads everything has nothing to hide from.
+Check reads_check(std::int32_t kind) {
+  Check out = rehearsed(kind, "reads", "reads only what it declares", check_reads);
+  out.applies = [](const Loaded& plugin, const Options&) {
+    return (~plugin.descriptor().reads & REGISTA_READS_ALL) != 0;
+  };
+  return out;
+}
+
 bool models(const Loaded& plugin, std::uint32_t subject) { return (detail::subjects_of(plugin) & subject) != 0; }
 
 }  // namespace
@@ -61,7 +70,7 @@ std::vector<Check> contract(std::int32_t kind) {
       {"descriptor", "describes itself", [](const Loaded& plugin, const Options&) { return check_descriptor(plugin); }},
       rehearsed(kind, "promises", "every output is as abi.h promises", check_promises),
       rehearsed(kind, "determinism", "the same calls give the same bytes, also after a reset", check_determinism),
-      rehearsed(kind, "growth", "works with a host of a later minor version", check_growth),
+      rehearsed(kind, "growth", "works with a host of a later minor version", check_growth), reads_check(kind),
       {"mailbox", "bears any message",
        [kind](const Loaded& plugin, const Options& options) {
          const std::uint32_t all = kind == REGISTA_KIND_PREDICTOR ? detail::subjects_of(plugin) : 0;
@@ -73,6 +82,10 @@ std::vector<Check> contract(std::int32_t kind) {
                    [](const Loaded& p, const Options&) { return models(p, REGISTA_SUBJECT_SELF); }});
     out.push_back({"labels", "opponents in view keep their labels", check_labels_are_stable,
                    [](const Loaded& p, const Options&) { return models(p, REGISTA_SUBJECT_OPPONENTS); }});
+    out.push_back({"track_at", "tells of a teammate later what its model would hold then", check_track_at,
+                   [](const Loaded& p, const Options&) {
+                     return models(p, REGISTA_SUBJECT_TEAMMATES) && detail::tells_track_at(p);
+                   }});
   }
   if (kind == REGISTA_KIND_POSITIONER) {
     out.push_back({"capacity", "writes no further than it may", check_small_capacity});

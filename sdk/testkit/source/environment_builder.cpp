@@ -15,11 +15,31 @@ const std::vector<std::string>& usual_roles() {
   return names;
 }
 
+namespace {
+
+constexpr regista_event_name usual_events[] = {{REGISTA_EVENT_PERIOD, 0, "period"},
+                                               {REGISTA_EVENT_WHISTLE, 0, "whistle"},
+                                               {REGISTA_EVENT_BALL_FOUND, 0, "ball_found"},
+                                               {REGISTA_EVENT_GOALKEEPER_SAW_BALL, 0, "goalkeeper_saw_ball"},
+                                               {REGISTA_EVENT_BALL_KNOWN_AGAIN, 0, "ball_known_again"},
+                                               {REGISTA_EVENT_ROLE_CHANGED, 0, "role_changed"},
+                                               {REGISTA_EVENT_BALL_MOVED, 0, "ball_moved"},
+                                               {REGISTA_EVENT_POSE_MOVED, 0, "pose_moved"},
+                                               {REGISTA_EVENT_FELL, 0, "fell"},
+                                               {REGISTA_EVENT_GOT_UP, 0, "got_up"},
+                                               {REGISTA_EVENT_PHASE_CHANGED, 0, "phase_changed"},
+                                               {REGISTA_EVENT_CONTEXT_CHANGED, 0, "context_changed"},
+                                               {REGISTA_EVENT_RETURNED, 0, "returned"},
+                                               {REGISTA_EVENT_OFFER, 0, "offer"}};
+
+}  // namespace
+
 struct Setting::Stored {
   std::vector<std::string> names, lists, kick_names;
   Strided<regista_landmark> landmarks;
   Strided<regista_role> roles;
   Strided<regista_kick> kicks;
+  Strided<regista_event_name> events;
   Grown<regista_environment> environment;
 };
 
@@ -30,6 +50,7 @@ regista::Environment Setting::environment() const { return regista::Environment(
 void Setting::end_of_create() const {
   stored_->landmarks.scribble();
   stored_->kicks.scribble();
+  stored_->events.scribble();
   stored_->environment.scribble();
 }
 
@@ -58,6 +79,8 @@ EnvironmentBuilder::EnvironmentBuilder() {
   e_.packet_budget = 1200;
   e_.goal_post_radius = 0.05;
   e_.ball_deceleration = 0.32;
+  e_.halves = 2;
+  e_.half_length = 600.0;
   e_.set_play_distance = 0.75;
   constexpr double degree = std::numbers::pi / 180.0;
   e_.kick_reach = 0.22;
@@ -138,8 +161,10 @@ Setting EnvironmentBuilder::build(Growth growth) const {
     kicks.back().name = s.kick_names.back().c_str();
   }
   s.kicks = Strided<regista_kick>(kicks, growth);
+  s.events = Strided<regista_event_name>(usual_events, growth);
   regista_environment e = e_;
   e.kicks = s.kicks.span();
+  e.events = s.events.span();
   e.roles = s.roles.span();
   e.landmarks = s.landmarks.span();
   s.environment = Grown<regista_environment>(e, growth);

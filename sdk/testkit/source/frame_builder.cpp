@@ -43,7 +43,7 @@ WorldBuilder& WorldBuilder::opponent(double x, double y) {
   o.label = static_cast<std::int32_t>(data_.opponents.size()) + 1;
   o.position[0] = x;
   o.position[1] = y;
-  o.covariance[0] = o.covariance[3] = 0.04;
+  o.covariance[0] = o.covariance[2] = 0.04;
   o.weight = 1.0;
   data_.opponents.push_back(o);
   opponent_ = true;
@@ -109,8 +109,8 @@ WorldBuilder& WorldBuilder::ball(double x, double y) {
   data_.ball.flags = REGISTA_BALL_KNOWN;
   data_.ball.position[0] = x;
   data_.ball.position[1] = y;
-  for (const std::size_t i : {0u, 5u}) data_.ball.covariance[i] = 0.01;
-  for (const std::size_t i : {10u, 15u}) data_.ball.covariance[i] = 0.04;
+  for (const std::size_t i : {0u, 2u}) data_.ball.covariance[i] = 0.01;
+  for (const std::size_t i : {7u, 9u}) data_.ball.covariance[i] = 0.04;
   return *this;
 }
 
@@ -139,7 +139,7 @@ regista_robot WorldBuilder::unknown(int number) {
   regista_robot r{};
   r.number = number;
   r.role = -1;
-  for (const std::size_t i : {0u, 4u, 8u}) r.covariance[i] = 0.01;
+  for (const std::size_t i : {0u, 2u, 5u}) r.covariance[i] = 0.01;
   return r;
 }
 

@@ -10,11 +10,13 @@
 #include <string>
 #include <string_view>
 
+#include <regista/testkit/room.hpp>
+
 namespace regista::testkit {
 
 namespace {
 
-// An output buffer with room behind it that must stay as it is.
+// An array of plain numbers with room behind it that must stay as it is.
 template <class T>
 class Guarded {
  public:
@@ -41,6 +43,12 @@ class Guarded {
   std::size_t capacity_;
   std::vector<std::uint64_t> bytes_, original_;
 };
+
+// What is wrong with a room that was filled ends the call.
+template <class T>
+void examine(const WritableRoom<T>& room, const regista_room& written, const char* what) {
+  if (const std::optional<std::string> damage = room.damage(written, what)) throw CallFailed(*damage);
+}
 
 template <class Table>
 const Table& table(const Loaded& plugin, std::int32_t kind, const char* name) {
@@ -105,9 +113,9 @@ Instance::Instance(const Loaded& plugin, const EnvironmentBuilder& environment, 
   regista_error error{};
   {
     const Values own = values;  // texts end with create()
-    std::vector<regista_value> raw = own.raw();
+    const Strided<regista_value> raw(own.raw(), growth);
     guarded("create", error, [&] {
-      instance_ = plugin_.descriptor().create(&setting_.raw(), host_->raw(), raw.data(), &error);
+      instance_ = plugin_.descriptor().create(&setting_.raw(), host_->raw(), raw.span(), &error);
       return instance_ != nullptr ? REGISTA_OK : REGISTA_FAILED;
     });
   }
@@ -150,12 +158,28 @@ void Instance::absorb(std::span<const regista_track> tracks, double age) {
 
 std::vector<regista_track> Instance::tracks(const Capacity& capacity) {
   const auto& t = table<regista_predictor>(plugin_, REGISTA_KIND_PREDICTOR, "predictor");
-  Guarded<regista_track> out(capacity.tracks);
-  std::uint32_t count = std::numeric_limits<std::uint32_t>::max();
+  WritableRoom<regista_track> out(capacity.tracks, growth_);
+  regista_room raw = out.raw();
   call(
-      "tracks", [&](regista_error* error) { return t.tracks(instance_, out.data(), capacity.tracks, &count, error); },
-      [&] { out.check("tracks"); });
-  return out.take(count, "tracks");
+      "tracks", [&](regista_error* error) { return t.tracks(instance_, &raw, error); },
+      [&] { examine(out, raw, "tracks"); });
+  return out.take(raw.count);
+}
+
+regista_track Instance::track_at(const regista_track& told, double age) {
+  const auto& t = table<regista_predictor>(plugin_, REGISTA_KIND_PREDICTOR, "predictor");
+  const Strided<regista_track> input(std::span(&told, 1), growth_);
+  WritableRoom<regista_track> out(1, growth_);
+  regista_room raw = out.raw();
+  call(
+      "track_at",
+      [&](regista_error* error) {
+        return t.track_at(instance_, static_cast<const regista_track*>(input.span().data), age,
+                          static_cast<regista_track*>(raw.data), error);
+      },
+      [&] { examine(out, raw, "track_at"); });
+  if (!input.unchanged()) throw CallFailed("track_at: wrote to what was told");
+  return out.take(1).front();
 }
 
 std::int32_t Instance::holds(const Scene& scene) {
@@ -167,38 +191,34 @@ std::int32_t Instance::holds(const Scene& scene) {
 
 Placed Instance::place(const Scene& scene, const Capacity& capacity) {
   const auto& t = table<regista_positioner>(plugin_, REGISTA_KIND_POSITIONER, "positioner");
-  Guarded<regista_waypoint> points(capacity.points);
-  Guarded<regista_edge> edges(capacity.edges);
-  Guarded<regista_cell> cells(capacity.cells);
-  Guarded<regista_vertex> vertices(capacity.vertices);
+  WritableRoom<regista_waypoint> points(capacity.points, growth_);
+  WritableRoom<regista_edge> edges(capacity.edges, growth_);
+  WritableRoom<regista_cell> cells(capacity.cells, growth_);
+  WritableRoom<regista_vertex> vertices(capacity.vertices, growth_);
   regista_placement raw{};
-  raw.point_capacity = capacity.points;
-  raw.edge_capacity = capacity.edges;
-  raw.cell_capacity = capacity.cells;
-  raw.vertex_capacity = capacity.vertices;
-  raw.points = points.data();
-  raw.edges = edges.data();
-  raw.cells = cells.data();
-  raw.vertices = vertices.data();
+  raw.points = points.raw();
+  raw.edges = edges.raw();
+  raw.cells = cells.raw();
+  raw.vertices = vertices.raw();
   Grown<regista_placement> out(raw, growth_);
   call(
       "place", [&](regista_error* error) { return t.place(instance_, &scene.raw(), &out.get(), error); },
       [&] {
-        points.check("points");
-        edges.check("edges");
-        cells.check("cells");
-        vertices.check("vertices");
+        examine(points, out.get().points, "points");
+        examine(edges, out.get().edges, "edges");
+        examine(cells, out.get().cells, "cells");
+        examine(vertices, out.get().vertices, "vertices");
         if (!out.tail_unchanged()) throw CallFailed("place: wrote past the end of its output struct");
       });
   const regista_placement& got = out.get();
-  return {points.take(got.point_count, "points"), edges.take(got.edge_count, "edges"),
-          cells.take(got.cell_count, "cells"), vertices.take(got.vertex_count, "vertices")};
+  return {points.take(got.points.count), edges.take(got.edges.count), cells.take(got.cells.count),
+          vertices.take(got.vertices.count)};
 }
 
 Matrix Instance::score(const Scene& scene) {
   const auto& t = table<regista_utility>(plugin_, REGISTA_KIND_UTILITY, "utility");
   Matrix out(scene.rows(), scene.columns(), growth_);
-  const regista_matrix raw = out.raw();
+  const regista_matrix_room raw = out.room();
   call("score", [&](regista_error* error) { return t.score(instance_, &scene.raw(), &raw, error); });
   for (std::uint32_t i = 0; i < raw.rows; ++i) {
     for (std::uint32_t j = raw.columns; j < raw.stride; ++j) {
@@ -225,6 +245,10 @@ std::vector<std::int32_t> Instance::assign(const Scene& scene, Matrix utilities)
     throw CallFailed("assign: wrote to the utilities");
   }
   return out.take(raw.rows, "rows");
+}
+
+std::uint32_t Instance::reason_count() const {
+  return table<regista_sender>(plugin_, REGISTA_KIND_SENDER, "sender").reason_count;
 }
 
 Sent Instance::decide(const Scene& scene, std::span<const regista_event> events, std::span<const regista_offer> offers,

@@ -27,7 +27,8 @@ Loaded::Loaded(const std::string& file, std::string_view id) {
   for (std::uint32_t i = 0; const regista_descriptor* found = entry(REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR, i); ++i) {
     if (i == 1000) throw std::runtime_error(file + ": its descriptors do not end");
     if (found->id != nullptr && found->id == id) {
-      if (found->abi_major != REGISTA_ABI_MAJOR || found->abi_minor > REGISTA_ABI_MINOR) {
+      static_assert(REGISTA_ABI_MAJOR == 0, "from 1.0 on, minor versions fit together");
+      if (found->abi_major != REGISTA_ABI_MAJOR || found->abi_minor != REGISTA_ABI_MINOR) {
         throw std::runtime_error(file + ": built for plugin interface " + version(*found));
       }
       descriptor_ = found;

@@ -66,8 +66,8 @@ class MeasurementCourse {
     const double size = dice_.chance(0.05) ? 1e-8 : dice_.chance(0.05) ? 25.0 : 0.02;
     const double ratio = dice_.real(0.1, 1.0), correlation = dice_.real(-0.9, 0.9);
     m.covariance[0] = size;
-    m.covariance[4] = size * ratio;
-    m.covariance[1] = m.covariance[3] = correlation * size * std::sqrt(ratio);
+    m.covariance[2] = size * ratio;
+    m.covariance[1] = correlation * size * std::sqrt(ratio);
     return m;
   }
 
@@ -109,7 +109,7 @@ class MeasurementCourse {
     if (dice_.chance(0.02)) {
       regista_measurement placed = at(REGISTA_MEASURED_POSE, pose_[0], pose_[1]);
       placed.heading = pose_[2];
-      placed.covariance[8] = 0.01;
+      placed.covariance[5] = 0.01;
       if (dice_.chance(0.3)) std::fill(std::begin(placed.covariance), std::end(placed.covariance), 0.0);
       t.measurements.push_back(placed);
     }
@@ -136,13 +136,21 @@ class MeasurementCourse {
     out.label = label;
     out.x = x;
     out.y = y;
-    out.heading = dice_.chance(0.1) ? std::numbers::pi : dice_.real(-3.1, 3.1);
+    const double heading = dice_.chance(0.1) ? std::numbers::pi : dice_.real(-3.1, 3.1);
     out.vx = dice_.real(-0.3, 0.3);
     out.vy = dice_.real(-0.3, 0.3);
     out.flags = dice_.chance(0.5) ? REGISTA_TRACK_VELOCITY : 0;
-    for (const std::size_t i : {0u, 5u}) out.covariance[i] = dice_.real(0.0, 0.3);
-    for (const std::size_t i : {10u, 15u}) out.covariance[i] = dice_.real(0.0, 0.1);
-    out.heading_variance = dice_.real(0.0, 0.1);
+    for (const std::size_t i : {0u, 2u}) out.covariance[i] = dice_.real(0.0, 0.3);
+    const double vx_variance = dice_.real(0.0, 0.1), vy_variance = dice_.real(0.0, 0.1);
+    const double heading_variance = dice_.real(0.0, 0.1);
+    if (subject_ == REGISTA_SUBJECT_TEAMMATES) {
+      out.pose.heading = heading;
+      out.pose.heading_variance = heading_variance;
+      out.pose.velocity_variance = vx_variance;
+    } else {
+      out.motion[4] = vx_variance;
+      out.motion[6] = vy_variance;
+    }
     out.weight = dice_.chance(0.3) ? 1.0 : dice_.real(1e-6, 1.0);
     out.age = dice_.chance(0.05) ? 1e5 : dice_.real(0.0, 10.0);
     return out;
@@ -156,8 +164,8 @@ class MeasurementCourse {
       said.push_back(track(number, x, y));
       if (dice_.chance(0.7)) {
         said.back().flags |= REGISTA_TRACK_HAS_TARGET;
-        said.back().target[0] = dice_.chance(0.1) ? x : dice_.real(-4.5, 4.5);
-        said.back().target[1] = dice_.chance(0.1) ? y : dice_.real(-3, 3);
+        said.back().pose.target[0] = dice_.chance(0.1) ? x : dice_.real(-4.5, 4.5);
+        said.back().pose.target[1] = dice_.chance(0.1) ? y : dice_.real(-3, 3);
       }
     } else {
       const int most = subject_ == REGISTA_SUBJECT_BALL ? 1 : 5;

@@ -17,6 +17,7 @@ RecordingHost::RecordingHost(std::uint32_t bytes_free, Growth growth) : bytes_fr
     }
   };
   raw.bytes_free = [](void* context) { return static_cast<RecordingHost*>(context)->bytes_free_; };
+  raw.extension = [](void*, const char*) -> const void* { return nullptr; };
   raw_ = Grown<regista_host>(raw, growth);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Once for promises, twice side by side for determinism, twice in different memory for growth.
+// Once for promises, twice side by side for determinism, twice in different memory for growth, twice with more and less
+// of a frame for what is read.
 #include <regista/testkit/rehearsal.hpp>
 
 namespace regista::testkit {
@@ -7,10 +8,11 @@ namespace regista::testkit {
 namespace {
 
 // Plays one step; a failed call becomes a finding and part of the trail.
-Trail step(const Rehearsal& rehearsal, Instance& instance, std::size_t index, Growth growth, Findings& findings) {
+Trail step(const Rehearsal& rehearsal, Instance& instance, std::size_t index, const Showing& showing,
+           Findings& findings) {
   Trail trail;
   try {
-    rehearsal.play(instance, index, growth, findings, trail);
+    rehearsal.play(instance, index, showing, findings, trail);
   } catch (const CallFailed& failure) {
     findings.say(failure.what());
     for (const char* c = failure.what(); *c != '\0'; ++c) trail.add(*c);
@@ -85,9 +87,27 @@ Findings check_growth(const Loaded& plugin, const Options& options, const std::v
         for (std::size_t i = 0; i < rehearsal.steps; ++i) {
           findings.where(corner.name, rehearsal.name(i));
           const Trail now = step(rehearsal, today, i, {}, elsewhere);
-          if (step(rehearsal, tomorrow, i, later, then) != now) {
+          if (step(rehearsal, tomorrow, i, {later, REGISTA_READS_ALL}, then) != now) {
             findings.say(
                 "structs and elements that are longer than today's change the result: step by stride, not by sizeof");
+            return;
+          }
+        }
+      });
+}
+
+Findings check_reads(const Loaded& plugin, const Options& options, const std::vector<Rehearsal>& rehearsals) {
+  return detail::everywhere(
+      plugin, options, rehearsals, [&](const Corner& corner, const Rehearsal& rehearsal, Findings& findings) {
+        const Showing as_declared{{}, plugin.descriptor().reads};
+        Instance with_all(plugin, rehearsal.environment, corner.values);
+        Instance with_less(plugin, rehearsal.environment, corner.values);
+        Findings elsewhere;
+        for (std::size_t i = 0; i < rehearsal.steps; ++i) {
+          findings.where(corner.name, rehearsal.name(i));
+          const Trail all = step(rehearsal, with_all, i, {}, elsewhere);
+          if (step(rehearsal, with_less, i, as_declared, elsewhere) != all) {
+            findings.say("parts of the frame that its `reads` do not name change the result");
             return;
           }
         }

@@ -2,6 +2,7 @@
 // Lays a scene out in the memory that a plugin reads.
 #include <regista/testkit/scene.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -10,39 +11,73 @@
 
 namespace regista::testkit {
 
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+bool hides(const Showing& showing, std::uint32_t part) { return (showing.reads & part) == 0; }
+
+WorldData world_for(WorldData data, const Showing& showing) {
+  if (!hides(showing, REGISTA_READS_COVARIANCES)) return data;
+  for (regista_robot& each : data.robots) std::ranges::fill(each.covariance, not_a_number);
+  for (regista_opponent& each : data.opponents) std::ranges::fill(each.covariance, not_a_number);
+  std::ranges::fill(data.ball.covariance, not_a_number);
+  return data;
+}
+
+std::vector<regista_task> tasks_for(std::vector<regista_task> tasks, const Showing& showing) {
+  if (!hides(showing, REGISTA_READS_FACINGS)) return tasks;
+  for (regista_task& each : tasks) each.before[2] = each.after[2] = not_a_number;
+  return tasks;
+}
+
+}  // namespace
+
 struct Scene::Stored {
   struct World {
-    World(const WorldData& data, Growth growth) : robots(data.robots, growth), opponents(data.opponents, growth) {
+    // hides_opponents: this world's are not among what the plugin reads.
+    World(const WorldData& data, Growth growth, bool hides_opponents)
+        : robots(data.robots, growth),
+          opponents(data.opponents, growth),
+          game(data.game, growth),
+          ball(data.ball, growth) {
+      if (hides_opponents) opponents.hide();
       std::vector<std::int32_t> numbers;
       for (const regista_robot& robot : data.robots) {
         if (robot.flags & REGISTA_ROBOT_ACTIVE) numbers.push_back(robot.number);
       }
       active = Strided<std::int32_t>(numbers, growth);
       regista_world raw{};
-      raw.game = data.game;
-      raw.ball = data.ball;
+      raw.game = &game.get();
+      raw.ball = &ball.get();
       raw.robots = robots.span();
       raw.opponents = opponents.span();
       raw.active = active.span();
       world = Grown<regista_world>(raw, growth);
     }
     bool unchanged() const {
-      return robots.unchanged() && opponents.unchanged() && active.unchanged() && world.unchanged();
+      return robots.unchanged() && opponents.unchanged() && active.unchanged() && game.unchanged() &&
+             ball.unchanged() && world.unchanged();
     }
     Strided<regista_robot> robots;
     Strided<regista_opponent> opponents;
     Strided<std::int32_t> active;
+    Grown<regista_game> game;
+    Grown<regista_ball> ball;
     Grown<regista_world> world;
   };
 
-  Stored(SceneData from, Growth growth)
+  Stored(SceneData from, const Showing& showing)
       : data(std::move(from)),
-        mine(data.mine, growth),
-        common(data.common, growth),
-        tasks(data.tasks, growth),
-        waypoints(data.waypoints, growth),
-        edges(data.edges, growth),
-        previous(data.previous, growth) {
+        mine(world_for(data.mine, showing), showing.growth, hides(showing, REGISTA_READS_OPPONENTS_MINE)),
+        common(world_for(data.common, showing), showing.growth, hides(showing, REGISTA_READS_OPPONENTS_COMMON)),
+        tasks(tasks_for(data.tasks, showing), showing.growth),
+        waypoints(data.waypoints, showing.growth),
+        edges(data.edges, showing.growth),
+        previous(data.previous, showing.growth) {
+    if (hides(showing, REGISTA_READS_WAYPOINTS)) waypoints.hide();
+    if (hides(showing, REGISTA_READS_EDGES)) edges.hide();
+    if (hides(showing, REGISTA_READS_PREVIOUS)) previous.hide();
     regista_frame raw{};
     raw.own_number = data.own_number;
     raw.tick = data.tick;
@@ -55,18 +90,18 @@ struct Scene::Stored {
     raw.waypoints = waypoints.span();
     raw.edges = edges.span();
     raw.previous = previous.span();
-    if (data.has_times) raw.time_to_task = fill_times(growth);
-    frame = Grown<regista_frame>(raw, growth);
+    if (data.has_times) raw.time_to_task = fill_times(showing);
+    frame = Grown<regista_frame>(raw, showing.growth);
   }
   Stored(const Stored&) = delete;
   Stored& operator=(const Stored&) = delete;
 
   // Straight line at walking speed, after getting up.
-  regista_matrix fill_times(Growth growth) {
+  regista_matrix fill_times(const Showing& showing) {
     const regista::World world(data.knowledge == REGISTA_COMMON ? common.world.get() : mine.world.get());
     const std::size_t rows = world.active().size(), columns = data.tasks.size();
-    const std::size_t stride = columns + growth.bytes / sizeof(double);
-    times.assign(rows * stride, std::numeric_limits<double>::quiet_NaN());
+    const std::size_t stride = columns + showing.growth.bytes / sizeof(double);
+    times.assign(rows * stride, not_a_number);
     for (std::size_t i = 0; i < rows; ++i) {
       const regista_robot& robot = world.robot(world.active()[i]);
       for (std::size_t j = 0; j < columns; ++j) {
@@ -75,7 +110,10 @@ struct Scene::Stored {
             std::hypot(to[0] - robot.pose[0], to[1] - robot.pose[1]) / data.walk_speed + robot.time_until_up;
       }
     }
+    const bool hidden = hides(showing, REGISTA_READS_TIMES);
+    if (hidden) times.assign(times.size(), not_a_number);
     times_built = times;
+    if (hidden) return {times.data(), 0, 0, static_cast<std::uint32_t>(stride), 0};
     return {times.data(), static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(columns),
             static_cast<std::uint32_t>(stride), 0};
   }
@@ -94,7 +132,7 @@ struct Scene::Stored {
   Grown<regista_frame> frame;
 };
 
-Scene::Scene(SceneData data, Growth growth) : stored_(std::make_shared<Stored>(std::move(data), growth)) {}
+Scene::Scene(SceneData data, const Showing& showing) : stored_(std::make_shared<Stored>(std::move(data), showing)) {}
 
 const regista_frame& Scene::raw() const { return stored_->frame.get(); }
 
@@ -110,7 +148,7 @@ std::uint32_t Scene::rows() const { return static_cast<std::uint32_t>(frame().wo
 
 std::uint32_t Scene::columns() const { return static_cast<std::uint32_t>(stored_->data.tasks.size()); }
 
-Scene Scene::grown(Growth growth) const { return Scene(stored_->data, growth); }
+Scene Scene::shown(const Showing& showing) const { return Scene(stored_->data, showing); }
 
 Scene Scene::before_placing() const {
   SceneData copy = stored_->data;

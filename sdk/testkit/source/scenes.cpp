@@ -146,7 +146,11 @@ void add_ball_and_game(Course& c) {
   for (int play = REGISTA_SET_PLAY_KICK_OFF; play <= REGISTA_SET_PLAY_PENALTY_KICK; ++play) {
     c.add("set play " + std::to_string(play), FrameBuilder(base).set_play(play, play % 2 == 0).ball(2, 2));
   }
-  regista_game late{REGISTA_PHASE_PLAYING, REGISTA_SET_PLAY_NONE, 0, 2, 0, 9, 590.0, 0.0};
+  regista_game late{};
+  late.phase = REGISTA_PHASE_PLAYING;
+  late.half = 2;
+  late.opponent_score = 9;
+  late.phase_time = 590.0;
   c.add("the last second", FrameBuilder(base).game(late).ball(-4, 0));
 }
 

@@ -15,6 +15,9 @@ namespace detail {
 // The subjects that a plugin declares, as bits; 0 when it is no predictor.
 std::uint32_t subjects_of(const Loaded& plugin);
 
+// Whether it is a predictor with the optional call track_at.
+bool tells_track_at(const Loaded& plugin);
+
 }  // namespace detail
 
 std::vector<Rehearsal> predictor_rehearsals(const Loaded& plugin);
@@ -25,5 +28,9 @@ Findings check_uncertainty_grows(const Loaded& plugin, const Options& options);
 
 // Two opponents that stand still, four metres apart and seen at every tick, keep their labels.
 Findings check_labels_are_stable(const Loaded& plugin, const Options& options);
+
+// Of a teammate that was told of, track_at gives what a model holds that absorbs it and then predicts; and it leaves the
+// model alone.
+Findings check_track_at(const Loaded& plugin, const Options& options);
 
 }  // namespace regista::testkit

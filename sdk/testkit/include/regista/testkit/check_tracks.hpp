@@ -12,12 +12,14 @@ namespace regista::testkit {
 
 namespace detail {
 
-// Symmetric and positive semi-definite, but for rounding. Works on correlations, so that units do not matter.
-bool is_covariance(const double (&p)[16]);
+// Positive semi-definite, but for rounding; packed as abi.h has it: a place, and with the rest of it a motion. Works on
+// correlations, so that units do not matter.
+bool is_covariance(const double (&place)[3]);
+bool is_covariance(const double (&place)[3], const double (&rest)[7]);
 
 }  // namespace detail
 
-void check_track(const regista_track& track, Findings& findings);
+void check_track(const regista_track& track, std::uint32_t subject, Findings& findings);
 
 void check_tracks(const std::vector<regista_track>& tracks, std::uint32_t subject, int own_number, int team_size,
                   Findings& findings);

@@ -34,7 +34,8 @@ class Matrix {
   double operator()(std::size_t row, std::size_t column) const { return values_.at(row * stride_ + column); }
   std::uint32_t rows() const { return rows_; }
   std::uint32_t columns() const { return columns_; }
-  regista_matrix raw() { return {values_.data(), rows_, columns_, stride_, 0}; }
+  regista_matrix raw() const { return {values_.data(), rows_, columns_, stride_, 0}; }
+  regista_matrix_room room() { return {values_.data(), rows_, columns_, stride_, 0}; }
   std::span<const double> memory() const { return values_; }
 
  private:
@@ -77,6 +78,8 @@ class Instance {
   void correct(std::span<const regista_measurement> measurements, const regista_visible_area& area);
   void absorb(std::span<const regista_track> tracks, double age);
   std::vector<regista_track> tracks(const Capacity& capacity = {});
+  // Only of predictors that have this call.
+  regista_track track_at(const regista_track& told, double age);
 
   // --- Context. The raw answer: a sound one is 0 or 1.
   std::int32_t holds(const Scene& scene);
@@ -92,6 +95,7 @@ class Instance {
   std::vector<std::int32_t> assign(const Scene& scene, Matrix utilities);
 
   // --- Sender
+  std::uint32_t reason_count() const;
   Sent decide(const Scene& scene, std::span<const regista_event> events, std::span<const regista_offer> offers,
               const regista_budget& budget);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A host for the mailbox that records what an instance offers and answers as the real one does.
+// A host for the mailbox that records what an instance offers and answers as the real one does. It has no extensions.
 #pragma once
 
 #include <cstdint>

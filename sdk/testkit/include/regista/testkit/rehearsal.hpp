@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <string>
 #include <type_traits>
@@ -25,11 +26,22 @@ class Trail {
     static_assert(std::has_unique_object_representations_v<T> || std::is_same_v<T, double>);
     append(&value, sizeof value);
   }
-  // For structs of the ABI, which have no padding.
+  // For structs of the ABI, which have no padding. (A track has some in its union: see add_tracks.)
   template <class T>
   void add_all(const std::vector<T>& values) {
     add(static_cast<std::uint64_t>(values.size()));
     append(values.data(), values.size() * sizeof(T));
+  }
+  // Of tracks what means something for their subject.
+  void add_tracks(std::vector<regista_track> tracks, std::uint32_t subject) {
+    if ((subject & (REGISTA_SUBJECT_SELF | REGISTA_SUBJECT_TEAMMATES)) != 0) {
+      for (regista_track& track : tracks) {
+        const regista_track_pose pose = track.pose;
+        std::memset(track.motion, 0, sizeof track.motion);
+        std::memcpy(&track.pose, &pose, sizeof pose);
+      }
+    }
+    add_all(tracks);
   }
   friend bool operator==(const Trail&, const Trail&) = default;
 
@@ -48,7 +60,7 @@ struct Rehearsal {
   std::size_t steps = 0;
   std::function<std::string(std::size_t)> name;  // of a step
   // Plays step `index`; says what breaks a promise; writes its output to the trail. May throw CallFailed.
-  std::function<void(Instance&, std::size_t index, Growth, Findings&, Trail&)> play;
+  std::function<void(Instance&, std::size_t index, const Showing&, Findings&, Trail&)> play;
 };
 
 namespace detail {
@@ -67,5 +79,8 @@ Findings check_determinism(const Loaded& plugin, const Options& options, const s
 
 // Larger elements and structs, as of a host of a later minor version, change nothing.
 Findings check_growth(const Loaded& plugin, const Options& options, const std::vector<Rehearsal>& rehearsals);
+
+// What a plugin does not declare to read may be missing: that changes nothing.
+Findings check_reads(const Loaded& plugin, const Options& options, const std::vector<Rehearsal>& rehearsals);
 
 }  // namespace regista::testkit

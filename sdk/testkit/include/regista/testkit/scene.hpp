@@ -36,10 +36,17 @@ struct SceneData {
   const WorldData& chosen() const { return knowledge == REGISTA_COMMON ? common : mine; }
 };
 
+// How a host shows a scene: how much longer its structs and elements are, and to a plugin that declares which reads.
+// Parts that are not among them are empty, with NaN where they were, and single numbers of them are NaN.
+struct Showing {
+  Growth growth;
+  std::uint32_t reads = REGISTA_READS_ALL;
+};
+
 // Immutable; copies share the storage. The pointers inside live as long as one copy does.
 class Scene {
  public:
-  explicit Scene(SceneData data, Growth growth = {});
+  explicit Scene(SceneData data, const Showing& showing = {});
 
   const regista_frame& raw() const;
   regista::Frame frame() const;
@@ -50,8 +57,10 @@ class Scene {
   std::uint32_t rows() const;
   std::uint32_t columns() const;
 
+  // The same scene from another host, or to another plugin.
+  Scene shown(const Showing& showing) const;
   // The same scene from a host of a later minor version.
-  Scene grown(Growth growth) const;
+  Scene grown(Growth growth) const { return shown({growth, REGISTA_READS_ALL}); }
   // What a positioner is shown of it: no waypoints, no times yet.
   Scene before_placing() const;
   // What a context is shown of it: no tasks either.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Memory as a host of a later minor version would lay it out: elements farther apart and structs longer than this
 // plugin knows. What a plugin must not read is filled with 0xFF, so that a double read from there is NaN.
+//
+// Room for elements that a plugin writes is in room.hpp.
 #pragma once
 
 #include <cstdint>
@@ -39,10 +41,16 @@ class Strided {
     }
     original_ = words_;
   }
-  regista_span span() const { return {count_ == 0 ? nullptr : words_.data(), count_, stride_}; }
+  regista_span span() const { return {words_.empty() ? nullptr : words_.data(), count_, stride_}; }
   bool unchanged() const { return words_ == original_; }
   // Overwrites everything: whoever still reads it, reads NaN.
   void scribble() { words_.assign(words_.size(), ~std::uint64_t{0}); }
+  // Becomes empty: whoever reads it nevertheless, reads NaN.
+  void hide() {
+    scribble();
+    original_ = words_;
+    count_ = 0;
+  }
 
  private:
   std::uint32_t count_ = 0, stride_ = sizeof(T);
