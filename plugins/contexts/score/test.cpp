@@ -53,7 +53,7 @@ TEST(ScorePlugin, LooksAtTheGame) {
   const auto at = [](int half, double left) {
     return FrameBuilder{}
         .robot(2)
-        .game({REGISTA_PHASE_PLAYING, REGISTA_SET_PLAY_NONE, 0, half, 0, 2, 50.0, left})
+        .game({sizeof(regista_game), REGISTA_PHASE_PLAYING, REGISTA_SET_PLAY_NONE, 0, half, 0, 2, 0, 50.0, left})
         .build()
         .before_tasks();
   };
