@@ -26,6 +26,10 @@ SANITIZED = os.environ.get("REGISTA_SANITIZE") == "ON"
 # The plugins of the testkit's own tests: one simple, sound plugin of each kind.
 SOUND = TEST_PLUGINS / "contract" / "contract_good.so"
 
+# The shipped behaviours, by which the roles of the teams below act.
+BEHAVIOURS = tuple(TEST_PLUGINS.parent / "plugins" / f"{name}.so"
+                   for name in ("keep_goal", "play_ball", "search", "support"))
+
 # What bad input may take until it is refused, in seconds of the processor. Sanitizers are slow to start.
 AT_ONCE = 5.0 if SANITIZED else 1.0
 
@@ -64,7 +68,7 @@ sender: {{plugin: every_second}}
 class Case(unittest.TestCase):
     """A folder with a program, its plugins and a team named "small" in small.yaml; commands run in that folder."""
 
-    plugins = (SOUND,)
+    plugins = (SOUND, *BEHAVIOURS)
     maxDiff = None
 
     def setUp(self):

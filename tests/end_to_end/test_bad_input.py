@@ -214,7 +214,8 @@ class Teams(BadInput):
     def test_unknown_key(self):
         self.assert_team_refused("assigner:", "asigner:",
                                  'unknown key "asigner"; nearest: "assigner"; known: team, predictors, contexts, '
-                                 "positioner, tasks, utility, assigner, sender, roles, teammates_forgotten_after")
+                                 "positioner, tasks, utility, assigner, sender, roles, behaviours, behaviour_without_role, "
+                                 "teammates_forgotten_after")
 
 
 if __name__ == "__main__":

@@ -23,7 +23,7 @@ COUNTS = ("offered", "refused", "sent", "dropped", "heard")
 
 
 class Negotiations(program.Case):
-    plugins = (program.SOUND, BIDS)
+    plugins = (program.SOUND, *program.BEHAVIOURS, BIDS)
 
     def setUp(self):
         super().setUp()
