@@ -52,7 +52,8 @@ class Lists(unittest.TestCase):
         for team in ("paper", "fixed_rate"):
             shown = subprocess.run([PROGRAM, "config", "show", SOURCE / "configs" / "teams" / f"{team}.yaml"],
                                    check=True, capture_output=True, text=True).stdout
-            named |= set(re.findall(r"\bplugin: (\w+)", shown))
+            # A behaviour that the page says nothing of is the plugin of its name.
+            named |= set(re.findall(r"\b(?:plugin|behaviour|behaviour_without_role): (\w+)", shown))
         self.assertEqual(sorted(listed), sorted(named))
 
 
