@@ -16,9 +16,9 @@
  *
  * ONE DECISION OF A ROBOT calls, in this order
  *   dropped                    of offers whose time has come
- *   predict, correct, tracks   of the own models
- *   absorb, receive            for each packet that arrived: its models, then its segments
- *   predict, tracks            of the models of teammates
+ *   predict, correct, tracks   of the own models; then predict of those of teammates
+ *   absorb, receive            for each packet that arrived: its models, whose tracks are read too, then its segments
+ *   tracks                     of the models of teammates
  *   holds                      every context, by priority
  *   place, score, assign       of the context in force; no context holds: none of them
  *   act                        of the behaviour of the own role, or of that for robots without one
