@@ -10,9 +10,9 @@
 namespace regista::plugin {
 namespace {
 
-constexpr double farthest = 1e4;   // m, of a place
-constexpr double fastest = 1e4;    // m/s and rad/s
-constexpr double rounding = 1e-9;  // what arithmetic may lose
+constexpr double farthest = 1e4;    // m, of a place
+constexpr double fastest = 1e4;     // m/s and rad/s
+constexpr double tolerance = 1e-9;  // what arithmetic may lose
 constexpr double half_turn = std::numbers::pi;
 
 // False for NaN.
@@ -41,7 +41,7 @@ const regista_action& Behaviour::act(const regista_frame& frame, const regista_b
 }
 
 void Behaviour::check(const regista_action& action) const {
-  if (!within(action.gaze, half_turn + rounding)) [[unlikely]]
+  if (!within(action.gaze, half_turn + tolerance)) [[unlikely]]
     instance_->fail("act", fmt::format("gaze is {}; it is within -pi and pi", action.gaze));
   switch (action.motion) {
     case REGISTA_MOTION_STAND:
@@ -84,12 +84,12 @@ void Behaviour::check_kick(const regista_action& action) const {
   if (action.kick < 0 || static_cast<std::uint32_t>(action.kick) >= kicks.count) [[unlikely]]
     instance_->fail("act", fmt::format("kick {} of {} does not exist", action.kick, kicks.count));
   const auto& kick = static_cast<const regista_kick*>(kicks.data)[action.kick];
-  if (!(action.kick_distance >= kick.minimum_distance - rounding &&
-        action.kick_distance <= kick.maximum_distance + rounding)) [[unlikely]] {
+  if (!(action.kick_distance >= kick.minimum_distance - tolerance &&
+        action.kick_distance <= kick.maximum_distance + tolerance)) [[unlikely]] {
     instance_->fail("act", fmt::format("asks kick {} ({}) to roll {} m; it rolls {} to {} m", action.kick, kick.name,
                                        action.kick_distance, kick.minimum_distance, kick.maximum_distance));
   }
-  if (!within(action.kick_direction, half_turn + rounding)) [[unlikely]]
+  if (!within(action.kick_direction, half_turn + tolerance)) [[unlikely]]
     instance_->fail("act", fmt::format("kick's direction is {}; it is within -pi and pi", action.kick_direction));
 }
 

@@ -16,7 +16,7 @@ namespace {
 // Nothing on a field is farther away, or faster; what is beyond would overflow somewhere else. m, m/s
 constexpr double farthest = 1e4;
 
-constexpr double largest = std::numeric_limits<double>::max();
+constexpr double largest_number = std::numeric_limits<double>::max();
 
 bool has_pose(std::uint32_t subject) { return subject == REGISTA_SUBJECT_SELF || subject == REGISTA_SUBJECT_TEAMMATES; }
 
@@ -25,17 +25,17 @@ bool has_pose(std::uint32_t subject) { return subject == REGISTA_SUBJECT_SELF ||
 bool clearly_sound(const regista_track& t) {
   const double x = std::abs(t.x), y = std::abs(t.y), vx = std::abs(t.vx), vy = std::abs(t.vy);
   const bool near = (x <= farthest) & (y <= farthest) & (vx <= farthest) & (vy <= farthest);
-  const bool certain = (t.weight > 0.0) & (t.weight <= 1.0) & (t.age >= 0.0) & (t.age <= largest);
+  const bool certain = (t.weight > 0.0) & (t.weight <= 1.0) & (t.age >= 0.0) & (t.age <= largest_number);
   return near & certain;
 }
 bool clearly_sound(const regista_track& t, const regista_track_pose& pose) {
   const bool has_target = (t.flags & REGISTA_TRACK_HAS_TARGET) != 0;
   const double heading = std::abs(pose.heading), turn_rate = std::abs(pose.turn_rate),
                target_x = std::abs(pose.target[0]), target_y = std::abs(pose.target[1]);
-  const bool turned = (heading <= std::numbers::pi) & (turn_rate <= largest);
-  const bool certain = (pose.heading_variance >= 0.0) & (pose.heading_variance <= largest) &
-                       (pose.velocity_variance >= 0.0) & (pose.velocity_variance <= largest);
-  const bool aimed = (!has_target) | ((target_x <= largest) & (target_y <= largest));
+  const bool turned = (heading <= std::numbers::pi) & (turn_rate <= largest_number);
+  const bool certain = (pose.heading_variance >= 0.0) & (pose.heading_variance <= largest_number) &
+                       (pose.velocity_variance >= 0.0) & (pose.velocity_variance <= largest_number);
+  const bool aimed = (!has_target) | ((target_x <= largest_number) & (target_y <= largest_number));
   return turned & certain & aimed & clearly_definite(t.covariance);
 }
 
@@ -92,8 +92,8 @@ std::span<const regista_track> Predictor::tracks() {
   const std::span<const regista_track> out = tracks_.first(count);
   const bool poses = has_pose(instance_->environment().subject);
   for (const regista_track& track : out) {
-    const bool sound = poses ? clearly_sound(track) & clearly_sound(track, track.pose)
-                             : clearly_sound(track) & clearly_definite(track.covariance, track.motion);
+    const bool sound = poses ? clearly_sound(track) && clearly_sound(track, track.pose)
+                             : clearly_sound(track) && clearly_definite(track.covariance, track.motion);
     if (!sound) [[unlikely]]
       check(track, poses);
   }
