@@ -233,7 +233,6 @@ TEST(Findings, AreAboutTheOneBrokenPromise) {
   for (const char* id : {"steps_by_point_room", "steps_by_edge_room", "steps_by_cell_room", "steps_by_vertex_room"}) {
     EXPECT_TRUE(run(positioner(id, "promises", "")).empty()) << id;
   }
-  EXPECT_TRUE(run(predictor("steps_by_track_room", "promises", "")).empty());
   for (const char* id : {"forgets_the_age", "forgets_the_target"}) {
     EXPECT_TRUE(run(predictor(id, "promises", "")).empty()) << id;
   }
