@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
 #include <numbers>
 #include <set>
@@ -15,14 +14,13 @@ namespace regista::testkit {
 namespace {
 
 bool is_semi_definite(const double (&p)[4][4]) {
-  constexpr std::size_t n = 4;
-  double scale[n], c[n][n];
-  for (std::size_t i = 0; i < n; ++i) {
+  double scale[4], c[4][4];
+  for (int i = 0; i < 4; ++i) {
     if (!(p[i][i] >= 0.0)) return false;
     scale[i] = std::sqrt(p[i][i]);
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) {
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
       const double unit = scale[i] * scale[j];
       if (unit == 0.0) {
         if (p[i][j] != 0.0) return false;
@@ -33,12 +31,12 @@ bool is_semi_definite(const double (&p)[4][4]) {
     }
     c[i][i] += 1e-9;
   }
-  for (std::size_t k = 0; k < n; ++k) {  // Cholesky
-    for (std::size_t m = 0; m < k; ++m) c[k][k] -= c[k][m] * c[k][m];
+  for (int k = 0; k < 4; ++k) {  // Cholesky
+    for (int m = 0; m < k; ++m) c[k][k] -= c[k][m] * c[k][m];
     if (!(c[k][k] > 0.0)) return false;
     c[k][k] = std::sqrt(c[k][k]);
-    for (std::size_t i = k + 1; i < n; ++i) {
-      for (std::size_t m = 0; m < k; ++m) c[i][k] -= c[i][m] * c[k][m];
+    for (int i = k + 1; i < 4; ++i) {
+      for (int m = 0; m < k; ++m) c[i][k] -= c[i][m] * c[k][m];
       c[i][k] /= c[k][k];
     }
   }
@@ -74,10 +72,7 @@ void check_pose(const regista_track_pose& pose, Findings& f) {
 
 }  // namespace
 
-bool detail::is_covariance(const double (&p)[3]) {
-  constexpr double stands[7] = {};
-  return is_covariance(p, stands);
-}
+bool detail::is_covariance(const double (&place)[3]) { return is_covariance(place, {}); }
 
 bool detail::is_covariance(const double (&p)[3], const double (&r)[7]) {
   const double all[4][4] = {

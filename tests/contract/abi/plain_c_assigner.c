@@ -41,7 +41,7 @@ static const regista_assigner calls = {sizeof(regista_assigner), 0, assign};
 
 static const void* table(int32_t kind) { return kind == REGISTA_KIND_ASSIGNER ? &calls : NULL; }
 
-static void* create(const regista_environment* environment, const regista_host* host, const regista_value* values,
+static void* create(const regista_environment* environment, const regista_host* host, regista_span values,
                     regista_error* error) {
   best_row* self = (best_row*)malloc(sizeof *self);
   (void)environment;
@@ -50,7 +50,7 @@ static void* create(const regista_environment* environment, const regista_host* 
     strcpy(error->text, "out of memory");
     return NULL;
   }
-  self->at_least = values[0].number;
+  self->at_least = ((const regista_value*)values.data)->number;
   return self;
 }
 
@@ -80,7 +80,12 @@ static const regista_descriptor descriptor = {sizeof(regista_descriptor),
                                               table,
                                               create,
                                               reset,
-                                              free};
+                                              free,
+                                              REGISTA_ABI_MAJOR,
+                                              REGISTA_ABI_MINOR,
+                                              REGISTA_READS_NOTHING,
+                                              0,
+                                              NULL};
 
 const regista_descriptor* regista_plugin_entry(uint32_t host_major, uint32_t host_minor, uint32_t index) {
   (void)host_major;

@@ -31,7 +31,15 @@ using bare_context = Bare<REGISTA_KIND_CONTEXT, regista_context>;
 using bare_positioner = Bare<REGISTA_KIND_POSITIONER, regista_positioner>;
 using bare_utility = Bare<REGISTA_KIND_UTILITY, regista_utility>;
 using bare_assigner = Bare<REGISTA_KIND_ASSIGNER, regista_assigner>;
-using bare_sender = Bare<REGISTA_KIND_SENDER, regista_sender>;
 using bare_behaviour = Bare<REGISTA_KIND_BEHAVIOUR, regista_behaviour>;
+
+struct bare_sender {
+  static constexpr std::int32_t kind = REGISTA_KIND_SENDER;
+  template <class Class>
+  static const void* table() {
+    static constexpr regista_sender calls{sizeof(regista_sender), 0, &Class::call, nullptr};
+    return &calls;
+  }
+};
 
 }  // namespace bad

@@ -3,7 +3,7 @@
 #include <regista/abi.h>
 
 static const regista_descriptor descriptor = {.size = sizeof(regista_descriptor),
-                                              .abi_major = REGISTA_ABI_MAJOR + 1,
+                                              .abi_major = 2,
                                               .abi_minor = 0,
                                               .id = "other_major",
                                               .version = "1.0.0"};

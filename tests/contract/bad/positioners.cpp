@@ -74,15 +74,15 @@ struct CellOffTheField : bad::Described {
 struct CellPastTheEnd : bad::Described {
   static constexpr auto id = "cell_past_the_end";
   static std::int32_t call(void*, const regista_frame*, regista_placement* out, regista_error*) {
-    out->cells[0] = {1, 0, 4};
-    out->cell_count = 1;
+    *static_cast<regista_cell*>(out->cells.data) = {1, 0, 4};
+    out->cells.count = 1;
     return REGISTA_OK;
   }
 };
 struct CountsTooFar : bad::Described {
   static constexpr auto id = "counts_too_far";
   static std::int32_t call(void*, const regista_frame*, regista_placement* out, regista_error*) {
-    out->point_count = out->point_capacity + 1;
+    out->points.count = out->points.capacity + 1;
     return REGISTA_OK;
   }
 };
@@ -90,9 +90,55 @@ struct CountsTooFar : bad::Described {
 struct IgnoresCapacity : bad::Described {
   static constexpr auto id = "ignores_capacity";
   static std::int32_t call(void*, const regista_frame*, regista_placement* out, regista_error*) {
-    out->points[0] = {0, 0, 1, -1, 0};
-    out->points[1] = {1, 0, 1, -1, 0};
-    out->point_count = 2;
+    auto* const bytes = static_cast<unsigned char*>(out->points.data);
+    *reinterpret_cast<regista_waypoint*>(bytes) = {0, 0, 1, -1, 0};
+    *reinterpret_cast<regista_waypoint*>(bytes + out->points.stride) = {1, 0, 1, -1, 0};
+    out->points.count = 2;
+    return REGISTA_OK;
+  }
+};
+// Takes the room of each buffer for an array of what it knows: two elements of each.
+template <class T>
+void fill_as_array(regista_room& room, const T& first, const T& second) {
+  auto* const elements = static_cast<T*>(room.data);
+  elements[0] = first;
+  elements[1] = second;
+  room.count = 2;
+}
+struct StepsByPointRoom : bad::Described {
+  static constexpr auto id = "steps_by_point_room";
+  static std::int32_t call(void*, const regista_frame*, regista_placement* out, regista_error*) {
+    fill_as_array<regista_waypoint>(out->points, {0, 0, 1, -1, 0}, {1, 0, 1, -1, 0});
+    return REGISTA_OK;
+  }
+};
+struct StepsByEdgeRoom : bad::Described {
+  static constexpr auto id = "steps_by_edge_room";
+  static std::int32_t call(void*, const regista_frame*, regista_placement* raw, regista_error*) {
+    Placement out(*raw);
+    for (const double x : {0.0, 1.0, 2.0}) out.point(x, 0.0);
+    fill_as_array<regista_edge>(raw->edges, {0, 1}, {1, 2});
+    return REGISTA_OK;
+  }
+};
+struct StepsByCellRoom : bad::Described {
+  static constexpr auto id = "steps_by_cell_room";
+  static std::int32_t call(void*, const regista_frame*, regista_placement* out, regista_error*) {
+    fill_as_array<regista_cell>(out->cells, {1, 0, 0}, {2, 0, 0});
+    return REGISTA_OK;
+  }
+};
+struct StepsByVertexRoom : bad::Described {
+  static constexpr auto id = "steps_by_vertex_room";
+  static std::int32_t call(void*, const regista_frame*, regista_placement* out, regista_error*) {
+    fill_as_array<regista_vertex>(out->vertices, {0, 0}, {1, 0});
+    return REGISTA_OK;
+  }
+};
+struct MovesTheRoom : bad::Described {
+  static constexpr auto id = "moves_the_room";
+  static std::int32_t call(void*, const regista_frame*, regista_placement* out, regista_error*) {
+    out->vertices.capacity += 1;
     return REGISTA_OK;
   }
 };
@@ -117,4 +163,9 @@ REGISTA_PLUGINS(regista::Plugin<OffTheField, regista::positioner>, regista::Plug
                 regista::Plugin<CellPastTheEnd, bad::bare_positioner>,
                 regista::Plugin<CountsTooFar, bad::bare_positioner>,
                 regista::Plugin<IgnoresCapacity, bad::bare_positioner>,
+                regista::Plugin<StepsByPointRoom, bad::bare_positioner>,
+                regista::Plugin<StepsByEdgeRoom, bad::bare_positioner>,
+                regista::Plugin<StepsByCellRoom, bad::bare_positioner>,
+                regista::Plugin<StepsByVertexRoom, bad::bare_positioner>,
+                regista::Plugin<MovesTheRoom, bad::bare_positioner>,
                 regista::Plugin<FillsTheTail, bad::bare_positioner>)

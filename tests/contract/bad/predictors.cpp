@@ -17,14 +17,21 @@ using regista::Track;
 using regista::Tracks;
 using regista::VisibleArea;
 
+// Of a ball or an opponent.
 Track sound(int label, double x = 0.0, double y = 0.0) {
   Track t{};
   t.label = label;
   t.x = x;
   t.y = y;
-  for (const std::size_t i : {0u, 5u, 10u, 15u}) t.covariance[i] = 0.1;
-  t.heading_variance = 0.1;
+  for (const std::size_t i : {0u, 2u}) t.covariance[i] = 0.1;
+  for (const std::size_t i : {4u, 6u}) t.motion[i] = 0.1;
   t.weight = 1.0;
+  return t;
+}
+// Of a robot of the own team.
+Track sound_pose(int label) {
+  Track t = sound(label);
+  t.pose = {0.0, 0.0, 0.1, 0.1, {0.0, 0.0}};
   return t;
 }
 
@@ -44,7 +51,7 @@ using Opponents = Ignorant<REGISTA_SUBJECT_OPPONENTS>;
 // One track of the own pose, spoilt by `spoil`.
 template <class Spoil>
 void show(const Self& self, Tracks out, Spoil spoil) {
-  Track t = sound(self.own);
+  Track t = sound_pose(self.own);
   spoil(t);
   out.add(t);
 }
@@ -58,25 +65,40 @@ struct NanTrack : Self {
 struct IndefiniteCovariance : Self {
   static constexpr auto id = "indefinite_covariance";
   void tracks(Tracks out) const {
-    show(*this, out, [](Track& t) { t.covariance[1] = t.covariance[4] = 0.11; });
+    show(*this, out, [](Track& t) { t.covariance[1] = 0.11; });
   }
 };
-struct LopsidedCovariance : Self {
-  static constexpr auto id = "lopsided_covariance";
+// Sound as a place, and as a velocity, but not together.
+struct IndefiniteMotion : Ignorant<REGISTA_SUBJECT_BALL> {
+  static constexpr auto id = "indefinite_motion";
   void tracks(Tracks out) const {
-    show(*this, out, [](Track& t) { t.covariance[2] = 0.01; });
+    Track t = sound(1);
+    t.motion[2] = 0.11;
+    out.add(t);
+  }
+};
+struct TooFar : Self {
+  static constexpr auto id = "too_far";
+  void tracks(Tracks out) const {
+    show(*this, out, [](Track& t) { t.x = 1.1e4; });
   }
 };
 struct NegativeVariance : Self {
   static constexpr auto id = "negative_variance";
   void tracks(Tracks out) const {
-    show(*this, out, [](Track& t) { t.heading_variance = -0.1; });
+    show(*this, out, [](Track& t) { t.pose.heading_variance = -0.1; });
+  }
+};
+struct NegativeVelocityVariance : Self {
+  static constexpr auto id = "negative_velocity_variance";
+  void tracks(Tracks out) const {
+    show(*this, out, [](Track& t) { t.pose.velocity_variance = -0.1; });
   }
 };
 struct FullTurn : Self {
   static constexpr auto id = "full_turn";
   void tracks(Tracks out) const {
-    show(*this, out, [](Track& t) { t.heading = -std::numbers::pi; });
+    show(*this, out, [](Track& t) { t.pose.heading = -std::numbers::pi; });
   }
 };
 struct NoWeight : Self {
@@ -97,7 +119,7 @@ struct NobodySelf : Self {
 };
 struct SomeoneElse : Self {
   static constexpr auto id = "someone_else";
-  void tracks(Tracks out) const { out.add(sound(own + 1)); }
+  void tracks(Tracks out) const { out.add(sound_pose(own + 1)); }
 };
 // Surer and surer without having seen anything.
 struct SelfConfident : Self {
@@ -107,7 +129,7 @@ struct SelfConfident : Self {
   void predict(double, const Motion*, const regista::Frame*) { variance *= 0.99; }
   void correct(Span<Measurement>, const VisibleArea&) { variance = 0.1; }
   void tracks(Tracks out) const {
-    show(*this, out, [this](Track& t) { t.covariance[0] = t.covariance[5] = variance; });
+    show(*this, out, [this](Track& t) { t.covariance[0] = t.covariance[2] = variance; });
   }
 };
 struct SureOfHeading : Self {
@@ -117,7 +139,7 @@ struct SureOfHeading : Self {
   void predict(double, const Motion*, const regista::Frame*) { variance *= 0.99; }
   void correct(Span<Measurement>, const VisibleArea&) { variance = 0.1; }
   void tracks(Tracks out) const {
-    show(*this, out, [this](Track& t) { t.heading_variance = variance; });
+    show(*this, out, [this](Track& t) { t.pose.heading_variance = variance; });
   }
 };
 struct SameLabels : Opponents {
@@ -180,13 +202,13 @@ struct WorstFirst : Ignorant<REGISTA_SUBJECT_BALL> {
 struct DescendingLabels : Ignorant<REGISTA_SUBJECT_TEAMMATES> {
   static constexpr auto id = "descending_labels";
   void tracks(Tracks out) const {
-    for (int label = 7; label >= 1; --label) out.add(sound(label));
+    for (int label = 7; label >= 1; --label) out.add(sound_pose(label));
   }
 };
 struct StrangeTeammate : Ignorant<REGISTA_SUBJECT_TEAMMATES> {
   static constexpr auto id = "strange_teammate";
   void tracks(Tracks out) const {
-    for (int label = 1; label <= 8; ++label) out.add(sound(label));
+    for (int label = 1; label <= 8; ++label) out.add(sound_pose(label));
   }
 };
 struct DeafToTeammates : Ignorant<REGISTA_SUBJECT_TEAMMATES> {
@@ -221,12 +243,92 @@ struct StepsByTrackSize : Opponents {
     for (const Track& t : now) out.add(t);
   }
 };
+// Takes the room for an array of what it knows.
+struct StepsByTrackRoom : Ignorant<REGISTA_SUBJECT_BALL> {
+  static constexpr auto id = "steps_by_track_room";
+};
+struct careless_predictor {
+  static constexpr std::int32_t kind = REGISTA_KIND_PREDICTOR;
+  template <class Class>
+  static const void* table() {
+    static const regista_predictor calls = [] {
+      struct Shown : Class {
+        void tracks(Tracks) const {}
+      };
+      regista_predictor out = *static_cast<const regista_predictor*>(regista::predictor::table<Shown>());
+      out.tracks = [](void*, regista_room* room, regista_error*) -> std::int32_t {
+        auto* const tracks = static_cast<Track*>(room->data);
+        tracks[0] = sound(1);
+        tracks[1] = sound(2);
+        room->count = 2;
+        return REGISTA_OK;
+      };
+      return out;
+    }();
+    return &calls;
+  }
+};
+
+// Teammates stand where they said, and so they are told of later; what is told, the plugins below spoil.
+struct Standing : Ignorant<REGISTA_SUBJECT_TEAMMATES> {
+  std::vector<Track> now;
+  void reset(std::uint64_t) { now.clear(); }
+  void predict(double dt, const Motion*, const regista::Frame*) {
+    for (Track& t : now) t = later(t, dt);
+  }
+  void absorb(Span<Track> said, double age) {
+    for (const Track& told : said) {
+      const auto place = std::find_if(now.begin(), now.end(), [&](const Track& t) { return t.label >= told.label; });
+      if (place != now.end() && place->label == told.label) {
+        *place = later(told, age);
+      } else {
+        now.insert(place, later(told, age));
+      }
+    }
+  }
+  void tracks(Tracks out) const {
+    for (const Track& t : now) out.add(t);
+  }
+  static Track later(Track t, double age) {
+    t.age += age;
+    t.covariance[0] += 0.01 * age;
+    return t;
+  }
+};
+struct ForgetsTheAge : Standing {
+  static constexpr auto id = "forgets_the_age";
+  Track track_at(const Track& told, double) const { return told; }
+};
+struct ForgetsTheTarget : Standing {
+  static constexpr auto id = "forgets_the_target";
+  Track track_at(const Track& told, double age) const {
+    Track t = later(told, age);
+    t.pose.target[1] += 1e-6;
+    return t;
+  }
+};
+struct ChangesTheModel : Standing {
+  static constexpr auto id = "changes_the_model";
+  mutable int asked = 0;
+  void reset(std::uint64_t seed) {
+    Standing::reset(seed);
+    asked = 0;
+  }
+  Track track_at(const Track& told, double age) const { return ++asked, later(told, age); }
+  void tracks(Tracks out) const {
+    for (Track t : now) {
+      t.weight /= 1.0 + asked;
+      out.add(t);
+    }
+  }
+};
 
 }  // namespace
 
 REGISTA_PLUGINS(regista::Plugin<NanTrack, regista::predictor>,
                 regista::Plugin<IndefiniteCovariance, regista::predictor>,
-                regista::Plugin<LopsidedCovariance, regista::predictor>,
+                regista::Plugin<IndefiniteMotion, regista::predictor>, regista::Plugin<TooFar, regista::predictor>,
+                regista::Plugin<NegativeVelocityVariance, regista::predictor>,
                 regista::Plugin<NegativeVariance, regista::predictor>, regista::Plugin<FullTurn, regista::predictor>,
                 regista::Plugin<NoWeight, regista::predictor>, regista::Plugin<FromTheFuture, regista::predictor>,
                 regista::Plugin<NobodySelf, regista::predictor>, regista::Plugin<SomeoneElse, regista::predictor>,
@@ -237,4 +339,8 @@ REGISTA_PLUGINS(regista::Plugin<NanTrack, regista::predictor>,
                 regista::Plugin<DescendingLabels, regista::predictor>,
                 regista::Plugin<StrangeTeammate, regista::predictor>,
                 regista::Plugin<DeafToTeammates, regista::predictor>, regista::Plugin<CountsTracks, regista::predictor>,
-                regista::Plugin<StepsByTrackSize, regista::predictor>)
+                regista::Plugin<StepsByTrackSize, regista::predictor>,
+                regista::Plugin<StepsByTrackRoom, careless_predictor>,
+                regista::Plugin<ForgetsTheAge, regista::predictor>,
+                regista::Plugin<ForgetsTheTarget, regista::predictor>,
+                regista::Plugin<ChangesTheModel, regista::predictor>)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Utilities, contexts and senders that break one promise each.
+#include <array>
 #include <limits>
 #include <stdexcept>
 
@@ -52,6 +53,31 @@ struct KeepsTheEnvironment : bad::Described {
   void setup(const regista::Environment& environment) { kept = &environment.raw(); }
   void score(const Frame&, Utilities out) { out(0, 0) = kept->field_length; }
 };
+// Values of parameters may be longer than it knows.
+struct StepsByValueSize : bad::Described {
+  static constexpr auto id = "steps_by_value_size";
+  double first = 1.0, second = 2.0;
+  static constexpr std::tuple parameters{
+      regista::real("first", &StepsByValueSize::first, {0.0, 10.0}, "1", "One number"),
+      regista::real("second", &StepsByValueSize::second, {0.0, 10.0}, "1", "Another")};
+  void score(const Frame&, Utilities out) { out(0, 0) = first + second; }
+
+  // The usual descriptor, but for the values.
+  static const regista_descriptor* descriptor() {
+    static const regista_descriptor built = [] {
+      regista_descriptor d = *regista::Plugin<StepsByValueSize, regista::utility>::descriptor();
+      d.create = [](const regista_environment*, const regista_host*, regista_span values, regista_error*) -> void* {
+        const auto* const array = static_cast<const regista_value*>(values.data);
+        auto* const out = new StepsByValueSize;
+        out->first = array[0].number;
+        out->second = array[1].number;
+        return out;
+      };
+      return d;
+    }();
+    return &built;
+  }
+};
 struct FirstOpponentCounts : bad::Described {
   static constexpr auto id = "first_opponent_counts";
   void score(const Frame& frame, Utilities out) {
@@ -83,6 +109,21 @@ struct ScribblesWorld : bad::Described {
   }
 };
 
+struct RefusesLargerGames : bad::Described {
+  static constexpr auto id = "refuses_larger_games";
+  bool holds(const Frame& frame) {
+    if (frame.mine().game().size != sizeof(regista_game)) throw std::runtime_error("a game of another size");
+    return true;
+  }
+};
+struct RefusesLargerBalls : bad::Described {
+  static constexpr auto id = "refuses_larger_balls";
+  bool holds(const Frame& frame) {
+    if (frame.common().ball().size != sizeof(regista_ball)) throw std::runtime_error("a ball of another size");
+    return true;
+  }
+};
+
 template <class Fill>
 std::int32_t send(regista_send* out, Fill fill) {
   out->send = 1;
@@ -100,6 +141,13 @@ struct SendsTwo : bad::Described {
 struct NoSuchReason : bad::Described {
   static constexpr auto id = "no_such_reason";
   std::optional<int> decide(const Frame&, const regista::SendQuery&, regista::Grants) { return REGISTA_EVENT_COUNT; }
+};
+struct NoSuchOwnReason : bad::Described {
+  static constexpr auto id = "no_such_own_reason";
+  static constexpr std::array<const char*, 1> reasons{"lost_bid"};
+  std::optional<int> decide(const Frame&, const regista::SendQuery&, regista::Grants) {
+    return regista::own_reason(1);
+  }
 };
 struct GrantsTheUnoffered : bad::Described {
   static constexpr auto id = "grants_the_unoffered";
@@ -138,7 +186,9 @@ struct GrantsPastTheEnd : bad::Described {
 REGISTA_PLUGINS(regista::Plugin<NotANumber, regista::utility>, regista::Plugin<Infinite, regista::utility>,
                 regista::Plugin<Negative, regista::utility>, regista::Plugin<NoGap, regista::utility>,
                 regista::Plugin<StepsBySize, regista::utility>, regista::Plugin<RefusesLargerFrames, regista::utility>,
-                regista::Plugin<KeepsTheEnvironment, regista::utility>,
+                regista::Plugin<KeepsTheEnvironment, regista::utility>, StepsByValueSize,
+                regista::Plugin<RefusesLargerGames, regista::context>,
+                regista::Plugin<RefusesLargerBalls, regista::context>, regista::Plugin<NoSuchOwnReason, regista::sender>,
                 regista::Plugin<FirstOpponentCounts, regista::utility>, regista::Plugin<AnswersTwo, bad::bare_context>,
                 regista::Plugin<AnswersNothing, bad::bare_context>, regista::Plugin<Remembers, regista::context>,
                 regista::Plugin<ScribblesWorld, regista::context>, regista::Plugin<SendsTwo, bad::bare_sender>,

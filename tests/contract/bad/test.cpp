@@ -68,7 +68,8 @@ constexpr auto utility = [](const char* id, const char* check, const char* findi
   return Case{REGISTA_KIND_UTILITY, BAD_SCORERS, id, check, finding};
 };
 INSTANTIATE_TEST_SUITE_P(Utility, Reports,
-                         testing::Values(utility("not_a_number", "promises", "score: row 0, column 0 is"),
+                         testing::Values(utility("steps_by_value_size", "growth", "change the result"),
+                                         utility("not_a_number", "promises", "score: row 0, column 0 is"),
                                          utility("infinite", "promises", "column 0 is inf"),
                                          utility("negative", "promises", "score: row 0, column 6 is -1e-12"),
                                          utility("no_gap", "growth", "change the result"),
@@ -84,6 +85,8 @@ INSTANTIATE_TEST_SUITE_P(Context, Reports,
                          testing::Values(context("answers_two", "promises", "holds: answered 2, neither 0 nor 1"),
                                          context("answers_nothing", "promises", "holds: answered -77"),
                                          context("remembers", "determinism", "after reset()"),
+                                         context("refuses_larger_games", "growth", "change the result"),
+                                         context("refuses_larger_balls", "growth", "change the result"),
                                          context("scribbles_world", "promises", "holds: wrote to its input")),
                          name);
 
@@ -94,6 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
     Sender, Reports,
     testing::Values(sender("sends_two", "decide: send is 2, neither 0 nor 1"),
                     sender("no_such_reason", "decide: sends for the reason 14, which does not exist"),
+                    sender("no_such_own_reason", "decide: sends for the reason 1001, which does not exist"),
                     sender("grants_the_unoffered", "which nobody offered"),
                     sender("grants_twice", "decide: granted an offer twice"),
                     sender("grants_too_many", "granted: says"), sender("grants_past_the_end", "granted: wrote past")),
@@ -119,6 +123,11 @@ INSTANTIATE_TEST_SUITE_P(
                     positioner("cell_past_the_end", "promises", "has vertices past the end"),
                     positioner("counts_too_far", "promises", "points: says 257 of at most 256"),
                     positioner("ignores_capacity", "capacity", "points: wrote past the capacity of 1"),
+                    positioner("steps_by_point_room", "growth", "change the result"),
+                    positioner("steps_by_edge_room", "growth", "change the result"),
+                    positioner("steps_by_cell_room", "growth", "change the result"),
+                    positioner("steps_by_vertex_room", "growth", "change the result"),
+                    positioner("moves_the_room", "promises", "vertices: changed more of its room than the count"),
                     positioner("fills_the_tail", "growth", "change the result")),
     name);
 
@@ -168,8 +177,10 @@ constexpr auto predictor = [](const char* id, const char* check, const char* fin
 INSTANTIATE_TEST_SUITE_P(
     Predictor, Reports,
     testing::Values(predictor("nan_track", "promises", "a value of a track is not finite"),
-                    predictor("indefinite_covariance", "promises", "not symmetric and positive semi-definite"),
-                    predictor("lopsided_covariance", "promises", "not symmetric and positive semi-definite"),
+                    predictor("indefinite_covariance", "promises", "a covariance is not positive semi-definite"),
+                    predictor("indefinite_motion", "promises", "a covariance is not positive semi-definite"),
+                    predictor("too_far", "promises", "a place or velocity is beyond 10000"),
+                    predictor("negative_velocity_variance", "promises", "a variance of the velocity is negative"),
                     predictor("negative_variance", "promises", "a variance of the heading is negative"),
                     predictor("full_turn", "promises", "a heading is outside (-pi, pi]"),
                     predictor("no_weight", "promises", "a weight is outside (0, 1]"),
@@ -188,7 +199,11 @@ INSTANTIATE_TEST_SUITE_P(
                     predictor("strange_teammate", "promises", "the label of a teammate is no shirt number"),
                     predictor("deaf_to_teammates", "promises", "a teammate that was heard of has no track"),
                     predictor("counts_tracks", "determinism", "two instances with the same seed"),
-                    predictor("steps_by_track_size", "growth", "change the result")),
+                    predictor("steps_by_track_size", "growth", "change the result"),
+                    predictor("steps_by_track_room", "growth", "change the result"),
+                    predictor("forgets_the_age", "track_at", "is not what the model holds"),
+                    predictor("forgets_the_target", "track_at", "is not what the model holds"),
+                    predictor("changes_the_model", "track_at", "changed the model")),
     name);
 
 // Promises that a plugin may choose to give.
@@ -215,6 +230,12 @@ TEST(Findings, AreAboutTheOneBrokenPromise) {
   EXPECT_TRUE(run(positioner("ignores_capacity", "promises", "")).empty());
   EXPECT_TRUE(run(assigner("keeps", "promises", "")).empty());
   EXPECT_TRUE(run(assigner("chokes_on_messages", "promises", "")).empty());
+  for (const char* id : {"steps_by_point_room", "steps_by_edge_room", "steps_by_cell_room", "steps_by_vertex_room"}) {
+    EXPECT_TRUE(run(positioner(id, "promises", "")).empty()) << id;
+  }
+  for (const char* id : {"forgets_the_age", "forgets_the_target"}) {
+    EXPECT_TRUE(run(predictor(id, "promises", "")).empty()) << id;
+  }
 }
 
 TEST(Findings, NameTheParametersAndTheScene) {

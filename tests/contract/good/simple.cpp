@@ -19,6 +19,7 @@ namespace {
 
 struct FirstFree {
   static constexpr auto id = "first_free", version = "1.0.0", summary = "Each robot takes the first task open to it";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   std::vector<char> taken;
 
   void assign(const regista::Frame&, regista::UtilityMatrix u, regista::Assignment out) {
@@ -35,6 +36,7 @@ struct FirstFree {
 
 struct Nearness {
   static constexpr auto id = "nearness", version = "1.0.0", summary = "One over one plus distance";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   double scale = 1.0;
   bool squared = false;
   static constexpr std::tuple parameters{
@@ -56,11 +58,13 @@ struct Nearness {
 
 struct BallSeen {
   static constexpr auto id = "ball_seen", version = "1.0.0", summary = "Someone knows where the ball is";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   bool holds(const regista::Frame& frame) { return frame.world().ball_known(); }
 };
 
 struct AtTheBall {
   static constexpr auto id = "at_the_ball", version = "1.0.0", summary = "Two points about the ball, on the field";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   double x_limit = 0.0, y_limit = 0.0;
   void setup(const regista::Environment& e) {
     x_limit = e->field_length / 2;
@@ -77,16 +81,19 @@ struct AtTheBall {
 
 struct EverySecond {
   static constexpr auto id = "every_second", version = "1.0.0", summary = "A packet a second, with every offer";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
+  static constexpr std::array<const char*, 2> reasons{"short_of_time", "second"};
   std::optional<int> decide(const regista::Frame&, const regista::SendQuery& query, regista::Grants out) {
     if (query.budget.packets_left <= 0 || query.budget.since_own < 1.0) return std::nullopt;
     for (const regista::Offer& offer : query.offers) out.grant(offer);
-    return REGISTA_EVENT_PERIOD;
+    return query.budget.since_own > 10.0 ? REGISTA_EVENT_PERIOD : regista::own_reason(1);
   }
 };
 
 // Walks to its task, around whom it sees, and kicks what it can.
 struct ToThePlace {
   static constexpr auto id = "to_the_place", version = "1.0.0", summary = "Walks to its task, and kicks what it can";
+  static constexpr unsigned reads = REGISTA_READS_FACINGS;
   static constexpr unsigned purposes = REGISTA_BEHAVIOUR_PLAYS_BALL | REGISTA_BEHAVIOUR_SEARCHES;
   double space = 0.4, reach = 0.0;
   static constexpr std::tuple parameters{
@@ -116,6 +123,7 @@ struct ToThePlace {
 // Believes the last that it was told, and trusts it less and less.
 struct LastNews {
   static constexpr auto id = "last_news", version = "1.0.0", summary = "Where it was last measured";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
   static constexpr unsigned subjects =
       REGISTA_SUBJECT_SELF | REGISTA_SUBJECT_BALL | REGISTA_SUBJECT_OPPONENTS | REGISTA_SUBJECT_TEAMMATES;
   std::vector<regista::Track> now;
@@ -131,22 +139,30 @@ struct LastNews {
     next = 1;
     if (subject == REGISTA_SUBJECT_SELF) now.push_back(fresh(own, 0.0, 0.0));
   }
-  static regista::Track fresh(int label, double x, double y) {
+  regista::Track fresh(int label, double x, double y) const {
     regista::Track t{};
     t.label = label;
     t.x = x;
     t.y = y;
-    for (const std::size_t i : {0u, 5u, 10u, 15u}) t.covariance[i] = 0.1;
-    t.heading_variance = 0.1;
     t.weight = 1.0;
+    for (const std::size_t i : {0u, 2u}) t.covariance[i] = 0.1;
+    if (is_pose()) {
+      t.pose.heading_variance = t.pose.velocity_variance = 0.1;
+    } else {
+      for (const std::size_t i : {4u, 6u}) t.motion[i] = 0.1;
+    }
     return t;
   }
+  bool is_pose() const { return (subject & (REGISTA_SUBJECT_SELF | REGISTA_SUBJECT_TEAMMATES)) != 0; }
+  regista::Track later(regista::Track t, double dt) const {
+    t.age += dt;
+    for (const std::size_t i : {0u, 2u}) t.covariance[i] += 0.01 * dt;
+    if (is_pose()) t.pose.heading_variance += 0.01 * dt;
+    return t;
+  }
+  regista::Track track_at(const regista::Track& told, double age) const { return later(told, age); }
   void predict(double dt, const regista::Motion*, const regista::Frame*) {
-    for (regista::Track& t : now) {
-      t.age += dt;
-      for (const std::size_t i : {0u, 5u}) t.covariance[i] += 0.01 * dt;
-      t.heading_variance += 0.01 * dt;
-    }
+    for (regista::Track& t : now) t = later(t, dt);
   }
   void correct(regista::Span<regista::Measurement> measured, const regista::VisibleArea&) {
     for (const regista::Measurement& m : measured) {

@@ -128,6 +128,9 @@ TEST(Scene, GrownIsTheSameSeenThroughTheStrides) {
   const regista::Frame a = scene.frame(), b = grown.frame();
   EXPECT_EQ(b.raw().size, a.raw().size + 24);
   EXPECT_EQ(b.raw().tasks.stride, a.raw().tasks.stride + 24);
+  EXPECT_EQ(b.world().game().size, sizeof(regista_game) + 24);
+  EXPECT_EQ(b.common().ball().size, sizeof(regista_ball) + 24);
+  EXPECT_EQ(b.world().game().time_left, a.world().game().time_left);
   EXPECT_EQ(b.world().active()[1], 6);
   EXPECT_EQ(b.world().opponents()[1].position[1], 8.0);
   EXPECT_EQ(b.tasks()[1].id, 4);
@@ -153,12 +156,49 @@ TEST(Scene, NoticesEveryWrite) {
   using Raw = regista_frame;
   using View = regista::Frame;
   EXPECT_TRUE(spoilt([](Raw& f, const View&) { f.time += 1; }));
-  EXPECT_TRUE(spoilt([](Raw& f, const View&) { f.time_to_task.values[0] += 1; }));
+  EXPECT_TRUE(spoilt([](Raw& f, const View&) { const_cast<double&>(f.time_to_task.values[0]) += 1; }));
   EXPECT_TRUE(spoilt([](Raw&, const View& v) { const_cast<regista_robot&>(v.common().robot(2)).age = 1; }));
   EXPECT_TRUE(spoilt([](Raw&, const View& v) { const_cast<regista_ball&>(v.mine().ball()).age = 1; }));
+  EXPECT_TRUE(spoilt([](Raw&, const View& v) { const_cast<regista_game&>(v.common().game()).half = 2; }));
   EXPECT_TRUE(spoilt([](Raw&, const View& v) { const_cast<regista_waypoint&>(v.waypoints()[0]).x = 9; }));
   EXPECT_TRUE(spoilt([](Raw&, const View& v) { const_cast<regista_edge&>(v.edges()[0]).to = 9; }));
   EXPECT_TRUE(spoilt([](Raw&, const View& v) { const_cast<std::int32_t&>(v.mine().active()[0]) = 9; }));
+}
+
+TEST(Scene, ShowsNoMoreThanIsRead) {
+  const Scene scene = FrameBuilder{}
+                          .robot(2)
+                          .opponent(5, 6)
+                          .task(3)
+                          .at(1, 2)
+                          .waypoint(1, 0)
+                          .waypoint(2, 0)
+                          .edge(0, 1)
+                          .ball(1, 1)
+                          .previous(2, 3)
+                          .build();
+  const auto with = [&](std::uint32_t reads) { return scene.shown({{}, reads}); };
+  const Scene nothing = with(REGISTA_READS_NOTHING);
+  const regista::Frame frame = nothing.frame();
+  EXPECT_TRUE(frame.mine().opponents().empty() && frame.common().opponents().empty());
+  EXPECT_TRUE(frame.waypoints().empty() && frame.edges().empty());
+  EXPECT_EQ(frame.raw().previous.count, 0u);
+  EXPECT_EQ(frame.raw().time_to_task.rows + frame.raw().time_to_task.columns, 0u);
+  EXPECT_TRUE(std::isnan(frame.tasks()[0].after[2]) && std::isnan(frame.tasks()[0].before[2]));
+  EXPECT_EQ(frame.tasks()[0].after[1], 2.0);
+  EXPECT_TRUE(std::isnan(frame.mine().ball().covariance[9]) && std::isnan(frame.common().robot(2).covariance[0]));
+  EXPECT_EQ(frame.mine().ball().position[0], 1.0);
+  EXPECT_TRUE(nothing.unchanged());
+  const Scene mine = with(REGISTA_READS_OPPONENTS_MINE);
+  EXPECT_EQ(mine.frame().mine().opponents().size(), 1u);
+  EXPECT_TRUE(mine.frame().common().opponents().empty());
+  EXPECT_EQ(with(REGISTA_READS_WAYPOINTS).frame().waypoints().size(), 2u);
+  EXPECT_EQ(with(REGISTA_READS_EDGES).frame().edges().size(), 1u);
+  EXPECT_EQ(with(REGISTA_READS_PREVIOUS).frame().previous_task(2), 3);
+  EXPECT_EQ(with(REGISTA_READS_TIMES).raw().time_to_task.rows, 1u);
+  EXPECT_EQ(with(REGISTA_READS_FACINGS).frame().tasks()[0].after[2], 0.0);
+  EXPECT_EQ(with(REGISTA_READS_COVARIANCES).frame().mine().opponents().size(), 0u);
+  EXPECT_EQ(with(REGISTA_READS_COVARIANCES).frame().mine().ball().covariance[9], 0.04);
 }
 
 TEST(Scene, EarlierStepsOfADecisionSeeLess) {
@@ -199,6 +239,11 @@ TEST(EnvironmentBuilder, TheUsualBodyIsANao) {
   EXPECT_EQ(e.kicks()[2].maximum_distance, 1.0);
   EXPECT_EQ(e.kicks()[0].impact, 0.65);
   EXPECT_EQ(e->goal_post_radius, 0.05);
+  EXPECT_EQ(e->halves, 2u);
+  EXPECT_EQ(e->half_length, 600.0);
+  ASSERT_EQ(e.events().size(), static_cast<std::size_t>(REGISTA_EVENT_COUNT));
+  EXPECT_STREQ(e.events()[REGISTA_EVENT_GOT_UP].name, "got_up");
+  EXPECT_EQ(e.events()[REGISTA_EVENT_GOT_UP].kind, REGISTA_EVENT_GOT_UP);
   EXPECT_EQ(e->set_play_distance, 0.75);
   EXPECT_NEAR(e->head_yaw, std::acos(0.0), 1e-15);
   EXPECT_NEAR(e->kick_reach_angle, std::acos(0.5), 1e-15);
@@ -267,29 +312,43 @@ TEST(Scenes, HaveEveryShapeAndRisingTime) {
   }
 }
 
+bool is_motion(const double (&p)[4][4]) {
+  const double place[3] = {p[0][0], p[0][1], p[1][1]};
+  const double rest[7] = {p[0][2], p[0][3], p[1][2], p[1][3], p[2][2], p[2][3], p[3][3]};
+  return detail::is_covariance(place, rest);
+}
+bool is_place(const double (&p)[4][4]) {
+  const double place[3] = {p[0][0], p[0][1], p[1][1]};
+  return detail::is_covariance(place);
+}
+
 // Truth: A A^T is positive semi-definite; what is less than it by more than its smallest eigenvalue is not.
 TEST(Covariance, IsToldFromWhatIsNone) {
   Dice dice(3);
   for (int round = 0; round < 1000; ++round) {
-    double a[4][4], p[16];
+    double a[4][4], p[4][4];
     const double unit[4] = {1e3, 1.0, 1e-3, 1e-6};
     for (int i = 0; i < 4; ++i) {
       for (int k = 0; k < 4; ++k) a[i][k] = k < 1 + round % 4 ? unit[i] * dice.real(-1, 1) : 0.0;
     }
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j) {
-        p[4 * i + j] = 0.0;
-        for (int k = 0; k < 4; ++k) p[4 * i + j] += a[i][k] * a[j][k];
+        p[i][j] = 0.0;
+        for (int k = 0; k < 4; ++k) p[i][j] += a[i][k] * a[j][k];
       }
     }
-    EXPECT_TRUE(detail::is_covariance(p));
+    EXPECT_TRUE(is_motion(p));
+    EXPECT_TRUE(is_place(p));
     const int i = round % 4, j = (i + 1) % 4;
-    const double before = p[4 * i + j];
-    p[4 * i + j] = p[4 * j + i] = 1.001 * std::sqrt(p[5 * i] * p[5 * j]);
-    EXPECT_FALSE(detail::is_covariance(p)) << "correlation above 1";
-    p[4 * i + j] = p[4 * j + i] = before;
-    p[5 * i] = -p[5 * i];
-    EXPECT_FALSE(detail::is_covariance(p)) << "negative variance";
+    const bool in_place = i == 0;
+    const double before = p[i][j];
+    p[i][j] = p[j][i] = 1.001 * std::sqrt(p[i][i] * p[j][j]);
+    EXPECT_FALSE(is_motion(p)) << "correlation above 1";
+    EXPECT_EQ(is_place(p), !in_place) << "correlation above 1";
+    p[i][j] = p[j][i] = before;
+    p[i][i] = -p[i][i];
+    EXPECT_FALSE(is_motion(p)) << "negative variance";
+    EXPECT_EQ(is_place(p), i > 1) << "negative variance";
   }
 }
 
@@ -300,8 +359,7 @@ TEST(MeasurementCourse, IsSoundInput) {
       EXPECT_GT(tick.dt, 0.0);
       nothing |= tick.corrects && tick.measurements.empty();
       for (const regista_measurement& m : tick.measurements) {
-        EXPECT_LE(m.covariance[1] * m.covariance[1], m.covariance[0] * m.covariance[4] * (1 + 1e-12));
-        EXPECT_EQ(m.covariance[1], m.covariance[3]);
+        EXPECT_LE(m.covariance[1] * m.covariance[1], m.covariance[0] * m.covariance[2] * (1 + 1e-12));
         far |= std::abs(m.position[0]) > 100.0;
       }
       twice |= tick.measurements.size() > 1 &&
@@ -309,7 +367,7 @@ TEST(MeasurementCourse, IsSoundInput) {
       if (tick.absorbs) {
         packet = true;
         Findings findings;
-        for (const regista_track& track : *tick.absorbs) check_track(track, findings);
+        for (const regista_track& track : *tick.absorbs) check_track(track, subject, findings);
         EXPECT_TRUE(findings.empty()) << findings.text();
       }
     }

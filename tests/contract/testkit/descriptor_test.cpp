@@ -64,14 +64,49 @@ TEST_F(Descriptor, SizesAndVersions) {
   EXPECT_THAT(found(), ElementsAre(HasSubstr("descriptor: its size field says")));
   descriptor.size += 100;
   EXPECT_THAT(found(), ElementsAre());
+  // Before 1.0 no two versions fit together.
   descriptor.abi_minor = REGISTA_ABI_MINOR + 1;
-  EXPECT_THAT(found(), ElementsAre("descriptor: built for plugin interface 1.1"));
+  EXPECT_THAT(found(), ElementsAre("descriptor: built for plugin interface 0.3"));
+  descriptor.abi_minor = REGISTA_ABI_MINOR - 1;
+  EXPECT_THAT(found(), ElementsAre("descriptor: built for plugin interface 0.1"));
   descriptor.abi_minor = REGISTA_ABI_MINOR;
+  descriptor.abi_major = REGISTA_ABI_MAJOR + 1;
+  EXPECT_THAT(found(), ElementsAre("descriptor: built for plugin interface 1.2"));
+  descriptor.abi_major = REGISTA_ABI_MAJOR;
   parameter.size = 8;
   EXPECT_THAT(found(), ElementsAre("parameter scale: its size field says 8 bytes"));
   parameter.size = sizeof parameter;
   descriptor.parameter_stride = 8;
   EXPECT_THAT(found(), ElementsAre(HasSubstr("too small a stride")));
+}
+
+TEST_F(Descriptor, ReservedFieldsAreZero) {
+  descriptor.reserved_too = 1;
+  EXPECT_THAT(found(), ElementsAre("descriptor: a reserved field is not 0"));
+}
+
+TEST_F(Descriptor, Extensions) {
+  descriptor.extension = [](const char*) -> const void* { return nullptr; };
+  EXPECT_THAT(found(), ElementsAre());
+  descriptor.extension = [](const char* name) -> const void* { return name; };
+  EXPECT_THAT(found(), ElementsAre("descriptor: has an extension for a name that nobody gave"));
+}
+
+TEST_F(Descriptor, ReasonsOfSenders) {
+  static regista_sender sender{sizeof(regista_sender), 0, nullptr, nullptr};
+  static const char* const names[] = {"lost_bid", "Lost", "lost_bid"};
+  descriptor.table = [](std::int32_t kind) -> const void* { return kind == REGISTA_KIND_SENDER ? &sender : nullptr; };
+  EXPECT_THAT(found(), ElementsAre());
+  sender.reason_count = 1;
+  EXPECT_THAT(found(), ElementsAre("sender: its reasons are null"));
+  sender.reasons = names;
+  EXPECT_THAT(found(), ElementsAre());
+  sender.reason_count = 2;
+  EXPECT_THAT(found(), ElementsAre("sender: its reason 1 is not in lower_snake_case"));
+  sender.reason_count = 3;
+  EXPECT_THAT(found(), Contains("sender: its reason \"lost_bid\" stands twice"));
+  sender.reason_count = 65;
+  EXPECT_THAT(found(), ElementsAre("sender: names 65 reasons of at most 64"));
 }
 
 TEST_F(Descriptor, Calls) {

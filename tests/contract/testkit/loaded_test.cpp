@@ -94,6 +94,11 @@ TEST(Instance, ThrowsWhatThePluginSaid) {
   EXPECT_THROW((void)utility.holds(FrameBuilder{}.build()), std::logic_error);
 }
 
+TEST(Mailbox, TheHostHasNoExtensions) {
+  const RecordingHost host;
+  EXPECT_EQ(host.raw()->extension(host.raw()->context, "regista.log/0"), nullptr);
+}
+
 TEST(Mailbox, OffersAreRecordedAndMessagesArrive) {
   Instance talker(Loaded(CONTRACT_GOOD, "talker"), EnvironmentBuilder{}.own(4));
   const Scene scene = FrameBuilder{}.own(4).robot(4).robot(5).task(0).build();

@@ -105,7 +105,7 @@ class MailboxTest : public testing::Test {
       Box::in_score = std::move(body);
       regista_frame frame{};
       double value = 0.0;
-      const regista_matrix matrix{&value, 1, 1, 1, 0};
+      const regista_matrix_room matrix{&value, 1, 1, 1, 0};
       plugin::Utility(instances[which]).score(frame, matrix);
     }
     std::string log(std::size_t which = 0) {

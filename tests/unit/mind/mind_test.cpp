@@ -228,7 +228,7 @@ TEST(MindTest, LuckIsSharedInWhatIsCommonAlone) {
   }
   const DistributedWorldModel &a = one.world().common(), &b = two.world().common(), &c = other_match.world().common();
   EXPECT_EQ(a.robot(3).pose[0], b.robot(3).pose[0]);
-  EXPECT_EQ(a.raw.ball.position[0], b.raw.ball.position[0]);
+  EXPECT_EQ(a.ball_state.position[0], b.ball_state.position[0]);
   ASSERT_EQ(a.opponents.size(), 1u);
   EXPECT_EQ(a.opponents[0].position[0], b.opponents[0].position[0]);
   EXPECT_NE(a.robot(3).pose[0], c.robot(3).pose[0]);

@@ -13,11 +13,11 @@ using config::Place;
 class Target : public testing::Test {
  protected:
   void ball(double x, double y, double vx = 0.0, double vy = 0.0) {
-    world.raw.ball.flags = REGISTA_BALL_KNOWN;
-    world.raw.ball.position[0] = x;
-    world.raw.ball.position[1] = y;
-    world.raw.ball.velocity[0] = vx;
-    world.raw.ball.velocity[1] = vy;
+    world.ball_state.flags = REGISTA_BALL_KNOWN;
+    world.ball_state.position[0] = x;
+    world.ball_state.position[1] = y;
+    world.ball_state.velocity[0] = vx;
+    world.ball_state.velocity[1] = vy;
   }
   Vector2d at(Anchor anchor) const { return Anchors(field, 0.32, world).at({anchor, {1.25, -0.5}}); }
   Vector2d target() const { return target_of(rule, Anchors(field, 0.32, world)); }
@@ -163,7 +163,7 @@ TEST_F(Target, WithoutBallHoldsWhileNobodyKnowsIt) {
   expect(target(), -3.0, 1.0);
   ball(-3.0, 0.0);
   expect(target(), -2.0, 0.0);
-  world.raw.ball.flags = 0;
+  world.ball_state.flags = 0;
   rule = {};
   rule.at = point(1.0, 1.0);
   rule.across = 0.5;

@@ -64,8 +64,8 @@ TEST_F(World, CommonIsBitEqualForAllWhoHeardTheSame) {
     other->fuse(theirs, dt, OwnRole{});
 
     const DistributedWorldModel &a = world->common(), &b = other->common();
-    EXPECT_TRUE(same_bytes(a.raw.ball, b.raw.ball));
-    EXPECT_TRUE(same_bytes(a.raw.game, b.raw.game));
+    EXPECT_TRUE(same_bytes(a.ball_state, b.ball_state));
+    EXPECT_TRUE(same_bytes(a.game, b.game));
     EXPECT_EQ(a.active, b.active);
     ASSERT_EQ(a.opponents.size(), b.opponents.size());
     for (std::size_t i = 0; i < a.opponents.size(); ++i) EXPECT_TRUE(same_bytes(a.opponents[i], b.opponents[i]));
@@ -149,7 +149,7 @@ TEST_F(World, ANewPacketReplacesBallAndOpponentsToo) {
   told.opponents[1].position = {-2, 2};
   tick(1.0, {told});
   EXPECT_TRUE(world->common().ball_known());
-  EXPECT_DOUBLE_EQ(world->common().raw.ball.age, 0.5);
+  EXPECT_DOUBLE_EQ(world->common().ball_state.age, 0.5);
   EXPECT_EQ(world->common().opponents.size(), 2u);
   tick(2.0, {report(3, 2.0)});
   EXPECT_FALSE(world->common().ball_known()) << "seen 1.5 s ago, its sender would have told it";
@@ -168,7 +168,7 @@ TEST_F(World, APacketKeepsWhatItsSenderLeavesOutForItsAge) {
   next.opponents[0] = {{-4, -1.8}, 0.1, 0.0};
   tick(2.0, {next});
   EXPECT_TRUE(world->common().ball_known());
-  EXPECT_DOUBLE_EQ(world->common().raw.ball.age, 10.5);
+  EXPECT_DOUBLE_EQ(world->common().ball_state.age, 10.5);
   ASSERT_EQ(world->common().opponents.size(), 2u);
   std::vector<double> y;
   for (const regista_opponent& each : world->common().opponents) y.push_back(each.position[1]);
@@ -229,15 +229,15 @@ TEST_F(World, ATeammateThatHeardTheWhistleStartsTheGame) {
   Report told = report(6, 95.9);
   told.playing = true;
   tick(100.0, waiting, {told});
-  EXPECT_EQ(world->mine().raw.game.phase, REGISTA_PHASE_SET) << "that was before this Set";
+  EXPECT_EQ(world->mine().game.phase, REGISTA_PHASE_SET) << "that was before this Set";
   waiting.game.phase_time = 4.1;
   told.time_sent = 100.05;
   tick(100.1, waiting, {told});
-  EXPECT_EQ(world->mine().raw.game.phase, REGISTA_PHASE_PLAYING);
-  EXPECT_EQ(world->common().raw.game.phase, REGISTA_PHASE_PLAYING);
+  EXPECT_EQ(world->mine().game.phase, REGISTA_PHASE_PLAYING);
+  EXPECT_EQ(world->common().game.phase, REGISTA_PHASE_PLAYING);
   Percepts ready = percepts(100.2, Phase::ready);
   tick(100.2, ready);
-  EXPECT_EQ(world->mine().raw.game.phase, REGISTA_PHASE_READY);
+  EXPECT_EQ(world->mine().game.phase, REGISTA_PHASE_READY);
 }
 
 TEST_F(World, TheBallOfAKickOffLiesOnTheCentreUntilSomebodyHeardTheWhistle) {

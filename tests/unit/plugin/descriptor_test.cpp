@@ -45,15 +45,33 @@ TEST_F(DescriptorTest, TakesASoundOne) {
 
 TEST_F(DescriptorTest, NamesBothVersions) {
   EXPECT_EQ(wrong([](regista_descriptor& d) { d.abi_major = 2; }),
-            "built for Regista plugin interface 2.0; this host speaks 1.0");
-  EXPECT_EQ(wrong([](regista_descriptor& d) { d.abi_major = 0; }),
-            "built for Regista plugin interface 0.0; this host speaks 1.0");
+            "built for Regista plugin interface 2.2; this host speaks 0.2: build it anew");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.abi_minor = 3; }),
+            "built for Regista plugin interface 0.3; this host speaks 0.2: build it anew");
+}
+
+TEST_F(DescriptorTest, BeforeTheFreezeAnOlderMinorIsRefusedToo) {
   EXPECT_EQ(wrong([](regista_descriptor& d) { d.abi_minor = 1; }),
-            "built for Regista plugin interface 1.1; this host speaks 1.0");
+            "built for Regista plugin interface 0.1; this host speaks 0.2: build it anew");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.abi_minor = 0; }),
+            "built for Regista plugin interface 0.0; this host speaks 0.2: build it anew");
+  // `minimum` counts from 1.0 on.
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.minimum_minor = 0; }), "");
+}
+
+TEST_F(DescriptorTest, SaysWhyTheHostsNumberIsLower) {
+  EXPECT_EQ(wrong([](regista_descriptor& d) {
+              d.abi_major = 1;
+              d.abi_minor = 0;
+            }),
+            "built for Regista plugin interface 1.0; this host speaks 0.2, whose number is lower because the interface "
+            "was opened again before it is frozen: build it anew");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.abi_major = 1; }),
+            "built for Regista plugin interface 1.2; this host speaks 0.2: build it anew");
 }
 
 TEST_F(DescriptorTest, RefusesWhatIsMissing) {
-  EXPECT_EQ(wrong([](regista_descriptor& d) { d.size = 24; }), "descriptor 0 is 24 bytes; the interface needs 104");
+  EXPECT_EQ(wrong([](regista_descriptor& d) { d.size = 24; }), "descriptor 0 is 24 bytes; the interface needs 128");
   EXPECT_EQ(wrong([](regista_descriptor& d) { d.id = nullptr; }), "descriptor 0: id is null");
   EXPECT_EQ(wrong([](regista_descriptor& d) { d.version = nullptr; }), "plugin \"puppet\": version is null");
   EXPECT_EQ(wrong([](regista_descriptor& d) { d.summary = nullptr; }), "plugin \"puppet\": summary is null");
@@ -130,6 +148,22 @@ TEST_F(DescriptorTest, RefusesTablesThatAreTooSmallOrHaveHoles) {
   Puppet::rest();
   Puppet::predictor.subjects = 0;
   EXPECT_EQ(wrong([](regista_descriptor&) {}), "plugin \"puppet\": is a predictor of nothing");
+}
+
+TEST_F(DescriptorTest, WantsReasonsOfSendersToHaveNames) {
+  static const char* const names[] = {"lost_bid", "Found", "lost_bid", nullptr};
+  const auto said = [this](std::uint32_t count, const char* const* reasons) {
+    Puppet::sender.reason_count = count;
+    Puppet::sender.reasons = reasons;
+    return wrong([](regista_descriptor&) {});
+  };
+  EXPECT_EQ(said(1, names), "");
+  EXPECT_EQ(said(1, nullptr), "plugin \"puppet\": its reasons are null");
+  EXPECT_EQ(said(2, names), "plugin \"puppet\": reason \"Found\" is not lower_snake_case");
+  const char* const twice[] = {"lost_bid", "lost_bid"};
+  EXPECT_EQ(said(2, twice), "plugin \"puppet\": names the reason \"lost_bid\" twice");
+  EXPECT_EQ(said(1, names + 3), "plugin \"puppet\": reason 0 is null");
+  EXPECT_EQ(said(65, names), "plugin \"puppet\": names 65 reasons; at most 64 are taken");
 }
 
 TEST_F(DescriptorTest, RefusesNumbersThatContradictThemselves) {

@@ -134,8 +134,7 @@ TEST_F(FloatingPointStateTest, LooksAtCreateResetAndDestroyToo) {
   const auto instance = [] { instance_of({"puppet.so", &descriptor}); };
   destroyed = false;
   descriptor = Puppet::descriptor();
-  descriptor.create = [](const regista_environment*, const regista_host*, const regista_value*,
-                         regista_error*) -> void* {
+  descriptor.create = [](const regista_environment*, const regista_host*, regista_span, regista_error*) -> void* {
     std::fesetround(FE_UPWARD);
     return &descriptor;
   };

@@ -22,7 +22,7 @@ TEST(Info, IsAPageAboutAPlugin) {
       "build:     " +
       sound.descriptor->build_tag +
       "\n"
-      "interface: 1.0\n"
+      "interface: 0.2\n"
       "licence:   Apache-2.0\n"
       "parameters:\n"
       "  reach: real, 0.5 to 20 m; default: 12; tunable\n"

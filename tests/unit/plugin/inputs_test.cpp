@@ -34,9 +34,15 @@ struct FullScene {
     std::vector<regista_robot> robots = std::vector<regista_robot>(5);
     std::vector<regista_opponent> opponents = std::vector<regista_opponent>(2);
     std::vector<std::int32_t> active{1, 2, 3, 4, 5};
+    regista_game game{};
+    regista_ball ball{};
     regista_world raw{};
     World() {
+      game.size = sizeof game;
+      ball.size = sizeof ball;
       raw.size = sizeof raw;
+      raw.game = &game;
+      raw.ball = &ball;
       raw.robots = {robots.data(), 5, sizeof(regista_robot)};
       raw.opponents = {opponents.data(), 2, sizeof(regista_opponent)};
       raw.active = {active.data(), 5, sizeof(std::int32_t)};
@@ -97,14 +103,14 @@ TEST_F(InputsTest, NamesEachPartOfTheFrame) {
   EXPECT_EQ(held([](F) {}), "");
   EXPECT_EQ(held([](F f) { writable(f).time = 1.0; }), changed("holds", "frame"));
   EXPECT_EQ(held([](F f) { writable(f).mine = nullptr; }), changed("holds", "frame"));  // and is not followed
-  EXPECT_EQ(held([](F f) { writable(f->mine).ball.age = 1.0; }), changed("holds", "frame.mine"));
+  EXPECT_EQ(held([](F f) { writable(f->mine->ball).age = 1.0; }), changed("holds", "frame.mine"));
   EXPECT_EQ(held([](F f) { writable(f->mine).robots.data = nullptr; }), changed("holds", "frame.mine"));
   EXPECT_EQ(held([](F f) { (&element<regista_robot>(f->mine->robots))[4].pose[2] = 1.0; }),
             changed("holds", "frame.mine.robots"));
   EXPECT_EQ(held([](F f) { (&element<regista_opponent>(f->mine->opponents))[1].age = 1.0; }),
             changed("holds", "frame.mine.opponents"));
   EXPECT_EQ(held([](F f) { element<std::int32_t>(f->mine->active) = 9; }), changed("holds", "frame.mine.active"));
-  EXPECT_EQ(held([](F f) { writable(f->common).game.half = 2; }), changed("holds", "frame.common"));
+  EXPECT_EQ(held([](F f) { writable(f->common->game).half = 2; }), changed("holds", "frame.common"));
   EXPECT_EQ(held([](F f) { element<regista_robot>(f->common->robots).number = 8; }),
             changed("holds", "frame.common.robots"));
   EXPECT_EQ(held([](F f) { element<regista_opponent>(f->common->opponents).label = 8; }),
@@ -114,7 +120,7 @@ TEST_F(InputsTest, NamesEachPartOfTheFrame) {
   EXPECT_EQ(held([](F f) { element<regista_waypoint>(f->waypoints).x = 1.0; }), changed("holds", "frame.waypoints"));
   EXPECT_EQ(held([](F f) { element<regista_edge>(f->edges).to = 2; }), changed("holds", "frame.edges"));
   EXPECT_EQ(held([](F f) { element<std::int32_t>(f->previous) = 2; }), changed("holds", "frame.previous"));
-  EXPECT_EQ(held([](F f) { f->time_to_task.values[34] = 1.0; }), changed("holds", "frame.time_to_task"));
+  EXPECT_EQ(held([](F f) { const_cast<double&>(f->time_to_task.values[34]) = 1.0; }), changed("holds", "frame.time_to_task"));
 }
 
 TEST_F(InputsTest, AreComparedOnlyWhereThatIsAskedFor) {
@@ -158,16 +164,16 @@ TEST_F(InputsTest, OfUtilityAndAssigner) {
   FullScene scene;
   Matrix matrix(5, 7, 1.0);
   std::array<std::int32_t, 5> out{};
-  Puppet::utility.score = [](void*, const regista_frame*, const regista_matrix* to, regista_error*) {
+  Puppet::utility.score = [](void*, const regista_frame*, const regista_matrix_room* to, regista_error*) {
     to->values[0] = 2.0;  // that is its answer
     writable(to).stride = 1;
     return Puppet::ok;
   };
-  EXPECT_EQ(message_of([&] { Utility(puppet()).score(scene.frame, matrix.raw); }), changed("score", "out"));
-  EXPECT_EQ(matrix.raw.stride, 10u);
+  EXPECT_EQ(message_of([&] { Utility(puppet()).score(scene.frame, matrix.room); }), changed("score", "out"));
+  EXPECT_EQ(matrix.room.stride, 10u);
   Puppet::assigner.assign = [](void*, const regista_frame*, const regista_matrix* utilities, std::int32_t*,
                                regista_error*) {
-    utilities->values[3] = 7.0;
+    const_cast<double&>(utilities->values[3]) = 7.0;
     return Puppet::ok;
   };
   EXPECT_EQ(message_of([&] { Assigner(puppet()).assign(scene.frame, matrix.raw, out); }),
@@ -204,13 +210,29 @@ TEST_F(InputsTest, OfASenderAndAMailbox) {
 TEST_F(InputsTest, OfCreate) {
   static regista_descriptor descriptor;
   descriptor = Puppet::descriptor();
-  descriptor.create = [](const regista_environment* environment, const regista_host*, const regista_value*,
-                         regista_error*) -> void* {
+  descriptor.create = [](const regista_environment* environment, const regista_host*, regista_span, regista_error*) -> void* {
     writable(environment).goal_width = 9.0;
     return &descriptor;
   };
   EXPECT_EQ(message_of([] { instance(true, descriptor); }), changed("create", "environment"));
   EXPECT_EQ(message_of([] { instance(false, descriptor); }), "");
+}
+
+TEST_F(InputsTest, OfCreatesValues) {
+  static const regista_parameter speed{sizeof(regista_parameter), REGISTA_TYPE_REAL, "speed", "m/s", "How fast", 0.0,
+                                       1.0, 0.5, nullptr, nullptr, 0, 0};
+  static regista_descriptor descriptor;
+  descriptor = Puppet::descriptor();
+  descriptor.parameter_count = 1;
+  descriptor.parameters = &speed;
+  descriptor.create = [](const regista_environment*, const regista_host*, regista_span values,
+                         regista_error*) -> void* {
+    EXPECT_EQ(values.count, 1u);
+    EXPECT_EQ(values.stride, sizeof(regista_value));
+    element<regista_value>(values).number = 0.75;
+    return &descriptor;
+  };
+  EXPECT_NE(message_of([] { instance(true, descriptor); }), "");
 }
 
 TEST(Inputs, ReachRolesAndTheirNames) {

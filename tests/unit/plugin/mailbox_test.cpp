@@ -30,7 +30,7 @@ TEST_F(MailboxTest, SharesTheInstanceWithTheOtherKinds) {
   Mailbox::of(instance)->receive(message);
   Scene scene(8);
   Matrix out(1, 8);
-  Utility(instance).score(scene.frame, out.raw);
+  Utility(instance).score(scene.frame, out.room);
   EXPECT_EQ(out(0, 7), 6.0);
 }
 

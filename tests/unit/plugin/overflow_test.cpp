@@ -26,6 +26,8 @@ void overflow(void* buffer, std::size_t size) {
   std::memset(below ? begin - bytes : begin + size, 0x5a, static_cast<std::size_t>(bytes));
 }
 
+void overflow(const regista_room& room) { overflow(room.data, std::size_t{room.capacity} * room.stride); }
+
 class OverflowTest : public PuppetTest {
  protected:
   static constexpr std::uint32_t rows = 5, columns = 7;
@@ -74,7 +76,7 @@ TEST_F(OverflowTest, OfAnAssignersColumns) {
 }
 
 TEST_F(OverflowTest, OfAUtilitysMatrix) {
-  Puppet::utility.score = [](void*, const regista_frame*, const regista_matrix* out, regista_error*) {
+  Puppet::utility.score = [](void*, const regista_frame*, const regista_matrix_room* out, regista_error*) {
     overflow(out->values, std::size_t{out->rows} * out->columns * sizeof(double));
     return Puppet::ok;
   };
@@ -85,13 +87,13 @@ TEST_F(OverflowTest, OfAUtilitysMatrix) {
 }
 
 TEST_F(OverflowTest, OfAPredictorsTracks) {
-  Puppet::predictor.tracks = [](void*, regista_track* out, std::uint32_t capacity, std::uint32_t*, regista_error*) {
-    overflow(out, capacity * sizeof *out);
+  Puppet::predictor.tracks = [](void*, regista_room* out, regista_error*) {
+    overflow(*out);
     return Puppet::ok;
   };
   expect("tracks", "tracks", tracks);
-  Puppet::predictor.tracks = [](void*, regista_track*, std::uint32_t, std::uint32_t* count, regista_error*) {
-    overflow(count, sizeof *count);
+  Puppet::predictor.tracks = [](void*, regista_room* out, regista_error*) {
+    overflow(out, sizeof *out);
     return Puppet::ok;
   };
   expect("tracks", "number of tracks", tracks);
@@ -112,19 +114,19 @@ TEST_F(OverflowTest, OfEachPartOfAPlacement) {
     expect("place", what, place);
   };
   each("points", [](void*, const regista_frame*, regista_placement* out, regista_error*) {
-    overflow(out->points, out->point_capacity * sizeof *out->points);
+    overflow(out->points);
     return Puppet::ok;
   });
   each("edges", [](void*, const regista_frame*, regista_placement* out, regista_error*) {
-    overflow(out->edges, out->edge_capacity * sizeof *out->edges);
+    overflow(out->edges);
     return Puppet::ok;
   });
   each("cells", [](void*, const regista_frame*, regista_placement* out, regista_error*) {
-    overflow(out->cells, out->cell_capacity * sizeof *out->cells);
+    overflow(out->cells);
     return Puppet::ok;
   });
   each("vertices", [](void*, const regista_frame*, regista_placement* out, regista_error*) {
-    overflow(out->vertices, out->vertex_capacity * sizeof *out->vertices);
+    overflow(out->vertices);
     return Puppet::ok;
   });
   each("the placement itself", [](void*, const regista_frame*, regista_placement* out, regista_error*) {
@@ -183,8 +185,7 @@ TEST_F(OverflowTest, OfTheErrorsTextInAnyCall) {
   };
   expect("reset", what, instance);
   descriptor = Puppet::descriptor();
-  descriptor.create = [](const regista_environment*, const regista_host*, const regista_value*,
-                         regista_error* error) -> void* {
+  descriptor.create = [](const regista_environment*, const regista_host*, regista_span, regista_error* error) -> void* {
     wrote(error);
     return nullptr;
   };
@@ -194,17 +195,28 @@ TEST_F(OverflowTest, OfTheErrorsTextInAnyCall) {
 // Pointers and capacities of the struct are the plugin's to spoil; the answer is read where it was to be written.
 TEST_F(OverflowTest, SpoiltPointersAreNotFollowed) {
   Puppet::positioner.place = [](void*, const regista_frame*, regista_placement* out, regista_error*) {
-    out->points[0] = {1.0, 2.0, 1.0, -1, 0};
-    out->point_count = 1;
-    out->points = nullptr;
-    out->vertices = reinterpret_cast<regista_vertex*>(8);
-    out->point_capacity = out->vertex_capacity = 0;
+    *static_cast<regista_waypoint*>(out->points.data) = {1.0, 2.0, 1.0, -1, 0};
+    out->points = {nullptr, 0, 1, 1, 7};
+    out->vertices.data = reinterpret_cast<void*>(8);
+    out->vertices.capacity = out->vertices.stride = 0;
     return Puppet::ok;
   };
   Placement placement;
   Positioner(Puppet::instance()).place(Scene().frame, placement);
   ASSERT_EQ(placement.points.size(), 1u);
   EXPECT_EQ(placement.points[0].y, 2.0);
+
+  Puppet::predictor.tracks = [](void*, regista_room* out, regista_error*) {
+    regista_track& track = *static_cast<regista_track*>(out->data);
+    track = {};
+    track.weight = 0.25;
+    *out = {nullptr, 0, 1, 1, 7};
+    return Puppet::ok;
+  };
+  Predictor predictor(Puppet::instance(REGISTA_SUBJECT_BALL));
+  const std::span<const regista_track> seen = predictor.tracks();
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_EQ(seen[0].weight, 0.25);
 
   static std::uint64_t elsewhere[1];
   Puppet::sender.decide = [](void*, const regista_frame*, regista_span, regista_span, const regista_budget*,

@@ -82,7 +82,7 @@ TEST(Parameters, ArriveInThePlugin) {
                            {"eager", scalar("false")},
                            {"order", scalar("first")},
                            {"title", scalar("four")}})))
-      .score(scene.frame, out.raw);
+      .score(scene.frame, out.room);
   const double expected[] = {7.5, 0.01, 4.0, 0.0, 0.0, 4.0, 0.0};
   for (std::uint32_t i = 0; i < 7; ++i) EXPECT_EQ(out(0, i), expected[i]) << i;
 }

@@ -21,17 +21,21 @@ class PositionerTest : public PuppetTest {
     written.cells = {{3, 0, 4}};
   }
 
+  template <class T>
+  static void fill(regista_room& room, const std::vector<T>& from) {
+    EXPECT_EQ(room.count, 0u);
+    EXPECT_EQ(room.stride, sizeof(T));
+    room.count = static_cast<std::uint32_t>(from.size());
+    std::copy(from.begin(), from.end(), static_cast<T*>(room.data));
+  }
+
   // Runs a plugin that hands back `written`.
   std::string run() {
     Puppet::positioner.place = [](void*, const regista_frame*, regista_placement* to, regista_error*) {
-      to->point_count = static_cast<std::uint32_t>(written.points.size());
-      to->edge_count = static_cast<std::uint32_t>(written.edges.size());
-      to->cell_count = static_cast<std::uint32_t>(written.cells.size());
-      to->vertex_count = static_cast<std::uint32_t>(written.vertices.size());
-      std::copy(written.points.begin(), written.points.end(), to->points);
-      std::copy(written.edges.begin(), written.edges.end(), to->edges);
-      std::copy(written.cells.begin(), written.cells.end(), to->cells);
-      std::copy(written.vertices.begin(), written.vertices.end(), to->vertices);
+      fill(to->points, written.points);
+      fill(to->edges, written.edges);
+      fill(to->cells, written.cells);
+      fill(to->vertices, written.vertices);
       return Puppet::ok;
     };
     return message_of([&] { Positioner(Puppet::instance()).place(scene.frame, out); });
@@ -116,7 +120,7 @@ TEST_F(PositionerTest, RefusesCellsThatCannotBe) {
 
 TEST_F(PositionerTest, RefusesCountsBeyondTheBuffers) {
   Puppet::positioner.place = [](void*, const regista_frame*, regista_placement* to, regista_error*) {
-    to->edge_count = to->edge_capacity + 1;
+    to->edges.count = to->edges.capacity + 1;
     return Puppet::ok;
   };
   EXPECT_EQ(message_of([&] { Positioner(Puppet::instance()).place(scene.frame, out); }),

@@ -20,7 +20,15 @@ regista_track track(std::int32_t label, double weight = 1.0) {
   regista_track out{};
   out.label = label;
   out.weight = weight;
-  for (std::size_t i = 0; i < 4; ++i) out.covariance[5 * i] = 0.01;
+  for (const std::size_t i : {0u, 2u}) out.covariance[i] = 0.01;
+  for (const std::size_t i : {4u, 6u}) out.motion[i] = 0.01;
+  return out;
+}
+
+// Of a robot of the own team.
+regista_track robot(std::int32_t number) {
+  regista_track out = track(number);
+  out.pose = {0.5, 0.1, 0.01, 0.02, {0.0, 0.0}};
   return out;
 }
 
@@ -29,10 +37,12 @@ class PredictorTest : public PuppetTest {
   // What ends tracks() when the plugin hands back these.
   std::string run(std::uint32_t subject, std::vector<regista_track> tracks) {
     written = std::move(tracks);
-    Puppet::predictor.tracks = [](void*, regista_track* out, std::uint32_t capacity, std::uint32_t* count,
-                                  regista_error*) {
-      *count = static_cast<std::uint32_t>(written.size());
-      std::copy_n(written.begin(), std::min<std::size_t>(capacity, written.size()), out);
+    Puppet::predictor.tracks = [](void*, regista_room* out, regista_error*) {
+      EXPECT_EQ(out->count, 0u);
+      EXPECT_EQ(out->stride, sizeof(regista_track));
+      out->count = static_cast<std::uint32_t>(written.size());
+      std::copy_n(written.begin(), std::min<std::size_t>(out->capacity, written.size()),
+                  static_cast<regista_track*>(out->data));
       return Puppet::ok;
     };
     return message_of([&] {
@@ -50,6 +60,13 @@ class PredictorTest : public PuppetTest {
     return run(REGISTA_SUBJECT_BALL, {spoiled});
   }
 
+  // And for one of a teammate.
+  std::string run_spoiled_robot(const std::function<void(regista_track&)>& spoil) {
+    regista_track spoiled = robot(4);
+    spoil(spoiled);
+    return run(REGISTA_SUBJECT_TEAMMATES, {spoiled});
+  }
+
   static inline std::vector<regista_track> written;
 };
 
@@ -60,37 +77,43 @@ TEST_F(PredictorTest, RefusesValuesThatCannotBe) {
   EXPECT_EQ(run_spoiled([](regista_track& t) { t.y = nan; }), said("y of label 4 is nan"));
   EXPECT_EQ(run_spoiled([](regista_track& t) { t.vx = std::numeric_limits<double>::infinity(); }),
             said("vx of label 4 is inf"));
-  EXPECT_EQ(run_spoiled([](regista_track& t) { t.turn_rate = nan; }), said("turn rate of label 4 is nan"));
-  EXPECT_EQ(run_spoiled([](regista_track& t) { t.heading = pi; }), "");
-  EXPECT_EQ(run_spoiled([](regista_track& t) { t.heading = -pi; }), "");
-  EXPECT_EQ(run_spoiled([](regista_track& t) { t.heading = 4.0; }), said("heading of label 4 is 4"));
-  EXPECT_EQ(run_spoiled([](regista_track& t) { t.heading_variance = -0.5; }),
+  EXPECT_EQ(run_spoiled_robot([](regista_track& t) { t.pose.turn_rate = nan; }), said("turn rate of label 4 is nan"));
+  EXPECT_EQ(run_spoiled_robot([](regista_track& t) { t.pose.heading = pi; }), "");
+  EXPECT_EQ(run_spoiled_robot([](regista_track& t) { t.pose.heading = -pi; }), "");
+  EXPECT_EQ(run_spoiled_robot([](regista_track& t) { t.pose.heading = 4.0; }), said("heading of label 4 is 4"));
+  EXPECT_EQ(run_spoiled_robot([](regista_track& t) { t.pose.heading_variance = -0.5; }),
             said("heading variance of label 4 is -0.5"));
+  EXPECT_EQ(run_spoiled_robot([](regista_track& t) { t.pose.velocity_variance = -0.5; }),
+            said("velocity variance of label 4 is -0.5"));
+  EXPECT_EQ(run_spoiled_robot([](regista_track& t) { t.y = nan; }), said("y of label 4 is nan"));
   EXPECT_EQ(run_spoiled([](regista_track& t) { t.weight = 0.0; }), said("weight of label 4 is 0"));
   EXPECT_EQ(run_spoiled([](regista_track& t) { t.weight = 1.5; }), said("weight of label 4 is 1.5"));
   EXPECT_EQ(run_spoiled([](regista_track& t) { t.age = -1.0; }), said("age of label 4 is -1"));
-  EXPECT_EQ(run_spoiled([](regista_track& t) { t.target[1] = nan; }), "");
-  EXPECT_EQ(run_spoiled([](regista_track& t) {
+  EXPECT_EQ(run_spoiled_robot([](regista_track& t) { t.pose.target[1] = nan; }), "");
+  EXPECT_EQ(run_spoiled_robot([](regista_track& t) {
               t.flags = REGISTA_TRACK_HAS_TARGET;
-              t.target[1] = nan;
+              t.pose.target[1] = nan;
             }),
             said("y of the target of label 4 is nan"));
 }
 
 TEST_F(PredictorTest, RefusesMatricesThatAreNoCovariances) {
   const auto said = [](const std::string& what) { return Puppet::failure("tracks: covariance of label 4 " + what); };
-  EXPECT_EQ(run_spoiled([](regista_track& t) { t.covariance[6] = nan; }), said("is not finite"));
-  EXPECT_EQ(run_spoiled([](regista_track& t) { t.covariance[1] = 0.005; }), said("is not symmetric"));
-  EXPECT_EQ(run_spoiled([](regista_track& t) { t.covariance[1] = t.covariance[4] = 0.011; }),
+  EXPECT_EQ(run_spoiled([](regista_track& t) { t.motion[1] = nan; }), said("is not finite"));
+  EXPECT_EQ(run_spoiled([](regista_track& t) { t.covariance[1] = 0.011; }), said("is not positive semi-definite"));
+  EXPECT_EQ(run_spoiled([](regista_track& t) { t.motion[2] = 0.011; }), said("is not positive semi-definite"));
+  EXPECT_EQ(run_spoiled_robot([](regista_track& t) { t.covariance[2] = nan; }), said("is not finite"));
+  EXPECT_EQ(run_spoiled_robot([](regista_track& t) { t.covariance[1] = 0.011; }),
             said("is not positive semi-definite"));
+  EXPECT_EQ(run_spoiled_robot([](regista_track& t) { t.motion[6] = nan; }), "") << "robots have no such entry";
 }
 
 TEST_F(PredictorTest, WantsSelfToBeOneTrackWithTheOwnNumber) {
-  EXPECT_EQ(run(REGISTA_SUBJECT_SELF, {track(3)}), "");
-  EXPECT_EQ(run(REGISTA_SUBJECT_SELF, {track(2)}),
+  EXPECT_EQ(run(REGISTA_SUBJECT_SELF, {robot(3)}), "");
+  EXPECT_EQ(run(REGISTA_SUBJECT_SELF, {robot(2)}),
             Puppet::failure("tracks: self is one track with label 3; there are 1, the first with label 2"));
   EXPECT_EQ(run(REGISTA_SUBJECT_SELF, {}), Puppet::failure("tracks: self is one track with label 3; there are 0"));
-  EXPECT_EQ(run(REGISTA_SUBJECT_SELF, {track(3), track(4)}),
+  EXPECT_EQ(run(REGISTA_SUBJECT_SELF, {robot(3), robot(4)}),
             Puppet::failure("tracks: self is one track with label 3; there are 2, the first with label 3"));
 }
 
@@ -102,11 +125,11 @@ TEST_F(PredictorTest, WantsTheBestHypothesisOfTheBallFirst) {
 }
 
 TEST_F(PredictorTest, WantsTeammatesByAscendingNumber) {
-  EXPECT_EQ(run(REGISTA_SUBJECT_TEAMMATES, {track(1), track(2), track(5)}), "");
-  EXPECT_EQ(run(REGISTA_SUBJECT_TEAMMATES, {track(2), track(1)}), Puppet::failure("tracks: label 1 comes after 2"));
-  EXPECT_EQ(run(REGISTA_SUBJECT_TEAMMATES, {track(2), track(2)}), Puppet::failure("tracks: label 2 comes after 2"));
-  EXPECT_EQ(run(REGISTA_SUBJECT_TEAMMATES, {track(6)}), Puppet::failure("tracks: robot 6 of 5 does not exist"));
-  EXPECT_EQ(run(REGISTA_SUBJECT_TEAMMATES, {track(0)}), Puppet::failure("tracks: robot 0 of 5 does not exist"));
+  EXPECT_EQ(run(REGISTA_SUBJECT_TEAMMATES, {robot(1), robot(2), robot(5)}), "");
+  EXPECT_EQ(run(REGISTA_SUBJECT_TEAMMATES, {robot(2), robot(1)}), Puppet::failure("tracks: label 1 comes after 2"));
+  EXPECT_EQ(run(REGISTA_SUBJECT_TEAMMATES, {robot(2), robot(2)}), Puppet::failure("tracks: label 2 comes after 2"));
+  EXPECT_EQ(run(REGISTA_SUBJECT_TEAMMATES, {robot(6)}), Puppet::failure("tracks: robot 6 of 5 does not exist"));
+  EXPECT_EQ(run(REGISTA_SUBJECT_TEAMMATES, {robot(0)}), Puppet::failure("tracks: robot 0 of 5 does not exist"));
 }
 
 TEST_F(PredictorTest, WantsALabelPerOpponent) {

@@ -27,17 +27,19 @@ struct Puppet {
                  [](void*, double, const regista_motion*, const regista_frame*, regista_error*) { return ok; },
                  [](void*, regista_span, const regista_visible_area*, regista_error*) { return ok; },
                  [](void*, regista_span, double, regista_error*) { return ok; },
-                 [](void*, regista_track*, std::uint32_t, std::uint32_t*, regista_error*) { return ok; }};
+                 [](void*, regista_room*, regista_error*) { return ok; },
+                 nullptr};
     context = {sizeof context, 0, [](void*, const regista_frame*, std::int32_t*, regista_error*) { return ok; }};
     positioner = {sizeof positioner, 0,
                   [](void*, const regista_frame*, regista_placement*, regista_error*) { return ok; }};
     utility = {sizeof utility, 0,
-               [](void*, const regista_frame*, const regista_matrix*, regista_error*) { return ok; }};
+               [](void*, const regista_frame*, const regista_matrix_room*, regista_error*) { return ok; }};
     assigner = {sizeof assigner, 0,
                 [](void*, const regista_frame*, const regista_matrix*, std::int32_t*, regista_error*) { return ok; }};
     sender = {sizeof sender, 0,
               [](void*, const regista_frame*, regista_span, regista_span, const regista_budget*, regista_send*,
-                 regista_error*) { return ok; }};
+                 regista_error*) { return ok; },
+              nullptr};
     mailbox = {sizeof mailbox,
                0,
                [](void*, std::uint64_t, regista_error*) { return ok; },
@@ -81,12 +83,14 @@ struct Puppet {
     out.build_tag = "in the test";
     out.parameter_stride = sizeof(regista_parameter);
     out.table = &table;
-    out.create = [](const regista_environment*, const regista_host*, const regista_value*, regista_error*) -> void* {
+    out.create = [](const regista_environment*, const regista_host*, regista_span, regista_error*) -> void* {
       static char instance;
       return &instance;
     };
     out.reset = [](void*, std::uint64_t, regista_error*) { return ok; };
     out.destroy = [](void*) {};
+    out.minimum_minor = REGISTA_ABI_MINOR;
+    out.reads = REGISTA_READS_ALL;
     return out;
   }
 

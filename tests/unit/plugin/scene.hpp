@@ -107,12 +107,18 @@ inline std::string failure(const std::string& name, const std::string& rest) {
 
 // Worlds without anybody, and `tasks` tasks.
 struct Scene {
+  regista_game game{};
+  regista_ball ball{};
   regista_world world{};
   std::vector<regista_task> tasks;
   regista_frame frame{};
 
   explicit Scene(std::size_t task_count = 0) : tasks(task_count) {
+    game.size = sizeof game;
+    ball.size = sizeof ball;
     world.size = sizeof world;
+    world.game = &game;
+    world.ball = &ball;
     frame.size = sizeof frame;
     frame.own_number = 3;
     frame.mine = frame.common = &world;
@@ -126,10 +132,13 @@ struct Scene {
 struct Matrix {
   static constexpr double spare = -77.0;
   std::vector<double> values;
-  regista_matrix raw;
+  regista_matrix raw;        // to read,
+  regista_matrix_room room;  // and to write
 
   Matrix(std::uint32_t rows, std::uint32_t columns, double value = 0.0)
-      : values(std::size_t{rows} * (columns + 3), spare), raw{values.data(), rows, columns, columns + 3, 0} {
+      : values(std::size_t{rows} * (columns + 3), spare),
+        raw{values.data(), rows, columns, columns + 3, 0},
+        room{values.data(), rows, columns, columns + 3, 0} {
     for (std::uint32_t i = 0; i < rows; ++i) {
       for (std::uint32_t j = 0; j < columns; ++j) (*this)(i, j) = value;
     }

@@ -15,11 +15,11 @@ class UtilityTest : public PuppetTest {
   // What ends a call in which the plugin writes `given` to row 2, column 5.
   std::string run(double given) {
     value = given;
-    Puppet::utility.score = [](void*, const regista_frame*, const regista_matrix* to, regista_error*) {
+    Puppet::utility.score = [](void*, const regista_frame*, const regista_matrix_room* to, regista_error*) {
       to->values[2 * to->stride + 5] = value;
       return Puppet::ok;
     };
-    return message_of([&] { Utility(Puppet::instance()).score(scene.frame, out.raw); });
+    return message_of([&] { Utility(Puppet::instance()).score(scene.frame, out.room); });
   }
 
   static inline double value;
@@ -47,20 +47,20 @@ TEST_F(UtilityTest, RefusesWhatIsNoUtility) {
 }
 
 TEST_F(UtilityTest, IsNotAskedWhenThereIsNothingToScore) {
-  Puppet::utility.score = [](void*, const regista_frame*, const regista_matrix*, regista_error*) -> std::int32_t {
+  Puppet::utility.score = [](void*, const regista_frame*, const regista_matrix_room*, regista_error*) -> std::int32_t {
     ADD_FAILURE();
     return REGISTA_OK;
   };
   Utility utility(Puppet::instance());
   Matrix no_tasks(5, 0), no_robots(0, 7);
-  utility.score(scene.frame, no_tasks.raw);
-  utility.score(scene.frame, no_robots.raw);
+  utility.score(scene.frame, no_tasks.room);
+  utility.score(scene.frame, no_robots.room);
 }
 
 TEST_F(UtilityTest, ReportsSharedObjectsByTheirFile) {
   const auto run_file = [&](const std::string& name) {
     Utility utility(instance_of(open(name)));
-    return message_of([&] { utility.score(scene.frame, out.raw); });
+    return message_of([&] { utility.score(scene.frame, out.room); });
   };
   EXPECT_EQ(run_file("returns_nan"), failure("returns_nan", "score: row 2, column 5 is nan"));
   EXPECT_EQ(run_file("throws"), failure("throws", "score: fell in score"));

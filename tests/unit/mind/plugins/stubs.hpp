@@ -37,10 +37,10 @@ struct Still {
   void predict(double dt, const regista::Motion* motion, const regista::Frame*) {
     if (subject_ == REGISTA_SUBJECT_SELF) {
       regista::Track& self = tracks_[0];
-      const double c = std::cos(self.heading), s = std::sin(self.heading);
+      const double c = std::cos(self.pose.heading), s = std::sin(self.pose.heading);
       self.x += c * motion->x - s * motion->y;
       self.y += s * motion->x + c * motion->y;
-      self.heading = std::remainder(self.heading + motion->heading, 2.0 * std::numbers::pi);
+      self.pose.heading = std::remainder(self.pose.heading + motion->heading, 2.0 * std::numbers::pi);
       return;
     }
     for (std::size_t i = 0; i < count_; ++i) carry(tracks_[i], dt);
@@ -53,11 +53,11 @@ struct Still {
       if (subject_ == REGISTA_SUBJECT_SELF || (subject_ == REGISTA_SUBJECT_BALL && count_ > 0)) count_ = 0;
       const int label = subject_ == REGISTA_SUBJECT_SELF ? own_number_ : static_cast<int>(count_) + 1;
       regista::Track& track = add(label, seen.position[0], seen.position[1]);
-      track.heading = seen.heading;
-      track.heading_variance = seen.covariance[8];
-      track.covariance[0] = seen.covariance[0];
-      track.covariance[1] = track.covariance[4] = seen.covariance[1];
-      track.covariance[5] = seen.covariance[4];
+      if (subject_ == REGISTA_SUBJECT_SELF) {
+        track.pose.heading = seen.heading;
+        track.pose.heading_variance = seen.covariance[5];
+      }
+      for (int i = 0; i < 3; ++i) track.covariance[i] = seen.covariance[i];
     }
   }
 
@@ -88,7 +88,12 @@ struct Still {
     track.x = x;
     track.y = y;
     track.weight = 1.0;
-    track.covariance[0] = track.covariance[5] = track.covariance[10] = track.covariance[15] = 0.01;
+    track.covariance[0] = track.covariance[2] = 0.01;
+    if (subject_ == REGISTA_SUBJECT_SELF) {
+      track.pose.velocity_variance = 0.01;
+    } else {
+      track.motion[4] = track.motion[6] = 0.01;
+    }
     return track;
   }
   static void carry(regista::Track& track, double dt) {
