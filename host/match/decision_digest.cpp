@@ -40,7 +40,6 @@ class Step {
   void add(const T (&values)[N]) {
     digest_.add(std::as_bytes(std::span(values)));
   }
-  // `motion` is the larger part of the union; what is not used of it is 0.
   void add(const regista_track& t) {
     operator()(t.label, t.flags, t.x, t.y, t.vx, t.vy, t.weight, t.age, t.covariance, t.motion);
   }
@@ -55,6 +54,14 @@ class Step {
   void add(const regista_task& t) { operator()(t.id, t.priority, t.group, t.robot, t.flags, t.before, t.after); }
   Digest digest_;
 };
+
+// A track of a robot that has a pose: the union's other part may hold anything.
+std::uint64_t step_of_self(const regista_track& t) {
+  const regista_track_pose& pose = t.pose;
+  return Step{}(t.label, t.flags, t.x, t.y, t.vx, t.vy, t.weight, t.age, t.covariance, pose.heading, pose.turn_rate,
+                pose.heading_variance, pose.velocity_variance)
+      .value();
+}
 
 template <class T>
 std::uint64_t step_of(const T& list) {
@@ -88,7 +95,7 @@ DecisionDigest digest_of(const mind::Mind& mind, const mind::Outcome& outcome) {
   Digest acts, sends;
   add(acts, outcome.command);
   add(sends, outcome);
-  return {Step{}(local.self()).value(),
+  return {step_of_self(local.self()),
           step_of(local.balls()),
           step_of(local.opponents()),
           worlds(mind.world()),

@@ -586,11 +586,12 @@ const MetricRow* find_metric(std::span<const MetricRow> table, std::string_view 
   return nullptr;
 }
 
-std::vector<std::string> metric_paths(std::span<const MetricRow> table, const std::vector<std::string>& roles) {
+std::vector<std::string> metric_paths(std::span<const MetricRow> table, const std::vector<std::string>& roles,
+                                      const std::vector<std::string>& reasons) {
   std::vector<std::string> out;
   for (const MetricRow& row : table) {
     if (row.is_list() || (row.of != Of::team && row.of != Of::event)) continue;
-    for (const std::string& each : metric_members(row, roles)) out.push_back(row.path(each));
+    for (const std::string& each : metric_members(row, roles, reasons)) out.push_back(row.path(each));
   }
   const auto of_role = [](const MetricRow& row) { return row.of == Of::role && !row.is_list(); };
   for (const std::string& role : roles) {

@@ -86,7 +86,8 @@ MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSourc
 const MetricRow* find_metric(std::span<const MetricRow> table, std::string_view path);
 
 // What a study may name of a team with these roles: paths of a side in the order of the table, then sums over roles.
-std::vector<std::string> metric_paths(std::span<const MetricRow> table, const std::vector<std::string>& roles);
+std::vector<std::string> metric_paths(std::span<const MetricRow> table, const std::vector<std::string>& roles,
+                                      const std::vector<std::string>& reasons = TeamMetrics().reasons);
 
 // To the sixth decimal: sums and shares have no more to say, and campaigns keep them for every match.
 double rounded_metric(double value);

@@ -72,6 +72,7 @@ void Inputs::add(const char* name, const regista_environment* environment) {
   add(name, ".landmarks", environment->landmarks);
   add(name, ".roles", environment->roles);
   add(name, ".kicks", environment->kicks);
+  add(name, ".events", environment->events);
   const regista_span& roles = environment->roles;
   for (std::uint32_t i = 0; i < roles.count; ++i) {
     regista_role role;

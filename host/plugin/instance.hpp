@@ -31,7 +31,7 @@ namespace regista::plugin {
 
 class alignas(64) Instance {
  public:
-  // `environment.roles`, `host` and `caller` must outlive the instance. host null: a host that refuses every offer.
+  // The environment's spans, `host` and `caller` must outlive the instance. host null: a host that refuses every offer.
   // caller null: failures name no robot. Throws Failure when the plugin refuses to be created.
   Instance(const Found& plugin, const Parameters& parameters, const regista_environment& environment,
            const regista_host* host, const Caller* caller);

@@ -104,7 +104,7 @@ match::Setup without_opening(match::Setup setup) {
 }
 
 std::vector<std::string> metric_paths_of(const mind::TeamPlan& team) {
-  return match::metric_paths(match::metric_table(), match::role_names(match::roles(team)));
+  return match::metric_paths(match::metric_table(), match::role_names(match::roles(team)), team.reasons());
 }
 
 }  // namespace regista::study

@@ -56,8 +56,10 @@ class SituationReader {
   const Situation& read(const regista::Frame& frame, const regista::Body& body, double ball_trusted_for) {
     Situation& s = situation_;
     const regista::World world = frame.mine();
-    s.phase = static_cast<Phase>(world.game().phase);
-    s.set_play = static_cast<SetPlay>(world.game().set_play);
+    s.phase = known(world.game().phase, REGISTA_PHASE_FINISHED) ? static_cast<Phase>(world.game().phase) : Phase{};
+    s.set_play = known(world.game().set_play, REGISTA_SET_PLAY_PENALTY_KICK)
+                     ? static_cast<SetPlay>(world.game().set_play)
+                     : SetPlay::none;
     s.own_kick = world.game().own_kick != 0;
     s.time = frame.time();
     s.pose = {body->pose[0], body->pose[1], body->pose[2]};
@@ -67,7 +69,6 @@ class SituationReader {
     s.has_task = task != nullptr;
     s.target = s.has_task ? Pose{task->after[0], task->after[1], task->after[2]} : s.pose;
     s.along_edges = s.has_task && (task->flags & REGISTA_TASK_ALONG_EDGES) != 0;
-    read_graph(frame);
     const regista::Ball& ball = world.ball();
     s.sees_ball = body.is(REGISTA_BODY_SEES_BALL);
     s.ball_trusted = world.ball_known() && ball.age < ball_trusted_for && !body.is(REGISTA_BODY_BALL_REFUTED);
@@ -76,7 +77,7 @@ class SituationReader {
     return s;
   }
 
- private:
+  // Of what was read last: for walks along the edges.
   void read_graph(const regista::Frame& frame) {
     nodes_.clear();
     edges_.clear();
@@ -86,6 +87,10 @@ class SituationReader {
     }
     situation_.graph = {nodes_, edges_};
   }
+
+ private:
+  // Leagues to come may have more.
+  static bool known(int enumerator, int last) { return enumerator >= 0 && enumerator <= last; }
 
   Situation situation_;
   std::vector<Vector2d> nodes_;

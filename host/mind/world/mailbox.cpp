@@ -44,10 +44,12 @@ const regista_host* Mailboxes::open() {
   endpoint.host.offer = [](void* context, const std::uint8_t* bytes, std::uint32_t count, double urgency, double expiry,
                            std::int32_t medium, std::uint64_t replaces) {
     const auto* self = static_cast<Endpoint*>(context);
+    if (self->owner->describing_) return std::uint64_t{0};
     return self->owner->offer(self->place, {bytes, count}, urgency, expiry, medium, replaces);
   };
   endpoint.host.withdraw = [](void* context, std::uint64_t handle) {
     const auto* self = static_cast<Endpoint*>(context);
+    if (self->owner->describing_) return;
     auto& waiting = self->owner->waiting_;
     const auto found = std::ranges::find_if(
         waiting, [&](const Waiting& each) { return each.offer.handle == handle && each.place == self->place; });
@@ -133,7 +135,7 @@ std::vector<Mailboxes::Waiting>::iterator Mailboxes::drop(std::vector<Waiting>::
 }
 
 SegmentEvent* Mailboxes::note(Kind kind, Why why, std::size_t place) {
-  return journal_ == nullptr ? nullptr : &journal_->add(kind, why, now_, static_cast<int>(place));
+  return journal_ == nullptr || journal_->full() ? nullptr : &journal_->add(kind, why, now_, static_cast<int>(place));
 }
 
 SegmentCounts Mailboxes::take_counts() { return std::exchange(counts_, {}); }
@@ -145,15 +147,22 @@ std::span<const SegmentEvent> Mailboxes::journal() const {
 
 void Mailboxes::complete_journal() {
   if (journal_ == nullptr) return;
+  describing_ = true;  // what a plugin does meanwhile must not change the match, nor the list that is walked here
   for (SegmentEvent& event : journal_->events()) {
     if (event.place < 0 || static_cast<std::size_t>(event.place) >= endpoints_.size()) continue;
     Endpoint& endpoint = *endpoints_[static_cast<std::size_t>(event.place)];
     event.plugin = endpoint.plugin;
     const bool whole = event.bytes.size() == event.length;
     if ((event.kind == Kind::offered || event.kind == Kind::refused) && whole && endpoint.mailbox) {
-      event.text = endpoint.mailbox->describe(event.bytes);
+      // A recording must not end a match that goes on without it.
+      try {
+        event.text = endpoint.mailbox->describe(event.bytes);
+      } catch (const plugin::Failure& failure) {
+        event.text = "describe failed: " + failure.message();
+      }
     }
   }
+  describing_ = false;
 }
 
 // What plugins drop while they are told is for the next time.

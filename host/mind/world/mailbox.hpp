@@ -72,6 +72,7 @@ class Mailboxes {
 
   std::size_t packet_size_;
   double now_ = 0.0;
+  bool describing_ = false;
   std::uint64_t last_handle_ = 0;
   std::vector<Waiting> waiting_;
   std::vector<Dropped> dropped_, telling_;

@@ -60,6 +60,8 @@ class SegmentJournal {
  public:
   // Of the decision that begins. What plugins did while they were created stands with the first one.
   void begin();
+  // A plugin may offer without end; a decision that keeps so many is told without the rest.
+  bool full() const { return events_.size() >= 1024; }
   SegmentEvent& add(SegmentEvent::Kind kind, SegmentEvent::Why why, double time, int place);
   std::span<SegmentEvent> events() { return events_; }
   std::span<const SegmentEvent> events() const { return events_; }

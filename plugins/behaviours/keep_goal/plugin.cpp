@@ -18,8 +18,7 @@ using keep_goal::Settings;
 struct KeepGoal {
   static constexpr auto id = "keep_goal", version = "1.0.0",
                         summary = "Stands between ball and goal, goes for shots, and clears a ball that lies near";
-  static constexpr unsigned reads =
-      REGISTA_READS_OPPONENTS_MINE | REGISTA_READS_FACINGS | REGISTA_READS_WAYPOINTS | REGISTA_READS_EDGES;
+  static constexpr unsigned reads = REGISTA_READS_OPPONENTS_MINE | REGISTA_READS_FACINGS;
   static constexpr unsigned purposes = REGISTA_BEHAVIOUR_KEEPS_GOAL;
 
   behaviours::Conduct conduct;

@@ -48,6 +48,7 @@ struct PlayBall {
 
   void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
     const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
+    reader.read_graph(frame);
     const behaviours::Movement movement =
         behaviours::by_phase(situation, conduct.legal, [&] { return play(frame, situation); });
     behaviours::write_action(movement, behaviours::look(situation, conduct.gaze), out);

@@ -13,7 +13,7 @@ namespace {
 struct Search {
   static constexpr auto id = "search", version = "1.0.0",
                         summary = "Turns about at the place of the task, or where it stands";
-  static constexpr unsigned reads = REGISTA_READS_FACINGS | REGISTA_READS_WAYPOINTS | REGISTA_READS_EDGES;
+  static constexpr unsigned reads = REGISTA_READS_FACINGS;
   static constexpr unsigned purposes = REGISTA_BEHAVIOUR_SEARCHES;
 
   behaviours::Conduct conduct;

@@ -34,6 +34,7 @@ struct Support {
 
   void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
     const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
+    reader.read_graph(frame);
     const behaviours::Movement movement = behaviours::by_phase(situation, conduct.legal, [&] {
       return behaviours::support(situation, settings, rolling, conduct.legal, path);
     });

@@ -15,7 +15,7 @@ using fixed_rate::Settings;
 
 struct FixedRate {
   static constexpr auto id = "fixed_rate", version = "1.2.0", summary = "A packet every so many seconds";
-  static constexpr unsigned reads = REGISTA_READS_NOTHING;
+  static constexpr unsigned reads = REGISTA_READS_PREVIOUS;
   Settings settings;
   std::string fast_role = "striker";
   bool lasts = true;

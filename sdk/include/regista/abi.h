@@ -15,7 +15,7 @@
  *   them. Two instances may be called by two threads at the same time.
  *
  * ONE DECISION OF A ROBOT calls, in this order
- *   dropped                    of offers whose time has come
+ *   dropped                    of offers whose time has come; before decide, of those replaced or withdrawn since
  *   predict, correct, tracks   of the own models; then predict of those of teammates
  *   absorb, receive            for each packet that arrived: its models, whose tracks are read too, then its segments
  *   tracks                     of the models of teammates
@@ -23,7 +23,7 @@
  *   place, score, assign       of the context in force; no context holds: none of them
  *   act                        of the behaviour of the own role, or of that for robots without one
  *   decide                     in Ready, Set and Playing, when a context holds and the robot is not penalised
- *   transmitted                of the offers that left
+ *   transmitted                of the offers that left; then absorb of the own packet, as the others will decode it
  *   All else happens in every phase, also while the robot is penalised or lies on the ground.
  *
  * RULES FOR EVERY CALL
@@ -35,8 +35,9 @@
  *   - The host checks all it takes back (finite, in range, as promised below). A violation ends the match with an
  *     error that names plugin, robot, tick and value.
  *   - Strings are UTF-8, end with NUL, and live as long as the shared object (plugin) or the instance (host).
- *   - Reserved fields and flags that are not named here: write 0, and ignore what stands there. A reader takes an
- *     enumerator that it does not know as the first one of its list, and a flag that it does not know as not set.
+ *   - Reserved fields and flags that are not named here: write 0, and ignore what stands there. A phase or set play
+ *     that a plugin does not know it takes as the first of its list; elements of arrays whose kind it does not know it
+ *     leaves out. What it answers is named here.
  *
  * UNITS AND FRAMES
  *   SI and radians. The field frame is the own team's: origin at the centre, x towards the opponent's goal, y to the
@@ -548,7 +549,7 @@ typedef struct regista_send {
 typedef struct regista_sender {
   uint32_t size;
   uint32_t reason_count;             /* at most 64 */
-  /* Called at every decision in the phases Ready, Set and Playing. events: regista_event, offers: regista_offer. */
+  /* When: see the head of this file. events: regista_event, offers: regista_offer. */
   int32_t (*decide)(void* instance, const regista_frame* frame, regista_span events, regista_span offers,
                     const regista_budget* budget, regista_send* out, regista_error* error);
   const char* const* reasons;        /* lower_snake_case: what packets are sent for, beside events; null when none */
@@ -556,7 +557,7 @@ typedef struct regista_sender {
 
 /* --- Behaviour --------------------------------------------------------------------------------------------------- */
 
-/* What the behaviour is for, to those who count and warn: which roles play the ball, keep the goal, look for the ball. */
+/* What the behaviour is for, to those who count: which roles play the ball, keep the goal, look for the ball. */
 enum { REGISTA_BEHAVIOUR_PLAYS_BALL = 1, REGISTA_BEHAVIOUR_KEEPS_GOAL = 2, REGISTA_BEHAVIOUR_SEARCHES = 4 };
 
 enum {
@@ -614,7 +615,7 @@ typedef struct regista_action {
   int32_t motion;                    /* REGISTA_MOTION_* */
   uint32_t walk;                     /* REGISTA_WALK_* */
   double velocity[3];                /* forward, left, turn; robot frame */
-  double pose[3];                    /* x, y, heading; field frame, |x|, |y| <= 1e4 */
+  double pose[3];                    /* x, y, heading; field frame */
   double gaze;                       /* wanted heading of the camera relative to the body, in [-pi, pi] */
   int32_t kick;                      /* index into the environment's kicks, or REGISTA_NO_KICK */
   uint32_t avoid_count;
@@ -627,9 +628,10 @@ typedef struct regista_action {
 typedef struct regista_behaviour {
   uint32_t size;
   uint32_t flags;                    /* REGISTA_BEHAVIOUR_* */
-  /* Called at every decision of a robot whose role names this behaviour, in every phase, whether it stands, lies or is
-   * penalised. All of `out` is 0 on entry but its size and kick = REGISTA_NO_KICK: the robot stands and looks ahead. A kick begins when
-   * the ball is in reach, else nothing happens. */
+  /* Called at every decision, in every phase, also while the robot lies: of the behaviour that its role names, or of
+   * the one that the team has for robots without a role, as while it is penalised. All of `out` is 0 on entry but its
+   * size and kick = REGISTA_NO_KICK: the robot stands and looks ahead. Numbers that are used are at most 1e4 in size. A
+   * kick begins when the ball is in reach, else the robot stands: `motion` is ignored while a kick is asked for. */
   int32_t (*act)(void* instance, const regista_frame* frame, const regista_body* body, regista_action* out,
                  regista_error* error);
 } regista_behaviour;
@@ -655,9 +657,9 @@ typedef struct regista_mailbox {
   int32_t (*transmitted)(void* instance, uint64_t handle, regista_error* error); /* left in a packet just now */
   int32_t (*dropped)(void* instance, uint64_t handle, regista_error* error);     /* expired, replaced or withdrawn */
   int32_t (*receive)(void* instance, const regista_message* message, regista_error* error);
-  /* What these bytes of this plugin say, in one line of UTF-8 for people, with its NUL at most `capacity` bytes. Null,
-   * or beyond the size of the table: the plugin has none. Called only for recordings, and a recording must not change
-   * the match: so it changes nothing. */
+  /* May be null. What these bytes of this plugin say, in one line of UTF-8 for people, with its NUL at most `capacity`
+   * bytes. Called only for recordings, and a recording must not change the match: so it changes nothing, and offer()
+   * and withdraw() do nothing meanwhile. */
   int32_t (*describe)(void* instance, const uint8_t* bytes, uint32_t count, char* text, uint32_t capacity,
                       regista_error* error);
 } regista_mailbox;

@@ -3,7 +3,7 @@
 //
 //   void act(const regista::Frame&, const regista::Body&, regista::Action& out);
 //
-// and, for those who count and warn,
+// and, for those who count,
 //
 //   static constexpr unsigned purposes = REGISTA_BEHAVIOUR_PLAYS_BALL;     or-ed; none when absent
 //

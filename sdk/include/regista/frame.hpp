@@ -124,12 +124,16 @@ class Frame {
   Span<Edge> edges() const { return Span<Edge>(raw_->edges); }
   // Task id that robot `number` had in this robot's last assignment, -1 = none.
   int previous_task(int number) const {
-    return Span<std::int32_t>(raw_->previous)[static_cast<std::size_t>(number - 1)];
+    const Span<std::int32_t> all(raw_->previous);
+    const auto index = static_cast<std::size_t>(number - 1);
+    // Checked in every build: who does not declare that it reads them gets none.
+    if (index >= all.size()) throw std::out_of_range("previous tasks are not declared, or there is no such robot");
+    return all[index];
   }
   // Seconds that the robot of this row needs to the task of this column.
   double time_to_task(std::size_t row, std::size_t column) const {
     const regista_matrix& m = raw_->time_to_task;
-    assert(row < m.rows && column < m.columns);
+    if (row >= m.rows || column >= m.columns) throw std::out_of_range("times are not declared, or there are none such");
     return m.values[row * m.stride + column];
   }
   const regista_frame& raw() const { return *raw_; }
