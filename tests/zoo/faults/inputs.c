@@ -5,10 +5,8 @@
 
 #include "zoo.h"
 
-static regista_world* writable(const regista_world* world) { return (regista_world*)(uintptr_t)world; }
-
 void moves_the_ball(zoo_moment* now) {
-  if (now->asked == ZOO_WHEN) writable(now->frame->mine)->ball.position[0] += 1.0;
+  if (now->asked == ZOO_WHEN) ((regista_ball*)(uintptr_t)now->frame->mine->ball)->position[0] += 1.0;
 }
 
 void moves_a_robot(zoo_moment* now) {
@@ -20,5 +18,6 @@ void moves_the_clock(zoo_moment* now) {
 }
 
 void raises_its_utility(zoo_moment* now) {
-  if (now->asked == ZOO_WHEN && now->utilities.rows > 0 && now->utilities.columns > 0) now->utilities.values[0] += 0.25;
+  if (now->asked != ZOO_WHEN || now->utilities.rows == 0 || now->utilities.columns == 0) return;
+  *(double*)(uintptr_t)now->utilities.values += 0.25;
 }

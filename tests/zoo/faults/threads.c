@@ -50,12 +50,12 @@ static void* later(void* nothing) {
 void starts_a_thread(zoo_moment* now) {
   static int started;
   pthread_t thread;
-  behind = now->frame != NULL && now->frame->mine->game.own_score < now->frame->mine->game.opponent_score;
+  behind = now->frame != NULL && now->frame->mine->game->own_score < now->frame->mine->game->opponent_score;
   if (now->asked != ZOO_WHEN || started) return;
   started = 1;
   if (pthread_create(&thread, NULL, later, NULL) == 0) pthread_detach(thread);
 }
 
 void crashes_when_behind(zoo_moment* now) {
-  if (now->asked >= ZOO_WHEN && now->frame->mine->game.own_score < now->frame->mine->game.opponent_score) crash();
+  if (now->asked >= ZOO_WHEN && now->frame->mine->game->own_score < now->frame->mine->game->opponent_score) crash();
 }

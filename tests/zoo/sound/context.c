@@ -5,7 +5,7 @@
 
 static int32_t holds(void* instance, const regista_frame* frame, int32_t* out, regista_error* error) {
   zoo_moment now = zoo_now((zoo_instance*)instance, frame, error);
-  *out = (zoo_world(frame)->ball.flags & REGISTA_BALL_KNOWN) != 0;
+  *out = (zoo_world(frame)->ball->flags & REGISTA_BALL_KNOWN) != 0;
   now.answer = out;
   now.past[ZOO_ANSWER] = out + 1;
   ZOO_FAULT(&now);

@@ -17,7 +17,7 @@ void ZOO_AT_DESTROY(void);
 
 static const void* table(int32_t kind) { return kind == zoo_kind ? zoo_calls : NULL; }
 
-static void* create(const regista_environment* environment, const regista_host* host, const regista_value* values,
+static void* create(const regista_environment* environment, const regista_host* host, regista_span values,
                     regista_error* error) {
   zoo_instance* self = (zoo_instance*)calloc(1, sizeof *self);
   (void)values;
@@ -66,7 +66,12 @@ static const regista_descriptor descriptor = {sizeof(regista_descriptor),
                                               table,
                                               create,
                                               reset,
-                                              destroy};
+                                              destroy,
+                                              REGISTA_ABI_MAJOR,
+                                              REGISTA_ABI_MINOR,
+                                              REGISTA_READS_ALL,
+                                              0,
+                                              NULL};
 
 const regista_descriptor* regista_plugin_entry(uint32_t host_major, uint32_t host_minor, uint32_t index) {
   (void)host_major;

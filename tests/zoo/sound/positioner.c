@@ -8,20 +8,20 @@ static double within(double value, double limit) { return value < -limit ? -limi
 static int32_t place(void* instance, const regista_frame* frame, regista_placement* out, regista_error* error) {
   zoo_instance* self = (zoo_instance*)instance;
   zoo_moment now = zoo_now(self, frame, error);
-  const regista_ball* ball = &zoo_world(frame)->ball;
+  const regista_ball* ball = zoo_world(frame)->ball;
   if ((ball->flags & REGISTA_BALL_KNOWN) != 0) {
     const double x = within(ball->position[0], self->x_limit), y = within(ball->position[1], self->y_limit);
-    out->points[0] = (regista_waypoint){x, y, 1.0, -1, 0};
-    out->points[1] = (regista_waypoint){x, -y, 0.5, -1, 0};
-    out->point_count = 2;
-    out->edges[0] = (regista_edge){0, 1};
-    out->edge_count = 1;
+    *(regista_waypoint*)zoo_element(&out->points, 0) = (regista_waypoint){x, y, 1.0, -1, 0};
+    *(regista_waypoint*)zoo_element(&out->points, 1) = (regista_waypoint){x, -y, 0.5, -1, 0};
+    out->points.count = 2;
+    *(regista_edge*)zoo_element(&out->edges, 0) = (regista_edge){0, 1};
+    out->edges.count = 1;
   }
-  now.answer = out->points;
-  now.past[ZOO_ANSWER] = out->points + out->point_capacity;
-  now.past[ZOO_EDGES] = out->edges + out->edge_capacity;
-  now.past[ZOO_CELLS] = out->cells + out->cell_capacity;
-  now.past[ZOO_VERTICES] = out->vertices + out->vertex_capacity;
+  now.answer = out->points.data;
+  now.past[ZOO_ANSWER] = zoo_element(&out->points, out->points.capacity);
+  now.past[ZOO_EDGES] = zoo_element(&out->edges, out->edges.capacity);
+  now.past[ZOO_CELLS] = zoo_element(&out->cells, out->cells.capacity);
+  now.past[ZOO_VERTICES] = zoo_element(&out->vertices, out->vertices.capacity);
   now.past[ZOO_STRUCTURE] = (unsigned char*)out + out->size;
   ZOO_FAULT(&now);
   return now.status;

@@ -13,7 +13,7 @@ static int32_t predict(void* instance, double dt, const regista_motion* motion, 
   (void)error;
   self->track.age += dt;
   self->track.covariance[0] += 0.01 * dt;
-  self->track.covariance[5] += 0.01 * dt;
+  self->track.covariance[2] += 0.01 * dt;
   return REGISTA_OK;
 }
 
@@ -30,7 +30,8 @@ static int32_t correct(void* instance, regista_span measurements, const regista_
     self->track.label = 1;
     self->track.x = measured->position[0];
     self->track.y = measured->position[1];
-    for (int k = 0; k < 16; k += 5) self->track.covariance[k] = 0.1;
+    self->track.covariance[0] = self->track.covariance[2] = 0.1;
+    self->track.motion[4] = self->track.motion[6] = 0.1;
     self->track.weight = 1.0;
     self->known = 1;
   }
@@ -48,21 +49,21 @@ static int32_t absorb(void* instance, regista_span tracks, double age, regista_e
   return REGISTA_OK;
 }
 
-static int32_t tracks(void* instance, regista_track* out, uint32_t capacity, uint32_t* count, regista_error* error) {
+static int32_t tracks(void* instance, regista_room* out, regista_error* error) {
   zoo_instance* self = (zoo_instance*)instance;
   zoo_moment now = zoo_now(self, NULL, error);
-  if (self->known && capacity > 0) {
-    out[0] = self->track;
-    *count = 1;
+  if (self->known && out->capacity > 0) {
+    *(regista_track*)zoo_element(out, 0) = self->track;
+    out->count = 1;
   }
-  now.answer = out;
-  now.past[ZOO_ANSWER] = out + capacity;
-  now.past[ZOO_STRUCTURE] = count + 1;
+  now.answer = out->data;
+  now.past[ZOO_ANSWER] = zoo_element(out, out->capacity);
+  now.past[ZOO_STRUCTURE] = out + 1;
   ZOO_FAULT(&now);
   return now.status;
 }
 
 static const regista_predictor calls = {
-    sizeof(regista_predictor), REGISTA_SUBJECT_BALL, predict, correct, absorb, tracks};
+    sizeof(regista_predictor), REGISTA_SUBJECT_BALL, predict, correct, absorb, tracks, NULL};
 const int32_t zoo_kind = REGISTA_KIND_PREDICTOR;
 const void* const zoo_calls = &calls;

@@ -5,7 +5,7 @@
 
 #include "zoo.h"
 
-static int32_t score(void* instance, const regista_frame* frame, const regista_matrix* out, regista_error* error) {
+static int32_t score(void* instance, const regista_frame* frame, const regista_matrix_room* out, regista_error* error) {
   zoo_moment now = zoo_now((zoo_instance*)instance, frame, error);
   const regista_world* world = zoo_world(frame);
   const char* const active = (const char*)world->active.data;
