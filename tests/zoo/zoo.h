@@ -13,7 +13,7 @@ enum {
   ZOO_EDGES,  /* the other three of a positioner */
   ZOO_CELLS,
   ZOO_VERTICES,
-  ZOO_STRUCTURE, /* regista_placement, regista_send, regista_room of tracks */
+  ZOO_STRUCTURE, /* regista_placement, regista_send, the room for tracks */
   ZOO_ERROR,
   ZOO_BUFFERS
 };
@@ -53,9 +53,9 @@ static inline const regista_world* zoo_world(const regista_frame* frame) {
   return frame->knowledge == REGISTA_COMMON ? frame->common : frame->mine;
 }
 
-/* Element i of room that the host lends; its end for i = capacity. */
-static inline void* zoo_place(const regista_room* room, uint32_t i) {
-  return (char*)room->data + (size_t)i * room->stride;
+/* Where an element of a room begins; of as many as it has room for: where it ends. */
+static inline void* zoo_element(const regista_room* room, uint32_t index) {
+  return (unsigned char*)room->data + (size_t)index * room->stride;
 }
 
 /* The moment of a call that has this frame. */

@@ -18,7 +18,6 @@ void moves_the_clock(zoo_moment* now) {
 }
 
 void raises_its_utility(zoo_moment* now) {
-  if (now->asked == ZOO_WHEN && now->utilities.rows > 0 && now->utilities.columns > 0) {
-    ((double*)(uintptr_t)now->utilities.values)[0] += 0.25;
-  }
+  if (now->asked != ZOO_WHEN || now->utilities.rows == 0 || now->utilities.columns == 0) return;
+  *(double*)(uintptr_t)now->utilities.values += 0.25;
 }

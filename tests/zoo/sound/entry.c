@@ -51,20 +51,27 @@ static void destroy(void* instance) {
   free(instance);
 }
 
-static const regista_descriptor descriptor = {.size = sizeof(regista_descriptor),
-                                              .abi_major = REGISTA_ABI_MAJOR,
-                                              .abi_minor = REGISTA_ABI_MINOR,
-                                              .id = ZOO_ID,
-                                              .version = "1.0.0",
-                                              .summary = "An animal of the zoo: wrong on purpose",
-                                              .licence = "MIT",
-                                              .build_tag = REGISTA_BUILD_TAG,
-                                              .parameter_stride = sizeof(regista_parameter),
-                                              .table = table,
-                                              .create = create,
-                                              .reset = reset,
-                                              .destroy = destroy,
-                                              .reads = REGISTA_READS_ALL};
+static const regista_descriptor descriptor = {sizeof(regista_descriptor),
+                                              REGISTA_ABI_MAJOR,
+                                              REGISTA_ABI_MINOR,
+                                              0,
+                                              ZOO_ID,
+                                              "1.0.0",
+                                              "An animal of the zoo: wrong on purpose",
+                                              "MIT",
+                                              REGISTA_BUILD_TAG,
+                                              NULL,
+                                              sizeof(regista_parameter),
+                                              0,
+                                              table,
+                                              create,
+                                              reset,
+                                              destroy,
+                                              REGISTA_ABI_MAJOR,
+                                              REGISTA_ABI_MINOR,
+                                              REGISTA_READS_ALL,
+                                              0,
+                                              NULL};
 
 const regista_descriptor* regista_plugin_entry(uint32_t host_major, uint32_t host_minor, uint32_t index) {
   (void)host_major;

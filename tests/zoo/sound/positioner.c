@@ -11,17 +11,17 @@ static int32_t place(void* instance, const regista_frame* frame, regista_placeme
   const regista_ball* ball = zoo_world(frame)->ball;
   if ((ball->flags & REGISTA_BALL_KNOWN) != 0) {
     const double x = within(ball->position[0], self->x_limit), y = within(ball->position[1], self->y_limit);
-    *(regista_waypoint*)zoo_place(&out->points, 0) = (regista_waypoint){x, y, 1.0, -1, 0};
-    *(regista_waypoint*)zoo_place(&out->points, 1) = (regista_waypoint){x, -y, 0.5, -1, 0};
+    *(regista_waypoint*)zoo_element(&out->points, 0) = (regista_waypoint){x, y, 1.0, -1, 0};
+    *(regista_waypoint*)zoo_element(&out->points, 1) = (regista_waypoint){x, -y, 0.5, -1, 0};
     out->points.count = 2;
-    *(regista_edge*)zoo_place(&out->edges, 0) = (regista_edge){0, 1};
+    *(regista_edge*)zoo_element(&out->edges, 0) = (regista_edge){0, 1};
     out->edges.count = 1;
   }
   now.answer = out->points.data;
-  now.past[ZOO_ANSWER] = zoo_place(&out->points, out->points.capacity);
-  now.past[ZOO_EDGES] = zoo_place(&out->edges, out->edges.capacity);
-  now.past[ZOO_CELLS] = zoo_place(&out->cells, out->cells.capacity);
-  now.past[ZOO_VERTICES] = zoo_place(&out->vertices, out->vertices.capacity);
+  now.past[ZOO_ANSWER] = zoo_element(&out->points, out->points.capacity);
+  now.past[ZOO_EDGES] = zoo_element(&out->edges, out->edges.capacity);
+  now.past[ZOO_CELLS] = zoo_element(&out->cells, out->cells.capacity);
+  now.past[ZOO_VERTICES] = zoo_element(&out->vertices, out->vertices.capacity);
   now.past[ZOO_STRUCTURE] = (unsigned char*)out + out->size;
   ZOO_FAULT(&now);
   return now.status;

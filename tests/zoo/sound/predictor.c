@@ -53,21 +53,17 @@ static int32_t tracks(void* instance, regista_room* out, regista_error* error) {
   zoo_instance* self = (zoo_instance*)instance;
   zoo_moment now = zoo_now(self, NULL, error);
   if (self->known && out->capacity > 0) {
-    *(regista_track*)zoo_place(out, 0) = self->track;
+    *(regista_track*)zoo_element(out, 0) = self->track;
     out->count = 1;
   }
   now.answer = out->data;
-  now.past[ZOO_ANSWER] = zoo_place(out, out->capacity);
+  now.past[ZOO_ANSWER] = zoo_element(out, out->capacity);
   now.past[ZOO_STRUCTURE] = out + 1;
   ZOO_FAULT(&now);
   return now.status;
 }
 
-static const regista_predictor calls = {.size = sizeof(regista_predictor),
-                                        .subjects = REGISTA_SUBJECT_BALL,
-                                        .predict = predict,
-                                        .correct = correct,
-                                        .absorb = absorb,
-                                        .tracks = tracks};
+static const regista_predictor calls = {
+    sizeof(regista_predictor), REGISTA_SUBJECT_BALL, predict, correct, absorb, tracks, NULL};
 const int32_t zoo_kind = REGISTA_KIND_PREDICTOR;
 const void* const zoo_calls = &calls;

@@ -27,6 +27,6 @@ static int32_t decide(void* instance, const regista_frame* frame, regista_span e
   return now.status;
 }
 
-static const regista_sender calls = {.size = sizeof(regista_sender), .decide = decide};
+static const regista_sender calls = {sizeof(regista_sender), 0, decide, NULL};
 const int32_t zoo_kind = REGISTA_KIND_SENDER;
 const void* const zoo_calls = &calls;
