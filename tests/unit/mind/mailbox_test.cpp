@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -56,6 +57,7 @@ struct Box {
   std::string describe(std::span<const std::uint8_t> bytes) const {
     if (inside) throw std::logic_error("called from within its own call");
     ++asked;
+    if (in_describe) in_describe(*this);
     return std::to_string(bytes.size()) + " bytes";
   }
 
@@ -68,6 +70,7 @@ struct Box {
   }
 
   static inline int asked = 0;  // to describe bytes
+  static inline std::function<void(const Box&)> in_describe;
   Mailbox mailbox;
   std::string log;
   double sent = 0.0, heard = 0.0;
@@ -425,6 +428,39 @@ TEST_F(JournalTest, WhatIsOfferedWhileItIsCreatedStandsWithTheFirstDecision) {
   EXPECT_EQ(told(robot), "offered 1");
   robot.mailboxes.begin(0.1);
   EXPECT_EQ(told(robot), "");
+}
+
+TEST_F(JournalTest, NothingIsOfferedOrWithdrawnWhileBytesAreDescribed) {
+  Robot robot(128, true);
+  robot.mailboxes.begin(1.0);
+  const auto first = robot.offer({1});
+  Box::in_describe = [&](const Box& box) {
+    for (int i = 0; i < 100; ++i) EXPECT_EQ(box.mailbox.offer(Bytes{2}, 0.5, 100.0), 0u);
+    box.mailbox.withdraw(first);
+  };
+  EXPECT_EQ(told(robot), "offered 1");
+  Box::in_describe = nullptr;
+  EXPECT_EQ(robot.mailboxes.pending().size(), 1u);
+  EXPECT_EQ(counted(robot), (Counts{1, 0, 0, 0, 0}));
+}
+
+TEST_F(JournalTest, ADescriptionThatFailsIsToldAndEndsNothing) {
+  Robot robot(128, true);
+  robot.mailboxes.begin(1.0);
+  robot.offer({1});
+  Box::in_describe = [](const Box&) { throw std::runtime_error("lost for words"); };
+  robot.mailboxes.complete_journal();
+  Box::in_describe = nullptr;
+  EXPECT_EQ(robot.mailboxes.journal()[0].text, "describe failed: lost for words");
+}
+
+TEST_F(JournalTest, ADecisionIsToldUpToAThousandEvents) {
+  Robot robot(128, true);
+  robot.mailboxes.begin(1.0);
+  std::uint64_t last = 0;
+  for (int i = 0; i < 5000; ++i) last = robot.offer({1}, 100.0, last);
+  EXPECT_EQ(robot.mailboxes.journal().size(), 1024u);
+  EXPECT_EQ(counted(robot)[0], 5000u);
 }
 
 TEST_F(JournalTest, NobodyRecordsNobodyIsAsked) {
