@@ -105,8 +105,8 @@ class Game {
     m.position[0] = place.x + a * cosine - b * sine;
     m.position[1] = place.y + a * sine + b * cosine;
     m.covariance[0] = along * along * cosine * cosine + across * across * sine * sine;
-    m.covariance[1] = m.covariance[3] = (along * along - across * across) * sine * cosine;
-    m.covariance[4] = along * along * sine * sine + across * across * cosine * cosine;
+    m.covariance[1] = (along * along - across * across) * sine * cosine;
+    m.covariance[2] = along * along * sine * sine + across * across * cosine * cosine;
     seen_.push_back(m);
   }
 

@@ -143,7 +143,7 @@ TEST(HoldLastPlugin, LeavesSilentTeammatesWhereTheySaidToBeThoughTheyWalk) {
   told.flags = REGISTA_TRACK_HAS_TARGET | REGISTA_TRACK_VELOCITY;
   told.x = 1.0;
   told.vx = 0.3;
-  told.target[0] = 4.0;
+  told.pose.target[0] = 4.0;
   told.weight = 1.0;
   instance.absorb(std::vector{told}, 1.0);
   instance.predict(2.0, nullptr);
@@ -151,7 +151,7 @@ TEST(HoldLastPlugin, LeavesSilentTeammatesWhereTheySaidToBeThoughTheyWalk) {
   ASSERT_EQ(tracks.size(), 1u);
   EXPECT_EQ(tracks[0].x, 1.0);
   EXPECT_EQ(tracks[0].vx, 0.0);
-  EXPECT_EQ(tracks[0].target[0], 4.0);
+  EXPECT_EQ(tracks[0].pose.target[0], 4.0);
   EXPECT_NEAR(tracks[0].covariance[0], 0.36, 1e-12);  // 0.2 m/s for 3 s
   EXPECT_NEAR(tracks[0].age, 3.0, 1e-12);
 }

@@ -266,7 +266,7 @@ double unwatched_variance(const Scene* last, bool observer) {
   const regista_motion stands{};
   regista_measurement seen{};
   seen.kind = REGISTA_MEASURED_BALL;
-  seen.covariance[0] = seen.covariance[4] = 0.0025;
+  seen.covariance[0] = seen.covariance[2] = 0.0025;
   for (int i = 0; i < 30; ++i) {
     instance.predict(0.1, &stands);
     instance.correct(std::vector{seen}, {-2.0, 0.0, 0.0, 0.9, 8.0, 8.0});

@@ -154,13 +154,13 @@ regista_track packet_of(int number, double x, double y, double target_x, double 
   track.flags = REGISTA_TRACK_HAS_TARGET | REGISTA_TRACK_VELOCITY;
   track.x = x;
   track.y = y;
-  track.target[0] = target_x;
-  track.target[1] = target_y;
+  track.pose.target[0] = target_x;
+  track.pose.target[1] = target_y;
   const double way = std::hypot(target_x - x, target_y - y);
   track.vx = way > 0.0 ? speed * (target_x - x) / way : 0.0;
   track.vy = way > 0.0 ? speed * (target_y - y) / way : 0.0;
-  track.covariance[0] = track.covariance[5] = 0.01;
-  track.covariance[10] = track.covariance[15] = 0.01;
+  track.covariance[0] = track.covariance[2] = 0.01;
+  track.pose.velocity_variance = 0.01;
   track.weight = 1.0;
   return track;
 }
@@ -199,14 +199,14 @@ TEST(Plugin, FollowsTheAnswerThatChangedAfterThePacket) {
   live("goalkeeper", 3);
   instance.absorb(std::vector{packet_of(5, -2.0, -1.0, -1.0, -1.0)}, 0.0);
   // The frame of the next decision tells the answer of the one before, which did not know the packet.
-  EXPECT_EQ(live("striker", 1).target[0], -1.0);
-  EXPECT_EQ(live("supporter", 5).target[0], -1.0);
+  EXPECT_EQ(live("striker", 1).pose.target[0], -1.0);
+  EXPECT_EQ(live("supporter", 5).pose.target[0], -1.0);
   const regista_track before = live("supporter", 1);
   EXPECT_NEAR(before.x, -2.0 + 0.7 * 0.125, 1e-12);
   EXPECT_EQ(before.y, -1.0);
   const regista_track after = live("striker", 1);
-  EXPECT_EQ(after.target[0], 2.0) << "the place after the offset";
-  EXPECT_EQ(after.target[1], 1.0);
+  EXPECT_EQ(after.pose.target[0], 2.0) << "the place after the offset";
+  EXPECT_EQ(after.pose.target[1], 1.0);
   EXPECT_GT(after.y, before.y);
   EXPECT_NEAR(std::hypot(after.x - before.x, after.y - before.y), 0.0125, 1e-12);
   EXPECT_NEAR(after.age, 0.8, 1e-12);
@@ -240,7 +240,7 @@ TEST(Plugin, LeavesPrivateAnswersAloneUnlessToldOtherwise) {
       const Scene last = frame(tick, tick < 5 ? "supporter" : "striker", REGISTA_MINE);
       instance.predict(0.1, nullptr, &last.raw());
     }
-    EXPECT_EQ(instance.tracks().front().target[0], only_common ? -1.0 : 2.0);
+    EXPECT_EQ(instance.tracks().front().pose.target[0], only_common ? -1.0 : 2.0);
   }
 }
 

@@ -30,7 +30,7 @@ TEST(BestFirst, GivesEachTaskInOrderToItsBestFreeRobot) {
   const regista_environment environment{};
   const regista_host host{};
   const regista_value least{0.5, nullptr, 0};
-  void* instance = plugin->create(&environment, &host, &least, &error);
+  void* instance = plugin->create(&environment, &host, {&least, 1, sizeof least}, &error);
   ASSERT_NE(instance, nullptr) << error.text;
 
   // Robot 0 is best for both tasks; task 0 comes first and takes it, though the sum would be larger the other way.

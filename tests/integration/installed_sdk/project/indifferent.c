@@ -7,7 +7,7 @@ typedef struct {
   double value;
 } indifferent;
 
-static int32_t score(void* instance, const regista_frame* frame, const regista_matrix* out, regista_error* error) {
+static int32_t score(void* instance, const regista_frame* frame, const regista_matrix_room* out, regista_error* error) {
   (void)frame;
   (void)error;
   for (uint32_t i = 0; i < out->rows; ++i)
@@ -21,13 +21,13 @@ static const void* table(int32_t kind) {
   return kind == REGISTA_KIND_UTILITY ? &utility : NULL;
 }
 
-static void* create(const regista_environment* environment, const regista_host* host, const regista_value* values,
+static void* create(const regista_environment* environment, const regista_host* host, regista_span values,
                     regista_error* error) {
   (void)environment;
   (void)host;
   (void)error;
   indifferent* self = malloc(sizeof *self);
-  if (self) self->value = values[0].number;
+  if (self) self->value = ((const regista_value*)values.data)->number;
   return self;
 }
 
@@ -61,7 +61,10 @@ static const regista_descriptor descriptor = {.size = sizeof(regista_descriptor)
                                               .table = table,
                                               .create = create,
                                               .reset = reset,
-                                              .destroy = free};
+                                              .destroy = free,
+                                              .minimum_major = REGISTA_ABI_MAJOR,
+                                              .minimum_minor = REGISTA_ABI_MINOR,
+                                              .reads = REGISTA_READS_NOTHING};
 
 const regista_descriptor* regista_plugin_entry(uint32_t host_major, uint32_t host_minor, uint32_t index) {
   (void)host_major;
