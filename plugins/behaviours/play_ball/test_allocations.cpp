@@ -32,8 +32,8 @@ TEST(PlayBallAllocations, NoneInADecision) {
   const Values values(plugin);
   const std::vector<regista_value> raw = values.raw();
   regista_error error{};
-  void* instance = descriptor.create(
-      &setting.raw(), host.raw(), {raw.data(), static_cast<std::uint32_t>(raw.size()), sizeof(regista_value)}, &error);
+  const regista_span all{raw.data(), static_cast<std::uint32_t>(raw.size()), sizeof(regista_value)};
+  void* instance = descriptor.create(&setting.raw(), host.raw(), all, &error);
   ASSERT_NE(instance, nullptr) << error.text;
   ASSERT_EQ(descriptor.reset(instance, 1, &error), REGISTA_OK);
   const std::vector<Scene> scenes = course();

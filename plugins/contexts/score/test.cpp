@@ -51,11 +51,13 @@ TEST(ScorePlugin, LooksAtTheGame) {
   Instance behind_late(plugin, EnvironmentBuilder{},
                        Values(plugin).set("least", -100).set("most", -1).set("in_last", 180));
   const auto at = [](int half, double left) {
-    return FrameBuilder{}
-        .robot(2)
-        .game({sizeof(regista_game), REGISTA_PHASE_PLAYING, REGISTA_SET_PLAY_NONE, 0, half, 0, 2, 0, 50.0, left})
-        .build()
-        .before_tasks();
+    regista_game game{};
+    game.phase = REGISTA_PHASE_PLAYING;
+    game.half = half;
+    game.opponent_score = 2;
+    game.phase_time = 50.0;
+    game.time_left = left;
+    return FrameBuilder{}.robot(2).game(game).build().before_tasks();
   };
   EXPECT_EQ(behind_late.holds(at(1, 100.0)), 0);
   EXPECT_EQ(behind_late.holds(at(2, 200.0)), 0);

@@ -49,6 +49,14 @@ struct Told {
   int source = 0;
 };
 
+// Where an entry of the covariance of a motion stands, as abi.h packs it; of a track the first three are of the place.
+constexpr int packed[4][4] = {{0, 1, 3, 4}, {1, 2, 5, 6}, {3, 5, 7, 8}, {4, 6, 8, 9}};
+
+double& entry(regista_track& track, int i, int j) {
+  const int k = packed[i][j];
+  return k < 3 ? track.covariance[k] : track.motion[k - 3];
+}
+
 std::vector<Estimate> views(const std::vector<Told>& told) {
   std::vector<Estimate> out;
   for (const Told& each : told) out.push_back({&each.track, each.source});
@@ -63,7 +71,7 @@ Told estimate(const Vector& state, const Matrix& covariance, int source, double 
   out.track.vx = state[2];
   out.track.vy = state[3];
   for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) out.track.covariance[4 * i + j] = covariance(i, j);
+    for (int j = 0; j < 4; ++j) entry(out.track, i, j) = covariance(i, j);
   }
   out.track.weight = weight;
   out.track.age = age;
@@ -81,10 +89,10 @@ Fused textbook(const std::vector<Told>& estimates) {
   std::vector<double> shares;
   std::vector<Matrix> covariances;
   std::vector<Vector> states;
-  for (const Told& each : estimates) {
+  for (Told each : estimates) {
     Matrix p(4, 4);
     for (int i = 0; i < 4; ++i) {
-      for (int j = 0; j < 4; ++j) p(i, j) = each.track.covariance[4 * i + j];
+      for (int j = 0; j < 4; ++j) p(i, j) = entry(each.track, i, j);
     }
     covariances.push_back(p + least_variance * Matrix::Identity(4, 4));
     states.push_back(Vector{{each.track.x, each.track.y, each.track.vx, each.track.vy}});
@@ -109,7 +117,7 @@ Fused read(const regista_ball& ball) {
   Fused out;
   out.mean << ball.position[0], ball.position[1], ball.velocity[0], ball.velocity[1];
   for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) out.covariance(i, j) = ball.covariance[4 * i + j];
+    for (int j = 0; j < 4; ++j) out.covariance(i, j) = ball.covariance[packed[i][j]];
   }
   return out;
 }
@@ -156,7 +164,7 @@ TEST(BallFusion, TwoSourcesByHand) {
   const regista_ball ball = fuse_ball(views(estimates));
   EXPECT_NEAR(ball.position[0], 0.4, 1e-5);
   EXPECT_NEAR(ball.covariance[0], 1.2, 1e-5);
-  EXPECT_NEAR(ball.covariance[5], 1.2, 1e-5);
+  EXPECT_NEAR(ball.covariance[2], 1.2, 1e-5);
   EXPECT_NEAR(ball.covariance[1], 0.0, 1e-12);
 }
 
@@ -246,8 +254,8 @@ TEST(BallFusion, AgeCountsAsUncertaintyOfThePosition) {
   const Told alone = estimate(Vector::Zero(4), 0.01 * Matrix::Identity(4, 4), 1, 1.0, 2.0);
   const regista_ball ball = fuse_ball(views({alone}));
   EXPECT_NEAR(ball.covariance[0], 0.01 + 0.6 * 0.6 + least_variance, 1e-12);
-  EXPECT_NEAR(ball.covariance[5], 0.01 + 0.6 * 0.6 + least_variance, 1e-12);
-  EXPECT_NEAR(ball.covariance[10], 0.01 + least_variance, 1e-12) << "of the velocity";
+  EXPECT_NEAR(ball.covariance[2], 0.01 + 0.6 * 0.6 + least_variance, 1e-12);
+  EXPECT_NEAR(ball.covariance[7], 0.01 + least_variance, 1e-12) << "of the velocity";
 
   Dice dice(7);
   for (int round = 0; round < 300; ++round) {
@@ -257,7 +265,7 @@ TEST(BallFusion, AgeCountsAsUncertaintyOfThePosition) {
       const double age = dice.real(0.0, 3.0);
       Told grown = each;
       grown.track.covariance[0] += 0.09 * age * age;
-      grown.track.covariance[5] += 0.09 * age * age;
+      grown.track.covariance[2] += 0.09 * age * age;
       fresh.push_back(grown);
       each.track.age = age;
     }
@@ -275,7 +283,7 @@ Told opponent(double x, double y, double variance, int source, int label, double
   out.track.label = label;
   out.track.x = x;
   out.track.y = y;
-  out.track.covariance[0] = out.track.covariance[5] = variance;
+  out.track.covariance[0] = out.track.covariance[2] = variance;
   out.track.weight = weight;
   out.track.age = age;
   return out;
@@ -298,7 +306,7 @@ TEST(OpponentFusion, MergesTwoSourcesByHand) {
   EXPECT_NEAR(out[0].position[0], 0.1, 1e-12);
   EXPECT_NEAR(out[0].position[1], 2.0, 1e-12);
   EXPECT_NEAR(out[0].covariance[0], 0.024, 1e-12);
-  EXPECT_NEAR(out[0].covariance[3], 0.024, 1e-12);
+  EXPECT_NEAR(out[0].covariance[2], 0.024, 1e-12);
   EXPECT_NEAR(out[0].weight, 0.9, 1e-12);
   EXPECT_DOUBLE_EQ(out[0].age, 1.0);
 }

@@ -15,7 +15,7 @@ regista_robot robot(int number, double x, double y, double deviation) {
   out.flags = REGISTA_ROBOT_ACTIVE | REGISTA_ROBOT_KNOWN;
   out.pose[0] = x;
   out.pose[1] = y;
-  out.covariance[0] = out.covariance[4] = deviation * deviation;
+  out.covariance[0] = out.covariance[2] = deviation * deviation;
   return out;
 }
 
@@ -23,7 +23,7 @@ regista_track seen(double x, double y, double deviation, double weight = 0.9) {
   regista_track out{};
   out.x = x;
   out.y = y;
-  out.covariance[0] = out.covariance[5] = deviation * deviation;
+  out.covariance[0] = out.covariance[2] = deviation * deviation;
   out.weight = weight;
   return out;
 }
@@ -71,7 +71,7 @@ TEST(SeenTeammates, SharpenedPlaceIsTrueToItsCovariance) {
     regista_robot told = robot(1, 0.6 * normal(engine), 0.6 * normal(engine), 0.6);
     sharpen(told, seen(0.3 * normal(engine), 0.3 * normal(engine), 0.3));
     squared += (told.pose[0] * told.pose[0] + told.pose[1] * told.pose[1]) / runs;
-    promised = told.covariance[0] + told.covariance[4];
+    promised = told.covariance[0] + told.covariance[2];
   }
   EXPECT_NEAR(promised, 2.0 / (1.0 / 0.36 + 1.0 / 0.09), 1e-12);
   EXPECT_NEAR(squared / promised, 1.0, 0.03);

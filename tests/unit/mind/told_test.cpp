@@ -16,7 +16,7 @@ regista_track track(int label, double x, double y, double age = 0.0, double devi
   out.y = y;
   out.age = age;
   out.weight = weight;
-  out.covariance[0] = out.covariance[5] = deviation * deviation;
+  out.covariance[0] = out.covariance[2] = deviation * deviation;
   return out;
 }
 

@@ -62,6 +62,8 @@ static const regista_descriptor descriptor = {.size = sizeof(regista_descriptor)
                                               .create = create,
                                               .reset = reset,
                                               .destroy = free,
+                                              .minimum_major = REGISTA_ABI_MAJOR,
+                                              .minimum_minor = REGISTA_ABI_MINOR,
                                               .reads = REGISTA_READS_NOTHING};
 
 const regista_descriptor* regista_plugin_entry(uint32_t host_major, uint32_t host_minor, uint32_t index) {

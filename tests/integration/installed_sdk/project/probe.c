@@ -25,7 +25,8 @@ int main(int argument_count, char** arguments) {
 
   const regista_descriptor* plugin = entry(REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR, 0);
   REQUIRE(plugin && !entry(REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR, 1));
-  REQUIRE(plugin->size == sizeof *plugin && plugin->abi_major == REGISTA_ABI_MAJOR);
+  REQUIRE(plugin->size == sizeof *plugin && plugin->abi_major == REGISTA_ABI_MAJOR &&
+          plugin->abi_minor == REGISTA_ABI_MINOR);
   REQUIRE(!strcmp(plugin->id, "indifferent"));
   REQUIRE(strlen(plugin->build_tag) > 0);
   REQUIRE(!plugin->table(REGISTA_KIND_SENDER));
@@ -34,16 +35,15 @@ int main(int argument_count, char** arguments) {
 
   regista_error error = {""};
   const regista_value value = {.number = 0.25};
-  const regista_span values = {&value, 1, sizeof value};
-  void* instance = plugin->create(NULL, NULL, values, &error);
+  void* instance = plugin->create(NULL, NULL, (regista_span){&value, 1, sizeof value}, &error);
   REQUIRE(instance);
   REQUIRE(plugin->reset(instance, 1, &error) == REGISTA_OK);
-  double scores[2][4] = {{0}}; /* the last column lies beyond the matrix */
-  const regista_matrix_room matrix = {.values = &scores[0][0], .rows = 2, .columns = 3, .stride = 4};
+  double values[2][4] = {{0}}; /* the last column lies beyond the matrix */
+  const regista_matrix_room matrix = {.values = &values[0][0], .rows = 2, .columns = 3, .stride = 4};
   REQUIRE(utility->score(instance, NULL, &matrix, &error) == REGISTA_OK);
   for (int row = 0; row < 2; ++row) {
-    for (int column = 0; column < 3; ++column) REQUIRE(scores[row][column] == 0.25);
-    REQUIRE(scores[row][3] == 0.0);
+    for (int column = 0; column < 3; ++column) REQUIRE(values[row][column] == 0.25);
+    REQUIRE(values[row][3] == 0.0);
   }
   plugin->destroy(instance);
   return 0;
