@@ -100,7 +100,8 @@ TEST_F(CatalogueTest, RemembersWhatItRefused) {
   EXPECT_THAT(
       refusals(catalogue),
       ElementsAre("empty.so: is empty", "no_entry.so: is no Regista plugin: it does not export regista_plugin_entry",
-                  "old.so: built for Regista plugin interface 1.0; this host speaks 0.2, whose number is lower because the interface was opened again before it is frozen: build it anew",
+                  "old.so: built for Regista plugin interface 1.0; this host speaks 0.2, whose number is lower because "
+                  "the interface was opened again before it is frozen: build it anew",
                   "truncated.so: is damaged: it ends too early", "x.so: is not a shared object",
                   "y.so: is a folder, not a shared object", "z.so: does not exist"));
 }
@@ -126,8 +127,10 @@ TEST_F(CatalogueTest, SaysWhatExistsAndWhatIsNearest) {
   EXPECT_EQ(message_of([&] { catalogue.find(use("negotiater"), REGISTA_KIND_ASSIGNER); }),
             "team.yaml:2:13: unknown assigner \"negotiater\"; nearest: \"negotiator\"; known: negotiator, throws; "
             "searched: " +
-                here.string() + ", " + (root / "nowhere").string() + " (does not exist); refused: " +
-                (here / "old.so").string() + ": built for Regista plugin interface 1.0; this host speaks 0.2, whose number is lower because the interface was opened again before it is frozen: build it anew");
+                here.string() + ", " + (root / "nowhere").string() +
+                " (does not exist); refused: " + (here / "old.so").string() +
+                ": built for Regista plugin interface 1.0; this host speaks 0.2, whose number is lower because the "
+                "interface was opened again before it is frozen: build it anew");
   EXPECT_EQ(message_of([] { Catalogue({}).find(use("greedy"), REGISTA_KIND_ASSIGNER); }),
             "team.yaml:2:13: unknown assigner \"greedy\"; there is none at all; searched: no folder");
 }
@@ -177,8 +180,9 @@ TEST_F(CatalogueTest, RefusesPinnedFilesThatDoNotServe) {
   };
   const std::string sound = shared_object("sound"), old = shared_object("wrong_major");
   EXPECT_EQ(said("sound", here / "no.so"), "team.yaml:2:13: " + (here / "no.so").string() + ": does not exist");
-  EXPECT_EQ(said("sound", old),
-            "team.yaml:2:13: " + old + ": built for Regista plugin interface 1.0; this host speaks 0.2, whose number is lower because the interface was opened again before it is frozen: build it anew");
+  EXPECT_EQ(said("sound", old), "team.yaml:2:13: " + old +
+                                    ": built for Regista plugin interface 1.0; this host speaks 0.2, whose number is "
+                                    "lower because the interface was opened again before it is frozen: build it anew");
   EXPECT_EQ(said("negotiater", sound), "team.yaml:2:13: " + sound +
                                            ": unknown assigner \"negotiater\"; nearest: \"negotiator\"; known: "
                                            "negotiator");

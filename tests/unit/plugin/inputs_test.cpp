@@ -120,7 +120,8 @@ TEST_F(InputsTest, NamesEachPartOfTheFrame) {
   EXPECT_EQ(held([](F f) { element<regista_waypoint>(f->waypoints).x = 1.0; }), changed("holds", "frame.waypoints"));
   EXPECT_EQ(held([](F f) { element<regista_edge>(f->edges).to = 2; }), changed("holds", "frame.edges"));
   EXPECT_EQ(held([](F f) { element<std::int32_t>(f->previous) = 2; }), changed("holds", "frame.previous"));
-  EXPECT_EQ(held([](F f) { const_cast<double&>(f->time_to_task.values[34]) = 1.0; }), changed("holds", "frame.time_to_task"));
+  EXPECT_EQ(held([](F f) { const_cast<double&>(f->time_to_task.values[34]) = 1.0; }),
+            changed("holds", "frame.time_to_task"));
 }
 
 TEST_F(InputsTest, AreComparedOnlyWhereThatIsAskedFor) {
@@ -210,7 +211,8 @@ TEST_F(InputsTest, OfASenderAndAMailbox) {
 TEST_F(InputsTest, OfCreate) {
   static regista_descriptor descriptor;
   descriptor = Puppet::descriptor();
-  descriptor.create = [](const regista_environment* environment, const regista_host*, regista_span, regista_error*) -> void* {
+  descriptor.create = [](const regista_environment* environment, const regista_host*, regista_span,
+                         regista_error*) -> void* {
     writable(environment).goal_width = 9.0;
     return &descriptor;
   };
@@ -219,8 +221,8 @@ TEST_F(InputsTest, OfCreate) {
 }
 
 TEST_F(InputsTest, OfCreatesValues) {
-  static const regista_parameter speed{sizeof(regista_parameter), REGISTA_TYPE_REAL, "speed", "m/s", "How fast", 0.0,
-                                       1.0, 0.5, nullptr, nullptr, 0, 0};
+  static const regista_parameter speed{
+      sizeof(regista_parameter), REGISTA_TYPE_REAL, "speed", "m/s", "How fast", 0.0, 1.0, 0.5, nullptr, nullptr, 0, 0};
   static regista_descriptor descriptor;
   descriptor = Puppet::descriptor();
   descriptor.parameter_count = 1;

@@ -166,7 +166,8 @@ TEST_F(InstanceTest, IsCreatedResetAndDestroyedInThisOrder) {
   static const regista_environment* seen;
   order.clear();
   regista_descriptor descriptor = Puppet::descriptor();
-  descriptor.create = [](const regista_environment* environment, const regista_host* host, regista_span, regista_error*) -> void* {
+  descriptor.create = [](const regista_environment* environment, const regista_host* host, regista_span,
+                         regista_error*) -> void* {
     order += "create ";
     seen = environment;
     EXPECT_EQ(environment->size, sizeof(regista_environment));
@@ -199,7 +200,9 @@ TEST_F(InstanceTest, DestroysNothingThatWasNotCreated) {
   static bool destroyed;
   destroyed = false;
   regista_descriptor descriptor = Puppet::descriptor();
-  descriptor.create = [](const regista_environment*, const regista_host*, regista_span, regista_error*) -> void* { return nullptr; };
+  descriptor.create = [](const regista_environment*, const regista_host*, regista_span, regista_error*) -> void* {
+    return nullptr;
+  };
   descriptor.destroy = [](void*) { destroyed = true; };
   EXPECT_THROW(
       Instance({"puppet.so", &descriptor}, resolve(descriptor, use("puppet")), environment(), nullptr, nullptr),

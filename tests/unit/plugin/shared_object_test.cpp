@@ -54,7 +54,9 @@ TEST(SharedObject, ChangesNoFloatingPointState) {
 }
 
 TEST(SharedObject, RefusesPluginsThatCannotBeServed) {
-  EXPECT_EQ(refusal("wrong_major"), "built for Regista plugin interface 1.0; this host speaks 0.2, whose number is lower because the interface was opened again before it is frozen: build it anew");
+  EXPECT_EQ(refusal("wrong_major"),
+            "built for Regista plugin interface 1.0; this host speaks 0.2, whose number is lower because the interface "
+            "was opened again before it is frozen: build it anew");
   EXPECT_EQ(refusal("older_minor"), "built for Regista plugin interface 0.1; this host speaks 0.2: build it anew");
   EXPECT_EQ(refusal("newer_minor"), "built for Regista plugin interface 0.3; this host speaks 0.2: build it anew");
   EXPECT_EQ(refusal("empty_list"), "contains no plugin");
