@@ -10,6 +10,9 @@ struct Plugin {
   static constexpr auto id = "best_pair_first", version = "1.0.0",
                         summary = "The best pair of a free robot and a free task, again and again";
 
+  // Of a frame it reads nothing but what every plugin is shown; see REGISTA_READS_* in <regista/abi.h>.
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
+
   // An algorithm with a struct of settings: keep the struct here and bind to its members with regista::within().
   double at_least = 0.0;
   static constexpr std::tuple parameters{

@@ -76,8 +76,7 @@ bool equal(const regista_track& a, const regista_track& b) {
   return near(a.x, b.x) && near(a.y, b.y) && near(a.vx, b.vx) && near(a.vy, b.vy) && near(a.weight, b.weight) &&
          near(a.age, b.age) && all_near(a.covariance, b.covariance) && near(a.pose.heading, b.pose.heading) &&
          near(a.pose.turn_rate, b.pose.turn_rate) && near(a.pose.heading_variance, b.pose.heading_variance) &&
-         near(a.pose.velocity_variance, b.pose.velocity_variance) &&
-         (!aims || all_near(a.pose.target, b.pose.target));
+         near(a.pose.velocity_variance, b.pose.velocity_variance) && (!aims || all_near(a.pose.target, b.pose.target));
 }
 
 // `asked` tells, `model` absorbs and predicts.

@@ -47,8 +47,8 @@ Query query_for(const Scene& scene, std::size_t round) {
 void check_sent(const Sent& sent, const Query& query, std::uint32_t own_reasons, Findings& findings) {
   if (sent.send != 0 && sent.send != 1) findings.say("decide: send is ", sent.send, ", neither 0 nor 1");
   const bool event = sent.reason >= 0 && sent.reason < REGISTA_EVENT_COUNT;
-  const bool own = sent.reason >= REGISTA_REASON_OWN &&
-                   static_cast<std::uint32_t>(sent.reason - REGISTA_REASON_OWN) < own_reasons;
+  const bool own =
+      sent.reason >= REGISTA_REASON_OWN && static_cast<std::uint32_t>(sent.reason - REGISTA_REASON_OWN) < own_reasons;
   if (sent.send == 1 && !event && !own) {
     findings.say("decide: sends for the reason ", sent.reason, ", which does not exist");
   }

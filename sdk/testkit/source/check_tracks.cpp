@@ -47,9 +47,7 @@ bool all_finite(std::span<const double> values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
-bool has_pose(std::uint32_t subject) {
-  return (subject & (REGISTA_SUBJECT_SELF | REGISTA_SUBJECT_TEAMMATES)) != 0;
-}
+bool has_pose(std::uint32_t subject) { return (subject & (REGISTA_SUBJECT_SELF | REGISTA_SUBJECT_TEAMMATES)) != 0; }
 
 bool all_finite(const regista_track& t, std::uint32_t subject) {
   const double single[] = {t.x, t.y, t.vx, t.vy, t.weight, t.age};

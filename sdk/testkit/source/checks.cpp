@@ -70,7 +70,8 @@ std::vector<Check> contract(std::int32_t kind) {
       {"descriptor", "describes itself", [](const Loaded& plugin, const Options&) { return check_descriptor(plugin); }},
       rehearsed(kind, "promises", "every output is as abi.h promises", check_promises),
       rehearsed(kind, "determinism", "the same calls give the same bytes, also after a reset", check_determinism),
-      rehearsed(kind, "growth", "works with a host of a later minor version", check_growth), reads_check(kind),
+      rehearsed(kind, "growth", "works with a host of a later minor version", check_growth),
+      reads_check(kind),
       {"mailbox", "bears any message",
        [kind](const Loaded& plugin, const Options& options) {
          const std::uint32_t all = kind == REGISTA_KIND_PREDICTOR ? detail::subjects_of(plugin) : 0;

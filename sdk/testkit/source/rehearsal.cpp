@@ -97,21 +97,21 @@ Findings check_growth(const Loaded& plugin, const Options& options, const std::v
 }
 
 Findings check_reads(const Loaded& plugin, const Options& options, const std::vector<Rehearsal>& rehearsals) {
-  return detail::everywhere(
-      plugin, options, rehearsals, [&](const Corner& corner, const Rehearsal& rehearsal, Findings& findings) {
-        const Showing as_declared{{}, plugin.descriptor().reads};
-        Instance with_all(plugin, rehearsal.environment, corner.values);
-        Instance with_less(plugin, rehearsal.environment, corner.values);
-        Findings elsewhere;
-        for (std::size_t i = 0; i < rehearsal.steps; ++i) {
-          findings.where(corner.name, rehearsal.name(i));
-          const Trail all = step(rehearsal, with_all, i, {}, elsewhere);
-          if (step(rehearsal, with_less, i, as_declared, elsewhere) != all) {
-            findings.say("parts of the frame that its `reads` do not name change the result");
-            return;
-          }
-        }
-      });
+  return detail::everywhere(plugin, options, rehearsals,
+                            [&](const Corner& corner, const Rehearsal& rehearsal, Findings& findings) {
+                              const Showing as_declared{{}, plugin.descriptor().reads};
+                              Instance with_all(plugin, rehearsal.environment, corner.values);
+                              Instance with_less(plugin, rehearsal.environment, corner.values);
+                              Findings elsewhere;
+                              for (std::size_t i = 0; i < rehearsal.steps; ++i) {
+                                findings.where(corner.name, rehearsal.name(i));
+                                const Trail all = step(rehearsal, with_all, i, {}, elsewhere);
+                                if (step(rehearsal, with_less, i, as_declared, elsewhere) != all) {
+                                  findings.say("parts of the frame that its `reads` do not name change the result");
+                                  return;
+                                }
+                              }
+                            });
 }
 
 }  // namespace regista::testkit

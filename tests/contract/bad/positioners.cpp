@@ -153,19 +153,15 @@ struct FillsTheTail : bad::Described {
 
 }  // namespace
 
-REGISTA_PLUGINS(regista::Plugin<OffTheField, regista::positioner>, regista::Plugin<NowhereAtAll, regista::positioner>,
-                regista::Plugin<BadScore, regista::positioner>, regista::Plugin<NoSuchTask, regista::positioner>,
-                regista::Plugin<NoSuchRobot, regista::positioner>, regista::Plugin<EdgeToNowhere, regista::positioner>,
-                regista::Plugin<EdgeToItself, regista::positioner>, regista::Plugin<EdgeTwice, regista::positioner>,
-                regista::Plugin<CellOfNobody, regista::positioner>, regista::Plugin<TwoCells, regista::positioner>,
-                regista::Plugin<ClockwiseCell, regista::positioner>,
-                regista::Plugin<CellOffTheField, regista::positioner>,
-                regista::Plugin<CellPastTheEnd, bad::bare_positioner>,
-                regista::Plugin<CountsTooFar, bad::bare_positioner>,
-                regista::Plugin<IgnoresCapacity, bad::bare_positioner>,
-                regista::Plugin<StepsByPointRoom, bad::bare_positioner>,
-                regista::Plugin<StepsByEdgeRoom, bad::bare_positioner>,
-                regista::Plugin<StepsByCellRoom, bad::bare_positioner>,
-                regista::Plugin<StepsByVertexRoom, bad::bare_positioner>,
-                regista::Plugin<MovesTheRoom, bad::bare_positioner>,
-                regista::Plugin<FillsTheTail, bad::bare_positioner>)
+REGISTA_PLUGINS(
+    regista::Plugin<OffTheField, regista::positioner>, regista::Plugin<NowhereAtAll, regista::positioner>,
+    regista::Plugin<BadScore, regista::positioner>, regista::Plugin<NoSuchTask, regista::positioner>,
+    regista::Plugin<NoSuchRobot, regista::positioner>, regista::Plugin<EdgeToNowhere, regista::positioner>,
+    regista::Plugin<EdgeToItself, regista::positioner>, regista::Plugin<EdgeTwice, regista::positioner>,
+    regista::Plugin<CellOfNobody, regista::positioner>, regista::Plugin<TwoCells, regista::positioner>,
+    regista::Plugin<ClockwiseCell, regista::positioner>, regista::Plugin<CellOffTheField, regista::positioner>,
+    regista::Plugin<CellPastTheEnd, bad::bare_positioner>, regista::Plugin<CountsTooFar, bad::bare_positioner>,
+    regista::Plugin<IgnoresCapacity, bad::bare_positioner>, regista::Plugin<StepsByPointRoom, bad::bare_positioner>,
+    regista::Plugin<StepsByEdgeRoom, bad::bare_positioner>, regista::Plugin<StepsByCellRoom, bad::bare_positioner>,
+    regista::Plugin<StepsByVertexRoom, bad::bare_positioner>, regista::Plugin<MovesTheRoom, bad::bare_positioner>,
+    regista::Plugin<FillsTheTail, bad::bare_positioner>)

@@ -325,22 +325,19 @@ struct ChangesTheModel : Standing {
 
 }  // namespace
 
-REGISTA_PLUGINS(regista::Plugin<NanTrack, regista::predictor>,
-                regista::Plugin<IndefiniteCovariance, regista::predictor>,
-                regista::Plugin<IndefiniteMotion, regista::predictor>, regista::Plugin<TooFar, regista::predictor>,
-                regista::Plugin<NegativeVelocityVariance, regista::predictor>,
-                regista::Plugin<NegativeVariance, regista::predictor>, regista::Plugin<FullTurn, regista::predictor>,
-                regista::Plugin<NoWeight, regista::predictor>, regista::Plugin<FromTheFuture, regista::predictor>,
-                regista::Plugin<NobodySelf, regista::predictor>, regista::Plugin<SomeoneElse, regista::predictor>,
-                regista::Plugin<SelfConfident, regista::predictor>, regista::Plugin<SureOfHeading, regista::predictor>,
-                regista::Plugin<SameLabels, regista::predictor>, regista::Plugin<Renames, regista::predictor>,
-                regista::Plugin<Invents, regista::predictor>, regista::Plugin<KeepsAfterAbsorb, regista::predictor>,
-                regista::Plugin<TooManyTracks, regista::predictor>, regista::Plugin<WorstFirst, regista::predictor>,
-                regista::Plugin<DescendingLabels, regista::predictor>,
-                regista::Plugin<StrangeTeammate, regista::predictor>,
-                regista::Plugin<DeafToTeammates, regista::predictor>, regista::Plugin<CountsTracks, regista::predictor>,
-                regista::Plugin<StepsByTrackSize, regista::predictor>,
-                regista::Plugin<StepsByTrackRoom, careless_predictor>,
-                regista::Plugin<ForgetsTheAge, regista::predictor>,
-                regista::Plugin<ForgetsTheTarget, regista::predictor>,
-                regista::Plugin<ChangesTheModel, regista::predictor>)
+REGISTA_PLUGINS(
+    regista::Plugin<NanTrack, regista::predictor>, regista::Plugin<IndefiniteCovariance, regista::predictor>,
+    regista::Plugin<IndefiniteMotion, regista::predictor>, regista::Plugin<TooFar, regista::predictor>,
+    regista::Plugin<NegativeVelocityVariance, regista::predictor>,
+    regista::Plugin<NegativeVariance, regista::predictor>, regista::Plugin<FullTurn, regista::predictor>,
+    regista::Plugin<NoWeight, regista::predictor>, regista::Plugin<FromTheFuture, regista::predictor>,
+    regista::Plugin<NobodySelf, regista::predictor>, regista::Plugin<SomeoneElse, regista::predictor>,
+    regista::Plugin<SelfConfident, regista::predictor>, regista::Plugin<SureOfHeading, regista::predictor>,
+    regista::Plugin<SameLabels, regista::predictor>, regista::Plugin<Renames, regista::predictor>,
+    regista::Plugin<Invents, regista::predictor>, regista::Plugin<KeepsAfterAbsorb, regista::predictor>,
+    regista::Plugin<TooManyTracks, regista::predictor>, regista::Plugin<WorstFirst, regista::predictor>,
+    regista::Plugin<DescendingLabels, regista::predictor>, regista::Plugin<StrangeTeammate, regista::predictor>,
+    regista::Plugin<DeafToTeammates, regista::predictor>, regista::Plugin<CountsTracks, regista::predictor>,
+    regista::Plugin<StepsByTrackSize, regista::predictor>, regista::Plugin<StepsByTrackRoom, careless_predictor>,
+    regista::Plugin<ForgetsTheAge, regista::predictor>, regista::Plugin<ForgetsTheTarget, regista::predictor>,
+    regista::Plugin<ChangesTheModel, regista::predictor>)

@@ -145,9 +145,7 @@ struct NoSuchReason : bad::Described {
 struct NoSuchOwnReason : bad::Described {
   static constexpr auto id = "no_such_own_reason";
   static constexpr std::array<const char*, 1> reasons{"lost_bid"};
-  std::optional<int> decide(const Frame&, const regista::SendQuery&, regista::Grants) {
-    return regista::own_reason(1);
-  }
+  std::optional<int> decide(const Frame&, const regista::SendQuery&, regista::Grants) { return regista::own_reason(1); }
 };
 struct GrantsTheUnoffered : bad::Described {
   static constexpr auto id = "grants_the_unoffered";
@@ -188,7 +186,8 @@ REGISTA_PLUGINS(regista::Plugin<NotANumber, regista::utility>, regista::Plugin<I
                 regista::Plugin<StepsBySize, regista::utility>, regista::Plugin<RefusesLargerFrames, regista::utility>,
                 regista::Plugin<KeepsTheEnvironment, regista::utility>, StepsByValueSize,
                 regista::Plugin<RefusesLargerGames, regista::context>,
-                regista::Plugin<RefusesLargerBalls, regista::context>, regista::Plugin<NoSuchOwnReason, regista::sender>,
+                regista::Plugin<RefusesLargerBalls, regista::context>,
+                regista::Plugin<NoSuchOwnReason, regista::sender>,
                 regista::Plugin<FirstOpponentCounts, regista::utility>, regista::Plugin<AnswersTwo, bad::bare_context>,
                 regista::Plugin<AnswersNothing, bad::bare_context>, regista::Plugin<Remembers, regista::context>,
                 regista::Plugin<ScribblesWorld, regista::context>, regista::Plugin<SendsTwo, bad::bare_sender>,

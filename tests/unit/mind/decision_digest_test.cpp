@@ -71,7 +71,8 @@ TEST(DecisionDigest, TellsWhichPluginsMayHaveAnsweredOtherwise) {
   EXPECT_EQ(match::plugins_of_step(*usual, 5), "triangle");
   EXPECT_EQ(match::plugins_of_step(*usual, 7), "nearness, gossip");
   EXPECT_EQ(match::plugins_of_step(*usual, 8), "in_order");
-  EXPECT_EQ(match::plugins_of_step(*usual, 9), "steady");
+  EXPECT_EQ(match::plugins_of_step(*usual, 9), "walks");
+  EXPECT_EQ(match::plugins_of_step(*usual, 10), "steady");
 }
 
 }  // namespace

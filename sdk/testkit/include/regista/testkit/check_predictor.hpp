@@ -29,8 +29,8 @@ Findings check_uncertainty_grows(const Loaded& plugin, const Options& options);
 // Two opponents that stand still, four metres apart and seen at every tick, keep their labels.
 Findings check_labels_are_stable(const Loaded& plugin, const Options& options);
 
-// Of a teammate that was told of, track_at gives what a model holds that absorbs it and then predicts; and it leaves the
-// model alone.
+// Of a teammate that was told of, track_at gives what a model holds that absorbs it and then predicts; and it leaves
+// the model alone.
 Findings check_track_at(const Loaded& plugin, const Options& options);
 
 }  // namespace regista::testkit
