@@ -169,7 +169,7 @@ TEST(Team, ABehaviourIsThePluginOfItsNameUnlessThePageSaysIt) {
   EXPECT_EQ(meant(0).plugin, "hunt");
   EXPECT_TRUE(meant(0).params["near"]);
   EXPECT_EQ(meant(1).plugin, "dance");
-  EXPECT_EQ(to_string(meant(1).where), "t.yaml:6:90");
+  EXPECT_EQ(to_string(meant(1).where), "t.yaml:6:89");
   EXPECT_EQ(meant(2).plugin, "play_ball") << "the name is the plugin";
   EXPECT_TRUE(meant(2).params["goal_bonus"]);
   EXPECT_EQ(team.behaviour_without_role, "dance");
@@ -255,7 +255,7 @@ TEST(Team, WhatIsRefused) {
        "t.yaml:6:57: roles.playing: second element named \"s\"; the first is at t.yaml:6:26"},
       {6, "roles: {playing: [{name: s}]}", "t.yaml:6:19: missing key \"target\" in roles.playing.0"},
       {6, "roles: {playing: [{name: s, behaviour: 2nd, target: {at: ball}}]}",
-       "t.yaml:6:44: roles.playing.0.behaviour: \"2nd\" is not a name (a letter, then letters, digits, '_' and '-')"},
+       "t.yaml:6:40: roles.playing.0.behaviour: \"2nd\" is not a name (a letter, then letters, digits, '_' and '-')"},
       {6, "roles: {playing: [{name: s, robot: -1, target: {at: ball}}]}",
        "t.yaml:6:36: roles.playing.0.robot: -1 is outside 0 to 99"},
       // Targets
