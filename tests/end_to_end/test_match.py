@@ -42,7 +42,8 @@ class Match(program.Case):
                 self.assertEqual(list(values)[:3], ["overlap_seconds", "uncovered_seconds", "switches"])
         for packets, reasons in zip(result["packets"], result["packets_by_reason"]):
             self.assertEqual(packets, sum(reasons.values()))
-            self.assertGreater(reasons["period"], 0)  # every_second sends for no other reason
+            self.assertEqual(packets, reasons["period"] + reasons["second"])
+            self.assertGreater(reasons["second"], reasons["period"])  # the plugin's own
 
     def test_a_role_of_two_lists_is_named_with_its_list(self):
         text = program.TEAM.format(name="two").replace(
@@ -70,7 +71,9 @@ class Match(program.Case):
         # 30 s of a match of 1200 s in which 1200 packets may be sent.
         sent = result["packets"][0]
         self.assertGreater(sent, 30)
-        self.assertIn(f"packets {sent} of 1200 (share of this length: 30, OVERSPENT): {sent} period\n", page)
+        reasons = result["packets_by_reason"][0]
+        self.assertIn(f"packets {sent} of 1200 (share of this length: 30, OVERSPENT): {reasons['second']} second, "
+                      f"{reasons['period']} period\n", page)
 
     def test_shipped_profiles_are_the_built_in_values(self):
         configs = program.SOURCE / "configs"
@@ -119,7 +122,7 @@ class Match(program.Case):
         self.assertEqual(self.play("--disturbance", lossy, "--away-disturbance", none)["state_hash"], home)
 
     def test_version_and_help(self):
-        self.assertRegex(self.succeed("--version"), r"^regista \d+\.\d+\.\d+ \(plugin interface 1\.\d+, .+\)\n$")
+        self.assertRegex(self.succeed("--version"), r"^regista \d+\.\d+\.\d+ \(plugin interface 0\.2, .+\)\n$")
         for command in ((), ("match",), ("plugin", "list"), ("plugin", "info"), ("config", "check"),
                         ("config", "show"), ("config", "schema")):
             text = self.succeed(*command, "--help")

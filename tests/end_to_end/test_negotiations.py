@@ -154,7 +154,7 @@ class Negotiations(program.Case):
         # The packet that took it along stands in the log as well.
         decisions = [line for line in self.lines() if line["kind"] == "decision" and line["side"] == "home" and
                      line["robot"] == robot and line["time"] == life[1]["time"]]
-        self.assertEqual([line["packet"] for line in decisions], ["period"])
+        self.assertEqual([line["packet"] for line in decisions], ["second"])
 
     def test_a_silent_radio_keeps_its_packets(self):
         self.write("lossy.yaml", "disturbance: silent\nradio: {silence: true}\n")
