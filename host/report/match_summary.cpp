@@ -39,8 +39,8 @@ std::string packets(const match::TeamMetrics& team, int charged, int budget, con
   }
   std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t r) { return team.packets_by_reason[r]; });
   for (std::size_t i = 0; i < order.size(); ++i) {
-    out += fmt::format("{} {} {}", i == 0 ? ":" : ",", team.packets_by_reason[order[i]],
-                       in_words(team.reasons[order[i]]));
+    out +=
+        fmt::format("{} {} {}", i == 0 ? ":" : ",", team.packets_by_reason[order[i]], in_words(team.reasons[order[i]]));
   }
   return out + '\n';
 }
