@@ -2,9 +2,8 @@
 // One robot, alone: percepts and packets in, a command and perhaps a packet out. Knows neither physics nor truth, so
 // the same code could run on a robot or against another simulator.
 //
-// A decision: sense and predict -> hear -> fuse -> choose context -> place -> filter and offset tasks -> score ->
-// assign
-// -> act -> decide to send. All that decides is a plugin.
+// A decision: sense and predict -> hear -> fuse -> choose context -> place -> filter and offset tasks -> score
+// -> assign -> act -> decide to send. All that decides is a plugin.
 #pragma once
 
 #include <cstdint>
