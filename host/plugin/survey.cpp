@@ -124,14 +124,15 @@ void limit_memory() {
     put_frame(pipe, frame);
     limit_processor_time();
     const SharedObject object = open_shared_object(files[i]);
-    std::string refusal = object.refusal;
-    if (refusal.empty()) refusal = left_running(threads_before);
+    const std::string running = object.refusal.empty() ? left_running(threads_before) : "";
+    const std::string refusal = running.empty() ? object.refusal : running;
     frame.clear();
     const std::string remark = object.remark;
     const auto count = static_cast<std::uint32_t>(object.descriptors.size());
     frame(begun, refusal, remark, count);
     for (const regista_descriptor* each : object.descriptors) Description(*each).write(frame);
     put_frame(pipe, frame);
+    if (!running.empty()) break;  // the next file would be blamed for what is still there
   }
   _exit(0);
 }

@@ -76,6 +76,8 @@ class Matches(tournament.Tournament):
     def test_what_documents_name_is_kept_with_them(self):
         """Files that a team extends, and those of parameters, the opponent's too."""
         plugins = program.PROGRAM.parent.parent / "lib/regista/plugins"
+        for each in program.BEHAVIOURS:
+            (self.plugin_folder / each.name).unlink()  # they are there too
         configs = program.SOURCE / "configs"
         for folder in ("teams", "formations"):
             shutil.copytree(configs / folder, self.folder / folder)
