@@ -101,7 +101,7 @@ broken = {
         (["roles", "playing", 0, "target", "at"], "ball"), (["roles", "playing", 1, "target"], {}),
         (["roles", "playing", 1, "target", "at"], "moon"), (["roles", "playing", 1, "target", "at"], [1, 2, 3]),
         (["roles", "playing", 1, "target", "from_goal"], 0.4), (["roles", "playing", 1, "target", "shift"], [1]),
-        (["roles", "playing", 0, "target", "on_line"], ["ball"]), (["roles", "playing", 1, "behaviour"], "dance"),
+        (["roles", "playing", 0, "target", "on_line"], ["ball"]), (["roles", "playing", 1, "behaviour"], "2nd"),
         (["roles", "playing", 3, "target", "on_circle", "centre"], None), (["roles", "play ing"], [{}]),
         (["utility", "terms", "distance", "weight"], -0.1), (["utility", "terms", "distance", "tune"], [0]),
         (["tasks", "keep"], "some"), (["tasks", "offset"], 0.5), (["teammates_forgotten_after"], 0),
