@@ -57,6 +57,7 @@ class IsolatedMatch {
     for (const match::Side side : match::both_sides) {
       setup_.roles[match::index(side)] = match::roles(*plans[match::index(side)]);
       setup_.reasons[match::index(side)] = plans[match::index(side)]->reasons();
+      setup_.plugin_metrics[match::index(side)] = plans[match::index(side)]->metrics();
     }
     // A death of either interrupts the sleep for the other.
     struct sigaction action {};
@@ -141,8 +142,9 @@ class IsolatedMatch {
       damaged(side, number);
     }
     const std::string why =
-        match::unsound(out, setup_.robots[match::index(side)], setup_.roles[match::index(side)].size(),
-                       setup_.reasons[match::index(side)].size());
+        match::unsound(out, setup_.robots[match::index(side)],
+                       {setup_.roles[match::index(side)].size(), setup_.reasons[match::index(side)].size(),
+                        setup_.plugin_metrics[match::index(side)].size()});
     if (!why.empty()) throw Fault(noted(side, "its mind handed over an outcome that is not sound: " + why), false);
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/mind_host.hpp"
 
+#include <regista/extensions/log.h>
 #include <unistd.h>
 
 #include <exception>
@@ -41,7 +42,8 @@ class MindHost {
   MindHost(const mind::TeamPlan& plan, match::Side side, std::uint64_t seed, const Examination& examination,
            MindChannel& channel)
       : side_(static_cast<int>(match::index(side))), examination_(examination), channel_(channel) {
-    minds_ = match::minds(plan, side, seed, {&channel.note().call, side_, examination.closely});
+    minds_ = match::minds(plan, side, seed, {&channel.note().call, side_, examination.closely},
+                          {.log = mind::to_standard_error(REGISTA_LOG_INFO)});
   }
 
   void answer() {

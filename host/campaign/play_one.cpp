@@ -2,6 +2,7 @@
 #include "campaign/play_one.hpp"
 
 #include <fmt/format.h>
+#include <regista/extensions/log.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -65,6 +66,8 @@ class JobRecording {
  public:
   JobRecording(const Job& job, const MatchSetup& prepared, const std::array<const mind::TeamPlan*, 2>& plans,
                const Surroundings& surroundings) {
+    // Whoever started this process keeps it with the match.
+    observer_.log = mind::to_standard_error(REGISTA_LOG_INFO);
     if (job.record.empty()) return;
     place_ = job.record;
     const std::string opening = prepared.setup.opening ? prepared.setup.opening->name : "";
@@ -80,7 +83,7 @@ class JobRecording {
       why_not_ = error.what();
       return;
     }
-    observer_.segments = true;
+    observer_.records = true;
     observer_.step = [this](const match::Snapshot& snapshot) { write([&] { file_->stepped(snapshot); }); };
     observer_.event = [this](double time, const match::Event& event, const match::GameState& state) {
       write([&] { file_->event(time, event, state); });

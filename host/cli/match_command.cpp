@@ -19,6 +19,7 @@
 #include "cli/prepared_match.hpp"
 #include "cli/replayed_match.hpp"
 #include "cli/stored_match.hpp"
+#include "config/nearest.hpp"
 #include "config/typed.hpp"
 #include "output/output_files.hpp"
 #include "plugin/plugin_file.hpp"
@@ -33,6 +34,7 @@ constexpr auto match_examples = R"(Examples:
   regista match a.yaml b.yaml --limit 60 --decisions decisions.jsonl
   regista match a.yaml b.yaml --record match.mcap
   regista match a.yaml b.yaml --metrics numbers.csv
+  regista match a.yaml b.yaml --log debug
   regista match a.yaml b.yaml --opening configs/openings/counter_three_on_two.yaml
   regista match --from tournament.db --row 12
 
@@ -44,6 +46,8 @@ opening; without one of these it goes to both teams.
 
 Exit codes: 0 played; 1 the result could not be written, or is not that of --from; 2 bad input; 3 a defect of
 Regista; 130 interrupted.)";
+
+const std::vector<std::string> log_levels{"debug", "info", "warning", "error", "none"};
 
 // Nothing when none is to be played again.
 std::optional<StoredMatch> stored_match_of(const MatchOptions& options, const Invocation& invocation) {
@@ -148,6 +152,9 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
   for (std::string* written : {&options.decisions, &options.record, &options.metrics}) {
     if (!options.from.empty() && !written->empty()) *written = std::filesystem::absolute(*written).string();
   }
+  if (std::ranges::find(log_levels, options.log) == log_levels.end()) {
+    throw BadInput(config::unknown("value", options.log, "--log", log_levels));
+  }
   if (options.force && options.record.empty()) throw BadInput("--force: belongs to --record, which is not given");
   const std::optional<StoredMatch> stored = stored_match_of(options, invocation);
   if (!stored && options.teams.size() != 2) {
@@ -246,6 +253,8 @@ void add_match(Command& parent, const Invocation& invocation) {
                Writes::metrics);
   command.flag("--force", options->force, "let --record replace a recording");
   command.flag("--quiet", options->quiet, "no live line on the terminal");
+  command.choose("--log", options->log, log_levels,
+                 "which lines that plugins write are shown on standard error; default info");
   command.take("--processor-seconds", options->processor_seconds, "SECONDS",
                "processor time of one call of a plugin; default 10");
   command.take("--wall-seconds", options->wall_seconds, "SECONDS", "wall time of one call of a plugin; default 200");

@@ -13,6 +13,7 @@ struct MatchOptions : campaign::MatchRequest {
   std::vector<std::string> plugins;
   std::string decisions, record, metrics, from, row;
   bool force = false, json = false, quiet = false, verbose = false, in_process = false;
+  std::string log = "info";  // the least level of the lines of plugins that are shown; "none": none of them
   std::string processor_seconds = "10", wall_seconds = "200";
 };
 

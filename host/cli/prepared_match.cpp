@@ -93,9 +93,15 @@ int play_prepared(const MatchOptions& options, std::vector<std::string> words, c
     if (log) log->event(time, event, state);
     if (recording) recording->event(time, event, state);
   };
+  if (const std::optional<std::int32_t> least = mind::level_of(options.log)) {
+    observer.log = [&live, show = mind::to_standard_error(*least)](const mind::LogLine& line) {
+      live.clear();
+      show(line);
+    };
+  }
   match::AfterDecision after;
   if (log || recording) {
-    observer.segments = true;
+    observer.records = true;
     observer.step = [&](const match::Snapshot& snapshot) {
       if (log) log->stepped(snapshot);
       if (recording) recording->stepped(snapshot);

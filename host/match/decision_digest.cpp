@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<std::string_view, decision_steps> names{
     "the own pose", "the ball",      "the opponents",  "the worlds",  "the context", "the points",
-    "the tasks",    "the utilities", "the assignment", "the command", "the packet"};
+    "the tasks",    "the utilities", "the assignment", "the command", "the packet",  "the metrics"};
 
 // Field by field: a struct's padding may hold anything.
 class Step {
@@ -51,6 +51,7 @@ class Step {
   void add(const regista_ball& b) { operator()(b.flags, b.position, b.velocity, b.covariance, b.age); }
   void add(const regista_waypoint& p) { operator()(p.x, p.y, p.score, p.task, p.robot); }
   void add(const regista_edge& e) { operator()(e.from, e.to); }
+  void add(const mind::MetricReport& m) { operator()(m.metric, m.count, m.sum, m.least, m.greatest, m.last); }
   void add(const regista_task& t) { operator()(t.id, t.priority, t.group, t.robot, t.flags, t.before, t.after); }
   Digest digest_;
 };
@@ -105,7 +106,8 @@ DecisionDigest digest_of(const mind::Mind& mind, const mind::Outcome& outcome) {
           utilities.value(),
           Step{}(decision.assigned).value(),
           acts.value(),
-          sends.value()};
+          sends.value(),
+          step_of(outcome.metrics)};
 }
 
 std::string plugins_of_step(const mind::TeamPlan& plan, std::size_t step) {
@@ -139,6 +141,11 @@ std::string plugins_of_step(const mind::TeamPlan& plan, std::size_t step) {
         }
         if (step == 8) add(context.assigner);
         if (step == 10) add(context.sender);
+      }
+      if (step == 11) {
+        for (const mind::Part* each : plan.parts()) {
+          if (!plan.metrics_of(*each->found).empty()) add(*each);
+        }
       }
   }
   std::string out;

@@ -13,7 +13,7 @@
 
 namespace regista::match {
 
-inline constexpr std::size_t decision_steps = 11;
+inline constexpr std::size_t decision_steps = 12;
 
 // By step, in the order in which they are computed.
 using DecisionDigest = std::array<std::uint64_t, decision_steps>;

@@ -152,7 +152,7 @@ OngoingMatch::OngoingMatch(const Setup& setup, std::span<const mind::Think> home
                Trouble(setup.disturbances[1], setup.rules.field, roster_.team_size, setup.seed, Side::away)},
       radio_{Radio(setup.robots[0].radio, trouble_[0], roster_.team_size, setup.seed, Side::home),
              Radio(setup.robots[1].radio, trouble_[1], roster_.team_size, setup.seed, Side::away)},
-      metrics_(setup.rules, setup.robots, setup.roles, setup.reasons) {
+      metrics_(setup.rules, setup.robots, setup.roles, setup.reasons, setup.plugin_metrics) {
   if (observer.physics_log != nullptr) {
     *observer.physics_log = {setup.rules.field, setup.rules.ball, bodies_of(setup), {}, {}};
     arena_.record(observer.physics_log);
@@ -270,7 +270,9 @@ void OngoingMatch::decide(int id) {
   mind::Outcome& outcome = robot.outcome;
   outcome.clear();
   robot.think(percepts, heard_, outcome);
-  if (const std::string why = unsound(outcome, robot.profile, setup_.roles[index(side)].size(), metrics_.reasons(side));
+  if (const std::string why =
+          unsound(outcome, robot.profile,
+                  {setup_.roles[index(side)].size(), metrics_.reasons(side), metrics_.plugin_metrics(side)});
       !why.empty()) {
     refuse(id, why);
   }

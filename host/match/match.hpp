@@ -25,6 +25,7 @@
 #include "match/metrics.hpp"
 #include "match/physics_log.hpp"
 #include "mind/command.hpp"
+#include "mind/extensions/log_line.hpp"
 #include "mind/percepts.hpp"
 
 namespace regista::match {
@@ -37,6 +38,8 @@ struct Setup {
   std::array<std::vector<Role>, 2> roles;  // the teams' tables of roles; Outcome::role is a row of it
   // What their packets are sent for; Outcome::send_reason is one of them. Empty: the events of abi.h.
   std::array<std::vector<std::string>, 2> reasons;
+  // The numbers that their plugins declare; Outcome::metrics are of them.
+  std::array<std::vector<mind::TeamMetric>, 2> plugin_metrics;
   std::uint64_t seed = 1;
   std::optional<double> limit;  // s of simulated time after which the match ends
   // The scene that it starts from, in play, instead of a kick-off; without a limit its length is one.
@@ -88,8 +91,10 @@ struct Observer {
   std::function<void(const Snapshot&)> step;
   std::function<void(const Decision&)> decision;
   PhysicsLog* physics_log = nullptr;  // of what is done to the bodies, for Replay
-  // Minds that this match creates (teams.hpp) keep journals of their segments, for AfterDecision.
-  bool segments = false;
+  // Minds that this match creates (teams.hpp) keep what recorders want, for AfterDecision: see mind::Telling.
+  bool records = false;
+  // Told each line that a plugin of such a mind writes, at once.
+  mind::LogSink log;
 };
 
 // Plays. home, away: a mind for each robot, number n at n - 1. Throws std::invalid_argument when the setup cannot be

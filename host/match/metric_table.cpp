@@ -506,33 +506,60 @@ void take(const MetricRow& row, const MetricSource& source, const MetricName& na
   }
 }
 
+std::vector<MetricRow> numbers_of_plugins() {
+  const std::string_view part = "plugins";
+  return {
+      {.of = Of::plugin_total,
+       .part = part,
+       .name = "plugin_totals",
+       .total = Total::sum,
+       .meaning = "what a plugin of the team declares as a sum: of all that its instances in all robots reported",
+       .get = [](const Source& from) { return from.team().plugins.totals[from.member]; }},
+      {.of = Of::plugin_value,
+       .part = part,
+       .name = "plugin_values",
+       .meaning = "what a plugin of the team declares as a mean, a least or a greatest value, or a mean over time; "
+                  "`null` when it reported nothing",
+       .get = [](const Source& from) { return from.team().plugins.values[from.member]; }},
+  };
+}
+
+bool has_members(const MetricRow& row) {
+  return row.of == Of::event || row.of == Of::plugin_total || row.of == Of::plugin_value;
+}
+
 bool ends_with_name(std::string_view path, const std::string& name) {
   return path == name || (path.ends_with(name) && path[path.size() - name.size() - 1] == '.');
 }
 
 }  // namespace
 
-std::string MetricRow::path(const std::string& role_or_event) const {
+std::string MetricRow::path(const std::string& member) const {
   switch (of) {
     case Of::match:
     case Of::team:
       break;
     case Of::role:
-      return role_or_event + '.' + name;
+      return member + '.' + name;
     case Of::event:
-      return name + '.' + role_or_event;
+    case Of::plugin_total:
+    case Of::plugin_value:
+      return name + '.' + member;
   }
   return name;
 }
 
-std::string MetricRow::pattern() const { return path(of == Of::role ? "<role>" : "<event>"); }
+std::string MetricRow::pattern() const {
+  return path(of == Of::role ? "<role>" : of == Of::event ? "<event>" : "<plugin>.<metric>");
+}
 
 double rounded_metric(double value) { return std::round(value * 1e6) / 1e6 + 0.0; }  // never -0
 
 const std::vector<MetricRow>& metric_table() {
   static const std::vector<MetricRow> table = [] {
     std::vector<MetricRow> rows = numbers_of_the_match();
-    for (auto* const part : {numbers_of_coordination, numbers_of_packets, numbers_of_the_world, numbers_of_soccer}) {
+    for (auto* const part :
+         {numbers_of_coordination, numbers_of_packets, numbers_of_the_world, numbers_of_soccer, numbers_of_plugins}) {
       std::ranges::move(part(), std::back_inserter(rows));
     }
     return rows;
@@ -540,10 +567,19 @@ const std::vector<MetricRow>& metric_table() {
   return table;
 }
 
-std::vector<std::string> metric_members(const MetricRow& row, const std::vector<std::string>& roles,
-                                        const std::vector<std::string>& reasons) {
-  if (row.of == Of::role) return roles;
-  return row.of == Of::event ? reasons : std::vector<std::string>{""};
+std::vector<std::string> metric_members(const MetricRow& row, const MemberNames& team) {
+  switch (row.of) {
+    case Of::role:
+      return team.roles;
+    case Of::event:
+      return team.reasons;
+    case Of::plugin_total:
+      return team.plugin_totals;
+    case Of::plugin_value:
+      return team.plugin_values;
+    default:
+      return {""};
+  }
 }
 
 MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSource& source, const RoleNames& roles) {
@@ -557,9 +593,11 @@ MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSourc
   for (const Side side : both_sides) {
     from.side = side;
     const std::vector<std::string>& own_roles = roles[index(side)];
+    const PluginMetrics& plugins = from.team().plugins;
+    const MemberNames team{own_roles, from.team().reasons, plugins.total_names, plugins.value_names};
     for (const MetricRow& row : table) {
-      if (row.of != Of::team && row.of != Of::event) continue;
-      const std::vector<std::string> members = metric_members(row, own_roles, from.team().reasons);
+      if (row.of == Of::match || row.of == Of::role) continue;
+      const std::vector<std::string> members = metric_members(row, team);
       for (from.member = 0; from.member < members.size(); ++from.member) {
         take(row, from, {.side = side, .name = row.path(members[from.member])}, names, values);
       }
@@ -577,24 +615,25 @@ MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSourc
 
 const MetricRow* find_metric(std::span<const MetricRow> table, std::string_view path) {
   path = without_roles(path);
+  // These first: a plugin may call a number as those of roles are called.
   for (const MetricRow& row : table) {
-    if (row.of == Of::role ? ends_with_name(path, row.name)
-                           : path == row.name || (row.of == Of::event && path.starts_with(row.name + '.'))) {
-      return &row;
-    }
+    if (row.of == Of::role) continue;
+    if (path == row.name || (has_members(row) && path.starts_with(row.name + '.'))) return &row;
+  }
+  for (const MetricRow& row : table) {
+    if (row.of == Of::role && ends_with_name(path, row.name)) return &row;
   }
   return nullptr;
 }
 
-std::vector<std::string> metric_paths(std::span<const MetricRow> table, const std::vector<std::string>& roles,
-                                      const std::vector<std::string>& reasons) {
+std::vector<std::string> metric_paths(std::span<const MetricRow> table, const MemberNames& team) {
   std::vector<std::string> out;
   for (const MetricRow& row : table) {
-    if (row.is_list() || (row.of != Of::team && row.of != Of::event)) continue;
-    for (const std::string& each : metric_members(row, roles, reasons)) out.push_back(row.path(each));
+    if (row.is_list() || row.of == Of::match || row.of == Of::role) continue;
+    for (const std::string& each : metric_members(row, team)) out.push_back(row.path(each));
   }
   const auto of_role = [](const MetricRow& row) { return row.of == Of::role && !row.is_list(); };
-  for (const std::string& role : roles) {
+  for (const std::string& role : team.roles) {
     for (const MetricRow& row : table) {
       if (of_role(row)) out.push_back(row.path(role));
     }

@@ -26,7 +26,7 @@ struct MetricSource {
   const Result& result;
   std::optional<double> packets_share{};  // see campaign/match_json.hpp
   Side side = Side::home;                 // of numbers of a team
-  std::size_t member = 0;                 // of numbers by role or by event: which one
+  std::size_t member = 0;                 // of numbers by role, event or plugin: which one
 
   const TeamMetrics& team() const { return result.metrics.teams[index(side)]; }
   const RoleMetrics& role() const { return team().coordination.roles[member]; }
@@ -34,10 +34,12 @@ struct MetricSource {
 
 struct MetricRow {
   enum class Of {
-    match,  // one number
-    team,   // one of each side
-    role,   // one of each role of each side: "striker.overlap_seconds"
-    event,  // one of each cause of packets, of each side: "packets_by_reason.whistle"
+    match,         // one number
+    team,          // one of each side
+    role,          // one of each role of each side: "striker.overlap_seconds"
+    event,         // one of each cause of packets, of each side: "packets_by_reason.whistle"
+    plugin_total,  // one of each number that its plugins sum up: "plugin_totals.voronoi.crossings"
+    plugin_value,  // one of each other number of its plugins
   };
   // What a number says of the time it is taken over. Only sums can be added up, and told by the hour.
   enum class Total {
@@ -59,13 +61,14 @@ struct MetricRow {
 
   bool is_list() const { return std::holds_alternative<List>(get); }
   // The path of one number: "striker.overlap_seconds", "packets_by_reason.whistle".
-  std::string path(const std::string& role_or_event) const;
-  // With "<role>." or "<event>" where these stand.
+  std::string path(const std::string& member) const;
+  // With "<role>." or "<event>" or "<plugin>.<metric>" where these stand.
   std::string pattern() const;
 };
 
 // In the order of the documentation.
-inline constexpr std::array<std::string_view, 5> metric_parts{"match", "coordination", "packets", "world", "soccer"};
+inline constexpr std::array<std::string_view, 6> metric_parts{"match", "coordination", "packets",
+                                                              "world", "soccer",       "plugins"};
 
 // Those that every match has.
 const std::vector<MetricRow>& metric_table();
@@ -73,10 +76,15 @@ const std::vector<MetricRow>& metric_table();
 // Names of roles, by side, in the order of the tables of roles.
 using RoleNames = std::array<std::vector<std::string>, 2>;
 
-// What a row has a number of on a side with these roles: of each role, of each event, or of "" alone.
-// `reasons`: what the team's packets are sent for.
-std::vector<std::string> metric_members(const MetricRow& row, const std::vector<std::string>& roles,
-                                        const std::vector<std::string>& reasons = TeamMetrics().reasons);
+// What a team has numbers of.
+struct MemberNames {
+  std::vector<std::string> roles;                            // in the order of its table
+  std::vector<std::string> reasons = TeamMetrics().reasons;  // what its packets are sent for
+  std::vector<std::string> plugin_totals{}, plugin_values{};
+};
+
+// What a row has a number of on the side of such a team: of each role, each event, ..., or of "" alone.
+std::vector<std::string> metric_members(const MetricRow& row, const MemberNames& team);
 
 // All numbers of a match. Those of lists have a place in their list, from 1.
 MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSource& source, const RoleNames& roles);
@@ -85,9 +93,8 @@ MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSourc
 // Null for a path of no row. A path may begin with "roles.".
 const MetricRow* find_metric(std::span<const MetricRow> table, std::string_view path);
 
-// What a study may name of a team with these roles: paths of a side in the order of the table, then sums over roles.
-std::vector<std::string> metric_paths(std::span<const MetricRow> table, const std::vector<std::string>& roles,
-                                      const std::vector<std::string>& reasons = TeamMetrics().reasons);
+// What a study may name of such a team: paths of a side in the order of the table, then sums over roles.
+std::vector<std::string> metric_paths(std::span<const MetricRow> table, const MemberNames& team);
 
 // To the sixth decimal: sums and shares have no more to say, and campaigns keep them for every match.
 double rounded_metric(double value);

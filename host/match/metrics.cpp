@@ -15,7 +15,8 @@ TeamMetrics::TeamMetrics()
     : reasons(plugin::event_names.begin(), plugin::event_names.end()), packets_by_reason(reasons.size(), 0) {}
 
 Metrics::Metrics(const config::Rules& rules, const std::array<config::Robot, 2>& robots,
-                 const std::array<std::vector<Role>, 2>& roles, const std::array<std::vector<std::string>, 2>& reasons)
+                 const std::array<std::vector<Role>, 2>& roles, const std::array<std::vector<std::string>, 2>& reasons,
+                 const std::array<std::vector<mind::TeamMetric>, 2>& plugin_metrics)
     : roster_{rules.team_size},
       half_(rules.durations.half),
       table_(roles),
@@ -26,6 +27,7 @@ Metrics::Metrics(const config::Rules& rules, const std::array<config::Robot, 2>&
       targets_{TargetMeasures(rules.team_size), TargetMeasures(rules.team_size)},
       ball_(rules.team_size, robots),
       worlds_{WorldMeasures(rules.team_size), WorldMeasures(rules.team_size)},
+      plugins_{PluginMeasures(plugin_metrics[0], rules.team_size), PluginMeasures(plugin_metrics[1], rules.team_size)},
       play_(rules) {
   for (const Side side : both_sides) {
     if (reasons[index(side)].empty()) continue;
@@ -54,11 +56,13 @@ void Metrics::decided(Side side, int number, const mind::Outcome& outcome, bool 
   segments.sent += outcome.segments.sent;
   segments.dropped += outcome.segments.dropped;
   segments.heard += outcome.segments.heard;
+  plugins_[index(side)].decided(number, outcome.metrics);
   took(side, number, outcome, sees_ball, state);
 }
 
 void Metrics::crashed(Side side, int number, const GameState& state) {
   tenures_[index(side)].crashed(number);
+  plugins_[index(side)].crashed(number);
   took(side, number, {}, false, state);
 }
 
@@ -121,6 +125,7 @@ void Metrics::sample(const GameState& state, std::span<const BodyState> bodies, 
     agreements_[i].sample(robots, roles_[i].agree(robots));
     targets_[i].sample(robots);
     worlds_[i].sample(robots);
+    plugins_[i].sample();
   }
   play_.sample(state, bodies, last_touch_);
 }
@@ -148,6 +153,7 @@ MatchMetrics Metrics::result(const GameState& state, double end) const {
     team.ball = ball_.result(side);
     team.world_model = worlds_[index(side)].result();
     team.play = play_.result(side);
+    team.plugins = plugins_[index(side)].result();
   }
   return out;
 }

@@ -22,6 +22,7 @@
 #include "match/metrics_agreement.hpp"
 #include "match/metrics_ball.hpp"
 #include "match/metrics_play.hpp"
+#include "match/metrics_plugins.hpp"
 #include "match/metrics_roles.hpp"
 #include "match/metrics_targets.hpp"
 #include "match/metrics_tenure.hpp"
@@ -49,6 +50,7 @@ struct TeamMetrics {
   std::vector<int> packets_by_reason;  // in that order
   std::vector<int> budget_curve;       // packets left when the clock of the match shows 1, 2, ... minutes
   SegmentMetrics segments;
+  PluginMetrics plugins;
   int falls = 0, penalties = 0, kicks = 0, touches = 0;
 };
 
@@ -63,7 +65,8 @@ class Metrics {
  public:
   // Arrays are by side.
   Metrics(const config::Rules& rules, const std::array<config::Robot, 2>& robots,
-          const std::array<std::vector<Role>, 2>& roles, const std::array<std::vector<std::string>, 2>& reasons = {});
+          const std::array<std::vector<Role>, 2>& roles, const std::array<std::vector<std::string>, 2>& reasons = {},
+          const std::array<std::vector<mind::TeamMetric>, 2>& plugin_metrics = {});
 
   // Robot `number` has decided. sees_ball: in the image it decided on. time: s of match time.
   void decided(Side side, int number, const mind::Outcome& outcome, bool sees_ball, double time,
@@ -75,6 +78,7 @@ class Metrics {
   void believes(Side side, int number, const Belief& belief, std::span<const BodyState> bodies, const GameState& state);
 
   std::size_t reasons(Side side) const { return result_.teams[index(side)].reasons.size(); }
+  std::size_t plugin_metrics(Side side) const { return plugins_[index(side)].count(); }
   void sent(Side side, int reason, double time);  // s since the start of the match
   void fell(Side side) { ++result_.teams[index(side)].falls; }
   void kicked(Side side) { ++result_.teams[index(side)].kicks; }
@@ -107,6 +111,7 @@ class Metrics {
   std::array<TargetMeasures, 2> targets_;
   BallMeasures ball_;
   std::array<WorldMeasures, 2> worlds_;
+  std::array<PluginMeasures, 2> plugins_;
   PlayMeasures play_;
   MatchMetrics result_;
   int samples_ = 0, in_play_ = 0;

@@ -10,7 +10,7 @@
 
 namespace regista::match {
 
-std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, std::size_t roles, std::size_t reasons) {
+std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, const TeamCounts& team) {
   const mind::Command& command = outcome.command;
   if (!std::isfinite(command.walk.forward) || !std::isfinite(command.walk.sideways) ||
       !std::isfinite(command.walk.turn)) {
@@ -26,8 +26,8 @@ std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, st
     }
     if (!std::isfinite(kick.direction) || !std::isfinite(kick.distance)) return "kick is not finite";
   }
-  const auto lacks = [roles](int row) { return row >= static_cast<int>(roles); };
-  const auto but = [roles] { return ", but the table of roles has " + std::to_string(roles); };
+  const auto lacks = [&team](int row) { return row >= static_cast<int>(team.roles); };
+  const auto but = [&team] { return ", but the table of roles has " + std::to_string(team.roles); };
   if (outcome.role < -1 || lacks(outcome.role)) {
     return "role " + std::to_string(outcome.role) + but();
   }
@@ -41,8 +41,17 @@ std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, st
   if (outcome.target && !(std::isfinite(outcome.target->x) && std::isfinite(outcome.target->y))) {
     return "target is not finite";
   }
-  if (outcome.send && (outcome.send_reason < 0 || outcome.send_reason >= static_cast<int>(reasons))) {
+  if (outcome.send && (outcome.send_reason < 0 || outcome.send_reason >= static_cast<int>(team.reasons))) {
     return "no reason to send has number " + std::to_string(outcome.send_reason);
+  }
+  for (const mind::MetricReport& each : outcome.metrics) {
+    if (each.metric < 0 || each.metric >= static_cast<int>(team.plugin_metrics)) {
+      return "no metric has number " + std::to_string(each.metric);
+    }
+    if (!std::isfinite(each.sum) || !std::isfinite(each.least) || !std::isfinite(each.greatest) ||
+        !std::isfinite(each.last)) {
+      return "metric " + std::to_string(each.metric) + " is not finite";
+    }
   }
   return {};
 }

@@ -10,13 +10,13 @@
 namespace regista::match {
 
 std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed, plugin::Noting noting,
-                              mind::Journal journal) {
+                              const mind::Telling& telling) {
   const r123::Philox2x64 philox;
   const auto words = philox({{static_cast<std::uint64_t>(index(side)), 0}}, {{seed}});
   noting.side = static_cast<std::int32_t>(index(side));
   std::vector<mind::Mind> out;
   for (int number = 1; number <= plan.rules().team_size; ++number) {
-    out.emplace_back(plan, number, words[0], noting, journal);
+    out.emplace_back(plan, number, words[0], noting, telling);
   }
   return out;
 }
@@ -36,12 +36,13 @@ Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, cons
             const AfterDecision& after, plugin::Noting noting) {
   std::array<std::vector<mind::Mind>, 2> all;
   std::array<std::vector<mind::Think>, 2> think;
-  const bool recorded = observer != nullptr && observer->segments;
+  const mind::Telling telling = observer == nullptr ? mind::Telling{} : mind::Telling{observer->records, observer->log};
   for (const Side side : both_sides) {
     const mind::TeamPlan& plan = *teams[index(side)];
     setup.roles[index(side)] = roles(plan);
     setup.reasons[index(side)] = plan.reasons();
-    all[index(side)] = minds(plan, side, setup.seed, noting, recorded ? mind::Journal::kept : mind::Journal::none);
+    setup.plugin_metrics[index(side)] = plan.metrics();
+    all[index(side)] = minds(plan, side, setup.seed, noting, telling);
     for (mind::Mind& each : all[index(side)]) {
       think[index(side)].push_back([&each](const mind::Percepts& percepts, std::span<const mind::HeardPacket> heard,
                                            mind::Outcome& out) { each.think(percepts, heard, out); });

@@ -17,7 +17,7 @@ namespace regista::match {
 // The minds of one side. Their luck belongs to (seed, side), so that it stays when teams swap sides.
 // Throws plugin::Failure when a plugin cannot be created. noting: see plugin/call_note.hpp; its side is set here.
 std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed, plugin::Noting noting = {},
-                              mind::Journal journal = mind::Journal::none);
+                              const mind::Telling& telling = {});
 
 // The team's table of roles, for the metrics.
 std::vector<Role> roles(const mind::TeamPlan& plan);

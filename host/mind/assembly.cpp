@@ -5,12 +5,12 @@
 
 namespace regista::mind {
 
-Assembly::Assembly(const TeamPlan& plan, int number, std::uint64_t seed, Mailboxes& mailboxes,
+Assembly::Assembly(const TeamPlan& plan, int number, std::uint64_t seed, Mailboxes& mailboxes, Extensions& extensions,
                    const plugin::Caller& caller)
-    : plan_(&plan), number_(number), seed_(seed), mailboxes_(&mailboxes), caller_(&caller) {}
+    : plan_(&plan), number_(number), seed_(seed), mailboxes_(&mailboxes), extensions_(&extensions), caller_(&caller) {}
 
 std::shared_ptr<plugin::Instance> Assembly::create(const Part& part, unsigned subject, int stream) {
-  const regista_host* host = mailboxes_->open();
+  const regista_host* host = mailboxes_->open(&extensions_->open(*part.found, plan_->metrics_of(*part.found)));
   auto instance = std::make_shared<plugin::Instance>(*part.found, part.parameters, plan_->environment(number_, subject),
                                                      host, caller_);
   mailboxes_->connect(instance);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mind/coordination/coordination.hpp"
+#include "mind/extensions/extensions.hpp"
 #include "mind/team_plan.hpp"
 #include "mind/world/local_model.hpp"
 #include "mind/world/mailbox.hpp"
@@ -21,7 +22,8 @@ namespace regista::mind {
 class Assembly {
  public:
   // All of it outlives the instances.
-  Assembly(const TeamPlan& plan, int number, std::uint64_t seed, Mailboxes& mailboxes, const plugin::Caller& caller);
+  Assembly(const TeamPlan& plan, int number, std::uint64_t seed, Mailboxes& mailboxes, Extensions& extensions,
+           const plugin::Caller& caller);
 
   LocalModel local_model();
   TeamModel team_model();
@@ -42,6 +44,7 @@ class Assembly {
   int number_;
   std::uint64_t seed_;
   Mailboxes* mailboxes_;
+  Extensions* extensions_;
   const plugin::Caller* caller_;
   std::uint64_t created_ = 0;
   std::vector<Shared> shared_;

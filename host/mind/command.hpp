@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "mind/extensions/metric_reports.hpp"
 #include "mind/percepts.hpp"
 #include "mind/world/segment_counts.hpp"
 
@@ -41,12 +42,13 @@ struct Outcome {
   bool send = false;    // the bytes below are a packet
   int send_reason = 0;  // of the team: TeamPlan::reasons()
   std::vector<std::uint8_t> packet;
-  int role = -1;                 // row of the team's table of roles, -1 = none (penalised, no task)
-  std::vector<int> assignment;   // per robot (n - 1): row of the table of roles, -1 none, -2 unknown
-  int context = -1;              // of the team's contexts, -1 = none holds
-  std::vector<int> kept;         // tasks that the filter kept: rows of the table of roles, ascending
-  std::optional<Target> target;  // nothing without a task
-  SegmentCounts segments;        // of this decision
+  int role = -1;                      // row of the team's table of roles, -1 = none (penalised, no task)
+  std::vector<int> assignment;        // per robot (n - 1): row of the table of roles, -1 none, -2 unknown
+  int context = -1;                   // of the team's contexts, -1 = none holds
+  std::vector<int> kept;              // tasks that the filter kept: rows of the table of roles, ascending
+  std::optional<Target> target;       // nothing without a task
+  SegmentCounts segments;             // of this decision
+  std::vector<MetricReport> metrics;  // what plugins reported in it, by metric of the team: TeamPlan::metrics()
 
   // As it is handed to a mind; keeps the memory.
   void clear() {
@@ -60,6 +62,7 @@ struct Outcome {
     kept.clear();
     target.reset();
     segments = {};
+    metrics.clear();
   }
 };
 

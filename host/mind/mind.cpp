@@ -32,12 +32,13 @@ void tell(const Decision& decision, Outcome& out) {
 }  // namespace
 
 struct Mind::Parts {
-  Parts(const TeamPlan& team_plan, int own_number, std::uint64_t seed, plugin::Noting noting, Journal journal)
+  Parts(const TeamPlan& team_plan, int own_number, std::uint64_t seed, plugin::Noting noting, Telling telling)
       : plan(team_plan),
         number(own_number),
         caller{team_plan.team().name, own_number, 0, noting, &rooms},
-        mailboxes(static_cast<std::size_t>(team_plan.rules().messages.size), journal == Journal::kept),
-        assembly(team_plan, own_number, seed, mailboxes, caller),
+        extensions(caller, std::move(telling.log), telling.records),
+        mailboxes(static_cast<std::size_t>(team_plan.rules().messages.size), telling.records),
+        assembly(team_plan, own_number, seed, mailboxes, extensions, caller),
         // In braces: the order of evaluation, and so of creating plugins, is that of the text.
         world{team_plan, own_number, assembly.local_model(), assembly.team_model()},
         coordination(team_plan, own_number, assembly.contexts()),
@@ -60,12 +61,14 @@ struct Mind::Parts {
   Command act(const Percepts& percepts);
   void decide_to_send(const Percepts& percepts, Outcome& out);
   Report report(const Percepts& percepts) const;
+  void hand_over_metrics(Outcome& out);
 
   const TeamPlan& plan;
   int number;
   plugin::AnswerRooms rooms;
   plugin::Caller caller;
   PacketLimits limits;
+  Extensions extensions;
   Mailboxes mailboxes;
   Assembly assembly;
   WorldModel world;
@@ -83,8 +86,8 @@ struct Mind::Parts {
   std::vector<Segment> segments;
 };
 
-Mind::Mind(const TeamPlan& plan, int number, std::uint64_t seed, plugin::Noting noting, Journal journal)
-    : parts_(std::make_unique<Parts>(plan, number, seed, noting, journal)) {}
+Mind::Mind(const TeamPlan& plan, int number, std::uint64_t seed, plugin::Noting noting, Telling telling)
+    : parts_(std::make_unique<Parts>(plan, number, seed, noting, std::move(telling))) {}
 Mind::~Mind() = default;
 Mind::Mind(Mind&&) noexcept = default;
 Mind& Mind::operator=(Mind&&) noexcept = default;
@@ -93,6 +96,8 @@ const Decision& Mind::decision() const { return parts_->coordination.decision();
 const WorldModel& Mind::world() const { return parts_->world; }
 std::span<const regista_event> Mind::events() const { return parts_->events; }
 std::span<const SegmentEvent> Mind::segments() const { return std::as_const(parts_->mailboxes).journal(); }
+std::span<const LogLine> Mind::log() const { return parts_->extensions.log().lines(); }
+std::span<const DrawnShape> Mind::drawings() const { return parts_->extensions.drawings().shapes(); }
 int Mind::number() const { return parts_->number; }
 
 void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, Outcome& out) {
@@ -101,6 +106,7 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   assert(dt >= 0.0);
   parts.now = percepts.time;
   parts.caller.begin_decision();
+  parts.extensions.begin(percepts.time);
   parts.mailboxes.begin(percepts.time);
 
   parts.world.sense(percepts, dt, parts.coordination.last_frame());
@@ -112,9 +118,19 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   parts.decide_to_send(percepts, out);
   tell(decision, out);
   out.segments = parts.mailboxes.take_counts();
+  parts.hand_over_metrics(out);
+  parts.extensions.mute(true);
   parts.mailboxes.complete_journal();
+  parts.extensions.mute(false);
   parts.first = false;
   ++parts.caller.tick;
+}
+
+void Mind::Parts::hand_over_metrics(Outcome& out) {
+  extensions.metrics().take(out.metrics);
+  if (const auto& wrong = extensions.metrics().violation()) {
+    throw plugin::Failure(*wrong->plugin, &caller, "metric", wrong->what);
+  }
 }
 
 void Mind::Parts::hear(std::span<const HeardPacket> heard) {

@@ -12,6 +12,8 @@
 
 #include "mind/command.hpp"
 #include "mind/coordination/decision.hpp"
+#include "mind/extensions/drawings.hpp"
+#include "mind/extensions/log_line.hpp"
 #include "mind/percepts.hpp"
 #include "mind/team_plan.hpp"
 #include "mind/world/segment_journal.hpp"
@@ -20,16 +22,19 @@
 
 namespace regista::mind {
 
-// Whether a mind keeps a journal of what its plugins say to teammates. It costs memory and time and changes nothing.
-enum class Journal { none, kept };
+// What a mind tells beside its outcomes. None of it changes what it decides.
+struct Telling {
+  // Keeps what recorders want of the last decision: segments, log lines and drawings. It costs memory and time.
+  bool records = false;
+  LogSink log{};  // told each line that a plugin writes, at once
+};
 
 class Mind {
  public:
   // `plan` outlives the mind. `seed`: of the match and the side; every plugin instance gets its own stream of it.
-  // `noting`: where calls of plugins are noted, if anywhere; outlives the mind. `journal`: of its segments, see below.
+  // `noting`: where calls of plugins are noted, if anywhere; outlives the mind.
   // Throws plugin::Failure when a plugin cannot be created.
-  Mind(const TeamPlan& plan, int number, std::uint64_t seed, plugin::Noting noting = {},
-       Journal journal = Journal::none);
+  Mind(const TeamPlan& plan, int number, std::uint64_t seed, plugin::Noting noting = {}, Telling telling = {});
   ~Mind();
   Mind(Mind&&) noexcept;
   Mind& operator=(Mind&&) noexcept;
@@ -41,8 +46,11 @@ class Mind {
   const Decision& decision() const;
   const WorldModel& world() const;
   std::span<const regista_event> events() const;
-  // What became of segments at the last decision, in the order in which it happened; nothing without a journal.
+  // Nothing of these where a mind does not keep them. What became of segments at the last decision, in the order in
+  // which it happened; what plugins wrote; what they drew, in the order of drawing.
   std::span<const SegmentEvent> segments() const;
+  std::span<const LogLine> log() const;
+  std::span<const DrawnShape> drawings() const;
   int number() const;
 
  private:

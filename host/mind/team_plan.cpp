@@ -90,6 +90,7 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
   }
   landmarks_ = landmarks(rules_.field);
   name_reasons();
+  name_metrics(mistakes);
   for (const config::Kick& kick : robot_.kicks) {
     kicks_.push_back({kick.name.c_str(), kick.minimum_distance, kick.maximum_distance, kick.duration, kick.impact,
                       kick.distance_noise, kick.direction_noise});
@@ -109,6 +110,31 @@ void TeamPlan::name_reasons() {
       if (known == reasons_.end()) reasons_.push_back(name);
     }
   }
+}
+
+void TeamPlan::name_metrics(config::Mistakes& mistakes) {
+  for (const Part* part : parts()) {
+    if (part->found == nullptr || std::ranges::find(metrics_of_, part->found, &MetricsOf::plugin) != metrics_of_.end())
+      continue;
+    MetricsOf& own = metrics_of_.emplace_back(MetricsOf{part->found, {}});
+    for (const plugin::DeclaredMetric& each : plugin::metrics(*part->found)) {
+      const std::string name = part->found->descriptor->id + ('.' + each.name);
+      if (std::ranges::find(metrics_, name, &TeamMetric::name) != metrics_.end()) {
+        mistakes.add(config::Error(part->use.where, "two plugins of this team are called " +
+                                                        std::string(part->found->descriptor->id) +
+                                                        " and declare the metric " + each.name),
+                     "plugin");
+        continue;
+      }
+      own.indices.push_back(static_cast<int>(metrics_.size()));
+      metrics_.push_back({name, each.combine});
+    }
+  }
+}
+
+std::span<const int> TeamPlan::metrics_of(const plugin::Found& plugin) const {
+  const auto found = std::ranges::find(metrics_of_, &plugin, &MetricsOf::plugin);
+  return found == metrics_of_.end() ? std::span<const int>() : std::span<const int>(found->indices);
 }
 
 std::vector<const Part*> TeamPlan::parts() const {

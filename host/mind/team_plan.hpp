@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "config/robot.hpp"
 #include "config/rules.hpp"
 #include "config/team.hpp"
+#include "mind/extensions/metric_reports.hpp"
 #include "plugin/catalogue.hpp"
 #include "plugin/parameters.hpp"
 
@@ -92,6 +94,10 @@ class TeamPlan {
   const std::vector<std::string>& reasons() const { return reasons_; }
   const std::string& reason(int of_packet) const { return reasons_.at(static_cast<std::size_t>(of_packet)); }
 
+  // The numbers that the team's plugins declare. metrics_of: those of one plugin of its parts, as indices into them.
+  const std::vector<TeamMetric>& metrics() const { return metrics_; }
+  std::span<const int> metrics_of(const plugin::Found& plugin) const;
+
   const std::vector<RoleRow>& roles() const { return roles_; }
   // Row of the first role of a list.
   int first_role(int list) const { return first_role_[static_cast<std::size_t>(list)]; }
@@ -103,6 +109,7 @@ class TeamPlan {
   TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue,
            config::Mistakes&& mistakes);
   void name_reasons();
+  void name_metrics(config::Mistakes& mistakes);
 
   config::Team team_;
   config::Rules rules_;
@@ -118,6 +125,12 @@ class TeamPlan {
   std::vector<regista_kick> kicks_;
   std::vector<regista_event_name> events_;
   std::vector<std::string> reasons_;
+  std::vector<TeamMetric> metrics_;
+  struct MetricsOf {
+    const plugin::Found* plugin;
+    std::vector<int> indices;
+  };
+  std::vector<MetricsOf> metrics_of_;
 };
 
 }  // namespace regista::mind

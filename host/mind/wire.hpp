@@ -82,9 +82,14 @@ void visit(Archive& archive, SegmentCounts& segments) {
 }
 
 template <class Archive>
+void visit(Archive& archive, MetricReport& report) {
+  archive(report.metric, report.count, report.sum, report.least, report.greatest, report.last);
+}
+
+template <class Archive>
 void visit(Archive& archive, Outcome& outcome) {
   archive(outcome.command, outcome.send, outcome.send_reason, outcome.packet, outcome.role, outcome.assignment,
-          outcome.context, outcome.kept, outcome.target, outcome.segments);
+          outcome.context, outcome.kept, outcome.target, outcome.segments, outcome.metrics);
 }
 
 inline void write_heard(config::BytesOut& bytes, std::span<const HeardPacket> heard) {

@@ -46,6 +46,7 @@ Description::Description(const regista_descriptor& live) : declared_(live) {
   if (const auto* assigner = table<regista_assigner>(live, REGISTA_KIND_ASSIGNER)) assigner_flags_ = assigner->flags;
   if (const auto* behaviour = table<regista_behaviour>(live, REGISTA_KIND_BEHAVIOUR)) purposes_ = behaviour->flags;
   if (const auto* sender = table<regista_sender>(live, REGISTA_KIND_SENDER)) reasons_ = reasons_of(*sender);
+  metrics_ = declared_metrics(live);
   declared_.table = nullptr;
   declared_.create = nullptr;
   declared_.reset = nullptr;
@@ -69,7 +70,7 @@ void Description::write(config::BytesOut& bytes) const {
        {declared_.id, declared_.version, declared_.summary, declared_.licence, declared_.build_tag}) {
     put(text);
   }
-  bytes(reasons_);
+  bytes(reasons_, metrics_);
   for (const regista_parameter& p : parameters_) {
     const bool has_text = p.initial_text != nullptr;
     bytes(p.size, p.type, p.minimum, p.maximum, p.initial, p.choice_count, p.flags, has_text);
@@ -91,7 +92,7 @@ Description::Description(config::BytesIn& bytes) {
   declared_.summary = take();
   declared_.licence = take();
   declared_.build_tag = take();
-  bytes(reasons_);
+  bytes(reasons_, metrics_);
   for (std::uint32_t i = 0; i < declared_.parameter_count; ++i) {
     regista_parameter p{};
     bool has_text = false;

@@ -13,6 +13,7 @@
 #include <regista/abi.h>
 
 #include "config/bytes.hpp"
+#include "plugin/declared_metrics.hpp"
 
 namespace regista::plugin {
 
@@ -34,6 +35,7 @@ class Description {
   std::uint32_t assigner_flags() const { return assigner_flags_; }      // REGISTA_ASSIGNER_*
   std::uint32_t purposes() const { return purposes_; }                  // REGISTA_BEHAVIOUR_*
   const std::vector<std::string>& reasons() const { return reasons_; }  // of a sender, its own
+  const std::vector<DeclaredMetric>& metrics() const { return metrics_; }
 
  private:
   template <class Archive>
@@ -46,6 +48,7 @@ class Description {
   std::vector<regista_parameter> parameters_;
   std::deque<std::vector<const char*>> choices_;
   std::vector<std::string> reasons_;
+  std::vector<DeclaredMetric> metrics_;
 };
 
 }  // namespace regista::plugin

@@ -11,6 +11,7 @@
 
 #include "config/text.hpp"
 #include "config/visible_text.hpp"
+#include "plugin/declared_metrics.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -240,6 +241,9 @@ std::string what_is_wrong(const regista_descriptor& d, std::uint32_t index) {
   }
   if (const std::string what = wrong_with_parameters(d); !what.empty()) return wrong(what);
   if (const std::string what = wrong_with_tables(d); !what.empty()) return wrong(what);
+  if (const std::string what = wrong_with_metrics(d, wrong_with_name, wrong_with_text); !what.empty()) {
+    return wrong(what);
+  }
   return {};
 }
 

@@ -20,10 +20,10 @@ std::string what_is_wrong(const regista_descriptor& descriptor, std::uint32_t in
 // Parameter number `index`, < descriptor.parameter_count.
 const regista_parameter& parameter(const regista_descriptor& descriptor, std::uint32_t index);
 
-// Whether the plugin has a table of calls for this kind.
 // Names of a sender's own reasons, in their order.
 std::vector<std::string> reasons_of(const regista_sender& sender);
 
+// Whether the plugin has a table of calls for this kind.
 bool implements(const regista_descriptor& descriptor, int kind);
 
 // Its kinds, ascending.

@@ -42,6 +42,10 @@ std::vector<std::string> reasons(const Found& plugin) {
   return sender == nullptr ? std::vector<std::string>{} : reasons_of(*sender);
 }
 
+std::vector<DeclaredMetric> metrics(const Found& plugin) {
+  return plugin.description ? plugin.description->metrics() : declared_metrics(*plugin.descriptor);
+}
+
 const regista_descriptor& loaded(const Found& plugin) {
   return plugin.object ? plugin.object->descriptor(plugin.index) : *plugin.descriptor;
 }

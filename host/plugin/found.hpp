@@ -34,6 +34,7 @@ std::uint32_t subjects(const Found& plugin);            // REGISTA_SUBJECT_*, of
 std::uint32_t assigner_flags(const Found& plugin);      // REGISTA_ASSIGNER_*
 std::uint32_t purposes(const Found& plugin);            // REGISTA_BEHAVIOUR_*
 std::vector<std::string> reasons(const Found& plugin);  // of a sender, its own
+std::vector<DeclaredMetric> metrics(const Found& plugin);
 
 // The plugin's own descriptor: loads the file if it has not been yet. Throws std::runtime_error with one line that says
 // why it cannot be loaded (any more).

@@ -52,6 +52,11 @@ std::string line(const ParameterInfo& p) {
 
 }  // namespace
 
+std::string how_told(const DeclaredMetric& metric) {
+  const bool plain = metric.unit.empty() || metric.unit == "1";
+  return fmt::format("{}{}", combine_name(metric.combine), plain ? "" : ", " + metric.unit);
+}
+
 Info info(const Found& plugin) {
   const regista_descriptor& d = *plugin.descriptor;
   Info out;
@@ -66,6 +71,7 @@ Info info(const Found& plugin) {
   out.subjects = subject_names(subjects(plugin));
   out.negotiates = (assigner_flags(plugin) & REGISTA_ASSIGNER_NEGOTIATES) != 0;
   for (std::uint32_t i = 0; i < d.parameter_count; ++i) out.parameters.push_back(info(parameter(d, i)));
+  out.metrics = metrics(plugin);
   return out;
 }
 
@@ -81,6 +87,10 @@ std::string info_text(const Found& plugin) {
   out += fmt::format("licence:   {}\n", about.licence);
   out += about.parameters.empty() ? "parameters: none\n" : "parameters:\n";
   for (const ParameterInfo& p : about.parameters) out += line(p);
+  if (!about.metrics.empty()) out += "metrics:\n";
+  for (const DeclaredMetric& each : about.metrics) {
+    out += fmt::format("  {}: {}\n      {}\n", each.name, how_told(each), each.doc);
+  }
   return out;
 }
 

@@ -25,9 +25,13 @@ struct Info {
   std::string subjects;            // of a predictor: "ball, opponents"
   bool negotiates = false;         // of an assigner
   std::vector<ParameterInfo> parameters;
+  std::vector<DeclaredMetric> metrics;
 };
 
 Info info(const Found& plugin);
+
+// "sum, s"
+std::string how_told(const DeclaredMetric& metric);
 
 // A page about one plugin; lines end with a newline.
 std::string info_text(const Found& plugin);

@@ -42,9 +42,17 @@ std::string section(const Found& plugin) {
   if (!about.subjects.empty()) out += fmt::format(" Models: {}.", about.subjects);
   if (about.negotiates) out += " Robots may show the same task while they have not agreed yet.";
   out += fmt::format(" Licence: {}.\n", as_text(about.licence));
-  if (about.parameters.empty()) return out + "\nNo parameters.\n";
-  out += "\n| parameter | range | default | tunable | meaning |\n|---|---|---|---|---|\n";
-  for (const ParameterInfo& p : about.parameters) out += row(p);
+  if (about.parameters.empty()) {
+    out += "\nNo parameters.\n";
+  } else {
+    out += "\n| parameter | range | default | tunable | meaning |\n|---|---|---|---|---|\n";
+    for (const ParameterInfo& p : about.parameters) out += row(p);
+  }
+  if (about.metrics.empty()) return out;
+  out += "\n| metric | number of a match | meaning |\n|---|---|---|\n";
+  for (const DeclaredMetric& each : about.metrics) {
+    out += fmt::format("| `{}` | {} | {} |\n", each.name, as_text(how_told(each)), as_text(each.doc));
+  }
   return out;
 }
 

@@ -26,6 +26,9 @@ const char* of_what(const match::MetricRow& row) {
       return "role";
     case match::MetricRow::Of::event:
       return "event";
+    case match::MetricRow::Of::plugin_total:
+    case match::MetricRow::Of::plugin_value:
+      return "plugin";
   }
   return "team";
 }

@@ -104,7 +104,11 @@ match::Setup without_opening(match::Setup setup) {
 }
 
 std::vector<std::string> metric_paths_of(const mind::TeamPlan& team) {
-  return match::metric_paths(match::metric_table(), match::role_names(match::roles(team)), team.reasons());
+  match::MemberNames names{match::role_names(match::roles(team)), team.reasons()};
+  for (const mind::TeamMetric& each : team.metrics()) {
+    (each.combine == REGISTA_METRIC_SUM ? names.plugin_totals : names.plugin_values).push_back(each.name);
+  }
+  return match::metric_paths(match::metric_table(), names);
 }
 
 }  // namespace regista::study

@@ -12,7 +12,7 @@ import re
 import sys
 from pathlib import Path
 
-from rooms import C_HEADERS, CONFINED, HOST_SEES_OF_SDK, KNOWS
+from rooms import C_HEADERS, CONFINED, HOST_SEES_EXTENSIONS, HOST_SEES_OF_SDK, KNOWS
 
 SOURCES = {".h", ".hpp", ".hh", ".c", ".cc", ".cpp", ".inl", ".ipp", ".in"}
 TEST = re.compile(r"(test|test_.*|tests|.*_test|.*_benchmark|benchmark.*)\.[a-z]+$")
@@ -93,7 +93,9 @@ def stranger(root, path, target, quoted):
         if found.startswith("sdk/"):
             if "sdk" not in KNOWS[room]:
                 return "sdk"
-            return None if found == "sdk/include/" + HOST_SEES_OF_SDK else f"more of sdk than {HOST_SEES_OF_SDK}"
+            seen = found.removeprefix("sdk/include/")
+            known = seen == HOST_SEES_OF_SDK or seen.startswith(HOST_SEES_EXTENSIONS)
+            return None if known else f"more of sdk than {HOST_SEES_OF_SDK} and {HOST_SEES_EXTENSIONS}"
         other = room_of(found)
         return None if other == room or other in KNOWS[room] else other or posixpath.dirname(found)
     if path.startswith("plugins/"):

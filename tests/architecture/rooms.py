@@ -7,7 +7,8 @@
 An arrow may skip rooms (match may include plugin), never run backwards or sideways.
 """
 
-# room of host/ -> the rooms it may include or link. "sdk" stands for <regista/abi.h>, all that host and plugins share.
+# room of host/ -> the rooms it may include or link. "sdk" stands for <regista/abi.h> and <regista/extensions/...>, all
+# that host and plugins share.
 KNOWS = {
     "config": set(),
     "statistics": set(),
@@ -26,8 +27,9 @@ KNOWS = {
             "output", "command"},
 }
 
-# What of the SDK the host may include.
+# What of the SDK the host may include: the interface, and the extensions of it.
 HOST_SEES_OF_SDK = "regista/abi.h"
+HOST_SEES_EXTENSIONS = "regista/extensions/"
 
 
 class Library:

@@ -70,7 +70,7 @@ BAD_ROOMS = [
     ("host/report/bad.cpp", "#include <zstd.h>", "1: includes zstd.h; room report may not know zstd"),
     ("host/plugin/bad.cpp", '#include "mind/mind.hpp"', "1: includes mind/mind.hpp; room plugin may not know mind"),
     ("host/plugin/bad.cpp", "#include <regista/plugin.hpp>",
-     "1: includes regista/plugin.hpp; room plugin may not know more of sdk than regista/abi.h"),
+     "1: includes regista/plugin.hpp; room plugin may not know more of sdk than regista/abi.h and regista/extensions/"),
     ("host/plugin/bad.cpp", '#include "../../plugins/positioners/voronoi/algorithm.hpp"',
      "1: includes ../../plugins/positioners/voronoi/algorithm.hpp; "
      "room plugin may not know plugins/positioners/voronoi"),

@@ -121,8 +121,9 @@ std::vector<bool> idle_terms(const TeamPlan& plan, plugin::Noting noting) {
   const int own = plan.rules().team_size;
   plugin::AnswerRooms rooms;
   const plugin::Caller caller{plan.team().name, own, 0, noting, &rooms};
+  Extensions extensions(caller);
   Mailboxes mailboxes(static_cast<std::size_t>(plan.rules().messages.size));
-  Assembly assembly(plan, own, made_up_seed, mailboxes, caller);
+  Assembly assembly(plan, own, made_up_seed, mailboxes, extensions, caller);
   Coordination coordination(plan, own, assembly.contexts());
   Dice dice(made_up_seed);
   std::vector<bool> out;
@@ -157,8 +158,9 @@ std::vector<bool> terms_without_waypoints(const TeamPlan& plan, plugin::Noting n
   const int own = plan.rules().team_size;
   plugin::AnswerRooms rooms;
   const plugin::Caller caller{plan.team().name, own, 0, noting, &rooms};
+  Extensions extensions(caller);
   Mailboxes mailboxes(static_cast<std::size_t>(plan.rules().messages.size));
-  Assembly assembly(plan, own, made_up_seed, mailboxes, caller);
+  Assembly assembly(plan, own, made_up_seed, mailboxes, extensions, caller);
   Coordination coordination(plan, own, assembly.contexts());
   Dice dice(made_up_seed);
   std::vector<bool> out;

@@ -22,6 +22,7 @@ struct Mailboxes::Endpoint {
   std::size_t place = 0;
   regista_host host{};
   const char* plugin = "";
+  const InstanceExtensions* extensions = nullptr;
   std::optional<plugin::Mailbox> mailbox;  // none when the plugin takes no messages
 };
 
@@ -35,9 +36,10 @@ Mailboxes::Mailboxes(std::size_t packet_size, bool keeps_journal)
 }
 Mailboxes::~Mailboxes() = default;
 
-const regista_host* Mailboxes::open() {
+const regista_host* Mailboxes::open(const InstanceExtensions* extensions) {
   Endpoint& endpoint = *endpoints_.emplace_back(std::make_unique<Endpoint>());
   endpoint.owner = this;
+  endpoint.extensions = extensions;
   endpoint.place = endpoints_.size() - 1;
   endpoint.host.size = sizeof endpoint.host;
   endpoint.host.context = &endpoint;
@@ -58,7 +60,10 @@ const regista_host* Mailboxes::open() {
   endpoint.host.bytes_free = [](void* context) {
     return static_cast<std::uint32_t>(static_cast<Endpoint*>(context)->owner->longest_segment());
   };
-  endpoint.host.extension = [](void*, const char*) -> const void* { return nullptr; };
+  endpoint.host.extension = [](void* context, const char* id) -> const void* {
+    const InstanceExtensions* const own = static_cast<Endpoint*>(context)->extensions;
+    return own == nullptr || id == nullptr ? nullptr : own->find(id);
+  };
   return &endpoint.host;
 }
 

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "mind/extensions/extensions.hpp"
 #include "mind/world/packet.hpp"
 #include "mind/world/segment_counts.hpp"
 #include "mind/world/segment_journal.hpp"
@@ -27,7 +28,8 @@ class Mailboxes {
   Mailboxes& operator=(const Mailboxes&) = delete;
 
   // The way out for the next instance, to be given to its create; then connect() that instance.
-  const regista_host* open();
+  // `extensions`: what it is given when it asks for one; outlives the mailboxes. Null: it gets none.
+  const regista_host* open(const InstanceExtensions* extensions = nullptr);
   void connect(const std::shared_ptr<plugin::Instance>& instance);
 
   // Sets the time and drops what has expired. Plugins hear of what was dropped here and in pending().

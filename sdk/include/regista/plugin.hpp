@@ -9,6 +9,8 @@
 //   static constexpr unsigned reads = REGISTA_READS_...; the parts of frames that it reads, or-ed; all when absent
 //   void setup(const regista::Environment&);            after the parameters are set, before reset
 //   void setup(const regista::Environment&, regista::Mailbox);   when it wants to offer bytes
+//   void setup(const regista::Environment&, const regista::Host&);   when it wants more of the host; see host.hpp
+//   static constexpr std::array metrics{...};           numbers that it reports; see metric.hpp
 //   void reset(std::uint64_t seed);                     the beginning of a match
 //
 // and one line at the end of its .cpp:
@@ -30,7 +32,9 @@
 #include <type_traits>
 
 #include <regista/abi.h>
+#include <regista/extensions/metric.h>
 #include <regista/frame.hpp>
+#include <regista/host.hpp>
 #include <regista/mailbox.hpp>
 #include <regista/parameters.hpp>
 
@@ -118,13 +122,25 @@ struct Plugin {
           detail::assign(member, Span<regista_value>(values)[next++]);
         });
       }
-      if constexpr (requires { plugin->setup(Environment(*environment), Mailbox(host)); }) {
+      if constexpr (requires { plugin->setup(Environment(*environment), Host(host)); }) {
+        plugin->setup(Environment(*environment), Host(host));
+      } else if constexpr (requires { plugin->setup(Environment(*environment), Mailbox(host)); }) {
         plugin->setup(Environment(*environment), Mailbox(host));
       } else if constexpr (requires { plugin->setup(Environment(*environment)); }) {
         plugin->setup(Environment(*environment));
       }
     });
     return status == REGISTA_OK ? plugin.release() : nullptr;
+  }
+
+  static const void* extension(const char* id) {
+    if constexpr (requires { Class::metrics; }) {
+      static constexpr regista_metrics declared_metrics{sizeof(regista_metrics),
+                                                        static_cast<std::uint32_t>(Class::metrics.size()),
+                                                        Class::metrics.data(), sizeof(regista_metric), 0};
+      if (std::strcmp(id, REGISTA_METRIC_EXTENSION) == 0) return &declared_metrics;
+    }
+    return nullptr;
   }
 
   static std::int32_t reset(void* instance, std::uint64_t seed, regista_error* error) {
@@ -162,6 +178,7 @@ struct Plugin {
     out.minimum_minor = REGISTA_ABI_MINOR;
     out.reads = REGISTA_READS_ALL;
     if constexpr (requires { Class::reads; }) out.reads = Class::reads;
+    out.extension = &extension;
     return out;
   }
 };

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The host's side of the extensions that the plugins of one robot may ask for by name: log, draw, metric. Each instance
+// gets tables of its own, so that it is known who speaks.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <regista/extensions/draw.h>
+#include <regista/extensions/log.h>
+#include <regista/extensions/metric.h>
+
+#include "mind/extensions/drawings.hpp"
+#include "mind/extensions/metric_reports.hpp"
+#include "mind/extensions/plugin_log.hpp"
+#include "plugin/failure.hpp"
+#include "plugin/found.hpp"
+
+namespace regista::mind {
+
+class Extensions;
+
+// What one instance is given.
+class InstanceExtensions {
+ public:
+  InstanceExtensions(Extensions& owner, const plugin::Found& plugin, std::span<const int> metrics);
+  InstanceExtensions(const InstanceExtensions&) = delete;
+  InstanceExtensions& operator=(const InstanceExtensions&) = delete;
+
+  // Null for a name that nobody knows.
+  const void* find(std::string_view id) const;
+  void begin_decision();
+
+ private:
+  Extensions* owner_;
+  const plugin::Found* plugin_;
+  std::span<const int> metrics_;  // of the team, by the plugin's own index
+  LogUse log_use_;
+  DrawUse draw_use_;
+  regista_log log_{};
+  regista_draw draw_{};
+  regista_metric_reports metric_reports_{};
+};
+
+class Extensions {
+ public:
+  // caller outlives the extensions. sink: told each log line at once; may be empty. records: log lines and drawings of
+  // a decision are kept for recorders.
+  explicit Extensions(const plugin::Caller& caller, LogSink sink = {}, bool records = false)
+      : log_(caller, std::move(sink), records), drawings_(log_, records) {}
+  Extensions(const Extensions&) = delete;
+  Extensions& operator=(const Extensions&) = delete;
+
+  // For the next instance. metrics: see InstanceExtensions; plugin and metrics outlive it.
+  const InstanceExtensions& open(const plugin::Found& plugin, std::span<const int> metrics);
+
+  // At the beginning of a decision. time: s since the start of the match.
+  void begin(double time);
+  // While plugins are asked what only recorders want to know, nothing of what they do counts.
+  void mute(bool muted) { muted_ = muted; }
+
+  const PluginLog& log() const { return log_; }
+  const Drawings& drawings() const { return drawings_; }
+  MetricReports& metrics() { return metrics_; }
+
+ private:
+  friend InstanceExtensions;
+  PluginLog log_;
+  Drawings drawings_;
+  MetricReports metrics_;
+  bool muted_ = false;
+  std::vector<std::unique_ptr<InstanceExtensions>> instances_;
+};
+
+}  // namespace regista::mind
