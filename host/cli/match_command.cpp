@@ -19,7 +19,7 @@
 #include "cli/prepared_match.hpp"
 #include "cli/replayed_match.hpp"
 #include "cli/stored_match.hpp"
-#include "config/nearest.hpp"
+#include "config/text.hpp"
 #include "config/typed.hpp"
 #include "output/output_files.hpp"
 #include "plugin/plugin_file.hpp"

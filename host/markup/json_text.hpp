@@ -66,8 +66,14 @@ class JsonText {
     first_ = false;
     return *this;
   }
-  JsonText& null() { return bare("null"); }
-  JsonText& boolean(bool value) { return bare(value ? "true" : "false"); }
+  JsonText& null() { return json("null"); }
+  JsonText& boolean(bool value) { return json(value ? "true" : "false"); }
+  // A value that is JSON already.
+  JsonText& json(std::string_view text) {
+    begin_value(text.size() + 1);
+    put(text);
+    return *this;
+  }
   JsonText& word(std::string_view word) {
     begin_value(word.size() + 3);
     *end_++ = '"';
@@ -113,11 +119,6 @@ class JsonText {
   }
 
  private:
-  JsonText& bare(std::string_view json) {
-    begin_value(json.size() + 1);
-    put(json);
-    return *this;
-  }
   JsonText& shortest(double value) {
     begin_value(32);
     end_ = std::to_chars(end_, end_ + 32, value, std::chars_format::general, 5).ptr;

@@ -12,6 +12,7 @@
 #include "mcap/error.hpp"
 #include "mcap/writer.hpp"
 #include "mind/world/packet.hpp"
+#include "recording/drawing_record.hpp"
 #include "recording/schemas.hpp"
 #include "recording/segment_record.hpp"
 
@@ -203,7 +204,20 @@ struct MatchRecording::Parts {
     json.open('{').key("time").number(time);
   }
 
+  // A channel that most matches do not need is added with its first message.
+  mcap::ChannelId channel(std::optional<mcap::ChannelId>& known, const char* topic, const char* schema,
+                          std::string (*text)()) {
+    if (!known) known = writer.add_channel(topic, "json", writer.add_schema(schema, "jsonschema", text()));
+    return *known;
+  }
+  void begin_of_plugin(double time, match::Side side, int robot, const char* plugin) {
+    begin(time);
+    json.key("side").word(match::name(side)).key("robot").integer(robot).key("plugin").word(plugin);
+  }
+
   void write_segments(const mind::Mind& mind, const match::Decision& turn);
+  void write_log(const mind::Mind& mind, const match::Decision& turn);
+  void write_drawings(const mind::Mind& mind, const match::Decision& turn);
   void write_decision(Last& robot, match::Side side, const mind::Mind& mind, double time);
   void write_belief(Last& robot, match::Side side, const mind::Mind& mind, double time);
 
@@ -212,12 +226,14 @@ struct MatchRecording::Parts {
   mcap::Writer writer;
   JsonText json;
   mcap::ChannelId game{}, events{}, packets{}, heard{};
-  std::optional<mcap::ChannelId> segment_channel;  // from the first segment on: most teams have none
-  std::uint32_t game_count = 0, event_count = 0, packet_count = 0, heard_count = 0, segment_count = 0;
+  std::optional<mcap::ChannelId> segment_channel, log_channel, draw_channel;
+  std::uint32_t game_count = 0, event_count = 0, packet_count = 0, heard_count = 0, segment_count = 0, log_count = 0,
+                draw_count = 0;
   std::array<mind::PacketLimits, 2> limits;
   std::array<bool, 2> with_common{};  // a context of the team uses what all can know
   std::vector<mind::Segment> segments;
   SentSegments sent;
+  DrawnLayers layers;
   std::array<std::vector<Last>, 2> last;  // by side and number
   std::uint64_t steps = 0;
   double chunk_began = 0.0;
@@ -227,15 +243,28 @@ struct MatchRecording::Parts {
 
 void MatchRecording::Parts::write_segments(const mind::Mind& mind, const match::Decision& turn) {
   for (const mind::SegmentEvent& event : mind.segments()) {
-    if (!segment_channel) {
-      segment_channel =
-          writer.add_channel("/segment", "json", writer.add_schema("segment", "jsonschema", schema::segment()));
-    }
     const std::uint64_t handle = sent.follow(turn.side, mind.number(), event);
     begin(turn.time);
     recording::write(json, {turn.side, mind.number(), event, handle, turn.packet_charged});
     json.close('}');
-    write(*segment_channel, turn.time, segment_count);
+    write(channel(segment_channel, "/segment", "segment", schema::segment), turn.time, segment_count);
+  }
+}
+
+void MatchRecording::Parts::write_log(const mind::Mind& mind, const match::Decision& turn) {
+  for (const mind::LogLine& line : mind.log()) {
+    begin_of_plugin(turn.time, turn.side, mind.number(), line.plugin);
+    json.key("level").word(mind::level_name(line.level)).key("text").string(line.text).close('}');
+    write(channel(log_channel, "/log", "log", schema::log), turn.time, log_count);
+  }
+}
+
+void MatchRecording::Parts::write_drawings(const mind::Mind& mind, const match::Decision& turn) {
+  const double direction = match::attack(turn.side, half);
+  for (const DrawnLayers::Change& each : layers.follow(turn.side, mind.number(), mind.drawings(), direction)) {
+    begin_of_plugin(turn.time, turn.side, mind.number(), each.plugin);
+    json.key("layer").string(each.layer).key("shapes").json(each.shapes).close('}');
+    write(channel(draw_channel, "/draw", "draw", schema::draw), turn.time, draw_count);
   }
 }
 
@@ -325,6 +354,8 @@ void MatchRecording::decided(const mind::Mind& mind, const match::Decision& turn
     parts.write(parts.packets, time, parts.packet_count);
   }
   parts.write_segments(mind, turn);
+  parts.write_log(mind, turn);
+  parts.write_drawings(mind, turn);
   const bool kept_same = std::ranges::equal(last.kept, decision.columns, {}, {}, &regista_task::id);
   const bool changed =
       !kept_same || role_changed || last.context != decision.context || last.assignment != decision.role_of;

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "recording/drawing_record.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace regista::recording {
+namespace {
+
+const char* word(std::int32_t shape) {
+  switch (shape) {
+    case REGISTA_SHAPE_POINTS:
+      return "points";
+    case REGISTA_SHAPE_LINE:
+      return "line";
+    case REGISTA_SHAPE_POLYGON:
+      return "polygon";
+    default:
+      return "text";
+  }
+}
+
+std::string colour(std::uint32_t rgba) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string out = "#";
+  for (int shift = 28; shift >= 0; shift -= 4) out += digits[rgba >> shift & 15u];
+  return out;
+}
+
+void write(markup::JsonText& json, const mind::DrawnShape& shape, double direction) {
+  json.open('{').key("shape").word(word(shape.shape)).key("at").open('[');
+  for (const regista_point& each : shape.points) {
+    json.open('[').number(direction * each.x, 2).number(direction * each.y, 2).close(']');
+  }
+  json.close(']');
+  if (shape.colour != 0) json.key("colour").word(colour(shape.colour));
+  if (shape.width > 0.0) json.key("width").number(shape.width);
+  if (shape.filled) json.key("filled").boolean(true);
+  if (shape.shape == REGISTA_SHAPE_TEXT) json.key("text").string(shape.text);
+  json.close('}');
+}
+
+}  // namespace
+
+DrawnLayers::Layer& DrawnLayers::layer(std::vector<Layer>& of_robot, const mind::DrawnShape& shape) {
+  const std::string_view plugin = shape.plugin;
+  const auto found = std::ranges::find_if(
+      of_robot, [&](const Layer& each) { return each.plugin == plugin && each.name == shape.layer; });
+  return found == of_robot.end() ? of_robot.emplace_back(Layer{shape.plugin, shape.layer, "[]"}) : *found;
+}
+
+std::span<const DrawnLayers::Change> DrawnLayers::follow(match::Side side, int robot,
+                                                         std::span<const mind::DrawnShape> shapes, double direction) {
+  changes_.clear();
+  std::vector<std::vector<Layer>>& robots = layers_[match::index(side)];
+  if (robots.size() < static_cast<std::size_t>(robot)) robots.resize(static_cast<std::size_t>(robot));
+  std::vector<Layer>& own = robots[static_cast<std::size_t>(robot - 1)];
+  for (const mind::DrawnShape& shape : shapes) layer(own, shape);
+  for (Layer& each : own) {
+    json_.clear();
+    json_.open('[');
+    for (const mind::DrawnShape& shape : shapes) {
+      if (&layer(own, shape) == &each) write(json_, shape, direction);
+    }
+    json_.close(']');
+    if (json_.text() == each.shapes) continue;
+    each.shapes = json_.text();
+    changes_.push_back({each.plugin, each.name, each.shapes});
+  }
+  return changes_;
+}
+
+}  // namespace regista::recording

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What plugins draw in the field, as recordings tell it: layer by layer, and only what has changed since the robot's
+// last decision, for most drawings stand still for a while.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "markup/json_text.hpp"
+#include "match/side.hpp"
+#include "mind/extensions/drawings.hpp"
+
+namespace regista::recording {
+
+class DrawnLayers {
+ public:
+  struct Change {
+    const char* plugin;
+    std::string_view layer;
+    std::string_view shapes;  // a JSON list, see docs/recordings.md; empty: nothing is drawn there any more
+  };
+
+  // To be told every decision of every robot. direction: in which the team attacks, +1 or -1; the shapes are turned
+  // into the world frame by it. What changed is valid until the next call.
+  std::span<const Change> follow(match::Side side, int robot, std::span<const mind::DrawnShape> shapes,
+                                 double direction);
+
+ private:
+  struct Layer {
+    const char* plugin;
+    std::string name, shapes;
+  };
+  Layer& layer(std::vector<Layer>& of_robot, const mind::DrawnShape& shape);
+
+  std::array<std::vector<std::vector<Layer>>, 2> layers_;  // by side and robot (n - 1)
+  std::vector<Change> changes_;
+  markup::JsonText json_;
+};
+
+}  // namespace regista::recording
