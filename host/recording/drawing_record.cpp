@@ -7,6 +7,9 @@
 namespace regista::recording {
 namespace {
 
+constexpr std::string_view nothing = "[]";
+constexpr double period = 0.5;  // s
+
 const char* word(std::int32_t shape) {
   switch (shape) {
     case REGISTA_SHAPE_POINTS:
@@ -46,10 +49,11 @@ DrawnLayers::Layer& DrawnLayers::layer(std::vector<Layer>& of_robot, const mind:
   const std::string_view plugin = shape.plugin;
   const auto found = std::ranges::find_if(
       of_robot, [&](const Layer& each) { return each.plugin == plugin && each.name == shape.layer; });
-  return found == of_robot.end() ? of_robot.emplace_back(Layer{shape.plugin, shape.layer, "[]"}) : *found;
+  return found == of_robot.end() ? of_robot.emplace_back(Layer{shape.plugin, shape.layer, std::string(nothing)})
+                                 : *found;
 }
 
-std::span<const DrawnLayers::Change> DrawnLayers::follow(match::Side side, int robot,
+std::span<const DrawnLayers::Change> DrawnLayers::follow(match::Side side, int robot, double time,
                                                          std::span<const mind::DrawnShape> shapes, double direction) {
   changes_.clear();
   std::vector<std::vector<Layer>>& robots = layers_[match::index(side)];
@@ -64,7 +68,10 @@ std::span<const DrawnLayers::Change> DrawnLayers::follow(match::Side side, int r
     }
     json_.close(']');
     if (json_.text() == each.shapes) continue;
+    const bool only_moves = each.shapes != nothing && json_.text() != nothing;
+    if (only_moves && time - each.told < period - 1e-9) continue;
     each.shapes = json_.text();
+    each.told = time;
     changes_.push_back({each.plugin, each.name, each.shapes});
   }
   return changes_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What plugins draw in the field, as recordings tell it: layer by layer, and only what has changed since the robot's
-// last decision, for most drawings stand still for a while.
+// What plugins draw in the field, as recordings tell it: layer by layer, and only what has changed. A layer that
+// appears or becomes empty is told at once; one that only moves twice a second, as beliefs are, or drawings would be
+// most of a recording.
 #pragma once
 
 #include <array>
@@ -24,15 +25,16 @@ class DrawnLayers {
     std::string_view shapes;  // a JSON list, see docs/recordings.md; empty: nothing is drawn there any more
   };
 
-  // To be told every decision of every robot. direction: in which the team attacks, +1 or -1; the shapes are turned
-  // into the world frame by it. What changed is valid until the next call.
-  std::span<const Change> follow(match::Side side, int robot, std::span<const mind::DrawnShape> shapes,
+  // To be told every decision of every robot, at the time of each. direction: in which the team attacks, +1 or -1; the
+  // shapes are turned into the world frame by it. What is to be told is valid until the next call.
+  std::span<const Change> follow(match::Side side, int robot, double time, std::span<const mind::DrawnShape> shapes,
                                  double direction);
 
  private:
   struct Layer {
     const char* plugin;
-    std::string name, shapes;
+    std::string name, shapes;  // as they were told last
+    double told = 0.0;         // when, s
   };
   Layer& layer(std::vector<Layer>& of_robot, const mind::DrawnShape& shape);
 

@@ -261,7 +261,8 @@ void MatchRecording::Parts::write_log(const mind::Mind& mind, const match::Decis
 
 void MatchRecording::Parts::write_drawings(const mind::Mind& mind, const match::Decision& turn) {
   const double direction = match::attack(turn.side, half);
-  for (const DrawnLayers::Change& each : layers.follow(turn.side, mind.number(), mind.drawings(), direction)) {
+  for (const DrawnLayers::Change& each :
+       layers.follow(turn.side, mind.number(), turn.time, mind.drawings(), direction)) {
     begin_of_plugin(turn.time, turn.side, mind.number(), each.plugin);
     json.key("layer").string(each.layer).key("shapes").json(each.shapes).close('}');
     write(channel(draw_channel, "/draw", "draw", schema::draw), turn.time, draw_count);
