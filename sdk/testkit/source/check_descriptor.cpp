@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include <regista/extensions/metric.h>
+
 namespace regista::testkit {
 
 namespace {
@@ -100,6 +102,32 @@ void check_reasons(Findings& f, const regista_sender& sender) {
   }
 }
 
+void check_metrics(Findings& f, const regista_metrics& metrics) {
+  constexpr std::uint32_t most = REGISTA_METRIC_MOST;
+  if (metrics.size < sizeof metrics) return f.say("metrics: the size field says ", metrics.size, " bytes");
+  if (metrics.count > most) return f.say("metrics: declares ", metrics.count, " of at most ", most);
+  if (metrics.count == 0) return;
+  if (metrics.metrics == nullptr || metrics.stride < sizeof(regista_metric)) return f.say("metrics: there are none");
+  std::set<std::string> seen;
+  for (std::uint32_t i = 0; i < metrics.count; ++i) {
+    const auto& each = *reinterpret_cast<const regista_metric*>(reinterpret_cast<const char*>(metrics.metrics) +
+                                                                std::size_t{i} * metrics.stride);
+    const std::string name =
+        "metric " + (each.name == nullptr ? std::to_string(i) : '"' + std::string(each.name) + '"');
+    if (each.size < sizeof each) f.say(name, ": its size field says ", each.size, " bytes");
+    if (each.name == nullptr || !is_lower_snake_case(each.name)) {
+      f.say(name, ": its name is not in lower_snake_case");
+    } else if (!seen.insert(each.name).second) {
+      f.say(name, ": stands twice");
+    }
+    need_line(f, name + ": its doc", each.doc);
+    need_line(f, name + ": its unit", each.unit);
+    if (each.combine < REGISTA_METRIC_SUM || each.combine > REGISTA_METRIC_OVER_TIME) {
+      f.say(name, ": combines in a way that does not exist: ", each.combine);
+    }
+  }
+}
+
 }  // namespace
 
 Findings check_descriptor(const Loaded& plugin) {
@@ -165,6 +193,9 @@ Findings check_descriptor(const Loaded& plugin) {
   table_size(REGISTA_KIND_BEHAVIOUR, "behaviour", sizeof(regista_behaviour));
   const auto* sender = static_cast<const regista_sender*>(d.table(REGISTA_KIND_SENDER));
   if (sender != nullptr && sender->size >= sizeof(regista_sender)) check_reasons(f, *sender);
+  if (d.extension == nullptr) return f;
+  const void* const metrics = d.extension(REGISTA_METRIC_EXTENSION);
+  if (metrics != nullptr) check_metrics(f, *static_cast<const regista_metrics*>(metrics));
   return f;
 }
 

@@ -76,7 +76,7 @@ void guarded(const char* name, regista_error& error, Body&& body) {
 
 // `memory` looks at the output's surroundings, also when the call failed.
 template <class Body, class Memory>
-void call(const char* name, Body&& body, Memory&& memory) {
+void call(RecordingHost& host, const char* name, Body&& body, Memory&& memory) {
   regista_error error{};
   std::optional<CallFailed> failure;
   try {
@@ -86,11 +86,13 @@ void call(const char* name, Body&& body, Memory&& memory) {
   }
   memory();
   if (failure) throw *failure;
+  if (const std::string broken = host.take_broken(); !broken.empty())
+    throw CallFailed(std::string(name) + ": " + broken);
 }
 
 template <class Body>
-void call(const char* name, Body&& body) {
-  call(name, body, [] {});
+void call(RecordingHost& host, const char* name, Body&& body) {
+  call(host, name, body, [] {});
 }
 
 }  // namespace
@@ -110,6 +112,7 @@ Instance::Instance(const Loaded& plugin, const EnvironmentBuilder& environment, 
       growth_(growth),
       setting_(environment.build(growth)),
       host_(std::make_unique<RecordingHost>(64, growth)) {
+  host_->set_metrics(plugin.descriptor());
   regista_error error{};
   {
     const Values own = values;  // texts end with create()
@@ -134,25 +137,25 @@ Instance::Instance(const Loaded& plugin, const EnvironmentBuilder& environment)
 Instance::~Instance() { plugin_.descriptor().destroy(instance_); }
 
 void Instance::reset(std::uint64_t seed) {
-  call("reset", [&](regista_error* error) { return plugin_.descriptor().reset(instance_, seed, error); });
+  call(*host_, "reset", [&](regista_error* error) { return plugin_.descriptor().reset(instance_, seed, error); });
 }
 
 void Instance::predict(double dt, const regista_motion* motion, const regista_frame* last) {
   const auto& t = table<regista_predictor>(plugin_, REGISTA_KIND_PREDICTOR, "predictor");
-  call("predict", [&](regista_error* error) { return t.predict(instance_, dt, motion, last, error); });
+  call(*host_, "predict", [&](regista_error* error) { return t.predict(instance_, dt, motion, last, error); });
 }
 
 void Instance::correct(std::span<const regista_measurement> measurements, const regista_visible_area& area) {
   const auto& t = table<regista_predictor>(plugin_, REGISTA_KIND_PREDICTOR, "predictor");
   const Strided<regista_measurement> input(measurements, growth_);
-  call("correct", [&](regista_error* error) { return t.correct(instance_, input.span(), &area, error); });
+  call(*host_, "correct", [&](regista_error* error) { return t.correct(instance_, input.span(), &area, error); });
   if (!input.unchanged()) throw CallFailed("correct: wrote to the measurements");
 }
 
 void Instance::absorb(std::span<const regista_track> tracks, double age) {
   const auto& t = table<regista_predictor>(plugin_, REGISTA_KIND_PREDICTOR, "predictor");
   const Strided<regista_track> input(tracks, growth_);
-  call("absorb", [&](regista_error* error) { return t.absorb(instance_, input.span(), age, error); });
+  call(*host_, "absorb", [&](regista_error* error) { return t.absorb(instance_, input.span(), age, error); });
   if (!input.unchanged()) throw CallFailed("absorb: wrote to the tracks");
 }
 
@@ -161,7 +164,7 @@ std::vector<regista_track> Instance::tracks(const Capacity& capacity) {
   WritableRoom<regista_track> out(capacity.tracks, growth_);
   regista_room raw = out.raw();
   call(
-      "tracks", [&](regista_error* error) { return t.tracks(instance_, &raw, error); },
+      *host_, "tracks", [&](regista_error* error) { return t.tracks(instance_, &raw, error); },
       [&] { examine(out, raw, "tracks"); });
   return out.take(raw.count);
 }
@@ -172,7 +175,7 @@ regista_track Instance::track_at(const regista_track& told, double age) {
   WritableRoom<regista_track> out(1, growth_);
   regista_room raw = out.raw();
   call(
-      "track_at",
+      *host_, "track_at",
       [&](regista_error* error) {
         return t.track_at(instance_, static_cast<const regista_track*>(input.span().data), age,
                           static_cast<regista_track*>(raw.data), error);
@@ -185,7 +188,7 @@ regista_track Instance::track_at(const regista_track& told, double age) {
 std::int32_t Instance::holds(const Scene& scene) {
   const auto& t = table<regista_context>(plugin_, REGISTA_KIND_CONTEXT, "context");
   std::int32_t out = -77;
-  call("holds", [&](regista_error* error) { return t.holds(instance_, &scene.raw(), &out, error); });
+  call(*host_, "holds", [&](regista_error* error) { return t.holds(instance_, &scene.raw(), &out, error); });
   return out;
 }
 
@@ -202,7 +205,7 @@ Placed Instance::place(const Scene& scene, const Capacity& capacity) {
   raw.vertices = vertices.raw();
   Grown<regista_placement> out(raw, growth_);
   call(
-      "place", [&](regista_error* error) { return t.place(instance_, &scene.raw(), &out.get(), error); },
+      *host_, "place", [&](regista_error* error) { return t.place(instance_, &scene.raw(), &out.get(), error); },
       [&] {
         examine(points, out.get().points, "points");
         examine(edges, out.get().edges, "edges");
@@ -219,7 +222,7 @@ Matrix Instance::score(const Scene& scene) {
   const auto& t = table<regista_utility>(plugin_, REGISTA_KIND_UTILITY, "utility");
   Matrix out(scene.rows(), scene.columns(), growth_);
   const regista_matrix_room raw = out.room();
-  call("score", [&](regista_error* error) { return t.score(instance_, &scene.raw(), &raw, error); });
+  call(*host_, "score", [&](regista_error* error) { return t.score(instance_, &scene.raw(), &raw, error); });
   for (std::uint32_t i = 0; i < raw.rows; ++i) {
     for (std::uint32_t j = raw.columns; j < raw.stride; ++j) {
       if (out(i, j) == out(i, j)) throw CallFailed("score: wrote between the rows of its output");
@@ -239,7 +242,8 @@ std::vector<std::int32_t> Instance::assign(const Scene& scene, Matrix utilities)
   Guarded<std::int32_t> out(raw.rows);
   std::fill(out.data(), out.data() + raw.rows, std::int32_t{REGISTA_NO_TASK});
   call(
-      "assign", [&](regista_error* error) { return t.assign(instance_, &scene.raw(), &raw, out.data(), error); },
+      *host_, "assign",
+      [&](regista_error* error) { return t.assign(instance_, &scene.raw(), &raw, out.data(), error); },
       [&] { out.check("rows"); });
   if (!before.empty() && std::memcmp(before.data(), raw.values, before.size() * sizeof(double)) != 0) {
     throw CallFailed("assign: wrote to the utilities");
@@ -262,7 +266,7 @@ Sent Instance::decide(const Scene& scene, std::span<const regista_event> events,
   raw.granted = granted.data();
   Grown<regista_send> out(raw, growth_);
   call(
-      "decide",
+      *host_, "decide",
       [&](regista_error* error) {
         return t.decide(instance_, &scene.raw(), happened.span(), pending.span(), &left.get(), &out.get(), error);
       },
@@ -288,7 +292,8 @@ regista_action Instance::act(const Scene& scene, const BodyBuilder& body) {
   Grown<regista_action> out(empty, {growth_.bytes + behind});
   const std::uint32_t size = out.get().size -= behind;
   call(
-      "act", [&](regista_error* error) { return t.act(instance_, &scene.raw(), &own.get(), &out.get(), error); },
+      *host_, "act",
+      [&](regista_error* error) { return t.act(instance_, &scene.raw(), &own.get(), &out.get(), error); },
       [&] {
         if (!out.tail_unchanged()) throw CallFailed("act: wrote past the end of its output struct");
         if (out.get().size != size) throw CallFailed("act: wrote to the size of its output struct");
@@ -301,19 +306,19 @@ regista_action Instance::act(const Scene& scene, const BodyBuilder& body) {
 
 void Instance::transmitted(std::uint64_t handle) {
   const auto& t = table<regista_mailbox>(plugin_, REGISTA_KIND_MAILBOX, "mailbox");
-  call("transmitted", [&](regista_error* error) { return t.transmitted(instance_, handle, error); });
+  call(*host_, "transmitted", [&](regista_error* error) { return t.transmitted(instance_, handle, error); });
 }
 
 void Instance::dropped(std::uint64_t handle) {
   const auto& t = table<regista_mailbox>(plugin_, REGISTA_KIND_MAILBOX, "mailbox");
-  call("dropped", [&](regista_error* error) { return t.dropped(instance_, handle, error); });
+  call(*host_, "dropped", [&](regista_error* error) { return t.dropped(instance_, handle, error); });
 }
 
 void Instance::receive(int sender, std::span<const std::uint8_t> bytes, double time_sent, double time_heard) {
   const auto& t = table<regista_mailbox>(plugin_, REGISTA_KIND_MAILBOX, "mailbox");
   const regista_message message{
       sender, REGISTA_MEDIUM_RADIO, time_sent, time_heard, bytes.data(), static_cast<std::uint32_t>(bytes.size()), 0};
-  call("receive", [&](regista_error* error) { return t.receive(instance_, &message, error); });
+  call(*host_, "receive", [&](regista_error* error) { return t.receive(instance_, &message, error); });
 }
 
 std::string Instance::describe(std::span<const std::uint8_t> bytes) {
@@ -325,7 +330,7 @@ std::string Instance::describe(std::span<const std::uint8_t> bytes) {
   const std::uint8_t none = 0;
   const std::uint8_t* const data = bytes.empty() ? &none : bytes.data();
   call(
-      "describe",
+      *host_, "describe",
       [&](regista_error* error) {
         return t.describe(instance_, data, static_cast<std::uint32_t>(bytes.size()), text.data(), capacity, error);
       },

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The functions that a plugin calls.
+#include <cmath>
+#include <string_view>
+#include <utility>
+
 #include <regista/testkit/recording_host.hpp>
 
 namespace regista::testkit {
@@ -17,8 +21,67 @@ RecordingHost::RecordingHost(std::uint32_t bytes_free, Growth growth) : bytes_fr
     }
   };
   raw.bytes_free = [](void* context) { return static_cast<RecordingHost*>(context)->bytes_free_; };
-  raw.extension = [](void*, const char*) -> const void* { return nullptr; };
+  raw.extension = [](void* context, const char* id) {
+    return static_cast<const RecordingHost*>(context)->extension(id);
+  };
+  log_ = {sizeof log_, 0, this, [](void* context, std::int32_t level, const char* text, std::uint32_t length) {
+            static_cast<RecordingHost*>(context)->log.push_back({level, {text, length}});
+          }};
+  draw_ = {sizeof draw_, 0, this, [](void*) -> std::int32_t { return 1; },
+           [](void* context, const regista_shape* shape) { static_cast<RecordingHost*>(context)->draw(*shape); }};
+  reports_ = {sizeof reports_, 0, this, [](void* context, std::uint32_t metric, double value) {
+                static_cast<RecordingHost*>(context)->report(metric, value);
+              }};
   raw_ = Grown<regista_host>(raw, growth);
+}
+
+const void* RecordingHost::extension(const char* id) const {
+  const std::string_view name = id;
+  if (name == REGISTA_LOG_EXTENSION) return &log_;
+  if (name == REGISTA_DRAW_EXTENSION) return &draw_;
+  if (name == REGISTA_METRIC_EXTENSION) return &reports_;
+  return nullptr;
+}
+
+void RecordingHost::set_metrics(const regista_descriptor& plugin) {
+  const void* const found = plugin.extension == nullptr ? nullptr : plugin.extension(REGISTA_METRIC_EXTENSION);
+  metric_count_ = found == nullptr ? 0 : static_cast<const regista_metrics*>(found)->count;
+}
+
+std::string RecordingHost::take_broken() { return std::exchange(broken_, {}); }
+
+void RecordingHost::break_rule(std::string rule) {
+  if (broken_.empty()) broken_ = std::move(rule);
+}
+
+void RecordingHost::draw(const regista_shape& shape) {
+  ++shapes;
+  if (shape.layer == nullptr || *shape.layer == '\0') return break_rule("drew a shape that names no layer");
+  const std::string layer = std::string("drew in layer ") + shape.layer + ' ';
+  if (shape.shape < REGISTA_SHAPE_POINTS || shape.shape > REGISTA_SHAPE_TEXT) {
+    return break_rule(layer + "a shape that does not exist: " + std::to_string(shape.shape));
+  }
+  if (shape.shape == REGISTA_SHAPE_TEXT && shape.text == nullptr) return break_rule(layer + "a text that is null");
+  if (shape.count == 0 || shape.points == nullptr) return break_rule(layer + "a shape without points");
+  if (shape.count > REGISTA_DRAW_MOST_POINTS) {
+    return break_rule(layer + "a shape of " + std::to_string(shape.count) + " points");
+  }
+  if (!(shape.width >= 0.0 && std::isfinite(shape.width))) return break_rule(layer + "a shape without a sound width");
+  for (std::uint32_t i = 0; i < shape.count; ++i) {
+    if (!std::isfinite(shape.points[i].x) || !std::isfinite(shape.points[i].y)) {
+      return break_rule(layer + "a point that is not finite");
+    }
+  }
+}
+
+void RecordingHost::report(std::uint32_t metric, double value) {
+  if (metric >= metric_count_) {
+    return break_rule("reported metric " + std::to_string(metric) + " of " + std::to_string(metric_count_));
+  }
+  if (!(std::abs(value) <= 1e9)) {
+    return break_rule("reported " + std::to_string(value) + " as metric " + std::to_string(metric));
+  }
+  reports.push_back({metric, value});
 }
 
 std::uint64_t RecordingHost::offer(const std::uint8_t* bytes, std::uint32_t count, double urgency, double expiry,

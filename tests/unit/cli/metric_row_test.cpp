@@ -62,7 +62,7 @@ TEST_F(MetricRow, StandsInTheCsv) {
 }
 
 TEST_F(MetricRow, MayBeNamedBeforeAMatchIsPlayed) {
-  const std::vector<std::string> paths = match::metric_paths(table, roles);
+  const std::vector<std::string> paths = match::metric_paths(table, {roles});
   for (const char* const path : {"headers.won", "striker.leaps", "leaps"}) EXPECT_THAT(paths, Contains(path));
 }
 

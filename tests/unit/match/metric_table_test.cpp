@@ -42,7 +42,7 @@ TEST(MetricTable, EveryRowSaysWhatItIs) {
 }
 
 TEST(MetricTable, EveryPathIsThatOfItsRow) {
-  const std::vector<std::string> paths = metric_paths(metric_table(), roles);
+  const std::vector<std::string> paths = metric_paths(metric_table(), {roles});
   EXPECT_EQ(std::set<std::string>(paths.begin(), paths.end()).size(), paths.size());
   for (const std::string& path : paths) EXPECT_NE(find_metric(metric_table(), path), nullptr) << path;
   EXPECT_THAT(paths, Contains("playing.striker.overlap_seconds"));
@@ -62,7 +62,7 @@ TEST(MetricTable, PathsAreThoseThatMatchesHave) {
   std::vector<std::string> of_match;
   for (const std::size_t place : numbers.names().of(Side::away)) of_match.push_back(numbers.names().path(place));
   for (const MetricNames::Sum& sum : numbers.names().sums(Side::away)) of_match.push_back(sum.name);
-  std::vector<std::string> told = metric_paths(metric_table(), roles);
+  std::vector<std::string> told = metric_paths(metric_table(), {roles});
   std::ranges::sort(of_match);
   std::ranges::sort(told);
   EXPECT_EQ(of_match, told);

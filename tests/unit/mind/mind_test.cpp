@@ -18,8 +18,8 @@ namespace {
 // A team whose packets arrive at the next decision; nobody moves.
 class Squad {
  public:
-  explicit Squad(const TeamPlan& plan, std::vector<int> numbers, Journal journal = Journal::none) {
-    for (const int number : numbers) minds_.emplace_back(plan, number, 7, plugin::Noting{}, journal);
+  explicit Squad(const TeamPlan& plan, std::vector<int> numbers, const Telling& telling = {}) {
+    for (const int number : numbers) minds_.emplace_back(plan, number, 7, plugin::Noting{}, telling);
     outcomes_.resize(minds_.size());
   }
   // Percepts of robot `index` are changed by `given`.
@@ -150,7 +150,7 @@ TEST(MindTest, OffersTravelBetweenMinds) {
 
 TEST(MindTest, AJournalTellsOfSegmentsAndChangesNothing) {
   const auto plan = plan_of(team());
-  Squad squad(*plan, {2, 3, 5}), recorded(*plan, {2, 3, 5}, Journal::kept);
+  Squad squad(*plan, {2, 3, 5}), recorded(*plan, {2, 3, 5}, Telling{.records = true});
   const auto nothing = [](std::size_t, Percepts&) {};
   SegmentCounts counted, told;
   for (int k = 0; k <= 45; ++k) {
@@ -186,7 +186,7 @@ TEST(MindTest, AJournalTellsOfSegmentsAndChangesNothing) {
 
 TEST(MindTest, AJournalTellsOfSegmentsThatDoNotEndWithTheirPacket) {
   const auto plan = plan_of(team());
-  Mind mind(*plan, 3, 1, {}, Journal::kept);
+  Mind mind(*plan, 3, 1, {}, Telling{.records = true});
   std::vector<std::uint8_t> good, cut, own;
   encode(report(4, 0.9), good);
   append_segment({200, std::vector<std::uint8_t>{1, 2}}, good);

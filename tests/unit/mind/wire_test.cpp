@@ -73,9 +73,13 @@ auto members(Is<SegmentCounts> auto& all) {
   auto& [offered, refused, sent, dropped, heard] = all;
   return std::tie(offered, refused, sent, dropped, heard);
 }
+auto members(Is<MetricReport> auto& all) {
+  auto& [metric, count, sum, least, greatest, last] = all;
+  return std::tie(metric, count, sum, least, greatest, last);
+}
 auto members(Is<Outcome> auto& all) {
-  auto& [command, send, reason, packet, role, assignment, context, kept, target, segments] = all;
-  return std::tie(command, send, reason, packet, role, assignment, context, kept, target, segments);
+  auto& [command, send, reason, packet, role, assignment, context, kept, target, segments, metrics] = all;
+  return std::tie(command, send, reason, packet, role, assignment, context, kept, target, segments, metrics);
 }
 
 // Any bits: infinities, signed noughts, what is not a number.

@@ -6,6 +6,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <string_view>
 
 #include "puppet.hpp"
 
@@ -164,6 +165,36 @@ TEST_F(DescriptorTest, WantsReasonsOfSendersToHaveNames) {
   EXPECT_EQ(said(2, twice), "plugin \"puppet\": names the reason \"lost_bid\" twice");
   EXPECT_EQ(said(1, names + 3), "plugin \"puppet\": reason 0 is null");
   EXPECT_EQ(said(65, names), "plugin \"puppet\": names 65 reasons; at most 64 are taken");
+}
+
+TEST_F(DescriptorTest, WantsMetricsToHaveNamesOfTheirOwn) {
+  static std::array<regista_metric, 2> declared;
+  static regista_metrics table;
+  const auto said = [this](auto spoil) {
+    declared.fill({sizeof(regista_metric), REGISTA_METRIC_SUM, "hits", "1", "How often"});
+    declared[1].name = "reach";
+    table = {sizeof table, 2, declared.data(), sizeof(regista_metric), 0};
+    spoil();
+    const std::string out = wrong([](regista_descriptor& d) {
+      d.extension = [](const char* id) -> const void* {
+        return std::string_view(id) == REGISTA_METRIC_EXTENSION ? &table : nullptr;
+      };
+    });
+    const std::string head = "plugin \"puppet\": ";
+    return out.starts_with(head) ? out.substr(head.size()) : out;
+  };
+  EXPECT_EQ(said([] {}), "");
+  EXPECT_EQ(said([] { declared[1].name = "hits"; }), "declares the metric \"hits\" twice");
+  EXPECT_EQ(said([] { declared[1].name = "Reach"; }), "metric \"Reach\" is not lower_snake_case");
+  EXPECT_EQ(said([] { declared[1].name = nullptr; }), "metric 1 has a null name");
+  EXPECT_EQ(said([] { declared[1].unit = nullptr; }), "metric \"reach\": unit is null");
+  EXPECT_EQ(said([] { declared[1].doc = "a\nb"; }), "metric \"reach\": doc is not one line");
+  EXPECT_EQ(said([] { declared[0].combine = 6; }), "metric \"hits\": there is no way 6 to combine reports");
+  EXPECT_EQ(said([] { declared[0].size = 8; }), "metric 0 is 8 bytes; regista.metric/0 needs 32");
+  EXPECT_EQ(said([] { table.count = 65; }), "declares 65 metrics; at most 64 are taken");
+  EXPECT_EQ(said([] { table.metrics = nullptr; }), "its metrics are null");
+  EXPECT_EQ(said([] { table.stride = 8; }), "metrics are 8 bytes apart; regista.metric/0 needs 32");
+  EXPECT_EQ(said([] { table.size = 4; }), "table of its metrics is 4 bytes; regista.metric/0 needs 24");
 }
 
 TEST_F(DescriptorTest, RefusesNumbersThatContradictThemselves) {

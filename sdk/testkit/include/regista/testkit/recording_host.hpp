@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A host for the mailbox that records what an instance offers and answers as the real one does. It has no extensions.
+// A host that records what an instance offers, logs, draws and reports, and answers as the real one does.
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include <regista/extensions/draw.h>
+#include <regista/extensions/log.h>
+#include <regista/extensions/metric.h>
 #include <regista/testkit/storage.hpp>
 
 namespace regista::testkit {
@@ -29,14 +33,40 @@ class RecordingHost {
   // Match time, against which an offer may be expired already.
   void set_time(double seconds) { time_ = seconds; }
 
+  // Of which plugin reports are taken.
+  void set_metrics(const regista_descriptor& plugin);
+  // What the last call asked of an extension against its rules, in one line; empty when nothing.
+  std::string take_broken();
+
   std::vector<Offered> offers;  // accepted, in order
   unsigned refused = 0;
+  struct Line {
+    std::int32_t level;
+    std::string text;
+  };
+  std::vector<Line> log;
+  unsigned shapes = 0;  // that were drawn
+  struct Report {
+    std::uint32_t metric;
+    double value;
+  };
+  std::vector<Report> reports;
 
  private:
   std::uint64_t offer(const std::uint8_t* bytes, std::uint32_t count, double urgency, double expiry,
                       std::int32_t medium, std::uint64_t replaces);
 
+  const void* extension(const char* id) const;
+  void draw(const regista_shape& shape);
+  void report(std::uint32_t metric, double value);
+  void break_rule(std::string rule);
+
   Grown<regista_host> raw_;
+  regista_log log_{};
+  regista_draw draw_{};
+  regista_metric_reports reports_{};
+  std::uint32_t metric_count_ = 0;
+  std::string broken_;
   std::uint32_t bytes_free_;
   std::uint64_t last_handle_ = 0;
   double time_ = 0.0;
