@@ -143,6 +143,37 @@ inline std::string segment() {
       "segment");
 }
 
+inline std::string log() {
+  using namespace part;
+  return object({{"time", described(number, "s since the match began, of the decision that it is of")},
+                 {"side", side},
+                 {"robot", described(integer, "whose mind it is of")},
+                 {"plugin", described(R"({"type":"string"})", "its id")},
+                 {"level", R"({"type":"string","enum":["debug","info","warning","error"]})"},
+                 {"text", described(R"({"type":"string"})", "one line")}},
+                "log");
+}
+
+// What a plugin draws in a layer replaces what it drew there before; an empty list takes it away.
+inline std::string draw() {
+  using namespace part;
+  const std::string shape = object(
+      {{"shape", R"({"type":"string","enum":["points","line","polygon","text"]})"},
+       {"at", described(list(point), "dots, the way of a line, the corners of a polygon, or the place of a text")},
+       {"colour", R"({"type":"string","pattern":"^#[0-9a-fA-F]{8}$","description":"red, green, blue, opacity"})", true},
+       {"width", described(number, "m, of a line, or the diameter of a dot"), true},
+       {"filled", described(R"({"type":"boolean"})", "of a polygon"), true},
+       {"text", R"({"type":"string"})", true}});
+  return object(
+      {{"time", described(number, "s since the match began, of the decision that it is of")},
+       {"side", side},
+       {"robot", described(integer, "whose mind it is of")},
+       {"plugin", described(R"({"type":"string"})", "its id")},
+       {"layer", R"({"type":"string"})"},
+       {"shapes", described(list(shape), "all of the layer until the next message about it; empty: nothing")}},
+      "draw");
+}
+
 inline std::string decision() {
   using namespace part;
   const std::string task = object({{"role", role}, {"before", pose}, {"after", or_null(pose)}});

@@ -131,7 +131,8 @@ bool foxglove_takes(const nlohmann::json& schema) {
 
 TEST(RecordingSchemas, AreWhatFoxgloveTakes) {
   for (const std::string& schema :
-       {schema::game(), schema::event(), schema::packet(), schema::heard(), schema::decision(), schema::belief()}) {
+       {schema::game(), schema::event(), schema::packet(), schema::heard(), schema::segment(), schema::log(),
+        schema::draw(), schema::decision(), schema::belief()}) {
     const auto parsed = nlohmann::json::parse(schema);
     EXPECT_TRUE(foxglove_takes(parsed)) << schema;
     for (const auto& name : parsed.at("required")) {
