@@ -54,6 +54,7 @@ class Pencil {
   explicit Pencil(const Scale& to)
       : to_(to), picture_{-to.half_length, -to.half_width, to.half_length, to.half_width} {}
 
+  // Nothing for a text.
   Html shape(const RecordedShape& shape, const Look& look) const {
     using Kind = RecordedShape::Kind;
     switch (shape.kind) {
@@ -64,9 +65,27 @@ class Pencil {
       case Kind::polygon:
         return polygon(shape, look);
       case Kind::text:
-        return letters(shape, look);
+        break;
     }
     return {};
+  }
+
+  // In the middle of its place, or beside it where the picture ends; with a rim that sets it off from what lies below.
+  Html letters(const RecordedShape& shape, const Look& look) const {
+    const Point& at = shape.at.front();
+    if (!picture_.holds(at)) return {};
+    const RecordedColour colour = shape.colour.value_or(for_letters(look.colour));
+    const bool light = 0.299 * colour.red + 0.587 * colour.green + 0.114 * colour.blue > 160.0;
+    const std::string words = visible_at_most(shape.text, most_letters);
+    constexpr double letter = 6.6, edge = 3.0;  // px; as wide as most are
+    const double half = 0.5 * letter * static_cast<double>(words.size());
+    const double x = to_.x(at[0]), left = to_.left + edge, right = to_.x(to_.half_length) - edge;
+    const char* const anchor = x - half < left ? "start" : x + half > right ? "end" : "middle";
+    Html out = drawn(R"(<text class="{}" x="{:.1f}" y="{:.1f}" text-anchor="{}")", light ? "said light-said" : "said",
+                     std::clamp(x, left, right), to_.y(at[1]) + 4.0, anchor);
+    return out << drawn(R"( style="fill:#{:02x}{:02x}{:02x}" opacity="{:.2f}">)", colour.red, colour.green, colour.blue,
+                        colour.opacity / 255.0)
+               << text(words) << "</text>"_html;
   }
 
  private:
@@ -129,32 +148,22 @@ class Pencil {
     return out << stroke(shape, look, width) << "/>"_html;
   }
 
-  // In the middle of its place, with a rim that sets it off from what lies below.
-  Html letters(const RecordedShape& shape, const Look& look) const {
-    const Point& at = shape.at.front();
-    if (!picture_.holds(at)) return {};
-    const RecordedColour colour = shape.colour.value_or(for_letters(look.colour));
-    const bool light = 0.299 * colour.red + 0.587 * colour.green + 0.114 * colour.blue > 160.0;
-    Html out = drawn(R"(<text class="{}" x="{:.1f}" y="{:.1f}")", light ? "said light-said" : "said", to_.x(at[0]),
-                     to_.y(at[1]) + 4.0);
-    return out << drawn(R"( style="fill:#{:02x}{:02x}{:02x}" opacity="{:.2f}">)", colour.red, colour.green, colour.blue,
-                        colour.opacity / 255.0)
-               << text(visible_at_most(shape.text, most_letters)) << "</text>"_html;
-  }
-
   Scale to_;
   Rectangle picture_;
 };
 
-// The first of the colours that a layer shows.
+// Some of the colours that a layer shows: of a scale, from one end to the other.
 std::vector<RecordedColour> colours_of(const RecordedDrawing& drawing, const Look& look) {
-  constexpr std::size_t most = 4;
-  std::vector<RecordedColour> out;
+  constexpr std::size_t most = 4, most_told_apart = 256;
+  std::vector<RecordedColour> all;
   for (const RecordedShape& shape : drawing.shapes) {
     const RecordedColour colour = shape.colour.value_or(look.colour);
-    if (std::ranges::find(out, colour) == out.end()) out.push_back(colour);
-    if (out.size() == most) break;
+    if (std::ranges::find(all, colour) == all.end()) all.push_back(colour);
+    if (all.size() == most_told_apart) break;
   }
+  if (all.size() <= most) return all;
+  std::vector<RecordedColour> out;
+  for (std::size_t i = 0; i < most; ++i) out.push_back(all[i * (all.size() - 1) / (most - 1)]);
   return out;
 }
 
@@ -162,14 +171,18 @@ std::vector<RecordedColour> colours_of(const RecordedDrawing& drawing, const Loo
 
 Html layers(const std::vector<RecordedDrawing>& drawings, const Scale& to) {
   const Pencil pencil(to);
-  Html out;
+  Html out, texts;  // texts above all else, for the layers lie upon each other
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     if (drawings[i].shapes.empty()) continue;
     out << R"x(<g class="layer" clip-path="url(#field)">)x"_html;
-    for (const RecordedShape& shape : drawings[i].shapes) out << pencil.shape(shape, look_of(i));
+    for (const RecordedShape& shape : drawings[i].shapes) {
+      out << pencil.shape(shape, look_of(i));
+      if (shape.kind == RecordedShape::Kind::text) texts << pencil.letters(shape, look_of(i));
+    }
     out << "</g>"_html;
   }
-  return out;
+  if (texts.empty()) return out;
+  return out << R"x(<g clip-path="url(#field)">)x"_html << texts << "</g>"_html;
 }
 
 Panel names_of_layers(const std::vector<RecordedDrawing>& drawings, double left, double top) {

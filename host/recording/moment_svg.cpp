@@ -159,7 +159,7 @@ text{font-family:"Helvetica Neue",Arial,"DejaVu Sans",sans-serif;font-size:12px;
 .value{text-anchor:middle;font-size:11.5px}.light{fill:#fff}.row{text-anchor:end}.own-row{font-weight:700}.column{font-size:11px}
 .term{font-size:11.5px;fill:#4a545e}
 .layer path{stroke-linejoin:round;stroke-linecap:round}.swatch{stroke:#4a545e;stroke-width:.8}
-.said{text-anchor:middle;font-size:11px;paint-order:stroke;stroke:#fff;stroke-width:2.5px;stroke-linejoin:round}
+.said{font-size:11px;paint-order:stroke;stroke:#fff;stroke-width:2.5px;stroke-linejoin:round}
 .light-said{stroke:#1b1f24}
 .log{font-family:"DejaVu Sans Mono",Menlo,Consolas,monospace;font-size:11px}.marked{font-weight:700}
 </style>)"_html;
