@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "config/file.hpp"
@@ -29,15 +30,18 @@ constexpr auto view_examples = R"(Examples:
   regista view match.mcap --at 7:42 -o frame.svg
   regista view match.mcap --at 462.3 --robot away/5 -o frame.svg
   regista view match.mcap --at 2/3:10 --robot 3 -o frame.svg
+  regista view match.mcap --at 7:42 --robot 3 --layer cells -o cells.svg
 
 The page needs nothing but a browser. --at 7:42, or 462 (seconds), is the time since the match began, as under the field
 of the page; 1/6:55 is the clock of the first half, 2/3:10 that of the second. --robot 3 is the home team's; its picture
-shows the world as the robot believed it, its tasks, and the utilities it chose by.
+shows the world as the robot believed it, its tasks, the utilities it chose by, and what its plugins drew and logged.
+--layer cells, or --layer "voronoi: cells" (plugin and layer), leaves out all other drawings.
 
 Exit codes: 0 done; 1 the page could not be written; 2 bad input; 3 a defect of Regista.)";
 
 struct ViewOptions {
   std::string file, output, at, robot;
+  std::vector<std::string> layers;
   bool force = false;
 };
 
@@ -86,6 +90,11 @@ int run(const ViewOptions& options, output::OutputFiles outputs, const Invocatio
   if (options.at.empty() && !options.robot.empty()) {
     throw BadInput("view: --robot belongs to --at, which is not given; the page shows all robots");
   }
+  if (!options.layers.empty() && options.robot.empty()) {
+    throw BadInput(options.at.empty()
+                       ? "view: --layer belongs to --at and --robot, which are not given"
+                       : "view: --layer belongs to --robot, which is not given; a robot's plugins draw layers");
+  }
   const std::filesystem::path output = output_of(options);
   outputs.write("-o", output, Writes::page);
   outputs.read({invocation.own(viewer_page).string()}, Reads::data);
@@ -100,7 +109,9 @@ int run(const ViewOptions& options, output::OutputFiles outputs, const Invocatio
     if (picture) {
       std::optional<recording::RobotName> robot;
       if (!options.robot.empty()) robot = recording::parse_robot(options.robot, match.team_size());
-      written = recording::moment_svg(match, match.at(recording::time_of(match, wanted), robot), robot);
+      recording::RecordedMoment moment = match.at(recording::time_of(match, wanted), robot);
+      recording::keep_layers(moment.drawings, options.layers);
+      written = recording::moment_svg(match, moment, robot);
     } else {
       written = page(options, invocation);
     }
@@ -126,6 +137,8 @@ void add_view(Command& parent, const Invocation& invocation) {
                "write this file, - for standard output; default: beside the recording, as .html or .svg", Writes::page);
   command.take("--at", options->at, "[HALF/]M:SS", "a picture of this moment instead of the page");
   command.take("--robot", options->robot, "[home/|away/]N", "of --at: the world as this robot believed it");
+  command.take("--layer", options->layers, "NAME",
+               "of --robot: of what its plugins drew only this layer; may be repeated");
   command.flag("--force", options->force, "replace an existing file");
   command.notes(view_examples);
   command.run = [options, &command, &invocation] {

@@ -81,9 +81,45 @@ Html own_terms(const RecordedDecision& decision, const RecordedTeam& team, int o
   return out;
 }
 
-}  // namespace
+// As much of a text in one line as so many columns of a typewriter take.
+std::string fitting(const std::string& words, std::size_t columns) {
+  const std::string seen = visible(words);
+  const auto begins = [&](std::size_t i) { return (static_cast<unsigned char>(seen[i]) & 0xc0) != 0x80; };
+  // From U+3000 on most are as wide as two.
+  const auto width = [&](std::size_t i) { return static_cast<unsigned char>(seen[i]) >= 0xe3 ? 2u : 1u; };
+  constexpr std::size_t dots = 3;
+  std::size_t used = 0, end = 0;  // end: how much would stand before dots
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!begins(i)) continue;
+    if (used + dots <= columns) end = i;
+    used += width(i);
+    if (used > columns) return seen.substr(0, end) + "...";
+  }
+  return seen;
+}
 
-Panel panel(const RecordedMatch& match, const RecordedMoment& moment, const RobotName& robot, double left, double top) {
+// The lines of the log. What is a warning or an error says so: colour alone would not tell everybody.
+Panel log_lines(const std::vector<RecordedLogLine>& lines, double left, double top) {
+  constexpr std::size_t columns = 62;  // of 6.6 px
+  Panel out{{}, top};
+  if (lines.empty()) return out;
+  out.drawing << label(left, out.bottom, "heading", "Log of its plugins");
+  for (const RecordedLogLine& line : lines) {
+    out.bottom += 17.0;
+    const bool marked = line.level == "warning" || line.level == "error";
+    const std::string time = time_text(line.time) + ' ',
+                      level = line.level == "info" ? "" : fitting(line.level, 10) + ' ';
+    const std::string rest = fitting(fmt::format("{}: {}", visible_at_most(line.plugin, 24), line.text),
+                                     columns - time.size() - level.size());
+    out.drawing << drawn(R"(<text x="{:.1f}" y="{:.1f}" class="{}">)", left, out.bottom, marked ? "log marked" : "log")
+                << text(time + level + rest) << "</text>"_html;
+  }
+  out.bottom += 17.0;
+  return out;
+}
+
+// The decision, the matrix and its terms.
+Panel why(const RecordedMatch& match, const RecordedMoment& moment, const RobotName& robot, double left, double top) {
   const RecordedTeam& team = match.teams()[static_cast<std::size_t>(robot.side)];
   Html out;
   double y = top + 14.0;
@@ -122,6 +158,14 @@ Panel panel(const RecordedMatch& match, const RecordedMoment& moment, const Robo
   table.top += 22.0;
   out << own_terms(decision, team, robot.number, table);
   return {out, table.top};
+}
+
+}  // namespace
+
+Panel panel(const RecordedMatch& match, const RecordedMoment& moment, const RobotName& robot, double left, double top) {
+  Panel out = why(match, moment, robot, left, top);
+  const Panel log = log_lines(moment.log, left, out.bottom + 12.0);
+  return {out.drawing << log.drawing, moment.log.empty() ? out.bottom : log.bottom};
 }
 
 }  // namespace regista::recording::moment

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "config/visible_text.hpp"
 #include "recording/field_svg.hpp"
@@ -32,11 +33,18 @@ inline std::string role_name(const RecordedTeam& team, int row) {
   return row >= 0 && index < team.roles.size() ? team.roles[index] : fmt::format("role {}", row);
 }
 
-// The panel beside the field: why the robot does what it does.
 struct Panel {
   Html drawing;
   double bottom = 0.0;
 };
+
+// What the robot's plugins drew, to be clipped to #field. A layer keeps its colour while others come and go. Classes:
+// layer, said (texts), light-said (in light colours).
+Html layers(const std::vector<RecordedDrawing>& drawings, const Scale& to);
+// The entries of the legend for what layers() shows; `top` is where the letters of the first stand. Class: swatch.
+Panel names_of_layers(const std::vector<RecordedDrawing>& drawings, double left, double top);
+
+// The panel beside the field: why the robot does what it does, and what its plugins logged.
 inline constexpr double panel_width = 430.0;
 Panel panel(const RecordedMatch& match, const RecordedMoment& moment, const RobotName& robot, double left, double top);
 

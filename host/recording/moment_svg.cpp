@@ -158,6 +158,10 @@ text{font-family:"Helvetica Neue",Arial,"DejaVu Sans",sans-serif;font-size:12px;
 .cell{stroke:#fff}.forbidden{fill:#e9ebee}.taken{fill:none;stroke:#d55e00;stroke-width:2.5}
 .value{text-anchor:middle;font-size:11.5px}.light{fill:#fff}.row{text-anchor:end}.own-row{font-weight:700}.column{font-size:11px}
 .term{font-size:11.5px;fill:#4a545e}
+.layer path{stroke-linejoin:round;stroke-linecap:round}.swatch{stroke:#4a545e;stroke-width:.8}
+.said{font-size:11px;paint-order:stroke;stroke:#fff;stroke-width:2.5px;stroke-linejoin:round}
+.light-said{stroke:#1b1f24}
+.log{font-family:"DejaVu Sans Mono",Menlo,Consolas,monospace;font-size:11px}.marked{font-weight:700}
 </style>)"_html;
 
 }  // namespace
@@ -170,7 +174,8 @@ std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment,
   to.per_metre = room / (2.0 * to.half_length);
   const double bottom = to.top + 2.0 * to.half_width * to.per_metre;
   const Panel beside = robot ? panel(match, moment, *robot, width - panel_width, head) : Panel{};
-  const double height = std::max(bottom + (robot ? 56.0 : 20.0), beside.bottom + 20.0);
+  const Panel legend = names_of_layers(moment.drawings, margin, bottom + 57.0);
+  const double height = std::max(robot ? legend.bottom : bottom + 20.0, beside.bottom + 20.0);
 
   const RecordedGame& game = moment.game;
   Html out = drawn(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" )"
@@ -191,6 +196,7 @@ std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment,
   out << field_lines(field, to);
   if (robot) {
     const RecordedTeam& team = match.teams()[static_cast<std::size_t>(robot->side)];
+    out << layers(moment.drawings, to);
     if (moment.decision) out << planned(*moment.decision, team, to);
     out << truth(match, game, robot, to);
     const bool common = moment.decision && moment.decision->knowledge == "common";
@@ -204,7 +210,8 @@ std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment,
                  "with "
                  "the age of")
         << label(margin, bottom + 37.0, "small",
-                 "the news and two standard deviations; green: waypoints; purple: tasks before and after the offset");
+                 "the news and two standard deviations; green: waypoints; purple: tasks before and after the offset")
+        << legend.drawing;
   } else {
     out << truth(match, game, robot, to);
   }

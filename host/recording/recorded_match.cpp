@@ -4,35 +4,21 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 
 #include "config/json.hpp"
 #include "mcap/error.hpp"
 #include "recording/about.hpp"
+#include "recording/recorded_json.hpp"
 
 namespace regista::recording {
 namespace {
 
 constexpr std::size_t most_robots = 22;
-
-// A message of the right types that makes no sense.
-struct Senseless {};
-
-void require(bool holds) {
-  if (!holds) throw Senseless();
-}
+constexpr std::size_t most_log_lines = 5;
+constexpr double log_seconds = 2.0;
 
 bool has_shape(const RecordedMatrix& matrix, std::size_t rows, std::size_t columns) {
   return matrix.size() == rows && std::ranges::all_of(matrix, [&](const auto& row) { return row.size() == columns; });
-}
-
-// As a conversion by the library is undefined for a number that fits no int.
-int whole(const nlohmann::json& json) {
-  require(json.is_number_integer());
-  const bool fits = json.is_number_unsigned() ? std::in_range<int>(json.get<std::uint64_t>())
-                                              : std::in_range<int>(json.get<std::int64_t>());
-  require(fits);
-  return static_cast<int>(json.get<std::int64_t>());
 }
 
 std::vector<int> wholes(const nlohmann::json& json) {
@@ -250,12 +236,24 @@ RecordedMoment RecordedMatch::at(double time, const std::optional<RobotName>& ro
   const std::string decisions = "/decision" + whose, beliefs = "/belief" + whose;
   mcap::Reader reader(file_);
   mcap::Selection selection{.last_time = clamped_nanoseconds(time), .topics = {"/game"}};
-  if (robot) selection.topics.insert(selection.topics.end(), {decisions, beliefs});
+  if (robot) selection.topics.insert(selection.topics.end(), {decisions, beliefs, "/draw", "/log"});
   reader.select(selection);
   std::map<std::string, std::string> last;  // by topic
   mcap::Message message;
   std::string told_before;
-  while (next(reader, message, told_before)) last[reader.channels().at(message.channel).topic] = message.data;
+  DrawingsOfRobot drawings(robot.value_or(RobotName{}));
+  LogOfRobot log(robot.value_or(RobotName{}), most_log_lines);
+  const std::uint64_t log_begins = clamped_nanoseconds(time - log_seconds);
+  while (next(reader, message, told_before)) {
+    const std::string& topic = reader.channels().at(message.channel).topic;
+    if (topic == "/draw") {
+      reading(file_, "a message of /draw", [&] { drawings.take(message.data); });
+    } else if (topic == "/log") {
+      if (message.log_time >= log_begins) reading(file_, "a message of /log", [&] { log.take(message.data); });
+    } else {
+      last[topic] = message.data;
+    }
+  }
   if (last["/game"].empty()) throw mcap::Error(file_, "says nothing of a time that early");
 
   RecordedMoment out;
@@ -268,6 +266,8 @@ RecordedMoment RecordedMatch::at(double time, const std::optional<RobotName>& ro
     out.belief =
         reading(file_, "a message of " + beliefs, [&] { return belief(nlohmann::json::parse(last[beliefs])); });
   }
+  out.drawings = reading(file_, "a message of /draw", [&] { return drawings.drawings(); });
+  out.log = reading(file_, "a message of /log", [&] { return log.lines(); });
   return out;
 }
 

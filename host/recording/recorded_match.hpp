@@ -11,6 +11,7 @@
 
 #include "config/rules.hpp"
 #include "mcap/reader.hpp"
+#include "recording/recorded_drawings.hpp"
 
 namespace regista::recording {
 
@@ -99,16 +100,13 @@ struct RecordedDecision {
   int role = -1;
 };
 
-struct RobotName {
-  int side = 0;    // 0 home, 1 away
-  int number = 1;  // from 1
-};
-
 // What is known at a time; nothing of what had not been written by then.
 struct RecordedMoment {
   RecordedGame game;
   std::optional<RecordedDecision> decision;
   std::optional<RecordedBelief> belief;
+  std::vector<RecordedDrawing> drawings;  // of the robot's plugins, as DrawingsOfRobot tells them
+  std::vector<RecordedLogLine> log;       // likewise: the last 5 lines of the last 2 s
 };
 
 class RecordedMatch {

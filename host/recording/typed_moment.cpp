@@ -11,6 +11,7 @@
 
 #include "config/bad_input.hpp"
 #include "config/text.hpp"
+#include "config/visible_text.hpp"
 
 namespace regista::recording {
 namespace {
@@ -72,6 +73,33 @@ RobotName parse_robot(const std::string& typed, int team_size) {
   }
   out.number = *number;
   return out;
+}
+
+void keep_layers(std::vector<RecordedDrawing>& drawings, const std::vector<std::string>& typed) {
+  if (typed.empty()) return;
+  const auto is_meant = [](const RecordedDrawing& drawing, const std::string& name) {
+    return name == drawing.layer || name == drawing.name();
+  };
+  for (const std::string& name : typed) {
+    if (std::ranges::any_of(drawings, [&](const auto& drawing) { return is_meant(drawing, name); })) continue;
+    if (drawings.empty()) {
+      throw config::BadInput(
+          fmt::format("--layer {}: no plugin of this robot has drawn anything by then", config::in_quotes(name)));
+    }
+    // Under the same kind of name as was typed, for "cells" and "voronoi: cells" are far from each other.
+    constexpr std::size_t longest = 60;
+    const bool with_plugin = name.find(": ") != std::string::npos;
+    std::vector<std::string> known;
+    for (const RecordedDrawing& drawing : drawings) {
+      const std::string each = config::visible_at_most(with_plugin ? drawing.name() : drawing.layer, longest);
+      if (std::ranges::find(known, each) == known.end()) known.push_back(each);
+    }
+    throw config::BadInput("--layer: " + config::unknown("layer", name, "the drawings of this robot", known));
+  }
+  for (RecordedDrawing& drawing : drawings) {
+    const bool kept = std::ranges::any_of(typed, [&](const std::string& name) { return is_meant(drawing, name); });
+    if (!kept) drawing.shapes.clear();
+  }
 }
 
 double time_of(const RecordedMatch& match, const Moment& moment) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A moment of a recorded match, and a robot of it, as they are typed: 7:42, 462.3, 2/3:10; 3, away/5. Errors are
-// BadInput and begin with the option.
+// A moment of a recorded match, a robot of it, and the layers that its plugins drew, as they are typed: 7:42, 462.3,
+// 2/3:10; 3, away/5; cells, "voronoi: cells". Errors are BadInput and begin with the option.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "recording/recorded_match.hpp"
 
@@ -21,5 +22,9 @@ Moment parse_moment(const std::string& typed);
 double time_of(const RecordedMatch& match, const Moment& moment);
 
 RobotName parse_robot(const std::string& typed, int team_size);
+
+// Empties all drawings but those that are named, by "plugin: layer" or by the layer alone, which may be of several
+// plugins. Without names all stay.
+void keep_layers(std::vector<RecordedDrawing>& drawings, const std::vector<std::string>& typed);
 
 }  // namespace regista::recording

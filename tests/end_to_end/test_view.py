@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import re
+import struct
 import unittest
 import xml.etree.ElementTree
 
@@ -15,6 +16,31 @@ import recorded
 MATCH = ("match", "small.yaml", "small.yaml", *program.PLAY_SOON, "--limit", "20", "--quiet")
 SVG = "{http://www.w3.org/2000/svg}"
 VIEWER = ('<html><script id="recording" data-name="@REGISTA_RECORDING_NAME@">@REGISTA_RECORDING@</script></html>')
+
+
+def with_more(data, messages):
+    """The recording `data` with more messages, [(topic, message)], at its end: outside of chunks, without a summary."""
+    def record(opcode, content):
+        return struct.pack("<BQ", opcode, len(content)) + content
+
+    def text(string):
+        return struct.pack("<I", len(string.encode())) + string.encode()
+
+    end = len(recorded.MAGIC)
+    for opcode, content in recorded.records(data, end):
+        if opcode == recorded.DATA_END:
+            break
+        end += 9 + len(content)
+    out = bytearray(data[:end])
+    topics = sorted({topic for topic, _ in messages})
+    for number, topic in enumerate(topics, 1000):
+        out += record(recorded.CHANNEL, struct.pack("<HH", number, 0) + text(topic) + text("json") + text(""))
+    for topic, message in messages:
+        when = round(message["time"] * 1e9)
+        head = struct.pack("<HIQQ", 1000 + topics.index(topic), 0, when, when)
+        out += record(recorded.MESSAGE, head + json.dumps(message).encode())
+    footer = 2
+    return bytes(out + record(recorded.DATA_END, bytes(4)) + record(footer, bytes(20)) + recorded.MAGIC)
 
 
 class View(program.Case):
@@ -177,6 +203,54 @@ class Pictures(View):
         self.assertFalse([element for element in svg.iter() if element.tag.endswith("script")])
         self.assertTrue(any("<script>" in text for text in self.texts(svg)))
         self.assertFalse(any("\u202e" in text for text in self.texts(svg)))
+
+
+class Drawings(View):
+    def setUp(self):
+        super().setUp()
+        whose = {"side": "home", "robot": 3, "plugin": "voronoi"}
+
+        def drawn(time, layer, *shapes):
+            return "/draw", {"time": time, **whose, "layer": layer, "shapes": shapes}
+        corners = [[-1, -1], [1, -1], [1, 1]]
+        data = with_more((self.folder / "a.mcap").read_bytes(), [
+            drawn(4.0, "cells", {"shape": "polygon", "at": corners}, {"shape": "text", "at": [[0, 0]], "text": "A < B"}),
+            drawn(4.0, "gaps", {"shape": "points", "at": corners}),
+            ("/log", {"time": 14.9, **whose, "level": "warning", "text": "two cells are empty"}),
+            drawn(16.0, "gaps"),
+        ])
+        (self.folder / "drawn.mcap").write_bytes(data)
+
+    def names_of_layers(self, *more):
+        return [text for text in self.texts(self.picture(*more, file="drawn.mcap")) if text.startswith("voronoi: ")]
+
+    def test_layers_and_log_of_a_robot(self):
+        svg = self.picture("--at", "15", "--robot", "3", file="drawn.mcap")
+        groups = [group for group in svg.iter(f"{SVG}g") if group.get("class") == "layer"]
+        self.assertEqual([len(list(group)) for group in groups], [1, 3])
+        texts = self.texts(svg)
+        self.assertIn("A < B", texts)
+        self.assertIn("0:14.9 warning voronoi: two cells are empty", texts)
+        self.assertEqual(self.names_of_layers("--at", "15", "--robot", "3"), ["voronoi: cells", "voronoi: gaps"])
+        self.assertEqual(self.names_of_layers("--at", "17", "--robot", "3"), ["voronoi: cells"])
+        for other in ((), ("--robot", "2"), ("--robot", "away/3")):
+            self.assertEqual(self.names_of_layers("--at", "15", *other), [])
+
+    def test_chosen_layers(self):
+        at = ("--at", "15", "--robot", "3")
+        self.assertEqual(self.names_of_layers(*at, "--layer", "gaps"), ["voronoi: gaps"])
+        self.assertEqual(self.names_of_layers(*at, "--layer", "voronoi: cells"), ["voronoi: cells"])
+        self.assertEqual(self.names_of_layers(*at, "--layer", "gaps", "--layer", "cells"),
+                         ["voronoi: cells", "voronoi: gaps"])
+        self.assertEqual(self.names_of_layers("--at", "17", "--robot", "3", "--layer", "gaps"), [])
+
+    def test_layers_that_are_none(self):
+        line = self.refused("view", "drawn.mcap", "--at", "15", "--robot", "3", "--layer", "gap")
+        self.assertIn('unknown layer "gap"', line)
+        self.assertIn('nearest: "gaps"; known: cells, gaps', line)
+        self.assertIn("has drawn anything", self.refused("view", "drawn.mcap", "--at", "15", "--robot", "2", "--layer", "gaps"))
+        for more in ((), ("--at", "15")):
+            self.assertIn("--layer belongs to", self.refused("view", "drawn.mcap", *more, "--layer", "gaps"))
 
 
 if __name__ == "__main__":
