@@ -52,6 +52,21 @@ std::string segments(const match::SegmentMetrics& counts) {
                      counts.sent, counts.dropped, counts.heard, counts.refused);
 }
 
+// "  count_crossings.decisions 2100, count_crossings.crossings 0.398"; no line without a number.
+std::string plugins(const match::PluginMetrics& metrics) {
+  std::string out;
+  const auto add = [&out](const std::string& name, const std::string& value) {
+    out += (out.empty() ? "  " : ", ") + name + ' ' + value;
+  };
+  for (std::size_t i = 0; i < metrics.totals.size(); ++i) {
+    add(metrics.total_names[i], fmt::format("{:.6g}", metrics.totals[i]));
+  }
+  for (std::size_t i = 0; i < metrics.values.size(); ++i) {
+    add(metrics.value_names[i], metrics.values[i] ? fmt::format("{:.4g}", *metrics.values[i]) : "-");
+  }
+  return out.empty() ? out : out + '\n';
+}
+
 std::string table(const match::TeamMetrics& team, const std::vector<std::string>& names) {
   std::size_t width = 4;
   for (const std::string& role : names) width = std::max(width, role.size());
@@ -105,6 +120,7 @@ std::string summary_text(const campaign::PlayedMatch& match) {
     out += fmt::format("  shots {}, {} of them saved; passes {}, interceptions {}; walked {:.0f} m\n", play.shots,
                        play.shots_saved, play.passes, play.interceptions, play.distance_walked_metres);
     out += world_model(team.world_model);
+    out += plugins(team.plugins);
   }
   return out;
 }

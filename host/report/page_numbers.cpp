@@ -244,4 +244,31 @@ Html packets_section(const PageSource& source) {
   return section("packets", "Packets by event"_html, out);
 }
 
+Html plugins_section(const PageSource& source) {
+  const std::size_t teams = std::min(source.view.plan.teams.size(), most_teams);
+  const MatchNumbers& numbers = source.record.numbers();
+  const std::vector<std::string> paths = plugin_metrics(numbers, teams);
+  if (paths.empty()) return {};
+  // "count_crossings: crossings"
+  const auto title = [](std::string_view path) {
+    std::string out(path.substr(path.find('.') + 1));
+    return out.replace(out.find('.'), 1, ": ");
+  };
+  Html out = "<p>Plugins count these themselves; <code>regista plugin info ID</code> says what they mean.</p>\n"_html;
+  if (teams == 2) {
+    std::vector<Row> rows;
+    for (const std::string& path : paths) rows.push_back({title(path), path, 3});
+    return section("plugins", "Numbers of plugins"_html, out << compared(source, "Mean of the matches"_html, rows));
+  }
+  std::vector<Heading> headings{{"Mean of the matches"_html, Column::words}};
+  for (std::size_t team = 0; team < teams; ++team) headings.push_back({team_name(source, team)});
+  HtmlTable table(headings);
+  for (const std::string& path : paths) {
+    std::vector<Html> cells{name(title(path))};
+    for (std::size_t team = 0; team < teams; ++team) cells.push_back(mean_of(numbers.find(team, path), 3));
+    table.row(cells);
+  }
+  return section("plugins", "Numbers of plugins"_html, out << table.html());
+}
+
 }  // namespace regista::report

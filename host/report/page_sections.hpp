@@ -15,6 +15,7 @@ Html curves_section(const PageSource& source);         // Elo and test over pair
 Html goals_section(const PageSource& source);          // goal differences
 Html roles_section(const PageSource& source);          // overlap, uncovered, switches
 Html packets_section(const PageSource& source);        // packets by event
+Html plugins_section(const PageSource& source);        // numbers that plugins report
 Html variance_section(const PageSource& source);       // what pairing gained
 Html failures_section(const PageSource& source);       // forfeits and how to play them again
 Html recordings_section(const PageSource& source);     // matches to look at

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which roles, and which causes of packets, matches had numbers of: in the order of the first team, then what only
+// Which roles, causes of packets, and numbers of plugins matches had: in the order of the first team, then what only
 // others have.
 #pragma once
 
@@ -25,10 +25,14 @@ std::vector<std::string> parts_of_paths(const MatchNumbers& numbers, std::size_t
   return out;
 }
 
+inline bool is_of_plugin(std::string_view path) {
+  return path.starts_with("plugin_totals.") || path.starts_with("plugin_values.");
+}
+
 inline std::vector<std::string> role_names(const MatchNumbers& numbers, std::size_t teams) {
   return parts_of_paths(numbers, teams, [](std::string_view path) {
     const std::string_view end = ".overlap_seconds";
-    return path.ends_with(end) ? path.substr(0, path.size() - end.size()) : std::string_view();
+    return path.ends_with(end) && !is_of_plugin(path) ? path.substr(0, path.size() - end.size()) : std::string_view();
   });
 }
 
@@ -37,6 +41,12 @@ inline std::vector<std::string> packet_reasons(const MatchNumbers& numbers, std:
     const std::string_view begin = packets_prefix;
     return path.starts_with(begin) ? path.substr(begin.size()) : std::string_view();
   });
+}
+
+// Whole paths.
+inline std::vector<std::string> plugin_metrics(const MatchNumbers& numbers, std::size_t teams) {
+  return parts_of_paths(numbers, teams,
+                        [](std::string_view path) { return is_of_plugin(path) ? path : std::string_view(); });
 }
 
 // No packet of any of these teams was caused so.

@@ -89,9 +89,9 @@ std::string tournament_page(const PageSource& source) {
        << "<p class=\"beside\">"_html;
   for (const Html& each : verdict.beside) page << each << " "_html;
   page << "</p>\n</header>\n"_html << tiles(source) << point_of_view(source);
-  for (const auto part :
-       {standing_section, curves_section, goals_section, roles_section, packets_section, variance_section,
-        unplayed_section_of, failures_section, recordings_section, configuration_section, reproduction_section}) {
+  for (const auto part : {standing_section, curves_section, goals_section, roles_section, packets_section,
+                          plugins_section, variance_section, unplayed_section_of, failures_section, recordings_section,
+                          configuration_section, reproduction_section}) {
     page << part(source);
   }
   page << written_note(source.view.course.remarks()) << page_end();

@@ -15,6 +15,7 @@ import program
 import recorded
 import tournament
 
+SHIPPED = (program.TEST_PLUGINS.parent / "plugins" / "kalman_ball.so",)
 EXAMPLES = tuple(program.TEST_PLUGINS.parent / "examples" / f"{name}.so"
                  for name in ("log_ball", "draw_ways", "count_crossings"))
 LIES = program.TEST_PLUGINS / "lies"
@@ -26,24 +27,31 @@ TUNING = """\
 tuning: crossings
 team: told.yaml
 opponents: [{team: small.yaml}]
-parameters: [utility.terms.near.weight]
+parameters: [utility.terms.ways.weight]
 objective: {minimise: plugin_values.count_crossings.crossings}
-limit: 10
-search: {algorithm: bobyqa, matches: 8, pairs: 1}
+limit: 15
+set: {rules.durations.ready: 3, rules.durations.set: 1}
+search: {algorithm: bobyqa, matches: 12, pairs: 1}
 selection: {finalists: 1, matches: 2}
-verification: {matches: 4}
+verification: {matches: 40}
 slices: {points: 0}
 """
 
 
+def told():
+    """A team of which plugins log, draw and report."""
+    text = program.TEAM.format(name="told").replace("plugin: ball_seen", "plugin: log_ball")
+    text = text.replace("ball:      {plugin: last_news}", "ball: {plugin: kalman_ball}")  # forgets
+    text = text.replace("{near: {", "{ways: {plugin: draw_ways, weight: 1, tune: [0, 2]}, near: {")
+    return text.replace("plugin: first_free", "plugin: count_crossings")
+
+
 class Told(program.Case):
-    plugins = (program.SOUND, *program.BEHAVIOURS, *EXAMPLES)
+    plugins = (program.SOUND, *program.BEHAVIOURS, *SHIPPED, *EXAMPLES)
 
     def setUp(self):
         super().setUp()
-        text = program.TEAM.format(name="told").replace("plugin: ball_seen", "plugin: log_ball")
-        text = text.replace("{near: {", "{ways: {plugin: draw_ways, weight: 1}, near: {")
-        self.write("told.yaml", text.replace("plugin: first_free", "plugin: count_crossings"))
+        self.write("told.yaml", told())
 
     def match(self, *more):
         done = self.run_program(*MATCH, *more)
@@ -59,9 +67,9 @@ class Log(Told):
         shown = [LINE.fullmatch(line).groups() for line in self.match().stderr.splitlines()]
         self.assertEqual({(side, plugin) for _, side, _, _, plugin, _ in shown}, {("home", "log_ball")})
         self.assertEqual({robot for _, _, robot, _, _, _ in shown}, set("1234567"))
-        self.assertEqual({level for level, *_ in shown}, {"info", "warning"})
+        self.assertIn("info", {level for level, *_ in shown})
         warnings = [line for line in shown if line[0] == "warning"]
-        self.assertEqual({text for *_, text in warnings}, {"lost the ball"})
+        self.assertLessEqual({text for *_, text in warnings}, {"lost the ball"})
         self.assertEqual([LINE.fullmatch(line).groups() for line in self.match("--log", "warning").stderr.splitlines()],
                          warnings)
         self.assertEqual(self.match("--log", "none").stderr, "")
@@ -69,7 +77,7 @@ class Log(Told):
 
     def test_a_level_that_is_none(self):
         self.assertEqual(self.refused(*MATCH, "--log", "warn"),
-                         '--log: unknown value "warn"; nearest: "warning"; known: debug, info, warning, error, none')
+                         'unknown value "warn" in --log; known: debug, info, warning, error, none')
 
     def test_a_recording_holds_them(self):
         shown = [LINE.fullmatch(line).groups() for line in self.match("--record", "a.mcap").stderr.splitlines()]
@@ -78,7 +86,7 @@ class Log(Told):
         self.assertEqual([(m["level"], m["side"], str(m["robot"]), m["plugin"], m["text"]) for m in messages],
                          [(level, side, robot, plugin, text) for level, side, robot, _, plugin, text in shown])
         for message in messages:
-            jsonschema.validate(message, json.loads(recording.schemas["/log"]))
+            jsonschema.validate(message, recording.schemas["/log"])
 
 
 class Drawings(Told):
@@ -92,7 +100,7 @@ class Drawings(Told):
         for topic, message in recording.messages:
             if topic != "/draw":
                 continue
-            jsonschema.validate(message, json.loads(recording.schemas["/draw"]))
+            jsonschema.validate(message, recording.schemas["/draw"])
             self.assertEqual((message["side"], message["plugin"]), ("home", "draw_ways"))
             drawn[message["layer"], message["robot"]].append(message)
         self.assertEqual({layer for layer, _ in drawn}, {"ways", "lengths"})
@@ -123,6 +131,7 @@ class Metrics(Told):
         self.assertGreater(crossings, 0.0)
         self.assertLess(crossings, 21.0)
         self.assertIsNone(played["plugin_totals"][1])
+        self.assertIn(f"\n  count_crossings.decisions {decisions}, count_crossings.crossings ", self.match().stdout)
         rows = {(row[0], row[1]): row[2] for row in csv.reader(io.StringIO((self.folder / "a.csv").read_text()))}
         self.assertEqual(float(rows["home", "plugin_totals.count_crossings.decisions"]), decisions)
         self.assertEqual(float(rows["home", "plugin_values.count_crossings.crossings"]), crossings)
@@ -144,7 +153,10 @@ class Metrics(Told):
 
 class InATournament(tournament.Tournament):
     plugins = Told.plugins
-    setUp = Told.setUp
+
+    def setUp(self):
+        super().setUp()
+        self.write("told.yaml", told())
 
     def test_lines_are_kept_and_numbers_reported(self):
         for isolation in "after-death", "always":
@@ -152,10 +164,12 @@ class InATournament(tournament.Tournament):
                 self.play("--isolation", isolation, teams=("told.yaml", "small.yaml"), pairs=1)
                 kept = self.succeed("report", "tournament.db", "--standard-error", "1").splitlines()
                 self.assertTrue(all(LINE.fullmatch(line) for line in kept), kept)
-                table = list(csv.DictReader(io.StringIO(self.succeed("report", "tournament.db", "--csv"))))
-                told = [row for row in table if row["home"] == "told"]
-                self.assertEqual(len(told), 1)
-                self.assertGreater(float(told[0]["home.plugin_totals.count_crossings.decisions"]), 0.0)
+                table = list(csv.DictReader(io.StringIO(self.succeed("report", "tournament.db", "--csv", "--metrics"))))
+                decisions = [row["home.plugin_totals.count_crossings.decisions"] for row in table]
+                self.assertEqual(sorted(map(bool, decisions)), [False, True], "the other team counts nothing")
+                self.assertGreater(max(float(each or 0) for each in decisions), 0.0)
+                self.succeed("report", "tournament.db", "-o", "page.html", "--force")
+                self.assertIn("count_crossings: crossings", (self.folder / "page.html").read_text())
                 (self.folder / "tournament.db").unlink()
 
 

@@ -4,8 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
+#include <string_view>
 
+#include <regista/extensions/metric.h>
 #include <regista/testkit/check_descriptor.hpp>
 
 namespace {
@@ -88,8 +91,33 @@ TEST_F(Descriptor, ReservedFieldsAreZero) {
 TEST_F(Descriptor, Extensions) {
   descriptor.extension = [](const char*) -> const void* { return nullptr; };
   EXPECT_THAT(found(), ElementsAre());
-  descriptor.extension = [](const char* name) -> const void* { return name; };
+  descriptor.extension = [](const char*) -> const void* {
+    static constexpr regista_metrics none{sizeof(regista_metrics), 0, nullptr, 0, 0};
+    return &none;
+  };
   EXPECT_THAT(found(), ElementsAre("descriptor: has an extension for a name that nobody gave"));
+}
+
+TEST_F(Descriptor, Metrics) {
+  static std::array<regista_metric, 2> declared;
+  static regista_metrics table;
+  declared.fill({sizeof(regista_metric), REGISTA_METRIC_SUM, "hits", "1", "How often"});
+  declared[1].name = "reach";
+  table = {sizeof table, 2, declared.data(), sizeof(regista_metric), 0};
+  descriptor.extension = [](const char* name) -> const void* {
+    return std::string_view(name) == REGISTA_METRIC_EXTENSION ? &table : nullptr;
+  };
+  EXPECT_THAT(found(), ElementsAre());
+  declared[1].name = "hits";
+  EXPECT_THAT(found(), ElementsAre("metric \"hits\": stands twice"));
+  declared[1].name = "Hits";
+  EXPECT_THAT(found(), ElementsAre("metric \"Hits\": its name is not in lower_snake_case"));
+  declared[1] = {sizeof(regista_metric), 7, "reach", "", nullptr};
+  EXPECT_THAT(found(), Contains("metric \"reach\": combines in a way that does not exist: 7"));
+  EXPECT_THAT(found(), Contains(HasSubstr("its doc")));
+  EXPECT_THAT(found(), Contains(HasSubstr("its unit")));
+  table.count = 65;
+  EXPECT_THAT(found(), ElementsAre("metrics: declares 65 of at most 64"));
 }
 
 TEST_F(Descriptor, ReasonsOfSenders) {

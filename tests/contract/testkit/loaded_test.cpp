@@ -94,9 +94,43 @@ TEST(Instance, ThrowsWhatThePluginSaid) {
   EXPECT_THROW((void)utility.holds(FrameBuilder{}.build()), std::logic_error);
 }
 
-TEST(Mailbox, TheHostHasNoExtensions) {
-  const RecordingHost host;
-  EXPECT_EQ(host.raw()->extension(host.raw()->context, "regista.log/0"), nullptr);
+TEST(Host, TakesWhatAnInstanceLogsDrawsAndReports) {
+  static constexpr regista_metric hits{sizeof hits, REGISTA_METRIC_SUM, "hits", "1", "How often"};
+  static constexpr regista_metrics declared{sizeof declared, 1, &hits, sizeof hits, 0};
+  regista_descriptor plugin{};
+  plugin.extension = [](const char*) -> const void* { return &declared; };
+  RecordingHost host;
+  host.set_metrics(plugin);
+  const auto table = [&](const char* id) { return host.raw()->extension(host.raw()->context, id); };
+  EXPECT_EQ(table("nobody.has_this/0"), nullptr);
+  const auto& log = *static_cast<const regista_log*>(table(REGISTA_LOG_EXTENSION));
+  log.write(log.context, REGISTA_LOG_WARNING, "hello", 4);
+  ASSERT_EQ(host.log.size(), 1u);
+  EXPECT_EQ(host.log[0].text, "hell");
+  const auto& reports = *static_cast<const regista_metric_reports*>(table(REGISTA_METRIC_EXTENSION));
+  reports.report(reports.context, 0, 2.5);
+  EXPECT_EQ(host.reports.size(), 1u);
+  EXPECT_EQ(host.take_broken(), "");
+  reports.report(reports.context, 1, 2.5);
+  EXPECT_EQ(host.take_broken(), "reported metric 1 of 1");
+  EXPECT_EQ(host.take_broken(), "");
+  reports.report(reports.context, 0, std::nan(""));
+  EXPECT_EQ(host.take_broken(), "reported nan as metric 0");
+
+  const auto& draw = *static_cast<const regista_draw*>(table(REGISTA_DRAW_EXTENSION));
+  const regista_point nowhere{0.0, std::nan("")};
+  regista_shape shape{};
+  shape.size = sizeof shape;
+  shape.shape = REGISTA_SHAPE_POINTS;
+  shape.layer = "cells";
+  shape.points = &nowhere;
+  shape.count = 1;
+  draw.draw(draw.context, &shape);
+  EXPECT_EQ(host.take_broken(), "drew in layer cells a point that is not finite");
+  shape.count = 1'000'000'000;
+  draw.draw(draw.context, &shape);
+  EXPECT_EQ(host.take_broken(), "drew in layer cells a shape of 1000000000 points");
+  EXPECT_EQ(host.shapes, 2u);
 }
 
 TEST(Mailbox, OffersAreRecordedAndMessagesArrive) {

@@ -100,7 +100,8 @@ TEST_F(MetricRow, StandsInTheDocumentation) {
   page += "\n| old | table |\n|---|---|\nlast line\n";
   const std::string written = report::with_metric_tables(page, table);
   EXPECT_THAT(written, HasSubstr("| `headers.won` | times | the ball met a head |\n"));
-  EXPECT_THAT(written, HasSubstr("| `<role>.leaps` | times | off the ground |\n\nlast line\n"));
+  EXPECT_THAT(written, HasSubstr("| `<role>.leaps` | times | off the ground |\n\n<!-- metrics: plugins -->\n"));
+  EXPECT_THAT(written, HasSubstr("|\n\nlast line\n"));
   EXPECT_EQ(written.find("| old |"), std::string::npos);
   EXPECT_EQ(report::with_metric_tables(written, table), written);
   EXPECT_THAT(report::metrics_text(table), HasSubstr("headers.won"));

@@ -163,7 +163,7 @@ TEST_F(ExtensionsTest, WhatElseIsWrongWithAShape) {
   };
   EXPECT_EQ(said([](regista_shape&) {}), "");
   EXPECT_EQ(said([](regista_shape& s) { s.size = 8; }),
-            "draw: a shape is 8 bytes; regista.draw/0 needs 64; it is left out");
+            "draw: a shape is 8 bytes; regista.draw/0 needs 56; it is left out");
   EXPECT_EQ(said([](regista_shape& s) { s.shape = 5; }), "draw: there is no shape 5; it is left out");
   EXPECT_EQ(said([](regista_shape& s) { s.layer = nullptr; }), "draw: a shape names no layer; it is left out");
   EXPECT_EQ(said([](regista_shape& s) { s.layer = ""; }), "draw: a shape names no layer; it is left out");
