@@ -12,13 +12,13 @@
 
 #include "campaign/belief_wire.hpp"
 #include "campaign/job.hpp"
-#include "campaign/leftovers.hpp"
 #include "match/decision_digest.hpp"
 #include "match/mind_belief.hpp"
 #include "match/teams.hpp"
 #include "mind/wire.hpp"
 #include "plugin/failure.hpp"
 #include "plugin/fatal_signal.hpp"
+#include "plugin/process_state.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -115,7 +115,7 @@ void serve_minds(const mind::TeamPlan& plan, match::Side side, std::uint64_t see
                  MindChannel& channel) noexcept {
   const int number = static_cast<int>(match::index(side));
   plugin::note_fatal_signals(channel.note().fatal);
-  const ProcessState before = ProcessState::now();
+  const plugin::ProcessState before = plugin::ProcessState::now();
   try {
     // Never destroyed but by the last question: what a plugin has damaged must not end this process before it has said
     // which one it was.
@@ -126,7 +126,7 @@ void serve_minds(const mind::TeamPlan& plan, match::Side side, std::uint64_t see
       const bool last = channel.question() == Question::finish;
       host.answer();
       if (!last) continue;
-      const std::string left = changes_since(before);
+      const std::string left = plugin::changes_since(before);
       if (left.empty()) {
         channel.answer(Reply::done, {});
       } else {

@@ -23,7 +23,6 @@
 #include "campaign/inputs.hpp"
 #include "campaign/isolated_match.hpp"
 #include "campaign/job_setup.hpp"
-#include "campaign/leftovers.hpp"
 #include "campaign/match_json.hpp"
 #include "campaign/match_setup.hpp"
 #include "campaign/worker.hpp"
@@ -35,6 +34,7 @@
 #include "mcap/error.hpp"
 #include "plugin/failure.hpp"
 #include "plugin/fatal_signal.hpp"
+#include "plugin/process_state.hpp"
 #include "recording/match_recording.hpp"
 
 namespace regista::campaign {
@@ -156,13 +156,13 @@ match::Result play_here(const Job& job, MatchSetup& prepared, const std::array<c
       trail->add(decision, match::digest_of(mind, decision.outcome));
     };
   }
-  const ProcessState before = ProcessState::now();
+  const plugin::ProcessState before = plugin::ProcessState::now();
   const pid_t here = getpid();
   const match::Result result =
       match::play(std::move(prepared.setup), plans, recording.observer(), after, {&note.call, 0, job.closely});
   if (getpid() != here) _exit(1);  // a plugin has doubled the process: one of the two is enough
   note.call = {};                  // whatever dies from now on dies in no plugin's call
-  if (const std::string left = changes_since(before); !left.empty()) {
+  if (const std::string left = plugin::changes_since(before); !left.empty()) {
     throw std::runtime_error("a plugin " + left);
   }
   return result;

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "campaign/job_setup.hpp"
-#include "campaign/leftovers.hpp"
 #include "campaign/match_json.hpp"
 #include "campaign/mathematics.hpp"
 #include "campaign/shell.hpp"
@@ -27,6 +26,7 @@
 #include "mcap/error.hpp"
 #include "output/output.hpp"
 #include "output/replaced_file.hpp"
+#include "plugin/process_state.hpp"
 #include "recording/decision_log.hpp"
 #include "recording/match_recording.hpp"
 #include "report/match_summary.hpp"
@@ -115,13 +115,13 @@ int play_prepared(const MatchOptions& options, std::vector<std::string> words, c
   const auto began = std::chrono::steady_clock::now();
   const pid_t here = getpid();
   std::optional<campaign::StandardOutputKept> kept(std::in_place);
-  const campaign::ProcessState before = campaign::ProcessState::now();
+  const plugin::ProcessState before = plugin::ProcessState::now();
   std::string left;
   try {
     played.result = match::play(std::move(prepared.setup), plans, &observer, after, {&note.call});
     note.call = {};                              // whatever dies from now on dies in no plugin's call
     if (getpid() != here) _exit(exit_internal);  // a plugin has doubled the process: one of the two is enough
-    left = campaign::changes_since(before);
+    left = plugin::changes_since(before);
     if (recording) recording->close();
   } catch (const mcap::Error& error) {
     throw output::WriteError(error.what());

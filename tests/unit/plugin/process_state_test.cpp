@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // This process changes itself, and is told what was changed.
-#include "campaign/leftovers.hpp"
+#include "plugin/process_state.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 #include <string>
 #include <thread>
 
-namespace regista::campaign {
+namespace regista::plugin {
 namespace {
 
 std::string left_by(const std::function<void()>& work) {
@@ -24,7 +24,7 @@ std::string left_by(const std::function<void()>& work) {
   return changes(before, ProcessState::now());
 }
 
-TEST(Leftovers, NothingWhereNothingIsLeft) {
+TEST(ProcessState, NothingWhereNothingIsLeft) {
   EXPECT_EQ(left_by([] {}), "");
   EXPECT_EQ(left_by([] {
               std::thread([] {}).join();
@@ -34,7 +34,7 @@ TEST(Leftovers, NothingWhereNothingIsLeft) {
             "");
 }
 
-TEST(Leftovers, Threads) {
+TEST(ProcessState, Threads) {
   std::mutex mutex;
   std::condition_variable changed;
   bool end = false;
@@ -59,7 +59,7 @@ TEST(Leftovers, Threads) {
   EXPECT_EQ(changes(with_two, without), "");  // a thread of the host's own may end
 }
 
-TEST(Leftovers, Descriptors) {
+TEST(ProcessState, Descriptors) {
   int first = -1, second = -1;
   const ProcessState before = ProcessState::now();
   first = ::open("/dev/null", O_RDONLY);
@@ -75,18 +75,18 @@ TEST(Leftovers, Descriptors) {
             fmt::format("closed file descriptors {}, {}", std::min(first, second), std::max(first, second)));
 }
 
-TEST(Leftovers, WorkingFolder) {
+TEST(ProcessState, WorkingFolder) {
   const std::filesystem::path here = std::filesystem::current_path();
   EXPECT_EQ(left_by([] { std::filesystem::current_path("/"); }), here == "/" ? "" : "changed the working folder");
   std::filesystem::current_path(here);
 }
 
-TEST(Leftovers, HandlersOfSignals) {
+TEST(ProcessState, HandlersOfSignals) {
   EXPECT_EQ(left_by([] { std::signal(SIGUSR2, [](int) {}); }), "changed the handler of SIGUSR2");
   EXPECT_EQ(left_by([] { std::signal(SIGUSR2, SIG_DFL); }), "changed the handler of SIGUSR2");
 }
 
-TEST(Leftovers, AllOfThemInOneLine) {
+TEST(ProcessState, AllOfThemInOneLine) {
   int opened = -1;
   const std::string left = left_by([&] {
     std::signal(SIGUSR1, SIG_IGN);
@@ -98,4 +98,4 @@ TEST(Leftovers, AllOfThemInOneLine) {
 }
 
 }  // namespace
-}  // namespace regista::campaign
+}  // namespace regista::plugin

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/leftovers.hpp"
+#include "plugin/process_state.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,7 +20,7 @@
 #include "config/text.hpp"
 #include "plugin/address_ranges.hpp"
 
-namespace regista::campaign {
+namespace regista::plugin {
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,7 +113,7 @@ std::string changes(const ProcessState& before, const ProcessState& after) {
   if (before.folder != after.folder) out.push_back("changed the working folder");
   for (std::size_t number = 1; number < before.handlers.size(); ++number) {
     if (before.handlers[number] == after.handlers[number]) continue;
-    const plugin::ObjectName* const object = plugin::object_at(after.handlers[number]);
+    const ObjectName* const object = object_at(after.handlers[number]);
     out.push_back(fmt::format("changed the handler of {}{}", signal_name(static_cast<int>(number)),
                               object == nullptr ? "" : fmt::format(" to one in {}", object->data())));
   }
@@ -129,4 +129,4 @@ std::string changes_since(const ProcessState& before) {
   return changes(before, now);
 }
 
-}  // namespace regista::campaign
+}  // namespace regista::plugin

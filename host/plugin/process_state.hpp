@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace regista::campaign {
+namespace regista::plugin {
 
 struct ProcessState {
   static ProcessState now();
@@ -27,4 +27,4 @@ std::string changes(const ProcessState& before, const ProcessState& after);
 // Until now. The kernel may still list a thread for a moment that has been joined: it is waited for.
 std::string changes_since(const ProcessState& before);
 
-}  // namespace regista::campaign
+}  // namespace regista::plugin
