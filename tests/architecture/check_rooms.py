@@ -12,7 +12,7 @@ import re
 import sys
 from pathlib import Path
 
-from rooms import C_HEADERS, CONFINED, HOST_SEES_EXTENSIONS, HOST_SEES_OF_SDK, KNOWS
+from rooms import C_HEADERS, CHECKS_PLUGINS, CONFINED, HOST_SEES_EXTENSIONS, HOST_SEES_OF_SDK, KNOWS, TESTKIT
 
 SOURCES = {".h", ".hpp", ".hh", ".c", ".cc", ".cpp", ".inl", ".ipp", ".in"}
 TEST = re.compile(r"(test|test_.*|tests|.*_test|.*_benchmark|benchmark.*)\.[a-z]+$")
@@ -94,6 +94,8 @@ def stranger(root, path, target, quoted):
             if "sdk" not in KNOWS[room]:
                 return "sdk"
             seen = found.removeprefix("sdk/include/")
+            if room == CHECKS_PLUGINS and found.startswith(TESTKIT):
+                return None
             known = seen == HOST_SEES_OF_SDK or seen.startswith(HOST_SEES_EXTENSIONS)
             return None if known else f"more of sdk than {HOST_SEES_OF_SDK} and {HOST_SEES_EXTENSIONS}"
         other = room_of(found)

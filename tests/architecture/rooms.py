@@ -19,17 +19,20 @@ KNOWS = {
     "match": {"sdk", "config", "plugin", "mind"},
     "recording": {"sdk", "config", "plugin", "mind", "match", "mcap", "markup"},
     "campaign": {"sdk", "config", "plugin", "mind", "match", "statistics", "recording", "mcap"},
+    "check": {"sdk", "config", "plugin"},
     "study": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign"},
     "report": {"sdk", "config", "plugin", "match", "statistics", "campaign", "study", "recording", "markup"},
     "output": {"config", "mcap", "recording", "study", "report"},
     "command": {"config", "plugin", "output"},
     "cli": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "recording", "mcap",
-            "output", "command"},
+            "output", "command", "check"},
 }
 
 # What of the SDK the host may include: the interface, and the extensions of it.
 HOST_SEES_OF_SDK = "regista/abi.h"
 HOST_SEES_EXTENSIONS = "regista/extensions/"
+# The room that checks plugins plays the testkit's checks, which know nothing of the host.
+CHECKS_PLUGINS, TESTKIT = "check", "sdk/testkit/include/regista/testkit/"
 
 
 class Library:

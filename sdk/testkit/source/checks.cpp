@@ -2,13 +2,15 @@
 // Which checks make up the contract of a kind.
 #include <regista/testkit/checks.hpp>
 
+#include <algorithm>
 #include <exception>
+#include <map>
+
+#include <regista/testkit/cost.hpp>
 
 namespace regista::testkit {
 
-namespace {
-
-std::vector<Rehearsal> rehearsals(std::int32_t kind, const Loaded& plugin, const Options& options) {
+std::vector<Rehearsal> course(std::int32_t kind, const Loaded& plugin, const Options& options) {
   switch (kind) {
     case REGISTA_KIND_PREDICTOR:
       return predictor_rehearsals(plugin);
@@ -26,6 +28,47 @@ std::vector<Rehearsal> rehearsals(std::int32_t kind, const Loaded& plugin, const
       return sender_rehearsals(options);
   }
 }
+
+std::uint64_t course_digest(std::int32_t kind, const Loaded& plugin, const Options& options) {
+  // FNV-1a, 64 bits.
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  Values values(plugin);
+  options.base(values);
+  Findings elsewhere;
+  for (const Rehearsal& rehearsal : course(kind, plugin, options)) {
+    Instance instance(plugin, rehearsal.environment, values);
+    for (std::size_t i = 0; i < rehearsal.steps; ++i) {
+      const Trail trail = detail::step(rehearsal, instance, i, {}, elsewhere);
+      for (const char byte : trail.bytes()) {
+        hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+      }
+    }
+  }
+  return hash;
+}
+
+std::vector<Cost> cost_of_calls(std::int32_t kind, const Loaded& plugin, const Options& options) {
+  std::map<std::string, std::vector<double>> seconds;
+  Values values(plugin);
+  options.base(values);
+  Findings elsewhere;
+  for (const Rehearsal& rehearsal : course(kind, plugin, options)) {
+    Instance instance(plugin, rehearsal.environment, values);
+    instance.host().call_seconds = &seconds;
+    for (std::size_t i = 0; i < rehearsal.steps; ++i) detail::step(rehearsal, instance, i, {}, elsewhere);
+  }
+  std::vector<Cost> out;
+  for (auto& [call, times] : seconds) {
+    std::ranges::sort(times);
+    const auto microseconds = [&times](double share) {
+      return 1e6 * times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
+    };
+    out.push_back({call, times.size(), microseconds(0.5), microseconds(0.99)});
+  }
+  return out;
+}
+
+namespace {
 
 // An exception of the suite itself, or a plugin without this kind, is a finding and not a crash.
 Check guarded_check(std::int32_t kind, Check check) {
@@ -48,7 +91,7 @@ Check guarded_check(std::int32_t kind, Check check) {
 template <class Rehearse>
 Check rehearsed(std::int32_t kind, const char* name, const char* promise, Rehearse check) {
   return {name, promise, [kind, check](const Loaded& plugin, const Options& options) {
-            return check(plugin, options, rehearsals(kind, plugin, options));
+            return check(plugin, options, course(kind, plugin, options));
           }};
 }
 
@@ -72,6 +115,7 @@ std::vector<Check> contract(std::int32_t kind) {
       rehearsed(kind, "determinism", "the same calls give the same bytes, also after a reset", check_determinism),
       rehearsed(kind, "growth", "works with a host of a later minor version", check_growth),
       reads_check(kind),
+      rehearsed(kind, "life", "can be created, reset and destroyed in any order", check_life),
       {"mailbox", "bears any message",
        [kind](const Loaded& plugin, const Options& options) {
          const std::uint32_t all = kind == REGISTA_KIND_PREDICTOR ? detail::subjects_of(plugin) : 0;

@@ -3,6 +3,7 @@
 #include <regista/testkit/instance.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstring>
 #include <limits>
@@ -79,10 +80,15 @@ template <class Body, class Memory>
 void call(RecordingHost& host, const char* name, Body&& body, Memory&& memory) {
   regista_error error{};
   std::optional<CallFailed> failure;
+  const auto began = std::chrono::steady_clock::now();
   try {
     guarded(name, error, [&] { return body(&error); });
   } catch (const CallFailed& caught) {
     failure = caught;
+  }
+  if (host.call_seconds != nullptr) {
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+    (*host.call_seconds)[name].push_back(took.count());
   }
   memory();
   if (failure) throw *failure;

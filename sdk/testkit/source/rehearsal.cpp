@@ -5,11 +5,10 @@
 
 namespace regista::testkit {
 
-namespace {
+using detail::step;
 
-// Plays one step; a failed call becomes a finding and part of the trail.
-Trail step(const Rehearsal& rehearsal, Instance& instance, std::size_t index, const Showing& showing,
-           Findings& findings) {
+Trail detail::step(const Rehearsal& rehearsal, Instance& instance, std::size_t index, const Showing& showing,
+                   Findings& findings) {
   Trail trail;
   try {
     rehearsal.play(instance, index, showing, findings, trail);
@@ -19,8 +18,6 @@ Trail step(const Rehearsal& rehearsal, Instance& instance, std::size_t index, co
   }
   return trail;
 }
-
-}  // namespace
 
 Findings detail::everywhere(const Loaded& plugin, const Options& options, const std::vector<Rehearsal>& rehearsals,
                             const std::function<void(const Corner&, const Rehearsal&, Findings&)>& body) {

@@ -15,6 +15,7 @@
 #include <regista/testkit/check_behaviour.hpp>
 #include <regista/testkit/check_context.hpp>
 #include <regista/testkit/check_descriptor.hpp>
+#include <regista/testkit/check_life.hpp>
 #include <regista/testkit/check_mailbox.hpp>
 #include <regista/testkit/check_positioner.hpp>
 #include <regista/testkit/check_predictor.hpp>
@@ -33,5 +34,12 @@ struct Check {
 
 // kind: REGISTA_KIND_PREDICTOR .. REGISTA_KIND_SENDER, or REGISTA_KIND_BEHAVIOUR.
 std::vector<Check> contract(std::int32_t kind);
+
+// The course that the checks of a kind play with a plugin.
+std::vector<Rehearsal> course(std::int32_t kind, const Loaded& plugin, const Options& options);
+
+// A number for all that a plugin answers in that course, with its default parameters: the same in every process, unless
+// the plugin depends on what it must not depend on.
+std::uint64_t course_digest(std::int32_t kind, const Loaded& plugin, const Options& options);
 
 }  // namespace regista::testkit

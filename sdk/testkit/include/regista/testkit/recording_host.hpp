@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,8 @@ class RecordingHost {
     double value;
   };
   std::vector<Report> reports;
+  // Seconds that calls of the instance took, by name of the call; where somebody wants to know.
+  std::map<std::string, std::vector<double>>* call_seconds = nullptr;
 
  private:
   std::uint64_t offer(const std::uint8_t* bytes, std::uint32_t count, double urgency, double expiry,

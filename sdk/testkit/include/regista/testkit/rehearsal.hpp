@@ -44,6 +44,7 @@ class Trail {
     add_all(tracks);
   }
   friend bool operator==(const Trail&, const Trail&) = default;
+  const std::vector<char>& bytes() const { return bytes_; }
 
  private:
   void append(const void* from, std::size_t count) {
@@ -68,6 +69,10 @@ namespace detail {
 // `body(corner, rehearsal, findings)` for all of them; an instance that cannot be created is a finding.
 Findings everywhere(const Loaded& plugin, const Options& options, const std::vector<Rehearsal>& rehearsals,
                     const std::function<void(const Corner&, const Rehearsal&, Findings&)>& body);
+
+// Plays one step; a failed call becomes a finding and part of the trail.
+Trail step(const Rehearsal& rehearsal, Instance& instance, std::size_t index, const Showing& showing,
+           Findings& findings);
 
 }  // namespace detail
 

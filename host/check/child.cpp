@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "check/child.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <system_error>
+
+#include "config/bytes.hpp"
+#include "config/sanitized.hpp"
+#include "config/text.hpp"
+#include "config/visible_text.hpp"
+#include "plugin/descendants.hpp"
+#include "plugin/idle_process.hpp"
+
+namespace regista::check {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr rlim_t most_memory = rlim_t{2} << 30;
+constexpr std::size_t most_bytes = std::size_t{1} << 20;  // of an outcome
+constexpr std::size_t kept_text = 2000;                   // bytes of the end of what it wrote
+constexpr int patience = 100;                             // ms between two looks at a child that says nothing
+constexpr std::array<std::uint8_t, 8> mark{'o', 'u', 't', 'c', 'o', 'm', 'e', ':'};
+
+// --- In the child ----------------------------------------------------------------------------------------------------
+
+void limit(__rlimit_resource what, rlim_t most) {
+  rlimit now{};
+  ::getrlimit(what, &now);
+  now.rlim_cur = std::min(most, now.rlim_max);
+  ::setrlimit(what, &now);
+}
+
+void write_all(int pipe, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(pipe, bytes.data(), bytes.size());
+    if (count == -1 && errno == EINTR) continue;
+    if (count <= 0) ::_exit(1);
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+  }
+}
+
+[[noreturn]] void run(const std::function<Outcome()>& check, const Deadline& deadline, int answer, int text,
+                      pid_t parent) noexcept {
+  ::setpgid(0, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(1);
+  const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+  ::dup2(nothing, STDIN_FILENO);
+  ::dup2(text, STDOUT_FILENO);
+  ::dup2(text, STDERR_FILENO);
+  ::close(nothing);
+  ::close(text);
+  limit(RLIMIT_CORE, 0);
+  rusage used{};
+  ::getrusage(RUSAGE_SELF, &used);
+  limit(RLIMIT_CPU, static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1 + deadline.processor_seconds));
+  // The sanitizers reserve more addresses than there is memory.
+  if constexpr (!sanitized) limit(RLIMIT_AS, most_memory);
+  for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGPIPE, SIGXCPU}) std::signal(each, SIG_DFL);
+  const pid_t here = ::getpid();
+  Outcome outcome;
+  try {
+    outcome = check();
+  } catch (const std::exception& error) {
+    outcome = {Status::fail, {error.what()}};
+  } catch (...) {
+    outcome = {Status::fail, {"threw something that is no exception"}};
+  }
+  if (::getpid() != here) ::_exit(1);  // a plugin has doubled the process: one of the two is enough
+  config::BytesOut bytes;
+  bytes(outcome.status, outcome.lines);
+  write_all(answer, mark);
+  write_all(answer, bytes.bytes());
+  ::_exit(0);
+}
+
+// --- In the parent ---------------------------------------------------------------------------------------------------
+
+// Reads what is there, without waiting. False at the end of the pipe. keep: bytes of the end that are kept.
+bool take(int pipe, std::vector<std::uint8_t>& into, std::size_t keep) {
+  std::array<std::uint8_t, 4096> buffer;
+  for (int i = 0; i < 64; ++i) {  // a plugin may write without end
+    const ssize_t count = ::read(pipe, buffer.data(), buffer.size());
+    if (count == -1 && errno == EINTR) continue;
+    if (count == -1) return errno == EAGAIN;
+    if (count == 0) return false;
+    into.insert(into.end(), buffer.begin(), buffer.begin() + count);
+    if (into.size() > keep) into.erase(into.begin(), into.end() - static_cast<std::ptrdiff_t>(keep));
+  }
+  return true;
+}
+
+std::string last_line(const std::vector<std::uint8_t>& text) {
+  std::string_view all(reinterpret_cast<const char*>(text.data()), text.size());
+  while (all.ends_with('\n')) all.remove_suffix(1);
+  return config::visible_at_most(all.substr(all.rfind('\n') + 1), 200);
+}
+
+std::optional<Outcome> outcome_of(const std::vector<std::uint8_t>& answer) {
+  if (answer.size() < mark.size() || !std::equal(mark.begin(), mark.end(), answer.begin())) return std::nullopt;
+  try {
+    const std::span<const std::uint8_t> all(answer);
+    config::BytesIn bytes(all.subspan(mark.size()));
+    Outcome out;
+    bytes(out.status, out.lines);
+    if (!bytes.empty() || out.status > Status::skip) return std::nullopt;
+    for (std::string& each : out.lines) each = config::visible(each);
+    return out;
+  } catch (const std::out_of_range&) {
+    return std::nullopt;
+  }
+}
+
+struct Pipe {
+  Pipe() {
+    if (::pipe2(ends.data(), O_CLOEXEC) == -1) throw std::system_error(errno, std::generic_category(), "pipe");
+    ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
+  }
+  ~Pipe() {
+    ::close(ends[0]);
+    if (ends[1] != -1) ::close(ends[1]);
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  void close_writing_end() {
+    ::close(ends[1]);
+    ends[1] = -1;
+  }
+  std::array<int, 2> ends{};
+};
+
+std::string how_it_ended(int status, const Deadline& deadline) {
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
+    return fmt::format("took more than {} s of processor time", deadline.processor_seconds);
+  }
+  if (WIFSIGNALED(status)) return ::strsignal(WTERMSIG(status));
+  return fmt::format("ended the process (exit code {})", WEXITSTATUS(status));
+}
+
+}  // namespace
+
+Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline) {
+  const plugin::Descendants descendants;
+  Pipe answer, text;
+  const pid_t parent = ::getpid();
+  const pid_t child = ::fork();
+  if (child == -1) throw std::system_error(errno, std::generic_category(), "cannot start a process for a check");
+  if (child == 0) run(check, deadline, answer.ends[1], text.ends[1], parent);
+  ::setpgid(child, child);  // whoever of the two comes first
+  answer.close_writing_end();
+  text.close_writing_end();
+
+  std::vector<std::uint8_t> answered, written;
+  std::string ended;  // by this function, and why
+  int status = 0;
+  const auto began = Clock::now();
+  plugin::IdleProcess idle(child);
+  bool answers = true, writes = true;
+  for (;;) {
+    std::array<pollfd, 2> watched{pollfd{answers ? answer.ends[0] : -1, POLLIN, 0},
+                                  pollfd{writes ? text.ends[0] : -1, POLLIN, 0}};
+    ::poll(watched.data(), watched.size(), answers || writes ? patience : 10);
+    if (writes) writes = take(text.ends[0], written, kept_text);
+    if (answers) answers = take(answer.ends[0], answered, most_bytes);
+    const pid_t over = ::waitpid(child, &status, WNOHANG);
+    if (over == child) break;
+    const std::chrono::duration<double> waited = Clock::now() - began;
+    if (ended.empty() && idle.idle_seconds() > deadline.idle_seconds) {
+      ended = fmt::format("did nothing for {:.0f} s", deadline.idle_seconds);
+    } else if (ended.empty() && waited.count() > deadline.wall_seconds) {
+      ended = fmt::format("did not end within {:.0f} s", deadline.wall_seconds);
+    }
+    if (!ended.empty()) ::kill(-child, SIGKILL);
+  }
+  ::kill(-child, SIGKILL);  // what a plugin may have started
+  descendants.end_all();
+  take(answer.ends[0], answered, most_bytes);
+  take(text.ends[0], written, kept_text);
+  if (ended.empty() && WIFEXITED(status)) {
+    if (const auto outcome = outcome_of(answered)) return *outcome;
+  }
+  Outcome out{Status::crash, {ended.empty() ? how_it_ended(status, deadline) : ended}};
+  if (const std::string last = last_line(written); !last.empty()) out.lines.push_back("it wrote: " + last);
+  return out;
+}
+
+}  // namespace regista::check

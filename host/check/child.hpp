@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Runs one check in a process of its own: whatever a plugin does to the process, nobody else is hurt, and how it ended
+// is known.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "check/verdict.hpp"
+
+namespace regista::check {
+
+// What a check came to.
+struct Outcome {
+  Status status = Status::pass;
+  std::vector<std::string> lines;
+};
+
+struct Deadline {
+  int processor_seconds = 60;   // of one check
+  double idle_seconds = 5.0;    // that it may sleep at a stretch
+  double wall_seconds = 300.0;  // on a machine that has much else to do
+};
+
+// Calls `check` in a child of this process. A child that dies, hangs or ends early is a crash, with the reason and the
+// last line that it wrote to standard error. Throws std::system_error when no process can be started.
+Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline);
+
+}  // namespace regista::check

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: MIT
+#include "check/plugin_check.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <clocale>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <system_error>
+
+#include <regista/testkit/check_life.hpp>
+#include <regista/testkit/checks.hpp>
+#include <regista/testkit/cost.hpp>
+
+#include "check/object_file.hpp"
+#include "config/bad_input.hpp"
+#include "config/text.hpp"
+#include "plugin/descriptor.hpp"
+#include "plugin/floating_point_state.hpp"
+#include "plugin/process_state.hpp"
+#include "plugin/survey.hpp"
+
+namespace regista::check {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+// Calls that no sound plugin needs: chance comes from reset() and time from the frame, and the process is the host's.
+struct Suspect {
+  std::string_view name, why;
+};
+constexpr std::array suspects{
+    Suspect{"rand", "chance comes from the seed of reset()"},
+    Suspect{"srand", "chance comes from the seed of reset()"},
+    Suspect{"random", "chance comes from the seed of reset()"},
+    Suspect{"srandom", "chance comes from the seed of reset()"},
+    Suspect{"drand48", "chance comes from the seed of reset()"},
+    Suspect{"getrandom", "chance comes from the seed of reset()"},
+    Suspect{"getentropy", "chance comes from the seed of reset()"},
+    Suspect{"arc4random", "chance comes from the seed of reset()"},
+    Suspect{"_ZNSt13random_device9_M_getvalEv", "std::random_device: chance comes from the seed of reset()"},
+    Suspect{"time", "time comes from the frame"},
+    Suspect{"clock", "time comes from the frame"},
+    Suspect{"gettimeofday", "time comes from the frame"},
+    Suspect{"clock_gettime", "time comes from the frame"},
+    Suspect{"_ZNSt6chrono3_V212system_clock3nowEv", "std::chrono::system_clock: time comes from the frame"},
+    Suspect{"_ZNSt6chrono3_V212steady_clock3nowEv", "std::chrono::steady_clock: time comes from the frame"},
+    Suspect{"nanosleep", "a call must not wait"},
+    Suspect{"sleep", "a call must not wait"},
+    Suspect{"usleep", "a call must not wait"},
+    Suspect{"fork", "the process is the host's"},
+    Suspect{"vfork", "the process is the host's"},
+    Suspect{"system", "the process is the host's"},
+    Suspect{"popen", "the process is the host's"},
+    Suspect{"execve", "the process is the host's"},
+    Suspect{"exit", "the process is the host's"},
+    Suspect{"_exit", "the process is the host's"},
+    Suspect{"pthread_create", "plugins start no threads"},
+    Suspect{"_ZNSt6thread15_M_start_threadESt10unique_ptrINS_6_StateESt14default_deleteIS1_EEPFvvE",
+            "std::thread: plugins start no threads"},
+    Suspect{"signal", "handlers of signals are the host's"},
+    Suspect{"sigaction", "handlers of signals are the host's"},
+    Suspect{"setitimer", "timers are the host's"},
+    Suspect{"alarm", "timers are the host's"},
+    Suspect{"timer_create", "timers are the host's"},
+    Suspect{"setlocale", "the locale is the host's"},
+    Suspect{"chdir", "the working folder is the host's"},
+    Suspect{"fesetround", "how numbers are rounded is the host's"},
+    Suspect{"fesetenv", "how numbers are rounded is the host's"},
+    Suspect{"socket", "a plugin talks to its teammates through its mailbox alone"},
+    Suspect{"connect", "a plugin talks to its teammates through its mailbox alone"},
+};
+
+constexpr std::array file_checks{"object", "exports", "relocations", "imports", "open", "hand_shake"};
+constexpr std::array<std::int32_t, 7> kinds_checked{
+    REGISTA_KIND_PREDICTOR, REGISTA_KIND_CONTEXT, REGISTA_KIND_POSITIONER, REGISTA_KIND_UTILITY,
+    REGISTA_KIND_ASSIGNER,  REGISTA_KIND_SENDER,  REGISTA_KIND_BEHAVIOUR};
+
+std::string kind_and(std::int32_t kind, std::string_view check) {
+  return fmt::format("{}.{}", plugin::kind_name(kind), check);
+}
+
+// "assigner" and "promises" name all checks of which they are a part.
+bool is_wanted(const std::vector<std::string>& only, std::string_view check) {
+  if (only.empty()) return true;
+  const std::size_t point = check.find('.');
+  return std::ranges::any_of(only, [&](std::string_view each) {
+    return each == check ||
+           (point != std::string_view::npos && (each == check.substr(0, point) || each == check.substr(point + 1)));
+  });
+}
+
+// --- The file --------------------------------------------------------------------------------------------------------
+
+Outcome exports_of(const ObjectFile& object) {
+  std::vector<std::string> others = object.exports;
+  if (std::erase(others, REGISTA_ENTRY_NAME) == 0) {
+    return {Status::fail, {"is no Regista plugin: it does not export " REGISTA_ENTRY_NAME}};
+  }
+  if (others.empty()) return {};
+  const std::size_t shown = std::min<std::size_t>(others.size(), 5);
+  std::string line =
+      fmt::format("exports {} beside " REGISTA_ENTRY_NAME ": {}", config::counted(others.size(), "symbol", "symbols"),
+                  fmt::join(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
+  if (shown < others.size()) line += ", ...";
+  return {Status::fail,
+          {std::move(line),
+           "others may take its symbols for their own: link it with a version script, as "
+           "regista_add_plugin does"}};
+}
+
+Outcome relocations_of(const ObjectFile& object) {
+  if (!object.text_relocations) return {};
+  return {Status::warn, {"its code is changed when it is loaded: compile it with -fPIC"}};
+}
+
+Outcome imports_of(const ObjectFile& object) {
+  Outcome out;
+  for (const Suspect& each : suspects) {
+    if (!std::ranges::binary_search(object.imports, each.name)) continue;
+    out.status = Status::warn;
+    out.lines.push_back(fmt::format("calls {}: {}", each.name, each.why));
+  }
+  return out;
+}
+
+using Entry = decltype(&regista_plugin_entry);
+
+Entry entry_of(const fs::path& file) {
+  void* const handle = ::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  return handle == nullptr ? nullptr : reinterpret_cast<Entry>(::dlsym(handle, REGISTA_ENTRY_NAME));
+}
+
+Outcome shake_hands(const fs::path& file, std::uint32_t plugins) {
+  const Entry entry = entry_of(file);
+  if (entry == nullptr) return {Status::fail, {"cannot be opened"}};
+  struct Version {
+    std::uint32_t major, minor;
+  };
+  constexpr std::uint32_t largest = ~0u;
+  constexpr std::array versions{Version{REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR}, Version{0, 0}, Version{1, 0},
+                                Version{largest, largest}};
+  const auto own = [&](std::uint32_t index) { return entry(REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR, index); };
+  for (const Version& version : versions) {
+    const auto host = fmt::format("a host that speaks {}.{}", version.major, version.minor);
+    for (std::uint32_t i = 0; i < plugins; ++i) {
+      if (entry(version.major, version.minor, i) != own(i)) {
+        return {Status::fail,
+                {fmt::format("gives {} another answer for descriptor {}: what fits is the host's to decide", host, i)}};
+      }
+    }
+    for (const std::uint32_t beyond : {plugins, plugins + 1, plugins + 1000, largest}) {
+      if (entry(version.major, version.minor, beyond) != nullptr) {
+        return {Status::fail, {fmt::format("gives {} a descriptor {} though it has {}", host, beyond, plugins)}};
+      }
+    }
+  }
+  return {};
+}
+
+// --- A plugin --------------------------------------------------------------------------------------------------------
+
+// Whatever of the process is the host's stays as it was; what did not becomes part of the outcome.
+Outcome leaving_the_process_alone(const std::function<Outcome()>& check) {
+  const std::string locale = std::setlocale(LC_ALL, nullptr);
+  const auto numbers = plugin::FloatingPointState::now();
+  const auto before = plugin::ProcessState::now();
+  Outcome out = check();
+  const auto add = [&out](std::string line) {
+    out.status = Status::fail;
+    out.lines.push_back(std::move(line));
+  };
+  if (const std::string changed = plugin::FloatingPointState::now().changed_from(numbers); !changed.empty())
+    add(changed);
+  if (const std::string changed = plugin::changes_since(before); !changed.empty()) add(changed);
+  if (locale != std::setlocale(LC_ALL, nullptr)) add("changed the locale");
+  return out;
+}
+
+Outcome outcome_of(const testkit::Findings& findings) {
+  if (findings.empty()) return {};
+  Outcome out{Status::fail, {}};
+  for (const std::string& line : findings.lines()) out.lines.push_back(config::one_line(line));
+  return out;
+}
+
+std::optional<double> number_in(const std::string& text) {
+  double out = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return out;
+}
+
+testkit::Options options_of(const Options& options) {
+  testkit::Options out;
+  out.may_idle = options.may_idle;
+  out.base = [&options](testkit::Values& values) {
+    for (const auto& [name, text] : options.parameters) {
+      try {
+        if (const auto number = number_in(text))
+          values.set(name, *number);
+        else
+          values.set(name, std::string_view(text));
+      } catch (const std::exception&) {
+        // Of another plugin of this file.
+      }
+    }
+  };
+  return out;
+}
+
+// As in another process of another user: addresses, folder, environment, and what others have drawn from rand().
+void go_elsewhere() {
+  static const std::vector<char> padding(300'007);
+  std::error_code none;
+  fs::current_path("/", none);
+  ::setenv("REGISTA_CHECK_ELSEWHERE", "1", 1);
+  for (int i = 0; i < 17; ++i) std::rand();
+  errno = ENOENT;
+}
+
+class FileCheck {
+ public:
+  FileCheck(const fs::path& file, const Options& options, const std::function<void(const Verdict&)>& told)
+      : file_(file), options_(options), told_(told), testkit_options_(options_of(options)) {
+    report_.file = file.string();
+  }
+
+  Report run() {
+    const ObjectFile object = read_object(file_);
+    here("object", "is a shared object of this machine", [&] {
+      return object.wrong.empty() ? Outcome{} : Outcome{Status::fail, {object.wrong}};
+    });
+    if (!object.wrong.empty()) return std::move(report_);
+    here("exports", "exports the entry point and nothing else", [&] { return exports_of(object); });
+    if (!std::ranges::binary_search(object.exports, REGISTA_ENTRY_NAME)) return std::move(report_);
+    here("relocations", "its code can be shared between processes", [&] { return relocations_of(object); });
+    here("imports", "calls nothing that sound plugins do not need", [&] { return imports_of(object); });
+    plugin::Surveyed surveyed;
+    const std::array files{file_};
+    surveyed = std::move(plugin::survey(files).front());
+    here("open", "can be opened, and declares plugins of this interface", [&]() -> Outcome {
+      if (!surveyed.refusal.empty()) return {Status::fail, {surveyed.refusal}};
+      if (!surveyed.remark.empty()) return {Status::warn, {surveyed.remark}};
+      return {};
+    });
+    if (!surveyed.refusal.empty()) return std::move(report_);
+    const auto count = static_cast<std::uint32_t>(surveyed.plugins.size());
+    apart("hand_shake", "gives every host the same answers", [&] { return shake_hands(file_, count); });
+    refuse_unknown_parameters(surveyed);
+    for (const auto& each : surveyed.plugins) check_plugin(*each);
+    return std::move(report_);
+  }
+
+ private:
+  void refuse_unknown_parameters(const plugin::Surveyed& surveyed) const {
+    std::vector<std::string> known;
+    for (const auto& each : surveyed.plugins) {
+      for (std::uint32_t i = 0; i < each->declared().parameter_count; ++i) {
+        known.emplace_back(plugin::parameter(each->declared(), i).name);
+      }
+    }
+    for (const auto& [name, value] : options_.parameters) {
+      if (std::ranges::find(known, name) != known.end()) continue;
+      throw config::BadInput(config::unknown("parameter", name, "the plugins of " + report_.file, known));
+    }
+  }
+
+  void check_plugin(const plugin::Description& plugin) {
+    plugin_ = plugin.declared().id;
+    apart("descriptor", "describes itself", [&] { return outcome_of(testkit::check_descriptor(loaded())); });
+    for (const std::int32_t kind : kinds_checked) {
+      if (!plugin.implements(kind)) continue;
+      for (const testkit::Check& check : testkit::contract(kind)) {
+        if (check.name == "descriptor") continue;  // it is that of all its kinds
+        apart(kind_and(kind, check.name), check.promise, [&]() -> Outcome {
+          const testkit::Loaded own = loaded();
+          if (!check.applies(own, testkit_options_)) return {Status::skip, {}};
+          return outcome_of(check.run(own, testkit_options_));
+        });
+      }
+      check_elsewhere(kind);
+      apart(kind_and(kind, "cost"), "what a call costs", [&] { return cost_of(kind); });
+    }
+    plugin_.clear();
+  }
+
+  testkit::Loaded loaded() const { return {file_.string(), plugin_}; }
+
+  // What a whole course came to, as a line.
+  Outcome digest(std::int32_t kind) const {
+    return {Status::pass, {fmt::format("{:016x}", testkit::course_digest(kind, loaded(), testkit_options_))}};
+  }
+
+  void check_elsewhere(std::int32_t kind) {
+    const std::string name = kind_and(kind, "elsewhere");
+    if (!is_wanted(options_.only, name)) return;
+    judge(name, "does the same in another process, folder and environment", [&]() -> Outcome {
+      if (options_.in_process) return {Status::skip, {}};
+      const Outcome first = in_a_child([&] { return digest(kind); }, options_.deadline);
+      if (first.status != Status::pass) return first;
+      const Outcome second = in_a_child(
+          [&] {
+            go_elsewhere();
+            return digest(kind);
+          },
+          options_.deadline);
+      if (second.status != Status::pass) return second;
+      if (first.lines == second.lines) return {};
+      return {Status::fail,
+              {"the same calls give another result in another process: it depends on addresses, the folder, the "
+               "environment, or on what others do"}};
+    });
+  }
+
+  Outcome cost_of(std::int32_t kind) const {
+    Outcome out;
+    for (const testkit::Cost& each : testkit::cost_of_calls(kind, loaded(), testkit_options_)) {
+      out.lines.push_back(fmt::format("{}: half of the calls within {:.1f} us, 99 % within {:.1f} us ({} calls)",
+                                      each.call, each.median_microseconds, each.p99_microseconds, each.count));
+      constexpr double much = 5'000.0;
+      if (each.median_microseconds > much) {
+        out.status = Status::warn;
+        out.lines.push_back("a match will be slow: every robot makes this call ten times a second");
+      }
+    }
+    return out;
+  }
+
+  void here(const std::string& name, const std::string& promise, const std::function<Outcome()>& check) {
+    if (is_wanted(options_.only, name)) judge(name, promise, check);
+  }
+  void apart(const std::string& name, const std::string& promise, const std::function<Outcome()>& check) {
+    if (!is_wanted(options_.only, name)) return;
+    const auto alone = [&check] { return leaving_the_process_alone(check); };
+    judge(name, promise, [&] { return options_.in_process ? alone() : in_a_child(alone, options_.deadline); });
+  }
+  void judge(const std::string& name, const std::string& promise, const std::function<Outcome()>& check) {
+    const auto began = Clock::now();
+    Outcome outcome = check();
+    const std::chrono::duration<double> seconds = Clock::now() - began;
+    report_.verdicts.push_back({plugin_, name, promise, outcome.status, std::move(outcome.lines), seconds.count()});
+    if (told_) told_(report_.verdicts.back());
+  }
+
+  fs::path file_;
+  const Options& options_;
+  const std::function<void(const Verdict&)>& told_;
+  testkit::Options testkit_options_;
+  std::string plugin_;
+  Report report_;
+};
+
+}  // namespace
+
+std::vector<std::string> known_checks() {
+  std::vector<std::string> out(file_checks.begin(), file_checks.end());
+  out.emplace_back("descriptor");
+  const auto add = [&out](const std::string& name) {
+    if (std::ranges::find(out, name) == out.end()) out.push_back(name);
+  };
+  for (const std::int32_t kind : kinds_checked) {
+    add(std::string(plugin::kind_name(kind)));
+    std::vector<std::string> checks;
+    for (const testkit::Check& check : testkit::contract(kind)) checks.push_back(check.name);
+    checks.insert(checks.end(), {"elsewhere", "cost"});
+    for (const std::string& check : checks) {
+      if (check == "descriptor") continue;
+      add(check);
+      add(kind_and(kind, check));
+    }
+  }
+  return out;
+}
+
+Report check_file(const std::filesystem::path& file, const Options& options,
+                  const std::function<void(const Verdict&)>& told) {
+  const std::vector<std::string> known = known_checks();
+  for (const std::string& each : options.only) {
+    if (std::ranges::find(known, each) == known.end())
+      throw config::BadInput(config::unknown("check", each, "--only", known));
+  }
+  std::error_code none;
+  if (!fs::exists(file, none)) throw config::BadInput(fmt::format("{}: no such file", file.string()));
+  return FileCheck(file, options, told).run();
+}
+
+}  // namespace regista::check

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Checks a shared object against <regista/abi.h> as `regista plugin check` does: first without running it, then opened,
+// then the contract of each kind that its plugins implement. The contracts are those of the testkit; each check runs in
+// a process of its own.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/child.hpp"
+#include "check/verdict.hpp"
+
+namespace regista::check {
+
+struct Options {
+  std::vector<std::string> only;                                // checks or groups of them; empty: all
+  std::vector<std::pair<std::string, std::string>> parameters;  // values of the plugin's parameters, as text
+  bool may_idle = false;                                        // an assigner may leave robots without a task
+  bool in_process = false;                                      // in this process, for a debugger
+  Deadline deadline;
+};
+
+// What can be checked of the plugins of a file: names for `only`.
+std::vector<std::string> known_checks();
+
+// told: each verdict as soon as there is one; may be empty. Throws config::BadInput for an unknown name in `only` or a
+// parameter that no plugin of the file has, and for a file that does not exist.
+Report check_file(const std::filesystem::path& file, const Options& options,
+                  const std::function<void(const Verdict&)>& told);
+
+}  // namespace regista::check

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// `regista plugin check FILE.so`: does a plugin keep the promises of the interface?
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "check/plugin_check.hpp"
+#include "cli/commands.hpp"
+#include "config/bad_input.hpp"
+#include "config/json.hpp"
+#include "config/text.hpp"
+#include "config/typed.hpp"
+#include "output/output.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr auto plugin_check_examples = R"(Examples:
+  regista plugin check build/my_assigner.so
+  regista plugin check build/my_assigner.so --only promises --only imports
+  regista plugin check build/my_assigner.so --may-idle --set at_least=0.3
+  regista plugin check build/*.so --json
+  gdb --args regista plugin check build/my_assigner.so --only assigner.promises --in-process
+
+The file may be of any language. First it is looked at without running it; then each check opens it in a process of its own, so
+that a plugin that crashes, hangs or leaves threads behind is named and the other checks go on. The checks of a kind
+are those of the testkit: empty teams, one robot, robots in one place, many tasks and few, the ends of all ranges of
+parameters, structs and arrays that have grown, what is not declared to be read.
+
+pass: sound; warn: may be meant, and may go wrong elsewhere; fail: breaks a promise of <regista/abi.h>; crash: the process of
+the check died or had to be ended; skip: nothing to check.
+
+Exit codes: 0 no check failed or crashed; 1 one did; 2 bad input; 3 a defect of Regista.)";
+
+struct PluginCheckOptions {
+  std::vector<std::string> files, only, parameters;
+  std::string processor_seconds = "60";
+  bool may_idle = false, in_process = false, json = false;
+};
+
+check::Options options_of(const PluginCheckOptions& options) {
+  check::Options out;
+  out.only = options.only;
+  out.may_idle = options.may_idle;
+  out.in_process = options.in_process;
+  out.deadline.processor_seconds =
+      static_cast<int>(config::parse_whole("--processor-seconds", options.processor_seconds, 1, 1'000'000));
+  for (const std::string& each : options.parameters) {
+    const std::size_t sign = each.find('=');
+    if (sign == std::string::npos || sign == 0) {
+      throw BadInput(fmt::format("--set {}: expected NAME=VALUE", config::in_quotes(each)));
+    }
+    out.parameters.emplace_back(each.substr(0, sign), each.substr(sign + 1));
+  }
+  return out;
+}
+
+std::string text_of(const check::Verdict& verdict) {
+  std::string out = fmt::format("  {:<5}  {:<24}  {}\n", check::word(verdict.status), verdict.check, verdict.promise);
+  for (const std::string& line : verdict.lines) out += fmt::format("           {}\n", line);
+  return out;
+}
+
+std::string summary_of(const check::Report& report) {
+  std::string out = fmt::format("{}: {}", report.file, config::counted(report.verdicts.size(), "check", "checks"));
+  for (const check::Status status :
+       {check::Status::pass, check::Status::warn, check::Status::fail, check::Status::crash, check::Status::skip}) {
+    const auto count = std::ranges::count(report.verdicts, status, &check::Verdict::status);
+    if (count > 0) out += fmt::format(", {} {}", count, check::word(status));
+  }
+  return out + '\n';
+}
+
+nlohmann::ordered_json json_of(const check::Report& report) {
+  nlohmann::ordered_json checks = nlohmann::ordered_json::array();
+  for (const check::Verdict& each : report.verdicts) {
+    checks.push_back(
+        {{"plugin", each.plugin.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(each.plugin)},
+         {"check", each.check},
+         {"status", check::word(each.status)},
+         {"promise", each.promise},
+         {"lines", each.lines},
+         {"seconds", each.seconds}});
+  }
+  return {{"file", report.file}, {"passed", report.passed()}, {"checks", checks}};
+}
+
+int run(const PluginCheckOptions& options) {
+  if (options.files.empty())
+    throw BadInput("plugin check: which file? Name a shared object, such as build/my_plugin.so");
+  const check::Options wanted = options_of(options);
+  bool passed = true;
+  auto json = nlohmann::ordered_json::array();
+  for (const std::string& file : options.files) {
+    std::string plugin = "none yet";
+    const auto tell = [&](const check::Verdict& verdict) {
+      if (options.json) return;
+      if (verdict.plugin != plugin) output::print(verdict.plugin.empty() ? file + '\n' : verdict.plugin + '\n');
+      plugin = verdict.plugin;
+      output::print(text_of(verdict));
+    };
+    const check::Report report = check::check_file(file, wanted, tell);
+    passed = passed && report.passed();
+    if (options.json)
+      json.push_back(json_of(report));
+    else
+      output::print(summary_of(report));
+  }
+  if (options.json) output::print(json.dump(2) + '\n');
+  return passed ? exit_done : exit_no;
+}
+
+}  // namespace
+
+void add_plugin_check(Command& parent) {
+  Command& command = parent.add("check", "see whether a plugin keeps the promises of the interface");
+  const auto options = std::make_shared<PluginCheckOptions>();
+  command.take("files", options->files, "FILE.so", "shared objects", Reads::data);
+  command.choose("--only", options->only, check::known_checks(),
+                 "this check alone, or all of a kind or a name (assigner, promises); may be repeated");
+  command.take("--set", options->parameters, "NAME=VALUE", "a parameter of the plugin; may be repeated");
+  command.flag("--may-idle", options->may_idle, "an assigner may leave a robot without a task that it could do");
+  command.take("--processor-seconds", options->processor_seconds, "SECONDS", "processor time of one check; default 60");
+  command.flag("--in-process", options->in_process,
+               "all checks in the program's own process, for a debugger: what ends it is not explained");
+  command.flag("--json", options->json, "write JSON: a list, with one element for each file");
+  command.notes(plugin_check_examples);
+  command.run = [options] { return run(*options); };
+}
+
+}  // namespace regista::cli
