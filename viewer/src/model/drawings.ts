@@ -23,7 +23,7 @@ export const layerText = ({ plugin, name }: Layer): string => `${plugin}: ${name
 const mostLayers = 100;
 
 const nothing: readonly Shape[] = [];
-const byName = (a: string, b: string): number => (a < b ? -1 : a > b ? 1 : 0);
+const { compare: byName } = new Intl.Collator("en", { numeric: true }); // "cell 2" before "cell 10"
 
 export class Drawings {
   layers: Layer[] = []; // by plugin and name
