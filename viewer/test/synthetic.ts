@@ -16,6 +16,7 @@ export interface Change {
   message?: (topic: string, message: Json, index: number) => unknown; // what is written instead; undefined: nothing
   raw?: (topic: string, index: number) => string | undefined; // text in place of a message
   chunkBytes?: number;
+  more?: (time: number) => { topic: string; message: Json }[]; // written at each moment besides
   segments?: boolean; // plugins talk: see segmentsAt
   plugins?: boolean; // plugins write and draw: see linesAt and drawingsAt
 }
@@ -333,6 +334,7 @@ export async function recording(change: Change = {}): Promise<Uint8Array> {
       for (const line of linesAt(time)) await put("/log", line);
       for (const drawing of drawingsAt(time)) await put("/draw", drawing);
     }
+    for (const { topic, message } of change.more?.(time) ?? []) await put(topic, message);
     await put("/game", {
       time,
       half: 1,
