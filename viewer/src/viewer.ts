@@ -4,7 +4,16 @@ import { Address, fragmentOf, readFragment } from "./app/fragment";
 import { type Key, listenToKeys } from "./app/keys";
 import { type Palette, readPalette } from "./app/palette";
 import { Playback } from "./app/playback";
-import { type LayerName, type PanelName, State, type View, layerNames, panelNames, speeds } from "./app/state";
+import {
+  type LayerName,
+  type PanelName,
+  type Robot,
+  State,
+  type View,
+  layerNames,
+  panelNames,
+  speeds,
+} from "./app/state";
 import { decisionStep, eventStep, goalStep, timeOf } from "./app/steps";
 import type { Theme } from "./app/theme";
 import { Field } from "./field/field";
@@ -14,8 +23,10 @@ import { type Stretch, neighbour } from "./model/roles";
 import { countSwitches } from "./model/switches";
 import { listText, shortened, timeText } from "./model/text";
 import { ComparePanel } from "./panels/compare";
+import { DrawingChoice, hasDrawings } from "./panels/drawing_choice";
 import { byId, element, setText } from "./panels/elements";
 import { Head } from "./panels/head";
+import { LogPanel, hasLines } from "./panels/log";
 import { MatchPanel } from "./panels/match";
 import { OverlapList } from "./panels/overlaps";
 import { RobotPanel } from "./panels/robot";
@@ -31,6 +42,7 @@ const panelTexts: Record<PanelName, string> = {
   robot: "Robot",
   compare: "Compare",
   segments: "Segments",
+  log: "Log",
   match: "Match",
 };
 const layerTexts: Record<LayerName, [string, string]> = {
@@ -56,8 +68,10 @@ export class Viewer {
   private readonly robotPanel: RobotPanel;
   private readonly comparePanel: ComparePanel;
   private readonly segmentPanel: SegmentPanel;
+  private readonly logPanel: LogPanel;
   private readonly matchPanel: MatchPanel;
   private readonly address: Address;
+  private readonly drawings: DrawingChoice;
   private readonly computed: readonly [string[], string[]]; // by side: names of what its positioners compute
   private panelsDrawn = 0;
   private panelsStale = true;
@@ -95,6 +109,7 @@ export class Viewer {
       this.state.set({ pair }),
     );
     this.segmentPanel = new SegmentPanel(byId("panel-segments"), match, (time) => this.state.set({ time }));
+    this.logPanel = new LogPanel(byId("panel-log"), match, (time) => this.state.set({ time }));
     this.matchPanel = new MatchPanel(byId("panel-match"), match, name, (time) => this.state.set({ time }));
     this.address = new Address(() => {
       const { time, robot, panel, pair } = this.state.view;
@@ -104,6 +119,7 @@ export class Viewer {
     theme.changed = () => this.repaint();
     this.state.listen((changed) => this.changed(changed));
     this.buildControls();
+    this.drawings = new DrawingChoice(byId("layers"), match, this.state);
     this.go(location.hash);
     this.address.listen((fragment) => this.go(fragment));
     new ResizeObserver(() => this.resize()).observe(byId("viewer"));
@@ -184,6 +200,7 @@ export class Viewer {
     if (view.panel === "overlaps") this.list.update(view.time, true);
     if (view.panel === "robot") this.robotPanel.update(view);
     if (view.panel === "segments") this.segmentPanel.update(view.time);
+    if (view.panel === "log") this.logPanel.update(view);
     if (view.panel === "compare") {
       this.followPair(view);
       this.comparePanel.update(this.state.view);
@@ -238,8 +255,13 @@ export class Viewer {
   private chooseNumber(number: number): void {
     const { side } = this.state.view;
     if (number > this.match.game.sizes[side]) return;
-    this.state.choose({ side, number });
-    this.state.set({ panel: "robot" });
+    this.chooseRobot({ side, number });
+  }
+
+  // Its panel comes with it; but the log stays, and shows its lines.
+  private chooseRobot(robot: Robot): void {
+    this.state.choose(robot);
+    if (this.state.view.panel !== "log") this.state.set({ panel: "robot" });
   }
 
   private otherSide(): void {
@@ -290,11 +312,17 @@ export class Viewer {
       key(["s"], "s", "segments of packets, if there are any", () => {
         if (hasSegments(this.match)) this.state.set({ panel: "segments" });
       }),
+      key(["k"], "k", "log of plugins, if there is any", () => {
+        if (hasLines(this.match)) this.state.set({ panel: "log" });
+      }),
       key(["m"], "m", "sums, events, recording", () => this.state.set({ panel: "match" })),
       ...layerNames.map((layer) => {
         const [text, name] = layerTexts[layer];
         const does = layer === "computed" ? `${this.computedText()} on or off` : `${text.toLowerCase()} on or off`;
         return key([name], name, does, () => byId<HTMLButtonElement>(`layer-${layer}`).click());
+      }),
+      key(["w"], "w", "drawings of plugins, if there are any: all or none", () => {
+        if (hasDrawings(this.match)) this.drawings.toggle();
       }),
       key(["="], "=", "less time in the timeline", () => this.zoom(0.6)),
       key(["_"], "_", "more time in the timeline", () => this.zoom(1.7)),
@@ -375,7 +403,7 @@ export class Viewer {
         panelTexts[panel],
       );
       tab.addEventListener("click", () => this.state.set({ panel }));
-      tab.hidden = panel === "segments" && !hasSegments(this.match);
+      tab.hidden = (panel === "segments" && !hasSegments(this.match)) || (panel === "log" && !hasLines(this.match));
       byId("tabs").append(tab);
     }
     for (const layer of layerNames) {
@@ -391,8 +419,8 @@ export class Viewer {
     byId("field").addEventListener("click", (event) => {
       const box = byId("field").getBoundingClientRect();
       const robot = this.field.robotAt(event.clientX - box.left, event.clientY - box.top);
-      this.state.choose(robot);
-      if (robot !== null) this.state.set({ panel: "robot" });
+      if (robot === null) this.state.choose(null);
+      else this.chooseRobot(robot);
     });
     const keys = this.keys();
     listenToKeys(keys);
@@ -425,5 +453,6 @@ export class Viewer {
     this.comparePanel.showBar(view);
     for (const layer of layerNames) byId(`layer-${layer}`).setAttribute("aria-pressed", String(view.layers[layer]));
     this.showComputed(view);
+    this.drawings.update(view);
   }
 }

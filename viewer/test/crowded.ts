@@ -10,6 +10,9 @@ export interface Names {
   roles: string[]; // of play, then of search
   terms: [string, string];
   contexts: [string, string];
+  plugins: [string, string];
+  layers: string[];
+  line: string; // of the log, again and again
 }
 
 const robots = 7;
@@ -24,6 +27,9 @@ export const usual: Names = {
   ],
   terms: ["distance", "persistence"],
   contexts: ["search", "playing"],
+  plugins: ["voronoi_cells", "bids"],
+  layers: ["cells", "nodes", "targets", "ways"],
+  line: "robot 4 is nearer to its node than I am to mine, by 0.37 m",
 };
 
 export const long: Names = {
@@ -33,6 +39,9 @@ export const long: Names = {
   ),
   terms: ["distance_to_the_own_goal", "persistence_of_the_last_role"],
   contexts: ["search_for_the_ball_together", "playing_with_everybody"],
+  plugins: ["voronoi_cells_of_the_whole_field_by_sweeping_a_line", "auction_of_all_roles_among_those_who_are_awake"],
+  layers: Array.from({ length: 14 }, (_, i) => `cells_of_the_robots_that_may_still_take_role_${i}_of_the_table`),
+  line: "the_distance_between_the_node_and_the_robot_that_holds_it is longer than that of any other robot. ".repeat(7),
 };
 
 const places = Array.from({ length: robots }, (_, i) => [-4.25 + 1.3 * i, i % 2 === 0 ? -2.55 : 1.85, -0.5 * i]);
@@ -92,6 +101,19 @@ function belief(message: Json): Json {
   };
 }
 
+// Cells around the robots, each with its name.
+function drawing(message: Json, { plugins, layers }: Names, index: number): Json {
+  const layer = index % layers.length;
+  const cell = ([x, y]: readonly number[]) => [0, 1, 2, 3, 4, 5].map((i) => [x! + hexagon(i, 0), y! + hexagon(i, 1)]);
+  const shapes = places.flatMap((place, i) => [
+    { shape: "polygon", at: cell(place), filled: i % 3 === layer % 3 },
+    { shape: "text", at: [place.slice(0, 2)], text: `${layers[layer]} ${i}` },
+  ]);
+  return { ...message, plugin: plugins[layer % 2], layer: layers[layer], shapes };
+}
+
+const hexagon = (corner: number, axis: 0 | 1) => 0.9 * Math.cos((corner * Math.PI) / 3 - (axis * Math.PI) / 2);
+
 export async function crowded(names: Names): Promise<Uint8Array> {
   const pairs = metadata(names.teams);
   for (const key of ["home", "away"]) {
@@ -113,7 +135,9 @@ export async function crowded(names: Names): Promise<Uint8Array> {
   return recording({
     teams: names.teams,
     metadata: pairs,
-    message: (topic, message) => {
+    segments: true,
+    plugins: true,
+    message: (topic, message, index) => {
       const time = message.time as number;
       if (topic === "/game") {
         return {
@@ -127,6 +151,8 @@ export async function crowded(names: Names): Promise<Uint8Array> {
       }
       if (topic === "/event" && message.event === "kick_off")
         return { ...message, event: "penalty", offence: "illegal_position_in_set", robot: 5, side: "away" };
+      if (topic === "/log") return { ...message, plugin: names.plugins[index % 2], text: names.line };
+      if (topic === "/draw") return drawing(message, names, index);
       if (topic.startsWith("/decision")) return decision(message, topic.includes("home") ? 0 : 1);
       if (topic.startsWith("/belief")) return belief(message);
       return message;

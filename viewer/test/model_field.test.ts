@@ -3,10 +3,12 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { shownBallRadius } from "../src/field/ball";
+import { drawShapes, styleOf } from "../src/field/drawings";
 import type { Projection } from "../src/field/ground";
 import { Labels } from "../src/field/labels";
 import { type Wanted, placeNames } from "../src/field/placement";
 import { ellipseOf, ellipsePath } from "../src/field/shapes";
+import type { Shape } from "../src/recording/plugin_messages";
 
 // Notes what is drawn instead of drawing it; every letter is 6 wide.
 function noting() {
@@ -137,4 +139,92 @@ test("an ellipse has the axes of its covariance", () => {
   assert.deepEqual(ellipseOf([4, 0, 1]), { major: 2, minor: 1, angle: 0 });
   const { major, minor, angle } = ellipseOf([2.5, 1.5, 2.5]);
   assert.ok(Math.abs(major - 2) < 1e-12 && Math.abs(minor - 1) < 1e-12 && Math.abs(angle - Math.PI / 4) < 1e-12);
+});
+
+test("a name that may stand upon its point does so while that is free, else beside it", () => {
+  const wanted = name(200, 150, { radius: 0, upon: true, far: true });
+  const [free] = placeNames([wanted], [], picture);
+  assert.deepEqual([free!.x, free!.y, free!.far], [200, 150, false]);
+  const robot = { left: 192, right: 208, top: 142, bottom: 158 };
+  const beside = placeNames([{ ...wanted, before: free!.place }], [robot], picture)[0]!;
+  assert.ok(!share(beside, { x: 200, y: 150 }, 38, 14));
+  assert.deepEqual(placeNames([{ ...wanted, before: beside.place }], [], picture)[0]!.place, free!.place);
+});
+
+// Notes the calls that paint, with the colours and widths they paint in.
+function painting() {
+  const calls: unknown[][] = [];
+  const state = { strokeStyle: "", fillStyle: "", lineWidth: 0, globalAlpha: 1 };
+  let dash: number[] = [];
+  const context = Object.assign(state, {
+    save: () => {},
+    restore: () => {},
+    beginPath: () => {},
+    moveTo: (x: number, y: number) => calls.push(["move", x, y]),
+    lineTo: (x: number, y: number) => calls.push(["line", x, y]),
+    arc: (x: number, y: number, radius: number) => calls.push(["dot", x, y, radius]),
+    closePath: () => calls.push(["close"]),
+    setLineDash: (to: number[]) => (dash = to),
+    fill: () => calls.push(["fill", state.fillStyle, state.globalAlpha]),
+    stroke: () => calls.push(["stroke", state.strokeStyle, state.lineWidth, dash.length > 0]),
+  });
+  return { calls, context: context as unknown as CanvasRenderingContext2D };
+}
+
+test("shapes are drawn in metres, with what the viewer chooses where the plugin does not", () => {
+  const to = { x: (x: number) => 100 * x, y: (y: number) => -100 * y, scale: 100 } as Projection;
+  const shape = (kind: Shape["kind"], more: Partial<Shape> = {}): Shape => ({
+    ...{ kind, text: "", colour: null, width: null, filled: false },
+    ...{ at: [[0, 0] as [number, number], [1, 2] as [number, number]] },
+    ...more,
+  });
+  const drawn = (shapes: Shape[], style = styleOf(0, ["#111", "#222"])) => {
+    const { calls, context } = painting();
+    const labels = new Labels();
+    drawShapes(context, to, shapes, style, labels, "key");
+    return calls;
+  };
+  const path = [
+    ["move", 0, -0],
+    ["line", 100, -200],
+  ];
+  assert.deepEqual(drawn([shape("line")]), [...path, ["stroke", "#111", 2, false]]);
+  assert.deepEqual(drawn([shape("line", { width: 0.001 })]), [...path, ["stroke", "#111", 1, false]]);
+  const own = { colour: "#12345678", width: 0.5 };
+  assert.deepEqual(drawn([shape("line", own)]), [...path, ["stroke", "#12345678", 50, false]]);
+  const closed = [...path, ["close"]];
+  assert.deepEqual(drawn([shape("polygon")]), [...closed, ["stroke", "#111", 2, false]]);
+  const pale = ["fill", "#111", 0.2];
+  assert.deepEqual(drawn([shape("polygon", { filled: true })]), [...closed, pale, ["stroke", "#111", 2, false]]);
+  const full = ["fill", "#12345678", 1];
+  const edge = ["stroke", "#12345678", 50, false];
+  assert.deepEqual(drawn([shape("polygon", { ...own, filled: true })]), [...closed, full, edge]);
+  assert.deepEqual(drawn([shape("points")]), [
+    ["move", 4, -0],
+    ["dot", 0, -0, 4],
+    ["move", 104, -200],
+    ["dot", 100, -200, 4],
+    ["fill", "#111", 1],
+  ]);
+  // Colours that are used up come again, dashed.
+  assert.deepEqual(drawn([shape("line")], styleOf(3, ["#111", "#222"])), [...path, ["stroke", "#222", 2, true]]);
+  assert.deepEqual(drawn([shape("line", { at: [] })]), []);
+});
+
+test("texts of drawings are names, and of very many only so many are held against each other", () => {
+  const { context } = painting();
+  const labels = new Labels();
+  labels.clear();
+  const to = { x: (x: number) => x, y: (y: number) => y, scale: 1 } as Projection;
+  const shapes = Array.from({ length: 20_000 }, (_, i): Shape => ({
+    ...{ kind: "text", at: [[(17 * i) % 400, (29 * i) % 300]], text: `text ${i}` },
+    ...{ colour: null, width: null, filled: false },
+  }));
+  drawShapes(context, to, shapes, { colour: "#111", dashed: false }, labels, "key");
+  const noted = noting();
+  const began = performance.now();
+  labels.write(noted.context, picture, "");
+  assert.ok(performance.now() - began < 500);
+  assert.ok(noted.texts.length > 20 && noted.texts.length <= 200, `${noted.texts.length}`);
+  assert.deepEqual(noted.texts[0], { text: "text 0", x: 19.5, y: 9 }); // pushed into the picture
 });

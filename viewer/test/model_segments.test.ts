@@ -3,7 +3,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { type Segment, around, reachOf, spacedBytes } from "../src/model/segments";
+import { around } from "../src/model/around";
+import { type Segment, reachOf, spacedBytes } from "../src/model/segments";
 import { readMatch } from "../src/recording/match";
 import { recording, seconds } from "./synthetic";
 

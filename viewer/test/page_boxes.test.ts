@@ -25,24 +25,32 @@ const screens = [
   { width: 1440, height: 900 },
   { width: 1920, height: 1080 },
 ];
-const panels = { o: "Overlaps", r: "Robot", c: "Compare", m: "Match", "?": "Help" };
+const panels = {
+  ...{ o: "Overlaps", r: "Robot", c: "Compare", s: "Segments", k: "Log", m: "Match" },
+  ...{ Drawings: "Drawings", "?": "Help" },
+};
 
 async function measure(address: string, wholeNames: boolean): Promise<string[]> {
   const page = await browser.newPage();
   await noteCanvasTexts(page);
   await page.goto(address);
   await page.waitForFunction(() => document.body.dataset.counted === "true");
+  await page.keyboard.press("w"); // what plugins drew
   const found: string[] = [];
   for (const colorScheme of ["light", "dark"] as const) {
     await page.emulateMedia({ colorScheme });
     for (const screen of screens) {
       await page.setViewportSize(screen);
       for (const [key, panel] of Object.entries(panels)) {
-        await page.keyboard.press(key);
+        const isList = key === "Drawings"; // of layers, above its button
+        const button = page.locator("#drawings-open");
+        if (isList && !(await button.isVisible())) continue;
+        if (isList) await button.click();
+        else await page.keyboard.press(key);
         await settle(page);
         for (const trouble of await troubles(page, wholeNames))
           found.push(`${panel} at ${screen.width}, ${colorScheme}: ${trouble}`);
-        if (key === "?") await page.keyboard.press("Escape");
+        if (key === "?" || isList) await page.keyboard.press("Escape");
       }
     }
   }

@@ -16,7 +16,9 @@ export interface Change {
   message?: (topic: string, message: Json, index: number) => unknown; // what is written instead; undefined: nothing
   raw?: (topic: string, index: number) => string | undefined; // text in place of a message
   chunkBytes?: number;
+  more?: (time: number) => { topic: string; message: Json }[]; // written at each moment besides
   segments?: boolean; // plugins talk: see segmentsAt
+  plugins?: boolean; // plugins write and draw: see linesAt and drawingsAt
 }
 
 // Half a minute of play between 10 and 50 s.
@@ -82,6 +84,52 @@ export function segmentsAt(time: number): Json[] {
   if (at(15.5)) out.push({ ...base, robot: 3, segment: "dropped", handle: 2, why: "expired" });
   if (at(15)) out.push({ ...base, ...offer, robot: 1, segment: "refused", why: "too_long", length: 300, bytes: "" });
   if (at(59)) out.push({ ...base, ...offer, robot: 1, segment: "offered", handle: 1 });
+  return out;
+}
+
+const whole = (value: number) => Math.abs(value - Math.round(value)) < 1e-6;
+
+// Robot 2 of home writes each second where it stands, its bids twice as often and more softly; robot 3 warns at 12.5 s,
+// and robot 1 of away fails at 20 s and warns at 20.1 s.
+export function linesAt(time: number): Json[] {
+  const home = { time, side: "home" };
+  const out: Json[] = [];
+  if (whole(time)) out.push({ ...home, robot: 2, plugin: "voronoi", level: "info", text: `cell ${Math.round(time)}` });
+  if (whole(2 * time)) out.push({ ...home, robot: 2, plugin: "bids", level: "debug", text: "nobody bids" });
+  const away = { time, side: "away", robot: 1, plugin: "voronoi" };
+  const at = (when: number) => Math.abs(time - when) < 1e-6;
+  if (at(12.5)) out.push({ ...home, robot: 3, plugin: "bids", level: "warning", text: "the bid of 2 came late" });
+  if (at(20)) out.push({ ...away, level: "error", text: "less than three nodes" });
+  if (at(20.1)) out.push({ ...away, level: "warning", text: "the cells of 20 s are drawn again" });
+  return out;
+}
+
+// Robot 2 of home draws a cell each second second, 0.1 m farther on, and nothing from 40 s on; robot 3 another one at
+// 10 s, which stays. Robot 1 of away draws dots of its own colour from 15 s on.
+export const cellAt = (time: number): [number, number] => [-3 + 0.05 * 2 * Math.floor(time / 2 + 1e-6), 2];
+export function drawingsAt(time: number): Json[] {
+  const cells = { time, side: "home", plugin: "voronoi", layer: "cells" };
+  const square = (x: number, y: number) => [
+    [x - 0.5, y - 0.5],
+    [x + 0.5, y - 0.5],
+    [x + 0.5, y + 0.5],
+    [x - 0.5, y + 0.5],
+  ];
+  const out: Json[] = [];
+  if (whole(time / 2) && time < 39) {
+    const [x, y] = cellAt(time);
+    const shapes = [
+      { shape: "polygon", at: square(x, y), colour: "#ff00ffff", width: 0.05, filled: true },
+      { shape: "polygon", at: square(x, y) },
+      { shape: "text", at: [[x, y]], text: `cell of ${Math.round(time)} s` },
+    ];
+    out.push({ ...cells, robot: 2, shapes });
+  }
+  const at = (when: number) => Math.abs(time - when) < 1e-6;
+  if (at(40)) out.push({ ...cells, robot: 2, shapes: [] });
+  if (at(10)) out.push({ ...cells, robot: 3, shapes: [{ shape: "line", at: square(3, -2), width: 0.2 }] });
+  const dots = { shape: "points", at: [[3, 2]], colour: "#00ffffff", width: 0.4 };
+  if (at(15)) out.push({ time, side: "away", robot: 1, plugin: "bids", layer: "targets", shapes: [dots] });
   return out;
 }
 
@@ -282,6 +330,11 @@ export async function recording(change: Change = {}): Promise<Uint8Array> {
       if (i % 100 === 0) await put("/heard", { time: time + 0.05, side: "home", robot: 3, sender: 2, sent: time });
     }
     if (change.segments === true) for (const segment of segmentsAt(time)) await put("/segment", segment);
+    if (change.plugins === true) {
+      for (const line of linesAt(time)) await put("/log", line);
+      for (const drawing of drawingsAt(time)) await put("/draw", drawing);
+    }
+    for (const { topic, message } of change.more?.(time) ?? []) await put(topic, message);
     await put("/game", {
       time,
       half: 1,

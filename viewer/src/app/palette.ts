@@ -23,14 +23,18 @@ const names = [
   "on-home",
   "on-away",
 ] as const;
-export type Palette = Record<(typeof names)[number], string> & { roles: string[] };
+export type Palette = Record<(typeof names)[number], string> & { roles: string[]; drawings: string[] };
+
+// Of layers that plugins draw in.
+export const drawingColours = 6;
 
 export function readPalette(): Palette {
   const style = getComputedStyle(document.documentElement);
   const read = (name: string) => style.getPropertyValue(`--${name}`).trim();
   const colors = Object.fromEntries(names.map((name) => [name, read(name)])) as Record<(typeof names)[number], string>;
   const roles = Array.from({ length: 8 }, (_, i) => read(`role-${i}`));
-  return { ...colors, roles };
+  const drawings = Array.from({ length: drawingColours }, (_, i) => read(`drawing-${i}`));
+  return { ...colors, roles, drawings };
 }
 
 // Steps of the colour map "cividis" (Nuñez, Anderton and Renslow, 2018), from the least to the greatest value.

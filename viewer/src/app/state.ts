@@ -9,7 +9,7 @@ export interface Robot {
   number: number;
 }
 
-export const panelNames = ["overlaps", "robot", "compare", "segments", "match"] as const;
+export const panelNames = ["overlaps", "robot", "compare", "segments", "log", "match"] as const;
 export type PanelName = (typeof panelNames)[number];
 
 // "computed": what the positioner computed, drawn only when wanted.
@@ -28,6 +28,7 @@ export interface View {
   panel: PanelName;
   knowledge: Knowledge;
   layers: Record<LayerName, boolean>;
+  drawings: readonly number[]; // layers of plugins, as places in the recording's, ascending
 }
 
 export class State {
@@ -41,6 +42,7 @@ export class State {
     panel: "overlaps",
     knowledge: "decided",
     layers: { belief: true, ellipses: true, tasks: true, trails: true, computed: false },
+    drawings: [],
   };
   private readonly listeners: ((changed: ReadonlySet<keyof View>) => void)[] = [];
 
@@ -75,5 +77,12 @@ export class State {
 
   toggle(layer: LayerName): void {
     this.set({ layers: { ...this.view.layers, [layer]: !this.view.layers[layer] } });
+  }
+
+  toggleDrawing(layer: number): void {
+    const { drawings } = this.view;
+    const without = drawings.filter((other) => other !== layer);
+    const added = [...drawings, layer].sort((a, b) => a - b);
+    this.set({ drawings: without.length < drawings.length ? without : added });
   }
 }

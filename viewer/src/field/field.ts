@@ -2,7 +2,7 @@
 // The field as it is drawn: the truth, and over it what the chosen robot believes and plans.
 import { Canvas, font } from "../app/canvas";
 import type { Palette } from "../app/palette";
-import type { Robot, State } from "../app/state";
+import type { Robot, State, View } from "../app/state";
 import { type Game, Moment, inMask } from "../model/game";
 import { type Look, ageOf, isOld, knowledgeOf, lookAt, shortRoleName, worldOf } from "../model/look";
 import { fixed } from "../model/text";
@@ -10,6 +10,7 @@ import { bothSides } from "../recording/about";
 import type { Match } from "../recording/match";
 import { drawBelief } from "./belief";
 import { drawTrueBall, shownBallRadius } from "./ball";
+import { drawShapes, styleOf } from "./drawings";
 import { Projection, drawGround } from "./ground";
 import { Labels } from "./labels";
 import { drawPlan } from "./plan";
@@ -81,6 +82,8 @@ export class Field {
     this.takeBodies();
 
     const pair = view.panel === "compare" ? view.pair : null;
+    const compared = pair === null ? null : pair.robots.map((number) => ({ side: pair.side, number }));
+    this.drawDrawings(view, compared);
     if (pair !== null) {
       pair.robots.forEach((number, i) => {
         const look = lookAt(match, pair.side, number, view.time);
@@ -95,9 +98,23 @@ export class Field {
       const look = lookAt(match, view.robot.side, view.robot.number, view.time);
       this.drawMind(look, view.robot, state);
     }
-    this.drawRobots(state, pair === null ? null : pair.robots.map((number) => ({ side: pair.side, number })));
+    this.drawRobots(state, compared);
     this.drawBall();
     this.labels.write(context, canvas, palette.grass);
+  }
+
+  // What plugins drew: of the chosen robot, of both that are compared, or else of all.
+  private drawDrawings({ drawings: layers, robot, time }: View, compared: Robot[] | null): void {
+    const { drawings } = this.match;
+    const robots = compared ?? (robot !== null ? [robot] : drawings.drawers);
+    for (const layer of layers) {
+      const style = styleOf(layer, this.palette.drawings);
+      for (const each of robots) {
+        const shapes = drawings.at(layer, each, time);
+        const key = `drawing ${layer} ${each.side} ${each.number}`;
+        drawShapes(this.canvas.context, this.projection, shapes, style, this.labels, key);
+      }
+    }
   }
 
   private drawMind(look: Look, robot: Robot, state: State): void {

@@ -6,7 +6,7 @@ import { type Box, type Wanted, placeNames } from "./placement";
 import { type Context, label } from "./shapes";
 
 // Who chooses a place first.
-export const ranks = ["chosen", "own", "task", "age", "other"] as const;
+export const ranks = ["chosen", "own", "task", "drawing", "age", "other"] as const;
 export type Rank = (typeof ranks)[number];
 
 export interface Name {
@@ -21,7 +21,10 @@ export interface Name {
 }
 
 // Names of these may stand farther off, with a line; the others are left out where there is no room.
-const mayStandOff: readonly Rank[] = ["chosen", "own", "task"];
+const mayStandOff: readonly Rank[] = ["chosen", "own", "task", "drawing"];
+
+// Of one rank. More would find no room, and each is held against all others.
+const mostNames = 200;
 
 export class Labels {
   private taken: Box[] = [];
@@ -45,7 +48,7 @@ export class Labels {
 
   // Upon a canvas of this size.
   write(context: Context, size: { width: number; height: number }, rim: string): void {
-    const names = ranks.flatMap((rank) => this.names.filter((name) => name.rank === rank));
+    const names = ranks.flatMap((rank) => this.names.filter((name) => name.rank === rank).slice(0, mostNames));
     const wanted = names.map((name): Wanted => ({
       x: name.x,
       y: name.y,
@@ -53,6 +56,7 @@ export class Labels {
       width: this.widthOf(context, name) + 3,
       height: name.pixels + 2,
       far: mayStandOff.includes(name.rank),
+      upon: name.rank === "drawing",
       before: this.places.get(name.key) ?? -1,
     }));
     const places = placeNames(wanted, this.taken, size);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where names may stand upon a picture so that none lies over another: each in turn takes the first of its places that
-// is free. First those beside what it names, then, for names that may, those farther off, to which a line leads. A name
-// that finds no place is left out: the number upon the robot is still there. Boxes in, places out; nothing is drawn.
+// is free. First, for names that may, upon its point; then those beside what it names; then, for names that may, those
+// farther off, to which a line leads. A name that finds no place is left out: the number upon the robot is still there.
+// Boxes in, places out; nothing is drawn.
 export interface Box {
   left: number;
   top: number;
@@ -16,6 +17,7 @@ export interface Wanted {
   width: number; // of the name
   height: number;
   far: boolean; // it may stand farther off
+  upon?: boolean; // it may stand upon its point, which nothing marks
   before: number; // the place it had last, so that names keep still while their robots walk; -1: none
 }
 
@@ -50,11 +52,14 @@ const far = farDistances.flatMap((distance) =>
   }),
 );
 
+const upon = [[0, 0, 0, 0, 0]] as const;
+const offsets = [...near, ...far, ...upon];
+const uponPlace = near.length + far.length;
+
 const within = (value: number, half: number, length: number) => Math.min(length - half, Math.max(half, value));
 
 function boxAt(wanted: Wanted, place: number, size: { width: number; height: number }): Box | null {
-  const [across, down, ofWidth, ofHeight, distance = 0] =
-    place < near.length ? near[place]! : far[place - near.length]!;
+  const [across, down, ofWidth, ofHeight, distance = 0] = offsets[place]!;
   const reach = wanted.radius + gap + distance;
   const [halfWidth, halfHeight] = [wanted.width / 2, wanted.height / 2];
   const x = wanted.x + across * reach + ofWidth * halfWidth;
@@ -80,7 +85,12 @@ export function placeNames(
       const box = boxAt(wanted, place, size);
       if (box === null || full.some((other) => meet(box, other))) return null;
       full.push(box);
-      return { x: (box.left + box.right) / 2, y: (box.top + box.bottom) / 2, far: place >= near.length, place };
+      return {
+        x: (box.left + box.right) / 2,
+        y: (box.top + box.bottom) / 2,
+        far: place >= near.length && place < uponPlace,
+        place,
+      };
     };
     const first = (from: number, to: number): Place | null => {
       if (wanted.before >= from && wanted.before < to) {
@@ -93,6 +103,10 @@ export function placeNames(
       }
       return null;
     };
-    return first(0, near.length) ?? (wanted.far ? first(near.length, near.length + far.length) : null);
+    return (
+      (wanted.upon === true ? tryAt(uponPlace) : null) ??
+      first(0, near.length) ??
+      (wanted.far ? first(near.length, uponPlace) : null)
+    );
   });
 }

@@ -3,7 +3,6 @@
 // sent, which teammates heard it. What the radio lost tells the packet that it was in.
 import type { Side } from "../recording/about";
 import type { SegmentMessage } from "../recording/messages";
-import { lastNotAfter } from "../recording/log";
 import type { Packets } from "./packets";
 
 // It came to this robot, and to its plugin unless `why` says why not.
@@ -111,21 +110,6 @@ export function reachOf(segment: Segment, packets: Packets, size: number): Reach
   if (packet === null || packet.time < segment.at - sameTime) return reach;
   for (let number = 1; number <= size; ++number) if (packets.lost(packet, number)) reach.lost.push(number);
   return reach;
-}
-
-// Those around a moment: so many that were offered last, and so many of the next ones. segments: by `from`.
-export function around(
-  segments: readonly Segment[],
-  froms: readonly number[],
-  time: number,
-  before: number,
-  after: number,
-): { shown: readonly Segment[]; last: Segment | null } {
-  const at = lastNotAfter(froms, time + 1e-9);
-  return {
-    shown: segments.slice(Math.max(0, at + 1 - before), at + 1 + after),
-    last: segments[at] ?? null,
-  };
 }
 
 // "0a1bff" -> "0a 1b ff"

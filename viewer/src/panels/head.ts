@@ -13,15 +13,17 @@ export class Head {
     byId("home-name").title = teams[0].name;
     byId("away-name").title = teams[1].name;
     document.title = `${teams[0].name} \u2013 ${teams[1].name}`;
-    setText(byId("faults"), match.faults.join(" "));
-    byId("faults").title = match.faults.join("\n");
   }
 
   update(time: number): void {
-    const { game, about } = this.match;
+    const { game, about, drawings } = this.match;
     const i = game.indexAt(time);
     const missing = this.match.gaps.some(({ from, to }) => time > from + 0.1 && time < (to ?? Infinity) - 1e-6);
     setText(byId("goals"), `${game.score[2 * i]} : ${game.score[2 * i + 1]}`);
+    // What is wrong with a drawing is known once it was to be drawn.
+    const faults = [...this.match.faults, drawings.fault].filter((fault) => fault !== "");
+    setText(byId("faults"), faults.join(" "));
+    if (byId("faults").title !== faults.join("\n")) byId("faults").title = faults.join("\n");
     const setPlay = setPlays[game.setPlay[i]!]!;
     const kicking =
       setPlay === "none" ? "" : `, ${words(setPlay)} of ${about.teams[game.kicking[i] === 0 ? 0 : 1].name}`;

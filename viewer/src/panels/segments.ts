@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What plugins say to their counterparts in teammates, around the moment: which bytes were offered, what became of
 // them, and who heard them. What has not happened yet stands there in grey.
-import { type Reach, type Segment, around, reachOf, spacedBytes } from "../model/segments";
+import { around } from "../model/around";
+import { type Reach, type Segment, reachOf, spacedBytes } from "../model/segments";
 import { shortened, timeText, words } from "../model/text";
 import { bothSides, sideNames } from "../recording/about";
 import type { Match } from "../recording/match";

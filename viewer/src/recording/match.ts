@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A whole recording, read: the course of the match ready to be drawn, decisions and beliefs as bytes until they are
 // asked for. What cannot be read is left out and named in `faults`.
+import { Drawings } from "../model/drawings";
 import { Game, playing, sampleSeconds } from "../model/game";
 import { Packets } from "../model/packets";
 import { type RoleCourse, roleCourse } from "../model/roles";
@@ -23,6 +24,7 @@ import {
   phases,
   segmentOf,
 } from "./messages";
+import { type LogLine, logLineOf } from "./plugin_messages";
 
 export interface Match {
   about: About;
@@ -30,6 +32,8 @@ export interface Match {
   events: EventMessage[];
   packets: Packets;
   segments: Segments;
+  lines: LogLine[]; // that plugins wrote, by time
+  drawings: Drawings;
   decisions: [Log<Decision>[], Log<Decision>[]]; // by side and robot (n - 1)
   beliefs: [Log<Belief>[], Log<Belief>[]];
   courses: [RoleCourse, RoleCourse]; // by side
@@ -71,6 +75,8 @@ class Reading {
   events: EventMessage[] = [];
   packets: Packets | null = null;
   readonly segments = new Segments();
+  readonly lines: LogLine[] = [];
+  readonly drawings = new Drawings();
   decisions: [Log<Decision>[], Log<Decision>[]] = [[], []];
   beliefs: [Log<Belief>[], Log<Belief>[]] = [[], []];
   inPlay: [boolean[][], boolean[][]] = [[], []];
@@ -142,6 +148,11 @@ class Reading {
       }
       case "/segment":
         return this.segments.add(segmentOf(parsedJson(data)));
+      case "/log":
+        this.lines.push(logLineOf(parsedJson(data)));
+        return;
+      case "/draw":
+        return this.drawings.add(data);
     }
     const [, kind, sideName, digits] = topic.split("/");
     const side = sideNames.indexOf(sideName as "home" | "away") as Side | -1;
@@ -210,6 +221,8 @@ export async function readMatch(bytes: Uint8Array, progress?: (share: number) =>
 
   packets.close(game.end, reading.gaps);
   reading.segments.close();
+  reading.lines.sort((a, b) => a.time - b.time);
+  reading.drawings.close();
   for (const side of bothSides) {
     for (let n = 0; n < game.sizes[side]; ++n) {
       reading.decisions[side][n] ??= new Log(decisionOf);
@@ -223,6 +236,8 @@ export async function readMatch(bytes: Uint8Array, progress?: (share: number) =>
     game,
     packets,
     segments: reading.segments,
+    lines: reading.lines,
+    drawings: reading.drawings,
     faults,
     gaps: reading.gaps,
     events: reading.events,

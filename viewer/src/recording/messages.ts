@@ -153,12 +153,12 @@ export interface Belief {
   common: World | null;
 }
 
-const sideOf = (value: unknown, where: string): Side =>
+export const sideOf = (value: unknown, where: string): Side =>
   checked.oneOf(value, where, ["home", "away"]) === "home" ? 0 : 1;
 const integers = (value: unknown, where: string): number[] => checked.list(value, where, checked.integer);
 const pose = (value: unknown, where: string): Pose => checked.numbers(value, where, 3) as Pose;
 const poses = (value: unknown, where: string): Pose[] => checked.list(value, where, pose);
-const point = (value: unknown, where: string): Point => checked.numbers(value, where, 2) as Point;
+export const point = (value: unknown, where: string): Point => checked.numbers(value, where, 2) as Point;
 const covariance = (value: unknown, where: string): Covariance => checked.numbers(value, where, 3) as Covariance;
 
 export function gameOf(json: unknown): GameMessage {
