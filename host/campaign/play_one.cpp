@@ -67,7 +67,7 @@ class JobRecording {
   JobRecording(const Job& job, const MatchSetup& prepared, const std::array<const mind::TeamPlan*, 2>& plans,
                const Surroundings& surroundings) {
     // Whoever started this process keeps it with the match.
-    observer_.log = mind::to_standard_error(REGISTA_LOG_INFO);
+    observer_.log = mind::to_standard_error(REGISTA_LOG_WARNING, mind::most_kept_of_log);
     if (job.record.empty()) return;
     place_ = job.record;
     const std::string opening = prepared.setup.opening ? prepared.setup.opening->name : "";
@@ -83,7 +83,7 @@ class JobRecording {
       why_not_ = error.what();
       return;
     }
-    observer_.records = true;
+    observer_.segments = observer_.drawings = true;
     observer_.step = [this](const match::Snapshot& snapshot) { write([&] { file_->stepped(snapshot); }); };
     observer_.event = [this](double time, const match::Event& event, const match::GameState& state) {
       write([&] { file_->event(time, event, state); });

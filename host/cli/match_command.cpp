@@ -253,8 +253,7 @@ void add_match(Command& parent, const Invocation& invocation) {
                Writes::metrics);
   command.flag("--force", options->force, "let --record replace a recording");
   command.flag("--quiet", options->quiet, "no live line on the terminal");
-  command.choose("--log", options->log, log_levels,
-                 "which lines that plugins write are shown on standard error; default info");
+  command.choose("--log", options->log, log_levels, "show lines of plugins from this level on; default info");
   command.take("--processor-seconds", options->processor_seconds, "SECONDS",
                "processor time of one call of a plugin; default 10");
   command.take("--wall-seconds", options->wall_seconds, "SECONDS", "wall time of one call of a plugin; default 200");

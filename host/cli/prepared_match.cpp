@@ -94,14 +94,15 @@ int play_prepared(const MatchOptions& options, std::vector<std::string> words, c
     if (recording) recording->event(time, event, state);
   };
   if (const std::optional<std::int32_t> least = mind::level_of(options.log)) {
-    observer.log = [&live, show = mind::to_standard_error(*least)](const mind::LogLine& line) {
-      live.clear();
-      show(line);
-    };
+    observer.log = {*least, [&live, show = mind::to_standard_error(*least)](const mind::LogLine& line) {
+                      live.clear();
+                      show.tell(line);
+                    }};
   }
   match::AfterDecision after;
   if (log || recording) {
-    observer.records = true;
+    observer.segments = true;
+    observer.drawings = recording != nullptr;
     observer.step = [&](const match::Snapshot& snapshot) {
       if (log) log->stepped(snapshot);
       if (recording) recording->stepped(snapshot);

@@ -49,11 +49,19 @@ void follow(TaskRules& tasks, const Node& written) {
   if (!written["filter_knowledge"]) tasks.filter_knowledge = tasks.knowledge;
 }
 
+// Numbers of roles are named by the role, and those of plugins begin with these words.
+void check_name(const std::string& name, const Location& where, const std::string& path, Mistakes& mistakes) {
+  if (name != "plugin_totals" && name != "plugin_values") return;
+  mistakes.add(Error(where, fmt::format("{}: metrics of plugins are called so; choose another name", name)), path);
+}
+
 void check_roles(TeamPage& page, const Node& document, Mistakes& mistakes) {
   for (RoleList& list : page.role_lists) {
     const Node roles = document["roles"][list.name];
+    check_name(list.name, roles.where(), "roles." + list.name, mistakes);
     for (std::size_t i = 0; i < list.roles.size(); ++i) {
       const Node node = roles.elements()[i];
+      check_name(list.roles[i].name, node.where(), fmt::format("roles.{}.{}", list.name, i), mistakes);
       check_target(list.roles[i].target, node["target"], fmt::format("roles.{}.{}.target", list.name, i), mistakes);
       Role& role = list.roles[i];
       const Node behaviour = node["behaviour"];

@@ -51,7 +51,7 @@ class Step {
   void add(const regista_ball& b) { operator()(b.flags, b.position, b.velocity, b.covariance, b.age); }
   void add(const regista_waypoint& p) { operator()(p.x, p.y, p.score, p.task, p.robot); }
   void add(const regista_edge& e) { operator()(e.from, e.to); }
-  void add(const mind::MetricReport& m) { operator()(m.metric, m.count, m.sum, m.least, m.greatest, m.last); }
+  void add(const mind::MetricReport& m) { operator()(m.metric, m.place, m.count, m.sum, m.least, m.greatest, m.last); }
   void add(const regista_task& t) { operator()(t.id, t.priority, t.group, t.robot, t.flags, t.before, t.after); }
   Digest digest_;
 };

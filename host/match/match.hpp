@@ -91,8 +91,8 @@ struct Observer {
   std::function<void(const Snapshot&)> step;
   std::function<void(const Decision&)> decision;
   PhysicsLog* physics_log = nullptr;  // of what is done to the bodies, for Replay
-  // Minds that this match creates (teams.hpp) keep what recorders want, for AfterDecision: see mind::Telling.
-  bool records = false;
+  // Minds that this match creates (teams.hpp) keep these for AfterDecision: see mind::Telling.
+  bool segments = false, drawings = false;
   // Told each line that a plugin of such a mind writes, at once.
   mind::LogSink log;
 };

@@ -495,7 +495,9 @@ void take(const MetricRow& row, const MetricSource& source, const MetricName& na
   if (const auto* const number = std::get_if<MetricRow::Number>(&row.get)) {
     const std::optional<double> value = (*number)(source);
     names.push_back(name);
-    values.push_back(value ? rounded_metric(*value) : std::numeric_limits<double>::quiet_NaN());
+    // How small the numbers of a plugin are, only the plugin knows.
+    const bool as_it_is = row.of == Of::plugin_total || row.of == Of::plugin_value;
+    values.push_back(!value ? std::numeric_limits<double>::quiet_NaN() : as_it_is ? *value : rounded_metric(*value));
     return;
   }
   int place = 0;

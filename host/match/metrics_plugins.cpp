@@ -26,7 +26,12 @@ void PluginMeasures::decided(int number, std::span<const mind::MetricReport> rep
   for (const mind::MetricReport& each : reports) {
     const auto metric = static_cast<std::size_t>(each.metric);
     if (metrics_[metric].combine == REGISTA_METRIC_OVER_TIME) {
-      last_told_[metric][static_cast<std::size_t>(number - 1)] = each.last;
+      std::vector<Told>& robot = last_told_[metric][static_cast<std::size_t>(number - 1)];
+      const auto known = std::ranges::find(robot, each.place, &Told::place);
+      if (known == robot.end())
+        robot.push_back({each.place, each.last});
+      else
+        known->value = each.last;
     } else {
       add(combined_[metric], each.count, each.sum, each.least, each.greatest);
     }
@@ -35,14 +40,14 @@ void PluginMeasures::decided(int number, std::span<const mind::MetricReport> rep
 
 void PluginMeasures::crashed(int number) {
   for (auto& robots : last_told_) {
-    if (!robots.empty()) robots[static_cast<std::size_t>(number - 1)].reset();
+    if (!robots.empty()) robots[static_cast<std::size_t>(number - 1)].clear();
   }
 }
 
 void PluginMeasures::sample() {
   for (std::size_t i = 0; i < last_told_.size(); ++i) {
-    for (const std::optional<double>& value : last_told_[i]) {
-      if (value) add(combined_[i], 1, *value, *value, *value);
+    for (const std::vector<Told>& robot : last_told_[i]) {
+      for (const Told& each : robot) add(combined_[i], 1, each.value, each.value, each.value);
     }
   }
 }

@@ -41,9 +41,14 @@ class PluginMeasures {
   };
   void add(Combined& to, std::uint64_t count, double sum, double least, double greatest) const;
 
+  struct Told {
+    std::int32_t place;  // of the instance
+    double value;
+  };
+
   std::vector<mind::TeamMetric> metrics_;
-  std::vector<Combined> combined_;                             // by metric
-  std::vector<std::vector<std::optional<double>>> last_told_;  // by metric and robot: of those over time
+  std::vector<Combined> combined_;                         // by metric
+  std::vector<std::vector<std::vector<Told>>> last_told_;  // by metric and robot: of those over time
 };
 
 }  // namespace regista::match

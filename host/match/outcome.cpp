@@ -48,9 +48,11 @@ std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, co
     if (each.metric < 0 || each.metric >= static_cast<int>(team.plugin_metrics)) {
       return "no metric has number " + std::to_string(each.metric);
     }
-    if (!std::isfinite(each.sum) || !std::isfinite(each.least) || !std::isfinite(each.greatest) ||
-        !std::isfinite(each.last)) {
-      return "metric " + std::to_string(each.metric) + " is not finite";
+    const double most = mind::largest_report;
+    const auto within = [](double value, double largest) { return std::abs(value) <= largest; };
+    if (!within(each.least, most) || !within(each.greatest, most) || !within(each.last, most) ||
+        !within(each.sum, most * each.count)) {
+      return "metric " + std::to_string(each.metric) + " is out of range";
     }
   }
   return {};

@@ -36,8 +36,8 @@ struct Mind::Parts {
       : plan(team_plan),
         number(own_number),
         caller{team_plan.team().name, own_number, 0, noting, &rooms},
-        extensions(caller, std::move(telling.log), telling.records),
-        mailboxes(static_cast<std::size_t>(team_plan.rules().messages.size), telling.records),
+        extensions(caller, std::move(telling.log), telling.drawings),
+        mailboxes(static_cast<std::size_t>(team_plan.rules().messages.size), telling.segments),
         assembly(team_plan, own_number, seed, mailboxes, extensions, caller),
         // In braces: the order of evaluation, and so of creating plugins, is that of the text.
         world{team_plan, own_number, assembly.local_model(), assembly.team_model()},

@@ -24,8 +24,9 @@ namespace regista::mind {
 
 // What a mind tells beside its outcomes. None of it changes what it decides.
 struct Telling {
-  // Keeps what recorders want of the last decision: segments, log lines and drawings. It costs memory and time.
-  bool records = false;
+  // Keeps what recorders want of the last decision, at the cost of memory and time: what became of segments; what
+  // plugins logged and drew.
+  bool segments = false, drawings = false;
   LogSink log{};  // told each line that a plugin writes, at once
 };
 

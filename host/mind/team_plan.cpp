@@ -120,11 +120,17 @@ void TeamPlan::name_metrics(config::Mistakes& mistakes) {
     for (const plugin::DeclaredMetric& each : plugin::metrics(*part->found)) {
       const std::string name = part->found->descriptor->id + ('.' + each.name);
       if (std::ranges::find(metrics_, name, &TeamMetric::name) != metrics_.end()) {
-        mistakes.add(config::Error(part->use.where, "two plugins of this team are called " +
-                                                        std::string(part->found->descriptor->id) +
-                                                        " and declare the metric " + each.name),
+        mistakes.add(config::Error(part->use.where,
+                                   "two plugins of this team are called " + std::string(part->found->descriptor->id) +
+                                       ", and both declare the metric " + each.name + ": give one of them another id"),
                      "plugin");
         continue;
+      }
+      constexpr std::size_t most = 1024;
+      if (metrics_.size() == most) {
+        mistakes.add(config::Error(part->use.where, "the plugins of this team declare more than 1024 metrics"),
+                     "plugin");
+        return;
       }
       own.indices.push_back(static_cast<int>(metrics_.size()));
       metrics_.push_back({name, each.combine});

@@ -83,7 +83,7 @@ void visit(Archive& archive, SegmentCounts& segments) {
 
 template <class Archive>
 void visit(Archive& archive, MetricReport& report) {
-  archive(report.metric, report.count, report.sum, report.least, report.greatest, report.last);
+  archive(report.metric, report.place, report.count, report.sum, report.least, report.greatest, report.last);
 }
 
 template <class Archive>

@@ -45,12 +45,13 @@ void write(markup::JsonText& json, const mind::DrawnShape& shape, double directi
 
 }  // namespace
 
-DrawnLayers::Layer& DrawnLayers::layer(std::vector<Layer>& of_robot, const mind::DrawnShape& shape) {
+std::size_t DrawnLayers::layer(std::vector<Layer>& of_robot, const mind::DrawnShape& shape) {
   const std::string_view plugin = shape.plugin;
   const auto found = std::ranges::find_if(
       of_robot, [&](const Layer& each) { return each.plugin == plugin && each.name == shape.layer; });
-  return found == of_robot.end() ? of_robot.emplace_back(Layer{shape.plugin, shape.layer, std::string(nothing)})
-                                 : *found;
+  const auto place = static_cast<std::size_t>(found - of_robot.begin());
+  if (found == of_robot.end()) of_robot.push_back({shape.plugin, shape.layer, std::string(nothing), -period});
+  return place;
 }
 
 std::span<const DrawnLayers::Change> DrawnLayers::follow(match::Side side, int robot, double time,
@@ -59,17 +60,18 @@ std::span<const DrawnLayers::Change> DrawnLayers::follow(match::Side side, int r
   std::vector<std::vector<Layer>>& robots = layers_[match::index(side)];
   if (robots.size() < static_cast<std::size_t>(robot)) robots.resize(static_cast<std::size_t>(robot));
   std::vector<Layer>& own = robots[static_cast<std::size_t>(robot - 1)];
-  for (const mind::DrawnShape& shape : shapes) layer(own, shape);
-  for (Layer& each : own) {
+  layer_of_.clear();
+  for (const mind::DrawnShape& shape : shapes) layer_of_.push_back(layer(own, shape));
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    Layer& each = own[i];
+    if (time - each.told < period - 1e-9) continue;
     json_.clear();
     json_.open('[');
-    for (const mind::DrawnShape& shape : shapes) {
-      if (&layer(own, shape) == &each) write(json_, shape, direction);
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+      if (layer_of_[k] == i) write(json_, shapes[k], direction);
     }
     json_.close(']');
     if (json_.text() == each.shapes) continue;
-    const bool only_moves = each.shapes != nothing && json_.text() != nothing;
-    if (only_moves && time - each.told < period - 1e-9) continue;
     each.shapes = json_.text();
     each.told = time;
     changes_.push_back({each.plugin, each.name, each.shapes});

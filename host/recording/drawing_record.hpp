@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What plugins draw in the field, as recordings tell it: layer by layer, and only what has changed. A layer that
-// appears or becomes empty is told at once; one that only moves twice a second, as beliefs are, or drawings would be
-// most of a recording.
+// What plugins draw in the field, as recordings tell it: layer by layer, only what has changed, and each layer at most
+// twice a second, as beliefs are, or drawings would be most of a recording.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -36,9 +36,10 @@ class DrawnLayers {
     std::string name, shapes;  // as they were told last
     double told = 0.0;         // when, s
   };
-  Layer& layer(std::vector<Layer>& of_robot, const mind::DrawnShape& shape);
+  static std::size_t layer(std::vector<Layer>& of_robot, const mind::DrawnShape& shape);
 
   std::array<std::vector<std::vector<Layer>>, 2> layers_;  // by side and robot (n - 1)
+  std::vector<std::size_t> layer_of_;                      // of each shape of the present call
   std::vector<Change> changes_;
   markup::JsonText json_;
 };

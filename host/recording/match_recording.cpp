@@ -254,6 +254,7 @@ void MatchRecording::Parts::write_segments(const mind::Mind& mind, const match::
 void MatchRecording::Parts::write_log(const mind::Mind& mind, const match::Decision& turn) {
   for (const mind::LogLine& line : mind.log()) {
     begin_of_plugin(turn.time, turn.side, mind.number(), line.plugin);
+    json.key("place").integer(line.place).key("tick").integer(static_cast<std::int64_t>(line.tick));
     json.key("level").word(mind::level_name(line.level)).key("text").string(line.text).close('}');
     write(channel(log_channel, "/log", "log", schema::log), turn.time, log_count);
   }

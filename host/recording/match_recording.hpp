@@ -9,8 +9,8 @@
 //   /heard                 when a robot hears a packet of another
 //   /segment               what becomes of the bytes that plugins offer for packets; only where they offer some
 //   /log                   lines that plugins write, and
-//   /draw                  what they draw in the field, when it changes, at most twice a second; only where they do
-//   /decision/<side>/<n>   of a robot, when its context, kept tasks, assignment or role changed,
+//   /draw                  what they draw in the field, when it changes, each layer at most twice a second; only where
+//   they do /decision/<side>/<n>   of a robot, when its context, kept tasks, assignment or role changed,
 //                          when another robot has taken the same role or play begins, and after 5 s without any of
 //                          these
 //   /belief/<side>/<n>     of a robot, twice a second and when its role changed

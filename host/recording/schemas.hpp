@@ -149,6 +149,8 @@ inline std::string log() {
                  {"side", side},
                  {"robot", described(integer, "whose mind it is of")},
                  {"plugin", described(R"({"type":"string"})", "its id")},
+                 {"place", described(integer, "of the plugin's instance in the mind")},
+                 {"tick", described(integer, "decisions of the robot before")},
                  {"level", R"({"type":"string","enum":["debug","info","warning","error"]})"},
                  {"text", described(R"({"type":"string"})", "one line")}},
                 "log");

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "match/names.hpp"
 #include "report/match_summary.hpp"
@@ -52,11 +54,17 @@ std::string segments(const match::SegmentMetrics& counts) {
                      counts.sent, counts.dropped, counts.heard, counts.refused);
 }
 
-// "  count_crossings.decisions 2100, count_crossings.crossings 0.398"; no line without a number.
+// "  count_crossings: decisions 2100, crossings 0.398": a line for each plugin that has numbers.
 std::string plugins(const match::PluginMetrics& metrics) {
-  std::string out;
-  const auto add = [&out](const std::string& name, const std::string& value) {
-    out += (out.empty() ? "  " : ", ") + name + ' ' + value;
+  std::vector<std::pair<std::string, std::string>> lines;  // by plugin
+  const auto add = [&lines](const std::string& name, const std::string& value) {
+    const std::size_t point = name.find('.');
+    const std::string plugin = name.substr(0, point), number = name.substr(point + 1) + ' ' + value;
+    const auto known = std::ranges::find(lines, plugin, [](const auto& each) { return each.first; });
+    if (known == lines.end())
+      lines.emplace_back(plugin, number);
+    else
+      known->second += ", " + number;
   };
   for (std::size_t i = 0; i < metrics.totals.size(); ++i) {
     add(metrics.total_names[i], fmt::format("{:.6g}", metrics.totals[i]));
@@ -64,7 +72,9 @@ std::string plugins(const match::PluginMetrics& metrics) {
   for (std::size_t i = 0; i < metrics.values.size(); ++i) {
     add(metrics.value_names[i], metrics.values[i] ? fmt::format("{:.4g}", *metrics.values[i]) : "-");
   }
-  return out.empty() ? out : out + '\n';
+  std::string out;
+  for (const auto& [plugin, numbers] : lines) out += fmt::format("  {}: {}\n", plugin, numbers);
+  return out;
 }
 
 std::string table(const match::TeamMetrics& team, const std::vector<std::string>& names) {

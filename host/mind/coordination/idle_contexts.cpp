@@ -138,11 +138,12 @@ class Course {
 class Conditions {
  public:
   Conditions(const TeamPlan& plan, const plugin::Caller& caller)
-      : mailboxes_(static_cast<std::size_t>(plan.rules().messages.size)) {
+      : extensions_(caller), mailboxes_(static_cast<std::size_t>(plan.rules().messages.size)) {
     for (const ContextPlan& each : plan.contexts()) {
-      instances_.push_back(std::make_shared<plugin::Instance>(*each.condition.found, each.condition.parameters,
-                                                              plan.environment(caller.robot), mailboxes_.open(),
-                                                              &caller));
+      const plugin::Found& found = *each.condition.found;
+      const regista_host* const host = mailboxes_.open(&extensions_.open(found, plan.metrics_of(found)));
+      instances_.push_back(std::make_shared<plugin::Instance>(found, each.condition.parameters,
+                                                              plan.environment(caller.robot), host, &caller));
       mailboxes_.connect(instances_.back());
       conditions_.emplace_back(instances_.back());
     }
@@ -156,6 +157,7 @@ class Conditions {
   }
 
  private:
+  Extensions extensions_;
   Mailboxes mailboxes_;
   std::vector<std::shared_ptr<plugin::Instance>> instances_;
   std::vector<plugin::Context> conditions_;

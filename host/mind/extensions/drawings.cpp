@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string_view>
 #include <utility>
 
 #include "config/visible_text.hpp"
+#include "mind/extensions/cut_text.hpp"
 
 namespace regista::mind {
 namespace {
@@ -17,7 +19,8 @@ constexpr double farthest = 100.0;  // m from the centre
 constexpr double widest = 10.0;     // m
 
 std::string_view at_most(const char* text) {
-  return text == nullptr ? std::string_view() : std::string_view(text, strnlen(text, REGISTA_DRAW_MOST_BYTES));
+  if (text == nullptr) return {};
+  return cut_text({text, strnlen(text, REGISTA_DRAW_MOST_BYTES + 1)}, REGISTA_DRAW_MOST_BYTES);
 }
 
 // Why a shape is left out, whose points are not looked at when there are too many; empty: it is not.
@@ -48,6 +51,25 @@ std::string wrong_with(const regista_shape& shape) {
   return {};
 }
 
+// The same, with what the instance has drawn already; counts what is taken.
+std::string wrong_with_use(DrawUse& use, const regista_shape& shape) {
+  constexpr std::uint32_t most_shapes = REGISTA_DRAW_MOST_SHAPES, most_points = REGISTA_DRAW_MOST_POINTS_OF_ALL,
+                          most_layers = REGISTA_DRAW_MOST_LAYERS;
+  if (use.shapes >= most_shapes) return fmt::format("more than {} shapes in one decision", most_shapes);
+  if (std::string wrong = wrong_with(shape); !wrong.empty()) return wrong;
+  if (use.points + shape.count > most_points) return fmt::format("more than {} points in one decision", most_points);
+  const std::string_view layer = at_most(shape.layer);
+  if (std::ranges::find(use.layers, layer) == use.layers.end()) {
+    if (use.layers.size() >= most_layers) {
+      return fmt::format("layer {}: more than {} layers in one match", config::visible(layer), most_layers);
+    }
+    use.layers.emplace_back(layer);
+  }
+  ++use.shapes;
+  use.points += shape.count;
+  return {};
+}
+
 }  // namespace
 
 void Drawings::begin() {
@@ -57,12 +79,11 @@ void Drawings::begin() {
 
 void Drawings::draw(DrawUse& use, const regista_shape& shape) {
   if (!keeps_) return;
-  constexpr std::uint32_t most_shapes = REGISTA_DRAW_MOST_SHAPES;
-  const bool too_many = ++use.shapes > most_shapes;
-  const std::string wrong =
-      too_many ? fmt::format("more than {} shapes in one decision", most_shapes) : wrong_with(shape);
+  const std::string wrong = wrong_with_use(use, shape);
   if (!wrong.empty()) {
-    if (!std::exchange(use.told, true)) log_->remark(use.plugin, fmt::format("draw: {}; it is left out", wrong));
+    if (!std::exchange(use.told, true)) {
+      log_->remark(use.plugin, use.place, fmt::format("draw: {}; it is left out", wrong));
+    }
     return;
   }
   if (count_ == shapes_.size()) shapes_.emplace_back();

@@ -24,11 +24,13 @@ struct DrawnShape {
   std::vector<regista_point> points;  // field frame of the own team, m; finite
 };
 
-// What one instance has drawn in this decision.
+// What one instance has drawn.
 struct DrawUse {
   const char* plugin = "";
-  std::uint32_t shapes = 0;
-  bool told = false;  // that a shape of it was left out, in this match
+  int place = 0;
+  std::uint32_t shapes = 0, points = 0;  // in this decision
+  std::vector<std::string> layers;       // in this match
+  bool told = false;                     // that a shape of it was left out, in this match
 };
 
 class Drawings {

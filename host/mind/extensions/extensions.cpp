@@ -3,9 +3,11 @@
 
 namespace regista::mind {
 
-InstanceExtensions::InstanceExtensions(Extensions& owner, const plugin::Found& plugin, std::span<const int> metrics)
-    : owner_(&owner), plugin_(&plugin), metrics_(metrics) {
+InstanceExtensions::InstanceExtensions(Extensions& owner, const plugin::Found& plugin, std::span<const int> metrics,
+                                       int place)
+    : owner_(&owner), plugin_(&plugin), metrics_(metrics), place_(place) {
   log_use_.plugin = draw_use_.plugin = plugin.descriptor->id;
+  log_use_.place = draw_use_.place = place;
   log_ = {sizeof log_, 0, this, [](void* context, std::int32_t level, const char* text, std::uint32_t length) {
             auto& self = *static_cast<InstanceExtensions*>(context);
             if (text == nullptr) length = 0;
@@ -22,7 +24,7 @@ InstanceExtensions::InstanceExtensions(Extensions& owner, const plugin::Found& p
   metric_reports_ = {sizeof metric_reports_, 0, this, [](void* context, std::uint32_t metric, double value) {
                        auto& self = *static_cast<InstanceExtensions*>(context);
                        if (!self.owner_->muted_) {
-                         self.owner_->metrics_.report(*self.plugin_, self.metrics_, metric, value);
+                         self.owner_->metrics_.report(*self.plugin_, self.metrics_, self.place_, metric, value);
                        }
                      }};
 }
@@ -34,10 +36,11 @@ const void* InstanceExtensions::find(std::string_view id) const {
   return nullptr;
 }
 
-void InstanceExtensions::begin_decision() { log_use_.lines = draw_use_.shapes = 0; }
+void InstanceExtensions::begin_decision() { log_use_.lines = draw_use_.shapes = draw_use_.points = 0; }
 
 const InstanceExtensions& Extensions::open(const plugin::Found& plugin, std::span<const int> metrics) {
-  return *instances_.emplace_back(std::make_unique<InstanceExtensions>(*this, plugin, metrics));
+  return *instances_.emplace_back(
+      std::make_unique<InstanceExtensions>(*this, plugin, metrics, static_cast<int>(instances_.size())));
 }
 
 void Extensions::begin(double time) {

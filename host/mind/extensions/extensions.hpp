@@ -25,7 +25,7 @@ class Extensions;
 // What one instance is given.
 class InstanceExtensions {
  public:
-  InstanceExtensions(Extensions& owner, const plugin::Found& plugin, std::span<const int> metrics);
+  InstanceExtensions(Extensions& owner, const plugin::Found& plugin, std::span<const int> metrics, int place);
   InstanceExtensions(const InstanceExtensions&) = delete;
   InstanceExtensions& operator=(const InstanceExtensions&) = delete;
 
@@ -37,6 +37,7 @@ class InstanceExtensions {
   Extensions* owner_;
   const plugin::Found* plugin_;
   std::span<const int> metrics_;  // of the team, by the plugin's own index
+  int place_;
   LogUse log_use_;
   DrawUse draw_use_;
   regista_log log_{};
@@ -46,8 +47,8 @@ class InstanceExtensions {
 
 class Extensions {
  public:
-  // caller outlives the extensions. sink: told each log line at once; may be empty. records: log lines and drawings of
-  // a decision are kept for recorders.
+  // caller outlives the extensions. sink: told each log line at once. records: log lines and drawings of a decision are
+  // kept for recorders.
   explicit Extensions(const plugin::Caller& caller, LogSink sink = {}, bool records = false)
       : log_(caller, std::move(sink), records), drawings_(log_, records) {}
   Extensions(const Extensions&) = delete;

@@ -5,7 +5,9 @@
 
 #include <regista/extensions/log.h>
 
+#include <array>
 #include <cstdio>
+#include <memory>
 
 namespace regista::mind {
 
@@ -34,12 +36,21 @@ std::optional<std::int32_t> level_of(std::string_view name) {
   return std::nullopt;
 }
 
-LogSink to_standard_error(std::int32_t least_level) {
-  return [least_level](const LogLine& line) {
-    if (line.level < least_level) return;
-    const std::string text = to_string(line) + '\n';  // in one piece, as others may write there too
-    std::fwrite(text.data(), 1, text.size(), stderr);
-  };
+LogSink to_standard_error(std::int32_t least_level, std::size_t most_bytes) {
+  // Shared by all copies of the sink: by side, bytes that were written.
+  const auto written = std::make_shared<std::array<std::size_t, 2>>();
+  return {least_level, [most_bytes, written](const LogLine& line) {
+            std::string text = to_string(line) + '\n';  // in one piece, as others may write there too
+            std::size_t& bytes = (*written)[line.side == 0 ? 0 : 1];
+            if (most_bytes != 0) {
+              if (bytes > most_bytes) return;
+              bytes += text.size();
+              if (bytes > most_bytes) {
+                text = fmt::format("[more lines of {} are left out]\n", line.side == 0 ? "home" : "away");
+              }
+            }
+            std::fwrite(text.data(), 1, text.size(), stderr);
+          }};
 }
 
 }  // namespace regista::mind

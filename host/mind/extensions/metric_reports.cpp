@@ -5,36 +5,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace regista::mind {
-namespace {
-
-constexpr double largest = 1e9;  // so that no sum of a match is infinite
-
-}  // namespace
-
-void MetricReports::report(const plugin::Found& plugin, std::span<const int> of_team, std::uint32_t metric,
+void MetricReports::report(const plugin::Found& plugin, std::span<const int> of_team, int place, std::uint32_t metric,
                            double value) {
   if (violation_) return;
   if (metric >= of_team.size()) {
-    violation_ = {&plugin, fmt::format("reported metric {}; it declares {}", metric, of_team.size())};
+    violation_ = {&plugin,
+                  fmt::format("reported metric number {}; it declares {}, counted from 0", metric, of_team.size())};
     return;
   }
   const int index = of_team[metric];
-  if (!(std::abs(value) <= largest)) {
+  if (!(std::abs(value) <= largest_report)) {
     violation_ = {&plugin, fmt::format("reported {} as metric \"{}\"", value, plugin::metrics(plugin)[metric].name)};
     return;
   }
-  const auto place = std::ranges::lower_bound(reports_, index, {}, &MetricReport::metric);
-  if (place == reports_.end() || place->metric != index) {
-    reports_.insert(place, {index, 1, value, value, value, value});
+  const auto key = [](const MetricReport& each) { return std::pair(each.metric, each.place); };
+  const std::pair own(index, place);
+  const auto known = std::ranges::lower_bound(reports_, own, {}, key);
+  if (known == reports_.end() || key(*known) != own) {
+    reports_.insert(known, {index, place, 1, value, value, value, value});
     return;
   }
-  ++place->count;
-  place->sum += value;
-  place->least = std::min(place->least, value);
-  place->greatest = std::max(place->greatest, value);
-  place->last = value;
+  ++known->count;
+  known->sum += value;
+  known->least = std::min(known->least, value);
+  known->greatest = std::max(known->greatest, value);
+  known->last = value;
 }
 
 void MetricReports::take(std::vector<MetricReport>& out) {

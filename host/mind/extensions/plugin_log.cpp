@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "config/visible_text.hpp"
+#include "mind/extensions/cut_text.hpp"
 
 namespace regista::mind {
 namespace {
@@ -31,25 +32,30 @@ void PluginLog::begin(double time) {
 
 void PluginLog::write(LogUse& use, std::int32_t level, std::string_view text) {
   constexpr std::uint32_t most_lines = REGISTA_LOG_MOST_LINES;
-  if (++use.lines > most_lines) {
-    if (!std::exchange(use.told, true)) {
-      remark(use.plugin,
-             fmt::format("log: wrote more than {} lines in one decision; what is more is left out", most_lines));
-    }
+  constexpr std::size_t most_bytes = REGISTA_LOG_MOST_OF_MATCH;
+  if (!is_level(level)) level = REGISTA_LOG_INFO;
+  text = cut_text(text, REGISTA_LOG_MOST_BYTES);
+  const bool too_many = ++use.lines > most_lines;
+  if (too_many || use.bytes + text.size() > most_bytes) {
+    if (std::exchange(use.told, true)) return;
+    remark(use.plugin, use.place,
+           too_many
+               ? fmt::format("log: wrote more than {} lines in one decision; what is more is left out", most_lines)
+               : fmt::format("log: wrote more than {} KiB in this match; what is more is left out", most_bytes >> 10));
     return;
   }
-  if (!sink_ && !keeps_) return;
-  add(use.plugin, is_level(level) ? level : REGISTA_LOG_INFO, text.substr(0, REGISTA_LOG_MOST_BYTES));
+  use.bytes += text.size();
+  if (keeps_ || sink_.wants(level)) add(use.plugin, use.place, level, text);
 }
 
-void PluginLog::remark(const char* plugin, std::string_view text) {
-  if (sink_ || keeps_) add(plugin, REGISTA_LOG_WARNING, text);
+void PluginLog::remark(const char* plugin, int place, std::string_view text) {
+  if (keeps_ || sink_.wants(REGISTA_LOG_WARNING)) add(plugin, place, REGISTA_LOG_WARNING, text);
 }
 
-void PluginLog::add(const char* plugin, std::int32_t level, std::string_view text) {
+void PluginLog::add(const char* plugin, int place, std::int32_t level, std::string_view text) {
   const std::string shown = config::visible(text);
-  LogLine line{level, caller_->noting.side, caller_->robot, caller_->tick, time_, plugin, shown};
-  if (sink_) sink_(line);
+  LogLine line{level, caller_->noting.side, caller_->robot, place, caller_->tick, time_, plugin, shown};
+  if (sink_.wants(level)) sink_.tell(line);
   if (!keeps_) return;
   line.text = texts_.emplace_back(shown);
   lines_.push_back(line);

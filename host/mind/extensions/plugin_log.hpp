@@ -15,11 +15,13 @@
 
 namespace regista::mind {
 
-// What one instance has said in this decision.
+// What one instance has said.
 struct LogUse {
   const char* plugin = "";
-  std::uint32_t lines = 0;
-  bool told = false;  // that it wrote more than is taken, in this match
+  int place = 0;
+  std::uint32_t lines = 0;  // in this decision
+  std::size_t bytes = 0;    // in this match
+  bool told = false;        // that it wrote more than is taken, in this match
 };
 
 class PluginLog {
@@ -30,13 +32,13 @@ class PluginLog {
   void begin(double time);
   void write(LogUse& use, std::int32_t level, std::string_view text);
   // The host's own word about what a plugin did; no limit holds for it.
-  void remark(const char* plugin, std::string_view text);
+  void remark(const char* plugin, int place, std::string_view text);
 
   // Of the last decision; nothing unless they are kept.
   std::span<const LogLine> lines() const { return lines_; }
 
  private:
-  void add(const char* plugin, std::int32_t level, std::string_view text);
+  void add(const char* plugin, int place, std::int32_t level, std::string_view text);
 
   const plugin::Caller* caller_;
   LogSink sink_;

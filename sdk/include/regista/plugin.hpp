@@ -134,7 +134,7 @@ struct Plugin {
   }
 
   static const void* extension(const char* id) {
-    if constexpr (requires { Class::metrics; }) {
+    if constexpr (requires { std::bool_constant<(Class::metrics.size() > 0)>{}; }) {
       static constexpr regista_metrics declared_metrics{sizeof(regista_metrics),
                                                         static_cast<std::uint32_t>(Class::metrics.size()),
                                                         Class::metrics.data(), sizeof(regista_metric), 0};

@@ -107,7 +107,9 @@ void check_metrics(Findings& f, const regista_metrics& metrics) {
   if (metrics.size < sizeof metrics) return f.say("metrics: the size field says ", metrics.size, " bytes");
   if (metrics.count > most) return f.say("metrics: declares ", metrics.count, " of at most ", most);
   if (metrics.count == 0) return;
-  if (metrics.metrics == nullptr || metrics.stride < sizeof(regista_metric)) return f.say("metrics: there are none");
+  if (metrics.metrics == nullptr || metrics.stride < sizeof(regista_metric) ||
+      metrics.stride % alignof(regista_metric) != 0)
+    return f.say("metrics: there are none");
   std::set<std::string> seen;
   for (std::uint32_t i = 0; i < metrics.count; ++i) {
     const auto& each = *reinterpret_cast<const regista_metric*>(reinterpret_cast<const char*>(metrics.metrics) +

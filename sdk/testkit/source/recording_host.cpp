@@ -28,7 +28,9 @@ RecordingHost::RecordingHost(std::uint32_t bytes_free, Growth growth) : bytes_fr
             static_cast<RecordingHost*>(context)->log.push_back({level, {text, length}});
           }};
   draw_ = {sizeof draw_, 0, this, [](void*) -> std::int32_t { return 1; },
-           [](void* context, const regista_shape* shape) { static_cast<RecordingHost*>(context)->draw(*shape); }};
+           [](void* context, const regista_shape* shape) {
+             if (shape != nullptr) static_cast<RecordingHost*>(context)->draw(*shape);
+           }};
   reports_ = {sizeof reports_, 0, this, [](void* context, std::uint32_t metric, double value) {
                 static_cast<RecordingHost*>(context)->report(metric, value);
               }};
@@ -56,6 +58,7 @@ void RecordingHost::break_rule(std::string rule) {
 
 void RecordingHost::draw(const regista_shape& shape) {
   ++shapes;
+  if (shape.size < sizeof shape) return break_rule("drew a shape whose size field says " + std::to_string(shape.size));
   if (shape.layer == nullptr || *shape.layer == '\0') return break_rule("drew a shape that names no layer");
   const std::string layer = std::string("drew in layer ") + shape.layer + ' ';
   if (shape.shape < REGISTA_SHAPE_POINTS || shape.shape > REGISTA_SHAPE_TEXT) {
@@ -66,10 +69,10 @@ void RecordingHost::draw(const regista_shape& shape) {
   if (shape.count > REGISTA_DRAW_MOST_POINTS) {
     return break_rule(layer + "a shape of " + std::to_string(shape.count) + " points");
   }
-  if (!(shape.width >= 0.0 && std::isfinite(shape.width))) return break_rule(layer + "a shape without a sound width");
+  if (!(shape.width >= 0.0 && shape.width <= 10.0)) return break_rule(layer + "a shape without a sound width");
   for (std::uint32_t i = 0; i < shape.count; ++i) {
-    if (!std::isfinite(shape.points[i].x) || !std::isfinite(shape.points[i].y)) {
-      return break_rule(layer + "a point that is not finite");
+    if (!(std::abs(shape.points[i].x) <= 100.0 && std::abs(shape.points[i].y) <= 100.0)) {
+      return break_rule(layer + "a point that is not within 100 m");
     }
   }
 }

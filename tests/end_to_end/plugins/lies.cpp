@@ -37,6 +37,20 @@ struct LogsTooMuch {
   }
 };
 
+struct WarnsOnce {
+  static constexpr auto id = "warns_once", version = "1.0.0", summary = "Logs much that is information, then a warning";
+  regista::Log log;
+  bool warned = false;
+  void setup(const regista::Environment&, const regista::Host& host) { log = regista::Log(host); }
+  void reset(std::uint64_t) { warned = false; }
+  bool holds(const regista::Frame& frame) {
+    log.info("all is well");
+    if (frame.tick() >= 50 && !warned) log.warning("it rains");
+    warned = frame.tick() >= 50;
+    return true;
+  }
+};
+
 struct LiesInNumbers {
   static constexpr auto id = "lies_in_numbers", version = "1.0.0", summary = "Reports what is no number";
   static constexpr std::array metrics{regista::metric("truth", "1", "How much of it", REGISTA_METRIC_MEAN)};
@@ -51,4 +65,4 @@ struct LiesInNumbers {
 }  // namespace
 
 REGISTA_PLUGINS(regista::Plugin<DrawsTooMuch, regista::context>, regista::Plugin<LogsTooMuch, regista::context>,
-                regista::Plugin<LiesInNumbers, regista::context>)
+                regista::Plugin<WarnsOnce, regista::context>, regista::Plugin<LiesInNumbers, regista::context>)

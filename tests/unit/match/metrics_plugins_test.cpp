@@ -18,7 +18,9 @@ namespace {
 using testing::Contains;
 using testing::ElementsAre;
 
-mind::MetricReport once(int metric, double value) { return {metric, 1, value, value, value, value}; }
+mind::MetricReport once(int metric, double value, int place = 0) {
+  return {metric, place, 1, value, value, value, value};
+}
 
 const std::vector<mind::TeamMetric> all{{"a.sum", REGISTA_METRIC_SUM},
                                         {"a.mean", REGISTA_METRIC_MEAN},
@@ -29,10 +31,10 @@ const std::vector<mind::TeamMetric> all{{"a.sum", REGISTA_METRIC_SUM},
 TEST(PluginMeasures, CombineWhatRobotsReport) {
   PluginMeasures measures(all, 3);
   const std::vector<mind::MetricReport> first{once(0, 2.0), once(1, 2.0), once(2, 2.0), once(3, 2.0)};
-  const std::vector<mind::MetricReport> second{{0, 3, 6.0, -1.0, 4.0, 3.0},
-                                               {1, 3, 6.0, -1.0, 4.0, 3.0},
-                                               {2, 3, 6.0, -1.0, 4.0, 3.0},
-                                               {3, 3, 6.0, -1.0, 4.0, 3.0}};
+  const std::vector<mind::MetricReport> second{{0, 0, 3, 6.0, -1.0, 4.0, 3.0},
+                                               {1, 0, 3, 6.0, -1.0, 4.0, 3.0},
+                                               {2, 0, 3, 6.0, -1.0, 4.0, 3.0},
+                                               {3, 0, 3, 6.0, -1.0, 4.0, 3.0}};
   measures.decided(1, first);
   measures.decided(3, second);
   const PluginMetrics out = measures.result();
@@ -50,11 +52,20 @@ TEST(PluginMeasures, AStateHoldsUntilTheRobotReportsAgain) {
   measures.decided(2, std::vector{once(4, 5.0)});
   measures.sample();  // 1 and 5
   measures.decided(1, {});
-  measures.decided(1, std::vector{mind::MetricReport{4, 2, 12.0, 3.0, 9.0, 3.0}});
+  measures.decided(1, std::vector{mind::MetricReport{4, 0, 2, 12.0, 3.0, 9.0, 3.0}});
   measures.sample();  // 3, the last that was said, and 5
   measures.crashed(2);
   measures.sample();  // 3
   EXPECT_EQ(measures.result().values[3], (1.0 + 1.0 + 5.0 + 3.0 + 5.0 + 3.0) / 6.0);
+}
+
+TEST(PluginMeasures, InstancesOfARobotHaveStatesOfTheirOwn) {
+  PluginMeasures measures(all, 2);
+  measures.decided(1, std::vector{once(4, 1.0, 0), once(4, 3.0, 7)});
+  measures.sample();  // 1 and 3
+  measures.decided(1, std::vector{once(4, 5.0, 7)});
+  measures.sample();  // 1 and 5
+  EXPECT_EQ(measures.result().values[3], (1.0 + 3.0 + 1.0 + 5.0) / 4.0);
 }
 
 TEST(PluginMeasures, WithoutAReportASumIsZeroAndTheRestIsMissing) {
@@ -65,10 +76,10 @@ TEST(PluginMeasures, WithoutAReportASumIsZeroAndTheRestIsMissing) {
 
 TEST(PluginMeasures, StandInTheTableOfMetrics) {
   Result played;
-  played.metrics.teams[0].plugins = {{"a.sum"}, {"a.mean", "a.switches"}, {8.0}, {2.5, std::nullopt}};
+  played.metrics.teams[0].plugins = {{"a.sum"}, {"a.mean", "a.switches"}, {8.0}, {2.5e-9, std::nullopt}};
   const MetricNumbers numbers = metric_numbers(metric_table(), {played}, {});
   EXPECT_EQ(numbers.of_side(Side::home, "plugin_totals.a.sum"), 8.0);
-  EXPECT_EQ(numbers.of_side(Side::home, "plugin_values.a.mean"), 2.5);
+  EXPECT_EQ(numbers.of_side(Side::home, "plugin_values.a.mean"), 2.5e-9) << "not rounded";
   EXPECT_EQ(numbers.of_side(Side::home, "plugin_values.a.switches"), std::nullopt);
   EXPECT_EQ(numbers.of_side(Side::away, "plugin_totals.a.sum"), std::nullopt);
   MemberNames team;

@@ -67,7 +67,7 @@ class ExtensionsTest : public testing::Test {
   std::vector<int> of_team{4, 2};
   plugin::Caller caller{"paper", 3};
   std::vector<std::string> told;  // at once
-  Extensions extensions{caller, [this](const LogLine& line) { told.push_back(to_string(line)); }, true};
+  Extensions extensions{caller, {0, [this](const LogLine& line) { told.push_back(to_string(line)); }}, true};
 
  private:
   const InstanceExtensions* own_ = nullptr;
@@ -108,6 +108,38 @@ TEST_F(ExtensionsTest, AMegabyteOfLogIsCutAndToldOnce) {
   extensions.begin(4.2);
   for (int i = 0; i < 100; ++i) say("y");
   EXPECT_EQ(lines().size(), std::size_t{REGISTA_LOG_MOST_LINES}) << "and not told again";
+}
+
+TEST_F(ExtensionsTest, ALogOfAMatchHasAnEnd) {
+  const std::string line(1000, 'x');
+  std::size_t bytes = 0;
+  for (int decision = 0; decision < 1000; ++decision) {
+    extensions.begin(0.1 * decision);
+    for (int i = 0; i < 10; ++i) say(line);
+    for (const LogLine& each : extensions.log().lines()) bytes += each.text.size();
+  }
+  EXPECT_LE(bytes, REGISTA_LOG_MOST_OF_MATCH + 200u);
+  EXPECT_GE(bytes, REGISTA_LOG_MOST_OF_MATCH - 1000u);
+  EXPECT_EQ(told.back(),
+            "[warning] home 3, tick 41, talker: log: wrote more than 256 KiB in this match; what is more is left out");
+}
+
+TEST_F(ExtensionsTest, TextsAreCutBetweenCharacters) {
+  std::string text(REGISTA_LOG_MOST_BYTES - 1, 'x');
+  say(text + "\xc3\xa4");
+  EXPECT_EQ(extensions.log().lines()[0].text, text);
+  say(text.substr(1) + "\xc3\xa4" + "y");
+  EXPECT_EQ(extensions.log().lines()[1].text, text.substr(1) + "\xc3\xa4");
+}
+
+TEST_F(ExtensionsTest, ASinkHearsFromItsLevelOn) {
+  std::vector<std::int32_t> heard;
+  Extensions fresh(caller, {REGISTA_LOG_WARNING, [&](const LogLine& line) { heard.push_back(line.level); }});
+  const auto& table = *static_cast<const regista_log*>(fresh.open(plugin, of_team).find(REGISTA_LOG_EXTENSION));
+  for (const std::int32_t level : {REGISTA_LOG_DEBUG, REGISTA_LOG_ERROR, REGISTA_LOG_INFO, REGISTA_LOG_WARNING}) {
+    table.write(table.context, level, "x", 1);
+  }
+  EXPECT_EQ(heard, (std::vector<std::int32_t>{REGISTA_LOG_ERROR, REGISTA_LOG_WARNING}));
 }
 
 TEST_F(ExtensionsTest, DrawingsLastForADecision) {
@@ -179,6 +211,35 @@ TEST_F(ExtensionsTest, ShapesWithoutEndAreCut) {
             Lines{"[warning] home 3, tick 41, talker: draw: more than 256 shapes in one decision; it is left out"});
 }
 
+TEST_F(ExtensionsTest, PointsOfADecisionAndLayersOfAMatchHaveAnEnd) {
+  const std::vector<regista_point> many(REGISTA_DRAW_MOST_POINTS);
+  for (int i = 0; i < 20; ++i) polygon("cells", many);
+  EXPECT_EQ(extensions.drawings().shapes().size(),
+            std::size_t{REGISTA_DRAW_MOST_POINTS_OF_ALL / REGISTA_DRAW_MOST_POINTS});
+  EXPECT_EQ(lines(),
+            Lines{"[warning] home 3, tick 41, talker: draw: more than 4096 points in one decision; it is left out"});
+
+  Extensions fresh(caller, {}, true);
+  const auto& table = *static_cast<const regista_draw*>(fresh.open(plugin, of_team).find(REGISTA_DRAW_EXTENSION));
+  std::size_t drawn = 0;
+  std::string last;
+  for (int i = 0; i < 100; ++i) {
+    fresh.begin(0.1 * i);
+    const std::string layer = "t = " + std::to_string(i);
+    regista_shape shape{};
+    shape.size = sizeof shape;
+    shape.shape = REGISTA_SHAPE_POINTS;
+    shape.layer = layer.c_str();
+    shape.points = many.data();
+    shape.count = 1;
+    table.draw(table.context, &shape);
+    drawn += fresh.drawings().shapes().size();
+    for (const LogLine& each : fresh.log().lines()) last = each.text;
+  }
+  EXPECT_EQ(drawn, std::size_t{REGISTA_DRAW_MOST_LAYERS});
+  EXPECT_EQ(last, "draw: layer t = 32: more than 32 layers in one match; it is left out");
+}
+
 TEST_F(ExtensionsTest, NothingIsKeptWhereNobodyRecords) {
   Extensions fresh(caller);
   const InstanceExtensions& given = fresh.open(plugin, of_team);
@@ -214,14 +275,14 @@ TEST_F(ExtensionsTest, ReportsBecomeOneSummaryOfEachMetric) {
 TEST_F(ExtensionsTest, AReportThatBreaksAPromiseNamesTheMetric) {
   const auto said = [&](std::uint32_t metric, double value) {
     MetricReports fresh;
-    fresh.report(plugin, of_team, metric, value);
+    fresh.report(plugin, of_team, 0, metric, value);
     return fresh.violation() ? fresh.violation()->what : "";
   };
   EXPECT_EQ(said(1, 1e9), "");
   EXPECT_EQ(said(1, std::nan("")), "reported nan as metric \"reach\"");
   EXPECT_EQ(said(0, -std::numeric_limits<double>::infinity()), "reported -inf as metric \"hits\"");
   EXPECT_EQ(said(0, 1.1e9), "reported 1100000000 as metric \"hits\"");
-  EXPECT_EQ(said(2, 1.0), "reported metric 2; it declares 2");
+  EXPECT_EQ(said(2, 1.0), "reported metric number 2; it declares 2, counted from 0");
 }
 
 TEST_F(ExtensionsTest, WhatIsDoneForRecordersDoesNotCount) {

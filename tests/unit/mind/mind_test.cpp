@@ -150,7 +150,7 @@ TEST(MindTest, OffersTravelBetweenMinds) {
 
 TEST(MindTest, AJournalTellsOfSegmentsAndChangesNothing) {
   const auto plan = plan_of(team());
-  Squad squad(*plan, {2, 3, 5}), recorded(*plan, {2, 3, 5}, Telling{.records = true});
+  Squad squad(*plan, {2, 3, 5}), recorded(*plan, {2, 3, 5}, Telling{.segments = true});
   const auto nothing = [](std::size_t, Percepts&) {};
   SegmentCounts counted, told;
   for (int k = 0; k <= 45; ++k) {
@@ -186,7 +186,7 @@ TEST(MindTest, AJournalTellsOfSegmentsAndChangesNothing) {
 
 TEST(MindTest, AJournalTellsOfSegmentsThatDoNotEndWithTheirPacket) {
   const auto plan = plan_of(team());
-  Mind mind(*plan, 3, 1, {}, Telling{.records = true});
+  Mind mind(*plan, 3, 1, {}, Telling{.segments = true});
   std::vector<std::uint8_t> good, cut, own;
   encode(report(4, 0.9), good);
   append_segment({200, std::vector<std::uint8_t>{1, 2}}, good);

@@ -74,8 +74,8 @@ auto members(Is<SegmentCounts> auto& all) {
   return std::tie(offered, refused, sent, dropped, heard);
 }
 auto members(Is<MetricReport> auto& all) {
-  auto& [metric, count, sum, least, greatest, last] = all;
-  return std::tie(metric, count, sum, least, greatest, last);
+  auto& [metric, place, count, sum, least, greatest, last] = all;
+  return std::tie(metric, place, count, sum, least, greatest, last);
 }
 auto members(Is<Outcome> auto& all) {
   auto& [command, send, reason, packet, role, assignment, context, kept, target, segments, metrics] = all;

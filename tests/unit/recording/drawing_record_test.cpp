@@ -39,9 +39,10 @@ TEST_F(DrawnLayersTest, ALayerIsToldWhenItAppearsAndWhenItIsEmpty) {
   EXPECT_EQ(told(0.0, {}), "");
   EXPECT_EQ(told(0.1, {dot("a", 1.0)}), "a: [{\"shape\":\"points\",\"at\":[[1,0.5]]}]\n");
   EXPECT_EQ(told(0.2, {dot("a", 1.0)}), "") << "it is still there";
-  EXPECT_EQ(told(0.3, {}), "a: []\n");
-  EXPECT_EQ(told(0.4, {}), "");
-  EXPECT_EQ(told(0.5, {dot("a", 2.0)}), "a: [{\"shape\":\"points\",\"at\":[[2,0.5]]}]\n");
+  EXPECT_EQ(told(0.8, {}), "a: []\n");
+  EXPECT_EQ(told(0.9, {}), "");
+  EXPECT_EQ(told(1.0, {dot("a", 2.0)}), "") << "half a second has not passed";
+  EXPECT_EQ(told(1.3, {dot("a", 2.0)}), "a: [{\"shape\":\"points\",\"at\":[[2,0.5]]}]\n");
 }
 
 TEST_F(DrawnLayersTest, OneThatMovesIsToldTwiceASecond) {
@@ -56,7 +57,7 @@ TEST_F(DrawnLayersTest, LayersRobotsAndPluginsAreApart) {
             "a: [{\"shape\":\"points\",\"at\":[[1,0.5]]},{\"shape\":\"points\",\"at\":[[3,0.5]]}]\n"
             "b: [{\"shape\":\"points\",\"at\":[[2,0.5]]}]\n");
   EXPECT_EQ(told(0.0, {dot("a", 1.0)}, 1.0, 4), "a: [{\"shape\":\"points\",\"at\":[[1,0.5]]}]\n");
-  EXPECT_EQ(told(0.1, {dot("a", 1.0), dot("b", 2.0), dot("a", 3.0), dot("a", 9.0, "other")}),
+  EXPECT_EQ(told(0.6, {dot("a", 1.0), dot("b", 2.0), dot("a", 3.0), dot("a", 9.0, "other")}),
             "a: [{\"shape\":\"points\",\"at\":[[9,0.5]]}]\n");
 }
 

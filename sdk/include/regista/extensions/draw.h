@@ -4,7 +4,8 @@
  * side alone; a host that has none gives null, and a plugin does without. C++: <regista/draw.hpp>.
  *
  * Drawings go into recordings, and from there into the viewer and `regista view --at`. Each decision begins with an
- * empty field: what is drawn in it stays until the robot's next decision. What is drawn changes no match.
+ * empty field: what is drawn in it stays until the robot's next decision. All instances of a plugin in a robot share its
+ * layers. What is drawn changes no match.
  */
 /* clang-format off */
 #ifndef REGISTA_EXTENSIONS_DRAW_H
@@ -18,7 +19,9 @@
 
 enum {
   REGISTA_DRAW_MOST_POINTS = 512,    /* of one shape */
-  REGISTA_DRAW_MOST_SHAPES = 256,    /* of one instance in one decision */
+  REGISTA_DRAW_MOST_SHAPES = 256,    /* of one instance in one decision, */
+  REGISTA_DRAW_MOST_POINTS_OF_ALL = 4096, /* and the points of all of them */
+  REGISTA_DRAW_MOST_LAYERS = 32,     /* of one instance in one match: a layer is a subject, not a moment */
   REGISTA_DRAW_MOST_BYTES = 200      /* of a text, and of the name of a layer; what is longer is cut */
 };
 
@@ -37,10 +40,11 @@ typedef struct regista_shape {
   int32_t shape;                     /* REGISTA_SHAPE_* */
   uint32_t flags;                    /* REGISTA_SHAPE_FILLED */
   uint32_t colour;                   /* 0xRRGGBBAA; 0: as the viewer likes, one colour for each layer */
-  double width;                      /* of lines, or the diameter of points, m; 0: as the viewer likes */
+  double width;                      /* of lines, or the diameter of points, at most 10 m; 0: as the
+                                        viewer likes */
   const char* layer;                 /* what people switch on and off: "cells" */
   const char* text;                  /* UTF-8, of a text; else null */
-  const regista_point* points;       /* finite, at most 100 m from the centre */
+  const regista_point* points;       /* |x|, |y| <= 100; a point does not grow */
   uint32_t count;
   uint32_t reserved;
 } regista_shape;
@@ -50,10 +54,11 @@ typedef struct regista_draw {
   uint32_t size;
   uint32_t reserved;
   void* context;                     /* first argument of the calls below */
-  /* 1 when somebody looks: a plugin may spare itself the drawing then, and nothing else. A match is the same whether
-   * it is recorded or not. */
+  /* 0 when nobody records drawings: a plugin may leave the drawing out then, and nothing else. A match is the same
+   * whether it is recorded or not. */
   int32_t (*wanted)(void* context);
-  /* Copied. A shape that breaks a rule of these lines is left out, and the host says so once. */
+  /* Copied. Only from within the instance's own calls, but nothing is taken in `describe`. A shape that breaks a rule
+   * of this header is left out; the host logs the first one, where drawings are wanted. */
   void (*draw)(void* context, const regista_shape* shape);
 } regista_draw;
 

@@ -6,7 +6,8 @@
  *
  * They become rows of the table of metrics, for each side of a match: "plugin_totals.<id>.<name>" of what is summed,
  * "plugin_values.<id>.<name>" of all others. So they stand in JSON, CSV and reports, and can be the objective of a
- * tuning. Reports of all robots of the team, and of all instances of the plugin, make one number.
+ * tuning. Reports of all robots of the team, and of all instances of the plugin, make one number. Like all that a plugin
+ * answers, they must follow from what it was given: a measured time, say, makes a match one that cannot be repeated.
  */
 /* clang-format off */
 #ifndef REGISTA_EXTENSIONS_METRIC_H
@@ -24,8 +25,9 @@ enum {
   REGISTA_METRIC_MEAN = 2,           /* of all reports */
   REGISTA_METRIC_LEAST = 3,
   REGISTA_METRIC_GREATEST = 4,
-  REGISTA_METRIC_OVER_TIME = 5       /* a state: what was reported holds until the same robot reports again. The mean
-                                        over the time of phase Playing and over the robots that have reported */
+  REGISTA_METRIC_OVER_TIME = 5       /* a state: what was reported holds until the same instance reports again, or its
+                                        robot crashes. The mean over the time of phase Playing, and over the instances
+                                        that have reported, penalised robots too */
 };
 
 typedef struct regista_metric {
@@ -51,7 +53,8 @@ typedef struct regista_metric_reports {
   uint32_t reserved;
   void* context;                     /* first argument of the call below */
   /* `metric`: index into the declared ones. `value`: finite, at most 1e9 in size; else the match ends with an error, as
-   * for any other answer that breaks a promise. Only from within the instance's own calls. */
+   * for any other answer that breaks a promise. Only from within the instance's own calls, but nothing is
+   * taken in `describe`. */
   void (*report)(void* context, uint32_t metric, double value);
 } regista_metric_reports;
 
