@@ -118,8 +118,8 @@ void add_plugin_check(Command& parent) {
   Command& command = parent.add("check", "see whether a plugin keeps the promises of the interface");
   const auto options = std::make_shared<PluginCheckOptions>();
   command.take("files", options->files, "FILE.so", "shared objects", Reads::data);
-  command.choose("--only", options->only, check::known_checks(),
-                 "this check alone, or all of a kind or a name (assigner, promises); may be repeated");
+  command.take("--only", options->only, "CHECK",
+               "this check alone, or all of a kind or a name (assigner, promises); may be repeated");
   command.take("--set", options->parameters, "NAME=VALUE", "a parameter of the plugin; may be repeated");
   command.flag("--may-idle", options->may_idle, "an assigner may leave a robot without a task that it could do");
   command.take("--processor-seconds", options->processor_seconds, "SECONDS", "processor time of one check; default 60");

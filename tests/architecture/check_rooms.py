@@ -94,9 +94,8 @@ def stranger(root, path, target, quoted):
             if "sdk" not in KNOWS[room]:
                 return "sdk"
             seen = found.removeprefix("sdk/include/")
-            if room == CHECKS_PLUGINS and found.startswith(TESTKIT):
-                return None
-            known = seen == HOST_SEES_OF_SDK or seen.startswith(HOST_SEES_EXTENSIONS)
+            known = seen == HOST_SEES_OF_SDK or seen.startswith(HOST_SEES_EXTENSIONS) or (
+                room == CHECKS_PLUGINS and seen.startswith(TESTKIT))
             return None if known else f"more of sdk than {HOST_SEES_OF_SDK} and {HOST_SEES_EXTENSIONS}"
         other = room_of(found)
         return None if other == room or other in KNOWS[room] else other or posixpath.dirname(found)
@@ -122,6 +121,8 @@ def linked(path, text):
     """(line, token, room or library that `path` must not link) of every such token of a build file."""
     room = room_of(path)
     allowed = KNOWS.get(room, set()) | {room} if path.startswith("host/") else {"sdk", "testkit"}
+    if room == CHECKS_PLUGINS:
+        allowed = allowed | {"testkit"}
     code = re.sub(r"#[^\n]*", lambda m: " " * len(m[0]), text)
     for command in COMMAND.finditer(code):
         if command[1] in NOT_A_LINK or command[2].split()[:1] and command[2].split()[0].startswith("test_"):

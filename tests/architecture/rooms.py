@@ -32,7 +32,7 @@ KNOWS = {
 HOST_SEES_OF_SDK = "regista/abi.h"
 HOST_SEES_EXTENSIONS = "regista/extensions/"
 # The room that checks plugins plays the testkit's checks, which know nothing of the host.
-CHECKS_PLUGINS, TESTKIT = "check", "sdk/testkit/include/regista/testkit/"
+CHECKS_PLUGINS, TESTKIT = "check", "regista/testkit/"
 
 
 class Library:

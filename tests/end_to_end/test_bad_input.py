@@ -7,7 +7,7 @@ import unittest
 import program
 
 OPTIONS = ("--help, --seed, --rules, --robot, --disturbance, --home-disturbance, --away-disturbance, --opening, --set, --limit, --from, --row, --plugins, --json, --decisions, --record, --metrics, --force, "
-           "--quiet, --processor-seconds, --wall-seconds, --in-process, --verbose")
+           "--quiet, --log, --processor-seconds, --wall-seconds, --in-process, --verbose")
 
 
 def processor_seconds():
@@ -44,13 +44,13 @@ class BadInput(program.Case):
 class CommandLine(BadInput):
     def test_no_command(self):
         self.assert_refused((), "which command? There are: match, view, tournament, experiment, tune, report, sprt, rank, evaluate-predictor, metrics, completion, plugin, config, help; see: regista --help")
-        self.assert_refused(("plugin",), "which command? There are: list, info, reference; see: regista plugin --help")
+        self.assert_refused(("plugin",), "which command? There are: list, info, check, reference; see: regista plugin --help")
 
     def test_unknown_command(self):
         self.assert_refused(("mtach", "a.yaml"),
                             'unknown command "mtach" in regista; nearest: "match"; known: match, view, tournament, experiment, tune, report, sprt, rank, evaluate-predictor, metrics, completion, plugin, config, help')
         self.assert_refused(("plugin", "lits"),
-                            'unknown command "lits" in regista plugin; nearest: "list"; known: list, info, reference')
+                            'unknown command "lits" in regista plugin; nearest: "list"; known: list, info, check, reference')
         # Planned, not there: no nearest name that misleads.
         self.assert_refused(("season",), 'unknown command "season" in regista; known: match, view, tournament, experiment, tune, report, sprt, rank, evaluate-predictor, metrics, completion, plugin, config, help')
 
