@@ -35,8 +35,9 @@ struct Plugin {
     for (const regista::Event& event : query.events) {
       if (is_news(event.kind)) reason = event.kind;
     }
-    const int left = budget.packets_left - regista::in_this_game(reserve, budget);
-    if (!due(thrift, budget.since_own, reason != REGISTA_EVENT_PERIOD, left)) return std::nullopt;
+    const int kept = regista::in_this_game(reserve, budget);
+    const bool news = reason != REGISTA_EVENT_PERIOD;
+    if (!due(thrift, budget.since_own, news, budget.packets_left - kept, budget.line - kept)) return std::nullopt;
     // What other plugins want to send goes along as far as it fits.
     for (const regista::Offer& offer : query.offers) out.grant(offer);
     return reason;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * When to spend a packet: on news at once, else after a while. */
+ * When to spend a packet: soon on news, as long as the packets last, else after a while. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,9 +9,10 @@
 
 /* --- The idea: knows nothing of Regista, and test.c tests it alone --- */
 
-/* since_own: s since this robot sent its last packet. packets_left: of the team, without what it keeps for the end. */
-static int due(double period, double after_news, double since_own, int news, int packets_left) {
-  return packets_left > 0 && since_own >= (news ? after_news : period);
+/* since_own: s since this robot sent its last packet. packets_left: of the team. line: those that would be left if they
+ * were spent evenly; both without the reserve. A team that has less is not hurried by news. */
+static int due(double period, double after_news, double since_own, int news, int packets_left, double line) {
+  return packets_left > 0 && since_own >= (news && packets_left >= line ? after_news : period);
 }
 
 /* --- The glue: the instance, the calls of its kind, what it is called and what can be set --- */
@@ -45,8 +46,9 @@ static int32_t decide(void* instance, const regista_frame* frame, regista_span e
     const regista_event* event = element(events, i);
     if (is_news(event->kind)) out->reason = event->kind;
   }
-  out->send = due(self->period, self->after_news, budget->since_own, out->reason != REGISTA_EVENT_PERIOD,
-                  budget->packets_left - reserve_of(self, budget));
+  const int news = out->reason != REGISTA_EVENT_PERIOD, kept = reserve_of(self, budget);
+  out->send =
+      due(self->period, self->after_news, budget->since_own, news, budget->packets_left - kept, budget->line - kept);
   if (!out->send) return REGISTA_OK;
   /* What other plugins want to send goes along as far as it fits. */
   for (uint32_t i = 0; i < offers.count; ++i) {
