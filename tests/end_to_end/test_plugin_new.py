@@ -13,7 +13,7 @@ import program
 
 KINDS = ("predictor", "context", "positioner", "utility", "assigner", "behaviour", "sender")
 FILES = {"c++": {"algorithm.hpp", "plugin.cpp", "test.cpp"}, "c": {"plugin.c", "test.c"}}
-NOBODY = 65534  # user and group
+NOBODY = 65534
 SHARED = {"CMakeLists.txt", "README.md", "team.yaml"}
 
 
