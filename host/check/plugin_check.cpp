@@ -25,6 +25,7 @@
 
 #include "check/object_file.hpp"
 #include "config/bad_input.hpp"
+#include "config/file.hpp"
 #include "config/text.hpp"
 #include "plugin/descriptor.hpp"
 #include "plugin/floating_point_state.hpp"
@@ -209,7 +210,10 @@ testkit::Options options_of(const Options& options) {
   out.base = [&options](testkit::Values& values) {
     for (const auto& [name, text] : options.parameters) {
       try {
-        if (const auto number = number_in(text))
+        const auto number = number_in(text);
+        if (options.files.contains(name))
+          values.set(name, std::string_view(options.files.at(name)));
+        else if (number)
           values.set(name, *number);
         else
           values.set(name, std::string_view(text));
@@ -234,7 +238,7 @@ void go_elsewhere() {
 class FileCheck {
  public:
   FileCheck(const fs::path& file, const Options& options, const std::function<void(const Verdict&)>& told)
-      : file_(file), options_(options), told_(told), testkit_options_(options_of(options)) {
+      : file_(fs::absolute(file)), options_(options), told_(told), testkit_options_(options_of(options_)) {
     report_.file = file.string();
   }
 
@@ -259,17 +263,22 @@ class FileCheck {
     if (!surveyed.refusal.empty()) return std::move(report_);
     const auto count = static_cast<std::uint32_t>(surveyed.plugins.size());
     apart("hand_shake", "gives every host the same answers", [&] { return shake_hands(file_, count); });
-    refuse_unknown_parameters(surveyed);
+    take_parameters(surveyed);
     for (const auto& each : surveyed.plugins) check_plugin(*each);
     return std::move(report_);
   }
 
  private:
-  void refuse_unknown_parameters(const plugin::Surveyed& surveyed) const {
+  void take_parameters(const plugin::Surveyed& surveyed) {
     std::vector<std::string> known;
     for (const auto& each : surveyed.plugins) {
       for (std::uint32_t i = 0; i < each->declared().parameter_count; ++i) {
-        known.emplace_back(plugin::parameter(each->declared(), i).name);
+        const regista_parameter& declared = plugin::parameter(each->declared(), i);
+        known.emplace_back(declared.name);
+        if (declared.type != REGISTA_TYPE_FILE) continue;
+        for (const auto& [name, path] : options_.parameters) {
+          if (name == declared.name) options_.files.insert_or_assign(name, config::read_file(path));
+        }
       }
     }
     for (const auto& [name, value] : options_.parameters) {
@@ -281,6 +290,12 @@ class FileCheck {
   void check_plugin(const plugin::Description& plugin) {
     plugin_ = plugin.declared().id;
     apart("descriptor", "describes itself", [&] { return outcome_of(testkit::check_descriptor(loaded())); });
+    const std::size_t before = report_.verdicts.size();
+    apart("creation", "can be created with its defaults", [&] { return why_not_created(); });
+    if (report_.verdicts.size() > before && report_.verdicts.back().status != Status::pass) {
+      plugin_.clear();
+      return;
+    }
     for (const std::int32_t kind : kinds_checked) {
       if (!plugin.implements(kind)) continue;
       for (const testkit::Check& check : testkit::contract(kind)) {
@@ -288,13 +303,45 @@ class FileCheck {
         apart(kind_and(kind, check.name), check.promise, [&]() -> Outcome {
           const testkit::Loaded own = loaded();
           if (!check.applies(own, testkit_options_)) return {Status::skip, {}};
-          return outcome_of(check.run(own, testkit_options_));
+          return judged(check, own);
         });
       }
       check_elsewhere(kind);
       apart(kind_and(kind, "cost"), "what a call costs", [&] { return cost_of(kind); });
     }
     plugin_.clear();
+  }
+
+  // An assigner that leaves a robot idle may mean it: where that is all that is wrong, it is a warning.
+  Outcome judged(const testkit::Check& check, const testkit::Loaded& own) const {
+    Outcome out = outcome_of(check.run(own, testkit_options_));
+    if (out.status != Status::fail || testkit_options_.may_idle || !own.implements(REGISTA_KIND_ASSIGNER)) return out;
+    testkit::Options idle = testkit_options_;
+    idle.may_idle = true;
+    if (!check.run(own, idle).empty()) return out;
+    out.status = Status::warn;
+    out.lines.emplace_back("if that is meant: --may-idle");
+    return out;
+  }
+
+  // A plugin that needs a file cannot be created without one.
+  Outcome why_not_created() const {
+    const testkit::Loaded own = loaded();
+    std::string files;
+    for (std::size_t i = 0; i < own.parameter_count(); ++i) {
+      const regista_parameter& each = own.parameter(i);
+      const bool given = std::ranges::any_of(options_.parameters, [&](const auto& p) { return p.first == each.name; });
+      if (each.type == REGISTA_TYPE_FILE && !given) files += fmt::format(" --set {}=FILE", each.name);
+    }
+    if (files.empty()) return {};
+    try {
+      testkit::Values values(own);
+      testkit_options_.base(values);
+      const testkit::Instance instance(own, testkit::EnvironmentBuilder{}, values);
+    } catch (const testkit::CallFailed& failure) {
+      return {Status::warn, {failure.what(), "nothing more can be checked without it:" + files}};
+    }
+    return {};
   }
 
   testkit::Loaded loaded() const { return {file_.string(), plugin_}; }
@@ -356,7 +403,7 @@ class FileCheck {
   }
 
   fs::path file_;
-  const Options& options_;
+  Options options_;
   const std::function<void(const Verdict&)>& told_;
   testkit::Options testkit_options_;
   std::string plugin_;
@@ -368,6 +415,7 @@ class FileCheck {
 std::vector<std::string> known_checks() {
   std::vector<std::string> out(file_checks.begin(), file_checks.end());
   out.emplace_back("descriptor");
+  out.emplace_back("creation");
   const auto add = [&out](const std::string& name) {
     if (std::ranges::find(out, name) == out.end()) out.push_back(name);
   };

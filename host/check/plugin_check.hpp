@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,10 +18,12 @@
 namespace regista::check {
 
 struct Options {
-  std::vector<std::string> only;                                // checks or groups of them; empty: all
-  std::vector<std::pair<std::string, std::string>> parameters;  // values of the plugin's parameters, as text
-  bool may_idle = false;                                        // an assigner may leave robots without a task
-  bool in_process = false;                                      // in this process, for a debugger
+  std::vector<std::string> only;  // checks or groups of them; empty: all
+  // Values of the plugin's parameters, as text; of a file its path.
+  std::vector<std::pair<std::string, std::string>> parameters;
+  std::map<std::string, std::string> files;  // content of those that are files; check_file() reads them
+  bool may_idle = false;                     // an assigner may leave robots without a task
+  bool in_process = false;                   // in this process, for a debugger
   Deadline deadline;
 };
 

@@ -30,7 +30,8 @@ Each command explains itself: regista help match)";
 
 constexpr auto plugin_examples = R"(Examples:
   regista plugin list
-  regista plugin info voronoi)";
+  regista plugin info voronoi
+  regista plugin new predictor my_ball)";
 
 constexpr auto config_examples = R"(Examples:
   regista config copy configs
@@ -86,6 +87,7 @@ void add_commands(Command& program, const Invocation& invocation) {
   plugin.notes(plugin_examples);
   add_plugin_list(plugin, invocation);
   add_plugin_info(plugin, invocation);
+  add_plugin_new(plugin, invocation);
   add_plugin_check(plugin);
   add_plugin_reference(plugin, invocation);
   Command& config = program.add("config", "documents: rules, robots, disturbances, openings, teams, studies");

@@ -22,6 +22,7 @@ void add_completion(Command& program);
 void add_plugin_list(Command& parent, const Invocation& invocation);
 void add_plugin_check(Command& parent);
 void add_plugin_info(Command& parent, const Invocation& invocation);
+void add_plugin_new(Command& parent, const Invocation& invocation);
 void add_plugin_reference(Command& parent, const Invocation& invocation);
 void add_config_check(Command& parent, const Invocation& invocation);
 void add_config_show(Command& parent, const Invocation& invocation);

@@ -34,7 +34,8 @@ Candidates candidates(const OptionDeclaration& option) {
     }
   }
   if (const auto* const writes = std::get_if<output::Writes>(&option.use)) {
-    return {*writes == output::Writes::figures ? Kind::folders : Kind::files, {}, {}};
+    const bool folder = *writes == output::Writes::figures || *writes == output::Writes::sources;
+    return {folder ? Kind::folders : Kind::files, {}, {}};
   }
   return {};
 }
@@ -149,11 +150,12 @@ void add_zsh(std::string& out, const CommandDeclaration& command) {
   out += "  _arguments -s -S";
   if (!command.commands.empty()) out += " -C";
   out += fmt::format(" \\\n    {}", in_single_quotes("(-h --help)--help[print this help]"));
+  int place = 0;
   for (const OptionDeclaration& each : command.options) {
     if (each.is_positional()) {
-      out +=
-          fmt::format(" \\\n    {}", in_single_quotes(fmt::format("{}:{}:{}", each.is_list ? "*" : "1",
-                                                                  zsh_text(each.type), zsh_action(candidates(each)))));
+      const std::string which = each.is_list ? "*" : fmt::format("{}", ++place);
+      out += fmt::format(" \\\n    {}", in_single_quotes(fmt::format("{}:{}:{}", which, zsh_text(each.type),
+                                                                     zsh_action(candidates(each)))));
       continue;
     }
     std::string spec = fmt::format("{}{}[{}]", each.is_list ? "*" : "", each.name(), zsh_text(each.help));

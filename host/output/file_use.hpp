@@ -29,6 +29,7 @@ enum class Writes {
   page,     // or a picture
   drawing,  // of a team's roles
   figures,  // a folder
+  sources,  // of a new plugin: the folder in which theirs is made
 };
 
 using FileUse = std::variant<std::monostate, Reads, Writes>;  // none: the option names no file

@@ -120,6 +120,7 @@ std::vector<OutputFiles::Read> OutputFiles::all_reads() const {
 
 void OutputFiles::write(const std::string& who, const fs::path& file, Writes what) {
   if (file.empty() || ((what == Writes::page || what == Writes::drawing) && file == "-")) return;
+  if (what == Writes::sources) return;  // write_new_folder() touches nothing that is there
   if (what == Writes::figures) {
     folders_.push_back({who, where_it_leads(file), {".csv", ".gnuplot", ".svg", ".png"}});
     return;

@@ -62,6 +62,7 @@ OwnKind own_kind(Writes what) {
               .moved_to_its_place = true};
     case Writes::results:
     case Writes::figures:
+    case Writes::sources:
       break;
   }
   assert(false);

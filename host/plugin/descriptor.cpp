@@ -79,14 +79,6 @@ bool is_plain_value(std::string_view text) {
   return config::visible_lines(without_tabs) == without_tabs;
 }
 
-// An id or the name of a parameter; empty when it is sound.
-std::string wrong_with_name(std::string_view name) {
-  if (name.size() > longest_id) {
-    return fmt::format("is {} characters long; at most {} are taken", name.size(), longest_id);
-  }
-  return lower_snake_case(name) ? "" : "is not lower_snake_case";
-}
-
 bool is_number(std::int32_t type) { return type == REGISTA_TYPE_REAL || type == REGISTA_TYPE_INTEGER; }
 
 std::string wrong_with_number(const regista_parameter& p) {
@@ -207,6 +199,13 @@ std::string wrong_with_tables(const regista_descriptor& d) {
 }
 
 }  // namespace
+
+std::string wrong_with_name(std::string_view name) {
+  if (name.size() > longest_id) {
+    return fmt::format("is {} characters long; at most {} are taken", name.size(), longest_id);
+  }
+  return lower_snake_case(name) ? "" : "is not lower_snake_case";
+}
 
 std::string what_is_wrong(const regista_descriptor& d, std::uint32_t index) {
   // Only these fields keep their places in every major version. Before 1.0 each minor version is another interface.

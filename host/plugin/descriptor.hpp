@@ -17,6 +17,9 @@ namespace regista::plugin {
 // no field beyond those that the version it declares promises.
 std::string what_is_wrong(const regista_descriptor& descriptor, std::uint32_t index);
 
+// The same of an id, or of the name of a parameter: "is not lower_snake_case".
+std::string wrong_with_name(std::string_view name);
+
 // Parameter number `index`, < descriptor.parameter_count.
 const regista_parameter& parameter(const regista_descriptor& descriptor, std::uint32_t index);
 

@@ -17,8 +17,12 @@ function(regista_add_plugin name)
     set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${REGISTA_PLUGIN_OUTPUT_DIRECTORY})
   endif()
   target_compile_options(${name} PRIVATE -ffp-contract=off -fno-math-errno -fno-trapping-math $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+  set(language CXX)
+  if(NOT CMAKE_CXX_COMPILER_ID)
+    set(language C)  # a project in plain C
+  endif()
   target_compile_definitions(${name} PRIVATE
-    REGISTA_BUILD_TAG="${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_BUILD_TYPE}")
+    REGISTA_BUILD_TAG="${CMAKE_${language}_COMPILER_ID} ${CMAKE_${language}_COMPILER_VERSION} ${CMAKE_BUILD_TYPE}")
   # Hidden visibility alone leaks weak standard-library symbols into the process; the version script leaves one.
   target_link_options(${name} PRIVATE
     LINKER:--version-script=${CMAKE_CURRENT_FUNCTION_LIST_DIR}/plugin.map LINKER:-z,nodelete)

@@ -44,13 +44,13 @@ class BadInput(program.Case):
 class CommandLine(BadInput):
     def test_no_command(self):
         self.assert_refused((), "which command? There are: match, view, tournament, experiment, tune, report, sprt, rank, evaluate-predictor, metrics, completion, plugin, config, help; see: regista --help")
-        self.assert_refused(("plugin",), "which command? There are: list, info, check, reference; see: regista plugin --help")
+        self.assert_refused(("plugin",), "which command? There are: list, info, new, check, reference; see: regista plugin --help")
 
     def test_unknown_command(self):
         self.assert_refused(("mtach", "a.yaml"),
                             'unknown command "mtach" in regista; nearest: "match"; known: match, view, tournament, experiment, tune, report, sprt, rank, evaluate-predictor, metrics, completion, plugin, config, help')
         self.assert_refused(("plugin", "lits"),
-                            'unknown command "lits" in regista plugin; nearest: "list"; known: list, info, check, reference')
+                            'unknown command "lits" in regista plugin; nearest: "list"; known: list, info, new, check, reference')
         # Planned, not there: no nearest name that misleads.
         self.assert_refused(("season",), 'unknown command "season" in regista; known: match, view, tournament, experiment, tune, report, sprt, rank, evaluate-predictor, metrics, completion, plugin, config, help')
 

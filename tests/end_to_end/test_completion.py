@@ -39,7 +39,9 @@ class Completion(program.Case):
     def test_bash_knows_commands_options_choices_and_files(self):
         self.assertTrue({"match", "tournament", "help"} <= self.bash(""))
         self.assertNotIn("play-one", self.bash(""))
-        self.assertEqual(self.bash("plugin", ""), {"list", "info", "check", "reference"})
+        self.assertEqual(self.bash("plugin", ""), {"list", "info", "new", "check", "reference"})
+        self.assertEqual(self.bash("plugin", "new", "p"), {"predictor", "positioner"})
+        self.assertEqual(self.bash("plugin", "new", "sender", "x", "-o", "s"), {"scenes"})
         self.assertEqual(self.bash("help", "plugin", "l"), {"list"})
         self.assertEqual(self.bash("match", "--home"), {"--home-disturbance"})
         self.assertEqual(self.bash("tournament", "--format", ""), {"round-robin", "gauntlet"})

@@ -129,11 +129,16 @@ class Packages(unittest.TestCase):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("libnlopt", done.stderr)
 
-    def test_template(self):
+    def made_plugin(self):
+        """The folder of a new plugin, as the installed program makes it."""
+        self.succeed("/usr/bin/regista", "plugin", "new", "assigner", "best_pair_first", "-o", "/tmp")
+        return self.root.path / "tmp/best_pair_first"
+
+    def test_new_plugin(self):
         """The compiler is this system's; all it finds of Regista stands in the root."""
         self.install(self.program, self.sdk)
-        project, build = self.work / "template", self.work / "template" / "build"
-        shutil.copytree(self.root.path / "usr/share/regista/template", project)
+        project = self.made_plugin()
+        build = project / "build"
         root.output(os.environ["CMAKE"], "-S", project, "-B", build, "-G", os.environ["CMAKE_GENERATOR"],
                     f"-DCMAKE_CXX_COMPILER={os.environ['CXX']}", f"-DCMAKE_PREFIX_PATH={self.root.path}/usr",
                     "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
@@ -144,7 +149,7 @@ class Packages(unittest.TestCase):
         root.output(os.environ["CTEST"], "--test-dir", build, "--no-tests=error")
         self.plays_with(build / "best_pair_first.so")
 
-    def test_template_without_cmake(self):
+    def test_new_plugin_without_cmake(self):
         if not shutil.which("pkg-config"):
             self.skipTest("there is no pkg-config")
         self.install(self.program, self.sdk)
@@ -156,7 +161,7 @@ class Packages(unittest.TestCase):
         self.assertEqual(says("--modversion"), [VERSION])
         plugin = self.work / "best_pair_first.so"
         root.output(os.environ["CXX"], "-std=c++20", "-O2", *says("--cflags"), *says("--variable=plugin_compile"),
-                    self.root.path / "usr/share/regista/template/plugin.cpp", *says("--variable=plugin_link"), "-o", plugin)
+                    self.made_plugin() / "plugin.cpp", *says("--variable=plugin_link"), "-o", plugin)
         root.output("python3", SOURCE / "tests/architecture/exported_symbols.py", plugin)
         self.plays_with(plugin)
 

@@ -88,7 +88,8 @@ class OutputFilesTest : public testing::Test {
 bool is_read(const command::OptionDeclaration& option) { return std::holds_alternative<Reads>(option.use); }
 bool is_written(const command::OptionDeclaration& option) { return std::holds_alternative<Writes>(option.use); }
 bool is_written_file(const command::OptionDeclaration& option) {
-  return is_written(option) && option.use != output::FileUse(Writes::figures);
+  return is_written(option) && option.use != output::FileUse(Writes::figures) &&
+         option.use != output::FileUse(Writes::sources);
 }
 
 TEST_F(OutputFilesTest, EveryOptionSaysWhatItNames) {

@@ -7,7 +7,7 @@
 namespace {
 
 struct Plugin {
-  static constexpr auto id = "best_pair_first", version = "1.0.0",
+  static constexpr auto id = "@NAME@", version = "0.1.0",
                         summary = "The best pair of a free robot and a free task, again and again";
 
   // Of a frame it reads nothing but what every plugin is shown; see REGISTA_READS_* in <regista/abi.h>.
