@@ -197,7 +197,8 @@ Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadli
   if (ended.empty() && WIFEXITED(status)) {
     if (const auto outcome = outcome_of(answered)) return *outcome;
   }
-  Outcome out{Status::crash, {ended.empty() ? how_it_ended(status, deadline) : ended}};
+  const bool out_of_time = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
+  Outcome out{Status::crash, {ended.empty() ? how_it_ended(status, deadline) : ended}, !ended.empty() || out_of_time};
   if (const std::string last = last_line(written); !last.empty()) out.lines.push_back("it wrote: " + last);
   return out;
 }

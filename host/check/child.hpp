@@ -15,10 +15,11 @@ namespace regista::check {
 struct Outcome {
   Status status = Status::pass;
   std::vector<std::string> lines;
+  bool hung = false;  // it had to be ended
 };
 
 struct Deadline {
-  int processor_seconds = 60;   // of one check
+  int processor_seconds = 20;   // of one check
   double idle_seconds = 5.0;    // that it may sleep at a stretch
   double wall_seconds = 300.0;  // on a machine that has much else to do
 };

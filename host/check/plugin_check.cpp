@@ -289,6 +289,7 @@ class FileCheck {
 
   void check_plugin(const plugin::Description& plugin) {
     plugin_ = plugin.declared().id;
+    hung_ = false;
     apart("descriptor", "describes itself", [&] { return outcome_of(testkit::check_descriptor(loaded())); });
     const std::size_t before = report_.verdicts.size();
     apart("creation", "can be created with its defaults", [&] { return why_not_created(); });
@@ -355,7 +356,7 @@ class FileCheck {
     const std::string name = kind_and(kind, "elsewhere");
     if (!is_wanted(options_.only, name)) return;
     judge(name, "does the same in another process, folder and environment", [&]() -> Outcome {
-      if (options_.in_process) return {Status::skip, {}};
+      if (options_.in_process || hung_) return {Status::skip, {}};
       const Outcome first = in_a_child([&] { return digest(kind); }, options_.deadline);
       if (first.status != Status::pass) return first;
       const Outcome second = in_a_child(
@@ -392,7 +393,12 @@ class FileCheck {
   void apart(const std::string& name, const std::string& promise, const std::function<Outcome()>& check) {
     if (!is_wanted(options_.only, name)) return;
     const auto alone = [&check] { return leaving_the_process_alone(check); };
-    judge(name, promise, [&] { return options_.in_process ? alone() : in_a_child(alone, options_.deadline); });
+    judge(name, promise, [&]() -> Outcome {
+      if (hung_) return {Status::skip, {"an earlier check had to be ended"}};  // nobody waits twice
+      Outcome out = options_.in_process ? alone() : in_a_child(alone, options_.deadline);
+      hung_ = out.hung;
+      return out;
+    });
   }
   void judge(const std::string& name, const std::string& promise, const std::function<Outcome()>& check) {
     const auto began = Clock::now();
@@ -407,6 +413,7 @@ class FileCheck {
   const std::function<void(const Verdict&)>& told_;
   testkit::Options testkit_options_;
   std::string plugin_;
+  bool hung_ = false;  // a check of this plugin
   Report report_;
 };
 

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: MIT
+"""`regista plugin check`: sound plugins pass, each kind of fault is named, and nothing takes the checker down."""
+
+import json
+import os
+import pathlib
+import shutil
+import struct
+import subprocess
+import unittest
+
+import program
+
+PLUGINS = program.TEST_PLUGINS
+SHIPPED = PLUGINS.parent / "plugins"
+EXAMPLES = PLUGINS.parent / "examples"
+# What a shipped plugin needs to be checked without a warning.
+NEEDS = {
+    "delaunay_formation": ("--set", f"file={program.SOURCE}/configs/formations/open_play.conf"),
+    "static_partition": ("--may-idle",),
+}
+SECONDS = 100.0 if program.SANITIZED else 10.0  # of the processor, for a shipped plugin
+
+
+class PluginCheck(program.Case):
+    def check(self, *arguments, code, timeout=program.PATIENCE):
+        done = self.run_program("plugin", "check", *arguments, "--json", timeout=timeout)
+        self.assertEqual((done.returncode, done.stderr), (code, ""), (arguments, done.stdout[-2000:]))
+        (report,) = json.loads(done.stdout)
+        self.assertEqual(report["passed"], code == 0)
+        return report["checks"]
+
+    def found(self, *arguments, code=1, **options):
+        """{check: (status, lines)} of all that did not pass."""
+        return {check["check"]: (check["status"], check["lines"]) for check in self.check(*arguments, code=code, **options)
+                if check["status"] not in ("pass", "skip")}
+
+
+class Sound(PluginCheck):
+    def test_shipped_plugins_and_examples_pass_without_a_warning(self):
+        files = sorted(SHIPPED.glob("*.so")) + sorted(EXAMPLES.glob("*.so"))
+        if program.SANITIZED:
+            files = files[::8]
+        else:
+            self.assertGreater(len(files), 35)
+        for file in files:
+            with self.subTest(file.stem):
+                before = os.times()
+                checks = self.check(file, *NEEDS.get(file.stem, ()), code=0)
+                after = os.times()
+                self.assertLess(after.children_user + after.children_system - before.children_user -
+                                before.children_system, SECONDS)
+                wrong = [check for check in checks if check["status"] not in ("pass", "skip")]
+                self.assertEqual(wrong, [])
+                self.assertTrue(any(check["check"].endswith(".promises") for check in checks))
+
+    def test_text_and_only(self):
+        text = self.succeed("plugin", "check", SHIPPED / "greedy.so", "--only", "assigner.promises", "--only", "imports")
+        self.assertEqual(text.splitlines(), [
+            str(SHIPPED / "greedy.so"),
+            "  pass   imports                   calls nothing that sound plugins do not need",
+            "greedy",
+            "  pass   assigner.promises         every output is as abi.h promises",
+            f"{SHIPPED / 'greedy.so'}: 2 checks, 2 pass",
+        ])
+
+    def test_in_its_own_process(self):
+        self.check(SHIPPED / "greedy.so", "--in-process", code=0)
+
+    def test_what_is_missing_is_said(self):
+        found = self.found(SHIPPED / "delaunay_formation.so", code=0)
+        self.assertEqual(found, {"creation": ("warn", [
+            "create: file: none is named, or it is empty; a formation file is needed",
+            "nothing more can be checked without it: --set file=FILE"])})
+        found = self.found(SHIPPED / "static_partition.so", code=0)
+        self.assertEqual(found["assigner.promises"][0], "warn")
+        self.assertEqual(found["assigner.promises"][1][-1], "if that is meant: --may-idle")
+
+
+class Files(PluginCheck):
+    def object_says(self, path):
+        (check,) = self.check(path, code=1)
+        self.assertEqual((check["check"], check["status"]), ("object", "fail"))
+        return check["lines"]
+
+    def test_what_is_no_shared_object(self):
+        self.write("text.so", "hello\n")
+        self.write("empty.so", "")
+        (self.folder / "folder.so").mkdir()
+        os.mkfifo(self.folder / "pipe.so")
+        self.assertEqual(self.object_says("text.so"), ["is not a shared object"])
+        self.assertEqual(self.object_says("empty.so"), ["is not a shared object"])
+        self.assertEqual(self.object_says("folder.so"), ["is a folder, not a shared object"])
+        self.assertEqual(self.object_says("pipe.so"), ["is not a regular file"])
+        self.assertEqual(self.object_says("/dev/null"), ["is not a regular file"])
+
+    def test_objects_of_another_machine(self):
+        whole = bytearray((SHIPPED / "always.so").read_bytes())
+        machine = struct.unpack_from("<H", whole, 18)[0]
+        other = 183 if machine == 62 else 62  # AArch64, x86-64
+        struct.pack_into("<H", whole, 18, other)
+        (self.folder / "foreign.so").write_bytes(whole)
+        self.assertRegex(self.object_says("foreign.so")[0], "^is built for (AArch64|x86-64); this machine is ")
+        # The header of a 32-bit file of x86.
+        header = b"\x7fELF\x01\x01\x01" + bytes(9) + struct.pack("<HHIIIIIHHHHHH", 3, 3, 1, 0, 0, 0, 0, 52, 32, 0, 40, 0, 0)
+        (self.folder / "small.so").write_bytes(header)
+        self.assertRegex(self.object_says("small.so")[0], "^is built for 32-bit x86; this machine is ")
+
+    def test_what_cannot_be_linked(self):
+        compiler = shutil.which("gcc") or shutil.which("cc")
+        if compiler is None:
+            self.skipTest("no compiler")
+        self.write("a.c", "const void* regista_plugin_entry(unsigned a, unsigned b, unsigned c) { return 0; }\n"
+                   "extern int nobody_has_this(void);\nint calls(void) { return nobody_has_this(); }\n")
+        subprocess.run([compiler, "-fPIC", "-c", "a.c", "-o", "a.o"], cwd=self.folder, check=True)
+        self.assertIn("has not been linked", self.object_says("a.o")[0])
+        subprocess.run([compiler, "-shared", "a.o", "-o", "a.so"], cwd=self.folder, check=True)
+        found = self.found("a.so")
+        self.assertEqual(found["exports"], ("fail", [
+            "exports 1 symbol beside regista_plugin_entry: calls",
+            "others may take its symbols for their own: link it with a version script, as regista_add_plugin does"]))
+        self.assertIn("undefined symbol: nobody_has_this", found["open"][1][0])
+
+    def test_bad_input(self):
+        self.assertEqual(self.refused("plugin", "check"),
+                         "plugin check: which file? Name a shared object, such as build/my_plugin.so")
+        self.assertEqual(self.refused("plugin", "check", "nobody.so"), "nobody.so: no such file")
+        self.assertIn('unknown check "promise" in --only; nearest: "promises"',
+                      self.refused("plugin", "check", SHIPPED / "greedy.so", "--only", "promise"))
+        self.assertEqual(self.refused("plugin", "check", SHIPPED / "greedy.so", "--set", "reach"),
+                         '--set "reach": expected NAME=VALUE')
+
+
+class Faults(PluginCheck):
+    def test_when_it_is_opened(self):
+        for name, reason in (("crash", "died when it was opened: Segmentation fault"),
+                             ("leave", "ended the process when it was opened"),
+                             ("spin", "took more than 2 s of processor time when it was opened"),
+                             ("sleep_on", "slept for 2 s when it was opened"),
+                             ("start_a_thread", "starts a thread when it is opened")):
+            with self.subTest(name):
+                status, lines = self.found(PLUGINS / f"when_opened_{name}" / f"{name}.so")["open"]
+                self.assertEqual(status, "fail")
+                self.assertIn(reason, lines[0])
+
+    def test_of_its_declaration(self):
+        for name, reason in (("duplicate_parameter", "declared twice"), ("default_out_of_range", "outside its range"),
+                             ("older_minor", "built for Regista plugin interface"), ("empty_list", "contains no plugin")):
+            with self.subTest(name):
+                (file,) = (PLUGINS / name).glob("*.so")
+                self.assertIn(reason, self.found(file)["open"][1][0])
+
+    def test_of_its_answers(self):
+        found = self.found(PLUGINS / "contract" / "contract_bad_scorers.so")
+        self.assertIn("fail", {status for status, _ in found.values()})
+        found = self.found(PLUGINS / "bad_values" / "bad_values.so")
+        self.assertEqual(found["assigner.promises"][0], "fail")
+        self.assertIn("utility.promises", found)
+
+    def test_of_chance(self):
+        status, lines = self.found(PLUGINS / "chance" / "chance.so", "--only", "elsewhere")["context.elsewhere"]
+        self.assertEqual(status, "fail")
+        self.assertTrue(lines[0].startswith("the same calls give another result in another process"), lines)
+
+    def test_what_ends_or_holds_the_process(self):
+        found = self.found(PLUGINS / "hangs" / "hangs.so", "--processor-seconds", "1")
+        self.assertEqual(found["context.promises"], ("crash", ["took more than 1 s of processor time"]))
+        self.assertNotIn("context.growth", found, "nobody waits twice")
+        checks = self.check(PLUGINS / "deaths" / "deaths.so", "--only", "promises", "--processor-seconds", "1", code=1)
+        crashed = {check["plugin"]: check["lines"][0] for check in checks if check["status"] == "crash"}
+        self.assertIn("Segmentation fault" if not program.SANITIZED else "ended the process", " ".join(crashed.values()))
+        self.assertGreater(len(crashed), 2)
+
+    def test_what_it_leaves_behind(self):
+        found = self.found(PLUGINS / "threads" / "threads.so", "--only", "promises", "--only", "imports")
+        self.assertEqual(found["imports"][0], "warn")
+        self.assertTrue(any("pthread_create" in line or "std::thread" in line for line in found["imports"][1]))
+
+
+if __name__ == "__main__":
+    unittest.main()
