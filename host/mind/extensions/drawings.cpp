@@ -15,7 +15,7 @@
 namespace regista::mind {
 namespace {
 
-constexpr double farthest = 100.0;  // m from the centre
+constexpr double farthest = 1e4;    // m, as all places that plugins give
 constexpr double widest = 10.0;     // m
 
 std::string_view at_most(const char* text) {

@@ -71,8 +71,8 @@ void RecordingHost::draw(const regista_shape& shape) {
   }
   if (!(shape.width >= 0.0 && shape.width <= 10.0)) return break_rule(layer + "a shape without a sound width");
   for (std::uint32_t i = 0; i < shape.count; ++i) {
-    if (!(std::abs(shape.points[i].x) <= 100.0 && std::abs(shape.points[i].y) <= 100.0)) {
-      return break_rule(layer + "a point that is not within 100 m");
+    if (!(std::abs(shape.points[i].x) <= 1e4 && std::abs(shape.points[i].y) <= 1e4)) {
+      return break_rule(layer + "a point that is nowhere");
     }
   }
 }

@@ -126,7 +126,7 @@ TEST(Host, TakesWhatAnInstanceLogsDrawsAndReports) {
   shape.points = &nowhere;
   shape.count = 1;
   draw.draw(draw.context, &shape);
-  EXPECT_EQ(host.take_broken(), "drew in layer cells a point that is not within 100 m");
+  EXPECT_EQ(host.take_broken(), "drew in layer cells a point that is nowhere");
   shape.count = 1'000'000'000;
   draw.draw(draw.context, &shape);
   EXPECT_EQ(host.take_broken(), "drew in layer cells a shape of 1000000000 points");

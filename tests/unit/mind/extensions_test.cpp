@@ -156,7 +156,7 @@ TEST_F(ExtensionsTest, DrawingsLastForADecision) {
 
 TEST_F(ExtensionsTest, ShapesThatBreakARuleAreLeftOutAndTheFirstIsTold) {
   polygon("cells", {{0, 0}, {std::nan(""), 1}});
-  polygon("cells", {{0, 0}, {101, 0}});
+  polygon("cells", {{0, 0}, {10001, 0}});
   EXPECT_EQ(extensions.drawings().shapes().size(), 0u);
   EXPECT_EQ(lines(),
             Lines{"[warning] home 3, tick 41, talker: draw: layer cells: point 1 is at (nan, 1); it is left out"});

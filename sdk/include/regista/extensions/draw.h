@@ -44,7 +44,7 @@ typedef struct regista_shape {
                                         viewer likes */
   const char* layer;                 /* what people switch on and off: "cells" */
   const char* text;                  /* UTF-8, of a text; else null */
-  const regista_point* points;       /* |x|, |y| <= 100; a point does not grow */
+  const regista_point* points;       /* |x|, |y| <= 1e4; a point does not grow */
   uint32_t count;
   uint32_t reserved;
 } regista_shape;
