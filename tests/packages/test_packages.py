@@ -149,6 +149,16 @@ class Packages(unittest.TestCase):
         root.output(os.environ["CTEST"], "--test-dir", build, "--no-tests=error")
         self.plays_with(build / "best_pair_first.so")
 
+    def test_examples(self):
+        """The examples of the extensions build as they were installed."""
+        self.install(self.program, self.sdk)
+        build = self.work / "examples"
+        root.output(os.environ["CMAKE"], "-S", self.root.path / "usr/share/regista/examples", "-B", build, "-G",
+                    os.environ["CMAKE_GENERATOR"], f"-DCMAKE_CXX_COMPILER={os.environ['CXX']}",
+                    f"-DCMAKE_PREFIX_PATH={self.root.path}/usr")
+        root.output(os.environ["CMAKE"], "--build", build)
+        self.assertEqual({file.stem for file in build.glob("*.so")}, {"log_ball", "draw_ways", "count_crossings"})
+
     def test_new_plugin_without_cmake(self):
         if not shutil.which("pkg-config"):
             self.skipTest("there is no pkg-config")
