@@ -58,12 +58,13 @@ std::vector<Cost> cost_of_calls(std::int32_t kind, const Loaded& plugin, const O
     for (std::size_t i = 0; i < rehearsal.steps; ++i) detail::step(rehearsal, instance, i, {}, elsewhere);
   }
   std::vector<Cost> out;
-  for (auto& [call, times] : seconds) {
+  for (auto& entry : seconds) {
+    std::vector<double>& times = entry.second;
     std::ranges::sort(times);
     const auto microseconds = [&times](double share) {
       return 1e6 * times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
     };
-    out.push_back({call, times.size(), microseconds(0.5), microseconds(0.99)});
+    out.push_back({entry.first, times.size(), microseconds(0.5), microseconds(0.99)});
   }
   return out;
 }
