@@ -53,8 +53,8 @@ void refuse_name_in_use(const std::string& name, const Invocation& invocation) {
   const plugin::Catalogue catalogue = open_plugins({}, invocation);
   for (const plugin::Found& found : catalogue.plugins()) {
     if (found.descriptor->id != name) continue;
-    throw BadInput(fmt::format("plugin new: there is a plugin {} already, in {}; choose another name", name,
-                               found.file.string()));
+    throw BadInput(
+        fmt::format("plugin new: there is a plugin {} already, in {}; choose another name", name, found.file.string()));
   }
 }
 

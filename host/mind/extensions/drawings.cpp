@@ -15,8 +15,8 @@
 namespace regista::mind {
 namespace {
 
-constexpr double farthest = 1e4;    // m, as all places that plugins give
-constexpr double widest = 10.0;     // m
+constexpr double farthest = 1e4;  // m, as all places that plugins give
+constexpr double widest = 10.0;   // m
 
 std::string_view at_most(const char* text) {
   if (text == nullptr) return {};

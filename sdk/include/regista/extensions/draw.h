@@ -4,8 +4,8 @@
  * side alone; a host that has none gives null, and a plugin does without. C++: <regista/draw.hpp>.
  *
  * Drawings go into recordings, and from there into the viewer and `regista view --at`. Each decision begins with an
- * empty field: what is drawn in it stays until the robot's next decision. All instances of a plugin in a robot share its
- * layers. What is drawn changes no match.
+ * empty field: what is drawn in it stays until the robot's next decision. All instances of a plugin in a robot share
+ * its layers. What is drawn changes no match.
  */
 /* clang-format off */
 #ifndef REGISTA_EXTENSIONS_DRAW_H

@@ -6,8 +6,9 @@
  *
  * They become rows of the table of metrics, for each side of a match: "plugin_totals.<id>.<name>" of what is summed,
  * "plugin_values.<id>.<name>" of all others. So they stand in JSON, CSV and reports, and can be the objective of a
- * tuning. Reports of all robots of the team, and of all instances of the plugin, make one number. Like all that a plugin
- * answers, they must follow from what it was given: a measured time, say, makes a match one that cannot be repeated.
+ * tuning. Reports of all robots of the team, and of all instances of the plugin, make one number. Like all that a
+ * plugin answers, they must follow from what it was given: a measured time, say, makes a match one that cannot be
+ * repeated.
  */
 /* clang-format off */
 #ifndef REGISTA_EXTENSIONS_METRIC_H
