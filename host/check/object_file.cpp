@@ -13,6 +13,8 @@
 #include <memory>
 #include <system_error>
 
+#include "plugin/elf_file.hpp"
+
 namespace regista::check {
 namespace {
 
@@ -25,25 +27,6 @@ constexpr auto own_machine_name = "AArch64";
 #else
 #error "name this machine"
 #endif
-
-class OpenFile {
- public:
-  explicit OpenFile(const std::filesystem::path& path)
-      : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
-  ~OpenFile() {
-    if (number_ >= 0) ::close(number_);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
-struct CloseElf {
-  void operator()(Elf* elf) const { elf_end(elf); }
-};
 
 const char* machine_name(int machine) {
   switch (machine) {
@@ -112,7 +95,7 @@ std::string wrong_with_header(Elf* elf) {
 
 ObjectFile read_object(const std::filesystem::path& path) {
   ObjectFile out;
-  const OpenFile file(path);
+  const plugin::OpenFile file(path);
   if (file.number() < 0) {
     out.wrong = fmt::format("cannot be read: {}", std::generic_category().message(errno));
     return out;
@@ -123,7 +106,7 @@ ObjectFile read_object(const std::filesystem::path& path) {
     return out;
   }
   elf_version(EV_CURRENT);
-  const std::unique_ptr<Elf, CloseElf> elf(elf_begin(file.number(), ELF_C_READ, nullptr));
+  const plugin::ElfFile elf(elf_begin(file.number(), ELF_C_READ, nullptr));
   out.wrong = elf == nullptr ? "is not a shared object" : wrong_with_header(elf.get());
   if (!out.wrong.empty()) return out;
   for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf.get(), section)) != nullptr;) {

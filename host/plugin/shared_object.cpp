@@ -19,6 +19,7 @@
 #include "config/text.hpp"
 #include "plugin/address_ranges.hpp"
 #include "plugin/descriptor.hpp"
+#include "plugin/elf_file.hpp"
 #include "plugin/floating_point_state.hpp"
 
 namespace regista::plugin {
@@ -26,27 +27,6 @@ namespace {
 
 constexpr std::uint32_t most_descriptors = 1000;
 constexpr const char* truncated = "is damaged: it ends too early";
-
-class OpenFile {
- public:
-  // Not blocking, so that a pipe does not keep us waiting for a writer.
-  explicit OpenFile(const std::filesystem::path& path)
-      : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
-  ~OpenFile() {
-    if (number_ >= 0) ::close(number_);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
-struct CloseElf {
-  void operator()(Elf* elf) const { elf_end(elf); }
-};
-using ElfFile = std::unique_ptr<Elf, CloseElf>;
 
 std::string system_message(int code) { return std::generic_category().message(code); }
 
