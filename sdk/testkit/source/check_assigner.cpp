@@ -82,11 +82,11 @@ void check_assignment(const Matrix& u, const std::vector<std::int32_t>& columns,
 
 }  // namespace
 
-std::vector<Rehearsal> assigner_rehearsals(const Options& options) {
-  std::vector<Rehearsal> out;
+std::vector<Course> assigner_courses(const Options& options) {
+  std::vector<Course> out;
   for (const int size : team_sizes) {
     const std::vector<Scene> course = scenes(size);
-    Rehearsal r;
+    Course r;
     r.environment = EnvironmentBuilder{}.team_size(static_cast<unsigned>(size)).own(2);
     r.steps = course.size() * utility_variants;
     r.name = [course](std::size_t i) {

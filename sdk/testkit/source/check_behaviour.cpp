@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <regista/behaviour.hpp>
-#include <regista/testkit/rehearse_scenes.hpp>
+#include <regista/testkit/course_of_scenes.hpp>
 #include <regista/testkit/scenes.hpp>
 
 namespace regista::testkit {
@@ -116,7 +116,7 @@ void check_action(const regista_action& action, const std::vector<regista_kick>&
 }
 
 // A scene, and who acts in it.
-struct Course {
+struct ScenesWithBodies {
   std::vector<Scene> scenes;
   std::vector<BodyBuilder> bodies;
 
@@ -132,8 +132,8 @@ struct Course {
 };
 
 // Every scene with and without a task and, by turns, every body; then every state of the game.
-Course course_for(int team_size) {
-  Course out;
+ScenesWithBodies course_for(int team_size) {
+  ScenesWithBodies out;
   const std::vector<Scene> usual = scenes(team_size);
   std::size_t turn = 0;
   for (const Scene& scene : usual) {
@@ -159,8 +159,8 @@ Course course_for(int team_size) {
   return out;
 }
 
-Rehearsal rehearse(int team_size, const EnvironmentBuilder& environment) {
-  Course course = course_for(team_size);
+Course course_with(int team_size, const EnvironmentBuilder& environment) {
+  ScenesWithBodies course = course_for(team_size);
   std::vector<regista_kick> kicks;
   const Setting setting = environment.build();
   for (const Kick& kick : setting.environment().kicks()) kicks.push_back(kick);
@@ -171,22 +171,22 @@ Rehearsal rehearse(int team_size, const EnvironmentBuilder& environment) {
     trail.add_all(std::vector<regista_action>{action});
     check_action(action, kicks, findings);
   };
-  Rehearsal out = rehearse_scenes(team_size, "act", course.scenes, play);
+  Course out = course_of_scenes(team_size, "act", course.scenes, play);
   out.environment = environment;
   return out;
 }
 
 }  // namespace
 
-std::vector<Rehearsal> behaviour_rehearsals(const Options&) {
-  std::vector<Rehearsal> out;
+std::vector<Course> behaviour_courses(const Options&) {
+  std::vector<Course> out;
   for (const int size : team_sizes) {
-    out.push_back(rehearse(size, EnvironmentBuilder{}.team_size(static_cast<unsigned>(size)).own(2)));
+    out.push_back(course_with(size, EnvironmentBuilder{}.team_size(static_cast<unsigned>(size)).own(2)));
   }
-  out.push_back(rehearse(team_sizes[0], EnvironmentBuilder{}.team_size(team_sizes[0]).own(2).no_kicks()));
+  out.push_back(course_with(team_sizes[0], EnvironmentBuilder{}.team_size(team_sizes[0]).own(2).no_kicks()));
   out.push_back(
-      rehearse(team_sizes[0],
-               EnvironmentBuilder{}.team_size(team_sizes[0]).own(2).no_kicks().kick("weak", 0.05, 0.1, 0.5, 0.25)));
+      course_with(team_sizes[0],
+                  EnvironmentBuilder{}.team_size(team_sizes[0]).own(2).no_kicks().kick("weak", 0.05, 0.1, 0.5, 0.25)));
   return out;
 }
 

@@ -2,13 +2,13 @@
 // A context answers yes or no, before there are tasks.
 #include <regista/testkit/check_context.hpp>
 
-#include <regista/testkit/rehearse_scenes.hpp>
+#include <regista/testkit/course_of_scenes.hpp>
 #include <regista/testkit/scenes.hpp>
 
 namespace regista::testkit {
 
-std::vector<Rehearsal> context_rehearsals(const Options&) {
-  std::vector<Rehearsal> out;
+std::vector<Course> context_courses(const Options&) {
+  std::vector<Course> out;
   for (const int size : team_sizes) {
     std::vector<Scene> course;
     for (const Scene& scene : scenes(size)) {
@@ -19,7 +19,7 @@ std::vector<Rehearsal> context_rehearsals(const Options&) {
       trail.add(answer);
       if (answer != 0 && answer != 1) findings.say("holds: answered ", answer, ", neither 0 nor 1");
     };
-    out.push_back(rehearse_scenes(size, "holds", course, play));
+    out.push_back(course_of_scenes(size, "holds", course, play));
   }
   return out;
 }

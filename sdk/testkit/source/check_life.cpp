@@ -6,11 +6,11 @@
 
 namespace regista::testkit {
 
-Findings check_life(const Loaded& plugin, const Options& options, const std::vector<Rehearsal>& rehearsals) {
+Findings check_life(const Loaded& plugin, const Options& options, const std::vector<Course>& courses) {
   return detail::everywhere(
-      plugin, options, rehearsals, [&](const Corner& corner, const Rehearsal& rehearsal, Findings& findings) {
+      plugin, options, courses, [&](const Corner& corner, const Course& course, Findings& findings) {
         findings.where(corner.name, "no call");
-        const auto create = [&] { return std::make_unique<Instance>(plugin, rehearsal.environment, corner.values); };
+        const auto create = [&] { return std::make_unique<Instance>(plugin, course.environment, corner.values); };
         create();
         std::vector<std::unique_ptr<Instance>> team;
         constexpr std::size_t robots = 7;
@@ -22,9 +22,9 @@ Findings check_life(const Loaded& plugin, const Options& options, const std::vec
         const auto play = [&](Instance& instance) {
           Trail trail;
           Findings elsewhere;
-          if (rehearsal.steps == 0) return;
-          findings.where(corner.name, rehearsal.name(0));
-          rehearsal.play(instance, 0, {}, elsewhere, trail);
+          if (course.steps == 0) return;
+          findings.where(corner.name, course.name(0));
+          course.play(instance, 0, {}, elsewhere, trail);
         };
         for (std::size_t i = 0; i < robots; i += 2) {
           play(*team[i]);

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include <regista/testkit/rehearse_scenes.hpp>
+#include <regista/testkit/course_of_scenes.hpp>
 #include <regista/testkit/scenes.hpp>
 
 namespace regista::testkit {
@@ -70,8 +70,8 @@ void check_cells(const Placed& placed, const Lawn& lawn, const Scene& scene, Fin
 
 }  // namespace
 
-std::vector<Rehearsal> positioner_rehearsals(const Options&) {
-  std::vector<Rehearsal> out;
+std::vector<Course> positioner_courses(const Options&) {
+  std::vector<Course> out;
   for (const int size : team_sizes) {
     std::vector<Scene> course;
     for (const Scene& scene : scenes(size)) {
@@ -90,32 +90,32 @@ std::vector<Rehearsal> positioner_rehearsals(const Options&) {
       check_edges(placed, findings);
       check_cells(placed, lawn, scene, findings);
     };
-    out.push_back(rehearse_scenes(size, "place", course, play));
+    out.push_back(course_of_scenes(size, "place", course, play));
   }
   return out;
 }
 
 Findings check_small_capacity(const Loaded& plugin, const Options& options) {
-  return detail::everywhere(
-      plugin, options, positioner_rehearsals(options),
-      [&](const Corner& corner, const Rehearsal& rehearsal, Findings& findings) {
-        Instance instance(plugin, rehearsal.environment, corner.values);
-        const int size = static_cast<int>(EnvironmentBuilder(rehearsal.environment).raw().team_size);
-        for (const Scene& scene : scenes(size)) {
-          findings.where(corner.name, scene.name());
-          for (const std::uint32_t room : {0u, 1u, 3u}) {
-            try {
-              (void)instance.place(scene.before_placing(), {room, room, room, room, room});
-            } catch (const CallFailed& failure) {
-              const std::string text = failure.what();
-              if (text.find("past the") != std::string::npos || text.find("says ") != std::string::npos ||
-                  text.find("across the boundary") != std::string::npos) {
-                findings.say(text);
-              }
-            }
-          }
-        }
-      });
+  return detail::everywhere(plugin, options, positioner_courses(options),
+                            [&](const Corner& corner, const Course& course, Findings& findings) {
+                              Instance instance(plugin, course.environment, corner.values);
+                              const int size = static_cast<int>(EnvironmentBuilder(course.environment).raw().team_size);
+                              for (const Scene& scene : scenes(size)) {
+                                findings.where(corner.name, scene.name());
+                                for (const std::uint32_t room : {0u, 1u, 3u}) {
+                                  try {
+                                    (void)instance.place(scene.before_placing(), {room, room, room, room, room});
+                                  } catch (const CallFailed& failure) {
+                                    const std::string text = failure.what();
+                                    if (text.find("past the") != std::string::npos ||
+                                        text.find("says ") != std::string::npos ||
+                                        text.find("across the boundary") != std::string::npos) {
+                                      findings.say(text);
+                                    }
+                                  }
+                                }
+                              }
+                            });
 }
 
 }  // namespace regista::testkit

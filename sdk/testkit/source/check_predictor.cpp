@@ -114,15 +114,15 @@ bool detail::tells_track_at(const Loaded& plugin) {
   return table != nullptr && table->track_at != nullptr;
 }
 
-std::vector<Rehearsal> predictor_rehearsals(const Loaded& plugin) {
-  std::vector<Rehearsal> out;
+std::vector<Course> predictor_courses(const Loaded& plugin) {
+  std::vector<Course> out;
   const Scene frame = scenes(predictor_team).front();
   for (const std::uint32_t subject : {1u, 2u, 4u, 8u}) {
     if ((detail::subjects_of(plugin) & subject) == 0) continue;
     for (const bool observer : {true, false}) {
       if (observer ? subject == REGISTA_SUBJECT_TEAMMATES : subject == REGISTA_SUBJECT_SELF) continue;
       const std::vector<Tick> course = measurement_course(subject, observer, subject);
-      Rehearsal r;
+      Course r;
       r.environment = predictor_environment(subject);
       r.steps = course.size();
       r.name = [subject, observer](std::size_t i) {
@@ -144,43 +144,41 @@ std::vector<Rehearsal> predictor_rehearsals(const Loaded& plugin) {
 Findings check_uncertainty_grows(const Loaded& plugin, const Options& options) {
   Findings findings;
   if ((detail::subjects_of(plugin) & REGISTA_SUBJECT_SELF) == 0) return findings;
-  Rehearsal rehearsal;
-  rehearsal.environment = predictor_environment(REGISTA_SUBJECT_SELF);
-  return detail::everywhere(plugin, options, {rehearsal},
-                            [&plugin](const Corner& corner, const Rehearsal& r, Findings& f) {
-                              for (const double ahead : {0.0, 0.025}) {
-                                Instance instance(plugin, r.environment, corner.values);
-                                regista_measurement placed{};
-                                placed.kind = REGISTA_MEASURED_POSE;
-                                placed.position[0] = -2.0;
-                                placed.heading = 0.4;
-                                for (const std::size_t i : {0u, 2u, 5u}) placed.covariance[i] = 0.01;
-                                const regista_visible_area area{-2.0, 0.0, 0.4, 0.48, 5.0, 4.0};
-                                instance.correct(std::vector{placed}, area);
-                                const regista_motion motion{ahead, 0.0, 0.0};
-                                f.where(corner.name, ahead == 0.0 ? "standing" : "walking straight ahead");
-                                regista_track before = only_track(instance);
-                                for (int tick = 0; tick < 100; ++tick) {
-                                  instance.predict(0.1, &motion);
-                                  const regista_track after = only_track(instance);
-                                  const double position_before = before.covariance[0] + before.covariance[2];
-                                  const double position_after = after.covariance[0] + after.covariance[2];
-                                  if (position_after < position_before * (1.0 - 1e-9))
-                                    f.say("predict: the own position became surer by itself");
-                                  if (after.pose.heading_variance < before.pose.heading_variance * (1.0 - 1e-9)) {
-                                    f.say("predict: the own heading became surer by itself");
-                                  }
-                                  before = after;
-                                }
-                              }
-                            });
+  Course course;
+  course.environment = predictor_environment(REGISTA_SUBJECT_SELF);
+  return detail::everywhere(plugin, options, {course}, [&plugin](const Corner& corner, const Course& r, Findings& f) {
+    for (const double ahead : {0.0, 0.025}) {
+      Instance instance(plugin, r.environment, corner.values);
+      regista_measurement placed{};
+      placed.kind = REGISTA_MEASURED_POSE;
+      placed.position[0] = -2.0;
+      placed.heading = 0.4;
+      for (const std::size_t i : {0u, 2u, 5u}) placed.covariance[i] = 0.01;
+      const regista_visible_area area{-2.0, 0.0, 0.4, 0.48, 5.0, 4.0};
+      instance.correct(std::vector{placed}, area);
+      const regista_motion motion{ahead, 0.0, 0.0};
+      f.where(corner.name, ahead == 0.0 ? "standing" : "walking straight ahead");
+      regista_track before = only_track(instance);
+      for (int tick = 0; tick < 100; ++tick) {
+        instance.predict(0.1, &motion);
+        const regista_track after = only_track(instance);
+        const double position_before = before.covariance[0] + before.covariance[2];
+        const double position_after = after.covariance[0] + after.covariance[2];
+        if (position_after < position_before * (1.0 - 1e-9)) f.say("predict: the own position became surer by itself");
+        if (after.pose.heading_variance < before.pose.heading_variance * (1.0 - 1e-9)) {
+          f.say("predict: the own heading became surer by itself");
+        }
+        before = after;
+      }
+    }
+  });
 }
 
 Findings check_track_at(const Loaded& plugin, const Options& options) {
-  Rehearsal rehearsal;
-  rehearsal.environment = predictor_environment(REGISTA_SUBJECT_TEAMMATES);
+  Course teammates;
+  teammates.environment = predictor_environment(REGISTA_SUBJECT_TEAMMATES);
   const std::vector<Tick> course = measurement_course(REGISTA_SUBJECT_TEAMMATES, false, REGISTA_SUBJECT_TEAMMATES);
-  return detail::everywhere(plugin, options, {rehearsal}, [&](const Corner& corner, const Rehearsal& r, Findings& f) {
+  return detail::everywhere(plugin, options, {teammates}, [&](const Corner& corner, const Course& r, Findings& f) {
     Instance asked(plugin, r.environment, corner.values), model(plugin, r.environment, corner.values);
     for (std::size_t i = 0; i < course.size(); ++i) {
       if (!course[i].absorbs) continue;

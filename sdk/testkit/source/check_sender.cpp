@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include <regista/testkit/course_of_scenes.hpp>
 #include <regista/testkit/dice.hpp>
-#include <regista/testkit/rehearse_scenes.hpp>
 #include <regista/testkit/scenes.hpp>
 
 namespace regista::testkit {
@@ -65,9 +65,9 @@ void check_sent(const Sent& sent, const Query& query, std::uint32_t own_reasons,
 
 }  // namespace
 
-std::vector<Rehearsal> sender_rehearsals(const Options&) {
+std::vector<Course> sender_courses(const Options&) {
   constexpr std::size_t rounds = 4;
-  std::vector<Rehearsal> out;
+  std::vector<Course> out;
   for (const int size : team_sizes) {
     std::vector<Scene> course;
     for (const Scene& scene : scenes(size)) {
@@ -88,7 +88,7 @@ std::vector<Rehearsal> sender_rehearsals(const Options&) {
       trail.add_all(sent.granted);
       check_sent(sent, q, instance.reason_count(), findings);
     };
-    out.push_back(rehearse_scenes(size, "decide", course, play));
+    out.push_back(course_of_scenes(size, "decide", course, play));
   }
   return out;
 }

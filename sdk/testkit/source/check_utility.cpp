@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include <regista/testkit/rehearse_scenes.hpp>
+#include <regista/testkit/course_of_scenes.hpp>
 #include <regista/testkit/scenes.hpp>
 
 namespace regista::testkit {
@@ -32,8 +32,8 @@ Scene opponents_reversed(const Scene& scene) {
 
 }  // namespace
 
-std::vector<Rehearsal> utility_rehearsals(const Options&) {
-  std::vector<Rehearsal> out;
+std::vector<Course> utility_courses(const Options&) {
+  std::vector<Course> out;
   for (const int size : team_sizes) {
     std::vector<Scene> course;
     for (const Scene& scene : scenes(size)) {
@@ -43,17 +43,16 @@ std::vector<Rehearsal> utility_rehearsals(const Options&) {
     const auto play = [](Instance& instance, const Scene& scene, std::size_t, Findings& findings, Trail& trail) {
       check_scores(instance.score(scene), findings, trail);
     };
-    out.push_back(rehearse_scenes(size, "score", course, play));
+    out.push_back(course_of_scenes(size, "score", course, play));
   }
   return out;
 }
 
 Findings check_order_of_opponents(const Loaded& plugin, const Options& options) {
   return detail::everywhere(
-      plugin, options, utility_rehearsals(options),
-      [&](const Corner& corner, const Rehearsal& rehearsal, Findings& findings) {
-        Instance one(plugin, rehearsal.environment, corner.values), other(plugin, rehearsal.environment, corner.values);
-        const int size = static_cast<int>(EnvironmentBuilder(rehearsal.environment).raw().team_size);
+      plugin, options, utility_courses(options), [&](const Corner& corner, const Course& course, Findings& findings) {
+        Instance one(plugin, course.environment, corner.values), other(plugin, course.environment, corner.values);
+        const int size = static_cast<int>(EnvironmentBuilder(course.environment).raw().team_size);
         for (const Scene& scene : scenes(size)) {
           if (scene.rows() == 0 || scene.columns() == 0) continue;
           findings.where(corner.name, scene.name());

@@ -10,22 +10,22 @@
 
 namespace regista::testkit {
 
-std::vector<Rehearsal> course(std::int32_t kind, const Loaded& plugin, const Options& options) {
+std::vector<Course> courses(std::int32_t kind, const Loaded& plugin, const Options& options) {
   switch (kind) {
     case REGISTA_KIND_PREDICTOR:
-      return predictor_rehearsals(plugin);
+      return predictor_courses(plugin);
     case REGISTA_KIND_CONTEXT:
-      return context_rehearsals(options);
+      return context_courses(options);
     case REGISTA_KIND_POSITIONER:
-      return positioner_rehearsals(options);
+      return positioner_courses(options);
     case REGISTA_KIND_UTILITY:
-      return utility_rehearsals(options);
+      return utility_courses(options);
     case REGISTA_KIND_ASSIGNER:
-      return assigner_rehearsals(options);
+      return assigner_courses(options);
     case REGISTA_KIND_BEHAVIOUR:
-      return behaviour_rehearsals(options);
+      return behaviour_courses(options);
     default:
-      return sender_rehearsals(options);
+      return sender_courses(options);
   }
 }
 
@@ -35,10 +35,10 @@ std::uint64_t course_digest(std::int32_t kind, const Loaded& plugin, const Optio
   Values values(plugin);
   options.base(values);
   Findings elsewhere;
-  for (const Rehearsal& rehearsal : course(kind, plugin, options)) {
-    Instance instance(plugin, rehearsal.environment, values);
-    for (std::size_t i = 0; i < rehearsal.steps; ++i) {
-      const Trail trail = detail::step(rehearsal, instance, i, {}, elsewhere);
+  for (const Course& course : courses(kind, plugin, options)) {
+    Instance instance(plugin, course.environment, values);
+    for (std::size_t i = 0; i < course.steps; ++i) {
+      const Trail trail = detail::step(course, instance, i, {}, elsewhere);
       for (const char byte : trail.bytes()) {
         hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
       }
@@ -52,10 +52,10 @@ std::vector<Cost> cost_of_calls(std::int32_t kind, const Loaded& plugin, const O
   Values values(plugin);
   options.base(values);
   Findings elsewhere;
-  for (const Rehearsal& rehearsal : course(kind, plugin, options)) {
-    Instance instance(plugin, rehearsal.environment, values);
+  for (const Course& course : courses(kind, plugin, options)) {
+    Instance instance(plugin, course.environment, values);
     instance.host().call_seconds = &seconds;
-    for (std::size_t i = 0; i < rehearsal.steps; ++i) detail::step(rehearsal, instance, i, {}, elsewhere);
+    for (std::size_t i = 0; i < course.steps; ++i) detail::step(course, instance, i, {}, elsewhere);
   }
   std::vector<Cost> out;
   for (auto& entry : seconds) {
@@ -89,16 +89,16 @@ Check guarded_check(std::int32_t kind, Check check) {
   return check;
 }
 
-template <class Rehearse>
-Check rehearsed(std::int32_t kind, const char* name, const char* promise, Rehearse check) {
+template <class CheckCourses>
+Check over_courses(std::int32_t kind, const char* name, const char* promise, CheckCourses check) {
   return {name, promise, [kind, check](const Loaded& plugin, const Options& options) {
-            return check(plugin, options, course(kind, plugin, options));
+            return check(plugin, options, courses(kind, plugin, options));
           }};
 }
 
 // Who reads everything has nothing to hide from.
 Check reads_check(std::int32_t kind) {
-  Check out = rehearsed(kind, "reads", "reads only what it declares", check_reads);
+  Check out = over_courses(kind, "reads", "reads only what it declares", check_reads);
   out.applies = [](const Loaded& plugin, const Options&) {
     return (~plugin.descriptor().reads & REGISTA_READS_ALL) != 0;
   };
@@ -112,11 +112,11 @@ bool models(const Loaded& plugin, std::uint32_t subject) { return (detail::subje
 std::vector<Check> contract(std::int32_t kind) {
   std::vector<Check> out{
       {"descriptor", "describes itself", [](const Loaded& plugin, const Options&) { return check_descriptor(plugin); }},
-      rehearsed(kind, "promises", "every output is as abi.h promises", check_promises),
-      rehearsed(kind, "determinism", "the same calls give the same bytes, also after a reset", check_determinism),
-      rehearsed(kind, "growth", "works with a host of a later minor version", check_growth),
+      over_courses(kind, "promises", "every output is as abi.h promises", check_promises),
+      over_courses(kind, "determinism", "the same calls give the same bytes, also after a reset", check_determinism),
+      over_courses(kind, "growth", "works with a host of a later minor version", check_growth),
       reads_check(kind),
-      rehearsed(kind, "life", "can be created, reset and destroyed in any order", check_life),
+      over_courses(kind, "life", "can be created, reset and destroyed in any order", check_life),
       {"mailbox", "bears any message",
        [kind](const Loaded& plugin, const Options& options) {
          const std::uint32_t all = kind == REGISTA_KIND_PREDICTOR ? detail::subjects_of(plugin) : 0;
@@ -135,6 +135,10 @@ std::vector<Check> contract(std::int32_t kind) {
   }
   if (kind == REGISTA_KIND_POSITIONER) {
     out.push_back({"capacity", "writes no further than it may", check_small_capacity});
+  }
+  if (kind == REGISTA_KIND_ASSIGNER) {
+    out.push_back({"rehearsal", "teammates agree in spite of losses, delays and absences", check_rehearsal,
+                   [](const Loaded& p, const Options&) { return p.implements(REGISTA_KIND_MAILBOX); }});
   }
   if (kind == REGISTA_KIND_UTILITY) {
     out.push_back({"order", "the order of opponents does not matter", check_order_of_opponents,

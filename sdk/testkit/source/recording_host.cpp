@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The functions that a plugin calls.
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -91,7 +92,12 @@ std::uint64_t RecordingHost::offer(const std::uint8_t* bytes, std::uint32_t coun
                                    std::int32_t medium, std::uint64_t replaces) {
   const bool sound =
       count <= bytes_free_ && urgency >= 0.0 && urgency <= 1.0 && medium == REGISTA_MEDIUM_RADIO && expiry > time_;
-  if (!sound) return ++refused, 0;
+  const auto earlier = std::ranges::find_if(
+      offers, [replaces](const Offered& each) { return replaces != 0 && each.handle == replaces && each.waits(); });
+  const auto waiting = static_cast<std::size_t>(std::ranges::count_if(offers, &Offered::waits));
+  const bool full = earlier == offers.end() && waiting >= most_pending_;
+  if (!sound || full) return ++refused, 0;
+  if (earlier != offers.end()) earlier->replaced = true;
   offers.push_back({++last_handle_, {bytes, bytes + count}, urgency, expiry, medium, replaces});
   return last_handle_;
 }

@@ -13,9 +13,9 @@ namespace regista::testkit {
 
 namespace {
 
-class Course {
+class SceneRow {
  public:
-  explicit Course(int team_size) : size_(team_size), own_(std::min(2, team_size)) {}
+  explicit SceneRow(int team_size) : size_(team_size), own_(std::min(2, team_size)) {}
 
   std::vector<Scene> take() { return std::move(scenes_); }
 
@@ -73,18 +73,18 @@ class Course {
   std::vector<Scene> scenes_;
 };
 
-void add_formations(Course& c) {
+void add_formations(SceneRow& c) {
   c.add("usual", c.usual());
-  c.add("none active", Course::tasks(c.empty(), 4).ball(0, 0));
+  c.add("none active", SceneRow::tasks(c.empty(), 4).ball(0, 0));
   c.add("nothing at all", c.empty().no_ball());
-  c.add("one robot", Course::tasks(c.empty().robot(c.size()).at(-1, 1), 3).ball(1, 0));
-  c.add("the own robot alone", Course::opponents(Course::tasks(c.empty().robot(std::min(2, c.size())), 3), 3));
+  c.add("one robot", SceneRow::tasks(c.empty().robot(c.size()).at(-1, 1), 3).ball(1, 0));
+  c.add("the own robot alone", SceneRow::opponents(SceneRow::tasks(c.empty().robot(std::min(2, c.size())), 3), 3));
   const auto at_centre = [](int) { return std::pair(0.0, 0.0); };
   const auto in_line = [](int n) { return std::pair(-4.0 + n, 0.0); };
-  c.add("all robots at one place", Course::tasks(c.robots(c.empty(), at_centre), c.size()).ball(0, 0));
+  c.add("all robots at one place", SceneRow::tasks(c.robots(c.empty(), at_centre), c.size()).ball(0, 0));
   c.add("everything at one place",
         c.robots(c.empty(), at_centre).task(0).task(1).task(2).opponent(0, 0).ball(0, 0).waypoint(0, 0).waypoint(0, 0));
-  c.add("robots in line", Course::tasks(c.robots(c.empty(), in_line), c.size()).ball(2, 0));
+  c.add("robots in line", SceneRow::tasks(c.robots(c.empty(), in_line), c.size()).ball(2, 0));
   c.add("everything in line", c.robots(c.empty(), in_line)
                                   .task(0)
                                   .at(1, 0)
@@ -98,11 +98,11 @@ void add_formations(Course& c) {
                                   .waypoint(1.5, 0));
 }
 
-void add_tasks(Course& c) {
-  c.add("more tasks than robots", Course::opponents(Course::tasks(c.spread(), 12), 4).ball(0, 1));
-  c.add("one task", Course::opponents(Course::tasks(c.spread(), 1), 4).ball(0, 1));
-  c.add("no tasks", Course::waypoints(Course::opponents(c.spread(), 4)).ball(0, 1));
-  c.add("no waypoints", Course::opponents(Course::tasks(c.spread(), 5), 4).ball(0, 1));
+void add_tasks(SceneRow& c) {
+  c.add("more tasks than robots", SceneRow::opponents(SceneRow::tasks(c.spread(), 12), 4).ball(0, 1));
+  c.add("one task", SceneRow::opponents(SceneRow::tasks(c.spread(), 1), 4).ball(0, 1));
+  c.add("no tasks", SceneRow::waypoints(SceneRow::opponents(c.spread(), 4)).ball(0, 1));
+  c.add("no waypoints", SceneRow::opponents(SceneRow::tasks(c.spread(), 5), 4).ball(0, 1));
   FrameBuilder offset = c.usual();
   offset.task(12).at(1, 1).after(1.3, 1.4).group(0).task(13).at(-1, -1).after(-0.8, -0.6).group(0);
   c.add("tasks moved by the offset, in groups", offset);
@@ -114,23 +114,23 @@ void add_tasks(Course& c) {
   c.add("all hold one role", twice);
 }
 
-void add_opponents(Course& c) {
-  c.add("no opponents", Course::tasks(c.spread(), 5).ball(0, 0));
-  c.add("11 opponents", Course::opponents(Course::tasks(c.spread(), 5), 11).ball(0, 0));
-  FrameBuilder coincident = Course::tasks(c.spread(), 5).ball(1, 1);
+void add_opponents(SceneRow& c) {
+  c.add("no opponents", SceneRow::tasks(c.spread(), 5).ball(0, 0));
+  c.add("11 opponents", SceneRow::opponents(SceneRow::tasks(c.spread(), 5), 11).ball(0, 0));
+  FrameBuilder coincident = SceneRow::tasks(c.spread(), 5).ball(1, 1);
   for (int k = 0; k < 6; ++k) coincident.opponent(1.5, -0.5);
   c.add("opponents at one place", coincident);
-  FrameBuilder circle = Course::tasks(c.spread(), 5).ball(1, 1);
+  FrameBuilder circle = SceneRow::tasks(c.spread(), 5).ball(1, 1);
   for (const double s : {-1.0, 1.0}) circle.opponent(1.0 + s, 0).opponent(1.0, s).opponent(1.0 + 0.6 * s, 0.8 * s);
   c.add("opponents on a circle", circle);
   c.add("opponents at the posts and the halfway line's ends",
-        Course::tasks(c.spread(), 5).opponent(4.5, 0.8).opponent(4.5, -0.8).opponent(0, 3).opponent(0, -3).ball(0, 0));
+        SceneRow::tasks(c.spread(), 5).opponent(4.5, 0.8).opponent(4.5, -0.8).opponent(0, 3).opponent(0, -3).ball(0, 0));
   c.add("unlikely, old opponents",
-        Course::tasks(c.spread(), 5).opponent(1, 1).weight(1e-9).age(1e6).opponent(-1, 2).weight(0.5).age(1e3));
+        SceneRow::tasks(c.spread(), 5).opponent(1, 1).weight(1e-9).age(1e6).opponent(-1, 2).weight(0.5).age(1e3));
 }
 
-void add_ball_and_game(Course& c) {
-  const FrameBuilder base = Course::waypoints(Course::opponents(Course::tasks(c.spread(), c.size()), 5));
+void add_ball_and_game(SceneRow& c) {
+  const FrameBuilder base = SceneRow::waypoints(SceneRow::opponents(SceneRow::tasks(c.spread(), c.size()), 5));
   c.add("ball unknown", FrameBuilder(base).no_ball());
   for (const double x : {-4.5, 4.5}) {
     for (const double y : {-3.0, 3.0}) {
@@ -154,8 +154,8 @@ void add_ball_and_game(Course& c) {
   c.add("the last second", FrameBuilder(base).game(late).ball(-4, 0));
 }
 
-void add_absurd(Course& c) {
-  FrameBuilder penalised = Course::opponents(Course::tasks(c.spread(), 5), 3).ball(0, 0);
+void add_absurd(SceneRow& c) {
+  FrameBuilder penalised = SceneRow::opponents(SceneRow::tasks(c.spread(), 5), 3).ball(0, 0);
   FrameBuilder fallen = penalised, old = penalised;
   for (int n = 1; n <= c.size(); ++n) {
     penalised.robot(n).penalised();
@@ -178,7 +178,7 @@ void add_absurd(Course& c) {
         c.usual().common([](WorldBuilder& w) { w.no_ball().opponent(2.5, 2.5).robot(1).age(2.0); }));
 }
 
-void add_chance(Course& c) {
+void add_chance(SceneRow& c) {
   Dice dice(static_cast<std::uint64_t>(c.size()));
   for (int k = 0; k < 12; ++k) {
     FrameBuilder scene = c.empty();
@@ -207,7 +207,7 @@ void add_chance(Course& c) {
 }  // namespace
 
 std::vector<Scene> scenes(int team_size) {
-  Course course(team_size);
+  SceneRow course(team_size);
   add_formations(course);
   add_tasks(course);
   add_opponents(course);

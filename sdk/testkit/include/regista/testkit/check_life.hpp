@@ -5,10 +5,10 @@
 
 #include <vector>
 
-#include <regista/testkit/rehearsal.hpp>
+#include <regista/testkit/course.hpp>
 
 namespace regista::testkit {
 
-Findings check_life(const Loaded& plugin, const Options& options, const std::vector<Rehearsal>& rehearsals);
+Findings check_life(const Loaded& plugin, const Options& options, const std::vector<Course>& courses);
 
 }  // namespace regista::testkit

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include <regista/testkit/rehearsal.hpp>
+#include <regista/testkit/course.hpp>
 
 namespace regista::testkit {
 

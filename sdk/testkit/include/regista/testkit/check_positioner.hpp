@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include <regista/testkit/rehearsal.hpp>
+#include <regista/testkit/course.hpp>
 
 namespace regista::testkit {
 
-std::vector<Rehearsal> positioner_rehearsals(const Options& options);
+std::vector<Course> positioner_courses(const Options& options);
 
 // With hardly any room a positioner may fail or place less, but it writes no further than it may.
 Findings check_small_capacity(const Loaded& plugin, const Options& options);

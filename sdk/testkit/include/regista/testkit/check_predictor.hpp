@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <regista/testkit/check_tracks.hpp>
-#include <regista/testkit/rehearsal.hpp>
+#include <regista/testkit/course.hpp>
 
 namespace regista::testkit {
 
@@ -20,7 +20,7 @@ bool tells_track_at(const Loaded& plugin);
 
 }  // namespace detail
 
-std::vector<Rehearsal> predictor_rehearsals(const Loaded& plugin);
+std::vector<Course> predictor_courses(const Loaded& plugin);
 
 // While nothing is measured the own pose does not become surer: not standing, and not walking straight ahead after it
 // was placed. (Elsewhere a walk back along a known error may make the position, but not the pose, surer.)

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include <regista/testkit/rehearsal.hpp>
+#include <regista/testkit/course.hpp>
 
 namespace regista::testkit {
 
-std::vector<Rehearsal> sender_rehearsals(const Options& options);
+std::vector<Course> sender_courses(const Options& options);
 
 }  // namespace regista::testkit

@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include <regista/testkit/rehearsal.hpp>
+#include <regista/testkit/course.hpp>
 
 namespace regista::testkit {
 
-std::vector<Rehearsal> utility_rehearsals(const Options& options);
+std::vector<Course> utility_courses(const Options& options);
 
 // The same scores, but for rounding, when the opponents stand in another order. Not every utility promises it.
 Findings check_order_of_opponents(const Loaded& plugin, const Options& options);

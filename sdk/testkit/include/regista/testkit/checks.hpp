@@ -19,6 +19,7 @@
 #include <regista/testkit/check_mailbox.hpp>
 #include <regista/testkit/check_positioner.hpp>
 #include <regista/testkit/check_predictor.hpp>
+#include <regista/testkit/check_rehearsal.hpp>
 #include <regista/testkit/check_sender.hpp>
 #include <regista/testkit/check_utility.hpp>
 
@@ -36,7 +37,7 @@ struct Check {
 std::vector<Check> contract(std::int32_t kind);
 
 // The course that the checks of a kind play with a plugin.
-std::vector<Rehearsal> course(std::int32_t kind, const Loaded& plugin, const Options& options);
+std::vector<Course> courses(std::int32_t kind, const Loaded& plugin, const Options& options);
 
 // A number for all that a plugin answers in that course, with its default parameters: the same in every process, unless
 // the plugin depends on what it must not depend on.

@@ -20,7 +20,15 @@ class Findings {
     (text << ... << parts);
     add(text.str());
   }
+  // What is worth knowing of a sound plugin too. It is no finding.
+  template <class... Parts>
+  void remark(const Parts&... parts) {
+    std::ostringstream text;
+    (text << ... << parts);
+    remarks_.push_back(text.str());
+  }
   bool empty() const { return lines_.empty(); }
+  const std::vector<std::string>& remarks() const { return remarks_; }
   const std::vector<std::string>& lines() const { return lines_; }
   std::string text() const;
 
@@ -28,7 +36,7 @@ class Findings {
   void add(const std::string& finding);
 
   static constexpr std::size_t most = 20;
-  std::vector<std::string> lines_, seen_;
+  std::vector<std::string> lines_, seen_, remarks_;
   std::string corner_, scene_;
   std::size_t left_out_ = 0;
 };

@@ -2,6 +2,7 @@
 // What a contract suite has to know about a plugin that its descriptor does not say.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 
 #include <regista/testkit/loaded.hpp>
@@ -15,6 +16,8 @@ struct Options {
   bool order_of_opponents_is_irrelevant = false;
   // An assigner: may leave a robot idle although a task is open to it (a greatest distance, an auction by groups).
   bool may_idle = false;
+  // Of whatever the checks draw by chance. A finding is found again with the same seed.
+  std::uint64_t seed = 0;
 };
 
 }  // namespace regista::testkit

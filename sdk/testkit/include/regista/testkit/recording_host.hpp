@@ -2,7 +2,9 @@
 // A host that records what an instance offers, logs, draws and reports, and answers as the real one does.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,6 +25,8 @@ class RecordingHost {
     std::int32_t medium;
     std::uint64_t replaces;  // 0 = none
     bool withdrawn = false;
+    bool replaced = false;  // by one that came later
+    bool waits() const { return !withdrawn && !replaced; }
   };
 
   explicit RecordingHost(std::uint32_t bytes_free = 64, Growth growth = {});
@@ -33,6 +37,8 @@ class RecordingHost {
   void set_bytes_free(std::uint32_t bytes) { bytes_free_ = bytes; }
   // Match time, against which an offer may be expired already.
   void set_time(double seconds) { time_ = seconds; }
+  // Offers that are refused when so many wait: those in `offers` that were neither withdrawn nor replaced.
+  void set_most_pending(std::size_t offers_that_wait) { most_pending_ = offers_that_wait; }
 
   // Of which plugin reports are taken.
   void set_metrics(const regista_descriptor& plugin);
@@ -73,6 +79,7 @@ class RecordingHost {
   std::uint32_t bytes_free_;
   std::uint64_t last_handle_ = 0;
   double time_ = 0.0;
+  std::size_t most_pending_ = std::numeric_limits<std::size_t>::max();
 };
 
 }  // namespace regista::testkit

@@ -1,91 +1,52 @@
 // SPDX-License-Identifier: MIT
-// The part that all kinds' checks share: play a course with an instance, and play it again where the result must be the
-// same. A kind says how one step of its course is played; the steps' outputs, byte for byte, are the trail.
+// A whole team of one assigner, each robot with its own view, over a radio that loses, delays and reorders packets. Do
+// they come to agree? How long does it take, how much do they say, and what happens when a robot leaves and returns?
+//
+//   const Rehearsal rehearsal = rehearse(auction, Values(auction), {.robots = 7, .radio = {.loss = 0.3}});
+//   for (const Act& act : rehearsal.acts) print(act.name, act.settled_after);
+//
+// A rehearsal is a row of acts. What differs between two acts is what changes in play: the places of robots and tasks,
+// how many tasks there are, which task a robot does not know, who is penalised, who is out of range. Within an act
+// nothing changes but what the robots say to each other.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <functional>
+#include <optional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
-#include <regista/testkit/corners.hpp>
-#include <regista/testkit/findings.hpp>
-#include <regista/testkit/instance.hpp>
-#include <regista/testkit/options.hpp>
+#include <regista/testkit/loaded.hpp>
+#include <regista/testkit/radio.hpp>
 
 namespace regista::testkit {
 
-// Outputs of one step, as bytes.
-class Trail {
- public:
-  template <class T>
-  void add(const T& value) {
-    static_assert(std::has_unique_object_representations_v<T> || std::is_same_v<T, double>);
-    append(&value, sizeof value);
-  }
-  // For structs of the ABI, which have no padding. (A track has some in its union: see add_tracks.)
-  template <class T>
-  void add_all(const std::vector<T>& values) {
-    add(static_cast<std::uint64_t>(values.size()));
-    append(values.data(), values.size() * sizeof(T));
-  }
-  // Of tracks what means something for their subject.
-  void add_tracks(std::vector<regista_track> tracks, std::uint32_t subject) {
-    if ((subject & (REGISTA_SUBJECT_SELF | REGISTA_SUBJECT_TEAMMATES)) != 0) {
-      for (regista_track& track : tracks) {
-        const regista_track_pose pose = track.pose;
-        std::memset(track.motion, 0, sizeof track.motion);
-        std::memcpy(&track.pose, &pose, sizeof pose);
-      }
-    }
-    add_all(tracks);
-  }
-  friend bool operator==(const Trail&, const Trail&) = default;
-  const std::vector<char>& bytes() const { return bytes_; }
-
- private:
-  void append(const void* from, std::size_t count) {
-    if (count == 0) return;
-    const auto* first = static_cast<const char*>(from);
-    bytes_.insert(bytes_.end(), first, first + count);
-  }
-  std::vector<char> bytes_;
+struct RehearsalConditions {
+  int robots = 7;  // 3 to 11
+  RadioConditions radio{};
+  double packet_period = 1.0;  // s between two packets of a robot; what is pending rides along, the most urgent first
+  std::uint64_t seed = 1;
+  bool may_idle = false;  // a robot may have no task although one is free for it
 };
 
-// One course for one environment.
+// The robots agree when no two that can hear each other do the same task and, unless they may idle, nobody who could do
+// a task that it knows and that nobody does is without one.
+struct Act {
+  std::string name;
+  double length = 0.0;  // s
+  // s from its beginning to the last moment without agreement; none: there was one in the last fifth of the act.
+  std::optional<double> settled_after;
+  std::string disagreement;  // the last one, as a sentence; empty: there was none
+};
+
 struct Rehearsal {
-  EnvironmentBuilder environment;
-  std::size_t steps = 0;
-  std::function<std::string(std::size_t)> name;  // of a step
-  // Plays step `index`; says what breaks a promise; writes its output to the trail. May throw CallFailed.
-  std::function<void(Instance&, std::size_t index, const Showing&, Findings&, Trail&)> play;
+  std::vector<Act> acts;
+  std::size_t offers = 0, bytes = 0;  // bytes that left in packets, headings of segments included
+  double robot_seconds = 0.0;         // robots x s
+  std::vector<std::string> broken;    // promises of abi.h, each once
 };
 
-namespace detail {
-
-// `body(corner, rehearsal, findings)` for all of them; an instance that cannot be created is a finding.
-Findings everywhere(const Loaded& plugin, const Options& options, const std::vector<Rehearsal>& rehearsals,
-                    const std::function<void(const Corner&, const Rehearsal&, Findings&)>& body);
-
-// Plays one step; a failed call becomes a finding and part of the trail.
-Trail step(const Rehearsal& rehearsal, Instance& instance, std::size_t index, const Showing& showing,
-           Findings& findings);
-
-}  // namespace detail
-
-// Every output is as abi.h promises.
-Findings check_promises(const Loaded& plugin, const Options& options, const std::vector<Rehearsal>& rehearsals);
-
-// Two instances side by side, and one of them after a reset, do the same.
-Findings check_determinism(const Loaded& plugin, const Options& options, const std::vector<Rehearsal>& rehearsals);
-
-// Larger elements and structs, as of a host of a later minor version, change nothing.
-Findings check_growth(const Loaded& plugin, const Options& options, const std::vector<Rehearsal>& rehearsals);
-
-// What a plugin does not declare to read may be missing: that changes nothing.
-Findings check_reads(const Loaded& plugin, const Options& options, const std::vector<Rehearsal>& rehearsals);
+// Throws CallFailed when a call of the plugin fails.
+Rehearsal rehearse(const Loaded& plugin, const Values& values, const RehearsalConditions& conditions);
 
 }  // namespace regista::testkit

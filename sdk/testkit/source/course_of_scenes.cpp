@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // One step is one scene, shown as it is asked for.
-#include <regista/testkit/rehearse_scenes.hpp>
+#include <regista/testkit/course_of_scenes.hpp>
 
 namespace regista::testkit {
 
-Rehearsal rehearse_scenes(int size, const char* call, const std::vector<Scene>& course,
-                          const std::function<void(Instance&, const Scene&, std::size_t, Findings&, Trail&)>& play) {
-  Rehearsal r;
+Course course_of_scenes(int size, const char* call, const std::vector<Scene>& course,
+                        const std::function<void(Instance&, const Scene&, std::size_t, Findings&, Trail&)>& play) {
+  Course r;
   r.environment = EnvironmentBuilder{}.team_size(static_cast<unsigned>(size)).own(2);
   r.steps = course.size();
   r.name = [course](std::size_t i) { return course[i].name(); };
