@@ -4,11 +4,13 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -36,7 +38,8 @@ using Clock = std::chrono::steady_clock;
 constexpr rlim_t most_memory = rlim_t{2} << 30;
 constexpr std::size_t most_bytes = std::size_t{1} << 20;  // of an outcome
 constexpr std::size_t kept_text = 2000;                   // bytes of the end of what it wrote
-constexpr int patience = 100;                             // ms between two looks at a child that says nothing
+constexpr std::size_t note_bytes = 512;
+constexpr int patience = 100;  // ms between two looks at a child that says nothing
 constexpr std::array<std::uint8_t, 8> mark{'o', 'u', 't', 'c', 'o', 'm', 'e', ':'};
 
 // --- In the child ----------------------------------------------------------------------------------------------------
@@ -157,7 +160,26 @@ std::string how_it_ended(int status, const Deadline& deadline) {
 
 }  // namespace
 
-Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline) {
+SharedNote::SharedNote()
+    : page_(
+          static_cast<char*>(::mmap(nullptr, note_bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0))) {
+  if (page_ == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "mmap");
+}
+SharedNote::~SharedNote() { ::munmap(page_, note_bytes); }
+
+void SharedNote::write(std::string_view text) {
+  const std::size_t length = std::min(text.size(), note_bytes - 1);
+  std::memcpy(page_, text.data(), length);
+  page_[length] = '\0';
+}
+
+std::string SharedNote::read() const {
+  // A plugin may have written here, too.
+  return config::visible_at_most(std::string_view(page_, ::strnlen(page_, note_bytes)), note_bytes);
+}
+
+Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline, SharedNote& note) {
+  note.write("");
   const plugin::Descendants descendants;
   Pipe answer, text;
   const pid_t parent = ::getpid();
@@ -199,6 +221,7 @@ Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadli
   }
   const bool out_of_time = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
   Outcome out{Status::crash, {ended.empty() ? how_it_ended(status, deadline) : ended}, !ended.empty() || out_of_time};
+  if (const std::string place = note.read(); !place.empty()) out.lines.push_back("at: " + place);
   if (const std::string last = last_line(written); !last.empty()) out.lines.push_back("it wrote: " + last);
   return out;
 }

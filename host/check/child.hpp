@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "check/verdict.hpp"
@@ -24,8 +25,24 @@ struct Deadline {
   double wall_seconds = 300.0;  // on a machine that has much else to do
 };
 
+// What a child is about to do, for its parent to read when it died of that.
+class SharedNote {
+ public:
+  SharedNote();
+  ~SharedNote();
+  SharedNote(const SharedNote&) = delete;
+  SharedNote& operator=(const SharedNote&) = delete;
+  // What is too long is cut.
+  void write(std::string_view text);
+  std::string read() const;
+
+ private:
+  char* page_;
+};
+
 // Calls `check` in a child of this process. A child that dies, hangs or ends early is a crash, with the reason and the
-// last line that it wrote to standard error. Throws std::system_error when no process can be started.
-Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline);
+// last line that it wrote to standard error, and with the note. Throws std::system_error when no process can be
+// started.
+Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline, SharedNote& note);
 
 }  // namespace regista::check

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "check/plugin_check.hpp"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
-#include <clocale>
-#include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <map>
 #include <optional>
 #include <span>
@@ -25,13 +18,14 @@
 #include <regista/testkit/checks.hpp>
 #include <regista/testkit/cost.hpp>
 
+#include "check/allocations.hpp"
+#include "check/file_checks.hpp"
 #include "check/object_file.hpp"
+#include "check/process_watch.hpp"
 #include "config/bad_input.hpp"
 #include "config/file.hpp"
 #include "config/text.hpp"
 #include "plugin/descriptor.hpp"
-#include "plugin/floating_point_state.hpp"
-#include "plugin/process_state.hpp"
 #include "plugin/survey.hpp"
 
 namespace regista::check {
@@ -40,53 +34,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// Calls that no sound plugin needs: chance comes from reset() and time from the frame, and the process is the host's.
-struct Suspect {
-  std::string_view name, why;
-};
-constexpr std::array suspects{
-    Suspect{"rand", "chance comes from the seed of reset()"},
-    Suspect{"srand", "chance comes from the seed of reset()"},
-    Suspect{"random", "chance comes from the seed of reset()"},
-    Suspect{"srandom", "chance comes from the seed of reset()"},
-    Suspect{"drand48", "chance comes from the seed of reset()"},
-    Suspect{"getrandom", "chance comes from the seed of reset()"},
-    Suspect{"getentropy", "chance comes from the seed of reset()"},
-    Suspect{"arc4random", "chance comes from the seed of reset()"},
-    Suspect{"_ZNSt13random_device9_M_getvalEv", "std::random_device: chance comes from the seed of reset()"},
-    Suspect{"time", "time comes from the frame"},
-    Suspect{"clock", "time comes from the frame"},
-    Suspect{"gettimeofday", "time comes from the frame"},
-    Suspect{"clock_gettime", "time comes from the frame"},
-    Suspect{"_ZNSt6chrono3_V212system_clock3nowEv", "std::chrono::system_clock: time comes from the frame"},
-    Suspect{"_ZNSt6chrono3_V212steady_clock3nowEv", "std::chrono::steady_clock: time comes from the frame"},
-    Suspect{"nanosleep", "a call must not wait"},
-    Suspect{"sleep", "a call must not wait"},
-    Suspect{"usleep", "a call must not wait"},
-    Suspect{"fork", "the process is the host's"},
-    Suspect{"vfork", "the process is the host's"},
-    Suspect{"system", "the process is the host's"},
-    Suspect{"popen", "the process is the host's"},
-    Suspect{"execve", "the process is the host's"},
-    Suspect{"exit", "the process is the host's"},
-    Suspect{"_exit", "the process is the host's"},
-    Suspect{"pthread_create", "plugins start no threads"},
-    Suspect{"_ZNSt6thread15_M_start_threadESt10unique_ptrINS_6_StateESt14default_deleteIS1_EEPFvvE",
-            "std::thread: plugins start no threads"},
-    Suspect{"signal", "handlers of signals are the host's"},
-    Suspect{"sigaction", "handlers of signals are the host's"},
-    Suspect{"setitimer", "timers are the host's"},
-    Suspect{"alarm", "timers are the host's"},
-    Suspect{"timer_create", "timers are the host's"},
-    Suspect{"setlocale", "the locale is the host's"},
-    Suspect{"chdir", "the working folder is the host's"},
-    Suspect{"fesetround", "how numbers are rounded is the host's"},
-    Suspect{"fesetenv", "how numbers are rounded is the host's"},
-    Suspect{"socket", "a plugin talks to its teammates through its mailbox alone"},
-    Suspect{"connect", "a plugin talks to its teammates through its mailbox alone"},
-};
-
-constexpr std::array file_checks{"object", "exports", "relocations", "imports", "open", "hand_shake"};
+constexpr std::array file_checks{"object", "exports", "relocations", "imports", "open", "hand_shake", "ending"};
 constexpr std::array<std::int32_t, 7> kinds_checked{
     REGISTA_KIND_PREDICTOR, REGISTA_KIND_CONTEXT, REGISTA_KIND_POSITIONER, REGISTA_KIND_UTILITY,
     REGISTA_KIND_ASSIGNER,  REGISTA_KIND_SENDER,  REGISTA_KIND_BEHAVIOUR};
@@ -103,112 +51,6 @@ bool is_wanted(const std::vector<std::string>& only, std::string_view check) {
     return each == check ||
            (point != std::string_view::npos && (each == check.substr(0, point) || each == check.substr(point + 1)));
   });
-}
-
-// --- The file --------------------------------------------------------------------------------------------------------
-
-Outcome exports_of(const ObjectFile& object) {
-  std::vector<std::string> others = object.exports;
-  if (std::erase(others, REGISTA_ENTRY_NAME) == 0) {
-    return {Status::fail, {"is no Regista plugin: it does not export " REGISTA_ENTRY_NAME}};
-  }
-  if (others.empty()) return {};
-  const std::size_t shown = std::min<std::size_t>(others.size(), 5);
-  std::string line =
-      fmt::format("exports {} beside " REGISTA_ENTRY_NAME ": {}", config::counted(others.size(), "symbol", "symbols"),
-                  fmt::join(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
-  if (shown < others.size()) line += ", ...";
-  return {Status::fail,
-          {std::move(line),
-           "others may take its symbols for their own: link it with a version script, as "
-           "regista_add_plugin does"}};
-}
-
-Outcome relocations_of(const ObjectFile& object) {
-  if (!object.text_relocations) return {};
-  return {Status::warn, {"its code is changed when it is loaded: compile it with -fPIC"}};
-}
-
-Outcome imports_of(const ObjectFile& object) {
-  Outcome out;
-  for (const Suspect& each : suspects) {
-    if (!std::ranges::binary_search(object.imports, each.name)) continue;
-    out.status = Status::warn;
-    out.lines.push_back(fmt::format("calls {}: {}", each.name, each.why));
-  }
-  return out;
-}
-
-using Entry = decltype(&regista_plugin_entry);
-
-Entry entry_of(const fs::path& file) {
-  void* const handle = ::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  return handle == nullptr ? nullptr : reinterpret_cast<Entry>(::dlsym(handle, REGISTA_ENTRY_NAME));
-}
-
-Outcome shake_hands(const fs::path& file, std::uint32_t plugins) {
-  const Entry entry = entry_of(file);
-  if (entry == nullptr) return {Status::fail, {"cannot be opened"}};
-  struct Version {
-    std::uint32_t major, minor;
-  };
-  constexpr std::uint32_t largest = ~0u;
-  constexpr std::array versions{Version{REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR}, Version{0, 0}, Version{1, 0},
-                                Version{largest, largest}};
-  const auto own = [&](std::uint32_t index) { return entry(REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR, index); };
-  for (const Version& version : versions) {
-    const auto host = fmt::format("a host that speaks {}.{}", version.major, version.minor);
-    for (std::uint32_t i = 0; i < plugins; ++i) {
-      if (entry(version.major, version.minor, i) != own(i)) {
-        return {Status::fail,
-                {fmt::format("gives {} another answer for descriptor {}: what fits is the host's to decide", host, i)}};
-      }
-    }
-    for (const std::uint32_t beyond : {plugins, plugins + 1, plugins + 1000, largest}) {
-      if (entry(version.major, version.minor, beyond) != nullptr) {
-        return {Status::fail, {fmt::format("gives {} a descriptor {} though it has {}", host, beyond, plugins)}};
-      }
-    }
-  }
-  return {};
-}
-
-// --- A plugin --------------------------------------------------------------------------------------------------------
-
-std::vector<int> blocked_signals() {
-  sigset_t set;
-  ::sigprocmask(SIG_BLOCK, nullptr, &set);
-  std::vector<int> out;
-  for (int number = 1; number < NSIG; ++number) {
-    if (::sigismember(&set, number) == 1) out.push_back(number);
-  }
-  return out;
-}
-
-bool has_children() {
-  siginfo_t none{};
-  return ::waitid(P_ALL, 0, &none, WEXITED | WNOHANG | WNOWAIT) == 0;
-}
-
-// Whatever of the process is the host's stays as it was; what did not becomes part of the outcome.
-Outcome leaving_the_process_alone(const std::function<Outcome()>& check) {
-  const std::string locale = std::setlocale(LC_ALL, nullptr);
-  const auto numbers = plugin::FloatingPointState::now();
-  const auto before = plugin::ProcessState::now();
-  const std::vector<int> blocked = blocked_signals();
-  const bool had_children = has_children();
-  Outcome out = check();
-  const auto add = [&out](std::string line) {
-    out.status = Status::fail;
-    out.lines.push_back(std::move(line));
-  };
-  if (const std::string changed = plugin::FloatingPointState::now().changed_from(numbers); !changed.empty())
-    add(changed);
-  if (const std::string changed = plugin::changes_since(before); !changed.empty()) add(changed);
-  if (blocked != blocked_signals()) add("changed which signals are blocked");
-  if (!had_children && has_children()) add("left a process running");
-  if (locale != std::setlocale(LC_ALL, nullptr)) add("changed the locale");
-  return out;
 }
 
 Outcome outcome_of(const testkit::Findings& findings) {
@@ -228,6 +70,7 @@ std::optional<double> number_in(const std::string& text) {
 testkit::Options options_of(const Options& options) {
   testkit::Options out;
   out.may_idle = options.may_idle;
+  out.seed = options.seed;
   out.base = [&options](testkit::Values& values) {
     for (const auto& [name, text] : options.parameters) {
       try {
@@ -261,6 +104,9 @@ class FileCheck {
   FileCheck(const fs::path& file, const Options& options, const std::function<void(const Verdict&)>& told)
       : file_(fs::absolute(file)), options_(options), told_(told), testkit_options_(options_of(options_)) {
     report_.file = file.string();
+    testkit_options_.underway = [this](const std::string& corner, const std::string& scene) {
+      note_.write(corner + (corner.empty() || scene.empty() ? "" : "; ") + scene);
+    };
   }
 
   Report run() {
@@ -284,6 +130,7 @@ class FileCheck {
     if (!surveyed.refusal.empty()) return std::move(report_);
     const auto count = static_cast<std::uint32_t>(surveyed.plugins.size());
     apart("hand_shake", "gives every host the same answers", [&] { return shake_hands(file_, count); });
+    apart("ending", "lets a process end that has opened it", [&] { return end_after_opening(file_); });
     take_parameters(surveyed);
     for (const auto& each : surveyed.plugins) check_plugin(*each);
     return std::move(report_);
@@ -378,14 +225,14 @@ class FileCheck {
     if (!is_wanted(options_.only, name)) return;
     judge(name, "does the same in another process, folder and environment", [&]() -> Outcome {
       if (options_.in_process || hung_) return {Status::skip, {}};
-      const Outcome first = in_a_child([&] { return digest(kind); }, options_.deadline);
+      const Outcome first = in_a_child([&] { return digest(kind); }, options_.deadline, note_);
       if (first.status != Status::pass) return first;
       const Outcome second = in_a_child(
           [&] {
             go_elsewhere();
             return digest(kind);
           },
-          options_.deadline);
+          options_.deadline, note_);
       if (second.status != Status::pass) return second;
       if (first.lines == second.lines) return {};
       return {Status::fail,
@@ -396,9 +243,11 @@ class FileCheck {
 
   Outcome cost_of(std::int32_t kind) const {
     Outcome out;
-    for (const testkit::Cost& each : testkit::cost_of_calls(kind, loaded(), testkit_options_)) {
-      out.lines.push_back(fmt::format("{}: half of the calls within {:.1f} us, 99 % within {:.1f} us ({} calls)",
-                                      each.call, each.median_microseconds, each.p99_microseconds, each.count));
+    for (const testkit::Cost& each : testkit::cost_of_calls(kind, loaded(), testkit_options_, count_allocations())) {
+      std::string line = fmt::format("{}: half of the calls within {:.1f} us, 99 % within {:.1f} us", each.call,
+                                     each.median_microseconds, each.p99_microseconds);
+      if (each.allocations) line += fmt::format(", {:.1f} allocations a call", *each.allocations);
+      out.lines.push_back(line + fmt::format(" ({} calls)", each.count));
       constexpr double much = 5'000.0;
       if (each.median_microseconds > much) {
         out.status = Status::warn;
@@ -416,7 +265,7 @@ class FileCheck {
     const auto alone = [&check] { return leaving_the_process_alone(check); };
     judge(name, promise, [&]() -> Outcome {
       if (hung_) return {Status::skip, {"an earlier check had to be ended"}};  // nobody waits twice
-      Outcome out = options_.in_process ? alone() : in_a_child(alone, options_.deadline);
+      Outcome out = options_.in_process ? alone() : in_a_child(alone, options_.deadline, note_);
       hung_ = out.hung;
       return out;
     });
@@ -434,6 +283,7 @@ class FileCheck {
   const std::function<void(const Verdict&)>& told_;
   testkit::Options testkit_options_;
   std::string plugin_;
+  SharedNote note_;
   bool hung_ = false;  // a check of this plugin
   Report report_;
 };

@@ -23,6 +23,7 @@ struct Options {
   std::vector<std::pair<std::string, std::string>> parameters;
   std::map<std::string, std::string> files;  // content of those that are files; check_file() reads them
   bool may_idle = false;                     // an assigner may leave robots without a task
+  std::uint64_t seed = 0;                    // of what the checks draw by chance
   bool in_process = false;                   // in this process, for a debugger
   Deadline deadline;
 };

@@ -36,7 +36,7 @@ Exit codes: 0 no check failed or crashed; 1 one did; 2 bad input; 3 a defect of 
 
 struct PluginCheckOptions {
   std::vector<std::string> files, only, parameters;
-  std::string processor_seconds = "20";
+  std::string processor_seconds = "20", seed = "0";
   bool may_idle = false, in_process = false, json = false;
 };
 
@@ -45,6 +45,7 @@ check::Options options_of(const PluginCheckOptions& options) {
   out.only = options.only;
   out.may_idle = options.may_idle;
   out.in_process = options.in_process;
+  out.seed = static_cast<std::uint64_t>(config::parse_whole("--seed", options.seed, 0, 1'000'000'000));
   out.deadline.processor_seconds =
       static_cast<int>(config::parse_whole("--processor-seconds", options.processor_seconds, 1, 1'000'000));
   for (const std::string& each : options.parameters) {
@@ -123,6 +124,7 @@ void add_plugin_check(Command& parent) {
   command.take("--set", options->parameters, "NAME=VALUE", "a parameter of the plugin; may be repeated");
   command.flag("--may-idle", options->may_idle, "an assigner may leave a robot without a task that it could do");
   command.take("--processor-seconds", options->processor_seconds, "SECONDS", "processor time of one check; default 20");
+  command.take("--seed", options->seed, "N", "other scenes, utilities, messages and losses by chance; default 0");
   command.flag("--in-process", options->in_process,
                "all checks in the program's own process, for a debugger: what ends it is not explained");
   command.flag("--json", options->json, "write JSON: a list, with one element for each file");

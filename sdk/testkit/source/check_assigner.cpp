@@ -11,10 +11,10 @@ namespace regista::testkit {
 namespace {
 
 // Utilities for a scene: with ties, with forbidden pairs, rows and columns, all zero, very large.
-Matrix utilities_for(const Scene& scene, std::size_t variant, Growth growth) {
+Matrix utilities_for(const Scene& scene, std::size_t variant, std::uint64_t seed, const Layout& layout) {
   constexpr double forbidden = UtilityMatrix::forbidden;
-  Matrix out(scene.rows(), scene.columns(), growth);
-  Dice dice(1000 * variant + scene.data().tick);
+  Matrix out(scene.rows(), scene.columns(), layout);
+  Dice dice = Dice::with(seed, 1000 * variant + scene.data().tick);
   const std::size_t whole_row = static_cast<std::size_t>(dice.integer(0, 6));
   const std::size_t whole_column = static_cast<std::size_t>(dice.integer(0, 6));
   for (std::size_t i = 0; i < out.rows(); ++i) {
@@ -85,9 +85,9 @@ void check_assignment(const Matrix& u, const std::vector<std::int32_t>& columns,
 std::vector<Course> assigner_courses(const Options& options) {
   std::vector<Course> out;
   for (const int size : team_sizes) {
-    const std::vector<Scene> course = scenes(size);
+    const std::vector<Scene> course = scenes(size, options.seed);
     Course r;
-    r.environment = EnvironmentBuilder{}.team_size(static_cast<unsigned>(size)).own(2);
+    r.environment = EnvironmentBuilder{}.team_size(static_cast<unsigned>(size)).own(own_number(size));
     r.steps = course.size() * utility_variants;
     r.name = [course](std::size_t i) {
       return course[i / utility_variants].name() + ", utilities " + std::to_string(i % utility_variants);
@@ -95,7 +95,7 @@ std::vector<Course> assigner_courses(const Options& options) {
     r.play = [course, options](Instance& instance, std::size_t i, const Showing& showing, Findings& findings,
                                Trail& trail) {
       const Scene scene = course[i / utility_variants].shown(showing);
-      const Matrix u = utilities_for(scene, i % utility_variants, showing.growth);
+      const Matrix u = utilities_for(scene, i % utility_variants, options.seed, showing.layout);
       const std::vector<std::int32_t> columns = instance.assign(scene, u);
       trail.add_all(columns);
       check_assignment(u, columns, instance.negotiates(), options.may_idle, findings);

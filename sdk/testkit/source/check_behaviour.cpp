@@ -132,9 +132,9 @@ struct ScenesWithBodies {
 };
 
 // Every scene with and without a task and, by turns, every body; then every state of the game.
-ScenesWithBodies course_for(int team_size) {
+ScenesWithBodies course_for(int team_size, std::uint64_t seed) {
   ScenesWithBodies out;
-  const std::vector<Scene> usual = scenes(team_size);
+  const std::vector<Scene> usual = scenes(team_size, seed);
   std::size_t turn = 0;
   for (const Scene& scene : usual) {
     out.add(scene.data(), 0, true);
@@ -159,8 +159,8 @@ ScenesWithBodies course_for(int team_size) {
   return out;
 }
 
-Course course_with(int team_size, const EnvironmentBuilder& environment) {
-  ScenesWithBodies course = course_for(team_size);
+Course course_with(int team_size, std::uint64_t seed, const EnvironmentBuilder& environment) {
+  ScenesWithBodies course = course_for(team_size, seed);
   std::vector<regista_kick> kicks;
   const Setting setting = environment.build();
   for (const Kick& kick : setting.environment().kicks()) kicks.push_back(kick);
@@ -178,15 +178,15 @@ Course course_with(int team_size, const EnvironmentBuilder& environment) {
 
 }  // namespace
 
-std::vector<Course> behaviour_courses(const Options&) {
+std::vector<Course> behaviour_courses(const Options& options) {
   std::vector<Course> out;
-  for (const int size : team_sizes) {
-    out.push_back(course_with(size, EnvironmentBuilder{}.team_size(static_cast<unsigned>(size)).own(2)));
-  }
-  out.push_back(course_with(team_sizes[0], EnvironmentBuilder{}.team_size(team_sizes[0]).own(2).no_kicks()));
-  out.push_back(
-      course_with(team_sizes[0],
-                  EnvironmentBuilder{}.team_size(team_sizes[0]).own(2).no_kicks().kick("weak", 0.05, 0.1, 0.5, 0.25)));
+  const auto robot_of = [](int size) {
+    return EnvironmentBuilder{}.team_size(static_cast<unsigned>(size)).own(own_number(size));
+  };
+  for (const int size : team_sizes) out.push_back(course_with(size, options.seed, robot_of(size)));
+  constexpr int few = team_sizes[0];
+  out.push_back(course_with(few, options.seed, robot_of(few).no_kicks()));
+  out.push_back(course_with(few, options.seed, robot_of(few).no_kicks().kick("weak", 0.05, 0.1, 0.5, 0.25)));
   return out;
 }
 

@@ -7,11 +7,11 @@
 
 namespace regista::testkit {
 
-std::vector<Course> context_courses(const Options&) {
+std::vector<Course> context_courses(const Options& options) {
   std::vector<Course> out;
   for (const int size : team_sizes) {
     std::vector<Scene> course;
-    for (const Scene& scene : scenes(size)) {
+    for (const Scene& scene : scenes(size, options.seed)) {
       course.push_back(scene.before_tasks());
     }
     const auto play = [](Instance& instance, const Scene& scene, std::size_t, Findings& findings, Trail& trail) {

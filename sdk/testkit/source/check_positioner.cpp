@@ -70,15 +70,15 @@ void check_cells(const Placed& placed, const Lawn& lawn, const Scene& scene, Fin
 
 }  // namespace
 
-std::vector<Course> positioner_courses(const Options&) {
+std::vector<Course> positioner_courses(const Options& options) {
   std::vector<Course> out;
   for (const int size : team_sizes) {
     std::vector<Scene> course;
-    for (const Scene& scene : scenes(size)) {
+    for (const Scene& scene : scenes(size, options.seed)) {
       course.push_back(scene.before_placing());
     }
     EnvironmentBuilder environment;
-    const regista_environment& e = environment.team_size(static_cast<unsigned>(size)).own(2).raw();
+    const regista_environment& e = environment.team_size(static_cast<unsigned>(size)).own(own_number(size)).raw();
     const Lawn lawn{e.field_length / 2 + e.border_strip, e.field_width / 2 + e.border_strip};
     const auto play = [lawn](Instance& instance, const Scene& scene, std::size_t, Findings& findings, Trail& trail) {
       const Placed placed = instance.place(scene);
@@ -100,7 +100,7 @@ Findings check_small_capacity(const Loaded& plugin, const Options& options) {
                             [&](const Corner& corner, const Course& course, Findings& findings) {
                               Instance instance(plugin, course.environment, corner.values);
                               const int size = static_cast<int>(EnvironmentBuilder(course.environment).raw().team_size);
-                              for (const Scene& scene : scenes(size)) {
+                              for (const Scene& scene : scenes(size, options.seed)) {
                                 findings.where(corner.name, scene.name());
                                 for (const std::uint32_t room : {0u, 1u, 3u}) {
                                   try {

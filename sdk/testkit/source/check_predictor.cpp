@@ -114,14 +114,14 @@ bool detail::tells_track_at(const Loaded& plugin) {
   return table != nullptr && table->track_at != nullptr;
 }
 
-std::vector<Course> predictor_courses(const Loaded& plugin) {
+std::vector<Course> predictor_courses(const Loaded& plugin, const Options& options) {
   std::vector<Course> out;
-  const Scene frame = scenes(predictor_team).front();
+  const Scene frame = scenes(predictor_team, options.seed).front();
   for (const std::uint32_t subject : {1u, 2u, 4u, 8u}) {
     if ((detail::subjects_of(plugin) & subject) == 0) continue;
     for (const bool observer : {true, false}) {
       if (observer ? subject == REGISTA_SUBJECT_TEAMMATES : subject == REGISTA_SUBJECT_SELF) continue;
-      const std::vector<Tick> course = measurement_course(subject, observer, subject);
+      const std::vector<Tick> course = measurement_course(subject, observer, subject + (options.seed << 8));
       Course r;
       r.environment = predictor_environment(subject);
       r.steps = course.size();

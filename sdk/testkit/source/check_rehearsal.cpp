@@ -29,7 +29,7 @@ std::string with_one_decimal(double number) {
 }  // namespace
 
 Findings check_rehearsal(const Loaded& plugin, const Options& options) {
-  Findings findings;
+  Findings findings(options.underway);
   Values values(plugin);
   options.base(values);
   for (const double loss : {0.0, 0.3, 0.6}) {
@@ -44,6 +44,7 @@ Findings check_rehearsal(const Loaded& plugin, const Options& options) {
         conditions.radio.loss = loss;
         conditions.seed = seed;
         conditions.may_idle = options.may_idle;
+        findings.where(lost + ", " + std::to_string(robots) + " robots", "");
         const Rehearsal rehearsal = rehearse(plugin, values, conditions);
         if (rehearsal.offers == 0 && !negotiates(plugin)) {
           findings.remark("it offers nothing to its teammates, so there is nothing to rehearse");

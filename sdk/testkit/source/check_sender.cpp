@@ -20,8 +20,8 @@ struct Query {
   regista_budget budget{};
 };
 
-Query query_for(const Scene& scene, std::size_t round) {
-  Dice dice(scene.data().tick * 8 + round);
+Query query_for(const Scene& scene, std::size_t round, std::uint64_t seed) {
+  Dice dice = Dice::with(seed, scene.data().tick * 8 + round);
   Query q;
   for (std::int32_t kind = REGISTA_EVENT_WHISTLE; kind < REGISTA_EVENT_OFFER; ++kind) {
     if (dice.chance(0.15)) q.events.push_back({kind, 0, dice.real(0.0, 20.0)});
@@ -65,12 +65,12 @@ void check_sent(const Sent& sent, const Query& query, std::uint32_t own_reasons,
 
 }  // namespace
 
-std::vector<Course> sender_courses(const Options&) {
+std::vector<Course> sender_courses(const Options& options) {
   constexpr std::size_t rounds = 4;
   std::vector<Course> out;
   for (const int size : team_sizes) {
     std::vector<Scene> course;
-    for (const Scene& scene : scenes(size)) {
+    for (const Scene& scene : scenes(size, options.seed)) {
       const std::int32_t phase = scene.data().mine.game.phase;
       if (phase == REGISTA_PHASE_INITIAL || phase == REGISTA_PHASE_FINISHED) continue;  // never called then
       for (std::size_t round = 0; round < rounds; ++round) {
@@ -80,8 +80,9 @@ std::vector<Course> sender_courses(const Options&) {
         course.emplace_back(std::move(data));
       }
     }
-    const auto play = [](Instance& instance, const Scene& scene, std::size_t i, Findings& findings, Trail& trail) {
-      const Query q = query_for(scene, i % rounds);
+    const auto play = [seed = options.seed](Instance& instance, const Scene& scene, std::size_t i, Findings& findings,
+                                            Trail& trail) {
+      const Query q = query_for(scene, i % rounds, seed);
       const Sent sent = instance.decide(scene, q.events, q.offers, q.budget);
       trail.add(sent.send);
       trail.add(sent.reason);

@@ -32,11 +32,11 @@ Scene opponents_reversed(const Scene& scene) {
 
 }  // namespace
 
-std::vector<Course> utility_courses(const Options&) {
+std::vector<Course> utility_courses(const Options& options) {
   std::vector<Course> out;
   for (const int size : team_sizes) {
     std::vector<Scene> course;
-    for (const Scene& scene : scenes(size)) {
+    for (const Scene& scene : scenes(size, options.seed)) {
       if (scene.rows() == 0 || scene.columns() == 0) continue;  // never called then
       course.push_back(scene);
     }
@@ -53,7 +53,7 @@ Findings check_order_of_opponents(const Loaded& plugin, const Options& options) 
       plugin, options, utility_courses(options), [&](const Corner& corner, const Course& course, Findings& findings) {
         Instance one(plugin, course.environment, corner.values), other(plugin, course.environment, corner.values);
         const int size = static_cast<int>(EnvironmentBuilder(course.environment).raw().team_size);
-        for (const Scene& scene : scenes(size)) {
+        for (const Scene& scene : scenes(size, options.seed)) {
           if (scene.rows() == 0 || scene.columns() == 0) continue;
           findings.where(corner.name, scene.name());
           const Matrix a = one.score(scene), b = other.score(opponents_reversed(scene));

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <exception>
 #include <map>
+#include <numeric>
+#include <optional>
 
 #include <regista/testkit/cost.hpp>
 
@@ -13,7 +15,7 @@ namespace regista::testkit {
 std::vector<Course> courses(std::int32_t kind, const Loaded& plugin, const Options& options) {
   switch (kind) {
     case REGISTA_KIND_PREDICTOR:
-      return predictor_courses(plugin);
+      return predictor_courses(plugin, options);
     case REGISTA_KIND_CONTEXT:
       return context_courses(options);
     case REGISTA_KIND_POSITIONER:
@@ -47,24 +49,33 @@ std::uint64_t course_digest(std::int32_t kind, const Loaded& plugin, const Optio
   return hash;
 }
 
-std::vector<Cost> cost_of_calls(std::int32_t kind, const Loaded& plugin, const Options& options) {
-  std::map<std::string, std::vector<double>> seconds;
+std::vector<Cost> cost_of_calls(std::int32_t kind, const Loaded& plugin, const Options& options,
+                                std::size_t (*allocated)()) {
+  std::map<std::string, RecordingHost::CallCosts> costs;
   Values values(plugin);
   options.base(values);
   Findings elsewhere;
   for (const Course& course : courses(kind, plugin, options)) {
     Instance instance(plugin, course.environment, values);
-    instance.host().call_seconds = &seconds;
-    for (std::size_t i = 0; i < course.steps; ++i) detail::step(course, instance, i, {}, elsewhere);
+    instance.host().allocated = allocated;
+    for (const bool counts : {false, true}) {
+      instance.host().costs = counts ? &costs : nullptr;
+      for (std::size_t i = 0; i < course.steps; ++i) detail::step(course, instance, i, {}, elsewhere);
+    }
   }
   std::vector<Cost> out;
-  for (auto& entry : seconds) {
-    std::vector<double>& times = entry.second;
+  for (auto& entry : costs) {
+    std::vector<double>& times = entry.second.seconds;
     std::ranges::sort(times);
     const auto microseconds = [&times](double share) {
       return 1e6 * times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
     };
-    out.push_back({entry.first, times.size(), microseconds(0.5), microseconds(0.99)});
+    Cost cost{entry.first, times.size(), microseconds(0.5), microseconds(0.99), std::nullopt};
+    if (const auto& counts = entry.second.allocations; !counts.empty()) {
+      const std::size_t sum = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+      cost.allocations = static_cast<double>(sum) / static_cast<double>(counts.size());
+    }
+    out.push_back(std::move(cost));
   }
   return out;
 }
@@ -115,6 +126,7 @@ std::vector<Check> contract(std::int32_t kind) {
       over_courses(kind, "promises", "every output is as abi.h promises", check_promises),
       over_courses(kind, "determinism", "the same calls give the same bytes, also after a reset", check_determinism),
       over_courses(kind, "growth", "works with a host of a later minor version", check_growth),
+      over_courses(kind, "memory", "touches no memory but what it is given", check_memory),
       reads_check(kind),
       over_courses(kind, "life", "can be created, reset and destroyed in any order", check_life),
       {"mailbox", "bears any message",

@@ -21,7 +21,7 @@ Trail detail::step(const Course& course, Instance& instance, std::size_t index, 
 
 Findings detail::everywhere(const Loaded& plugin, const Options& options, const std::vector<Course>& courses,
                             const std::function<void(const Corner&, const Course&, Findings&)>& body) {
-  Findings findings;
+  Findings findings(options.underway);
   Values base(plugin);
   options.base(base);
   for (const Corner& corner : corners(plugin, base)) {
@@ -77,7 +77,7 @@ Findings check_determinism(const Loaded& plugin, const Options& options, const s
 Findings check_growth(const Loaded& plugin, const Options& options, const std::vector<Course>& courses) {
   return detail::everywhere(
       plugin, options, courses, [&](const Corner& corner, const Course& course, Findings& findings) {
-        constexpr Growth later{24};
+        constexpr Layout later{24};
         Instance today(plugin, course.environment, corner.values);
         Instance tomorrow(plugin, course.environment, corner.values, later);
         Findings elsewhere, then;
@@ -91,6 +91,22 @@ Findings check_growth(const Loaded& plugin, const Options& options, const std::v
           }
         }
       });
+}
+
+Findings check_memory(const Loaded& plugin, const Options& options, const std::vector<Course>& courses) {
+  Findings findings(options.underway);
+  Values values(plugin);
+  options.base(values);
+  for (const Course& course : courses) {
+    constexpr Layout guarded{0, true};
+    Instance instance(plugin, course.environment, values, guarded);
+    Findings elsewhere;
+    for (std::size_t i = 0; i < course.steps; ++i) {
+      findings.where("", course.name(i));
+      step(course, instance, i, {guarded, REGISTA_READS_ALL}, elsewhere);
+    }
+  }
+  return findings;
 }
 
 Findings check_reads(const Loaded& plugin, const Options& options, const std::vector<Course>& courses) {

@@ -139,7 +139,7 @@ EnvironmentBuilder& EnvironmentBuilder::kick(std::string name, double minimum_di
 
 EnvironmentBuilder& EnvironmentBuilder::no_landmarks() { return landmarks_ = false, *this; }
 
-Setting EnvironmentBuilder::build(Growth growth) const {
+Setting EnvironmentBuilder::build(const Layout& layout) const {
   Setting setting;
   setting.stored_ = std::make_shared<Setting::Stored>();
   Setting::Stored& s = *setting.stored_;
@@ -151,8 +151,8 @@ Setting EnvironmentBuilder::build(Growth growth) const {
     s.lists.push_back(row.list);
     roles.push_back({s.names.back().c_str(), s.lists.back().c_str(), row.priority, row.robot});
   }
-  s.roles = Strided<regista_role>(roles, growth);
-  s.landmarks = Strided<regista_landmark>(landmarks_ ? landmarks() : std::vector<regista_landmark>{}, growth);
+  s.roles = Strided<regista_role>(roles, layout);
+  s.landmarks = Strided<regista_landmark>(landmarks_ ? landmarks() : std::vector<regista_landmark>{}, layout);
   s.kick_names.reserve(kicks_.size());
   std::vector<regista_kick> kicks;
   for (const KickRow& row : kicks_) {
@@ -160,14 +160,15 @@ Setting EnvironmentBuilder::build(Growth growth) const {
     kicks.push_back(row.kick);
     kicks.back().name = s.kick_names.back().c_str();
   }
-  s.kicks = Strided<regista_kick>(kicks, growth);
-  s.events = Strided<regista_event_name>(usual_events, growth);
+  s.kicks = Strided<regista_kick>(kicks, layout);
+  s.events = Strided<regista_event_name>(usual_events, layout);
   regista_environment e = e_;
   e.kicks = s.kicks.span();
   e.events = s.events.span();
   e.roles = s.roles.span();
   e.landmarks = s.landmarks.span();
-  s.environment = Grown<regista_environment>(e, growth);
+  s.environment = Grown<regista_environment>(e, layout);
+  s.environment.make_read_only();
   return setting;
 }
 

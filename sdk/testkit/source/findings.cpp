@@ -10,6 +10,7 @@ namespace regista::testkit {
 void Findings::where(std::string corner, std::string scene) {
   corner_ = std::move(corner);
   scene_ = std::move(scene);
+  if (underway_) underway_(corner_, scene_);
 }
 
 std::string Findings::text() const {

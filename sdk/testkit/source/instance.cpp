@@ -7,9 +7,11 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <regista/testkit/room.hpp>
 
@@ -21,13 +23,16 @@ namespace {
 template <class T>
 class Guarded {
  public:
-  explicit Guarded(std::uint32_t capacity)
-      : capacity_(capacity), bytes_(detail::words((capacity + behind) * sizeof(T))), original_(bytes_) {}
-  T* data() { return reinterpret_cast<T*>(bytes_.data()); }
+  Guarded(std::uint32_t capacity, const Layout& layout)
+      : capacity_(capacity),
+        memory_((capacity + (layout.guarded ? 0 : behind)) * sizeof(T), layout),
+        original_(memory_.words().begin(), memory_.words().end()) {}
+  T* data() { return reinterpret_cast<T*>(memory_.data()); }
+  T& operator[](std::size_t index) { return data()[index]; }
   void check(const char* what) const {
     const std::size_t first = capacity_ * sizeof(T);
-    if (std::memcmp(reinterpret_cast<const char*>(bytes_.data()) + first,
-                    reinterpret_cast<const char*>(original_.data()) + first, behind * sizeof(T)) != 0) {
+    if (std::memcmp(reinterpret_cast<const char*>(memory_.data()) + first,
+                    reinterpret_cast<const char*>(original_.data()) + first, memory_.bytes() - first) != 0) {
       throw CallFailed(std::string(what) + ": wrote past the capacity of " + std::to_string(capacity_));
     }
   }
@@ -42,7 +47,8 @@ class Guarded {
  private:
   static constexpr std::size_t behind = 4;
   std::size_t capacity_;
-  std::vector<std::uint64_t> bytes_, original_;
+  Memory memory_;
+  std::vector<std::uint64_t> original_;
 };
 
 // What is wrong with a room that was filled ends the call.
@@ -75,22 +81,28 @@ void guarded(const char* name, regista_error& error, Body&& body) {
   throw CallFailed(head + error.text);
 }
 
-// `memory` looks at the output's surroundings, also when the call failed.
-template <class Body, class Memory>
-void call(RecordingHost& host, const char* name, Body&& body, Memory&& memory) {
-  regista_error error{};
+// The output's surroundings are looked at when the call failed, too.
+template <class Body, class Surroundings>
+void call(RecordingHost& host, const char* name, Body&& body, Surroundings&& look_at_surroundings) {
+  Memory room(sizeof(regista_error), {0, host.layout().guarded});
+  auto& error = *new (room.data()) regista_error{};
   std::optional<CallFailed> failure;
+  const auto allocated = [&host] { return host.allocated == nullptr ? 0 : host.allocated() - host.own_allocations; };
+  const std::size_t allocated_before = allocated();
   const auto began = std::chrono::steady_clock::now();
   try {
     guarded(name, error, [&] { return body(&error); });
   } catch (const CallFailed& caught) {
     failure = caught;
   }
-  if (host.call_seconds != nullptr) {
+  if (host.costs != nullptr) {
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-    (*host.call_seconds)[name].push_back(took.count());
+    const std::size_t allocations = allocated() - allocated_before;
+    RecordingHost::CallCosts& costs = (*host.costs)[name];
+    costs.seconds.push_back(took.count());
+    if (host.allocated != nullptr) costs.allocations.push_back(allocations);
   }
-  memory();
+  look_at_surroundings();
   if (failure) throw *failure;
   if (const std::string broken = host.take_broken(); !broken.empty())
     throw CallFailed(std::string(name) + ": " + broken);
@@ -103,26 +115,27 @@ void call(RecordingHost& host, const char* name, Body&& body) {
 
 }  // namespace
 
-Matrix::Matrix(std::uint32_t rows, std::uint32_t columns, Growth growth)
+Matrix::Matrix(std::uint32_t rows, std::uint32_t columns, const Layout& layout)
     : rows_(rows),
       columns_(columns),
-      stride_(columns + growth.bytes / static_cast<std::uint32_t>(sizeof(double))),
+      stride_(columns + layout.growth / static_cast<std::uint32_t>(sizeof(double))),
       values_(std::size_t{rows_} * stride_, std::numeric_limits<double>::quiet_NaN()) {
   for (std::uint32_t i = 0; i < rows; ++i) {
     for (std::uint32_t j = 0; j < columns; ++j) (*this)(i, j) = 0.0;
   }
 }
 
-Instance::Instance(const Loaded& plugin, const EnvironmentBuilder& environment, const Values& values, Growth growth)
+Instance::Instance(const Loaded& plugin, const EnvironmentBuilder& environment, const Values& values,
+                   const Layout& layout)
     : plugin_(plugin),
-      growth_(growth),
-      setting_(environment.build(growth)),
-      host_(std::make_unique<RecordingHost>(64, growth)) {
+      layout_(layout),
+      setting_(environment.build(layout)),
+      host_(std::make_unique<RecordingHost>(64, layout)) {
   host_->set_metrics(plugin.descriptor());
   regista_error error{};
   {
     const Values own = values;  // texts end with create()
-    const Strided<regista_value> raw(own.raw(), growth);
+    const Strided<regista_value> raw(own.raw(), layout);
     guarded("create", error, [&] {
       instance_ = plugin_.descriptor().create(&setting_.raw(), host_->raw(), raw.span(), &error);
       return instance_ != nullptr ? REGISTA_OK : REGISTA_FAILED;
@@ -153,21 +166,21 @@ void Instance::predict(double dt, const regista_motion* motion, const regista_fr
 
 void Instance::correct(std::span<const regista_measurement> measurements, const regista_visible_area& area) {
   const auto& t = table<regista_predictor>(plugin_, REGISTA_KIND_PREDICTOR, "predictor");
-  const Strided<regista_measurement> input(measurements, growth_);
+  const Strided<regista_measurement> input(measurements, layout_);
   call(*host_, "correct", [&](regista_error* error) { return t.correct(instance_, input.span(), &area, error); });
   if (!input.unchanged()) throw CallFailed("correct: wrote to the measurements");
 }
 
 void Instance::absorb(std::span<const regista_track> tracks, double age) {
   const auto& t = table<regista_predictor>(plugin_, REGISTA_KIND_PREDICTOR, "predictor");
-  const Strided<regista_track> input(tracks, growth_);
+  const Strided<regista_track> input(tracks, layout_);
   call(*host_, "absorb", [&](regista_error* error) { return t.absorb(instance_, input.span(), age, error); });
   if (!input.unchanged()) throw CallFailed("absorb: wrote to the tracks");
 }
 
 std::vector<regista_track> Instance::tracks(const Capacity& capacity) {
   const auto& t = table<regista_predictor>(plugin_, REGISTA_KIND_PREDICTOR, "predictor");
-  WritableRoom<regista_track> out(capacity.tracks, growth_);
+  WritableRoom<regista_track> out(capacity.tracks, layout_);
   regista_room raw = out.raw();
   call(
       *host_, "tracks", [&](regista_error* error) { return t.tracks(instance_, &raw, error); },
@@ -177,8 +190,8 @@ std::vector<regista_track> Instance::tracks(const Capacity& capacity) {
 
 regista_track Instance::track_at(const regista_track& told, double age) {
   const auto& t = table<regista_predictor>(plugin_, REGISTA_KIND_PREDICTOR, "predictor");
-  const Strided<regista_track> input(std::span(&told, 1), growth_);
-  WritableRoom<regista_track> out(1, growth_);
+  const Strided<regista_track> input(std::span(&told, 1), layout_);
+  WritableRoom<regista_track> out(1, layout_);
   regista_room raw = out.raw();
   call(
       *host_, "track_at",
@@ -193,23 +206,26 @@ regista_track Instance::track_at(const regista_track& told, double age) {
 
 std::int32_t Instance::holds(const Scene& scene) {
   const auto& t = table<regista_context>(plugin_, REGISTA_KIND_CONTEXT, "context");
-  std::int32_t out = -77;
-  call(*host_, "holds", [&](regista_error* error) { return t.holds(instance_, &scene.raw(), &out, error); });
-  return out;
+  Guarded<std::int32_t> out(2, layout_);  // two fill the memory to its end
+  out[0] = out[1] = -77;
+  call(
+      *host_, "holds", [&](regista_error* error) { return t.holds(instance_, &scene.raw(), &out[1], error); },
+      [&] { out.check("holds"); });
+  return out[1];
 }
 
 Placed Instance::place(const Scene& scene, const Capacity& capacity) {
   const auto& t = table<regista_positioner>(plugin_, REGISTA_KIND_POSITIONER, "positioner");
-  WritableRoom<regista_waypoint> points(capacity.points, growth_);
-  WritableRoom<regista_edge> edges(capacity.edges, growth_);
-  WritableRoom<regista_cell> cells(capacity.cells, growth_);
-  WritableRoom<regista_vertex> vertices(capacity.vertices, growth_);
+  WritableRoom<regista_waypoint> points(capacity.points, layout_);
+  WritableRoom<regista_edge> edges(capacity.edges, layout_);
+  WritableRoom<regista_cell> cells(capacity.cells, layout_);
+  WritableRoom<regista_vertex> vertices(capacity.vertices, layout_);
   regista_placement raw{};
   raw.points = points.raw();
   raw.edges = edges.raw();
   raw.cells = cells.raw();
   raw.vertices = vertices.raw();
-  Grown<regista_placement> out(raw, growth_);
+  Grown<regista_placement> out(raw, layout_);
   call(
       *host_, "place", [&](regista_error* error) { return t.place(instance_, &scene.raw(), &out.get(), error); },
       [&] {
@@ -226,9 +242,15 @@ Placed Instance::place(const Scene& scene, const Capacity& capacity) {
 
 Matrix Instance::score(const Scene& scene) {
   const auto& t = table<regista_utility>(plugin_, REGISTA_KIND_UTILITY, "utility");
-  Matrix out(scene.rows(), scene.columns(), growth_);
-  const regista_matrix_room raw = out.room();
-  call(*host_, "score", [&](regista_error* error) { return t.score(instance_, &scene.raw(), &raw, error); });
+  Matrix out(scene.rows(), scene.columns(), layout_);
+  Guarded<double> room(static_cast<std::uint32_t>(out.memory().size()), layout_);
+  std::ranges::copy(out.memory(), room.data());
+  regista_matrix_room raw = out.room();
+  double* const values = std::exchange(raw.values, room.data());
+  call(
+      *host_, "score", [&](regista_error* error) { return t.score(instance_, &scene.raw(), &raw, error); },
+      [&] { room.check("utilities"); });
+  std::copy_n(room.data(), out.memory().size(), values);
   for (std::uint32_t i = 0; i < raw.rows; ++i) {
     for (std::uint32_t j = raw.columns; j < raw.stride; ++j) {
       if (out(i, j) == out(i, j)) throw CallFailed("score: wrote between the rows of its output");
@@ -243,17 +265,16 @@ bool Instance::negotiates() const {
 
 std::vector<std::int32_t> Instance::assign(const Scene& scene, Matrix utilities) {
   const auto& t = table<regista_assigner>(plugin_, REGISTA_KIND_ASSIGNER, "assigner");
-  const regista_matrix raw = utilities.raw();
-  const std::vector<double> before(utilities.memory().begin(), utilities.memory().end());
-  Guarded<std::int32_t> out(raw.rows);
+  const Strided<double> input(utilities.memory(), {0, layout_.guarded});
+  regista_matrix raw = utilities.raw();
+  raw.values = static_cast<const double*>(input.span().data);
+  Guarded<std::int32_t> out(raw.rows, layout_);
   std::fill(out.data(), out.data() + raw.rows, std::int32_t{REGISTA_NO_TASK});
   call(
       *host_, "assign",
       [&](regista_error* error) { return t.assign(instance_, &scene.raw(), &raw, out.data(), error); },
       [&] { out.check("rows"); });
-  if (!before.empty() && std::memcmp(before.data(), raw.values, before.size() * sizeof(double)) != 0) {
-    throw CallFailed("assign: wrote to the utilities");
-  }
+  if (!input.unchanged()) throw CallFailed("assign: wrote to the utilities");
   return out.take(raw.rows, "rows");
 }
 
@@ -264,13 +285,14 @@ std::uint32_t Instance::reason_count() const {
 Sent Instance::decide(const Scene& scene, std::span<const regista_event> events, std::span<const regista_offer> offers,
                       const regista_budget& budget) {
   const auto& t = table<regista_sender>(plugin_, REGISTA_KIND_SENDER, "sender");
-  const Strided<regista_event> happened(events, growth_);
-  const Strided<regista_offer> pending(offers, growth_);
-  const Grown<regista_budget> left(budget, growth_);
-  Guarded<std::uint64_t> granted(static_cast<std::uint32_t>(offers.size()));
+  const Strided<regista_event> happened(events, layout_);
+  const Strided<regista_offer> pending(offers, layout_);
+  Grown<regista_budget> left(budget, layout_);
+  left.make_read_only();
+  Guarded<std::uint64_t> granted(static_cast<std::uint32_t>(offers.size()), layout_);
   regista_send raw{};
   raw.granted = granted.data();
-  Grown<regista_send> out(raw, growth_);
+  Grown<regista_send> out(raw, layout_);
   call(
       *host_, "decide",
       [&](regista_error* error) {
@@ -288,14 +310,16 @@ Sent Instance::decide(const Scene& scene, std::span<const regista_event> events,
 
 regista_action Instance::act(const Scene& scene, const BodyBuilder& body) {
   const auto& t = table<regista_behaviour>(plugin_, REGISTA_KIND_BEHAVIOUR, "behaviour");
-  const Strided<regista_point> near(body.near(), growth_);
+  const Strided<regista_point> near(body.near(), layout_);
   regista_body raw = body.raw();
   raw.robots_near = near.span();
-  const Grown<regista_body> own(raw, growth_);
+  Grown<regista_body> own(raw, layout_);
+  own.make_read_only();
   regista_action empty{};
   empty.kick = REGISTA_NO_KICK;
-  constexpr std::uint32_t behind = 64;  // bytes that must stay as they are, beyond those that the plugin may know of
-  Grown<regista_action> out(empty, {growth_.bytes + behind});
+  // Bytes that must stay as they are, beyond those that the plugin may know of.
+  const std::uint32_t behind = layout_.guarded ? 0 : 64;
+  Grown<regista_action> out(empty, {layout_.growth + behind, layout_.guarded});
   const std::uint32_t size = out.get().size -= behind;
   call(
       *host_, "act",
@@ -331,7 +355,7 @@ std::string Instance::describe(std::span<const std::uint8_t> bytes) {
   const auto& t = table<regista_mailbox>(plugin_, REGISTA_KIND_MAILBOX, "mailbox");
   if (t.size < offsetof(regista_mailbox, describe) + sizeof t.describe || t.describe == nullptr) return {};
   constexpr std::uint32_t capacity = 64;  // less than hosts give
-  Guarded<char> text(capacity);
+  Guarded<char> text(capacity, layout_);
   text.data()[0] = '\0';
   const std::uint8_t none = 0;
   const std::uint8_t* const data = bytes.empty() ? &none : bytes.data();

@@ -9,7 +9,26 @@
 
 namespace regista::testkit {
 
-RecordingHost::RecordingHost(std::uint32_t bytes_free, Growth growth) : bytes_free_(bytes_free) {
+namespace {
+
+// What is allocated while it lives is the host's own.
+class OwnAllocations {
+ public:
+  explicit OwnAllocations(RecordingHost& host) : host_(host), before_(now()) {}
+  ~OwnAllocations() { host_.own_allocations += now() - before_; }
+  OwnAllocations(const OwnAllocations&) = delete;
+  OwnAllocations& operator=(const OwnAllocations&) = delete;
+
+ private:
+  std::size_t now() const { return host_.allocated == nullptr ? 0 : host_.allocated(); }
+  RecordingHost& host_;
+  std::size_t before_;
+};
+
+}  // namespace
+
+RecordingHost::RecordingHost(std::uint32_t bytes_free, const Layout& layout)
+    : layout_(layout), bytes_free_(bytes_free) {
   regista_host raw{};
   raw.context = this;
   raw.offer = [](void* context, const std::uint8_t* bytes, std::uint32_t count, double urgency, double expiry,
@@ -26,7 +45,9 @@ RecordingHost::RecordingHost(std::uint32_t bytes_free, Growth growth) : bytes_fr
     return static_cast<const RecordingHost*>(context)->extension(id);
   };
   log_ = {sizeof log_, 0, this, [](void* context, std::int32_t level, const char* text, std::uint32_t length) {
-            static_cast<RecordingHost*>(context)->log.push_back({level, {text, length}});
+            auto* const host = static_cast<RecordingHost*>(context);
+            const OwnAllocations own(*host);
+            host->log.push_back({level, {text, length}});
           }};
   draw_ = {sizeof draw_, 0, this, [](void*) -> std::int32_t { return 1; },
            [](void* context, const regista_shape* shape) {
@@ -35,7 +56,8 @@ RecordingHost::RecordingHost(std::uint32_t bytes_free, Growth growth) : bytes_fr
   reports_ = {sizeof reports_, 0, this, [](void* context, std::uint32_t metric, double value) {
                 static_cast<RecordingHost*>(context)->report(metric, value);
               }};
-  raw_ = Grown<regista_host>(raw, growth);
+  raw_ = Grown<regista_host>(raw, layout);
+  raw_.make_read_only();
 }
 
 const void* RecordingHost::extension(const char* id) const {
@@ -58,6 +80,7 @@ void RecordingHost::break_rule(std::string rule) {
 }
 
 void RecordingHost::draw(const regista_shape& shape) {
+  const OwnAllocations own(*this);
   ++shapes;
   if (shape.size < sizeof shape) return break_rule("drew a shape whose size field says " + std::to_string(shape.size));
   if (shape.layer == nullptr || *shape.layer == '\0') return break_rule("drew a shape that names no layer");
@@ -79,6 +102,7 @@ void RecordingHost::draw(const regista_shape& shape) {
 }
 
 void RecordingHost::report(std::uint32_t metric, double value) {
+  const OwnAllocations own(*this);
   if (metric >= metric_count_) {
     return break_rule("reported metric " + std::to_string(metric) + " of " + std::to_string(metric_count_));
   }
@@ -90,6 +114,7 @@ void RecordingHost::report(std::uint32_t metric, double value) {
 
 std::uint64_t RecordingHost::offer(const std::uint8_t* bytes, std::uint32_t count, double urgency, double expiry,
                                    std::int32_t medium, std::uint64_t replaces) {
+  const OwnAllocations own(*this);
   const bool sound =
       count <= bytes_free_ && urgency >= 0.0 && urgency <= 1.0 && medium == REGISTA_MEDIUM_RADIO && expiry > time_;
   const auto earlier = std::ranges::find_if(

@@ -36,24 +36,27 @@ std::vector<regista_task> tasks_for(std::vector<regista_task> tasks, const Showi
 struct Scene::Stored {
   struct World {
     // hides_opponents: this world's are not among what the plugin reads.
-    World(const WorldData& data, Growth growth, bool hides_opponents)
-        : robots(data.robots, growth),
-          opponents(data.opponents, growth),
-          game(data.game, growth),
-          ball(data.ball, growth) {
+    World(const WorldData& data, const Layout& layout, bool hides_opponents)
+        : robots(data.robots, layout),
+          opponents(data.opponents, layout),
+          game(data.game, layout),
+          ball(data.ball, layout) {
       if (hides_opponents) opponents.hide();
       std::vector<std::int32_t> numbers;
       for (const regista_robot& robot : data.robots) {
         if (robot.flags & REGISTA_ROBOT_ACTIVE) numbers.push_back(robot.number);
       }
-      active = Strided<std::int32_t>(numbers, growth);
+      active = Strided<std::int32_t>(numbers, layout);
       regista_world raw{};
       raw.game = &game.get();
       raw.ball = &ball.get();
       raw.robots = robots.span();
       raw.opponents = opponents.span();
       raw.active = active.span();
-      world = Grown<regista_world>(raw, growth);
+      world = Grown<regista_world>(raw, layout);
+      game.make_read_only();
+      ball.make_read_only();
+      world.make_read_only();
     }
     bool unchanged() const {
       return robots.unchanged() && opponents.unchanged() && active.unchanged() && game.unchanged() &&
@@ -69,12 +72,12 @@ struct Scene::Stored {
 
   Stored(SceneData from, const Showing& showing)
       : data(std::move(from)),
-        mine(world_for(data.mine, showing), showing.growth, hides(showing, REGISTA_READS_OPPONENTS_MINE)),
-        common(world_for(data.common, showing), showing.growth, hides(showing, REGISTA_READS_OPPONENTS_COMMON)),
-        tasks(tasks_for(data.tasks, showing), showing.growth),
-        waypoints(data.waypoints, showing.growth),
-        edges(data.edges, showing.growth),
-        previous(data.previous, showing.growth) {
+        mine(world_for(data.mine, showing), showing.layout, hides(showing, REGISTA_READS_OPPONENTS_MINE)),
+        common(world_for(data.common, showing), showing.layout, hides(showing, REGISTA_READS_OPPONENTS_COMMON)),
+        tasks(tasks_for(data.tasks, showing), showing.layout),
+        waypoints(data.waypoints, showing.layout),
+        edges(data.edges, showing.layout),
+        previous(data.previous, showing.layout) {
     if (hides(showing, REGISTA_READS_WAYPOINTS)) waypoints.hide();
     if (hides(showing, REGISTA_READS_EDGES)) edges.hide();
     if (hides(showing, REGISTA_READS_PREVIOUS)) previous.hide();
@@ -91,7 +94,8 @@ struct Scene::Stored {
     raw.edges = edges.span();
     raw.previous = previous.span();
     if (data.has_times) raw.time_to_task = fill_times(showing);
-    frame = Grown<regista_frame>(raw, showing.growth);
+    frame = Grown<regista_frame>(raw, showing.layout);
+    frame.make_read_only();
   }
   Stored(const Stored&) = delete;
   Stored& operator=(const Stored&) = delete;
@@ -100,26 +104,23 @@ struct Scene::Stored {
   regista_matrix fill_times(const Showing& showing) {
     const regista::World world(data.knowledge == REGISTA_COMMON ? common.world.get() : mine.world.get());
     const std::size_t rows = world.active().size(), columns = data.tasks.size();
-    const std::size_t stride = columns + showing.growth.bytes / sizeof(double);
-    times.assign(rows * stride, not_a_number);
+    const std::size_t stride = columns + showing.layout.growth / sizeof(double);
+    std::vector<double> values(rows * stride, not_a_number);
     for (std::size_t i = 0; i < rows; ++i) {
       const regista_robot& robot = world.robot(world.active()[i]);
       for (std::size_t j = 0; j < columns; ++j) {
         const double* to = data.tasks[j].after;
-        times[i * stride + j] =
+        values[i * stride + j] =
             std::hypot(to[0] - robot.pose[0], to[1] - robot.pose[1]) / data.walk_speed + robot.time_until_up;
       }
     }
     const bool hidden = hides(showing, REGISTA_READS_TIMES);
-    if (hidden) times.assign(times.size(), not_a_number);
-    times_built = times;
-    if (hidden) return {times.data(), 0, 0, static_cast<std::uint32_t>(stride), 0};
-    return {times.data(), static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(columns),
+    if (hidden) values.assign(values.size(), not_a_number);
+    times = Strided<double>(values, {0, showing.layout.guarded});
+    const auto* const first = static_cast<const double*>(times.span().data);
+    if (hidden) return {first, 0, 0, static_cast<std::uint32_t>(stride), 0};
+    return {first, static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(columns),
             static_cast<std::uint32_t>(stride), 0};
-  }
-  bool times_as_built() const {
-    return times.size() == times_built.size() &&
-           (times.empty() || std::memcmp(times.data(), times_built.data(), times.size() * sizeof(double)) == 0);
   }
 
   SceneData data;
@@ -128,7 +129,7 @@ struct Scene::Stored {
   Strided<regista_waypoint> waypoints;
   Strided<regista_edge> edges;
   Strided<std::int32_t> previous;
-  std::vector<double> times, times_built;
+  Strided<double> times;
   Grown<regista_frame> frame;
 };
 
@@ -167,7 +168,7 @@ Scene Scene::before_tasks() const {
 bool Scene::unchanged() const {
   const Stored& s = *stored_;
   return s.mine.unchanged() && s.common.unchanged() && s.tasks.unchanged() && s.waypoints.unchanged() &&
-         s.edges.unchanged() && s.previous.unchanged() && s.times_as_built() && s.frame.unchanged();
+         s.edges.unchanged() && s.previous.unchanged() && s.times.unchanged() && s.frame.unchanged();
 }
 
 }  // namespace regista::testkit

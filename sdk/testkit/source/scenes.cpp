@@ -15,7 +15,7 @@ namespace {
 
 class SceneRow {
  public:
-  explicit SceneRow(int team_size) : size_(team_size), own_(std::min(2, team_size)) {}
+  explicit SceneRow(int team_size) : size_(team_size), own_(own_number(team_size)) {}
 
   std::vector<Scene> take() { return std::move(scenes_); }
 
@@ -78,7 +78,7 @@ void add_formations(SceneRow& c) {
   c.add("none active", SceneRow::tasks(c.empty(), 4).ball(0, 0));
   c.add("nothing at all", c.empty().no_ball());
   c.add("one robot", SceneRow::tasks(c.empty().robot(c.size()).at(-1, 1), 3).ball(1, 0));
-  c.add("the own robot alone", SceneRow::opponents(SceneRow::tasks(c.empty().robot(std::min(2, c.size())), 3), 3));
+  c.add("the own robot alone", SceneRow::opponents(SceneRow::tasks(c.empty().robot(own_number(c.size())), 3), 3));
   const auto at_centre = [](int) { return std::pair(0.0, 0.0); };
   const auto in_line = [](int n) { return std::pair(-4.0 + n, 0.0); };
   c.add("all robots at one place", SceneRow::tasks(c.robots(c.empty(), at_centre), c.size()).ball(0, 0));
@@ -123,8 +123,9 @@ void add_opponents(SceneRow& c) {
   FrameBuilder circle = SceneRow::tasks(c.spread(), 5).ball(1, 1);
   for (const double s : {-1.0, 1.0}) circle.opponent(1.0 + s, 0).opponent(1.0, s).opponent(1.0 + 0.6 * s, 0.8 * s);
   c.add("opponents on a circle", circle);
-  c.add("opponents at the posts and the halfway line's ends",
-        SceneRow::tasks(c.spread(), 5).opponent(4.5, 0.8).opponent(4.5, -0.8).opponent(0, 3).opponent(0, -3).ball(0, 0));
+  c.add(
+      "opponents at the posts and the halfway line's ends",
+      SceneRow::tasks(c.spread(), 5).opponent(4.5, 0.8).opponent(4.5, -0.8).opponent(0, 3).opponent(0, -3).ball(0, 0));
   c.add("unlikely, old opponents",
         SceneRow::tasks(c.spread(), 5).opponent(1, 1).weight(1e-9).age(1e6).opponent(-1, 2).weight(0.5).age(1e3));
 }
@@ -178,8 +179,8 @@ void add_absurd(SceneRow& c) {
         c.usual().common([](WorldBuilder& w) { w.no_ball().opponent(2.5, 2.5).robot(1).age(2.0); }));
 }
 
-void add_chance(SceneRow& c) {
-  Dice dice(static_cast<std::uint64_t>(c.size()));
+void add_chance(SceneRow& c, std::uint64_t seed) {
+  Dice dice = Dice::with(seed, static_cast<std::uint64_t>(c.size()));
   for (int k = 0; k < 12; ++k) {
     FrameBuilder scene = c.empty();
     for (int n = 1; n <= c.size(); ++n) {
@@ -206,14 +207,14 @@ void add_chance(SceneRow& c) {
 
 }  // namespace
 
-std::vector<Scene> scenes(int team_size) {
+std::vector<Scene> scenes(int team_size, std::uint64_t seed) {
   SceneRow course(team_size);
   add_formations(course);
   add_tasks(course);
   add_opponents(course);
   add_ball_and_game(course);
   add_absurd(course);
-  add_chance(course);
+  add_chance(course, seed);
   return course.take();
 }
 

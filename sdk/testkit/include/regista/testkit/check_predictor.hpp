@@ -20,7 +20,7 @@ bool tells_track_at(const Loaded& plugin);
 
 }  // namespace detail
 
-std::vector<Course> predictor_courses(const Loaded& plugin);
+std::vector<Course> predictor_courses(const Loaded& plugin, const Options& options);
 
 // While nothing is measured the own pose does not become surer: not standing, and not walking straight ahead after it
 // was placed. (Elsewhere a walk back along a known error may make the position, but not the pose, surer.)

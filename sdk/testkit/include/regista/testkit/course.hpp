@@ -84,6 +84,10 @@ Findings check_determinism(const Loaded& plugin, const Options& options, const s
 // Larger elements and structs, as of a host of a later minor version, change nothing.
 Findings check_growth(const Loaded& plugin, const Options& options, const std::vector<Course>& courses);
 
+// Everything that a plugin is given stands on pages of its own, what it may only read on read-only ones: whoever goes
+// beyond ends the process with a fault, after a line on standard error. With default parameters alone.
+Findings check_memory(const Loaded& plugin, const Options& options, const std::vector<Course>& courses);
+
 // What a plugin does not declare to read may be missing: that changes nothing.
 Findings check_reads(const Loaded& plugin, const Options& options, const std::vector<Course>& courses);
 

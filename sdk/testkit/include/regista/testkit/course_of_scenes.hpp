@@ -11,8 +11,8 @@
 
 namespace regista::testkit {
 
-// For a team of `size`, of which this is robot 2. play(instance, scene, index, findings, trail): one step, in which the
-// scene may be of a later host or show less. call: what the step calls, for findings.
+// For a team of `size`, of which this is robot own_number(size). play(instance, scene, index, findings, trail): one
+// step, in which the scene may be of a later host or show less. call: what the step calls, for findings.
 Course course_of_scenes(int size, const char* call, const std::vector<Scene>& course,
                         const std::function<void(Instance&, const Scene&, std::size_t, Findings&, Trail&)>& play);
 

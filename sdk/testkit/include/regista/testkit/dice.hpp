@@ -10,6 +10,8 @@ namespace regista::testkit {
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : state_(seed) {}
+  // Other chances for the same thing, by a seed that an author may choose; 0 changes nothing.
+  static Dice with(std::uint64_t seed, std::uint64_t what) { return Dice(what + 0x2545f4914f6cdd1du * seed); }
   std::uint64_t bits() {
     state_ += 0x9e3779b97f4a7c15u;
     std::uint64_t z = state_;

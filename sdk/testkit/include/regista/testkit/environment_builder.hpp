@@ -52,7 +52,7 @@ class EnvironmentBuilder {
   // For what no function above names.
   regista_environment& raw() { return e_; }
 
-  Setting build(Growth growth = {}) const;
+  Setting build(const Layout& layout = {}) const;
 
  private:
   struct RoleRow {

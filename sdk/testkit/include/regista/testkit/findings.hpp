@@ -3,14 +3,22 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace regista::testkit {
 
 class Findings {
  public:
+  // Hears of each place before it is played: what says so when a plugin takes the process with it.
+  using Underway = std::function<void(const std::string& corner, const std::string& scene)>;
+
+  Findings() = default;
+  explicit Findings(Underway underway) : underway_(std::move(underway)) {}
+
   // Texts before every finding that follows: which parameters, which scene.
   void where(std::string corner, std::string scene);
   // The same text is kept once, with the first place where it was seen.
@@ -37,6 +45,7 @@ class Findings {
 
   static constexpr std::size_t most = 20;
   std::vector<std::string> lines_, seen_, remarks_;
+  Underway underway_;
   std::string corner_, scene_;
   std::size_t left_out_ = 0;
 };

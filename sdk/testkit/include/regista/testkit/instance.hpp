@@ -29,7 +29,7 @@ struct CallFailed : std::runtime_error {
 // Robots x tasks in memory of its own.
 class Matrix {
  public:
-  Matrix(std::uint32_t rows, std::uint32_t columns, Growth growth = {});
+  Matrix(std::uint32_t rows, std::uint32_t columns, const Layout& layout = {});
   double& operator()(std::size_t row, std::size_t column) { return values_.at(row * stride_ + column); }
   double operator()(std::size_t row, std::size_t column) const { return values_.at(row * stride_ + column); }
   std::uint32_t rows() const { return rows_; }
@@ -63,7 +63,8 @@ struct Capacity {
 class Instance {
  public:
   // Creates and resets with seed 1.
-  Instance(const Loaded& plugin, const EnvironmentBuilder& environment, const Values& values, Growth growth = {});
+  Instance(const Loaded& plugin, const EnvironmentBuilder& environment, const Values& values,
+           const Layout& layout = {});
   Instance(const Loaded& plugin, const EnvironmentBuilder& environment);
   ~Instance();
   Instance(const Instance&) = delete;
@@ -111,7 +112,7 @@ class Instance {
 
  private:
   Loaded plugin_;
-  Growth growth_;
+  Layout layout_;
   Setting setting_;
   std::unique_ptr<RecordingHost> host_;
   void* instance_ = nullptr;

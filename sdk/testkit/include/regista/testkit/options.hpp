@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 
+#include <regista/testkit/findings.hpp>
 #include <regista/testkit/loaded.hpp>
 
 namespace regista::testkit {
@@ -18,6 +19,8 @@ struct Options {
   bool may_idle = false;
   // Of whatever the checks draw by chance. A finding is found again with the same seed.
   std::uint64_t seed = 0;
+  // Is told what is about to be played.
+  Findings::Underway underway{};
 };
 
 }  // namespace regista::testkit

@@ -29,10 +29,11 @@ class RecordingHost {
     bool waits() const { return !withdrawn && !replaced; }
   };
 
-  explicit RecordingHost(std::uint32_t bytes_free = 64, Growth growth = {});
+  explicit RecordingHost(std::uint32_t bytes_free = 64, const Layout& layout = {});
   RecordingHost(const RecordingHost&) = delete;
   RecordingHost& operator=(const RecordingHost&) = delete;
 
+  const Layout& layout() const { return layout_; }
   const regista_host* raw() const { return &raw_.get(); }
   void set_bytes_free(std::uint32_t bytes) { bytes_free_ = bytes; }
   // Match time, against which an offer may be expired already.
@@ -58,8 +59,16 @@ class RecordingHost {
     double value;
   };
   std::vector<Report> reports;
-  // Seconds that calls of the instance took, by name of the call; where somebody wants to know.
-  std::map<std::string, std::vector<double>>* call_seconds = nullptr;
+  // What each call of the instance took, by name of the call; where somebody wants to know.
+  struct CallCosts {
+    std::vector<double> seconds;
+    std::vector<std::size_t> allocations;  // by operator new; empty where they are not counted
+  };
+  std::map<std::string, CallCosts>* costs = nullptr;
+  // How often this process has allocated by operator new; null where nobody counts.
+  std::size_t (*allocated)() = nullptr;
+  // Of these, what this host itself allocated when the instance called it.
+  std::size_t own_allocations = 0;
 
  private:
   std::uint64_t offer(const std::uint8_t* bytes, std::uint32_t count, double urgency, double expiry,
@@ -70,6 +79,7 @@ class RecordingHost {
   void report(std::uint32_t metric, double value);
   void break_rule(std::string rule);
 
+  Layout layout_;
   Grown<regista_host> raw_;
   regista_log log_{};
   regista_draw draw_{};

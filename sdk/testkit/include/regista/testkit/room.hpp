@@ -18,19 +18,20 @@ template <class T>
 class WritableRoom {
  public:
   // An element that nobody wrote is all 0xFF: a double in it is NaN.
-  explicit WritableRoom(std::uint32_t capacity, Growth growth = {})
+  explicit WritableRoom(std::uint32_t capacity, const Layout& layout = {})
       : capacity_(capacity),
-        stride_(static_cast<std::uint32_t>(sizeof(T)) + growth.bytes),
-        words_(detail::words((std::size_t{capacity} + behind) * stride_)) {
+        stride_(static_cast<std::uint32_t>(sizeof(T)) + layout.growth),
+        behind_(layout.guarded ? 0 : 4),
+        memory_((std::size_t{capacity} + behind_) * stride_, layout) {
     for (std::uint32_t i = 0; i < capacity_; ++i) std::memset(at(i) + sizeof(T), 0, stride_ - sizeof(T));
   }
   // Valid as long as *this stays where it is.
-  regista_room raw() { return {words_.data(), capacity_, 0, stride_, 0}; }
+  regista_room raw() { return {memory_.data(), capacity_, 0, stride_, 0}; }
 
   // What is wrong with the memory around the elements and with `written`, the room that the plugin has filled.
   std::optional<std::string> damage(const regista_room& written, const char* what) const {
     const std::string name = std::string(what) + ": ";
-    if (written.data != words_.data() || written.capacity != capacity_ || written.stride != stride_ ||
+    if (written.data != memory_.data() || written.capacity != capacity_ || written.stride != stride_ ||
         written.reserved != 0) {
       return name + "changed more of its room than the count";
     }
@@ -39,7 +40,7 @@ class WritableRoom {
         if (at(i)[k] != 0) return name + "wrote behind an element: step by stride, not by sizeof";
       }
     }
-    for (std::size_t k = 0; k < behind * stride_; ++k) {
+    for (std::size_t k = 0; k < behind_ * stride_; ++k) {
       if (at(capacity_)[k] != 0xff) return name + "wrote past the capacity of " + std::to_string(capacity_);
     }
     if (written.count > capacity_) {
@@ -56,15 +57,15 @@ class WritableRoom {
 
  private:
   unsigned char* at(std::uint32_t index) {
-    return reinterpret_cast<unsigned char*>(words_.data()) + std::size_t{index} * stride_;
+    return reinterpret_cast<unsigned char*>(memory_.data()) + std::size_t{index} * stride_;
   }
   const unsigned char* at(std::uint32_t index) const {
-    return reinterpret_cast<const unsigned char*>(words_.data()) + std::size_t{index} * stride_;
+    return reinterpret_cast<const unsigned char*>(memory_.data()) + std::size_t{index} * stride_;
   }
 
-  static constexpr std::size_t behind = 4;
   std::uint32_t capacity_, stride_;
-  std::vector<std::uint64_t> words_;
+  std::size_t behind_;  // elements of memory that nobody may touch, where there is no guard
+  Memory memory_;
 };
 
 }  // namespace regista::testkit

@@ -39,7 +39,7 @@ struct SceneData {
 // How a host shows a scene: how much longer its structs and elements are, and to a plugin that declares which reads.
 // Parts that are not among them are empty, with NaN where they were, and single numbers of them are NaN.
 struct Showing {
-  Growth growth;
+  Layout layout;
   std::uint32_t reads = REGISTA_READS_ALL;
 };
 
@@ -60,7 +60,7 @@ class Scene {
   // The same scene from another host, or to another plugin.
   Scene shown(const Showing& showing) const;
   // The same scene from a host of a later minor version.
-  Scene grown(Growth growth) const { return shown({growth, REGISTA_READS_ALL}); }
+  Scene grown(Layout layout) const { return shown({layout, REGISTA_READS_ALL}); }
   // What a positioner is shown of it: no waypoints, no times yet.
   Scene before_placing() const;
   // What a context is shown of it: no tasks either.

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "check/file_checks.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <regista/abi.h>
+
+#include "config/text.hpp"
+
+namespace regista::check {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Calls that no sound plugin needs: chance comes from reset() and time from the frame, and the process is the host's.
+struct Suspect {
+  std::string_view name, why;
+};
+constexpr std::array suspects{
+    Suspect{"rand", "chance comes from the seed of reset()"},
+    Suspect{"srand", "chance comes from the seed of reset()"},
+    Suspect{"random", "chance comes from the seed of reset()"},
+    Suspect{"srandom", "chance comes from the seed of reset()"},
+    Suspect{"drand48", "chance comes from the seed of reset()"},
+    Suspect{"getrandom", "chance comes from the seed of reset()"},
+    Suspect{"getentropy", "chance comes from the seed of reset()"},
+    Suspect{"arc4random", "chance comes from the seed of reset()"},
+    Suspect{"_ZNSt13random_device9_M_getvalEv", "std::random_device: chance comes from the seed of reset()"},
+    Suspect{"time", "time comes from the frame"},
+    Suspect{"clock", "time comes from the frame"},
+    Suspect{"gettimeofday", "time comes from the frame"},
+    Suspect{"clock_gettime", "time comes from the frame"},
+    Suspect{"_ZNSt6chrono3_V212system_clock3nowEv", "std::chrono::system_clock: time comes from the frame"},
+    Suspect{"_ZNSt6chrono3_V212steady_clock3nowEv", "std::chrono::steady_clock: time comes from the frame"},
+    Suspect{"nanosleep", "a call must not wait"},
+    Suspect{"sleep", "a call must not wait"},
+    Suspect{"usleep", "a call must not wait"},
+    Suspect{"fork", "the process is the host's"},
+    Suspect{"vfork", "the process is the host's"},
+    Suspect{"system", "the process is the host's"},
+    Suspect{"popen", "the process is the host's"},
+    Suspect{"execve", "the process is the host's"},
+    Suspect{"exit", "the process is the host's"},
+    Suspect{"_exit", "the process is the host's"},
+    Suspect{"pthread_create", "plugins start no threads"},
+    Suspect{"_ZNSt6thread15_M_start_threadESt10unique_ptrINS_6_StateESt14default_deleteIS1_EEPFvvE",
+            "std::thread: plugins start no threads"},
+    Suspect{"signal", "handlers of signals are the host's"},
+    Suspect{"sigaction", "handlers of signals are the host's"},
+    Suspect{"setitimer", "timers are the host's"},
+    Suspect{"alarm", "timers are the host's"},
+    Suspect{"timer_create", "timers are the host's"},
+    Suspect{"setlocale", "the locale is the host's"},
+    Suspect{"chdir", "the working folder is the host's"},
+    Suspect{"fesetround", "how numbers are rounded is the host's"},
+    Suspect{"fesetenv", "how numbers are rounded is the host's"},
+    Suspect{"socket", "a plugin talks to its teammates through its mailbox alone"},
+    Suspect{"connect", "a plugin talks to its teammates through its mailbox alone"},
+};
+
+using Entry = decltype(&regista_plugin_entry);
+
+Entry entry_of(const fs::path& file) {
+  void* const handle = ::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  return handle == nullptr ? nullptr : reinterpret_cast<Entry>(::dlsym(handle, REGISTA_ENTRY_NAME));
+}
+
+}  // namespace
+
+Outcome exports_of(const ObjectFile& object) {
+  std::vector<std::string> others = object.exports;
+  if (std::erase(others, REGISTA_ENTRY_NAME) == 0) {
+    return {Status::fail, {"is no Regista plugin: it does not export " REGISTA_ENTRY_NAME}};
+  }
+  if (others.empty()) return {};
+  const std::size_t shown = std::min<std::size_t>(others.size(), 5);
+  std::string line =
+      fmt::format("exports {} beside " REGISTA_ENTRY_NAME ": {}", config::counted(others.size(), "symbol", "symbols"),
+                  fmt::join(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
+  if (shown < others.size()) line += ", ...";
+  return {Status::fail,
+          {std::move(line),
+           "others may take its symbols for their own: link it with a version script, as "
+           "regista_add_plugin does"}};
+}
+
+Outcome relocations_of(const ObjectFile& object) {
+  if (!object.text_relocations) return {};
+  return {Status::warn, {"its code is changed when it is loaded: compile it with -fPIC"}};
+}
+
+Outcome imports_of(const ObjectFile& object) {
+  Outcome out;
+  for (const Suspect& each : suspects) {
+    if (!std::ranges::binary_search(object.imports, each.name)) continue;
+    out.status = Status::warn;
+    out.lines.push_back(fmt::format("calls {}: {}", each.name, each.why));
+  }
+  return out;
+}
+
+Outcome shake_hands(const fs::path& file, std::uint32_t plugins) {
+  const Entry entry = entry_of(file);
+  if (entry == nullptr) return {Status::fail, {"cannot be opened"}};
+  struct Version {
+    std::uint32_t major, minor;
+  };
+  constexpr std::uint32_t largest = ~0u;
+  constexpr std::array versions{Version{REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR}, Version{0, 0}, Version{1, 0},
+                                Version{largest, largest}};
+  const auto own = [&](std::uint32_t index) { return entry(REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR, index); };
+  for (const Version& version : versions) {
+    const auto host = fmt::format("a host that speaks {}.{}", version.major, version.minor);
+    for (std::uint32_t i = 0; i < plugins; ++i) {
+      if (entry(version.major, version.minor, i) != own(i)) {
+        return {Status::fail,
+                {fmt::format("gives {} another answer for descriptor {}: what fits is the host's to decide", host, i)}};
+      }
+    }
+    for (const std::uint32_t beyond : {plugins, plugins + 1, plugins + 1000, largest}) {
+      if (entry(version.major, version.minor, beyond) != nullptr) {
+        return {Status::fail, {fmt::format("gives {} a descriptor {} though it has {}", host, beyond, plugins)}};
+      }
+    }
+  }
+  return {};
+}
+
+Outcome end_after_opening(const fs::path& file) {
+  const pid_t child = ::fork();
+  if (child == -1) throw std::system_error(errno, std::generic_category(), "cannot start a process for a check");
+  if (child == 0) {
+    entry_of(file);
+    std::exit(0);  // with all that is to be run at the end of a process
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) == -1 && errno == EINTR) {
+  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
+  if (WIFSIGNALED(status))
+    return {Status::fail, {fmt::format("the process ends by {}", ::strsignal(WTERMSIG(status)))}};
+  return {Status::fail, {fmt::format("the process ends with exit code {}", WEXITSTATUS(status))}};
+}
+
+}  // namespace regista::check
