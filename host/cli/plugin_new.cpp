@@ -11,6 +11,8 @@
 #include <system_error>
 #include <vector>
 
+#include <regista/abi.h>
+
 #include "cli/commands.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/plugin_name.hpp"
@@ -123,6 +125,7 @@ int make(const PluginNewOptions& options, const Invocation& invocation) {
                                                                   {"PLUGIN", config::flow_text(options.name, false)},
                                                                   {"PAPER", config::flow_text(paper.string(), true)},
                                                                   {"HINTS", sdk.hints},
+                                                                  {"INTERFACE", fmt::format("{}.{}", REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR)},
                                                                   {"COMMANDS", commands}});
   const fs::path folder = fs::path(options.folder) / options.name;
   output::write_new_folder(folder, files);

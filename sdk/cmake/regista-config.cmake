@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# find_package(regista): what a plugin needs that is built outside of Regista's own tree.
+# find_package(regista 0.2): what a plugin needs that is built outside of Regista's own tree. The version is that of the
+# plugin interface, <regista/abi.h>; another one than the program's is not found.
 #
 #   regista::sdk            the headers <regista/...>
 #   regista::testkit        the contract suites for tests, compiled in the author's build (needs GoogleTest and C++).

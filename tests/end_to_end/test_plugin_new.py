@@ -55,7 +55,7 @@ class New(program.Case):
                 plugin = texts["plugin.cpp" if language == "c++" else "plugin.c"]
                 self.assertEqual(plugin.count(f'id = "{name}"'), 1)
                 self.assertIn(f"project({name} LANGUAGES {'CXX' if language == 'c++' else 'C'})", texts["CMakeLists.txt"])
-                self.assertIn(f'find_package(regista REQUIRED HINTS "{self.folder}")', texts["CMakeLists.txt"])
+                self.assertIn(f'find_package(regista 0.2 REQUIRED HINTS "{self.folder}")', texts["CMakeLists.txt"])
                 self.assertIn("plugin check $<TARGET_FILE:" + name, texts["CMakeLists.txt"])
                 self.assertIn(f"extends: \"{self.folder}/share/regista/configs/teams/paper.yaml\"\n", texts["team.yaml"])
                 self.assertRegex(texts["team.yaml"], rf"(plugin|behaviour): {name}\b")
@@ -84,7 +84,7 @@ class New(program.Case):
         said = self.new("sender", "one")
         self.assertIn(f"  cmake --install {self.folder} --prefix ~/regista --component sdk\n"
                       "  cmake -B build -DCMAKE_PREFIX_PATH=$HOME/regista && cmake --build build\n", said)
-        self.assertIn("find_package(regista REQUIRED)", (self.work / "one" / "CMakeLists.txt").read_text())
+        self.assertIn("find_package(regista 0.2 REQUIRED)", (self.work / "one" / "CMakeLists.txt").read_text())
 
     def test_a_program_in_a_strange_place(self):
         home = self.folder / "it's \"my\" $HOME"

@@ -150,14 +150,14 @@ class Packages(unittest.TestCase):
         self.plays_with(build / "best_pair_first.so")
 
     def test_examples(self):
-        """The examples of the extensions build as they were installed."""
+        """The examples build as they were installed."""
         self.install(self.program, self.sdk)
         build = self.work / "examples"
         root.output(os.environ["CMAKE"], "-S", self.root.path / "usr/share/regista/examples", "-B", build, "-G",
                     os.environ["CMAKE_GENERATOR"], f"-DCMAKE_CXX_COMPILER={os.environ['CXX']}",
                     f"-DCMAKE_PREFIX_PATH={self.root.path}/usr")
         root.output(os.environ["CMAKE"], "--build", build)
-        self.assertEqual({file.stem for file in build.glob("*.so")}, {"log_ball", "draw_ways", "count_crossings"})
+        self.assertEqual({file.stem for file in build.glob("*.so")}, {"log_ball", "draw_ways", "count_crossings", "claim_tasks"})
 
     def test_new_plugin_without_cmake(self):
         if not shutil.which("pkg-config"):
@@ -168,7 +168,8 @@ class Packages(unittest.TestCase):
         def says(*what):
             return root.output("pkg-config", *what, "regista", env=found).split()
 
-        self.assertEqual(says("--modversion"), [VERSION])
+        interface = re.findall(r"#define REGISTA_ABI_M\w+ (\d+)u", (SOURCE / "sdk/include/regista/abi.h").read_text())
+        self.assertEqual(says("--modversion"), [".".join(interface)])
         plugin = self.work / "best_pair_first.so"
         root.output(os.environ["CXX"], "-std=c++20", "-O2", *says("--cflags"), *says("--variable=plugin_compile"),
                     self.made_plugin() / "plugin.cpp", *says("--variable=plugin_link"), "-o", plugin)

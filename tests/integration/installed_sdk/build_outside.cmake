@@ -33,3 +33,13 @@ run(${CMAKE_COMMAND} --build ${project}/build)
 file(GLOB plugins ${project}/build/plugins/*.so)
 run(${python} ${source}/tests/architecture/exported_symbols.py ${plugins})
 run(${CMAKE_CTEST_COMMAND} --test-dir ${project}/build --no-tests=error --output-on-failure)
+
+# Who asks for another version of the plugin interface than the installed one is told so, and by name.
+file(WRITE ${work}/later/CMakeLists.txt
+  "cmake_minimum_required(VERSION 3.25)\nproject(later C)\nfind_package(regista 99.0 REQUIRED)\n")
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${work}/later -B ${work}/later/build -G ${generator}
+  -D CMAKE_C_COMPILER=${c_compiler} -D CMAKE_PREFIX_PATH=${prefix}
+  RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE output)
+if(status EQUAL 0 OR NOT output MATCHES "requested version \"99.0\"" OR NOT output MATCHES "regista-config.cmake, version: [0-9.]+")
+  message(FATAL_ERROR "an interface of version 99.0 was asked for, and CMake ended with ${status}:\n${output}")
+endif()
