@@ -111,17 +111,20 @@ class FileCheck {
 
   Report run() {
     const ObjectFile object = read_object(file_);
+    const bool is_plugin = std::ranges::binary_search(object.exports, REGISTA_ENTRY_NAME);
+    plugin::Surveyed surveyed;
+    if (object.wrong.empty() && is_plugin) {
+      surveyed = std::move(plugin::survey(std::array{file_}).front());
+      if (surveyed.refusal.empty()) refuse_bad_input(surveyed);  // before anything is told
+    }
     here("object", "is a shared object of this machine", [&] {
       return object.wrong.empty() ? Outcome{} : Outcome{Status::fail, {object.wrong}};
     });
     if (!object.wrong.empty()) return std::move(report_);
     here("exports", "exports the entry point and nothing else", [&] { return exports_of(object); });
-    if (!std::ranges::binary_search(object.exports, REGISTA_ENTRY_NAME)) return std::move(report_);
+    if (!is_plugin) return std::move(report_);
     here("relocations", "its code can be shared between processes", [&] { return relocations_of(object); });
     here("imports", "calls nothing that sound plugins do not need", [&] { return imports_of(object); });
-    plugin::Surveyed surveyed;
-    const std::array files{file_};
-    surveyed = std::move(plugin::survey(files).front());
     here("open", "can be opened, and declares plugins of this interface", [&]() -> Outcome {
       if (!surveyed.refusal.empty()) return {Status::fail, {surveyed.refusal}};
       if (!surveyed.remark.empty()) return {Status::warn, {surveyed.remark}};
@@ -131,12 +134,25 @@ class FileCheck {
     const auto count = static_cast<std::uint32_t>(surveyed.plugins.size());
     apart("hand_shake", "gives every host the same answers", [&] { return shake_hands(file_, count); });
     apart("ending", "lets a process end that has opened it", [&] { return end_after_opening(file_); });
-    take_parameters(surveyed);
-    for (const auto& each : surveyed.plugins) check_plugin(*each);
+    for (const auto& each : surveyed.plugins) {
+      if (is_named(options_.plugins, each->declared().id)) check_plugin(*each);
+    }
     return std::move(report_);
   }
 
  private:
+  static bool is_named(const std::vector<std::string>& names, std::string_view id) {
+    return names.empty() || std::ranges::find(names, id) != names.end();
+  }
+  // Of what was asked, what this file does not have.
+  void refuse_bad_input(const plugin::Surveyed& surveyed) {
+    std::vector<std::string> known;
+    for (const auto& each : surveyed.plugins) known.emplace_back(each->declared().id);
+    for (const std::string& each : options_.plugins) {
+      if (!is_named(known, each)) throw config::BadInput(config::unknown("plugin", each, report_.file, known));
+    }
+    take_parameters(surveyed);
+  }
   void take_parameters(const plugin::Surveyed& surveyed) {
     std::vector<std::string> known;
     for (const auto& each : surveyed.plugins) {

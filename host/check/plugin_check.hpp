@@ -18,7 +18,8 @@
 namespace regista::check {
 
 struct Options {
-  std::vector<std::string> only;  // checks or groups of them; empty: all
+  std::vector<std::string> only;     // checks or groups of them; empty: all
+  std::vector<std::string> plugins;  // ids of those of the file that are checked; empty: all
   // Values of the plugin's parameters, as text; of a file its path.
   std::vector<std::pair<std::string, std::string>> parameters;
   std::map<std::string, std::string> files;  // content of those that are files; check_file() reads them
@@ -31,8 +32,8 @@ struct Options {
 // What can be checked of the plugins of a file: names for `only`.
 std::vector<std::string> known_checks();
 
-// told: each verdict as soon as there is one; may be empty. Throws config::BadInput for an unknown name in `only` or a
-// parameter that no plugin of the file has, and for a file that does not exist.
+// told: each verdict as soon as there is one; may be empty. Throws config::BadInput for an unknown name in `only`, for
+// a plugin or parameter that the file does not have, and for a file that does not exist.
 Report check_file(const std::filesystem::path& file, const Options& options,
                   const std::function<void(const Verdict&)>& told);
 

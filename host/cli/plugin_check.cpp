@@ -35,7 +35,7 @@ the check died or had to be ended; skip: nothing to check.
 Exit codes: 0 no check failed or crashed; 1 one did; 2 bad input; 3 a defect of Regista.)";
 
 struct PluginCheckOptions {
-  std::vector<std::string> files, only, parameters;
+  std::vector<std::string> files, only, plugins, parameters;
   std::string processor_seconds = "20", seed = "0";
   bool may_idle = false, in_process = false, json = false;
 };
@@ -43,6 +43,7 @@ struct PluginCheckOptions {
 check::Options options_of(const PluginCheckOptions& options) {
   check::Options out;
   out.only = options.only;
+  out.plugins = options.plugins;
   out.may_idle = options.may_idle;
   out.in_process = options.in_process;
   out.seed = static_cast<std::uint64_t>(config::parse_whole("--seed", options.seed, 0, 1'000'000'000));
@@ -121,6 +122,7 @@ void add_plugin_check(Command& parent) {
   command.take("files", options->files, "FILE.so", "shared objects", Reads::data);
   command.take("--only", options->only, "CHECK",
                "this check alone, or all of a kind or a name (assigner, promises); may be repeated");
+  command.take("--plugin", options->plugins, "ID", "this plugin of the file alone; may be repeated");
   command.take("--set", options->parameters, "NAME=VALUE", "a parameter of the plugin; may be repeated");
   command.flag("--may-idle", options->may_idle, "an assigner may leave a robot without a task that it could do");
   command.take("--processor-seconds", options->processor_seconds, "SECONDS", "processor time of one check; default 20");

@@ -127,6 +127,8 @@ class Files(PluginCheck):
         self.assertEqual(self.refused("plugin", "check", "nobody.so"), "nobody.so: no such file")
         self.assertIn('unknown check "promise" in --only; nearest: "promises"',
                       self.refused("plugin", "check", SHIPPED / "greedy.so", "--only", "promise"))
+        self.assertEqual(self.refused("plugin", "check", SHIPPED / "greedy.so", "--plugin", "gredy"),
+                         f'unknown plugin "gredy" in {SHIPPED / "greedy.so"}; nearest: "greedy"; known: greedy')
         self.assertEqual(self.refused("plugin", "check", SHIPPED / "greedy.so", "--set", "reach"),
                          '--set "reach": expected NAME=VALUE')
 
@@ -166,12 +168,51 @@ class Faults(PluginCheck):
 
     def test_what_ends_or_holds_the_process(self):
         found = self.found(PLUGINS / "hangs" / "hangs.so", "--processor-seconds", "1")
-        self.assertEqual(found["context.promises"], ("crash", ["took more than 1 s of processor time"]))
+        self.assertEqual(found["context.promises"],
+                         ("crash", ["took more than 1 s of processor time", "at: defaults; 3 robots: usual"]))
         self.assertNotIn("context.growth", found, "nobody waits twice")
         checks = self.check(PLUGINS / "deaths" / "deaths.so", "--only", "promises", "--processor-seconds", "1", code=1)
         crashed = {check["plugin"]: check["lines"][0] for check in checks if check["status"] == "crash"}
         self.assertIn("Segmentation fault" if not program.SANITIZED else "ended the process", " ".join(crashed.values()))
         self.assertGreater(len(crashed), 2)
+
+    def of(self, file, plugin, *arguments, code):
+        """The one check of the one plugin of a file."""
+        checks = self.check(PLUGINS / file, "--plugin", plugin, *arguments, code=code)
+        (found,) = [check for check in checks if check["plugin"] == plugin]
+        return found["status"], found["lines"]
+
+    def test_of_memory(self):
+        bad = "contract/contract_bad_assigners.so"
+        for plugin, reason in (("reads_behind", "the plugin went behind the end of what it was given"),
+                               ("scribbles_tasks", "the plugin wrote to what it may only read")):
+            status, lines = self.of(bad, plugin, "--only", "memory", code=1)
+            self.assertEqual(status, "crash")
+            self.assertRegex(lines[1], "^at: 3 robots: ")  # in which scene
+            if not program.SANITIZED:
+                self.assertEqual((lines[0], lines[2]), ("Segmentation fault", f"it wrote: {reason}"))
+
+    def test_of_negotiations(self):
+        negotiations = "contract/contract_negotiations.so"
+        status, lines = self.of(negotiations, "consensus_auction", "--only", "rehearsal", code=0)
+        self.assertEqual(status, "pass")
+        for line, loss in zip(lines, (0, 30, 60), strict=True):
+            self.assertRegex(line, rf"^{loss} % of the packets lost: they agree after [\d.]+ s \(median\) and [\d.]+ s "
+                                   r"\(longest\), and a robot says [\d.]+ bytes a second$")
+        for plugin in ("counts_columns", "falls_silent"):
+            status, failed = self.of(negotiations, plugin, "--only", "rehearsal", code=1)
+            self.assertEqual(status, "fail")
+            self.assertRegex(failed[0], r"^no agreement within 20\.0 s: .* \(0 % of the packets lost, 3 robots; ")
+        # Another seed plays another rehearsal, and the same seed the same.
+        with_seed = ("--only", "rehearsal", "--seed", "7")
+        again = self.of(negotiations, "consensus_auction", *with_seed, code=0)
+        self.assertNotEqual(again[1], lines)
+        self.assertEqual(self.of(negotiations, "consensus_auction", *with_seed, code=0), again)
+
+    def test_what_a_call_costs(self):
+        lines = self.of("contract/contract_negotiations.so", "consensus_auction", "--only", "cost", code=0)[1]
+        counted = "" if program.SANITIZED else r", 0\.0 allocations a call"
+        self.assertRegex(lines[0], rf"^assign: half of the calls within [\d.]+ us, 99 % within [\d.]+ us{counted} \(\d+ calls\)$")
 
     def test_what_it_leaves_behind(self):
         found = self.found(PLUGINS / "threads" / "threads.so", "--only", "promises", "--only", "imports")

@@ -87,7 +87,7 @@ void Memory::Pages::allow(Access allowed) {
 }
 
 Memory::Memory(std::size_t bytes, const Layout& layout) : count_((bytes + 7) / 8) {
-  if (layout.guarded && count_ > 0) {
+  if (layout.guarded) {
     pages_ = std::make_unique<Pages>(count_);
   } else {
     heap_.assign(count_, ~std::uint64_t{0});

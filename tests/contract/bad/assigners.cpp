@@ -103,6 +103,23 @@ struct ScribblesTasks : bad::Described {
     if (!frame.tasks().empty()) const_cast<regista::Task&>(frame.tasks()[0]).priority += 1;
   }
 };
+struct ReadsBehind : bad::Described {
+  static constexpr auto id = "reads_behind";
+  void assign(const Frame& frame, UtilityMatrix u, Assignment out) {
+    first_free(u, out);
+    const regista_span& tasks = frame.raw().tasks;
+    const auto* const end = static_cast<const char*>(tasks.data) + std::size_t{tasks.count} * tasks.stride;
+    if (tasks.count > 0 && reinterpret_cast<const volatile regista_task*>(end)->priority < 0) return;  // is no task
+  }
+};
+struct ReadsOneRowMore : bad::Described {
+  static constexpr auto id = "reads_one_row_more";
+  void assign(const Frame&, UtilityMatrix u, Assignment out) {
+    first_free(u, out);
+    const volatile double* const values = u.data();
+    if (u.rows() > 0 && values[u.rows() * u.stride()] > 1.0) return;
+  }
+};
 struct Overruns : bad::Described {
   static constexpr auto id = "overruns";
   static std::int32_t call(void*, const regista_frame*, const regista_matrix* u, std::int32_t* out, regista_error*) {
@@ -196,6 +213,7 @@ REGISTA_PLUGINS(regista::Plugin<Throws, regista::assigner>, regista::Plugin<Thro
                 regista::Plugin<SaysUnknown, regista::assigner>, regista::Plugin<Counts, regista::assigner>,
                 regista::Plugin<Keeps, regista::assigner>, regista::Plugin<IgnoresStride, regista::assigner>,
                 regista::Plugin<Scribbles, regista::assigner>, regista::Plugin<ScribblesTasks, regista::assigner>,
+                regista::Plugin<ReadsBehind, regista::assigner>, regista::Plugin<ReadsOneRowMore, regista::assigner>,
                 regista::Plugin<Overruns, bad::bare_assigner>, regista::Plugin<ThrowsAcross, bad::bare_assigner>,
                 regista::Plugin<FailsSilently, bad::bare_assigner>, regista::Plugin<FailsAtLength, bad::bare_assigner>,
                 regista::Plugin<FailsEndlessly, bad::bare_assigner>, regista::Plugin<OddStatus, bad::bare_assigner>,

@@ -206,6 +206,24 @@ INSTANTIATE_TEST_SUITE_P(
                     predictor("changes_the_model", "track_at", "changed the model")),
     name);
 
+// Who touches memory that is not his dies of it, after a line that says what it was.
+class Faults : public testing::TestWithParam<Case> {};
+
+TEST_P(Faults, EndTheProcessWithTheReason) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_DEATH(run(GetParam()), GetParam().finding);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Memory, Faults,
+    testing::Values(assigner("reads_behind", "memory", "the plugin went behind the end of what it was given"),
+                    assigner("reads_one_row_more", "memory", "the plugin went behind the end of what it was given"),
+                    assigner("overruns", "memory", "the plugin went behind the end of what it was given"),
+                    assigner("scribbles", "memory", "the plugin wrote to what it may only read"),
+                    assigner("scribbles_tasks", "memory", "the plugin wrote to what it may only read"),
+                    utility("keeps_the_environment", "memory", "the plugin used what it had no more")),
+    name);
+
 // Promises that a plugin may choose to give.
 TEST(Options, OrderOfOpponentsIsLookedAtWhenAskedFor) {
   const Case c = utility("first_opponent_counts", "order", "");
