@@ -18,6 +18,7 @@ and others with a comment in the line before:
     <!-- makes: NAME ... -->       files it writes, which must be those of the folder `images` beside the page
     <!-- takes: 20 min -->         left out, but with --long
     <!-- needs: NAME ... -->       files that are not part of the project; left out where one is not there
+    <!-- program: NAME ... -->     programs that a machine may lack; left out where one is not there
     <!-- in: the checkout -->      is run in the folder of the project
     <!-- not run: WHY -->          left out
 
@@ -110,6 +111,10 @@ class Runner:
             shutil.copy2(found[0], self.folder / name)
         return True
 
+    def lacks(self, programs):
+        """Those of them that this machine does not have."""
+        return [name for name in programs.split() if shutil.which(name, path=self.environment["PATH"]) is None]
+
     def run(self, block):
         if "file" in block.marks:
             path = self.folder / block.marks["file"]
@@ -160,7 +165,8 @@ def main():
             if block.tag not in ("sh", "console") and "file" not in block.marks:
                 continue
             what = f"{page.name}:{block.line}"
-            left_out = ("not run" in block.marks or ("takes" in block.marks and not long) or
+            lacking = runner.lacks(block.marks.get("program", ""))
+            left_out = (lacking or "not run" in block.marks or ("takes" in block.marks and not long) or
                         ("needs" in block.marks and not runner.needed(block.marks["needs"])))
             if left_out:
                 print(f"{what}: left out ({', '.join(f'{key}: {value}' for key, value in block.marks.items())})")
