@@ -94,8 +94,9 @@ struct Inherited {
   const auto seconds = static_cast<rlim_t>(limits.match_seconds());
   bool limited =
       limit(RLIMIT_CPU, seconds, seconds + 2) && limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_STACK, stack, stack);
-  // The sanitizers reserve more addresses than there is memory.
-  if (limits.memory != 0 && !sanitized) limited = limited && limit(RLIMIT_AS, limits.memory, limits.memory);
+  // A sanitizer reserves more addresses than there is memory.
+  if (limits.memory != 0 && !addresses_are_reserved())
+    limited = limited && limit(RLIMIT_AS, limits.memory, limits.memory);
   if (!limited) _exit(cannot);
   for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGPIPE, SIGXFSZ, SIGXCPU}) std::signal(each, SIG_DFL);
   sigset_t none;

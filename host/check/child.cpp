@@ -75,8 +75,7 @@ void write_all(int pipe, std::span<const std::uint8_t> bytes) {
   rusage used{};
   ::getrusage(RUSAGE_SELF, &used);
   limit(RLIMIT_CPU, static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1 + deadline.processor_seconds));
-  // The sanitizers reserve more addresses than there is memory.
-  if constexpr (!sanitized) limit(RLIMIT_AS, most_memory);
+  if (!addresses_are_reserved()) limit(RLIMIT_AS, most_memory);  // more than there is memory
   for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGPIPE, SIGXCPU}) std::signal(each, SIG_DFL);
   const pid_t here = ::getpid();
   Outcome outcome;

@@ -29,6 +29,7 @@ namespace fs = std::filesystem;
 // Calls that no sound plugin needs: chance comes from reset() and time from the frame, and the process is the host's.
 struct Suspect {
   std::string_view name, why;
+  std::string_view shown = name;  // to people
 };
 constexpr std::array suspects{
     Suspect{"rand", "chance comes from the seed of reset()"},
@@ -39,13 +40,13 @@ constexpr std::array suspects{
     Suspect{"getrandom", "chance comes from the seed of reset()"},
     Suspect{"getentropy", "chance comes from the seed of reset()"},
     Suspect{"arc4random", "chance comes from the seed of reset()"},
-    Suspect{"_ZNSt13random_device9_M_getvalEv", "std::random_device: chance comes from the seed of reset()"},
+    Suspect{"_ZNSt13random_device9_M_getvalEv", "chance comes from the seed of reset()", "std::random_device"},
     Suspect{"time", "time comes from the frame"},
     Suspect{"clock", "time comes from the frame"},
     Suspect{"gettimeofday", "time comes from the frame"},
     Suspect{"clock_gettime", "time comes from the frame"},
-    Suspect{"_ZNSt6chrono3_V212system_clock3nowEv", "std::chrono::system_clock: time comes from the frame"},
-    Suspect{"_ZNSt6chrono3_V212steady_clock3nowEv", "std::chrono::steady_clock: time comes from the frame"},
+    Suspect{"_ZNSt6chrono3_V212system_clock3nowEv", "time comes from the frame", "std::chrono::system_clock"},
+    Suspect{"_ZNSt6chrono3_V212steady_clock3nowEv", "time comes from the frame", "std::chrono::steady_clock"},
     Suspect{"nanosleep", "a call must not wait"},
     Suspect{"sleep", "a call must not wait"},
     Suspect{"usleep", "a call must not wait"},
@@ -58,7 +59,7 @@ constexpr std::array suspects{
     Suspect{"_exit", "the process is the host's"},
     Suspect{"pthread_create", "plugins start no threads"},
     Suspect{"_ZNSt6thread15_M_start_threadESt10unique_ptrINS_6_StateESt14default_deleteIS1_EEPFvvE",
-            "std::thread: plugins start no threads"},
+            "plugins start no threads", "std::thread"},
     Suspect{"signal", "handlers of signals are the host's"},
     Suspect{"sigaction", "handlers of signals are the host's"},
     Suspect{"setitimer", "timers are the host's"},
@@ -108,7 +109,7 @@ Outcome imports_of(const ObjectFile& object) {
   for (const Suspect& each : suspects) {
     if (!std::ranges::binary_search(object.imports, each.name)) continue;
     out.status = Status::warn;
-    out.lines.push_back(fmt::format("calls {}: {}", each.name, each.why));
+    out.lines.push_back(fmt::format("calls {}: {}", each.shown, each.why));
   }
   return out;
 }

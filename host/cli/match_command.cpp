@@ -182,7 +182,8 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
     for (const config::Warning& each : prepared.warnings) complain(to_string(each));
   }
   check_what_is_written(outputs, options, wanted, catalogue);
-  if (stored && (stored->decided.failure || stored->decided.set_aside())) {
+  const bool failed = stored && (stored->decided.failure || stored->decided.set_aside());
+  if (failed && !options.in_process) {
     if (!options.metrics.empty()) {
       throw BadInput(fmt::format("--metrics: row {} {}, so it has none", options.row,
                                  stored->decided.failure ? "was forfeited" : "could not be played"));
@@ -191,8 +192,14 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
   }
   job.plugin_files = catalogue.used_files();
   const Files files = files_of(prepared);
+  if (failed && !options.quiet) {
+    complain(config::one_line(fmt::format("row {} {}; it is played in this process now, without limits", options.row,
+                                          end_in_words(stored->decided))));
+  }
   const auto work = [&](campaign::WorkerNote& note) {
-    return play_prepared(options, invocation.arguments, stored, std::move(prepared), note);
+    // A match that failed has no hash to be compared with.
+    const std::optional<StoredMatch> none;
+    return play_prepared(options, invocation.arguments, failed ? none : stored, std::move(prepared), note);
   };
   if (options.in_process) {
     campaign::WorkerNote note;

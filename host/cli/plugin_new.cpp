@@ -119,14 +119,15 @@ int make(const PluginNewOptions& options, const Invocation& invocation) {
       "{} && cmake --build build\nctest --test-dir build --output-on-failure\n"
       "regista match team.yaml {} --plugins build",
       sdk.commands, in_shell(paper.string()));
-  const std::vector<output::NewFile> files = files_from_template(templates, options.kind, options.language,
-                                                                 {{"NAME", options.name},
-                                                                  {"KIND", options.kind},
-                                                                  {"PLUGIN", config::flow_text(options.name, false)},
-                                                                  {"PAPER", config::flow_text(paper.string(), true)},
-                                                                  {"HINTS", sdk.hints},
-                                                                  {"INTERFACE", fmt::format("{}.{}", REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR)},
-                                                                  {"COMMANDS", commands}});
+  const std::vector<output::NewFile> files =
+      files_from_template(templates, options.kind, options.language,
+                          {{"NAME", options.name},
+                           {"KIND", options.kind},
+                           {"PLUGIN", config::flow_text(options.name, false)},
+                           {"PAPER", config::flow_text(paper.string(), true)},
+                           {"HINTS", sdk.hints},
+                           {"INTERFACE", fmt::format("{}.{}", REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR)},
+                           {"COMMANDS", commands}});
   const fs::path folder = fs::path(options.folder) / options.name;
   output::write_new_folder(folder, files);
 

@@ -12,9 +12,7 @@
 #include "output/output.hpp"
 
 namespace regista::cli {
-namespace {
 
-// "was forfeited: home, plugin greedy, assign: Segmentation fault"
 std::string end_in_words(const campaign::Decided& decided) {
   if (decided.set_aside()) return "could not be played: " + decided.why_set_aside;
   if (!decided.failure) return "was played to its end";
@@ -22,8 +20,6 @@ std::string end_in_words(const campaign::Decided& decided) {
   return fmt::format("was forfeited: {}, plugin {}, {}: {}", failure.side == 0 ? "home" : "away", failure.plugin,
                      failure.call, failure.what);
 }
-
-}  // namespace
 
 int play_failed(const MatchOptions& options, const StoredMatch& stored, campaign::Job job) {
   campaign::Decided now;

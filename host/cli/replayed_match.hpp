@@ -2,12 +2,17 @@
 // A match that `regista match --from` plays again: is it the one that the file of results holds?
 #pragma once
 
+#include <string>
+
 #include "campaign/job.hpp"
 #include "cli/match_options.hpp"
 #include "cli/stored_match.hpp"
 #include "match/match.hpp"
 
 namespace regista::cli {
+
+// "was forfeited: home, plugin greedy, assign: Segmentation fault"
+std::string end_in_words(const campaign::Decided& decided);
 
 // A match that was forfeited, or could not be played: by workers, as then, for its plugin may hang or take all memory.
 // Returns an exit code: exit_done when it ends in the same way.

@@ -98,7 +98,7 @@ void limit_processor_time() {
 }
 
 void limit_memory() {
-  if constexpr (sanitized) return;  // the sanitizers reserve more addresses than there is memory
+  if (addresses_are_reserved()) return;  // more than there is memory
   rlimit limit{};
   ::getrlimit(RLIMIT_AS, &limit);
   limit.rlim_cur = std::min(most_memory, limit.rlim_max);

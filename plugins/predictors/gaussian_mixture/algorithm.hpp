@@ -179,16 +179,15 @@ class Mixture {
   void start(const Sighting& sighting) {
     if (parameters_.birth_weight < parameters_.prune_weight) return;
     int place = count_;
-    if (count_ < capacity) {
-      ++count_;
-    } else {  // the weakest gives way
+    if (count_ == capacity) {  // the weakest gives way
       place = 0;
       for (int i = 1; i < count_; ++i) {
         if (components_[index(i)].weight <= components_[index(place)].weight) place = i;
       }
       if (components_[index(place)].weight >= parameters_.birth_weight) return;
     }
-    const int label = fresh_label();
+    const int label = fresh_label();  // before there is one more: what its place held before counts for nothing
+    count_ = std::max(count_, place + 1);
     Component& fresh = components_[index(place)];
     fresh = {};
     fresh.label = label;

@@ -8,6 +8,7 @@
 #include <regista/testkit/contract.hpp>
 #include <regista/testkit/ospa.hpp>
 #include <set>
+#include <vector>
 
 #include "algorithm.hpp"
 
@@ -196,6 +197,20 @@ TEST(Absorb, KeepsGoodLabelsAndReplacesBadOnes) {
   EXPECT_EQ(labels.size(), 4u);
   EXPECT_EQ(mixture.begin()->label, 7);
   EXPECT_EQ(mixture.begin()[3].label, 3);
+}
+
+// What stood in a place before is no component that has a label.
+TEST(Reset, LabelsBeginAgain) {
+  Mixture mixture;
+  const auto labels = [&] {
+    std::vector<int> out;
+    mixture.correct(std::vector{at(0.0, 0.0), at(3.0, 0.0), at(0.0, 3.0)}, everywhere);
+    for (const Component& each : mixture) out.push_back(each.label);
+    return out;
+  };
+  const std::vector<int> first = labels();
+  mixture.reset();
+  EXPECT_EQ(labels(), first);
 }
 
 TEST(Capacity, IsNeverExceededAndTheWeakGiveWay) {

@@ -32,6 +32,15 @@ Findings check_rehearsal(const Loaded& plugin, const Options& options) {
   Findings findings(options.underway);
   Values values(plugin);
   options.base(values);
+  // Who does not say that it negotiates may talk of other things.
+  const bool bound = negotiates(plugin);
+  const auto no_agreement = [&](const auto&... parts) {
+    if (bound) {
+      findings.say(parts...);
+    } else {
+      findings.doubt(parts...);
+    }
+  };
   for (const double loss : {0.0, 0.3, 0.6}) {
     const std::string lost = std::to_string(static_cast<int>(100.0 * loss + 0.5)) + " % of the packets lost";
     std::vector<double> times;
@@ -44,9 +53,10 @@ Findings check_rehearsal(const Loaded& plugin, const Options& options) {
         conditions.radio.loss = loss;
         conditions.seed = seed;
         conditions.may_idle = options.may_idle;
-        findings.where(lost + ", " + std::to_string(robots) + " robots", "");
+        const std::string place = lost + ", " + std::to_string(robots) + " robots";
+        findings.where(place, "");
         const Rehearsal rehearsal = rehearse(plugin, values, conditions);
-        if (rehearsal.offers == 0 && !negotiates(plugin)) {
+        if (rehearsal.offers == 0 && !bound) {
           findings.remark("it offers nothing to its teammates, so there is nothing to rehearse");
           return findings;
         }
@@ -55,8 +65,8 @@ Findings check_rehearsal(const Loaded& plugin, const Options& options) {
           if (act.settled_after) {
             times.push_back(*act.settled_after);
           } else if (++without <= most_told) {
-            findings.where(lost + ", " + std::to_string(robots) + " robots", act.name);
-            findings.say("no agreement within ", with_one_decimal(act.length), " s: ", act.disagreement);
+            findings.where(place, act.name);
+            no_agreement("no agreement within ", with_one_decimal(act.length), " s: ", act.disagreement);
           }
         }
         bytes += static_cast<double>(rehearsal.bytes);
@@ -65,13 +75,17 @@ Findings check_rehearsal(const Loaded& plugin, const Options& options) {
     }
     if (without > most_told) {
       findings.where(lost, "");
-      findings.say("no agreement in ", without - most_told, without == most_told + 1 ? " other act" : " other acts");
+      no_agreement("no agreement in ", without - most_told, without == most_told + 1 ? " other act" : " other acts");
     }
     if (times.empty()) continue;
     std::ranges::sort(times);
     findings.remark(lost, ": they agree after ", with_one_decimal(times[times.size() / 2]), " s (median) and ",
                     with_one_decimal(times.back()), " s (longest), and a robot says ",
                     with_one_decimal(bytes / robot_seconds), " bytes a second");
+  }
+  if (!findings.doubts().empty()) {
+    findings.where("", "");
+    findings.doubt("it does not say that it negotiates, and may mean to decide alone");
   }
   return findings;
 }

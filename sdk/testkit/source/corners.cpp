@@ -13,7 +13,7 @@ std::vector<Corner> corners(const Loaded& plugin, const Values& base) {
     if (type == REGISTA_TYPE_REAL || type == REGISTA_TYPE_INTEGER) numeric.push_back(i);
     if (type == REGISTA_TYPE_BOOLEAN || type == REGISTA_TYPE_CHOICE) words.push_back(i);
   }
-  std::vector<Corner> out{{"defaults", base}};
+  std::vector<Corner> out{{"defaults", base, true}};
   const auto end = [&](Values& values, std::size_t i, bool high) {
     const regista_parameter& p = plugin.parameter(i);
     values.set(p.name, high ? p.maximum : p.minimum);

@@ -27,8 +27,12 @@ void Findings::add(const std::string& finding) {
     ++left_out_;
     return;
   }
-  std::string place = corner_ + (corner_.empty() || scene_.empty() ? "" : "; ") + scene_;
-  lines_.push_back(finding + (place.empty() ? "" : " (" + place + ")"));
+  lines_.push_back(finding + place());
+}
+
+std::string Findings::place() const {
+  const std::string text = corner_ + (corner_.empty() || scene_.empty() ? "" : "; ") + scene_;
+  return text.empty() ? "" : " (" + text + ")";
 }
 
 }  // namespace regista::testkit

@@ -12,8 +12,9 @@
 namespace regista::testkit {
 
 struct Corner {
-  std::string name;  // what differs from the defaults
+  std::string name;  // what differs from the defaults: "defaults" where nothing does
   Values values;
+  bool is_default = false;
 };
 
 // `base`: values that the plugin needs in every case, e.g. the content of a file.

@@ -21,11 +21,15 @@ inline std::size_t allocations_during(const auto& work) {
   return allocations;
 }
 
-inline void* counted(std::size_t size, std::size_t alignment) {
+inline void* counted_or_null(std::size_t size, std::size_t alignment) {
   if (counting) ++allocations;
-  void* const memory = alignment <= alignof(std::max_align_t)
-                           ? std::malloc(size)
-                           : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+  return alignment <= alignof(std::max_align_t)
+             ? std::malloc(size)
+             : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+}
+
+inline void* counted(std::size_t size, std::size_t alignment) {
+  void* const memory = counted_or_null(size, alignment);
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
@@ -39,6 +43,18 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
 }
 void* operator new[](std::size_t size, std::align_val_t alignment) {
   return regista::testkit::counted(size, static_cast<std::size_t>(alignment));
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return regista::testkit::counted_or_null(size, 1);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+  return regista::testkit::counted_or_null(size, 1);
+}
+void* operator new(std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+  return regista::testkit::counted_or_null(size, static_cast<std::size_t>(alignment));
+}
+void* operator new[](std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+  return regista::testkit::counted_or_null(size, static_cast<std::size_t>(alignment));
 }
 // Where g++ puts one of these into its caller and not the allocation, it takes the two for strangers.
 #if defined(__GNUC__) && !defined(__clang__)

@@ -24,27 +24,36 @@ class Findings {
   // The same text is kept once, with the first place where it was seen.
   template <class... Parts>
   void say(const Parts&... parts) {
-    std::ostringstream text;
-    (text << ... << parts);
-    add(text.str());
+    add(text_of(parts...));
+  }
+  // What may be meant, and may be a mistake. It is no finding.
+  template <class... Parts>
+  void doubt(const Parts&... parts) {
+    doubts_.push_back(text_of(parts...) + place());
   }
   // What is worth knowing of a sound plugin too. It is no finding.
   template <class... Parts>
   void remark(const Parts&... parts) {
-    std::ostringstream text;
-    (text << ... << parts);
-    remarks_.push_back(text.str());
+    remarks_.push_back(text_of(parts...));
   }
   bool empty() const { return lines_.empty(); }
+  const std::vector<std::string>& doubts() const { return doubts_; }
   const std::vector<std::string>& remarks() const { return remarks_; }
   const std::vector<std::string>& lines() const { return lines_; }
   std::string text() const;
 
  private:
+  template <class... Parts>
+  static std::string text_of(const Parts&... parts) {
+    std::ostringstream text;
+    (text << ... << parts);
+    return text.str();
+  }
   void add(const std::string& finding);
+  std::string place() const;  // " (low = 0; one robot)", or nothing
 
   static constexpr std::size_t most = 20;
-  std::vector<std::string> lines_, seen_, remarks_;
+  std::vector<std::string> lines_, seen_, doubts_, remarks_;
   Underway underway_;
   std::string corner_, scene_;
   std::size_t left_out_ = 0;
