@@ -5,6 +5,7 @@ reproduces it."""
 import json
 import re
 import shlex
+import signal
 import subprocess
 import unittest
 
@@ -73,6 +74,12 @@ class Deaths(tournament.Tournament):
                                       rf"{re.escape(what)}$")
         again = self.succeed("match", "--from", "tournament.db", "--row", "1")
         self.assertRegex(again, rf"^row 1, again: was forfeited: home, plugin crashes, holds: {re.escape(what)}\n$")
+        # For a debugger it is played where it dies.
+        done = self.run_program("match", "--from", "tournament.db", "--row", "1", "--in-process")
+        self.assertEqual((done.returncode, done.stdout), (1 if program.SANITIZED else -signal.SIGSEGV, ""))
+        self.assertEqual(done.stderr.splitlines()[0],
+                         f"regista: row 1 was forfeited: home, plugin crashes, holds: {what}; "
+                         "it is played in this process now, without limits")
         # So it is though the team was edited.
         self.with_context("ball_seen")
         edited = self.succeed("match", "--from", "tournament.db", "--row", "1", "--quiet", "--record", "again.mcap")
