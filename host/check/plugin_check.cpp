@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cstdlib>
 #include <map>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <system_error>
@@ -20,10 +18,10 @@
 
 #include "check/allocations.hpp"
 #include "check/file_checks.hpp"
+#include "check/given_values.hpp"
 #include "check/object_file.hpp"
 #include "check/process_watch.hpp"
 #include "config/bad_input.hpp"
-#include "config/file.hpp"
 #include "config/text.hpp"
 #include "plugin/descriptor.hpp"
 #include "plugin/survey.hpp"
@@ -69,35 +67,6 @@ Outcome outcome_of(const testkit::Findings& findings) {
   return out;
 }
 
-std::optional<double> number_in(const std::string& text) {
-  double out = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return out;
-}
-
-testkit::Options options_of(const Options& options) {
-  testkit::Options out;
-  out.may_idle = options.may_idle;
-  out.seed = options.seed;
-  out.base = [&options](testkit::Values& values) {
-    for (const auto& [name, text] : options.parameters) {
-      try {
-        const auto number = number_in(text);
-        if (options.files.contains(name))
-          values.set(name, std::string_view(options.files.at(name)));
-        else if (number)
-          values.set(name, *number);
-        else
-          values.set(name, std::string_view(text));
-      } catch (const std::exception&) {
-        // Of another plugin of this file.
-      }
-    }
-  };
-  return out;
-}
-
 // As in another process of another user: addresses, folder, environment, and what others have drawn from rand().
 void go_elsewhere() {
   static const std::vector<char> padding(300'007);
@@ -111,8 +80,11 @@ void go_elsewhere() {
 class FileCheck {
  public:
   FileCheck(const fs::path& file, const Options& options, const std::function<void(const Verdict&)>& told)
-      : file_(fs::absolute(file)), options_(options), told_(told), testkit_options_(options_of(options_)) {
+      : file_(fs::absolute(file)), options_(options), told_(told) {
     report_.file = file.string();
+    testkit_options_.may_idle = options_.may_idle;
+    testkit_options_.seed = options_.seed;
+    testkit_options_.base = [this](testkit::Values& values) { given_.give(plugin_, values); };
     testkit_options_.underway = [this](const std::string& corner, const std::string& scene) {
       note_.write(corner + (corner.empty() || scene.empty() ? "" : "; ") + scene);
     };
@@ -160,24 +132,7 @@ class FileCheck {
     for (const std::string& each : options_.plugins) {
       if (!is_named(known, each)) throw config::BadInput(config::unknown("plugin", each, report_.file, known));
     }
-    take_parameters(surveyed);
-  }
-  void take_parameters(const plugin::Surveyed& surveyed) {
-    std::vector<std::string> known;
-    for (const auto& each : surveyed.plugins) {
-      for (std::uint32_t i = 0; i < each->declared().parameter_count; ++i) {
-        const regista_parameter& declared = plugin::parameter(each->declared(), i);
-        known.emplace_back(declared.name);
-        if (declared.type != REGISTA_TYPE_FILE) continue;
-        for (const auto& [name, path] : options_.parameters) {
-          if (name == declared.name) options_.files.insert_or_assign(name, config::read_file(path));
-        }
-      }
-    }
-    for (const auto& [name, value] : options_.parameters) {
-      if (std::ranges::find(known, name) != known.end()) continue;
-      throw config::BadInput(config::unknown("parameter", name, "the plugins of " + report_.file, known));
-    }
+    given_ = GivenValues(options_.parameters, surveyed, report_.file);
   }
 
   void check_plugin(const plugin::Description& plugin) {
@@ -317,6 +272,7 @@ class FileCheck {
   fs::path file_;
   Options options_;
   const std::function<void(const Verdict&)>& told_;
+  GivenValues given_;
   testkit::Options testkit_options_;
   std::string plugin_;
   SharedNote note_;

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,10 +21,9 @@ struct Options {
   std::vector<std::string> plugins;  // ids of those of the file that are checked; empty: all
   // Values of the plugin's parameters, as text; of a file its path.
   std::vector<std::pair<std::string, std::string>> parameters;
-  std::map<std::string, std::string> files;  // content of those that are files; check_file() reads them
-  bool may_idle = false;                     // an assigner may leave robots without a task
-  std::uint64_t seed = 0;                    // of what the checks draw by chance
-  bool in_process = false;                   // in this process, for a debugger
+  bool may_idle = false;    // an assigner may leave robots without a task
+  std::uint64_t seed = 0;   // of what the checks draw by chance
+  bool in_process = false;  // in this process, for a debugger
   Deadline deadline;
 };
 
@@ -33,7 +31,8 @@ struct Options {
 std::vector<std::string> known_checks();
 
 // told: each verdict as soon as there is one; may be empty. Throws config::BadInput for an unknown name in `only`, for
-// a plugin or parameter that the file does not have, and for a file that does not exist.
+// a plugin or parameter that the file does not have, for a value that a parameter cannot have, and for a file that does
+// not exist.
 Report check_file(const std::filesystem::path& file, const Options& options,
                   const std::function<void(const Verdict&)>& told);
 

@@ -129,6 +129,14 @@ class Files(PluginCheck):
                       self.refused("plugin", "check", SHIPPED / "greedy.so", "--only", "promise"))
         self.assertEqual(self.refused("plugin", "check", SHIPPED / "greedy.so", "--plugin", "gredy"),
                          f'unknown plugin "gredy" in {SHIPPED / "greedy.so"}; nearest: "greedy"; known: greedy')
+        for value, reason in (("vote=yes", '--set vote="yes": expected true or false'),
+                              ("vote_age=0", '--set vote_age="0": expected a number from 0.1 to 60'),
+                              ("vote_age=nan", '--set vote_age="nan": expected a number from 0.1 to 60'),
+                              ("cost=distances", 'unknown value "distances" in --set cost; nearest: "distance"; '
+                                                 "known: distance, utility"),
+                              ("votes=true", f'unknown parameter "votes" in the plugins of {SHIPPED / "scram.so"}; '
+                                             'nearest: "vote"; known: criterion, cost, vote, vote_age')):
+            self.assertEqual(self.refused("plugin", "check", SHIPPED / "scram.so", "--set", value), reason)
         self.assertEqual(self.refused("plugin", "check", SHIPPED / "greedy.so", "--set", "reach"),
                          '--set "reach": expected NAME=VALUE')
 
@@ -208,6 +216,12 @@ class Faults(PluginCheck):
         again = self.of(negotiations, "consensus_auction", *with_seed, code=0)
         self.assertNotEqual(again[1], lines)
         self.assertEqual(self.of(negotiations, "consensus_auction", *with_seed, code=0), again)
+
+    def test_of_who_talks_and_does_not_negotiate(self):
+        status, lines = self.of(SHIPPED / "scram.so", "scram", "--only", "rehearsal", "--set", "vote=true", code=0)
+        self.assertEqual(status, "warn")
+        self.assertIn("robot 2 does not know one of the tasks", lines[0])
+        self.assertIn("it does not say that it negotiates, and may mean to decide alone", lines)
 
     def test_what_a_call_costs(self):
         lines = self.of("contract/contract_negotiations.so", "consensus_auction", "--only", "cost", code=0)[1]

@@ -270,13 +270,16 @@ class Stage {
     for (Player& player : team_) {
       for (const Packet& packet : radio_.arrived(player.number, now())) {
         double& heard = between(last_heard_, player.number, packet.sender);
+        const bool is_newest = packet.time_sent >= heard;
         heard = std::max(heard, packet.time_sent);
         // What was on its way when they parted is no sign that they have met again.
         double& parted = between(parted_since_, player.number, packet.sender);
         if (packet.time_sent > parted) parted = never;
-        regista_robot& sender = player.view.mine.robots[static_cast<std::size_t>(packet.sender - 1)];
-        sender.role = packet.role;
-        sender.role_since = packet.role_since;
+        if (is_newest) {
+          regista_robot& sender = player.view.mine.robots[static_cast<std::size_t>(packet.sender - 1)];
+          sender.role = packet.role;
+          sender.role_since = packet.role_since;
+        }
         player.speaker->receive(packet, now());
       }
       player.speaker->begin(now());
@@ -369,6 +372,7 @@ class Stage {
       }
       other = &player;
     }
+    if (std::ranges::count(doer, nullptr) == static_cast<std::ptrdiff_t>(doer.size())) return "nobody has a task";
     if (conditions_.may_idle) return {};
     for (const Player& player : team_) {
       if (is_away(player.number) || player.task != REGISTA_NO_TASK) continue;

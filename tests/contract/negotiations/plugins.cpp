@@ -24,6 +24,7 @@ enum class Mistake {
   falls_silent,      // has won against a claim of another: says it no more
   speaks_once,       // says each claim once: who did not hear it never will
   keeps_the_absent,  // who was heard once counts for ever, also when it has left
+  never_begins,      // waits until all have spoken, and none is the first
   judges_alone       // computes what the others bid instead of hearing it
 };
 
@@ -35,6 +36,7 @@ struct Auction {
                                     : mistake == Mistake::falls_silent     ? "falls_silent"
                                     : mistake == Mistake::speaks_once      ? "speaks_once"
                                     : mistake == Mistake::keeps_the_absent ? "keeps_the_absent"
+                                    : mistake == Mistake::never_begins     ? "never_begins"
                                                                            : "judges_alone";
   static constexpr const char *version = "1.0.0", *summary = "Each robot takes the best task that nobody bids more for";
   static constexpr bool negotiates = true;
@@ -74,6 +76,9 @@ struct Auction {
     if (row == active.size()) {
       mine = {};
       return say(frame, 0);  // a robot that does not play claims nothing
+    }
+    if (mistake == Mistake::never_begins && std::ranges::count(claims, nothing, &Claim::task) > 1) {
+      return say(frame, 0);  // it has heard of too few
     }
     int best = -1, best_bid = -1;
     for (std::size_t column = 0; column < utilities.columns(); ++column) {
@@ -209,4 +214,5 @@ using As = regista::Plugin<Auction<mistake>, regista::assigner>;
 }  // namespace
 
 REGISTA_PLUGINS(As<Mistake::none>, As<Mistake::names_columns>, As<Mistake::counts_columns>, As<Mistake::falls_silent>,
-                As<Mistake::speaks_once>, As<Mistake::keeps_the_absent>, As<Mistake::judges_alone>)
+                As<Mistake::speaks_once>, As<Mistake::keeps_the_absent>, As<Mistake::never_begins>,
+                As<Mistake::judges_alone>)

@@ -58,6 +58,13 @@ TEST(Rehearsal, CountingOnWhoHasLeftFailsWhenSomebodyLeaves) {
               Contains(AllOf(HasSubstr("has no task, and nobody does \"striker\""), HasSubstr("is penalised (robot"))));
 }
 
+TEST(Rehearsal, WaitingForEachOtherFailsThoughRobotsMayIdle) {
+  const Findings findings =
+      check_rehearsal(Loaded(REGISTA_PLUGIN_FILE, "never_begins"), {.base = [](Values&) {}, .may_idle = true});
+  EXPECT_THAT(findings.lines(),
+              Contains(HasSubstr("nobody has a task (0 % of the packets lost, 3 robots; they begin")));
+}
+
 TEST(Rehearsal, SayingNothingFailsWhoeverClaimsToNegotiate) {
   EXPECT_THAT(rehearsal_of("judges_alone").lines(), Contains(HasSubstr("no agreement within 20.0 s")));
 }

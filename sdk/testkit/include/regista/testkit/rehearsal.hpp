@@ -29,8 +29,8 @@ struct RehearsalConditions {
   bool may_idle = false;  // a robot may have no task although one is free for it
 };
 
-// The robots agree when no two that can hear each other do the same task and, unless they may idle, nobody who could do
-// a task that it knows and that nobody does is without one.
+// The robots agree when somebody has a task, no two that can hear each other do the same one and, unless they may idle,
+// nobody who could do a task that it knows and that nobody does is without one.
 struct Act {
   std::string name;
   double length = 0.0;  // s

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "check/given_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include <regista/abi.h>
+
+#include "config/bad_input.hpp"
+#include "config/file.hpp"
+#include "config/text.hpp"
+#include "plugin/descriptor.hpp"
+
+namespace regista::check {
+namespace {
+
+std::optional<double> number_in(std::string_view text) {
+  double out = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(out)) return std::nullopt;
+  return out;
+}
+
+std::variant<double, std::string> value_of(const regista_parameter& declared, const std::string& text) {
+  const auto wrong = [&](std::string expected) {
+    return config::BadInput(
+        fmt::format("--set {}={}: expected {}", declared.name, config::in_quotes(text), std::move(expected)));
+  };
+  switch (declared.type) {
+    case REGISTA_TYPE_BOOLEAN:
+      if (text == "true") return 1.0;
+      if (text == "false") return 0.0;
+      throw wrong("true or false");
+    case REGISTA_TYPE_REAL:
+    case REGISTA_TYPE_INTEGER: {
+      const std::optional<double> number = number_in(text);
+      const bool whole = declared.type == REGISTA_TYPE_INTEGER;
+      if (number && *number >= declared.minimum && *number <= declared.maximum &&
+          (!whole || *number == std::round(*number))) {
+        return *number;
+      }
+      throw wrong(fmt::format("a {}number from {} to {}", whole ? "whole " : "", declared.minimum, declared.maximum));
+    }
+    case REGISTA_TYPE_CHOICE: {
+      std::vector<std::string> choices;
+      for (std::uint32_t i = 0; i < declared.choice_count; ++i) choices.emplace_back(declared.choices[i]);
+      const auto found = std::ranges::find(choices, text);
+      if (found == choices.end()) {
+        throw config::BadInput(config::unknown("value", text, fmt::format("--set {}", declared.name), choices));
+      }
+      return static_cast<double>(found - choices.begin());
+    }
+    case REGISTA_TYPE_FILE:
+      return config::read_file(text);
+    default:
+      return text;
+  }
+}
+
+}  // namespace
+
+GivenValues::GivenValues(const GivenTexts& texts, const plugin::Surveyed& surveyed, const std::string& file) {
+  std::vector<std::string> known;
+  for (const auto& plugin : surveyed.plugins) {
+    for (std::uint32_t i = 0; i < plugin->declared().parameter_count; ++i) {
+      const regista_parameter& declared = plugin::parameter(plugin->declared(), i);
+      known.emplace_back(declared.name);
+      for (const auto& [name, text] : texts) {
+        if (name == declared.name) of_[plugin->declared().id].emplace_back(name, value_of(declared, text));
+      }
+    }
+  }
+  for (const auto& each : texts) {
+    if (std::ranges::find(known, each.first) != known.end()) continue;
+    throw config::BadInput(config::unknown("parameter", each.first, "the plugins of " + file, known));
+  }
+}
+
+void GivenValues::give(const std::string& id, testkit::Values& values) const {
+  const auto own = of_.find(id);
+  if (own == of_.end()) return;
+  for (const auto& [name, value] : own->second) {
+    if (const auto* const number = std::get_if<double>(&value)) {
+      values.set(name, *number);
+    } else {
+      values.set(name, std::string_view(std::get<std::string>(value)));
+    }
+  }
+}
+
+}  // namespace regista::check
