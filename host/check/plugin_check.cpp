@@ -175,7 +175,11 @@ class FileCheck {
   // An assigner that leaves a robot idle may mean it: where that is all that is wrong, it is a warning.
   Outcome judged(const testkit::Check& check, const testkit::Loaded& own) const {
     Outcome out = outcome_of(check.run(own, testkit_options_));
-    if (out.status != Status::fail || testkit_options_.may_idle || !own.implements(REGISTA_KIND_ASSIGNER)) return out;
+    // In a negotiation that nobody does a task is the mistake that is looked for.
+    const bool negotiation = check.name == "rehearsal";
+    if (out.status != Status::fail || negotiation || testkit_options_.may_idle ||
+        !own.implements(REGISTA_KIND_ASSIGNER))
+      return out;
     testkit::Options idle = testkit_options_;
     idle.may_idle = true;
     if (!check.run(own, idle).empty()) return out;

@@ -31,7 +31,7 @@ struct ClaimTasks {
   static constexpr unsigned reads = REGISTA_READS_NOTHING;
   static constexpr bool negotiates = true;
 
-  double lasts = 20.0;
+  double lasts = 60.0;
   static constexpr std::tuple parameters{
       regista::real("lasts", &ClaimTasks::lasts, {1.0, 120.0}, "s", "A claim counts for this long after it was sent")};
 

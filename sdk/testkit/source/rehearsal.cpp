@@ -26,35 +26,33 @@ constexpr std::size_t most_pending = 64;
 
 constexpr int most_robots = 11;
 
-enum class Absence { nobody, penalised, out_of_range };
+// What becomes of a robot when an act begins. Who leaves stays away until somebody returns.
+enum class Change { none, first_is_penalised, first_leaves_range, robot_1_leaves_range, returns };
 
-// An act that does not move anything is about the robot that leaves or returns.
 struct Plan {
   std::string name;
   int tasks;
-  bool moved = false;                 // robots and tasks are elsewhere than in the act before
-  bool one_knows_less = false;        // robot 2 does not know the task in the middle
-  Absence absence = Absence::nobody;  // of the robot that has the first task at the beginning of the act
+  int new_tasks = 0;            // above 0: as many are others, and all robots and tasks are elsewhere
+  bool one_knows_less = false;  // robot 2 does not know the task in the middle
+  Change change = Change::none;
 };
 
 std::vector<Plan> plans(int robots) {
-  return {{"they begin", robots, true},
-          {"robots and tasks have moved", robots, true},
-          {"robot 2 does not know one of the tasks", robots, true, true},
-          {"more tasks than robots", robots + 2, true},
-          {"fewer tasks than robots", robots - 1, true},
-          // From here on there is a task for each robot that is left: whoever had none takes over.
-          {"the robot with the first task is penalised", robots - 1, false, false, Absence::penalised},
-          {"the penalised robot is back", robots - 1},
-          {"fewer tasks than robots, elsewhere", robots - 1, true},
-          {"the robot with the first task is out of range", robots - 1, false, false, Absence::out_of_range},
-          {"it is in range again", robots - 1}};
-}
-
-// Ids are neither columns nor in their order.
-int task_id(int task) {
-  static const int roles = static_cast<int>(usual_roles().size());
-  return (3 * task + 1) % roles;
+  const int left = robots - 1;  // robots when one is away: a task for each, so whoever had none takes over
+  const int most = 5;           // what was agreed before says little
+  return {{"they begin", robots, most},
+          {"robots and tasks have moved", robots, 1},
+          {"robot 2 does not know one of the tasks", robots, 1, true},
+          {"more tasks than robots", robots + 2, 1},
+          {"fewer tasks than robots", left, 1},
+          {"the robot with the first task is penalised", left, 0, false, Change::first_is_penalised},
+          {"other tasks while it is penalised", left, most},
+          {"the penalised robot is back", left, 0, false, Change::returns},
+          {"robot 1 is out of range", left, 0, false, Change::robot_1_leaves_range},
+          {"other tasks while robot 1 is out of range", left, most},
+          {"robot 1 is in range again", left, 0, false, Change::returns},
+          {"the robot with the first task is out of range", left, 0, false, Change::first_leaves_range},
+          {"it is in range again", left, 0, false, Change::returns}};
 }
 
 struct Place {
@@ -151,7 +149,7 @@ class Stage {
         radio_(conditions.robots, conditions.radio, conditions.seed + 0x5eed),
         poses_(robots_),
         last_heard_(robots_ * robots_, 0.0),
-        parted_since_(robots_ * robots_, never) {
+        parted_since_(robots_ * robots_, -never) {
     if (conditions.robots < 3 || conditions.robots > most_robots) {
       throw std::logic_error("a rehearsal takes 3 to " + std::to_string(most_robots) + " robots");
     }
@@ -161,6 +159,7 @@ class Stage {
       player.speaker = std::make_unique<Speaker>(plugin, values, number, conditions.robots);
       player.next_packet = dice_.real(0.0, conditions.packet_period);
       player.previous.assign(robots_, REGISTA_NO_TASK);
+      between(parted_since_, number, number) = never;
     }
   }
 
@@ -197,35 +196,54 @@ class Stage {
 
   std::string begin_act(const Plan& plan) {
     act_began_ = now();
-    penalised_before_ = std::exchange(penalised_, 0);
-    if (out_of_range_ != 0) radio_.into_range(std::exchange(out_of_range_, 0));
-    if (plan.absence != Absence::nobody) leaver_ = holder_of_first_task();
-    if (plan.absence == Absence::penalised) penalised_ = leaver_;
-    if (plan.absence == Absence::out_of_range) {
-      out_of_range_ = leaver_;
-      radio_.out_of_range(leaver_);
-      for (int other = 1; other <= conditions_.robots; ++other) {
-        if (other == leaver_) continue;
-        between(parted_since_, other, leaver_) = between(parted_since_, leaver_, other) = now();
-      }
+    penalised_before_ = penalised_;
+    if (plan.change == Change::returns) {
+      penalised_ = 0;
+      if (out_of_range_ != 0) radio_.into_range(std::exchange(out_of_range_, 0));
     }
-    if (plan.moved) move(plan.tasks);
+    if (plan.new_tasks > 0) move(plan);
+    std::string name = plan.name;
+    if (plan.change == Change::first_is_penalised) {
+      penalised_ = doer_of_first_task();
+      name += " (robot " + std::to_string(penalised_) + ')';
+    } else if (plan.change == Change::first_leaves_range) {
+      leave_range(doer_of_first_task());
+      name += " (robot " + std::to_string(out_of_range_) + ')';
+    } else if (plan.change == Change::robot_1_leaves_range) {
+      leave_range(1);
+    }
     for (Player& player : team_) look(player, plan);
-    return plan.moved ? plan.name : plan.name + " (robot " + std::to_string(leaver_) + ')';
+    return name;
   }
 
-  int holder_of_first_task() const {
+  void leave_range(int number) {
+    out_of_range_ = number;
+    radio_.out_of_range(number);
+    for (int other = 1; other <= conditions_.robots; ++other) {
+      if (other == number) continue;
+      between(parted_since_, other, number) = between(parted_since_, number, other) = now();
+    }
+  }
+
+  int doer_of_first_task() const {
     for (const Player& player : team_) {
       if (player.task == task_id(0)) return player.number;
     }
-    return 1;
+    return conditions_.robots;
   }
 
-  void move(int tasks) {
+  // Ids are neither columns nor in their order.
+  int task_id(int task) const {
+    const int roles = static_cast<int>(usual_roles().size());
+    return (3 * (task + first_task_) + 1) % roles;
+  }
+
+  void move(const Plan& plan) {
     const auto anywhere = [this] { return Place{dice_.real(-3.0, 3.0), dice_.real(-2.0, 2.0)}; };
     for (Place& each : poses_) each = anywhere();
-    places_.resize(static_cast<std::size_t>(tasks));
+    places_.resize(static_cast<std::size_t>(plan.tasks));
     for (Place& each : places_) each = anywhere();
+    first_task_ += plan.new_tasks;
   }
 
   // What a robot believes through this act, a little beside the truth, and what it computes from that.
@@ -295,7 +313,8 @@ class Stage {
     }
   }
 
-  // Penalties are told by the game controller; who is out of range is given up, by each after a time of its own.
+  // Penalties are told by the game controller. Who was never heard does not play, and who is out of range is given up,
+  // by each after a time of its own.
   bool is_active(int observer, int number) {
     const bool told = observer == number || now() - act_began_ >= news_of_penalty;
     if (number == (told ? penalised_ : penalised_before_)) return false;
@@ -396,8 +415,8 @@ class Stage {
   std::vector<Player> team_;
   std::uint64_t tick_ = 0;
   double act_began_ = 0.0;
+  int first_task_ = 0;
   int penalised_ = 0, penalised_before_ = 0, out_of_range_ = 0;  // 0: nobody
-  int leaver_ = 0;                                               // who left last
   Rehearsal out_;
 };
 

@@ -42,7 +42,7 @@ struct Auction {
   static constexpr bool negotiates = true;
 
   static constexpr int nothing = 255;
-  static constexpr double lasts = 20.0;  // s: a claim of which nothing was heard for so long is void
+  static constexpr double lasts = 60.0;  // s: a claim of which nothing was heard for so long is void
   struct Claim {
     int task = nothing;  // as it was told
     int bid = 0;

@@ -44,7 +44,8 @@ TEST(Rehearsal, NamingTasksByTheirColumnFailsWhereARobotKnowsFewerTasks) {
 
 TEST(Rehearsal, AContestedWinnerThatFallsSilentFails) {
   EXPECT_THAT(rehearsal_of("falls_silent").lines(),
-              Contains(HasSubstr("robots 2 and 3 both do \"striker\" (0 % of the packets lost")));
+              Contains(AllOf(HasSubstr("robots 2 and 3 both do"),
+                             HasSubstr("(0 % of the packets lost, 3 robots; they begin)"))));
 }
 
 TEST(Rehearsal, SayingAClaimOnceFailsOnlyWherePacketsAreLost) {
@@ -55,7 +56,7 @@ TEST(Rehearsal, SayingAClaimOnceFailsOnlyWherePacketsAreLost) {
 
 TEST(Rehearsal, CountingOnWhoHasLeftFailsWhenSomebodyLeaves) {
   EXPECT_THAT(rehearsal_of("keeps_the_absent").lines(),
-              Contains(AllOf(HasSubstr("has no task, and nobody does \"striker\""), HasSubstr("is penalised (robot"))));
+              Contains(AllOf(HasSubstr("has no task, and nobody does"), HasSubstr("is penalised (robot"))));
 }
 
 TEST(Rehearsal, WaitingForEachOtherFailsThoughRobotsMayIdle) {

@@ -6,8 +6,8 @@
 //   for (const Act& act : rehearsal.acts) print(act.name, act.settled_after);
 //
 // A rehearsal is a row of acts. What differs between two acts is what changes in play: the places of robots and tasks,
-// how many tasks there are, which task a robot does not know, who is penalised, who is out of range. Within an act
-// nothing changes but what the robots say to each other.
+// which tasks there are, which of them a robot does not know, who is penalised, who is out of range. Within an act
+// nothing changes but what the robots say to each other. At the beginning they do not know of each other.
 #pragma once
 
 #include <cstddef>
