@@ -16,7 +16,7 @@ its user, who ends it by a signal, or that writes to the terminal what it likes.
 `what` is a regular expression for the report's reason, `call` the call in which its team is to be blamed, and then the
 plugin that is named is the animal itself. Of all of them holds what `Animals.holds` says, above all: the innocent team
 forfeits nothing, a match that was played is that of the sound twin, and no match ends better than that. An animal that
-is not `steady` changes what is played, so its matches are compared with nobody's.
+is not `steady` changes what is played, so its matches are compared with nobody's. `check` is for test_checks.py.
 
 REGISTA_ZOO_GROUP: the file of faults/ whose animals are tried; empty: all. REGISTA_ZOO_RUNS: how often, default 2.
 """
@@ -95,7 +95,7 @@ class Zoo(tournament.Tournament):
             except ProcessLookupError:
                 pass
 
-    def bounded(self, *arguments):
+    def bounded(self, *arguments, longest=LONGEST):
         """What a command says, which may be without end, and may be held open by a process that it left behind."""
         with self.start(*arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=_safe) as process:
             streams = [process.stdout, process.stderr]
@@ -112,7 +112,7 @@ class Zoo(tournament.Tournament):
             readers = [threading.Thread(target=read, args=(which,), daemon=True) for which in (0, 1)]
             for reader in readers:
                 reader.start()
-            end = time.monotonic() + LONGEST
+            end = time.monotonic() + longest
             while process.poll() is None and time.monotonic() < end and not enough.is_set():
                 time.sleep(0.01)
             ended = process.poll() is not None
@@ -124,7 +124,7 @@ class Zoo(tournament.Tournament):
             left = processes(self.program) if held else []
             if held:
                 self.kill_all()  # so that nobody waits for what it holds
-        self.assertTrue(ended, f"{arguments} did not end within {LONGEST} s and {MOST_TEXT} bytes")
+        self.assertTrue(ended, f"{arguments} did not end within {longest} s and {MOST_TEXT} bytes")
         self.assertFalse(held, f"left behind, holding its output: {left}")
         return subprocess.CompletedProcess(arguments, process.returncode, *said)
 
@@ -132,6 +132,11 @@ class Zoo(tournament.Tournament):
         """A command that ends by itself, and leaves nothing behind but the results."""
         done = self.bounded(*arguments)
         self.assertIn(done.returncode, (0, 2), (arguments, done.stderr[-2000:]))
+        self.leaves_nothing()
+        self.assertEqual([name for name in os.listdir(self.folder) if name.endswith((".db-wal", ".db-shm"))], [])
+        return done
+
+    def leaves_nothing(self):
         for what, there in (("processes", lambda: processes(self.program)),
                             ("shared memory", lambda: set(os.listdir("/dev/shm")) - self.shared_memory)):
             end = time.monotonic() + 5
@@ -141,8 +146,6 @@ class Zoo(tournament.Tournament):
                 self.kill_all()  # so that the next command is not blamed for it
             self.assertFalse(left, f"{what} left behind")
         self.assertEqual(os.listdir(self.folder / "temporary"), [])
-        self.assertEqual([name for name in os.listdir(self.folder) if name.endswith((".db-wal", ".db-shm"))], [])
-        return done
 
     def team_of(self, animal, name="bad"):
         sound, its = PLACES[animal["kind"]]

@@ -17,7 +17,8 @@ void moves_the_clock(zoo_moment* now) {
   if (now->asked == ZOO_WHEN) ((regista_frame*)(uintptr_t)now->frame)->time += 60.0;
 }
 
+/* From then on, since at one call alone there may be nothing to raise. */
 void raises_its_utility(zoo_moment* now) {
-  if (now->asked != ZOO_WHEN || now->utilities.rows == 0 || now->utilities.columns == 0) return;
+  if (now->asked < ZOO_WHEN || now->utilities.rows == 0 || now->utilities.columns == 0) return;
   *(double*)(uintptr_t)now->utilities.values += 0.25;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A positioner: the ball, its mirror image, and the edge between them. */
+ * A positioner: the ball, its mirror image, and the edge between them, where there is room for all three. */
 #include "zoo.h"
 
 static double within(double value, double limit) { return value < -limit ? -limit : value > limit ? limit : value; }
@@ -9,7 +9,7 @@ static int32_t place(void* instance, const regista_frame* frame, regista_placeme
   zoo_instance* self = (zoo_instance*)instance;
   zoo_moment now = zoo_now(self, frame, error);
   const regista_ball* ball = zoo_world(frame)->ball;
-  if ((ball->flags & REGISTA_BALL_KNOWN) != 0) {
+  if ((ball->flags & REGISTA_BALL_KNOWN) != 0 && out->points.capacity >= 2 && out->edges.capacity >= 1) {
     const double x = within(ball->position[0], self->x_limit), y = within(ball->position[1], self->y_limit);
     *(regista_waypoint*)zoo_element(&out->points, 0) = (regista_waypoint){x, y, 1.0, -1, 0};
     *(regista_waypoint*)zoo_element(&out->points, 1) = (regista_waypoint){x, -y, 0.5, -1, 0};
