@@ -37,6 +37,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr rlim_t most_memory = rlim_t{2} << 30;
 constexpr std::size_t most_bytes = std::size_t{1} << 20;  // of an outcome
+constexpr std::size_t most_text = std::size_t{64} << 20;  // bytes that it may write
+constexpr std::size_t much_text = std::size_t{64} << 10;  // of which a warning tells
+constexpr int out_of_memory = 91;                         // exit code of a child
+constexpr int own_descriptor = 700;                       // above what a plugin would close or write to by guessing
 constexpr std::size_t kept_text = 2000;                   // bytes of the end of what it wrote
 constexpr std::size_t note_bytes = 512;
 constexpr int patience = 100;  // ms between two looks at a child that says nothing
@@ -60,6 +64,31 @@ void write_all(int pipe, std::span<const std::uint8_t> bytes) {
   }
 }
 
+// Files that a plugin may write into by guessing their numbers: they are caught here.
+class DescriptorTrap {
+ public:
+  DescriptorTrap() {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) == -1) return;
+    reading_ = ::fcntl(ends[0], F_DUPFD_CLOEXEC, own_descriptor);
+    const int writing = ::fcntl(ends[1], F_DUPFD_CLOEXEC, own_descriptor);
+    ::close(ends[0]);
+    ::close(ends[1]);
+    constexpr int guessed = 32;
+    for (int each = STDERR_FILENO + 1; each < guessed; ++each) {
+      if (::fcntl(each, F_GETFD) == -1) ::dup3(writing, each, O_CLOEXEC);
+    }
+    ::close(writing);
+  }
+  bool has_caught() const {
+    char byte;
+    return reading_ != -1 && ::read(reading_, &byte, 1) == 1;
+  }
+
+ private:
+  int reading_ = -1;  // ends with the process
+};
+
 [[noreturn]] void run(const std::function<Outcome()>& check, const Deadline& deadline, int answer, int text,
                       pid_t parent) noexcept {
   ::setpgid(0, 0);
@@ -71,6 +100,10 @@ void write_all(int pipe, std::span<const std::uint8_t> bytes) {
   ::dup2(text, STDERR_FILENO);
   ::close(nothing);
   ::close(text);
+  if (const int higher = ::fcntl(answer, F_DUPFD_CLOEXEC, own_descriptor); higher != -1) {
+    ::close(answer);
+    answer = higher;
+  }
   limit(RLIMIT_CORE, 0);
   rusage used{};
   ::getrusage(RUSAGE_SELF, &used);
@@ -78,15 +111,22 @@ void write_all(int pipe, std::span<const std::uint8_t> bytes) {
   if (!addresses_are_reserved()) limit(RLIMIT_AS, most_memory);  // more than there is memory
   for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGPIPE, SIGXCPU}) std::signal(each, SIG_DFL);
   const pid_t here = ::getpid();
+  const DescriptorTrap trap;
   Outcome outcome;
   try {
     outcome = check();
+  } catch (const std::bad_alloc&) {
+    ::_exit(out_of_memory);
   } catch (const std::exception& error) {
     outcome = {Status::fail, {error.what()}};
   } catch (...) {
     outcome = {Status::fail, {"threw something that is no exception"}};
   }
   if (::getpid() != here) ::_exit(1);  // a plugin has doubled the process: one of the two is enough
+  if (trap.has_caught()) {
+    outcome.status = Status::fail;
+    outcome.lines.emplace_back("wrote into files that are not its own");
+  }
   config::BytesOut bytes;
   bytes(outcome.status, outcome.lines);
   write_all(answer, mark);
@@ -96,14 +136,16 @@ void write_all(int pipe, std::span<const std::uint8_t> bytes) {
 
 // --- In the parent ---------------------------------------------------------------------------------------------------
 
-// Reads what is there, without waiting. False at the end of the pipe. keep: bytes of the end that are kept.
-bool take(int pipe, std::vector<std::uint8_t>& into, std::size_t keep) {
+// Reads what is there, without waiting, and counts it. False at the end of the pipe. keep: bytes of the end that are
+// kept.
+bool take(int pipe, std::vector<std::uint8_t>& into, std::size_t keep, std::size_t& taken) {
   std::array<std::uint8_t, 4096> buffer;
   for (int i = 0; i < 64; ++i) {  // a plugin may write without end
     const ssize_t count = ::read(pipe, buffer.data(), buffer.size());
     if (count == -1 && errno == EINTR) continue;
     if (count == -1) return errno == EAGAIN;
     if (count == 0) return false;
+    taken += static_cast<std::size_t>(count);
     into.insert(into.end(), buffer.begin(), buffer.begin() + count);
     if (into.size() > keep) into.erase(into.begin(), into.end() - static_cast<std::ptrdiff_t>(keep));
   }
@@ -150,6 +192,9 @@ struct Pipe {
 };
 
 std::string how_it_ended(int status, const Deadline& deadline) {
+  if (WIFEXITED(status) && WEXITSTATUS(status) == out_of_memory) {
+    return fmt::format("took all of its {} GiB of memory", most_memory >> 30);
+  }
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
     return fmt::format("took more than {} s of processor time", deadline.processor_seconds);
   }
@@ -184,28 +229,41 @@ Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadli
   const pid_t parent = ::getpid();
   const pid_t child = ::fork();
   if (child == -1) throw std::system_error(errno, std::generic_category(), "cannot start a process for a check");
-  if (child == 0) run(check, deadline, answer.ends[1], text.ends[1], parent);
+  if (child == 0) {
+    for (const int parents : {answer.ends[0], text.ends[0]}) ::close(parents);
+    run(check, deadline, answer.ends[1], text.ends[1], parent);
+  }
   ::setpgid(child, child);  // whoever of the two comes first
   answer.close_writing_end();
   text.close_writing_end();
 
   std::vector<std::uint8_t> answered, written;
+  std::size_t answered_bytes = 0, written_bytes = 0;
   std::string ended;  // by this function, and why
   int status = 0;
   const auto began = Clock::now();
   plugin::IdleProcess idle(child);
   bool answers = true, writes = true;
+  std::string last_place;
   for (;;) {
     std::array<pollfd, 2> watched{pollfd{answers ? answer.ends[0] : -1, POLLIN, 0},
                                   pollfd{writes ? text.ends[0] : -1, POLLIN, 0}};
     ::poll(watched.data(), watched.size(), answers || writes ? patience : 10);
-    if (writes) writes = take(text.ends[0], written, kept_text);
-    if (answers) answers = take(answer.ends[0], answered, most_bytes);
-    const pid_t over = ::waitpid(child, &status, WNOHANG);
-    if (over == child) break;
+    if (writes) writes = take(text.ends[0], written, kept_text, written_bytes);
+    if (answers) answers = take(answer.ends[0], answered, most_bytes, answered_bytes);
+    const pid_t over = ::waitpid(child, &status, WNOHANG | WUNTRACED);
+    if (over == child && !WIFSTOPPED(status)) break;
+    if (over == child && ended.empty()) ended = fmt::format("was stopped ({})", ::strsignal(WSTOPSIG(status)));
+    // Who goes from scene to scene is not idle, however often it sleeps.
+    if (const std::string place = note.read(); place != last_place) {
+      last_place = place;
+      idle = plugin::IdleProcess(child);
+    }
     const std::chrono::duration<double> waited = Clock::now() - began;
     if (ended.empty() && idle.idle_seconds() > deadline.idle_seconds) {
       ended = fmt::format("did nothing for {:.0f} s", deadline.idle_seconds);
+    } else if (ended.empty() && written_bytes > most_text) {
+      ended = fmt::format("wrote more than {} MiB to standard output and standard error", most_text >> 20);
     } else if (ended.empty() && waited.count() > deadline.wall_seconds) {
       ended = fmt::format("did not end within {:.0f} s", deadline.wall_seconds);
     }
@@ -213,15 +271,28 @@ Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadli
   }
   ::kill(-child, SIGKILL);  // what a plugin may have started
   descendants.end_all();
-  take(answer.ends[0], answered, most_bytes);
-  take(text.ends[0], written, kept_text);
+  take(answer.ends[0], answered, most_bytes, answered_bytes);
+  take(text.ends[0], written, kept_text, written_bytes);
   if (ended.empty() && WIFEXITED(status)) {
-    if (const auto outcome = outcome_of(answered)) return *outcome;
+    if (auto outcome = outcome_of(answered)) {
+      if (outcome->status == Status::pass && written_bytes > much_text) {
+        outcome->status = Status::warn;
+        outcome->lines.push_back(
+            fmt::format("wrote {} bytes to standard output and standard error: the log is for that", written_bytes));
+      }
+      return *outcome;
+    }
+    if (!answered.empty()) ended = "wrote into a file that is not its own";
   }
   const bool out_of_time = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
   Outcome out{Status::crash, {ended.empty() ? how_it_ended(status, deadline) : ended}, !ended.empty() || out_of_time};
   if (const std::string place = note.read(); !place.empty()) out.lines.push_back("at: " + place);
-  if (const std::string last = last_line(written); !last.empty()) out.lines.push_back("it wrote: " + last);
+  constexpr std::string_view of_memory = "memory: ";  // what the testkit says of a fault
+  if (const std::string last = last_line(written); last.starts_with(of_memory)) {
+    out.lines.push_back(last.substr(of_memory.size()));
+  } else if (!last.empty()) {
+    out.lines.push_back("it wrote: " + last);
+  }
   return out;
 }
 

@@ -20,7 +20,7 @@ struct Outcome {
 };
 
 struct Deadline {
-  int processor_seconds = 20;   // of one check
+  int processor_seconds = 10;   // of one check
   double idle_seconds = 5.0;    // that it may sleep at a stretch
   double wall_seconds = 300.0;  // on a machine that has much else to do
 };

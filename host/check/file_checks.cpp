@@ -20,6 +20,7 @@
 #include <regista/abi.h>
 
 #include "config/text.hpp"
+#include "plugin/floating_point_state.hpp"
 
 namespace regista::check {
 namespace {
@@ -55,6 +56,19 @@ constexpr std::array suspects{
     Suspect{"system", "the process is the host's"},
     Suspect{"popen", "the process is the host's"},
     Suspect{"execve", "the process is the host's"},
+    Suspect{"execl", "the process is the host's"},
+    Suspect{"execlp", "the process is the host's"},
+    Suspect{"execv", "the process is the host's"},
+    Suspect{"execvp", "the process is the host's"},
+    Suspect{"kill", "the process is the host's"},
+    Suspect{"raise", "the process is the host's"},
+    Suspect{"setsid", "the process is the host's"},
+    Suspect{"setrlimit", "the limits of the process are the host's"},
+    Suspect{"getpid", "it differs from run to run"},
+    Suspect{"pause", "a call must not wait"},
+    Suspect{"sigprocmask", "handlers of signals are the host's"},
+    Suspect{"pthread_sigmask", "handlers of signals are the host's"},
+    Suspect{"feenableexcept", "how numbers are rounded is the host's"},
     Suspect{"exit", "the process is the host's"},
     Suspect{"_exit", "the process is the host's"},
     Suspect{"pthread_create", "plugins start no threads"},
@@ -76,7 +90,9 @@ constexpr std::array suspects{
 using Entry = decltype(&regista_plugin_entry);
 
 Entry entry_of(const fs::path& file) {
+  const auto arithmetic = plugin::FloatingPointState::now();
   void* const handle = ::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  arithmetic.restore();  // as the host does; it is told by the check `open`
   return handle == nullptr ? nullptr : reinterpret_cast<Entry>(::dlsym(handle, REGISTA_ENTRY_NAME));
 }
 

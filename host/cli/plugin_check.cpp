@@ -36,7 +36,7 @@ Exit codes: 0 no check failed or crashed; 1 one did; 2 bad input; 3 a defect of 
 
 struct PluginCheckOptions {
   std::vector<std::string> files, only, plugins, parameters;
-  std::string processor_seconds = "20", seed = "0";
+  std::string processor_seconds = "10", seed = "0";
   bool may_idle = false, in_process = false, json = false;
 };
 
@@ -125,7 +125,7 @@ void add_plugin_check(Command& parent) {
   command.take("--plugin", options->plugins, "ID", "this plugin of the file alone; may be repeated");
   command.take("--set", options->parameters, "NAME=VALUE", "a parameter of the plugin; may be repeated");
   command.flag("--may-idle", options->may_idle, "an assigner may leave a robot without a task that it could do");
-  command.take("--processor-seconds", options->processor_seconds, "SECONDS", "processor time of one check; default 20");
+  command.take("--processor-seconds", options->processor_seconds, "SECONDS", "processor time of one check; default 10");
   command.take("--seed", options->seed, "N", "other scenes, utilities, messages and losses by chance; default 0");
   command.flag("--in-process", options->in_process,
                "all checks in the program's own process, for a debugger: what ends it is not explained");

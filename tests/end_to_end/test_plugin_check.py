@@ -192,13 +192,13 @@ class Faults(PluginCheck):
 
     def test_of_memory(self):
         bad = "contract/contract_bad_assigners.so"
-        for plugin, reason in (("reads_behind", "the plugin went behind the end of what it was given"),
-                               ("scribbles_tasks", "the plugin wrote to what it may only read")):
+        for plugin, reason in (("reads_behind", "it went behind the end of what it was given"),
+                               ("scribbles_tasks", "it wrote to what it may only read")):
             status, lines = self.of(bad, plugin, "--only", "memory", code=1)
             self.assertEqual(status, "crash")
             self.assertRegex(lines[1], "^at: 3 robots: ")  # in which scene
             if not program.SANITIZED:
-                self.assertEqual((lines[0], lines[2]), ("Segmentation fault", f"it wrote: {reason}"))
+                self.assertEqual((lines[0], lines[2]), ("Segmentation fault", reason))
 
     def test_of_negotiations(self):
         negotiations = "contract/contract_negotiations.so"

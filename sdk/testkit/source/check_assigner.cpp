@@ -50,8 +50,8 @@ Matrix utilities_for(const Scene& scene, std::size_t variant, std::uint64_t seed
 }
 constexpr std::size_t utility_variants = 7;
 
-void check_assignment(const Matrix& u, const std::vector<std::int32_t>& columns, bool negotiates, bool may_idle,
-                      Findings& findings) {
+void check_assignment(const Matrix& u, const std::vector<std::int32_t>& columns, bool negotiates,
+                      const Options& options, Findings& findings) {
   std::vector<int> holder(u.columns(), -1);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const std::int32_t column = columns[i];
@@ -67,13 +67,17 @@ void check_assignment(const Matrix& u, const std::vector<std::int32_t>& columns,
     }
     holder[j] = static_cast<int>(i);
   }
-  if (negotiates || may_idle) return;
+  if (negotiates || options.may_idle) return;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (columns[i] == REGISTA_UNKNOWN_TASK) findings.say("assign: row ", i, " is unknown, but nothing is negotiated");
     if (columns[i] != REGISTA_NO_TASK) continue;
     for (std::size_t j = 0; j < u.columns(); ++j) {
       if (holder[j] < 0 && u(i, j) != UtilityMatrix::forbidden) {
-        findings.say("assign: row ", i, " has no task although column ", j, " is free and allowed");
+        if (options.doubts_idleness) {
+          findings.doubt("assign: row ", i, " has no task although column ", j, " is free and allowed");
+        } else {
+          findings.say("assign: row ", i, " has no task although column ", j, " is free and allowed");
+        }
         break;
       }
     }
@@ -98,7 +102,7 @@ std::vector<Course> assigner_courses(const Options& options) {
       const Matrix u = utilities_for(scene, i % utility_variants, options.seed, showing.layout);
       const std::vector<std::int32_t> columns = instance.assign(scene, u);
       trail.add_all(columns);
-      check_assignment(u, columns, instance.negotiates(), options.may_idle, findings);
+      check_assignment(u, columns, instance.negotiates(), options, findings);
       if (!scene.unchanged()) findings.say("assign: wrote to its input");
     };
     out.push_back(std::move(r));

@@ -36,10 +36,11 @@ std::uint64_t course_digest(std::int32_t kind, const Loaded& plugin, const Optio
   std::uint64_t hash = 0xcbf29ce484222325u;
   Values values(plugin);
   options.base(values);
-  Findings elsewhere;
+  Findings elsewhere(options.underway);
   for (const Course& course : courses(kind, plugin, options)) {
     Instance instance(plugin, course.environment, values);
     for (std::size_t i = 0; i < course.steps; ++i) {
+      elsewhere.where("", course.name(i));
       const Trail trail = detail::step(course, instance, i, {}, elsewhere);
       for (const char byte : trail.bytes()) {
         hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
@@ -54,13 +55,16 @@ std::vector<Cost> cost_of_calls(std::int32_t kind, const Loaded& plugin, const O
   std::map<std::string, RecordingHost::CallCosts> costs;
   Values values(plugin);
   options.base(values);
-  Findings elsewhere;
+  Findings elsewhere(options.underway);
   for (const Course& course : courses(kind, plugin, options)) {
     Instance instance(plugin, course.environment, values);
     instance.host().allocated = allocated;
     for (const bool counts : {false, true}) {
       instance.host().costs = counts ? &costs : nullptr;
-      for (std::size_t i = 0; i < course.steps; ++i) detail::step(course, instance, i, {}, elsewhere);
+      for (std::size_t i = 0; i < course.steps; ++i) {
+        elsewhere.where("", course.name(i));
+        detail::step(course, instance, i, {}, elsewhere);
+      }
     }
   }
   std::vector<Cost> out;
@@ -70,7 +74,8 @@ std::vector<Cost> cost_of_calls(std::int32_t kind, const Loaded& plugin, const O
     const auto microseconds = [&times](double share) {
       return 1e6 * times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
     };
-    Cost cost{entry.first, times.size(), microseconds(0.5), microseconds(0.99), std::nullopt};
+    Cost cost{entry.first, times.size(), microseconds(0.5), microseconds(0.99), 0.0, std::nullopt};
+    cost.mean_microseconds = 1e6 * std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(times.size());
     if (const auto& counts = entry.second.allocations; !counts.empty()) {
       const std::size_t sum = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
       cost.allocations = static_cast<double>(sum) / static_cast<double>(counts.size());

@@ -71,6 +71,8 @@ Findings check_determinism(const Loaded& plugin, const Options& options, const s
         for (std::size_t i = 0; i < steps_compared(corner, course); ++i) {
           findings.where(corner.name, course.name(i));
           trails.push_back(step(course, first, i, {}, elsewhere));
+          if (!elsewhere.empty())
+            return;  // that is told by check_promises(), and what follows from it is no other fault
           if (step(course, second, i, {}, elsewhere) != trails.back()) {
             findings.say("two instances with the same seed and the same calls give different results");
             return;
@@ -97,6 +99,7 @@ Findings check_growth(const Loaded& plugin, const Options& options, const std::v
         for (std::size_t i = 0; i < steps_compared(corner, course); ++i) {
           findings.where(corner.name, course.name(i));
           const Trail now = step(course, today, i, {}, elsewhere);
+          if (!elsewhere.empty()) return;
           if (step(course, tomorrow, i, {later, REGISTA_READS_ALL}, then) != now) {
             findings.say(
                 "structs and elements that are longer than today's change the result: step by stride, not by sizeof");
@@ -132,6 +135,7 @@ Findings check_reads(const Loaded& plugin, const Options& options, const std::ve
                               for (std::size_t i = 0; i < steps_compared(corner, course); ++i) {
                                 findings.where(corner.name, course.name(i));
                                 const Trail all = step(course, with_all, i, {}, elsewhere);
+                                if (!elsewhere.empty()) return;
                                 if (step(course, with_less, i, as_declared, elsewhere) != all) {
                                   findings.say("parts of the frame that its `reads` do not name change the result");
                                   return;

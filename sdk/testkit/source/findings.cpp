@@ -20,14 +20,14 @@ std::string Findings::text() const {
   return out;
 }
 
-void Findings::add(const std::string& finding) {
-  if (std::find(seen_.begin(), seen_.end(), finding) != seen_.end()) return;
-  seen_.push_back(finding);
-  if (lines_.size() == most) {
+void Findings::add(const std::string& text, std::vector<std::string>& lines) {
+  if (std::find(seen_.begin(), seen_.end(), text) != seen_.end()) return;
+  seen_.push_back(text);
+  if (lines.size() == most) {
     ++left_out_;
     return;
   }
-  lines_.push_back(finding + place());
+  lines.push_back(text + place());
 }
 
 std::string Findings::place() const {

@@ -26,19 +26,22 @@ class Guarded {
   Guarded(std::uint32_t capacity, const Layout& layout)
       : capacity_(capacity),
         memory_((capacity + (layout.guarded ? 0 : behind)) * sizeof(T), layout),
+        bytes_(layout.guarded ? capacity * sizeof(T) : memory_.bytes()),
         original_(memory_.words().begin(), memory_.words().end()) {}
-  T* data() { return reinterpret_cast<T*>(memory_.data()); }
+  // On guarded pages the last element ends where the memory does.
+  T* data() { return reinterpret_cast<T*>(reinterpret_cast<char*>(memory_.data()) + memory_.bytes() - bytes_); }
   T& operator[](std::size_t index) { return data()[index]; }
-  void check(const char* what) const {
+  void check(const char* call, const char* what) const {
+    if (bytes_ < memory_.bytes()) return;  // guarded
     const std::size_t first = capacity_ * sizeof(T);
     if (std::memcmp(reinterpret_cast<const char*>(memory_.data()) + first,
                     reinterpret_cast<const char*>(original_.data()) + first, memory_.bytes() - first) != 0) {
-      throw CallFailed(std::string(what) + ": wrote past the capacity of " + std::to_string(capacity_));
+      throw CallFailed(std::string(call) + ": " + what + ": wrote past the capacity of " + std::to_string(capacity_));
     }
   }
-  std::vector<T> take(std::uint32_t count, const char* what) {
+  std::vector<T> take(std::uint32_t count, const char* call, const char* what) {
     if (count > capacity_) {
-      throw CallFailed(std::string(what) + ": says " + std::to_string(count) + " of at most " +
+      throw CallFailed(std::string(call) + ": " + what + ": says " + std::to_string(count) + " of at most " +
                        std::to_string(capacity_));
     }
     return {data(), data() + count};
@@ -48,8 +51,18 @@ class Guarded {
   static constexpr std::size_t behind = 4;
   std::size_t capacity_;
   Memory memory_;
+  std::size_t bytes_;  // from data() to the end of the memory
   std::vector<std::uint64_t> original_;
 };
+
+// A struct that a plugin writes, with memory behind it that must stay as it is.
+template <class T>
+Grown<T> struct_for_output(const T& value, const Layout& layout) {
+  const std::uint32_t behind = layout.guarded ? 0 : 64;
+  Grown<T> out(value, {layout.growth + behind, layout.guarded});
+  out.get().size -= behind;
+  return out;
+}
 
 // What is wrong with a room that was filled ends the call.
 template <class T>
@@ -84,8 +97,9 @@ void guarded(const char* name, regista_error& error, Body&& body) {
 // The output's surroundings are looked at when the call failed, too.
 template <class Body, class Surroundings>
 void call(RecordingHost& host, const char* name, Body&& body, Surroundings&& look_at_surroundings) {
-  Memory room(sizeof(regista_error), {0, host.layout().guarded});
-  auto& error = *new (room.data()) regista_error{};
+  Guarded<regista_error> room(1, host.layout());
+  regista_error& error = room[0];
+  error = {};
   std::optional<CallFailed> failure;
   const auto allocated = [&host] { return host.allocated == nullptr ? 0 : host.allocated() - host.own_allocations; };
   const std::size_t allocated_before = allocated();
@@ -102,6 +116,7 @@ void call(RecordingHost& host, const char* name, Body&& body, Surroundings&& loo
     costs.seconds.push_back(took.count());
     if (host.allocated != nullptr) costs.allocations.push_back(allocations);
   }
+  room.check(name, "error text");
   look_at_surroundings();
   if (failure) throw *failure;
   if (const std::string broken = host.take_broken(); !broken.empty())
@@ -161,13 +176,19 @@ void Instance::reset(std::uint64_t seed) {
 
 void Instance::predict(double dt, const regista_motion* motion, const regista_frame* last) {
   const auto& t = table<regista_predictor>(plugin_, REGISTA_KIND_PREDICTOR, "predictor");
-  call(*host_, "predict", [&](regista_error* error) { return t.predict(instance_, dt, motion, last, error); });
+  const Strided<regista_motion> moved(std::span(motion, motion == nullptr ? 0 : 1), layout_);
+  const auto* const input = static_cast<const regista_motion*>(moved.span().data);
+  call(*host_, "predict", [&](regista_error* error) { return t.predict(instance_, dt, input, last, error); });
+  if (!moved.unchanged()) throw CallFailed("predict: wrote to the motion");
 }
 
 void Instance::correct(std::span<const regista_measurement> measurements, const regista_visible_area& area) {
   const auto& t = table<regista_predictor>(plugin_, REGISTA_KIND_PREDICTOR, "predictor");
   const Strided<regista_measurement> input(measurements, layout_);
-  call(*host_, "correct", [&](regista_error* error) { return t.correct(instance_, input.span(), &area, error); });
+  const Strided<regista_visible_area> visible(std::span(&area, 1), layout_);
+  const auto* const view = static_cast<const regista_visible_area*>(visible.span().data);
+  call(*host_, "correct", [&](regista_error* error) { return t.correct(instance_, input.span(), view, error); });
+  if (!visible.unchanged()) throw CallFailed("correct: wrote to the visible area");
   if (!input.unchanged()) throw CallFailed("correct: wrote to the measurements");
 }
 
@@ -181,11 +202,15 @@ void Instance::absorb(std::span<const regista_track> tracks, double age) {
 std::vector<regista_track> Instance::tracks(const Capacity& capacity) {
   const auto& t = table<regista_predictor>(plugin_, REGISTA_KIND_PREDICTOR, "predictor");
   WritableRoom<regista_track> out(capacity.tracks, layout_);
-  regista_room raw = out.raw();
+  Guarded<regista_room> raw(1, layout_);
+  raw[0] = out.raw();
   call(
-      *host_, "tracks", [&](regista_error* error) { return t.tracks(instance_, &raw, error); },
-      [&] { examine(out, raw, "tracks"); });
-  return out.take(raw.count);
+      *host_, "tracks", [&](regista_error* error) { return t.tracks(instance_, &raw[0], error); },
+      [&] {
+        raw.check("tracks", "room");
+        examine(out, raw[0], "tracks: tracks");
+      });
+  return out.take(raw[0].count);
 }
 
 regista_track Instance::track_at(const regista_track& told, double age) {
@@ -206,12 +231,12 @@ regista_track Instance::track_at(const regista_track& told, double age) {
 
 std::int32_t Instance::holds(const Scene& scene) {
   const auto& t = table<regista_context>(plugin_, REGISTA_KIND_CONTEXT, "context");
-  Guarded<std::int32_t> out(2, layout_);  // two fill the memory to its end
-  out[0] = out[1] = -77;
+  Guarded<std::int32_t> out(1, layout_);
+  out[0] = -77;
   call(
-      *host_, "holds", [&](regista_error* error) { return t.holds(instance_, &scene.raw(), &out[1], error); },
-      [&] { out.check("holds"); });
-  return out[1];
+      *host_, "holds", [&](regista_error* error) { return t.holds(instance_, &scene.raw(), &out[0], error); },
+      [&] { out.check("holds", "answer"); });
+  return out[0];
 }
 
 Placed Instance::place(const Scene& scene, const Capacity& capacity) {
@@ -225,14 +250,14 @@ Placed Instance::place(const Scene& scene, const Capacity& capacity) {
   raw.edges = edges.raw();
   raw.cells = cells.raw();
   raw.vertices = vertices.raw();
-  Grown<regista_placement> out(raw, layout_);
+  Grown<regista_placement> out = struct_for_output(raw, layout_);
   call(
       *host_, "place", [&](regista_error* error) { return t.place(instance_, &scene.raw(), &out.get(), error); },
       [&] {
-        examine(points, out.get().points, "points");
-        examine(edges, out.get().edges, "edges");
-        examine(cells, out.get().cells, "cells");
-        examine(vertices, out.get().vertices, "vertices");
+        examine(points, out.get().points, "place: points");
+        examine(edges, out.get().edges, "place: edges");
+        examine(cells, out.get().cells, "place: cells");
+        examine(vertices, out.get().vertices, "place: vertices");
         if (!out.tail_unchanged()) throw CallFailed("place: wrote past the end of its output struct");
       });
   const regista_placement& got = out.get();
@@ -245,14 +270,17 @@ Matrix Instance::score(const Scene& scene) {
   Matrix out(scene.rows(), scene.columns(), layout_);
   Guarded<double> room(static_cast<std::uint32_t>(out.memory().size()), layout_);
   std::ranges::copy(out.memory(), room.data());
-  regista_matrix_room raw = out.room();
-  double* const values = std::exchange(raw.values, room.data());
+  regista_matrix_room matrix = out.room();
+  double* const values = std::exchange(matrix.values, room.data());
+  const Strided<regista_matrix_room> shape(std::span(&matrix, 1), layout_);
+  const auto* const raw = static_cast<const regista_matrix_room*>(shape.span().data);
   call(
-      *host_, "score", [&](regista_error* error) { return t.score(instance_, &scene.raw(), &raw, error); },
-      [&] { room.check("utilities"); });
+      *host_, "score", [&](regista_error* error) { return t.score(instance_, &scene.raw(), raw, error); },
+      [&] { room.check("score", "utilities"); });
+  if (!shape.unchanged()) throw CallFailed("score: wrote to the shape of its output");
   std::copy_n(room.data(), out.memory().size(), values);
-  for (std::uint32_t i = 0; i < raw.rows; ++i) {
-    for (std::uint32_t j = raw.columns; j < raw.stride; ++j) {
+  for (std::uint32_t i = 0; i < matrix.rows; ++i) {
+    for (std::uint32_t j = matrix.columns; j < matrix.stride; ++j) {
       if (out(i, j) == out(i, j)) throw CallFailed("score: wrote between the rows of its output");
     }
   }
@@ -266,16 +294,17 @@ bool Instance::negotiates() const {
 std::vector<std::int32_t> Instance::assign(const Scene& scene, Matrix utilities) {
   const auto& t = table<regista_assigner>(plugin_, REGISTA_KIND_ASSIGNER, "assigner");
   const Strided<double> input(utilities.memory(), {0, layout_.guarded});
-  regista_matrix raw = utilities.raw();
-  raw.values = static_cast<const double*>(input.span().data);
-  Guarded<std::int32_t> out(raw.rows, layout_);
-  std::fill(out.data(), out.data() + raw.rows, std::int32_t{REGISTA_NO_TASK});
+  regista_matrix matrix = utilities.raw();
+  matrix.values = static_cast<const double*>(input.span().data);
+  const Strided<regista_matrix> shape(std::span(&matrix, 1), layout_);
+  const auto* const raw = static_cast<const regista_matrix*>(shape.span().data);
+  Guarded<std::int32_t> out(matrix.rows, layout_);
+  std::fill_n(out.data(), matrix.rows, std::int32_t{REGISTA_NO_TASK});
   call(
-      *host_, "assign",
-      [&](regista_error* error) { return t.assign(instance_, &scene.raw(), &raw, out.data(), error); },
-      [&] { out.check("rows"); });
-  if (!input.unchanged()) throw CallFailed("assign: wrote to the utilities");
-  return out.take(raw.rows, "rows");
+      *host_, "assign", [&](regista_error* error) { return t.assign(instance_, &scene.raw(), raw, out.data(), error); },
+      [&] { out.check("assign", "columns"); });
+  if (!input.unchanged() || !shape.unchanged()) throw CallFailed("assign: wrote to the utilities");
+  return out.take(matrix.rows, "assign", "columns");
 }
 
 std::uint32_t Instance::reason_count() const {
@@ -292,20 +321,20 @@ Sent Instance::decide(const Scene& scene, std::span<const regista_event> events,
   Guarded<std::uint64_t> granted(static_cast<std::uint32_t>(offers.size()), layout_);
   regista_send raw{};
   raw.granted = granted.data();
-  Grown<regista_send> out(raw, layout_);
+  Grown<regista_send> out = struct_for_output(raw, layout_);
   call(
       *host_, "decide",
       [&](regista_error* error) {
         return t.decide(instance_, &scene.raw(), happened.span(), pending.span(), &left.get(), &out.get(), error);
       },
       [&] {
-        granted.check("granted");
+        granted.check("decide", "granted");
         if (!out.tail_unchanged()) throw CallFailed("decide: wrote past the end of its output struct");
       });
   if (!happened.unchanged() || !pending.unchanged() || !left.unchanged()) {
     throw CallFailed("decide: wrote to its input");
   }
-  return {out.get().send, out.get().reason, granted.take(out.get().granted_count, "granted")};
+  return {out.get().send, out.get().reason, granted.take(out.get().granted_count, "decide", "granted")};
 }
 
 regista_action Instance::act(const Scene& scene, const BodyBuilder& body) {
@@ -317,10 +346,8 @@ regista_action Instance::act(const Scene& scene, const BodyBuilder& body) {
   own.make_read_only();
   regista_action empty{};
   empty.kick = REGISTA_NO_KICK;
-  // Bytes that must stay as they are, beyond those that the plugin may know of.
-  const std::uint32_t behind = layout_.guarded ? 0 : 64;
-  Grown<regista_action> out(empty, {layout_.growth + behind, layout_.guarded});
-  const std::uint32_t size = out.get().size -= behind;
+  Grown<regista_action> out = struct_for_output(empty, layout_);
+  const std::uint32_t size = out.get().size;
   call(
       *host_, "act",
       [&](regista_error* error) { return t.act(instance_, &scene.raw(), &own.get(), &out.get(), error); },
@@ -346,9 +373,12 @@ void Instance::dropped(std::uint64_t handle) {
 
 void Instance::receive(int sender, std::span<const std::uint8_t> bytes, double time_sent, double time_heard) {
   const auto& t = table<regista_mailbox>(plugin_, REGISTA_KIND_MAILBOX, "mailbox");
-  const regista_message message{
+  const regista_message heard{
       sender, REGISTA_MEDIUM_RADIO, time_sent, time_heard, bytes.data(), static_cast<std::uint32_t>(bytes.size()), 0};
-  call(*host_, "receive", [&](regista_error* error) { return t.receive(instance_, &message, error); });
+  const Strided<regista_message> input(std::span(&heard, 1), layout_);
+  const auto* const message = static_cast<const regista_message*>(input.span().data);
+  call(*host_, "receive", [&](regista_error* error) { return t.receive(instance_, message, error); });
+  if (!input.unchanged()) throw CallFailed("receive: wrote to the message");
 }
 
 std::string Instance::describe(std::span<const std::uint8_t> bytes) {
@@ -364,7 +394,7 @@ std::string Instance::describe(std::span<const std::uint8_t> bytes) {
       [&](regista_error* error) {
         return t.describe(instance_, data, static_cast<std::uint32_t>(bytes.size()), text.data(), capacity, error);
       },
-      [&] { text.check("describe"); });
+      [&] { text.check("describe", "text"); });
   const std::string_view whole(text.data(), capacity);
   const std::size_t end = whole.find('\0');
   if (end == std::string_view::npos) throw CallFailed("describe: the text does not end within its capacity");

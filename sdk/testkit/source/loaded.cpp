@@ -4,6 +4,7 @@
 
 #include <dlfcn.h>
 
+#include <cfenv>
 #include <filesystem>
 #include <stdexcept>
 
@@ -19,7 +20,11 @@ std::string version(const regista_descriptor& d) {
 
 Loaded::Loaded(const std::string& file, std::string_view id) {
   // Never unloaded: dlclose does not take everything back that a C++ library has set up.
+  // What its constructors did to rounding is undone, as the host undoes it.
+  std::fenv_t arithmetic;
+  std::fegetenv(&arithmetic);
   void* library = dlopen(std::filesystem::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  std::fesetenv(&arithmetic);
   if (library == nullptr) throw std::runtime_error(dlerror());
   const auto entry = reinterpret_cast<decltype(&regista_plugin_entry)>(dlsym(library, REGISTA_ENTRY_NAME));
   if (entry == nullptr) throw std::runtime_error(file + ": exports no " REGISTA_ENTRY_NAME);

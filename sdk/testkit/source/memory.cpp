@@ -48,11 +48,10 @@ class FaultReport {
       if (at < each->begin || at >= each->begin + each->length + static_cast<std::size_t>(::sysconf(_SC_PAGESIZE))) {
         continue;
       }
-      std::string_view what = "the plugin went behind the end of what it was given\n";
+      std::string_view what = "memory: it went behind the end of what it was given\n";
       if (at < each->begin + each->length) {
-        what = each->access == Memory::Access::none
-                   ? "the plugin used what it had no more: it ended with an earlier call\n"
-                   : "the plugin wrote to what it may only read\n";
+        what = each->access == Memory::Access::none ? "memory: it used what had ended with an earlier call\n"
+                                                    : "memory: it wrote to what it may only read\n";
       }
       [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, what.data(), what.size());
       break;

@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
                     assigner("ignores_stride", "growth", "step by stride, not by sizeof"),
                     assigner("scribbles", "promises", "assign: wrote to the utilities"),
                     assigner("scribbles_tasks", "promises", "assign: wrote to its input"),
-                    assigner("overruns", "promises", "rows: wrote past the capacity of 7"),
+                    assigner("overruns", "promises", "assign: columns: wrote past the capacity of 7"),
                     assigner("throws_across", "promises", "assign: threw an exception across the boundary"),
                     assigner("fails_silently", "promises", "assign: failed and did not say why"),
                     assigner("fails_at_length", "promises", "assign: its error has more than one line"),
@@ -216,12 +216,12 @@ TEST_P(Faults, EndTheProcessWithTheReason) {
 
 INSTANTIATE_TEST_SUITE_P(
     Memory, Faults,
-    testing::Values(assigner("reads_behind", "memory", "the plugin went behind the end of what it was given"),
-                    assigner("reads_one_row_more", "memory", "the plugin went behind the end of what it was given"),
-                    assigner("overruns", "memory", "the plugin went behind the end of what it was given"),
-                    assigner("scribbles", "memory", "the plugin wrote to what it may only read"),
-                    assigner("scribbles_tasks", "memory", "the plugin wrote to what it may only read"),
-                    utility("keeps_the_environment", "memory", "the plugin used what it had no more")),
+    testing::Values(assigner("reads_behind", "memory", "memory: it went behind the end of what it was given"),
+                    assigner("reads_one_row_more", "memory", "memory: it went behind the end of what it was given"),
+                    assigner("overruns", "memory", "memory: it went behind the end of what it was given"),
+                    assigner("scribbles", "memory", "memory: it wrote to what it may only read"),
+                    assigner("scribbles_tasks", "memory", "memory: it wrote to what it may only read"),
+                    utility("keeps_the_environment", "memory", "memory: it used what had ended with an earlier call")),
     name);
 
 // Promises that a plugin may choose to give.

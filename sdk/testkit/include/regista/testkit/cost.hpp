@@ -17,7 +17,7 @@ namespace regista::testkit {
 struct Cost {
   std::string call;  // "assign"
   std::size_t count = 0;
-  double median_microseconds = 0.0, p99_microseconds = 0.0;
+  double median_microseconds = 0.0, p99_microseconds = 0.0, mean_microseconds = 0.0;
   std::optional<double> allocations;  // by operator new, mean of a call; none: nobody counted
 };
 

@@ -24,12 +24,12 @@ class Findings {
   // The same text is kept once, with the first place where it was seen.
   template <class... Parts>
   void say(const Parts&... parts) {
-    add(text_of(parts...));
+    add(text_of(parts...), lines_);
   }
   // What may be meant, and may be a mistake. It is no finding.
   template <class... Parts>
   void doubt(const Parts&... parts) {
-    doubts_.push_back(text_of(parts...) + place());
+    add(text_of(parts...), doubts_);
   }
   // What is worth knowing of a sound plugin too. It is no finding.
   template <class... Parts>
@@ -49,7 +49,7 @@ class Findings {
     (text << ... << parts);
     return text.str();
   }
-  void add(const std::string& finding);
+  void add(const std::string& text, std::vector<std::string>& lines);
   std::string place() const;  // " (low = 0; one robot)", or nothing
 
   static constexpr std::size_t most = 20;

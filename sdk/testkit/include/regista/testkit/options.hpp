@@ -17,6 +17,8 @@ struct Options {
   bool order_of_opponents_is_irrelevant = false;
   // An assigner: may leave a robot idle although a task is open to it (a greatest distance, an auction by groups).
   bool may_idle = false;
+  // Of one that must not: it is a doubt and no finding.
+  bool doubts_idleness = false;
   // Of whatever the checks draw by chance. A finding is found again with the same seed.
   std::uint64_t seed = 0;
   // Is told what is about to be played.
