@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/plugin_folders.hpp"
 #include "config/carpet.hpp"
 #include "config/documents.hpp"
 #include "config/parse.hpp"
@@ -30,10 +31,10 @@ constexpr auto config_draw_examples = R"(Examples:
 
 Positions are in metres from the centre of the field: x towards the opponent's goal, y to the left. Without --ball the ball lies
 in the centre. Contexts, positioner and sender have no part in it: it is where a role goes before a task is moved towards
-a waypoint. A drawing replaces an older drawing in the same file.)";
+a waypoint. So no plugin is needed; --plugins may be given and changes nothing. A drawing replaces an older drawing in the same file.)";
 
 struct ConfigDrawOptions {
-  std::vector<std::string> files, overrides, roles, balls;
+  std::vector<std::string> files, overrides, roles, balls, plugins;
   std::string list, rules, output;
   bool no_ball = false, force = false;
 };
@@ -124,6 +125,7 @@ void add_config_draw(Command& parent) {
   command.take("--rules", options->rules, "FILE",
                "rules profile, for the size of the field; default: spl2023, built in", Reads::documents);
   command.take("--set", options->overrides, "PATH=VALUE", "a value laid over the team; may be repeated");
+  add_plugin_folders(command, options->plugins);
   command.take("-o,--output", options->output, "FILE", "write this file, - for standard output", Writes::drawing);
   command.flag("--force", options->force, "replace a page or another picture");
   command.notes(config_draw_examples);

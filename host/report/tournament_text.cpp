@@ -136,9 +136,18 @@ std::string pairings_text(const TournamentView& view) {
 // Of games that are shorter than a match, whose budget is that of a whole one.
 std::string packets_text(const TournamentView& view) {
   std::string out;
+  bool overspent = false;
   for (std::size_t team = 0; team < view.plan.teams.size(); ++team) {
-    const std::string clause = packets_clause(view.course.packets(team), OverspentMark::loud);
+    const study::PacketsSpent packets = view.course.packets(team);
+    const std::string clause = packets_clause(packets, OverspentMark::loud);
     if (!clause.empty()) out += fmt::format("{} {}\n", view.label(team), clause);
+    overspent = overspent || (packets.games() > 0 && packets.overspent());
+  }
+  if (overspent) {
+    out +=
+        "Who has overspent could not go on like this for a whole match. With --set rules.messages.short_games=share a "
+        "short "
+        "game has its share of the packets.\n";
   }
   return view.plan.teams.size() > 2 && !out.empty() ? '\n' + out : out;
 }

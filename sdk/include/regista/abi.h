@@ -442,10 +442,10 @@ typedef struct regista_vertex {
 typedef struct regista_placement {
   uint32_t size;
   uint32_t reserved;
-  regista_room points;               /* regista_waypoint, inside field and border strip */
-  regista_room edges;                /* regista_edge */
-  regista_room cells;                /* regista_cell */
-  regista_room vertices;             /* regista_vertex */
+  regista_room points;               /* regista_waypoint, inside field and border strip; for 256 at least */
+  regista_room edges;                /* regista_edge, each once, none to itself; for 512 at least */
+  regista_room cells;                /* regista_cell; for 16 at least */
+  regista_room vertices;             /* regista_vertex; for 512 at least */
 } regista_placement;
 
 typedef struct regista_positioner {

@@ -49,7 +49,9 @@ TEST(PacketsSpent, TextOfATournament) {
   course.play();
   EXPECT_THAT(tournament_text(course.view()),
               HasSubstr("\na spent 45 packets per match; the share of the budget for this length is 30: OVERSPENT\n"
-                        "b spent 20 packets per match; the share of the budget for this length is 30\n"));
+                        "b spent 20 packets per match; the share of the budget for this length is 30\n"
+                        "Who has overspent could not go on like this for a whole match. With --set "
+                        "rules.messages.short_games=share a short game has its share of the packets.\n"));
   EXPECT_THAT(standing_text(course.view()), Not(HasSubstr("packets")));  // of the live display
 }
 
