@@ -22,8 +22,8 @@ using Event = regista_event;
 using Offer = regista_offer;
 using Budget = regista_budget;
 
-// budget.line falls evenly over the time in which a team may send: of 1200 packets 1154 at the first whistle, 577 at the
-// second, 0 at the end. Who keeps packets_left above it has enough to the end.
+// budget.line falls evenly over the time in which a team may send: of 1200 packets 1154 at the first whistle, 577 at
+// the second, 0 at the end. Who keeps packets_left above it has enough to the end.
 struct SendQuery {
   Span<Event> events;  // since the last decision
   Span<Offer> offers;  // pending
