@@ -32,8 +32,8 @@ class Guarded {
   T* data() { return reinterpret_cast<T*>(reinterpret_cast<char*>(memory_.data()) + memory_.bytes() - bytes_); }
   T& operator[](std::size_t index) { return data()[index]; }
   void check(const char* call, const char* what) const {
-    if (bytes_ < memory_.bytes()) return;  // guarded
     const std::size_t first = capacity_ * sizeof(T);
+    if (bytes_ == first) return;  // on guarded pages nothing lies behind
     if (std::memcmp(reinterpret_cast<const char*>(memory_.data()) + first,
                     reinterpret_cast<const char*>(original_.data()) + first, memory_.bytes() - first) != 0) {
       throw CallFailed(std::string(call) + ": " + what + ": wrote past the capacity of " + std::to_string(capacity_));
