@@ -24,6 +24,8 @@ SECONDS = 100.0 if program.SANITIZED else 10.0  # of the processor, for a shippe
 
 class PluginCheck(program.Case):
     def check(self, *arguments, code, timeout=program.PATIENCE):
+        if program.SANITIZED and "--processor-seconds" not in arguments:
+            arguments += ("--processor-seconds", "100")
         done = self.run_program("plugin", "check", *arguments, "--json", timeout=timeout)
         self.assertEqual((done.returncode, done.stderr), (code, ""), (arguments, done.stdout[-2000:]))
         (report,) = json.loads(done.stdout)
@@ -200,6 +202,7 @@ class Faults(PluginCheck):
             if not program.SANITIZED:
                 self.assertEqual((lines[0], lines[2]), ("Segmentation fault", reason))
 
+    @unittest.skipIf(program.SANITIZED, "rehearsals take long there; contract_negotiations has two")
     def test_of_negotiations(self):
         negotiations = "contract/contract_negotiations.so"
         status, lines = self.of(negotiations, "consensus_auction", "--only", "rehearsal", code=0)
@@ -217,6 +220,7 @@ class Faults(PluginCheck):
         self.assertNotEqual(again[1], lines)
         self.assertEqual(self.of(negotiations, "consensus_auction", *with_seed, code=0), again)
 
+    @unittest.skipIf(program.SANITIZED, "rehearsals take long there; contract_negotiations has two")
     def test_of_who_talks_and_does_not_negotiate(self):
         status, lines = self.of(SHIPPED / "scram.so", "scram", "--only", "rehearsal", "--set", "vote=true", code=0)
         self.assertEqual(status, "warn")
