@@ -24,6 +24,7 @@ struct KickKind {
 struct Receiver {
   Vector2d position{0, 0};
   double age = 0.0;  // s since the last news of it
+  int number = 0;    // on its shirt
 };
 
 struct Blocker {
@@ -36,6 +37,7 @@ struct KickPlan {
   Vector2d direction{1, 0};  // unit, field frame
   double distance = 0.0;     // that the ball shall roll, m
   int kind = no_kind;        // index into the kinds of kick; no_kind when no kick leads anywhere
+  int receiver = 0;          // the teammate that a pass is meant for
 };
 
 // Field frame. Owns nothing.
@@ -129,8 +131,9 @@ class KickChoice {
       const Vector2d aim(mate.position.x() + settings_.pass_ahead, mate.position.y());
       const double distance = (aim - scene_.ball).norm();
       if (distance < settings_.shortest_pass) return;
-      const auto plan = plan_towards(aim, distance);
+      auto plan = plan_towards(aim, distance);
       if (!plan || !(std::abs(plan->distance - distance) < settings_.pass_miss)) return;
+      plan->receiver = mate.number;
       consider(*plan, gain(*plan) + settings_.pass_bonus - risk(plan->direction, plan->distance));
     }
 
@@ -152,7 +155,7 @@ class KickChoice {
       const Vector2d way = aim - scene_.ball;
       const double length = way.norm();
       if (length < 1e-6 || scene_.kinds.empty()) return std::nullopt;
-      KickPlan plan{way / length, 0.0, KickPlan::no_kind};
+      KickPlan plan{way / length, 0.0, KickPlan::no_kind, 0};
       double least_miss = 0.0;
       for (std::size_t i = 0; i < scene_.kinds.size(); ++i) {
         const KickKind& kind = scene_.kinds[i];

@@ -1,49 +1,88 @@
 // SPDX-License-Identifier: MIT
-// Glue of the behaviours that kick: hands the kick choice what the robot believes, and keeps what must not flicker: the
-// last choice.
+// Glue of the behaviours that play the ball: hands the choice of a kick, and the claim of the ball, what the robot
+// believes, and keeps what must not flicker: the last choice.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
 #include <regista/behaviour.hpp>
 
+#include "claim.hpp"
+#include "expected_gain.hpp"
 #include "kick_choice.hpp"
 #include "situation.hpp"
 
 namespace behaviours {
 
+enum class KickRule { metres, expected_gain };
+
+struct PlaySettings {
+  KickRule kick_rule = KickRule::metres;
+  GainSettings gain;
+  ClaimSettings claim;
+};
+
 class KickMemory {
  public:
-  void setup(const regista::Environment& environment, const KickSettings& settings) {
+  void setup(const regista::Environment& environment, const KickSettings& settings, const PlaySettings& play) {
     choice_ = KickChoice(settings);
+    gain_ = ExpectedGain(play.gain);
+    play_ = play;
     for (const regista::Kick& kick : environment.kicks()) {
       kinds_.push_back({kick.minimum_distance, kick.maximum_distance});
+      direction_error_ = std::max(direction_error_, kick.direction_error);
     }
     teammates_.reserve(environment->team_size);
+    contenders_.reserve(environment->team_size);
     constexpr std::size_t most_opponents = 64;  // more than there are; only memory depends on it
     opponents_.reserve(most_opponents);
   }
 
-  void forget() { last_.reset(); }
+  void forget() {
+    last_.reset();
+    claim_.forget();
+  }
+
+  // Whether this robot goes for the ball now. `by_role`: its role does.
+  bool plays_ball(const regista::Frame& frame, const Situation& situation, bool by_role) {
+    contenders_.clear();
+    if (play_.claim.nearest_plays) {
+      for (const regista::Robot& robot : frame.mine().robots()) {
+        if (able(robot, situation)) contenders_.push_back({{robot.pose[0], robot.pose[1]}, robot.age, robot.number});
+      }
+    }
+    return claim_.update(situation, play_.claim, contenders_, by_role);
+  }
 
   KickPlan choose(const regista::Frame& frame, const Situation& situation) {
     const regista::World world = frame.mine();
     teammates_.clear();
     for (const regista::Robot& robot : world.robots()) {
-      const bool reachable = (robot.flags & REGISTA_ROBOT_ACTIVE) != 0 && (robot.flags & REGISTA_ROBOT_FALLEN) == 0 &&
-                             robot.number != situation.facts.own_number;
-      if (reachable) teammates_.push_back({{robot.pose[0], robot.pose[1]}, robot.age});
+      if (able(robot, situation)) teammates_.push_back({{robot.pose[0], robot.pose[1]}, robot.age, robot.number});
     }
     opponents_.clear();
     for (const regista::Opponent& opponent : world.opponents()) {
       opponents_.push_back({{opponent.position[0], opponent.position[1]}, opponent.weight});
     }
-    last_ = choice_.choose({situation.facts.field, situation.ball, kinds_, teammates_, opponents_, last_});
+    const KickScene scene{situation.facts.field, situation.ball, kinds_, teammates_, opponents_, last_};
+    last_ = play_.kick_rule == KickRule::metres ? choice_.choose(scene)
+                                                : gain_.choose({scene, situation, direction_error_}).plan;
     return *last_;
   }
 
  private:
+  static bool able(const regista::Robot& robot, const Situation& situation) {
+    return (robot.flags & REGISTA_ROBOT_ACTIVE) != 0 && (robot.flags & REGISTA_ROBOT_FALLEN) == 0 &&
+           robot.number != situation.facts.own_number;
+  }
+
+  PlaySettings play_;
+  ExpectedGain gain_;
+  Claim claim_;
+  double direction_error_ = 0.0;
+  std::vector<Contender> contenders_;
   KickChoice choice_;
   std::vector<KickKind> kinds_;
   std::vector<Receiver> teammates_;

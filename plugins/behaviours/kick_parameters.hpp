@@ -2,12 +2,14 @@
 // Parameters of the behaviours that kick. Glue: a plugin puts them within its settings.
 #pragma once
 
+#include <array>
 #include <tuple>
 
 #include <regista/parameters.hpp>
 
 #include "approach.hpp"
 #include "kick_choice.hpp"
+#include "kick_memory.hpp"
 
 namespace behaviours {
 
@@ -85,6 +87,69 @@ inline constexpr std::tuple kick_parameters{
         "same_direction", &KickSettings::same_direction, {0.0, 1.0}, "1",
         "A kick whose direction makes an angle with the last one of a larger cosine is still that choice; our "
         "choice: 0.97, 14 degrees")};
+
+inline constexpr std::array<const char*, 2> kick_rules{"metres", "expected_gain"};
+inline constexpr regista::Range of_worth{0.0, 5.0}, of_seconds{0.0, 20.0};
+
+// Who plays the ball, and by which rule kicks are chosen.
+inline constexpr std::tuple play_parameters{
+    regista::choice(
+        "kick_rule", &PlaySettings::kick_rule, kick_rules,
+        "How a kick is chosen: metres: by ground gained, less what opponents near its line may cost; "
+        "expected_gain: by what it is worth on average, over its errors and the opponents' reach (`gain_...`)"),
+    regista::within(
+        &PlaySettings::gain,
+        regista::real("gain_pull", &GainSettings::pull, {0.3, 20.0}, "m",
+                      "The worth of a place falls to 1 / e so far from a goal; our choice: 3")
+            .tunable(),
+        regista::real("gain_possession", &GainSettings::possession, of_worth, "1",
+                      "Worth of holding the ball rather than the opponents; our choice: 0.25")
+            .tunable(),
+        regista::real("gain_goal", &GainSettings::goal, of_worth, "1", "Worth of a goal; our choice: 1.5").tunable(),
+        regista::real("gain_race", &GainSettings::race, {0.05, 20.0}, "s",
+                      "A team that is so much sooner at the ball holds it with probability 0.73; our choice: 1.2")
+            .tunable(),
+        regista::real("gain_reaction", &GainSettings::reaction, of_seconds, "s",
+                      "Opponents do not move for so long after a kick; our choice: 0.8")
+            .tunable(),
+        regista::real("gain_edge", &GainSettings::edge, {0.01, 2.0}, "m",
+                      "An opponent's reach fades out over this distance; our choice: 0.15")
+            .tunable(),
+        regista::real("gain_walk_around", &GainSettings::walk_around, of_seconds, "s",
+                      "Time for each rad that the robot has to walk around the ball before the kick; our choice: 1.9")
+            .tunable(),
+        regista::real("gain_hurry", &GainSettings::hurry, {0.0, 1.0}, "1",
+                      "Worth of each second until the kick; our choice: 0.01")
+            .tunable(),
+        regista::real("gain_constancy", &GainSettings::constancy, of_worth, "1",
+                      "The last choice is kept unless another kick is worth so much more; our choice: 0.05")
+            .tunable(),
+        regista::real("gain_receiver_age", &GainSettings::receiver_age, {0.0, 60.0}, "s",
+                      "Nobody passes to a teammate of whom the news are older; our choice: 4")
+            .tunable(),
+        regista::real("gain_into_space", &GainSettings::into_space, {0.0, 3.0}, "m",
+                      "Passes are aimed at the teammate and this far in front of it; our choice: 0.4")
+            .tunable()),
+    regista::within(
+        &PlaySettings::claim,
+        regista::boolean("nearest_plays", &ClaimSettings::nearest_plays,
+                         "A robot that is surely first at the ball plays it whatever its role, and the robot of the "
+                         "role leaves it to a teammate that is (`claim_...`); no: the role alone decides"),
+        regista::real("claim_sooner", &ClaimSettings::sooner, of_seconds, "s",
+                      "So much sooner than all teammates a robot takes a ball that is not its role's; our choice: 1")
+            .tunable(),
+        regista::real("claim_kept", &ClaimSettings::kept, of_seconds, "s",
+                      "While it is so much sooner it keeps what it has taken; our choice: 0")
+            .tunable(),
+        regista::real("claim_left", &ClaimSettings::left, of_seconds, "s",
+                      "The robot of the role leaves the ball to a teammate that is so much sooner; our choice: 1.5")
+            .tunable(),
+        regista::real("claim_news_at_most", &ClaimSettings::news_at_most, {0.0, 60.0}, "s",
+                      "It leaves the ball to nobody of whom the news are older; our choice: 3")
+            .tunable(),
+        regista::real("claim_doubt", &ClaimSettings::doubt, {0.0, 1.0}, "1",
+                      "Seconds by which each second of silence makes a teammate's time uncertain; our choice: 0.2")
+            .tunable())};
 
 inline constexpr std::tuple approach_parameters{
     regista::real("meet_within", &ApproachSettings::meet_within, {0.0, 10.0}, "s",

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The ball that rolls: from which speed on it is met where it will be, and how far it rolls by itself.
+// The ball that rolls: from which speed on it is met where it will be, how far it rolls by itself, and where somebody
+// meets it first.
 #pragma once
+
+#include <algorithm>
+#include <cmath>
 
 #include "situation.hpp"
 
@@ -12,6 +16,33 @@ struct RollingSettings {
 
 inline double rolling_distance(const Situation& situation) {
   return situation.ball_velocity.squaredNorm() / (2.0 * situation.facts.ball_deceleration);
+}
+
+// Where and when somebody who walks at full speed is at the ball first, if nobody else touches it.
+struct Meeting {
+  Vector2d place{0, 0};
+  double time = 0.0;  // s from now
+};
+
+// `from`: the centre of who walks. It is there when its body touches the ball. At the latest where the ball comes to
+// rest.
+inline Meeting meeting(const Situation& situation, const Vector2d& from) {
+  const Facts& facts = situation.facts;
+  const double touching = facts.robot_radius + facts.ball_radius;
+  const auto walk_time = [&](const Vector2d& place) {
+    return std::max(0.0, (place - from).norm() - touching) / facts.walk_forward;
+  };
+  const double speed = situation.ball_velocity.norm();
+  constexpr double resting = 0.05, step = 0.2;  // m/s, s
+  if (speed < resting) return {situation.ball, walk_time(situation.ball)};
+  const Vector2d ahead = situation.ball_velocity / speed;
+  const double stops = speed / facts.ball_deceleration;
+  for (double time = 0.0; time < stops; time += step) {
+    const Vector2d place = situation.ball + ahead * (time * (speed - 0.5 * facts.ball_deceleration * time));
+    if (walk_time(place) <= time) return {place, time};
+  }
+  const Vector2d rest = situation.ball + ahead * rolling_distance(situation);
+  return {rest, std::max(stops, walk_time(rest))};
 }
 
 }  // namespace behaviours

@@ -25,6 +25,7 @@ struct KeepGoal {
   behaviours::RollingSettings rolling;
   Settings settings;
   behaviours::KickSettings kick;
+  behaviours::PlaySettings playing;
   behaviours::ApproachSettings approach;
   static constexpr std::tuple parameters{
       regista::within(&KeepGoal::conduct, behaviours::conduct_parameters),
@@ -45,6 +46,7 @@ struct KeepGoal {
                         "The keeper leaves its place by so much for the line of a shot; our choice: 1.5")
               .tunable()),
       regista::within(&KeepGoal::kick, behaviours::kick_parameters),
+      regista::within(&KeepGoal::playing, behaviours::play_parameters),
       regista::within(&KeepGoal::approach, behaviours::approach_parameters)};
 
   behaviours::SituationReader reader{behaviours::Duty::keeps_goal};
@@ -52,7 +54,7 @@ struct KeepGoal {
 
   void setup(const regista::Environment& environment) {
     reader.setup(environment);
-    kicks.setup(environment, kick);
+    kicks.setup(environment, kick, playing);
   }
 
   void reset(std::uint64_t) { kicks.forget(); }

@@ -23,6 +23,7 @@ struct PlayBall {
   behaviours::Conduct conduct;
   behaviours::RollingSettings rolling;
   behaviours::KickSettings kick;
+  behaviours::PlaySettings playing;
   behaviours::ApproachSettings approach;
   behaviours::SupportSettings support;
   behaviours::SearchSettings search;
@@ -30,6 +31,7 @@ struct PlayBall {
       regista::within(&PlayBall::conduct, behaviours::conduct_parameters),
       regista::within(&PlayBall::rolling, behaviours::rolling_parameter),
       regista::within(&PlayBall::kick, behaviours::kick_parameters),
+      regista::within(&PlayBall::playing, behaviours::play_parameters),
       regista::within(&PlayBall::approach, behaviours::approach_parameters),
       regista::within(&PlayBall::support, behaviours::reception_reach_parameter, behaviours::node_reached_parameter),
       regista::within(&PlayBall::search, behaviours::search_parameters)};
@@ -40,7 +42,7 @@ struct PlayBall {
 
   void setup(const regista::Environment& environment) {
     reader.setup(environment);
-    kicks.setup(environment, kick);
+    kicks.setup(environment, kick, playing);
     path.reserve(behaviours::SituationReader::most_nodes);
   }
 
@@ -56,7 +58,8 @@ struct PlayBall {
 
   behaviours::Movement play(const regista::Frame& frame, const behaviours::Situation& situation) {
     if (!situation.ball_trusted) return behaviours::search(situation, search, conduct.legal);
-    if (!situation.facts.can_kick || ball_is_theirs(situation)) {
+    const bool mine = kicks.plays_ball(frame, situation, true);
+    if (!situation.facts.can_kick || ball_is_theirs(situation) || !mine) {
       return behaviours::support(situation, support, rolling, conduct.legal, path);
     }
     return behaviours::approach(situation, approach, rolling, kicks.choose(frame, situation));

@@ -4,6 +4,8 @@
 
 #include "../by_phase.hpp"
 #include "../conduct_parameters.hpp"
+#include "../kick_memory.hpp"
+#include "../kick_parameters.hpp"
 #include "../place_parameters.hpp"
 #include "../read_situation.hpp"
 #include "../write_action.hpp"
@@ -13,29 +15,44 @@ namespace {
 struct Support {
   static constexpr auto id = "support", version = "1.0.0",
                         summary = "Walks to the place of the task, and receives a ball that comes along";
-  static constexpr unsigned reads = REGISTA_READS_FACINGS | REGISTA_READS_WAYPOINTS | REGISTA_READS_EDGES;
+  static constexpr unsigned reads =
+      REGISTA_READS_OPPONENTS_MINE | REGISTA_READS_FACINGS | REGISTA_READS_WAYPOINTS | REGISTA_READS_EDGES;
 
   behaviours::Conduct conduct;
   behaviours::RollingSettings rolling;
   behaviours::SupportSettings settings;
+  behaviours::KickSettings kick;
+  behaviours::PlaySettings playing;
+  behaviours::ApproachSettings approach;
   static constexpr std::tuple parameters{
       regista::within(&Support::conduct, behaviours::conduct_parameters),
       regista::within(&Support::rolling, behaviours::rolling_parameter),
       regista::within(&Support::settings, behaviours::reception_reach_parameter.tunable(),
-                      behaviours::node_reached_parameter)};
+                      behaviours::node_reached_parameter),
+      regista::within(&Support::kick, behaviours::kick_parameters),
+      regista::within(&Support::playing, behaviours::play_parameters),
+      regista::within(&Support::approach, behaviours::approach_parameters)};
 
   behaviours::SituationReader reader{behaviours::Duty::other};
+  behaviours::KickMemory kicks;
   behaviours::EdgePath path;
 
   void setup(const regista::Environment& environment) {
     reader.setup(environment);
+    kicks.setup(environment, kick, playing);
     path.reserve(behaviours::SituationReader::most_nodes);
   }
+
+  void reset(std::uint64_t) { kicks.forget(); }
 
   void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
     const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
     reader.read_graph(frame);
     const behaviours::Movement movement = behaviours::by_phase(situation, conduct.legal, [&] {
+      const bool takes_ball = kicks.plays_ball(frame, situation, false);
+      if (takes_ball && situation.facts.can_kick && !ball_is_theirs(situation)) {
+        return behaviours::approach(situation, approach, rolling, kicks.choose(frame, situation));
+      }
       return behaviours::support(situation, settings, rolling, conduct.legal, path);
     });
     behaviours::write_action(movement, behaviours::look(situation, conduct.gaze), out);

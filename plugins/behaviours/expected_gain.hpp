@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// Which kick to play, by what it can be expected to gain. Each option is a kick in a direction; the ball leaves it by a
+// law of error, and for each of five directions of that law it is asked whether the ball goes in, who of the opponents
+// gets in its way, where it stops or leaves the field, and which team is there first. A place is worth what it is to
+// hold the ball there: from -1 in the own goal to 1 in the opponent's.
+//
+// Expected values of kicks are compared in this way by several teams of the 2D Simulation and Standard Platform
+// Leagues; the model and its numbers here are ours.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "kick_choice.hpp"
+#include "plane.hpp"
+#include "situation.hpp"
+
+namespace behaviours {
+
+struct GainSettings {
+  double pull = 3.0;           // m from a goal at which the worth of a place has fallen to 1 / e
+  double possession = 0.25;    // worth of holding the ball rather than the opponents
+  double goal = 1.5;           // worth of a goal
+  double race = 1.2;           // s: so much sooner at the ball, a team holds it with probability 0.73
+  double reaction = 0.8;       // s in which an opponent does not move yet
+  double edge = 0.15;          // m over which an opponent's reach fades out
+  double walk_around = 1.9;    // s per rad that the robot has to walk around the ball
+  double hurry = 0.01;         // worth of each second until the kick
+  double constancy = 0.05;     // worth of keeping to the last choice
+  double receiver_age = 4.0;   // s: nobody passes to a teammate of whom the news are older
+  double into_space = 0.4;     // m in front of the teammate at which passes are aimed
+  double shortest_pass = 1.0;  // m
+};
+
+// What besides the scene bears on a kick.
+struct GainScene {
+  const KickScene& kick;
+  const Situation& situation;
+  double direction_error = 0.0;  // standard deviation, rad
+};
+
+class ExpectedGain {
+ public:
+  struct Valued {
+    KickPlan plan;
+    double value = 0.0;
+  };
+
+  ExpectedGain() = default;
+  explicit ExpectedGain(const GainSettings& settings) : settings_(settings) {}
+
+  // What it is worth that the ball is at this place, whoever has it.
+  double worth(const Field& field, const Vector2d& place) const {
+    const Vector2d goal(field.length / 2.0, 0.0);
+    return std::exp(-(place - goal).norm() / settings_.pull) - std::exp(-(place + goal).norm() / settings_.pull);
+  }
+
+  // Of a kick in `direction` (unit, field frame) after which the ball would roll `distance`.
+  double value(const GainScene& scene, const Vector2d& direction, double distance) const {
+    // Five equally likely directions of the normal law.
+    constexpr std::array quantiles{0.0, -0.5244, 0.5244, -1.2816, 1.2816};
+    double sum = 0.0;
+    for (const double quantile : quantiles) {
+      const double angle = quantile * scene.direction_error;
+      const double c = std::cos(angle), s = std::sin(angle);
+      sum += roll(scene, {c * direction.x() - s * direction.y(), s * direction.x() + c * direction.y()}, distance);
+    }
+    const double kicked = sum / quantiles.size();
+    const double delay = time_until_kick(scene.situation, direction);
+    const double first = share(time_of_opponents(scene, scene.kick.ball) - delay + settings_.reaction);
+    const double lost = worth(scene.kick.field, scene.kick.ball) - settings_.possession;
+    return first * kicked + (1.0 - first) * lost - settings_.hurry * delay;
+  }
+
+  Valued choose(const GainScene& scene) const {
+    const KickScene& kick = scene.kick;
+    Valued best;
+    best.plan.kind = KickPlan::no_kind;
+    const auto consider = [&](const Vector2d& way, double distance, int receiver) {
+      const double length = way.norm();
+      if (length < 1e-6) return;
+      const Vector2d direction = way / length;
+      KickPlan plan{direction, 0.0, KickPlan::no_kind, receiver};
+      double least_miss = 0.0;
+      for (std::size_t i = 0; i < kick.kinds.size(); ++i) {
+        const double reached = std::clamp(distance, kick.kinds[i].minimum_distance, kick.kinds[i].maximum_distance);
+        const double miss = std::abs(reached - distance);
+        if (plan.kind != KickPlan::no_kind && !(miss < least_miss)) continue;
+        plan.kind = static_cast<int>(i);
+        plan.distance = reached;
+        least_miss = miss;
+      }
+      if (plan.kind == KickPlan::no_kind) return;
+      double worth = value(scene, plan.direction, plan.distance);
+      const auto& last = kick.last;
+      if (last && last->kind == plan.kind && last->direction.dot(direction) > 0.97) worth += settings_.constancy;
+      if (best.plan.kind == KickPlan::no_kind || worth > best.value) best = {plan, worth};
+    };
+    const Vector2d goal(kick.field.length / 2.0, 0.0);
+    for (const double share : {0.0, -0.5, 0.5}) {
+      const Vector2d aim(goal.x(), share * kick.field.goal_width / 2.0);
+      consider(aim - kick.ball, (aim - kick.ball).norm() + 1.0, 0);
+    }
+    for (const Receiver& mate : kick.teammates) {
+      if (mate.age > settings_.receiver_age) continue;
+      for (const double ahead : {0.0, settings_.into_space}) {
+        const Vector2d aim = mate.position + Vector2d(ahead, 0.0) - kick.ball;
+        if (aim.norm() > settings_.shortest_pass) consider(aim, aim.norm(), mate.number);
+      }
+    }
+    const Vector2d to_goal = (goal - kick.ball).normalized();
+    const Vector2d straight = kick.ball - scene.situation.frame.origin();  // without walking around the ball
+    for (const double distance : {0.5, 1.0, 2.0, 3.5, 5.4}) {
+      for (const double angle : {0.0, -0.35, 0.35, -0.7, 0.7, -1.1, 1.1, -1.6, 1.6}) {
+        const double c = std::cos(angle), s = std::sin(angle);
+        consider({c * to_goal.x() - s * to_goal.y(), s * to_goal.x() + c * to_goal.y()}, distance, 0);
+      }
+      consider(straight, distance, 0);
+    }
+    return best;
+  }
+
+ private:
+  double share(double sooner) const { return 1.0 / (1.0 + std::exp(-sooner / settings_.race)); }
+
+  static double time_of_opponents(const GainScene& scene, const Vector2d& place) {
+    const Facts& facts = scene.situation.facts;
+    double soonest = 60.0;
+    for (const Blocker& opponent : scene.kick.opponents) {
+      const double way = std::max(0.0, (opponent.position - place).norm() - facts.robot_radius - facts.ball_radius);
+      soonest = std::min(soonest, way / facts.walk_forward + 4.0 * (1.0 - opponent.weight));
+    }
+    return soonest;
+  }
+
+  // Until the own team is there; the robot itself `busy` seconds later.
+  static double time_of_team(const GainScene& scene, const Vector2d& place, double busy) {
+    const Facts& facts = scene.situation.facts;
+    double soonest = busy + (scene.situation.frame.origin() - place).norm() / facts.walk_forward;
+    for (const Receiver& mate : scene.kick.teammates) {
+      soonest = std::min(soonest, (mate.position - place).norm() / facts.walk_forward + 0.2 * mate.age);
+    }
+    return soonest;
+  }
+
+  double time_until_kick(const Situation& situation, const Vector2d& direction) const {
+    const Facts& facts = situation.facts;
+    const Vector2d way = situation.ball - situation.frame.origin();
+    const double distance = way.norm();
+    const double around = distance < 1e-6 ? 0.0 : std::abs(wrap(angle_of(direction) - angle_of(way)));
+    const double turn = std::abs(wrap(angle_of(direction) - situation.pose.heading));
+    return std::max(0.0, distance - facts.reach) / facts.walk_forward +
+           std::max(settings_.walk_around * std::max(0.0, around - 0.4), std::max(0.0, turn - 0.3) / 1.2);
+  }
+
+  // One way of the ball.
+  double roll(const GainScene& scene, const Vector2d& direction, double distance) const {
+    const KickScene& kick = scene.kick;
+    const Facts& facts = scene.situation.facts;
+    const Field& field = kick.field;
+    // Where it leaves the field.
+    const double half_length = field.length / 2.0, half_width = field.width / 2.0;
+    double way = distance;
+    enum { stays, side, end } leaves = stays;
+    if (std::abs(direction.y()) > 1e-9) {
+      const double to_side = (std::copysign(half_width, direction.y()) - kick.ball.y()) / direction.y();
+      if (to_side < way) way = std::max(0.0, to_side), leaves = side;
+    }
+    if (std::abs(direction.x()) > 1e-9) {
+      const double to_end = (std::copysign(half_length, direction.x()) - kick.ball.x()) / direction.x();
+      if (to_end < way) way = std::max(0.0, to_end), leaves = end;
+    }
+    const Vector2d stop = kick.ball + direction * way;
+    const double speed = std::sqrt(2.0 * facts.ball_deceleration * distance);
+    // Opponents in the way.
+    const double touching = facts.robot_radius + facts.ball_radius;
+    double through = 1.0, sum = 0.0;
+    for (const Blocker& opponent : kick.opponents) {
+      const Vector2d offset = opponent.position - kick.ball;
+      const double along = offset.dot(direction);
+      if (along <= 0.0 || along > way + touching) continue;
+      const double across = std::abs(offset.x() * direction.y() - offset.y() * direction.x());
+      const double at = std::min(along, way);
+      const double time = (speed - std::sqrt(std::max(0.0, speed * speed - 2.0 * facts.ball_deceleration * at))) /
+                          facts.ball_deceleration;
+      const double reach = touching + facts.walk_forward * std::max(0.0, time - settings_.reaction);
+      const double stopped = opponent.weight * std::clamp((reach - across) / settings_.edge + 0.5, 0.0, 1.0);
+      if (stopped <= 0.0) continue;
+      sum += through * stopped * (worth(field, kick.ball + direction * at) - 0.5 * settings_.possession);
+      through *= 1.0 - stopped;
+    }
+    if (through <= 0.0) return sum;
+    return sum + through * stopped_at(scene, stop, leaves == side, leaves == end, distance, speed);
+  }
+
+  double stopped_at(const GainScene& scene, const Vector2d& stop, bool over_side, bool over_end, double distance,
+                    double speed) const {
+    const Field& field = scene.kick.field;
+    if (over_end && std::abs(stop.y()) < field.goal_width / 2.0 - scene.situation.facts.ball_radius) {
+      return stop.x() > 0.0 ? settings_.goal : -settings_.goal;
+    }
+    // A kick-in, goal kick or corner of the opponents.
+    if (over_end) {
+      const double x = stop.x() > 0.0 ? field.length / 2.0 - field.goal_area_length : -field.length / 2.0;
+      const double y = std::copysign(stop.x() > 0.0 ? field.goal_area_width / 2.0 : field.width / 2.0, stop.y());
+      return worth(field, {x, y}) - settings_.possession;
+    }
+    if (over_side) return worth(field, stop) - settings_.possession;
+    const double rolls = speed / scene.situation.facts.ball_deceleration;
+    const double team = std::max(rolls, time_of_team(scene, stop, distance > 1.2 ? 1.0 : 0.3));
+    const double opponents = std::max(rolls, time_of_opponents(scene, stop));
+    const double ours = share(opponents - team);
+    return worth(field, stop) + settings_.possession * (2.0 * ours - 1.0);
+  }
+
+  GainSettings settings_;
+};
+
+}  // namespace behaviours
