@@ -55,7 +55,34 @@ std::vector<MetricRow> numbers_of_the_match() {
        .meaning = "in play, the ball is slower than 0.05 m/s though an able robot of either team could touch it within "
                   "3 s: the way from its centre to that of the ball, less the radius of its body, is at most what it "
                   "walks in 3 s at full forward speed",
-       .get = [](const Source& from) { return from.result.metrics.ball_rest_seconds; }},
+       .get = [](const Source& from) { return from.result.metrics.ball_rests.seconds; }},
+      {.of = Of::match,
+       .part = part,
+       .name = "ball_rests",
+       .unit = "times",
+       .total = Total::sum,
+       .meaning = "that it came to rest so",
+       .get = [](const Source& from) { return from.result.metrics.ball_rests.count; }},
+      {.of = Of::match,
+       .part = part,
+       .name = "long_ball_rests",
+       .unit = "times",
+       .total = Total::sum,
+       .meaning = "those of them that lasted more than 15 s of play",
+       .get = [](const Source& from) { return from.result.metrics.ball_rests.long_ones; }},
+      {.of = Of::match,
+       .part = part,
+       .name = "ball_rest_longest_seconds",
+       .unit = "s",
+       .meaning = "the longest of them",
+       .get = [](const Source& from) { return from.result.metrics.ball_rests.longest_seconds; }},
+      {.of = Of::match,
+       .part = part,
+       .name = "ball_crowd_seconds",
+       .unit = "s",
+       .total = Total::sum,
+       .meaning = "in play, five or more active robots of both teams are within 1 m of the ball",
+       .get = [](const Source& from) { return from.result.metrics.ball_crowd_seconds; }},
   };
 }
 
@@ -216,9 +243,7 @@ std::vector<MetricRow> at_the_ball() {
        .unit = "share",
        .title = "The robot nearest to the ball plays it, share of time in play",
        .digits = 3,
-       .meaning =
-           "of the samples in play with an able robot of the team: the one nearest to the ball last decided on a "
-           "role that plays the ball",
+       .meaning = "of the samples in play with an able robot of the team: the one nearest to the ball goes for it",
        .get = [](const Source& from) { return from.team().ball.nearest_plays_share; }},
       {.part = part,
        .name = "robots_near_ball",

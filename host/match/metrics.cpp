@@ -70,7 +70,12 @@ void Metrics::took(Side side, int number, const mind::Outcome& outcome, bool see
   const std::size_t i = index(side);
   std::optional<Vector> target;
   if (outcome.target) target = Vector{outcome.target->x, outcome.target->y};
-  const bool plays_ball = outcome.role >= 0 && table_[i][at(outcome.role)].plays_ball;
+  bool plays_ball = outcome.role >= 0 && table_[i][at(outcome.role)].plays_ball;
+  // Whoever says where it goes goes there, whatever its role.
+  if (outcome.announced) {
+    target = Vector{outcome.announced->x, outcome.announced->y};
+    plays_ball = false;
+  }
   roles_[i].decided(number, outcome.role, outcome.assignment, state.phase == mind::Phase::playing);
   agreements_[i].decided(number, outcome.context, outcome.kept);
   targets_[i].decided(number, target);
@@ -143,7 +148,8 @@ MatchMetrics Metrics::result(const GameState& state, double end) const {
   add_minutes(state, {&out.teams[0].budget_curve, &out.teams[1].budget_curve});
   out.playing_seconds = seconds(samples_);
   out.in_play_seconds = seconds(in_play_);
-  out.ball_rest_seconds = ball_.rest_seconds();
+  out.ball_rests = ball_.rests();
+  out.ball_crowd_seconds = ball_.crowd_seconds();
   for (const Side side : both_sides) {
     TeamMetrics& team = out.teams[index(side)];
     team.coordination = roles_[index(side)].result(end);

@@ -58,7 +58,8 @@ struct MatchMetrics {
   std::array<TeamMetrics, 2> teams;  // by side
   double playing_seconds = 0.0;      // phase Playing
   double in_play_seconds = 0.0;      // without set plays
-  double ball_rest_seconds = 0.0;    // in play, though somebody could soon be there
+  BallRests ball_rests;              // in play, though somebody could soon be there
+  double ball_crowd_seconds = 0.0;   // in play, with five robots or more at the ball
 };
 
 class Metrics {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "match/metrics_ball.hpp"
 
+#include <algorithm>
+
 #include "match/sampling.hpp"
 
 namespace regista::match {
@@ -15,11 +17,16 @@ BallMeasures::BallMeasures(int team_size, const std::array<config::Robot, 2>& ro
       within_reach_{way_in(soon, robots[0]), way_in(soon, robots[1])},
       decisions_(at(roster_.count())) {}
 
+bool BallMeasures::Decision::goes_for(const Vector& ball) const {
+  return plays || kicks || (target && squared_length(*target - ball) <= for_the_ball * for_the_ball);
+}
+
 void BallMeasures::sample(const GameState& state, std::span<const BodyState> bodies, RobotSet able) {
   ++samples_;
   const BodyState& ball = bodies.back();
   const Vector place{ball.x, ball.y};
   bool neglected = false;
+  int near = 0;
   for (const Side side : both_sides) {
     const Vector in_frame = attack(side, state.half) * place;
     int nearest = -1, chasing = 0;
@@ -29,25 +36,37 @@ void BallMeasures::sample(const GameState& state, std::span<const BodyState> bod
       const int id = roster_.id(side, number);
       const BodyState& body = bodies[at(id)];
       const double distance = squared_length(Vector{body.x, body.y} - place);
-      if (distance <= near_ball * near_ball) ++teams_[index(side)].near;
+      if (distance <= near_ball * near_ball) {
+        ++teams_[index(side)].near;
+        ++near;
+      }
       if (!contains(able, id)) continue;
       if (nearest < 0 || distance < least) {
         nearest = id;
         least = distance;
       }
-      const Decision& decision = decisions_[at(id)];
-      const bool there = decision.target && squared_length(*decision.target - in_frame) <= for_the_ball * for_the_ball;
-      if (decision.plays || decision.kicks || there) ++chasing;
+      if (decisions_[at(id)].goes_for(in_frame)) ++chasing;
     }
     Team& team = teams_[index(side)];
     if (chasing >= 2) ++team.several;
     if (nearest < 0) continue;
     ++team.nearest;
-    if (decisions_[at(nearest)].plays) ++team.nearest_plays;
+    if (decisions_[at(nearest)].goes_for(in_frame)) ++team.nearest_plays;
     const double reach = within_reach_[index(side)];
     if (least <= reach * reach) neglected = true;
   }
-  if (neglected && squared_length({ball.vx, ball.vy}) < at_rest * at_rest) ++rest_;
+  if (near >= crowd) ++crowd_;
+  if (!neglected || squared_length({ball.vx, ball.vy}) >= at_rest * at_rest) {
+    resting_ = 0;
+    return;
+  }
+  ++rest_;
+  ++resting_;
+  if (resting_ == 1) ++rests_;
+  // Counted once, in the sample in which it becomes too long.
+  constexpr int too_long = static_cast<int>(long_rest * samples_per_second) + 1;
+  if (resting_ == too_long) ++long_rests_;
+  longest_rest_ = std::max(longest_rest_, resting_);
 }
 
 BallMetrics BallMeasures::result(Side side) const {
@@ -55,6 +74,8 @@ BallMetrics BallMeasures::result(Side side) const {
   return {share(team.nearest_plays, team.nearest), mean(team.near, samples_), seconds(team.several)};
 }
 
-double BallMeasures::rest_seconds() const { return seconds(rest_); }
+BallRests BallMeasures::rests() const { return {seconds(rest_), rests_, long_rests_, seconds(longest_rest_)}; }
+
+double BallMeasures::crowd_seconds() const { return seconds(crowd_); }
 
 }  // namespace regista::match

@@ -47,6 +47,7 @@ struct Outcome {
   int context = -1;                   // of the team's contexts, -1 = none holds
   std::vector<int> kept;              // tasks that the filter kept: rows of the table of roles, ascending
   std::optional<Target> target;       // nothing without a task
+  std::optional<Target> announced;    // what the behaviour tells teammates instead
   SegmentCounts segments;             // of this decision
   std::vector<MetricReport> metrics;  // what plugins reported in it, by metric of the team: TeamPlan::metrics()
 
@@ -61,6 +62,7 @@ struct Outcome {
     context = -1;
     kept.clear();
     target.reset();
+    announced.reset();
     segments = {};
     metrics.clear();
   }

@@ -26,6 +26,7 @@ void tell(const Decision& decision, Outcome& out) {
   out.kept.clear();
   for (const regista_task& task : decision.columns) out.kept.push_back(task.id);
   out.target.reset();
+  out.announced.reset();
   if (decision.own_task != nullptr) out.target = Target{decision.own_task->after[0], decision.own_task->after[1]};
 }
 
@@ -117,6 +118,7 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   out.command = parts.act(percepts);
   parts.decide_to_send(percepts, out);
   tell(decision, out);
+  if (parts.told_target) out.announced = Target{parts.told_target->x(), parts.told_target->y()};
   out.segments = parts.mailboxes.take_counts();
   parts.hand_over_metrics(out);
   parts.extensions.mute(true);

@@ -5,6 +5,7 @@
 // until a robot can kick. Teammates learn of a claim by the target that the robot announces in its packets.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "rolling_ball.hpp"
@@ -26,7 +27,18 @@ struct ClaimSettings {
   double left = 1.5;           // s: the robot of the role leaves the ball to a teammate that is so much sooner
   double news_at_most = 3.0;   // s: older news let nobody leave the ball
   double doubt = 0.2;          // s per s: a teammate may have come nearer since its last packet
+  double room = 1.2;           // m: whoever leaves the ball stands so far behind it
 };
+
+// Where a robot stands that leaves the ball to a teammate: behind it, on the way to the own goal.
+inline Pose place_behind(const Situation& situation, double room) {
+  const Vector2d own_goal(-situation.facts.field.length / 2.0, 0.0);
+  const Vector2d back = own_goal - situation.ball;
+  const double distance = back.norm();
+  const Vector2d place =
+      distance < 1e-6 ? situation.ball : Vector2d(situation.ball + back * (std::min(room, distance) / distance));
+  return {place.x(), place.y(), angle_of(situation.ball - place)};
+}
 
 class Claim {
  public:

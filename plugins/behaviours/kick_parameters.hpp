@@ -149,6 +149,9 @@ inline constexpr std::tuple play_parameters{
             .tunable(),
         regista::real("claim_doubt", &ClaimSettings::doubt, {0.0, 1.0}, "1",
                       "Seconds by which each second of silence makes a teammate's time uncertain; our choice: 0.2")
+            .tunable(),
+        regista::real("claim_room", &ClaimSettings::room, {0.0, 5.0}, "m",
+                      "Whoever leaves the ball stands this far behind it; our choice: 1.2")
             .tunable())};
 
 inline constexpr std::tuple approach_parameters{

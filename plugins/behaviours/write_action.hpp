@@ -47,4 +47,11 @@ inline void write_action(const Movement& movement, double gaze, regista::Action&
   out.gaze = gaze;
 }
 
+// Teammates are told that the robot goes there, and not to the place of its task.
+inline void announce(const Vector2d& place, regista::Action& out) {
+  out.flags |= REGISTA_ACTION_TARGET;
+  out.target[0] = place.x();
+  out.target[1] = place.y();
+}
+
 }  // namespace behaviours

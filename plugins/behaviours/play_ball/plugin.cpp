@@ -52,14 +52,18 @@ struct PlayBall {
     const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
     reader.read_graph(frame);
     const behaviours::Movement movement =
-        behaviours::by_phase(situation, conduct.legal, [&] { return play(frame, situation); });
+        behaviours::by_phase(situation, conduct.legal, [&] { return play(frame, situation, out); });
     behaviours::write_action(movement, behaviours::look(situation, conduct.gaze), out);
   }
 
-  behaviours::Movement play(const regista::Frame& frame, const behaviours::Situation& situation) {
+  behaviours::Movement play(const regista::Frame& frame, const behaviours::Situation& situation, regista::Action& out) {
     if (!situation.ball_trusted) return behaviours::search(situation, search, conduct.legal);
-    const bool mine = kicks.plays_ball(frame, situation, true);
-    if (!situation.facts.can_kick || ball_is_theirs(situation) || !mine) {
+    if (!kicks.plays_ball(frame, situation, true)) {
+      const behaviours::Pose behind = behaviours::place_behind(situation, playing.claim.room);
+      behaviours::announce({behind.x, behind.y}, out);
+      return behaviours::WalkTo{.target = behaviours::legal_place(situation, conduct.legal, behind)};
+    }
+    if (!situation.facts.can_kick || ball_is_theirs(situation)) {
       return behaviours::support(situation, support, rolling, conduct.legal, path);
     }
     return behaviours::approach(situation, approach, rolling, kicks.choose(frame, situation));

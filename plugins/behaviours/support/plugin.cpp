@@ -51,6 +51,7 @@ struct Support {
     const behaviours::Movement movement = behaviours::by_phase(situation, conduct.legal, [&] {
       const bool takes_ball = kicks.plays_ball(frame, situation, false);
       if (takes_ball && situation.facts.can_kick && !ball_is_theirs(situation)) {
+        behaviours::announce(situation.ball, out);
         return behaviours::approach(situation, approach, rolling, kicks.choose(frame, situation));
       }
       return behaviours::support(situation, settings, rolling, conduct.legal, path);

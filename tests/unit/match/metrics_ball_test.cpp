@@ -39,7 +39,7 @@ TEST_F(AtTheBall, NothingSampledIsNothingSaid) {
   EXPECT_EQ(home().nearest_plays_share, std::nullopt);
   EXPECT_EQ(home().robots_near, std::nullopt);
   EXPECT_EQ(home().chased_by_several_seconds, 0.0);
-  EXPECT_EQ(measures.rest_seconds(), 0.0);
+  EXPECT_EQ(measures.rests().seconds, 0.0);
 }
 
 TEST_F(AtTheBall, TheNearestPlaysItOrAnotherOne) {
@@ -51,6 +51,16 @@ TEST_F(AtTheBall, TheNearestPlaysItOrAnotherOne) {
   sample(1);
   EXPECT_EQ(home().nearest_plays_share, 0.75);
   EXPECT_EQ(away().nearest_plays_share, 0.0) << "away 2 is the nearest of them";
+}
+
+TEST_F(AtTheBall, WhoGoesForItPlaysItWhateverTheRole) {
+  put(1, -2.0, 0.0);
+  plays(2);
+  sample(1);
+  EXPECT_EQ(home().nearest_plays_share, 0.0);
+  supports(1, {0.0, 0.29});
+  sample(1);
+  EXPECT_EQ(home().nearest_plays_share, 0.5);
 }
 
 TEST_F(AtTheBall, OfEquallyNearOnesTheFirst) {
@@ -126,22 +136,57 @@ TEST_F(AtTheBall, TargetsAreInTheFrameOfTheirSide) {
 // 0.15 m of body and 3 s at 0.25 m/s are 0.9 m.
 TEST_F(AtTheBall, ItRestsWhereSomebodyCouldBeThereSoon) {
   sample(10);
-  EXPECT_EQ(measures.rest_seconds(), 0.0) << "all are too far away";
+  EXPECT_EQ(measures.rests().seconds, 0.0) << "all are too far away";
   put(4, 0.0, 0.91);
   sample(10);
-  EXPECT_EQ(measures.rest_seconds(), 0.0);
+  EXPECT_EQ(measures.rests().seconds, 0.0);
   put(4, 0.0, 0.89);
   sample(10);
-  EXPECT_EQ(measures.rest_seconds(), 1.0);
+  EXPECT_EQ(measures.rests().seconds, 1.0);
   sample(10, everybody & ~only(4));
-  EXPECT_EQ(measures.rest_seconds(), 1.0) << "it lies";
+  EXPECT_EQ(measures.rests().seconds, 1.0) << "it lies";
   bodies[6].vx = 0.03f;
   bodies[6].vy = -0.03f;
   sample(10);
-  EXPECT_EQ(measures.rest_seconds(), 2.0) << "0.042 m/s";
+  EXPECT_EQ(measures.rests().seconds, 2.0) << "0.042 m/s";
   bodies[6].vx = 0.05f;
   sample(10);
-  EXPECT_EQ(measures.rest_seconds(), 2.0) << "0.058 m/s";
+  EXPECT_EQ(measures.rests().seconds, 2.0) << "0.058 m/s";
+}
+
+TEST_F(AtTheBall, ARestLastsUntilTheBallMovesOrNobodyIsNear) {
+  EXPECT_EQ(measures.rests().count, 0);
+  put(4, 0.0, 0.5);
+  sample(150);
+  EXPECT_EQ(measures.rests().count, 1);
+  EXPECT_EQ(measures.rests().long_ones, 0) << "15 s are not more than 15 s";
+  sample(1);
+  EXPECT_EQ(measures.rests().long_ones, 1);
+  sample(29);
+  EXPECT_EQ(measures.rests().long_ones, 1) << "it is one rest";
+  EXPECT_EQ(measures.rests().longest_seconds, 18.0);
+  bodies[6].vx = 0.1f;
+  sample(10);
+  bodies[6].vx = 0.0f;
+  sample(20);
+  EXPECT_EQ(measures.rests().count, 2);
+  sample(1, 0);
+  sample(20);
+  EXPECT_EQ(measures.rests().count, 3);
+  EXPECT_EQ(measures.rests().seconds, 22.0);
+  EXPECT_EQ(measures.rests().longest_seconds, 18.0);
+}
+
+TEST_F(AtTheBall, FiveOfBothTeamsAreACrowd) {
+  for (const std::size_t id : {0u, 1u, 3u, 4u}) put(id, 0.2 * static_cast<double>(id), 0.5);
+  sample(10);
+  EXPECT_EQ(measures.crowd_seconds(), 0.0);
+  put(5, -0.5, 0.0);
+  sample(10);
+  EXPECT_EQ(measures.crowd_seconds(), 1.0);
+  state.penalised[1] = 0b100;
+  sample(10);
+  EXPECT_EQ(measures.crowd_seconds(), 1.0) << "one has left the field";
 }
 
 TEST(TheBallRests, ByTheSpeedOfTheRobotsOfEachSide) {
@@ -154,12 +199,12 @@ TEST(TheBallRests, ByTheSpeedOfTheRobotsOfEachSide) {
   bodies[0].x = -1.0f;
   bodies[1].x = 1.69f;
   measures.sample(state, bodies, 0b11);
-  EXPECT_EQ(measures.rest_seconds(), 0.1);
+  EXPECT_EQ(measures.rests().seconds, 0.1);
   measures.sample(state, bodies, 0b01);
-  EXPECT_EQ(measures.rest_seconds(), 0.1);
+  EXPECT_EQ(measures.rests().seconds, 0.1);
   bodies[1].x = 1.71f;
   measures.sample(state, bodies, 0b11);
-  EXPECT_EQ(measures.rest_seconds(), 0.1);
+  EXPECT_EQ(measures.rests().seconds, 0.1);
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ double rest(const match::Setup& s) {
   const mind::Think turns = [](const mind::Percepts&, std::span<const mind::HeardPacket>, mind::Outcome& out) {
     out.command.walk.turn = 0.5;
   };
-  return play(s, std::vector{turns}, std::vector{turns}).metrics.ball_rest_seconds;
+  return play(s, std::vector{turns}, std::vector{turns}).metrics.ball_rests.seconds;
 }
 
 TEST(MetricsOfAMatch, TheBallRestsBesideWhoStands) {

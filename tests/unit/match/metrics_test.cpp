@@ -131,7 +131,7 @@ TEST_F(Course, WhatWasDecidedReachesTheMeasuresOfItsTeam) {
   EXPECT_EQ(home.ball.nearest_plays_share, 1.0);
   EXPECT_EQ(home.ball.robots_near, 2.0);
   EXPECT_EQ(home.ball.chased_by_several_seconds, 1.0) << "one plays it, one wants to kick it";
-  EXPECT_EQ(all.ball_rest_seconds, 1.0);
+  EXPECT_EQ(all.ball_rests.seconds, 1.0);
   EXPECT_EQ(all.teams[1].ball.nearest_plays_share, 0.0);
   EXPECT_EQ(all.teams[1].targets.mean_metres, std::nullopt);
   // Out of play nothing of it is about the ball; the rest goes on.
@@ -140,7 +140,7 @@ TEST_F(Course, WhatWasDecidedReachesTheMeasuresOfItsTeam) {
   decide(Side::home, 3, second);
   sample(10);
   EXPECT_EQ(result().teams[0].ball.chased_by_several_seconds, 1.0);
-  EXPECT_EQ(result().ball_rest_seconds, 1.0);
+  EXPECT_EQ(result().ball_rests.seconds, 1.0);
   EXPECT_EQ(result().teams[0].agreement.kept_tasks, 0.5);
   EXPECT_EQ(result().teams[0].agreement.assignment_given_tasks, 1.0);
 }
