@@ -22,11 +22,11 @@ struct Contender {
 
 struct ClaimSettings {
   bool nearest_plays = false;  // otherwise the role decides alone
-  double sooner = 1.0;         // s: so much sooner than all others a robot takes a ball that is not its role's
+  double sooner = 0.3;         // s: so much sooner than all others a robot takes a ball that is not its role's
   double kept = 0.0;           // s: as long as it is so much sooner it keeps what it has taken
-  double left = 1.5;           // s: the robot of the role leaves the ball to a teammate that is so much sooner
+  double left = 0.5;           // s: the robot of the role leaves the ball to a teammate that is so much sooner
   double news_at_most = 3.0;   // s: older news let nobody leave the ball
-  double doubt = 0.2;          // s per s: a teammate may have come nearer since its last packet
+  double doubt = 0.05;         // s per s: a teammate may have come nearer since its last packet
   double room = 1.2;           // m: whoever leaves the ball stands so far behind it
 };
 

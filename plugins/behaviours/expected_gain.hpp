@@ -11,8 +11,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "kick_choice.hpp"
 #include "plane.hpp"
@@ -21,36 +23,42 @@
 namespace behaviours {
 
 struct GainSettings {
-  double pull = 3.0;           // m from a goal at which the worth of a place has fallen to 1 / e
-  double possession = 0.25;    // worth of holding the ball rather than the opponents
-  double goal = 1.5;           // worth of a goal
-  double race = 1.2;           // s: so much sooner at the ball, a team holds it with probability 0.73
-  double reaction = 0.8;       // s in which an opponent does not move yet
-  double edge = 0.15;          // m over which an opponent's reach fades out
-  double walk_around = 1.9;    // s per rad that the robot has to walk around the ball
-  double hurry = 0.01;         // worth of each second until the kick
-  double constancy = 0.05;     // worth of keeping to the last choice
-  double receiver_age = 4.0;   // s: nobody passes to a teammate of whom the news are older
-  double into_space = 0.4;     // m in front of the teammate at which passes are aimed
-  double shortest_pass = 1.0;  // m
+  double pull = 3.0;               // m from a goal at which the worth of a place has fallen to 1 / e
+  double possession = 0.25;        // worth of holding the ball rather than the opponents
+  double goal = 1.5;               // worth of a goal
+  double race = 1.2;               // s: so much sooner at the ball, a team holds it with probability 0.73
+  double reaction = 0.8;           // s in which an opponent does not move yet
+  double edge = 0.15;              // m over which an opponent's reach fades out
+  double walk_around = 1.9;        // s per rad that the robot has to walk around the ball
+  double hurry = 0.01;             // worth of each second until the kick
+  double constancy = 0.05;         // worth of keeping to the last choice
+  double receiver_age = 4.0;       // s: nobody passes to a teammate of whom the news are older
+  double into_space = 0.4;         // m in front of the teammate at which passes are aimed
+  double considered_within = 2.0;  // m: from farther away the kick is not chosen yet
+  double shortest_pass = 1.0;      // m
 };
 
-// What besides the scene bears on a kick.
+// What besides the scene bears on a kick. Made by ExpectedGain::scene().
 struct GainScene {
   const KickScene& kick;
   const Situation& situation;
-  double direction_error = 0.0;  // standard deviation, rad
+  double direction_error = 0.0;    // standard deviation, rad
+  double opponents_at_ball = 0.0;  // s until the first of them can be there
+  double worth_of_ball = 0.0;      // of the place where it lies
 };
 
 class ExpectedGain {
  public:
-  struct Valued {
-    KickPlan plan;
-    double value = 0.0;
-  };
-
   ExpectedGain() = default;
   explicit ExpectedGain(const GainSettings& settings) : settings_(settings) {}
+
+  // direction_error: of the robot's kicks. The scene refers to both arguments.
+  GainScene scene(const KickScene& kick, const Situation& situation, double direction_error) const {
+    GainScene out{kick, situation, direction_error};
+    out.opponents_at_ball = time_of_opponents(out, kick.ball);
+    out.worth_of_ball = worth(kick.field, kick.ball);
+    return out;
+  }
 
   // What it is worth that the ball is at this place, whoever has it.
   double worth(const Field& field, const Vector2d& place) const {
@@ -58,72 +66,134 @@ class ExpectedGain {
     return std::exp(-(place - goal).norm() / settings_.pull) - std::exp(-(place + goal).norm() / settings_.pull);
   }
 
-  // Of a kick in `direction` (unit, field frame) after which the ball would roll `distance`.
+  // Of a kick in `direction` (unit, field frame) after which the ball would roll `distance`: the mean over five equally
+  // likely directions of the normal law.
   double value(const GainScene& scene, const Vector2d& direction, double distance) const {
-    // Five equally likely directions of the normal law.
-    constexpr std::array quantiles{0.0, -0.5244, 0.5244, -1.2816, 1.2816};
-    double sum = 0.0;
+    constexpr std::array quantiles{-0.5244, 0.5244, -1.2816, 1.2816};
+    double sum = roll(scene, direction, distance);
     for (const double quantile : quantiles) {
       const double angle = quantile * scene.direction_error;
-      const double c = std::cos(angle), s = std::sin(angle);
-      sum += roll(scene, {c * direction.x() - s * direction.y(), s * direction.x() + c * direction.y()}, distance);
+      sum += roll(scene, turned(direction, std::cos(angle), std::sin(angle)), distance);
     }
-    const double kicked = sum / quantiles.size();
-    const double delay = time_until_kick(scene.situation, direction);
-    const double first = share(time_of_opponents(scene, scene.kick.ball) - delay + settings_.reaction);
-    const double lost = worth(scene.kick.field, scene.kick.ball) - settings_.possession;
-    return first * kicked + (1.0 - first) * lost - settings_.hurry * delay;
+    return in_time(scene, direction, sum / (quantiles.size() + 1));
   }
 
-  Valued choose(const GainScene& scene) const {
-    const KickScene& kick = scene.kick;
-    Valued best;
-    best.plan.kind = KickPlan::no_kind;
-    const auto consider = [&](const Vector2d& way, double distance, int receiver) {
-      const double length = way.norm();
-      if (length < 1e-6) return;
-      const Vector2d direction = way / length;
-      KickPlan plan{direction, 0.0, KickPlan::no_kind, receiver};
-      double least_miss = 0.0;
-      for (std::size_t i = 0; i < kick.kinds.size(); ++i) {
-        const double reached = std::clamp(distance, kick.kinds[i].minimum_distance, kick.kinds[i].maximum_distance);
-        const double miss = std::abs(reached - distance);
-        if (plan.kind != KickPlan::no_kind && !(miss < least_miss)) continue;
-        plan.kind = static_cast<int>(i);
-        plan.distance = reached;
-        least_miss = miss;
-      }
-      if (plan.kind == KickPlan::no_kind) return;
-      double worth = value(scene, plan.direction, plan.distance);
-      const auto& last = kick.last;
-      if (last && last->kind == plan.kind && last->direction.dot(direction) > 0.97) worth += settings_.constancy;
-      if (best.plan.kind == KickPlan::no_kind || worth > best.value) best = {plan, worth};
-    };
-    const Vector2d goal(kick.field.length / 2.0, 0.0);
-    for (const double share : {0.0, -0.5, 0.5}) {
-      const Vector2d aim(goal.x(), share * kick.field.goal_width / 2.0);
-      consider(aim - kick.ball, (aim - kick.ball).norm() + 1.0, 0);
-    }
-    for (const Receiver& mate : kick.teammates) {
-      if (mate.age > settings_.receiver_age) continue;
-      for (const double ahead : {0.0, settings_.into_space}) {
-        const Vector2d aim = mate.position + Vector2d(ahead, 0.0) - kick.ball;
-        if (aim.norm() > settings_.shortest_pass) consider(aim, aim.norm(), mate.number);
-      }
-    }
-    const Vector2d to_goal = (goal - kick.ball).normalized();
-    const Vector2d straight = kick.ball - scene.situation.frame.origin();  // without walking around the ball
-    for (const double distance : {0.5, 1.0, 2.0, 3.5, 5.4}) {
-      for (const double angle : {0.0, -0.35, 0.35, -0.7, 0.7, -1.1, 1.1, -1.6, 1.6}) {
-        const double c = std::cos(angle), s = std::sin(angle);
-        consider({c * to_goal.x() - s * to_goal.y(), s * to_goal.x() + c * to_goal.y()}, distance, 0);
-      }
-      consider(straight, distance, 0);
+  // The kick of the greatest value, among those that would be best if kicks had no error.
+  KickPlan choose(const GainScene& scene) const {
+    Options options = tried(scene);
+    const auto finalists = options.best(most_finalists);
+    KickPlan best;
+    double best_value = 0.0;
+    for (const Option& option : finalists) {
+      double worth = value(scene, option.plan.direction, option.plan.distance);
+      if (is_last(scene, option.plan)) worth += settings_.constancy;
+      if (best.kind != KickPlan::no_kind && worth <= best_value) continue;
+      best = option.plan;
+      best_value = worth;
     }
     return best;
   }
 
  private:
+  struct Option {
+    KickPlan plan;
+    double value = 0.0;  // without errors
+  };
+
+  class Options {
+   public:
+    void add(const Option& option) {
+      if (count_ < list_.size()) list_[count_++] = option;
+    }
+    // The first ones by value; of equals, those that were added first.
+    std::span<const Option> best(std::size_t most) {
+      const std::size_t wanted = std::min(most, count_);
+      for (std::size_t i = 0; i < wanted; ++i) {
+        std::size_t first = i;
+        for (std::size_t j = i + 1; j < count_; ++j) {
+          if (list_[j].value > list_[first].value) first = j;
+        }
+        std::swap(list_[i], list_[first]);
+      }
+      return {list_.data(), wanted};
+    }
+
+   private:
+    std::array<Option, 96> list_;
+    std::size_t count_ = 0;
+  };
+
+  static constexpr std::size_t most_finalists = 8;
+
+  static Vector2d turned(const Vector2d& v, double cosine, double sine) {
+    return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
+  }
+
+  static bool is_last(const GainScene& scene, const KickPlan& plan) {
+    constexpr double same_direction = 0.97;  // cosine
+    const std::optional<KickPlan>& last = scene.kick.last;
+    return last && last->kind == plan.kind && last->direction.dot(plan.direction) > same_direction;
+  }
+
+  // The kind of kick whose range comes nearest to the wanted distance; the first of equals.
+  static KickPlan kick(const KickScene& scene, const Vector2d& direction, double distance) {
+    KickPlan plan{direction, 0.0, KickPlan::no_kind, 0};
+    double least_miss = 0.0;
+    for (std::size_t i = 0; i < scene.kinds.size(); ++i) {
+      const double reached = std::clamp(distance, scene.kinds[i].minimum_distance, scene.kinds[i].maximum_distance);
+      const double miss = std::abs(reached - distance);
+      if (plan.kind != KickPlan::no_kind && !(miss < least_miss)) continue;
+      plan.kind = static_cast<int>(i);
+      plan.distance = reached;
+      least_miss = miss;
+    }
+    return plan;
+  }
+
+  // Shots, passes to everybody, kicks to all sides of the goal, and such as need no walk around the ball.
+  Options tried(const GainScene& scene) const {
+    const KickScene& kicks = scene.kick;
+    Options out;
+    const auto add = [&](const Vector2d& way, double distance, int receiver) {
+      const double length = way.norm();
+      if (length < 1e-6) return;
+      Option option{kick(kicks, way / length, distance), 0.0};
+      if (option.plan.kind == KickPlan::no_kind) return;
+      option.plan.receiver = receiver;
+      option.value = in_time(scene, option.plan.direction, roll(scene, option.plan.direction, option.plan.distance));
+      if (is_last(scene, option.plan)) option.value += settings_.constancy;
+      out.add(option);
+    };
+    const Vector2d goal(kicks.field.length / 2.0, 0.0);
+    for (const double share : {0.0, -0.5, 0.5}) {
+      constexpr double into_net = 1.0;  // m
+      const Vector2d way = goal + Vector2d(0.0, share * kicks.field.goal_width / 2.0) - kicks.ball;
+      add(way, way.norm() + into_net, 0);
+    }
+    for (const Receiver& mate : kicks.teammates) {
+      if (mate.age > settings_.receiver_age) continue;
+      for (const double ahead : {0.0, settings_.into_space}) {
+        const Vector2d way = mate.position + Vector2d(ahead, 0.0) - kicks.ball;
+        if (way.norm() > settings_.shortest_pass) add(way, way.norm(), mate.number);
+      }
+    }
+    const Vector2d to_goal = goal - kicks.ball, straight = kicks.ball - scene.situation.frame.origin();
+    for (const double angle : {0.0, -0.35, 0.35, -0.7, 0.7, -1.1, 1.1, -1.6, 1.6}) {
+      const Vector2d way = turned(to_goal, std::cos(angle), std::sin(angle));
+      for (const double distance : {0.5, 1.0, 2.0, 3.5, 5.4}) add(way, distance, 0);
+    }
+    for (const double distance : {0.5, 1.0, 2.0, 3.5, 5.4}) add(straight, distance, 0);
+    return out;
+  }
+
+  // What a kick is worth that may come too late, if it is worth `kicked` in time.
+  double in_time(const GainScene& scene, const Vector2d& direction, double kicked) const {
+    const double delay = time_until_kick(scene.situation, direction);
+    const double first = share(scene.opponents_at_ball - delay + settings_.reaction);
+    const double lost = scene.worth_of_ball - settings_.possession;
+    return first * kicked + (1.0 - first) * lost - settings_.hurry * delay;
+  }
+
   double share(double sooner) const { return 1.0 / (1.0 + std::exp(-sooner / settings_.race)); }
 
   static double time_of_opponents(const GainScene& scene, const Vector2d& place) {

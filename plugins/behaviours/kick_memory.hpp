@@ -67,12 +67,20 @@ class KickMemory {
       opponents_.push_back({{opponent.position[0], opponent.position[1]}, opponent.weight});
     }
     const KickScene scene{situation.facts.field, situation.ball, kinds_, teammates_, opponents_, last_};
-    last_ = play_.kick_rule == KickRule::metres ? choice_.choose(scene)
-                                                : gain_.choose({scene, situation, direction_error_}).plan;
+    last_ = play_.kick_rule == KickRule::metres ? choice_.choose(scene) : by_gain(scene, situation);
     return *last_;
   }
 
  private:
+  // From afar it is enough to come to the ball from the side of the own goal.
+  KickPlan by_gain(const KickScene& scene, const Situation& situation) const {
+    const Vector2d to_goal = Vector2d(scene.field.length / 2.0, 0.0) - scene.ball;
+    const bool far = (scene.ball - situation.frame.origin()).norm() > play_.gain.considered_within;
+    if (far && !kinds_.empty() && to_goal.norm() > 1e-6)
+      return {to_goal.normalized(), kinds_[0].maximum_distance, 0, 0};
+    return gain_.choose(gain_.scene(scene, situation, direction_error_));
+  }
+
   static bool able(const regista::Robot& robot, const Situation& situation) {
     return (robot.flags & REGISTA_ROBOT_ACTIVE) != 0 && (robot.flags & REGISTA_ROBOT_FALLEN) == 0 &&
            robot.number != situation.facts.own_number;

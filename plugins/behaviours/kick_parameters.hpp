@@ -136,19 +136,19 @@ inline constexpr std::tuple play_parameters{
                          "A robot that is surely first at the ball plays it whatever its role, and the robot of the "
                          "role leaves it to a teammate that is (`claim_...`); no: the role alone decides"),
         regista::real("claim_sooner", &ClaimSettings::sooner, of_seconds, "s",
-                      "So much sooner than all teammates a robot takes a ball that is not its role's; our choice: 1")
+                      "So much sooner than all teammates a robot takes a ball that is not its role's; our choice: 0.3")
             .tunable(),
         regista::real("claim_kept", &ClaimSettings::kept, of_seconds, "s",
                       "While it is so much sooner it keeps what it has taken; our choice: 0")
             .tunable(),
         regista::real("claim_left", &ClaimSettings::left, of_seconds, "s",
-                      "The robot of the role leaves the ball to a teammate that is so much sooner; our choice: 1.5")
+                      "The robot of the role leaves the ball to a teammate that is so much sooner; our choice: 0.5")
             .tunable(),
         regista::real("claim_news_at_most", &ClaimSettings::news_at_most, {0.0, 60.0}, "s",
                       "It leaves the ball to nobody of whom the news are older; our choice: 3")
             .tunable(),
         regista::real("claim_doubt", &ClaimSettings::doubt, {0.0, 1.0}, "1",
-                      "Seconds by which each second of silence makes a teammate's time uncertain; our choice: 0.2")
+                      "Seconds by which each second of silence makes a teammate's time uncertain; our choice: 0.05")
             .tunable(),
         regista::real("claim_room", &ClaimSettings::room, {0.0, 5.0}, "m",
                       "Whoever leaves the ball stands this far behind it; our choice: 1.2")

@@ -23,6 +23,18 @@ inline constexpr auto node_reached_parameter = regista::within(
                   "A robot so near to a node or an edge is on it, where the team walks along edges; our "
                   "choice: 0.3"));
 
+inline constexpr auto spread_parameters = regista::within(
+    &SupportSettings::spread,
+    regista::real("clear_of_ball", &SpreadSettings::clear_of_ball, {0.0, 5.0}, "m",
+                  "The robot stands no nearer to a ball that it does not play; 0: wherever its task is")
+        .tunable(),
+    regista::real("apart", &SpreadSettings::apart, {0.0, 5.0}, "m",
+                  "It keeps its target so far from those of more important tasks; 0: wherever its task is")
+        .tunable(),
+    regista::real("moved_at_most", &SpreadSettings::moved_at_most, {0.0, 10.0}, "m",
+                  "For both of these its target is moved no farther; our choice: 1.2")
+        .tunable());
+
 inline constexpr std::tuple search_parameters{
     regista::real("at_target", &SearchSettings::at_target, {0.0, 5.0}, "m",
                   "A searching robot is at its place from this distance on, and turns about; our choice: 0.5")

@@ -25,7 +25,8 @@ static_assert(static_cast<int>(SetPlay::none) == REGISTA_SET_PLAY_NONE &&
 
 class SituationReader {
  public:
-  static constexpr std::size_t most_nodes = 256, most_edges = 768;  // more than there are; only memory depends on it
+  static constexpr std::size_t most_nodes = 256, most_edges = 768,
+                               most_tasks = 64;  // more than there are; only memory depends on it
 
   explicit SituationReader(Duty duty) { situation_.duty = duty; }
 
@@ -49,6 +50,7 @@ class SituationReader {
     facts.can_kick = !environment.kicks().empty();
     facts.own_number = environment->own_number;
     nodes_.reserve(most_nodes);
+    targets_.reserve(most_tasks);
     edges_.reserve(most_edges);
   }
 
@@ -77,6 +79,16 @@ class SituationReader {
     return s;
   }
 
+  // Of what was read last: for those who keep apart from each other. Valid until the next call.
+  void read_targets(const regista::Frame& frame, const regista::Body& body) {
+    targets_.clear();
+    for (std::int32_t i = 0; i < body->task; ++i) {
+      const regista::Task& task = frame.tasks()[static_cast<std::size_t>(i)];
+      targets_.emplace_back(task.after[0], task.after[1]);
+    }
+    situation_.more_important = targets_;
+  }
+
   // Of what was read last: for walks along the edges.
   void read_graph(const regista::Frame& frame) {
     nodes_.clear();
@@ -93,7 +105,7 @@ class SituationReader {
   static bool known(int enumerator, int last) { return enumerator >= 0 && enumerator <= last; }
 
   Situation situation_;
-  std::vector<Vector2d> nodes_;
+  std::vector<Vector2d> nodes_, targets_;
   std::vector<Edge> edges_;
 };
 

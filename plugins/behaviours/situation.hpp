@@ -62,9 +62,10 @@ struct Situation {
   Frame2 frame{Pose{}};    // of the pose
   bool incapable = false;  // lies, is penalised or in the middle of a kick
   bool has_task = false;
-  Pose target;               // of the own task; the pose without one
-  bool along_edges = false;  // the team wants robots to walk to it along the edges of the graph
-  Graph graph;               // empty unless along_edges
+  Pose target;                               // of the own task; the pose without one
+  std::span<const Vector2d> more_important;  // targets of the tasks before the own one in the list of tasks
+  bool along_edges = false;                  // the team wants robots to walk to it along the edges of the graph
+  Graph graph;                               // empty unless along_edges
   bool sees_ball = false;
   bool ball_trusted = false;  // known, and young enough to act on
   Vector2d ball{0, 0}, ball_velocity{0, 0};

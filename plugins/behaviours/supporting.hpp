@@ -7,12 +7,14 @@
 #include "legal_place.hpp"
 #include "movement.hpp"
 #include "situation.hpp"
+#include "spread.hpp"
 
 namespace behaviours {
 
 struct SupportSettings {
   double reception_reach = 1.0;  // m that it leaves its place for a ball that comes along
   EdgePathSettings path;
+  SpreadSettings spread;
 };
 
 // `path`: memory for the way along edges.
@@ -23,7 +25,11 @@ inline Movement support(const Situation& situation, const SupportSettings& setti
       return intercept(situation, *point);
     }
   }
-  Pose target = legal_place(situation, legal, situation.target);
+  Pose wanted = situation.target;
+  const Vector2d apart = spread(situation, settings.spread, {wanted.x, wanted.y}, situation.more_important);
+  wanted.x = apart.x();
+  wanted.y = apart.y();
+  Pose target = legal_place(situation, legal, wanted);
   if (situation.along_edges) {
     const Vector2d next = path.next(situation.graph, settings.path, situation.frame.origin(), {target.x, target.y});
     target = {next.x(), next.y(), target.heading};

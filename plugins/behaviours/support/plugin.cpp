@@ -28,7 +28,7 @@ struct Support {
       regista::within(&Support::conduct, behaviours::conduct_parameters),
       regista::within(&Support::rolling, behaviours::rolling_parameter),
       regista::within(&Support::settings, behaviours::reception_reach_parameter.tunable(),
-                      behaviours::node_reached_parameter),
+                      behaviours::node_reached_parameter, behaviours::spread_parameters),
       regista::within(&Support::kick, behaviours::kick_parameters),
       regista::within(&Support::playing, behaviours::play_parameters),
       regista::within(&Support::approach, behaviours::approach_parameters)};
@@ -48,13 +48,14 @@ struct Support {
   void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
     const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
     reader.read_graph(frame);
+    reader.read_targets(frame, body);
+    // Also in the middle of a kick, when it cannot move: a ball that it has taken stays its own.
+    const bool takes_ball = situation.phase == behaviours::Phase::playing && situation.facts.can_kick &&
+                            !ball_is_theirs(situation) && kicks.plays_ball(frame, situation, false);
+    if (takes_ball) behaviours::announce(situation.ball, out);
     const behaviours::Movement movement = behaviours::by_phase(situation, conduct.legal, [&] {
-      const bool takes_ball = kicks.plays_ball(frame, situation, false);
-      if (takes_ball && situation.facts.can_kick && !ball_is_theirs(situation)) {
-        behaviours::announce(situation.ball, out);
-        return behaviours::approach(situation, approach, rolling, kicks.choose(frame, situation));
-      }
-      return behaviours::support(situation, settings, rolling, conduct.legal, path);
+      return takes_ball ? behaviours::approach(situation, approach, rolling, kicks.choose(frame, situation))
+                        : behaviours::support(situation, settings, rolling, conduct.legal, path);
     });
     behaviours::write_action(movement, behaviours::look(situation, conduct.gaze), out);
   }
