@@ -6,7 +6,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "rolling_ball.hpp"
 #include "situation.hpp"
@@ -22,7 +24,7 @@ struct Contender {
 
 struct ClaimSettings {
   bool nearest_plays = false;  // otherwise the role decides alone
-  double sooner = 0.3;         // s: so much sooner than all others a robot takes a ball that is not its role's
+  double sooner = 0.1;         // s: so much sooner than all others a robot takes a ball that is not its role's
   double kept = 0.0;           // s: as long as it is so much sooner it keeps what it has taken
   double left = 0.5;           // s: the robot of the role leaves the ball to a teammate that is so much sooner
   double news_at_most = 3.0;   // s: older news let nobody leave the ball
@@ -42,6 +44,7 @@ inline Pose place_behind(const Situation& situation, double room) {
 
 class Claim {
  public:
+  void reserve(std::size_t teammates) { times_.reserve(teammates); }
   void forget() { holds_ = leaves_ = false; }
 
   // Whether this robot plays the ball now. `by_role`: its role plays it.
@@ -52,20 +55,39 @@ class Claim {
       return by_role;
     }
     const double own = meeting(situation, situation.frame.origin()).time;
-    double soonest = 1e9;         // of those that may be there, and may have come nearer
-    double soonest_surely = 1e9;  // of those whose news are young, as they were when these were sent
-    for (const Contender& mate : teammates) {
-      const double time = meeting(situation, mate.position).time;
-      const double doubt = settings.doubt * mate.age;
-      soonest = std::min(soonest, time - doubt);
-      if (mate.age <= settings.news_at_most) soonest_surely = std::min(soonest_surely, time + doubt);
-    }
-    holds_ = own + (holds_ ? settings.kept : settings.sooner) < soonest;
-    leaves_ = soonest_surely + (leaves_ ? settings.kept : settings.left) < own;
+    times_.clear();
+    for (const Contender& mate : teammates) times_.push_back(meeting(situation, mate.position).time);
+    holds_ = before_all(own, holds_ ? settings.kept : settings.sooner, settings, teammates, nobody);
+    leaves_ = leaves_to_another(own, settings, teammates);
     return holds_ || (by_role && !leaves_);
   }
 
  private:
+  static constexpr std::size_t nobody = static_cast<std::size_t>(-1);
+
+  // Whether somebody who is there in `time` is so much sooner than all teammates but one. These may have come nearer
+  // since their last packets.
+  bool before_all(double time, double margin, const ClaimSettings& settings, std::span<const Contender> teammates,
+                  std::size_t but) const {
+    for (std::size_t i = 0; i < teammates.size(); ++i) {
+      if (i != but && !(time + margin < times_[i] - settings.doubt * teammates[i].age)) return false;
+    }
+    return true;
+  }
+
+  // Only to one that takes the ball, as it can be computed here: or nobody would go.
+  bool leaves_to_another(double own, const ClaimSettings& settings, std::span<const Contender> teammates) const {
+    std::size_t first = nobody;
+    for (std::size_t i = 0; i < teammates.size(); ++i) {
+      if (teammates[i].age <= settings.news_at_most && (first == nobody || times_[i] < times_[first])) first = i;
+    }
+    if (first == nobody) return false;
+    const double latest = times_[first] + settings.doubt * teammates[first].age;
+    return latest + (leaves_ ? settings.kept : settings.left) < own &&
+           before_all(times_[first], settings.sooner, settings, teammates, first);
+  }
+
+  std::vector<double> times_;  // until each teammate is at the ball, s; keeps its memory
   bool holds_ = false, leaves_ = false;
 };
 

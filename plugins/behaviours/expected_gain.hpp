@@ -91,7 +91,26 @@ class ExpectedGain {
       best = option.plan;
       best_value = worth;
     }
+    if (best.kind != KickPlan::no_kind) best.receiver = receiver(scene, best);
     return best;
+  }
+
+  // The teammate that is first where the ball stops, if it is sooner there than the robot itself and all opponents: the
+  // kick is a pass to it. 0: it is none.
+  int receiver(const GainScene& scene, const KickPlan& plan) const {
+    if (plan.distance < settings_.shortest_pass) return 0;
+    const Vector2d stop = scene.kick.ball + plan.direction * plan.distance;
+    const Field& field = scene.kick.field;
+    if (std::abs(stop.x()) > field.length / 2.0 || std::abs(stop.y()) > field.width / 2.0) return 0;
+    double soonest = std::min(time_of_robot(scene, stop, plan.distance), time_of_opponents(scene, stop));
+    int out = 0;
+    for (const Receiver& mate : scene.kick.teammates) {
+      const double time = time_of_teammate(scene, mate, stop);
+      if (mate.age > settings_.receiver_age || time >= soonest) continue;
+      soonest = time;
+      out = mate.number;
+    }
+    return out;
   }
 
  private:
@@ -154,12 +173,11 @@ class ExpectedGain {
   Options tried(const GainScene& scene) const {
     const KickScene& kicks = scene.kick;
     Options out;
-    const auto add = [&](const Vector2d& way, double distance, int receiver) {
+    const auto add = [&](const Vector2d& way, double distance) {
       const double length = way.norm();
       if (length < 1e-6) return;
       Option option{kick(kicks, way / length, distance), 0.0};
       if (option.plan.kind == KickPlan::no_kind) return;
-      option.plan.receiver = receiver;
       option.value = in_time(scene, option.plan.direction, roll(scene, option.plan.direction, option.plan.distance));
       if (is_last(scene, option.plan)) option.value += settings_.constancy;
       out.add(option);
@@ -168,21 +186,21 @@ class ExpectedGain {
     for (const double share : {0.0, -0.5, 0.5}) {
       constexpr double into_net = 1.0;  // m
       const Vector2d way = goal + Vector2d(0.0, share * kicks.field.goal_width / 2.0) - kicks.ball;
-      add(way, way.norm() + into_net, 0);
+      add(way, way.norm() + into_net);
     }
     for (const Receiver& mate : kicks.teammates) {
       if (mate.age > settings_.receiver_age) continue;
       for (const double ahead : {0.0, settings_.into_space}) {
         const Vector2d way = mate.position + Vector2d(ahead, 0.0) - kicks.ball;
-        if (way.norm() > settings_.shortest_pass) add(way, way.norm(), mate.number);
+        if (way.norm() > settings_.shortest_pass) add(way, way.norm());
       }
     }
     const Vector2d to_goal = goal - kicks.ball, straight = kicks.ball - scene.situation.frame.origin();
     for (const double angle : {0.0, -0.35, 0.35, -0.7, 0.7, -1.1, 1.1, -1.6, 1.6}) {
       const Vector2d way = turned(to_goal, std::cos(angle), std::sin(angle));
-      for (const double distance : {0.5, 1.0, 2.0, 3.5, 5.4}) add(way, distance, 0);
+      for (const double distance : {0.5, 1.0, 2.0, 3.5, 5.4}) add(way, distance);
     }
-    for (const double distance : {0.5, 1.0, 2.0, 3.5, 5.4}) add(straight, distance, 0);
+    for (const double distance : {0.5, 1.0, 2.0, 3.5, 5.4}) add(straight, distance);
     return out;
   }
 
@@ -206,13 +224,21 @@ class ExpectedGain {
     return soonest;
   }
 
-  // Until the own team is there; the robot itself `busy` seconds later.
-  static double time_of_team(const GainScene& scene, const Vector2d& place, double busy) {
-    const Facts& facts = scene.situation.facts;
-    double soonest = busy + (scene.situation.frame.origin() - place).norm() / facts.walk_forward;
-    for (const Receiver& mate : scene.kick.teammates) {
-      soonest = std::min(soonest, (mate.position - place).norm() / facts.walk_forward + 0.2 * mate.age);
-    }
+  // The robot itself, after the kick.
+  static double time_of_robot(const GainScene& scene, const Vector2d& place, double distance) {
+    constexpr double in_walking = 1.2;                      // m: shorter kicks do not stop the walk
+    const double busy = distance > in_walking ? 1.0 : 0.3;  // s
+    return busy + (scene.situation.frame.origin() - place).norm() / scene.situation.facts.walk_forward;
+  }
+
+  static double time_of_teammate(const GainScene& scene, const Receiver& mate, const Vector2d& place) {
+    constexpr double doubt = 0.2;  // s per s without news
+    return (mate.position - place).norm() / scene.situation.facts.walk_forward + doubt * mate.age;
+  }
+
+  static double time_of_team(const GainScene& scene, const Vector2d& place, double distance) {
+    double soonest = time_of_robot(scene, place, distance);
+    for (const Receiver& mate : scene.kick.teammates) soonest = std::min(soonest, time_of_teammate(scene, mate, place));
     return soonest;
   }
 
@@ -280,7 +306,7 @@ class ExpectedGain {
     }
     if (over_side) return worth(field, stop) - settings_.possession;
     const double rolls = speed / scene.situation.facts.ball_deceleration;
-    const double team = std::max(rolls, time_of_team(scene, stop, distance > 1.2 ? 1.0 : 0.3));
+    const double team = std::max(rolls, time_of_team(scene, stop, distance));
     const double opponents = std::max(rolls, time_of_opponents(scene, stop));
     const double ours = share(opponents - team);
     return worth(field, stop) + settings_.possession * (2.0 * ours - 1.0);

@@ -36,6 +36,7 @@ class KickMemory {
     }
     teammates_.reserve(environment->team_size);
     contenders_.reserve(environment->team_size);
+    claim_.reserve(environment->team_size);
     constexpr std::size_t most_opponents = 64;  // more than there are; only memory depends on it
     opponents_.reserve(most_opponents);
   }

@@ -136,7 +136,7 @@ inline constexpr std::tuple play_parameters{
                          "A robot that is surely first at the ball plays it whatever its role, and the robot of the "
                          "role leaves it to a teammate that is (`claim_...`); no: the role alone decides"),
         regista::real("claim_sooner", &ClaimSettings::sooner, of_seconds, "s",
-                      "So much sooner than all teammates a robot takes a ball that is not its role's; our choice: 0.3")
+                      "So much sooner than all teammates a robot takes a ball that is not its role's; our choice: 0.1")
             .tunable(),
         regista::real("claim_kept", &ClaimSettings::kept, of_seconds, "s",
                       "While it is so much sooner it keeps what it has taken; our choice: 0")

@@ -32,16 +32,27 @@ inline Meeting meeting(const Situation& situation, const Vector2d& from) {
   const auto walk_time = [&](const Vector2d& place) {
     return std::max(0.0, (place - from).norm() - touching) / facts.walk_forward;
   };
-  const double speed = situation.ball_velocity.norm();
+  const double speed = situation.ball_velocity.norm(), slows = facts.ball_deceleration;
   constexpr double resting = 0.05, step = 0.2;  // m/s, s
   if (speed < resting) return {situation.ball, walk_time(situation.ball)};
   const Vector2d ahead = situation.ball_velocity / speed;
-  const double stops = speed / facts.ball_deceleration;
+  const double stops = speed / slows, rolls = rolling_distance(situation);
+  const auto place_at = [&](double time) {
+    return Vector2d(situation.ball + ahead * (time * (speed - 0.5 * slows * time)));
+  };
+  const auto met = [&](double time) { return walk_time(place_at(time)) <= time; };
+  // It may come by so fast that it is out of reach again before the next step: around then, in small steps.
+  const double along = std::clamp((from - situation.ball).dot(ahead), 0.0, rolls);
+  const double passes = (speed - std::sqrt(std::max(0.0, speed * speed - 2.0 * slows * along))) / slows;
+  double passing = passes;
+  while (passing < passes + step && !met(passing)) passing += 0.25 * step;
+  if (passing >= passes + step) passing = stops;
   for (double time = 0.0; time < stops; time += step) {
-    const Vector2d place = situation.ball + ahead * (time * (speed - 0.5 * facts.ball_deceleration * time));
-    if (walk_time(place) <= time) return {place, time};
+    if (passing <= time) break;
+    if (met(time)) return {place_at(time), time};
   }
-  const Vector2d rest = situation.ball + ahead * rolling_distance(situation);
+  if (passing < stops) return {place_at(passing), passing};
+  const Vector2d rest = situation.ball + ahead * rolls;
   return {rest, std::max(stops, walk_time(rest))};
 }
 
