@@ -238,6 +238,9 @@ TEST(Options, OrderOfOpponentsIsLookedAtWhenAskedFor) {
 
 TEST(Options, AnIdleRobotMayBeAllowed) {
   EXPECT_TRUE(run(assigner("idles", "promises", ""), {.may_idle = true}).empty());
+  // Which is no leave to be unknown.
+  EXPECT_THAT(run(assigner("says_unknown", "promises", ""), {.may_idle = true}).lines(),
+              testing::Contains(testing::HasSubstr("is unknown, but nothing is negotiated")));
 }
 
 // What is wrong in one way is not called wrong in another: findings point at their cause.
