@@ -155,7 +155,10 @@ std::vector<Check> contract(std::int32_t kind) {
   }
   if (kind == REGISTA_KIND_ASSIGNER) {
     out.push_back({"rehearsal", "teammates agree in spite of losses, delays and absences", check_rehearsal,
-                   [](const Loaded& p, const Options&) { return p.implements(REGISTA_KIND_MAILBOX); }});
+                   // Who says that it negotiates has to agree, whatever it talks with.
+                   [](const Loaded& p, const Options&) {
+                     return p.implements(REGISTA_KIND_MAILBOX) || detail::says_it_negotiates(p);
+                   }});
   }
   if (kind == REGISTA_KIND_UTILITY) {
     out.push_back({"order", "the order of opponents does not matter", check_order_of_opponents,
