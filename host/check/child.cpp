@@ -264,8 +264,8 @@ Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadli
       ended = fmt::format("did nothing for {:.0f} s", deadline.idle_seconds);
     } else if (ended.empty() && written_bytes > most_text) {
       ended = fmt::format("wrote more than {} MiB to standard output and standard error", most_text >> 20);
-    } else if (ended.empty() && waited.count() > deadline.wall_seconds) {
-      ended = fmt::format("did not end within {:.0f} s", deadline.wall_seconds);
+    } else if (ended.empty() && waited.count() > deadline.wall_seconds()) {
+      ended = fmt::format("did not end within {:.0f} s", deadline.wall_seconds());
     }
     if (!ended.empty()) ::kill(-child, SIGKILL);
   }

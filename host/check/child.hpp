@@ -3,6 +3,7 @@
 // is known.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -20,9 +21,11 @@ struct Outcome {
 };
 
 struct Deadline {
-  int processor_seconds = 10;   // of one check
-  double idle_seconds = 5.0;    // that it may sleep at a stretch
-  double wall_seconds = 300.0;  // on a machine that has much else to do
+  int processor_seconds = 10;  // of one check
+  double idle_seconds = 5.0;   // that it may sleep at a stretch
+
+  // On a machine that has much else to do.
+  double wall_seconds() const { return std::max(300.0, 30.0 * processor_seconds); }
 };
 
 // What a child is about to do, for its parent to read when it died of that.
