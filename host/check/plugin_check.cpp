@@ -24,6 +24,7 @@
 #include "check/process_watch.hpp"
 #include "config/bad_input.hpp"
 #include "config/text.hpp"
+#include "config/visible_text.hpp"
 #include "plugin/descriptor.hpp"
 #include "plugin/survey.hpp"
 
@@ -82,7 +83,7 @@ class FileCheck {
  public:
   FileCheck(const fs::path& file, const Options& options, const std::function<void(const Verdict&)>& told)
       : file_(fs::absolute(file)), options_(options), told_(told) {
-    report_.file = file.string();
+    report_.file = config::visible(file.string());
     testkit_options_.may_idle = options_.may_idle;
     testkit_options_.doubts_idleness = true;
     testkit_options_.seed = options_.seed;
@@ -251,7 +252,7 @@ class FileCheck {
       if (each.mean_microseconds > much) {
         out.status = Status::warn;
         out.lines.push_back(
-            fmt::format("a match will be slow: a call takes {:.0f} us in the mean, and every robot makes it ten "
+            fmt::format("a match will be slow: a call takes {:.0f} us on average, and every robot makes it ten "
                         "times a second",
                         each.mean_microseconds));
       }
@@ -282,6 +283,8 @@ class FileCheck {
     const auto began = Clock::now();
     Outcome outcome = check();
     const std::chrono::duration<double> seconds = Clock::now() - began;
+    // A name of a file or what the loader says of it may be no text at all.
+    for (std::string& line : outcome.lines) line = config::visible(line);
     report_.verdicts.push_back({plugin_, name, promise, outcome.status, std::move(outcome.lines), seconds.count()});
     if (told_) told_(report_.verdicts.back());
   }

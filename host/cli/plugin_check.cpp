@@ -12,6 +12,7 @@
 #include "config/json.hpp"
 #include "config/text.hpp"
 #include "config/typed.hpp"
+#include "config/visible_text.hpp"
 #include "output/output.hpp"
 
 namespace regista::cli {
@@ -99,7 +100,8 @@ int run(const PluginCheckOptions& options) {
     std::string plugin = "none yet";
     const auto tell = [&](const check::Verdict& verdict) {
       if (options.json) return;
-      if (verdict.plugin != plugin) output::print(verdict.plugin.empty() ? file + '\n' : verdict.plugin + '\n');
+      if (verdict.plugin != plugin)
+        output::print(verdict.plugin.empty() ? config::visible(file) + '\n' : verdict.plugin + '\n');
       plugin = verdict.plugin;
       output::print(text_of(verdict));
     };
@@ -110,7 +112,7 @@ int run(const PluginCheckOptions& options) {
     else
       output::print(summary_of(report));
   }
-  if (options.json) output::print(json.dump(2) + '\n');
+  if (options.json) output::print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
   return passed ? exit_done : exit_no;
 }
 

@@ -96,6 +96,17 @@ class Files(PluginCheck):
         self.assertEqual(self.object_says("pipe.so"), ["is not a regular file"])
         self.assertEqual(self.object_says("/dev/null"), ["is not a regular file"])
 
+    def test_names_that_are_no_text(self):
+        name = os.fsdecode(b"\xff.so")
+        (self.folder / name).write_text("hello\n")
+        self.assertEqual(self.object_says(name), ["is not a shared object"])
+        # Of a plugin, several checks have the name in their lines.
+        shutil.copy(PLUGINS / "when_opened_crash" / "crash.so", self.folder / name)
+        self.assertEqual(self.found(name)["open"][0], "fail")
+        done = self.run_program("plugin", "check", name, "--only", "open")
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        self.assertTrue(done.stdout.startswith("\ufffd.so\n"), done.stdout)
+
     def test_objects_of_another_machine(self):
         whole = bytearray((SHIPPED / "always.so").read_bytes())
         machine = struct.unpack_from("<H", whole, 18)[0]
