@@ -16,6 +16,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <optional>
@@ -90,7 +91,7 @@ class DescriptorTrap {
 };
 
 [[noreturn]] void run(const std::function<Outcome()>& check, const Deadline& deadline, int answer, int text,
-                      pid_t parent) noexcept {
+                      pid_t parent, Ending ending) noexcept {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);
@@ -114,13 +115,9 @@ class DescriptorTrap {
   const DescriptorTrap trap;
   Outcome outcome;
   try {
-    outcome = check();
+    outcome = without_exceptions(check);
   } catch (const std::bad_alloc&) {
     ::_exit(out_of_memory);
-  } catch (const std::exception& error) {
-    outcome = {Status::fail, {error.what()}};
-  } catch (...) {
-    outcome = {Status::fail, {"threw something that is no exception"}};
   }
   if (::getpid() != here) ::_exit(1);  // a plugin has doubled the process: one of the two is enough
   if (trap.has_caught()) {
@@ -131,6 +128,7 @@ class DescriptorTrap {
   bytes(outcome.status, outcome.lines);
   write_all(answer, mark);
   write_all(answer, bytes.bytes());
+  if (ending == Ending::as_programs_do) std::exit(0);
   ::_exit(0);
 }
 
@@ -202,6 +200,15 @@ std::string how_it_ended(int status, const Deadline& deadline) {
   return fmt::format("ended the process (exit code {})", WEXITSTATUS(status));
 }
 
+// Of one that had nothing to do but to end; empty when all is well, and when its time was up.
+std::string ended_badly(int status) {
+  if (WIFSIGNALED(status) && WTERMSIG(status) != SIGXCPU) {
+    return fmt::format("the process ends by {}", ::strsignal(WTERMSIG(status)));
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) == 0) return {};
+  return fmt::format("the process ends with exit code {}", WEXITSTATUS(status));
+}
+
 }  // namespace
 
 SharedNote::SharedNote()
@@ -222,7 +229,19 @@ std::string SharedNote::read() const {
   return config::visible_at_most(std::string_view(page_, ::strnlen(page_, note_bytes)), note_bytes);
 }
 
-Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline, SharedNote& note) {
+Outcome without_exceptions(const std::function<Outcome()>& check) {
+  try {
+    return check();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return {Status::fail, {error.what()}};
+  } catch (...) {
+    return {Status::fail, {"threw something that is no exception"}};
+  }
+}
+
+Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline, SharedNote& note, Ending ending) {
   note.write("");
   const plugin::Descendants descendants;
   Pipe answer, text;
@@ -231,7 +250,7 @@ Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadli
   if (child == -1) throw std::system_error(errno, std::generic_category(), "cannot start a process for a check");
   if (child == 0) {
     for (const int parents : {answer.ends[0], text.ends[0]}) ::close(parents);
-    run(check, deadline, answer.ends[1], text.ends[1], parent);
+    run(check, deadline, answer.ends[1], text.ends[1], parent, ending);
   }
   ::setpgid(child, child);  // whoever of the two comes first
   answer.close_writing_end();
@@ -273,6 +292,9 @@ Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadli
   descendants.end_all();
   take(answer.ends[0], answered, most_bytes, answered_bytes);
   take(text.ends[0], written, kept_text, written_bytes);
+  if (auto outcome = outcome_of(answered); outcome && ended.empty() && ending == Ending::as_programs_do) {
+    if (const std::string wrong = ended_badly(status); !wrong.empty()) return {Status::fail, {wrong}};
+  }
   if (ended.empty() && WIFEXITED(status)) {
     if (auto outcome = outcome_of(answered)) {
       if (outcome->status == Status::pass && written_bytes > much_text) {

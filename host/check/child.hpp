@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -43,9 +44,19 @@ class SharedNote {
   char* page_;
 };
 
+// Calls `check`. An exception that it throws is a failure, and its text the line; only std::bad_alloc goes on.
+Outcome without_exceptions(const std::function<Outcome()>& check);
+
+// How a child ends that has answered.
+enum class Ending : std::uint8_t {
+  at_once,
+  as_programs_do  // with all that is to be run at the end of a process; that it does so well is part of the outcome
+};
+
 // Calls `check` in a child of this process. A child that dies, hangs or ends early is a crash, with the reason and the
 // last line that it wrote to standard error, and with the note. Throws std::system_error when no process can be
 // started.
-Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline, SharedNote& note);
+Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline, SharedNote& note,
+                   Ending ending = Ending::at_once);
 
 }  // namespace regista::check

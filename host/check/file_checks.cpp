@@ -4,17 +4,11 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include <regista/abi.h>
@@ -157,20 +151,9 @@ Outcome shake_hands(const fs::path& file, std::uint32_t plugins) {
   return {};
 }
 
-Outcome end_after_opening(const fs::path& file) {
-  const pid_t child = ::fork();
-  if (child == -1) throw std::system_error(errno, std::generic_category(), "cannot start a process for a check");
-  if (child == 0) {
-    entry_of(file);
-    std::exit(0);  // with all that is to be run at the end of a process
-  }
-  int status = 0;
-  while (::waitpid(child, &status, 0) == -1 && errno == EINTR) {
-  }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
-  if (WIFSIGNALED(status))
-    return {Status::fail, {fmt::format("the process ends by {}", ::strsignal(WTERMSIG(status)))}};
-  return {Status::fail, {fmt::format("the process ends with exit code {}", WEXITSTATUS(status))}};
+Outcome open_and_no_more(const fs::path& file) {
+  entry_of(file);
+  return {};
 }
 
 }  // namespace regista::check

@@ -19,7 +19,7 @@ Outcome imports_of(const ObjectFile& object);
 
 // Every version of a host gets the same descriptors, and none beyond the `plugins` that there are.
 Outcome shake_hands(const std::filesystem::path& file, std::uint32_t plugins);
-// A process that has opened the file ends as it should.
-Outcome end_after_opening(const std::filesystem::path& file);
+// For a process that is to end after that: see Ending.
+Outcome open_and_no_more(const std::filesystem::path& file);
 
 }  // namespace regista::check

@@ -12,7 +12,6 @@
 #include "config/json.hpp"
 #include "config/text.hpp"
 #include "config/typed.hpp"
-#include "config/visible_text.hpp"
 #include "output/output.hpp"
 
 namespace regista::cli {
@@ -94,26 +93,27 @@ int run(const PluginCheckOptions& options) {
   if (options.files.empty())
     throw BadInput("plugin check: which file? Name a shared object, such as build/my_plugin.so");
   const check::Options wanted = options_of(options);
-  bool passed = true;
-  auto json = nlohmann::ordered_json::array();
-  for (const std::string& file : options.files) {
-    std::string plugin = "none yet";
-    const auto tell = [&](const check::Verdict& verdict) {
-      if (options.json) return;
-      if (verdict.plugin != plugin)
-        output::print(verdict.plugin.empty() ? config::visible(file) + '\n' : verdict.plugin + '\n');
+  check::Listener listener;
+  std::string plugin = "none yet";
+  if (!options.json) {
+    listener.verdict = [&](const std::string& file, const check::Verdict& verdict) {
+      if (verdict.plugin != plugin) output::print((verdict.plugin.empty() ? file : verdict.plugin) + '\n');
       plugin = verdict.plugin;
       output::print(text_of(verdict));
     };
-    const check::Report report = check::check_file(file, wanted, tell);
-    passed = passed && report.passed();
-    if (options.json)
-      json.push_back(json_of(report));
-    else
+    listener.report = [&](const check::Report& report) {
       output::print(summary_of(report));
+      plugin = "none yet";
+    };
   }
-  if (options.json) output::print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
-  return passed ? exit_done : exit_no;
+  const std::vector<check::Report> reports =
+      check::check_files({options.files.begin(), options.files.end()}, wanted, listener);
+  if (options.json) {
+    auto json = nlohmann::ordered_json::array();
+    for (const check::Report& each : reports) json.push_back(json_of(each));
+    output::print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+  }
+  return std::ranges::all_of(reports, &check::Report::passed) ? exit_done : exit_no;
 }
 
 }  // namespace

@@ -154,6 +154,49 @@ class Files(PluginCheck):
                          '--set "reach": expected NAME=VALUE')
 
 
+    def test_checks_that_a_file_does_not_have(self):
+        greedy = SHIPPED / "greedy.so"
+        self.assertEqual(self.refused("plugin", "check", greedy, "--only", "assigner", "--only", "labels"),
+                         f"--only labels: {greedy} has no such check")
+        self.assertEqual(self.refused("plugin", "check", greedy, SHIPPED / "scram.so", "--only", "capacity"),
+                         "--only capacity: none of these files has such a check")
+        # Which holds only of a file that was opened.
+        self.write("text.so", "hello\n")
+        self.assertEqual(self.found("text.so", "--only", "labels"), {"object": ("fail", ["is not a shared object"])})
+        crash = PLUGINS / "when_opened_crash" / "crash.so"
+        self.assertEqual([check["check"] for check in self.check(crash, "--only", "labels", code=1)], ["open"])
+
+    def test_parameters_are_those_of_the_chosen_plugins(self):
+        bad = PLUGINS / "contract" / "contract_bad_assigners.so"
+        self.assertEqual(self.refused("plugin", "check", bad, "--plugin", "keeps", "--set", "reach=1"),
+                         f'unknown parameter "reach" in the chosen plugins of {bad}')
+        for words in ((), ("--plugin", "wrong_in_a_corner"), ("--plugin", "keeps", "--plugin", "wrong_in_a_corner")):
+            self.check(bad, *words, "--set", "reach=1", "--only", "imports", code=0)
+        # A name that several plugins of a file have is listed once.
+        line = self.refused("plugin", "check", PLUGINS / "contract" / "contract_good.so", "--set", "nobody_has_this=1")
+        known = line.partition("known: ")[2].split(", ")
+        self.assertEqual(sorted(known), sorted(set(known)))
+
+    def test_a_folder_for_a_file(self):
+        self.assertEqual(self.refused("plugin", "check", SHIPPED / "delaunay_formation.so", "--set", "file=/tmp"),
+                         "/tmp: is a folder; expected a file")
+
+    def test_several_files_are_looked_at_first(self):
+        greedy, scram = SHIPPED / "greedy.so", SHIPPED / "scram.so"
+        for later in (("nobody.so",), (scram, "--set", "vote=yes"), (scram, "--plugin", "gredy")):
+            done = self.run_program("plugin", "check", greedy, *later, "--only", "promises")
+            self.assertEqual((done.returncode, done.stdout), (2, ""), "nothing is told before all was looked at")
+        # What one of them has is not unknown.
+        for words in (("--set", "vote=true"), ("--plugin", "scram")):
+            done = self.run_program("plugin", "check", greedy, scram, *words, "--only", "imports", "--json")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual([report["file"] for report in json.loads(done.stdout)], [str(greedy), str(scram)])
+        self.assertIn('unknown parameter "votes" in the plugins of these files; nearest: "vote"',
+                      self.refused("plugin", "check", greedy, scram, "--set", "votes=true"))
+        text = self.succeed("plugin", "check", greedy, scram, "--only", "imports").splitlines()
+        self.assertEqual([text[0], text[3]], [str(greedy), str(scram)])
+
+
 class Faults(PluginCheck):
     def test_when_it_is_opened(self):
         # Sanitizers end the process before the signal does.
@@ -196,6 +239,20 @@ class Faults(PluginCheck):
         crashed = {check["plugin"]: check["lines"][0] for check in checks if check["status"] == "crash"}
         self.assertIn("Segmentation fault" if not program.SANITIZED else "ended the process", " ".join(crashed.values()))
         self.assertGreater(len(crashed), 2)
+
+    def test_when_the_process_ends(self):
+        found = self.found(PLUGINS / "when_closed_spin" / "spin.so", "--processor-seconds", "1")
+        self.assertEqual(found, {"ending": ("crash", ["took more than 1 s of processor time", "at: the end of the process"])})
+        found = self.found(PLUGINS / "when_closed_sleep_on" / "sleep_on.so")
+        self.assertEqual(found["ending"], ("crash", ["did nothing for 5 s", "at: the end of the process"]))
+        found = self.found(PLUGINS / "when_closed_leave" / "leave.so")
+        self.assertEqual(found["ending"], ("fail", ["the process ends with exit code 7"]))
+
+    def test_a_refusal_in_its_own_process(self):
+        bad = "contract/contract_bad_assigners.so"
+        for words in (("--in-process",), ()):
+            self.assertEqual(self.of(bad, "never_created", "--only", "cost", *words, code=1),
+                             ("fail", ["create: no such formation"]))
 
     def of(self, file, plugin, *arguments, code):
         """The one check of the one plugin of a file."""
