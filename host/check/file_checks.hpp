@@ -12,6 +12,8 @@ namespace regista::check {
 
 Outcome exports_of(const ObjectFile& object);
 Outcome relocations_of(const ObjectFile& object);
+// Libraries that are not on every machine are a warning each. `file` is where the object lies.
+Outcome needs_of(const ObjectFile& object, const std::filesystem::path& file);
 // Calls that no sound plugin needs are a warning each.
 Outcome imports_of(const ObjectFile& object);
 

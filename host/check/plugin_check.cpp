@@ -36,7 +36,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::array file_checks{"object", "exports", "relocations", "imports", "open", "hand_shake", "ending"};
+constexpr std::array file_checks{"object",  "exports", "relocations", "needs",
+                                 "imports", "open",    "hand_shake",  "ending"};
 constexpr std::array<std::int32_t, 7> kinds_checked{
     REGISTA_KIND_PREDICTOR, REGISTA_KIND_CONTEXT, REGISTA_KIND_POSITIONER, REGISTA_KIND_UTILITY,
     REGISTA_KIND_ASSIGNER,  REGISTA_KIND_SENDER,  REGISTA_KIND_BEHAVIOUR};
@@ -145,6 +146,7 @@ class FileCheck {
     here("exports", "exports the entry point and nothing else", exports_of(object_), !is_plugin());
     if (!is_plugin()) return std::move(report_);
     here("relocations", "its code can be shared between processes", relocations_of(object_));
+    here("needs", "needs libraries that are everywhere", needs_of(object_, file_));
     here("imports", "calls nothing that sound plugins do not need", imports_of(object_));
     here("open", "can be opened, and declares plugins of this interface", opening(), !is_open());
     if (!is_open()) return std::move(report_);

@@ -119,6 +119,50 @@ class Files(PluginCheck):
         (self.folder / "small.so").write_bytes(header)
         self.assertRegex(self.object_says("small.so")[0], "^is built for 32-bit x86; this machine is ")
 
+    def test_what_is_cut_off(self):
+        whole = (SHIPPED / "always.so").read_bytes()
+        for bytes_left in (len(whole) - 1, len(whole) // 2, 64):
+            (self.folder / "cut.so").write_bytes(whole[:bytes_left])
+            self.assertEqual(self.object_says("cut.so"),
+                             [f"is cut off: its header speaks of {len(whole)} bytes, it has {bytes_left}"])
+
+    def test_an_object_without_sections(self):
+        bare = bytearray((SHIPPED / "always.so").read_bytes())
+        struct.pack_into("<Q", bare, 40, 0)  # where they stand
+        struct.pack_into("<HHH", bare, 58, 0, 0, 0)
+        (self.folder / "bare.so").write_bytes(bare)
+        def seen(file):
+            return [(check["check"], check["status"], check["lines"])
+                    for check in self.check(file, "--only", "exports", "--only", "needs", "--only", "imports", code=0)]
+        self.assertEqual(seen("bare.so"), seen(SHIPPED / "always.so"))
+
+    def test_libraries_that_it_needs(self):
+        (check,) = self.check(SHIPPED / "greedy.so", "--only", "needs", code=0)
+        self.assertEqual(check["status"], "pass")
+        self.assertRegex(check["lines"][0], r"^needs .*libc\.so\.6")
+        compiler = shutil.which("gcc") or shutil.which("cc")
+        if compiler is None:
+            self.skipTest("no compiler")
+        self.write("own.c", "int own(void) { return 1; }\n")
+        self.write("a.c", "const void* regista_plugin_entry(unsigned a, unsigned b, unsigned c) { return 0; }\n"
+                   "extern int own(void);\nstatic int (*volatile called)(void) = own;\n")
+        self.write("a.map", "{ global: regista_plugin_entry; local: *; };\n")
+        (self.folder / "libs").mkdir()
+        subprocess.run([compiler, "-shared", "-fPIC", "own.c", "-o", "libs/libown.so"], cwd=self.folder, check=True)
+        build = [compiler, "-shared", "-fPIC", "a.c", "-o", "a.so", "-Llibs", "-Wl,--no-as-needed", "-lown",
+                 "-Wl,--version-script=a.map"]
+        subprocess.run(build, cwd=self.folder, check=True)
+        found = self.found("a.so")
+        self.assertEqual(found["needs"][0], "warn")
+        self.assertEqual(found["needs"][1][1:],
+                         ["libown.so has to be installed wherever the plugin plays: link it statically"])
+        self.assertIn("libown.so", found["open"][1][0])  # which nobody finds
+        for path in (self.folder / "libs", "$ORIGIN/libs"):
+            subprocess.run([*build, f"-Wl,-rpath,{path}"], cwd=self.folder, check=True)
+            self.assertEqual(self.found("a.so")["needs"][1][1:],
+                             [f"finds libown.so in {self.folder}/libs, which it was built with: others do not have that "
+                              "folder"])
+
     def test_what_cannot_be_linked(self):
         compiler = shutil.which("gcc") or shutil.which("cc")
         if compiler is None:
