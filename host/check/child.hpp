@@ -33,14 +33,18 @@ struct Deadline {
 class SharedNote {
  public:
   SharedNote();
+  // That of the process which has started this program: its number() there, for a program that was let have it.
+  explicit SharedNote(int number);
   ~SharedNote();
   SharedNote(const SharedNote&) = delete;
   SharedNote& operator=(const SharedNote&) = delete;
   // What is too long is cut.
   void write(std::string_view text);
   std::string read() const;
+  int number() const { return number_; }
 
  private:
+  int number_;  // of the file, which ends with the process that has made it
   char* page_;
 };
 
@@ -58,5 +62,14 @@ enum class Ending : std::uint8_t {
 // started.
 Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline, SharedNote& note,
                    Ending ending = Ending::at_once);
+
+// The same, but the child becomes this program once more, so that nothing in it is where it is here. It is given these
+// words, the two numbers of answer_as_a_child() behind them, and this environment ("NAME=VALUE" each).
+Outcome in_another_program(std::vector<std::string> words, const std::vector<std::string>& environment,
+                           const Deadline& deadline, SharedNote& note);
+
+// What a program does that was started so: calls `check`, answers, and ends.
+[[noreturn]] void answer_as_a_child(const std::string& answer, const std::string& note,
+                                    const std::function<Outcome(SharedNote&)>& check);
 
 }  // namespace regista::check

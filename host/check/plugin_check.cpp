@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "check/plugin_check.hpp"
 
-#include <alloca.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdlib>
 #include <deque>
 #include <iterator>
 #include <new>
@@ -20,8 +18,10 @@
 #include <regista/testkit/cost.hpp>
 
 #include "check/allocations.hpp"
+#include "check/elsewhere.hpp"
 #include "check/file_checks.hpp"
 #include "check/given_values.hpp"
+#include "check/kinds_checked.hpp"
 #include "check/object_file.hpp"
 #include "check/process_watch.hpp"
 #include "config/bad_input.hpp"
@@ -38,10 +38,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::array file_checks{"object",  "exports", "relocations", "needs",
                                  "imports", "open",    "hand_shake",  "ending"};
-constexpr std::array<std::int32_t, 7> kinds_checked{
-    REGISTA_KIND_PREDICTOR, REGISTA_KIND_CONTEXT, REGISTA_KIND_POSITIONER, REGISTA_KIND_UTILITY,
-    REGISTA_KIND_ASSIGNER,  REGISTA_KIND_SENDER,  REGISTA_KIND_BEHAVIOUR};
-
 std::string kind_and(std::int32_t kind, std::string_view check) {
   return fmt::format("{}.{}", plugin::kind_name(kind), check);
 }
@@ -72,16 +68,6 @@ Outcome outcome_of(const testkit::Findings& findings) {
   return out;
 }
 
-// As in another process of another user: addresses, folder, environment, and what others have drawn from rand().
-void go_elsewhere() {
-  static const std::vector<char> padding(300'007);
-  std::error_code none;
-  fs::current_path("/", none);
-  ::setenv("REGISTA_CHECK_ELSEWHERE", "1", 1);
-  for (int i = 0; i < 17; ++i) std::rand();
-  errno = ENOENT;
-}
-
 bool is_named(const std::vector<std::string>& names, std::string_view id) {
   return names.empty() || std::ranges::find(names, id) != names.end();
 }
@@ -100,8 +86,9 @@ std::vector<std::string> checks_of(std::int32_t kind) {
 // One file: looked at when it is constructed, checked by run().
 class FileCheck {
  public:
-  FileCheck(const fs::path& file, const Options& options, const Listener& listener)
-      : file_(fs::absolute(file)), options_(options), listener_(listener), object_(read_object(file_)) {
+  // note: of whatever is checked.
+  FileCheck(const fs::path& file, const Options& options, const Listener& listener, SharedNote& note)
+      : file_(fs::absolute(file)), options_(options), listener_(listener), object_(read_object(file_)), note_(note) {
     report_.file = config::visible(file.string());
     testkit_options_.may_idle = options_.may_idle;
     testkit_options_.doubts_idleness = true;
@@ -260,22 +247,17 @@ class FileCheck {
     const std::string name = kind_and(kind, "elsewhere");
     if (!is_wanted(options_.only, name)) return;
     judge(name, "does the same in another process, folder and environment", [&]() -> Outcome {
-      if (options_.in_process || hung_) return {Status::skip, {}};
+      if (options_.in_process || hung_ || options_.elsewhere.empty()) return {Status::skip, {}};
       const auto without_digest = [](Outcome outcome) {
         if (outcome.lines.size() > 1 && outcome.status != Status::crash) outcome.lines.erase(outcome.lines.begin());
         return outcome;
       };
       const Outcome first = in_a_child([&] { return digest(kind); }, options_.deadline, note_);
       if (first.status != Status::pass) return without_digest(first);
-      const Outcome second = in_a_child(
-          [&] {
-            go_elsewhere();
-            auto* const deeper = static_cast<volatile char*>(::alloca(70'003));  // the stack is elsewhere, too
-            deeper[0] = 1;
-            digest(kind);  // and something was played before
-            return digest(kind);
-          },
-          options_.deadline, note_);
+      const Elsewhere same{file_, plugin_, kind, options_.seed, options_.visitors, options_.parameters};
+      std::vector<std::string> words = options_.elsewhere;
+      std::ranges::copy(same.words(), std::back_inserter(words));
+      const Outcome second = in_another_program(std::move(words), environment_elsewhere(), options_.deadline, note_);
       if (second.status != Status::pass) return without_digest(second);
       if (first.lines == second.lines) return {};
       return {Status::fail,
@@ -349,7 +331,7 @@ class FileCheck {
   GivenValues given_;
   testkit::Options testkit_options_;
   std::string plugin_;
-  SharedNote note_;
+  SharedNote& note_;
   bool hung_ = false;  // a check of this plugin
   Report report_;
 };
@@ -429,8 +411,9 @@ std::vector<Report> check_files(const std::vector<fs::path>& files, const Option
     std::error_code none;
     if (!fs::exists(file, none)) throw config::BadInput(fmt::format("{}: no such file", file.string()));
   }
+  SharedNote note;
   std::deque<FileCheck> checks;  // they stay where they are
-  for (const fs::path& file : files) checks.emplace_back(file, options, listener);
+  for (const fs::path& file : files) checks.emplace_back(file, options, listener, note);
   Asked(checks, options).refuse_what_nobody_has();
   std::vector<Report> out;
   for (FileCheck& each : checks) {

@@ -24,6 +24,9 @@ struct Options {
   bool may_idle = false;    // an assigner may leave robots without a task
   std::uint64_t seed = 0;   // of what the checks draw by chance
   bool in_process = false;  // in this process, for a debugger
+  // This program, and which of its commands calls play_elsewhere(); empty: nobody plays elsewhere.
+  std::vector<std::string> elsewhere;
+  std::filesystem::path visitors;  // a folder with plugins of which one plays there first
   Deadline deadline;
 };
 

@@ -274,6 +274,12 @@ class Faults(PluginCheck):
         self.assertEqual(status, "fail")
         self.assertTrue(lines[0].startswith("the same calls give another result in another process"), lines)
 
+    def test_elsewhere_the_files_of_parameters_are_found(self):
+        shutil.copy(program.SOURCE / "configs" / "formations" / "open_play.conf", self.folder / "own.conf")
+        words = ("--set", "file=own.conf", "--set", "roles=goalkeeper: 1, striker: 2, supporter: 3")
+        (check,) = self.check(SHIPPED / "delaunay_formation.so", "--only", "elsewhere", *words, code=0)
+        self.assertEqual((check["status"], check["lines"]), ("pass", []))
+
     def test_what_ends_or_holds_the_process(self):
         found = self.found(PLUGINS / "hangs" / "hangs.so", "--processor-seconds", "1")
         self.assertEqual(found["context.promises"],
