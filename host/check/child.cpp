@@ -24,6 +24,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "config/bad_input.hpp"
 #include "config/bytes.hpp"
 #include "config/sanitized.hpp"
 #include "config/text.hpp"
@@ -303,7 +304,11 @@ void answer_as_a_child(const std::string& answer, const std::string& note,
     return static_cast<int>(config::parse_whole("number", text, own_descriptor, most));
   };
   const int to = number(answer);
-  SharedNote shared(number(note));
+  const int about = number(note);
+  for (const int each : {to, about}) {
+    if (::fcntl(each, F_GETFD) == -1) throw config::BadInput("this command is for the program itself");
+  }
+  SharedNote shared(about);
   for (const int each : {to, shared.number()}) ::fcntl(each, F_SETFD, FD_CLOEXEC);
   answer_and_end([&] { return check(shared); }, to, Ending::at_once);
 }

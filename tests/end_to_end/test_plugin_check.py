@@ -198,6 +198,11 @@ class Files(PluginCheck):
                          '--set "reach": expected NAME=VALUE')
 
 
+    def test_the_command_that_is_for_the_program_itself(self):
+        for words in ((), ("a", "b"), ("a", "b", "/x", "y", "2", "0", "/dev/null"), ("800", "801", "/x", "y", "2", "0", "/dev/null"),
+                      ("800", "801", "/x", "y", "2", "0", "/dev/null", "no_sign")):
+            self.refused("plugin", "check-elsewhere", *words)
+
     def test_checks_that_a_file_does_not_have(self):
         greedy = SHIPPED / "greedy.so"
         self.assertEqual(self.refused("plugin", "check", greedy, "--only", "assigner", "--only", "labels"),
@@ -270,9 +275,14 @@ class Faults(PluginCheck):
         self.assertIn("utility.promises", found)
 
     def test_of_chance(self):
-        status, lines = self.found(PLUGINS / "chance" / "chance.so", "--only", "elsewhere")["context.elsewhere"]
-        self.assertEqual(status, "fail")
-        self.assertTrue(lines[0].startswith("the same calls give another result in another process"), lines)
+        for plugin in ("asks_for_the_folder", "asks_who_else_is_there"):
+            status, lines = self.of("chance/chance.so", plugin, "--only", "elsewhere", code=1)
+            self.assertEqual(status, "fail")
+            self.assertTrue(lines[0].startswith("the same calls give another result in another process"), lines)
+        # Where there is no other plugin, none plays.
+        for file in self.plugin_folder.glob("*.so"):
+            file.unlink()
+        self.assertEqual(self.of("chance/chance.so", "asks_who_else_is_there", "--only", "elsewhere", code=0)[0], "pass")
 
     def test_elsewhere_the_files_of_parameters_are_found(self):
         shutil.copy(program.SOURCE / "configs" / "formations" / "open_play.conf", self.folder / "own.conf")
