@@ -16,6 +16,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <optional>
@@ -23,9 +24,11 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "config/bad_input.hpp"
 #include "config/bytes.hpp"
 #include "config/sanitized.hpp"
 #include "config/text.hpp"
+#include "config/typed.hpp"
 #include "config/visible_text.hpp"
 #include "plugin/descendants.hpp"
 #include "plugin/idle_process.hpp"
@@ -89,8 +92,8 @@ class DescriptorTrap {
   int reading_ = -1;  // ends with the process
 };
 
-[[noreturn]] void run(const std::function<Outcome()>& check, const Deadline& deadline, int answer, int text,
-                      pid_t parent) noexcept {
+// Of the child's own, with limits. Returns the number of the file for its answer, out of the way.
+int become_a_child(const Deadline& deadline, int answer, int text, pid_t parent) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);
@@ -109,18 +112,18 @@ class DescriptorTrap {
   ::getrusage(RUSAGE_SELF, &used);
   limit(RLIMIT_CPU, static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1 + deadline.processor_seconds));
   if (!addresses_are_reserved()) limit(RLIMIT_AS, most_memory);  // more than there is memory
+  return answer;
+}
+
+[[noreturn]] void answer_and_end(const std::function<Outcome()>& check, int answer, Ending ending) noexcept {
   for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGPIPE, SIGXCPU}) std::signal(each, SIG_DFL);
   const pid_t here = ::getpid();
   const DescriptorTrap trap;
   Outcome outcome;
   try {
-    outcome = check();
+    outcome = without_exceptions(check);
   } catch (const std::bad_alloc&) {
     ::_exit(out_of_memory);
-  } catch (const std::exception& error) {
-    outcome = {Status::fail, {error.what()}};
-  } catch (...) {
-    outcome = {Status::fail, {"threw something that is no exception"}};
   }
   if (::getpid() != here) ::_exit(1);  // a plugin has doubled the process: one of the two is enough
   if (trap.has_caught()) {
@@ -131,7 +134,16 @@ class DescriptorTrap {
   bytes(outcome.status, outcome.lines);
   write_all(answer, mark);
   write_all(answer, bytes.bytes());
+  if (ending == Ending::as_programs_do) std::exit(0);
   ::_exit(0);
+}
+
+// Their strings must live until then.
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+  std::vector<char*> out;
+  for (std::string& each : texts) out.push_back(each.data());
+  out.push_back(nullptr);
+  return out;
 }
 
 // --- In the parent ---------------------------------------------------------------------------------------------------
@@ -202,14 +214,40 @@ std::string how_it_ended(int status, const Deadline& deadline) {
   return fmt::format("ended the process (exit code {})", WEXITSTATUS(status));
 }
 
+// Of one that had nothing to do but to end; empty when all is well, and when its time was up.
+std::string ended_badly(int status) {
+  if (WIFSIGNALED(status) && WTERMSIG(status) != SIGXCPU) {
+    return fmt::format("the process ends by {}", ::strsignal(WTERMSIG(status)));
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) == 0) return {};
+  return fmt::format("the process ends with exit code {}", WEXITSTATUS(status));
+}
+
+int new_file_for_a_note() {
+  const int low = ::memfd_create("regista", MFD_CLOEXEC);
+  const int out = low == -1 ? -1 : ::fcntl(low, F_DUPFD_CLOEXEC, own_descriptor);
+  if (out == -1 || ::ftruncate(out, note_bytes) == -1) throw std::system_error(errno, std::generic_category(), "memfd");
+  ::close(low);
+  return out;
+}
+
+char* page_of(int number) {
+  void* const page = ::mmap(nullptr, note_bytes, PROT_READ | PROT_WRITE, MAP_SHARED, number, 0);
+  if (page == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "mmap");
+  return static_cast<char*>(page);
+}
+
+using InTheChild = std::function<void(int answer, int text, pid_t parent)>;  // does not return
+Outcome of_a_child(const InTheChild& become, const Deadline& deadline, SharedNote& note, Ending ending);
+
 }  // namespace
 
-SharedNote::SharedNote()
-    : page_(
-          static_cast<char*>(::mmap(nullptr, note_bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0))) {
-  if (page_ == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "mmap");
+SharedNote::SharedNote() : number_(new_file_for_a_note()), page_(page_of(number_)) {}
+SharedNote::SharedNote(int number) : number_(number), page_(page_of(number)) {}
+SharedNote::~SharedNote() {
+  ::munmap(page_, note_bytes);
+  ::close(number_);
 }
-SharedNote::~SharedNote() { ::munmap(page_, note_bytes); }
 
 void SharedNote::write(std::string_view text) {
   const std::size_t length = std::min(text.size(), note_bytes - 1);
@@ -222,7 +260,62 @@ std::string SharedNote::read() const {
   return config::visible_at_most(std::string_view(page_, ::strnlen(page_, note_bytes)), note_bytes);
 }
 
-Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline, SharedNote& note) {
+Outcome without_exceptions(const std::function<Outcome()>& check) {
+  try {
+    return check();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return {Status::fail, {error.what()}};
+  } catch (...) {
+    return {Status::fail, {"threw something that is no exception"}};
+  }
+}
+
+Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline, SharedNote& note, Ending ending) {
+  const auto become = [&](int answer, int text, pid_t parent) {
+    answer_and_end(check, become_a_child(deadline, answer, text, parent), ending);
+  };
+  return of_a_child(become, deadline, note, ending);
+}
+
+Outcome in_another_program(std::vector<std::string> words, const std::vector<std::string>& environment,
+                           const Deadline& deadline, SharedNote& note) {
+  const auto become = [&](int answer, int text, pid_t parent) {
+    answer = become_a_child(deadline, answer, text, parent);
+    for (const int kept : {answer, note.number()}) ::fcntl(kept, F_SETFD, 0);
+    words.insert(words.end(), {std::to_string(answer), std::to_string(note.number())});
+    std::vector<std::string> own = environment;
+    ::execve("/proc/self/exe", pointers_to(words).data(), pointers_to(own).data());
+    const std::string reason = std::generic_category().message(errno);
+    answer_and_end(
+        [&] {
+          return Outcome{Status::skip, {fmt::format("the program cannot be started once more: {}", reason)}};
+        },
+        answer, Ending::at_once);
+  };
+  return of_a_child(become, deadline, note, Ending::at_once);
+}
+
+void answer_as_a_child(const std::string& answer, const std::string& note,
+                       const std::function<Outcome(SharedNote&)>& check) {
+  constexpr std::uint64_t most = 1'000'000;
+  const auto number = [](const std::string& text) {
+    return static_cast<int>(config::parse_whole("number", text, own_descriptor, most));
+  };
+  const int to = number(answer);
+  const int about = number(note);
+  for (const int each : {to, about}) {
+    if (::fcntl(each, F_GETFD) == -1) throw config::BadInput("this command is for the program itself");
+  }
+  SharedNote shared(about);
+  for (const int each : {to, shared.number()}) ::fcntl(each, F_SETFD, FD_CLOEXEC);
+  answer_and_end([&] { return check(shared); }, to, Ending::at_once);
+}
+
+namespace {
+
+Outcome of_a_child(const InTheChild& become, const Deadline& deadline, SharedNote& note, Ending ending) {
   note.write("");
   const plugin::Descendants descendants;
   Pipe answer, text;
@@ -231,7 +324,8 @@ Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadli
   if (child == -1) throw std::system_error(errno, std::generic_category(), "cannot start a process for a check");
   if (child == 0) {
     for (const int parents : {answer.ends[0], text.ends[0]}) ::close(parents);
-    run(check, deadline, answer.ends[1], text.ends[1], parent);
+    become(answer.ends[1], text.ends[1], parent);
+    ::_exit(1);
   }
   ::setpgid(child, child);  // whoever of the two comes first
   answer.close_writing_end();
@@ -264,8 +358,8 @@ Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadli
       ended = fmt::format("did nothing for {:.0f} s", deadline.idle_seconds);
     } else if (ended.empty() && written_bytes > most_text) {
       ended = fmt::format("wrote more than {} MiB to standard output and standard error", most_text >> 20);
-    } else if (ended.empty() && waited.count() > deadline.wall_seconds) {
-      ended = fmt::format("did not end within {:.0f} s", deadline.wall_seconds);
+    } else if (ended.empty() && waited.count() > deadline.wall_seconds()) {
+      ended = fmt::format("did not end within {:.0f} s", deadline.wall_seconds());
     }
     if (!ended.empty()) ::kill(-child, SIGKILL);
   }
@@ -273,6 +367,9 @@ Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadli
   descendants.end_all();
   take(answer.ends[0], answered, most_bytes, answered_bytes);
   take(text.ends[0], written, kept_text, written_bytes);
+  if (auto outcome = outcome_of(answered); outcome && ended.empty() && ending == Ending::as_programs_do) {
+    if (const std::string wrong = ended_badly(status); !wrong.empty()) return {Status::fail, {wrong}};
+  }
   if (ended.empty() && WIFEXITED(status)) {
     if (auto outcome = outcome_of(answered)) {
       if (outcome->status == Status::pass && written_bytes > much_text) {
@@ -296,4 +393,5 @@ Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadli
   return out;
 }
 
+}  // namespace
 }  // namespace regista::check

@@ -4,14 +4,11 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -87,6 +84,33 @@ constexpr std::array suspects{
     Suspect{"connect", "a plugin talks to its teammates through its mailbox alone"},
 };
 
+// Libraries of the system, of the compilers and their sanitizers, and those that shipped plugins need as well (the
+// exact arithmetic of CGAL). Without the number of their version.
+constexpr std::array<std::string_view, 15> everywhere{"libc",     "libm",    "libstdc++", "libgcc_s",  "libpthread",
+                                                      "libdl",    "librt",   "libc++",    "libc++abi", "libasan",
+                                                      "libubsan", "libtsan", "liblsan",   "libgmp",    "libmpfr"};
+
+bool is_everywhere(std::string_view library) {
+  if (library.starts_with("ld-linux")) return true;  // the loader has the machine in its name
+  return std::ranges::find(everywhere, library.substr(0, library.find(".so"))) != everywhere.end();
+}
+
+// The first of these folders that has the library. Of two that are written so, ':' stands between.
+std::optional<std::string> folder_of(const std::string& library, const std::vector<std::string>& search_paths,
+                                     const fs::path& file) {
+  for (const std::string& path : search_paths) {
+    std::istringstream folders(path);
+    for (std::string folder; std::getline(folders, folder, ':');) {
+      for (const std::string_view own : {"${ORIGIN}", "$ORIGIN"}) {
+        if (folder.starts_with(own)) folder.replace(0, own.size(), file.parent_path().string());
+      }
+      std::error_code none;
+      if (!folder.empty() && fs::exists(fs::path(folder) / library, none)) return folder;
+    }
+  }
+  return std::nullopt;
+}
+
 using Entry = decltype(&regista_plugin_entry);
 
 Entry entry_of(const fs::path& file) {
@@ -118,6 +142,22 @@ Outcome exports_of(const ObjectFile& object) {
 Outcome relocations_of(const ObjectFile& object) {
   if (!object.text_relocations) return {};
   return {Status::warn, {"its code is changed when it is loaded: compile it with -fPIC"}};
+}
+
+Outcome needs_of(const ObjectFile& object, const fs::path& file) {
+  if (object.needs.empty()) return {};
+  Outcome out{Status::pass, {fmt::format("needs {}", fmt::join(object.needs, ", "))}};
+  for (const std::string& each : object.needs) {
+    if (const auto folder = folder_of(each, object.search_paths, file)) {
+      out.status = Status::warn;
+      out.lines.push_back(
+          fmt::format("finds {} in {}, which it was built with: others do not have that folder", each, *folder));
+    } else if (!is_everywhere(each)) {
+      out.status = Status::warn;
+      out.lines.push_back(fmt::format("{} has to be installed wherever the plugin plays: link it statically", each));
+    }
+  }
+  return out;
 }
 
 Outcome imports_of(const ObjectFile& object) {
@@ -157,20 +197,9 @@ Outcome shake_hands(const fs::path& file, std::uint32_t plugins) {
   return {};
 }
 
-Outcome end_after_opening(const fs::path& file) {
-  const pid_t child = ::fork();
-  if (child == -1) throw std::system_error(errno, std::generic_category(), "cannot start a process for a check");
-  if (child == 0) {
-    entry_of(file);
-    std::exit(0);  // with all that is to be run at the end of a process
-  }
-  int status = 0;
-  while (::waitpid(child, &status, 0) == -1 && errno == EINTR) {
-  }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
-  if (WIFSIGNALED(status))
-    return {Status::fail, {fmt::format("the process ends by {}", ::strsignal(WTERMSIG(status)))}};
-  return {Status::fail, {fmt::format("the process ends with exit code {}", WEXITSTATUS(status))}};
+Outcome open_and_no_more(const fs::path& file) {
+  entry_of(file);
+  return {};
 }
 
 }  // namespace regista::check

@@ -12,6 +12,8 @@ namespace regista::check {
 
 Outcome exports_of(const ObjectFile& object);
 Outcome relocations_of(const ObjectFile& object);
+// Libraries that are not on every machine are a warning each. `file` is where the object lies.
+Outcome needs_of(const ObjectFile& object, const std::filesystem::path& file);
 // Calls that no sound plugin needs are a warning each.
 Outcome imports_of(const ObjectFile& object);
 
@@ -19,7 +21,7 @@ Outcome imports_of(const ObjectFile& object);
 
 // Every version of a host gets the same descriptors, and none beyond the `plugins` that there are.
 Outcome shake_hands(const std::filesystem::path& file, std::uint32_t plugins);
-// A process that has opened the file ends as it should.
-Outcome end_after_opening(const std::filesystem::path& file);
+// For a process that is to end after that: see Ending.
+Outcome open_and_no_more(const std::filesystem::path& file);
 
 }  // namespace regista::check

@@ -66,20 +66,18 @@ std::variant<double, std::string> value_of(const regista_parameter& declared, co
 
 }  // namespace
 
-GivenValues::GivenValues(const GivenTexts& texts, const plugin::Surveyed& surveyed, const std::string& file) {
-  std::vector<std::string> known;
+GivenValues::GivenValues(const GivenTexts& texts, const plugin::Surveyed& surveyed,
+                         const std::vector<std::string>& plugins) {
   for (const auto& plugin : surveyed.plugins) {
+    const std::string id = plugin->declared().id;
+    if (!plugins.empty() && std::ranges::find(plugins, id) == plugins.end()) continue;
     for (std::uint32_t i = 0; i < plugin->declared().parameter_count; ++i) {
       const regista_parameter& declared = plugin::parameter(plugin->declared(), i);
-      known.emplace_back(declared.name);
+      if (std::ranges::find(known_, declared.name) == known_.end()) known_.emplace_back(declared.name);
       for (const auto& [name, text] : texts) {
-        if (name == declared.name) of_[plugin->declared().id].emplace_back(name, value_of(declared, text));
+        if (name == declared.name) of_[id].emplace_back(name, value_of(declared, text));
       }
     }
-  }
-  for (const auto& each : texts) {
-    if (std::ranges::find(known, each.first) != known.end()) continue;
-    throw config::BadInput(config::unknown("parameter", each.first, "the plugins of " + file, known));
   }
 }
 

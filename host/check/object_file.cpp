@@ -10,9 +10,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <memory>
 #include <system_error>
 
+#include "plugin/dynamic_part.hpp"
 #include "plugin/elf_file.hpp"
 
 namespace regista::check {
@@ -45,38 +47,44 @@ const char* machine_name(int machine) {
   }
 }
 
-void read_symbols(Elf* elf, Elf_Scn* section, const GElf_Shdr& header, ObjectFile& out) {
-  Elf_Data* const data = elf_getdata(section, nullptr);
-  if (data == nullptr || header.sh_entsize == 0) return;
-  const int count = static_cast<int>(header.sh_size / header.sh_entsize);
-  for (int i = 0; i < count; ++i) {
-    GElf_Sym symbol;
-    if (gelf_getsym(data, i, &symbol) == nullptr) return;
-    const int binding = GELF_ST_BIND(symbol.st_info);
-    const char* const name = elf_strptr(elf, header.sh_link, symbol.st_name);
-    if (name == nullptr || *name == '\0' || binding == STB_LOCAL) continue;
-    if (symbol.st_shndx == SHN_UNDEF) {
-      out.imports.emplace_back(name);
-    } else if (symbol.st_shndx != SHN_ABS) {  // absolute ones are names of versions
-      out.exports.emplace_back(name);
+void read_dynamic(const plugin::DynamicPart& part, ObjectFile& out) {
+  for (const plugin::DynamicPart::Symbol& symbol : part.symbols()) {
+    if (symbol.name.empty() || GELF_ST_BIND(symbol.entry.st_info) == STB_LOCAL) continue;
+    if (symbol.entry.st_shndx == SHN_UNDEF) {
+      out.imports.push_back(symbol.name);
+    } else if (symbol.entry.st_shndx != SHN_ABS) {  // absolute ones are names of versions
+      out.exports.push_back(symbol.name);
     }
   }
+  std::ranges::sort(out.exports);
+  std::ranges::sort(out.imports);
+  out.needs = part.texts(DT_NEEDED);
+  for (const std::int64_t tag : {DT_RPATH, DT_RUNPATH}) {
+    for (const std::string& each : part.texts(tag)) out.search_paths.push_back(each);
+  }
+  out.text_relocations = part.value(DT_TEXTREL).has_value() || (part.value(DT_FLAGS).value_or(0) & DF_TEXTREL) != 0;
 }
 
-void read_dynamic(Elf* elf, Elf_Scn* section, const GElf_Shdr& header, ObjectFile& out) {
-  Elf_Data* const data = elf_getdata(section, nullptr);
-  if (data == nullptr || header.sh_entsize == 0) return;
-  const int count = static_cast<int>(header.sh_size / header.sh_entsize);
-  for (int i = 0; i < count; ++i) {
-    GElf_Dyn entry;
-    if (gelf_getdyn(data, i, &entry) == nullptr || entry.d_tag == DT_NULL) return;
-    if (entry.d_tag == DT_NEEDED) {
-      if (const char* const name = elf_strptr(elf, header.sh_link, entry.d_un.d_val)) out.needs.emplace_back(name);
-    }
-    if (entry.d_tag == DT_TEXTREL || (entry.d_tag == DT_FLAGS && (entry.d_un.d_val & DF_TEXTREL) != 0)) {
-      out.text_relocations = true;
-    }
+// How many bytes the file must have for all that its headers speak of.
+std::uint64_t bytes_spoken_of(Elf* elf) {
+  std::uint64_t out = 0;
+  const auto reach = [&out](std::uint64_t offset, std::uint64_t length) {
+    const std::uint64_t most = ~std::uint64_t{0};
+    out = std::max(out, length > most - offset ? most : offset + length);
+  };
+  GElf_Ehdr header;
+  if (gelf_getehdr(elf, &header) == nullptr) return 0;
+  reach(header.e_shoff, std::uint64_t{header.e_shnum} * header.e_shentsize);
+  reach(header.e_phoff, std::uint64_t{header.e_phnum} * header.e_phentsize);
+  GElf_Phdr segment;
+  for (int i = 0; i < header.e_phnum && gelf_getphdr(elf, i, &segment) != nullptr; ++i) {
+    reach(segment.p_offset, segment.p_filesz);
   }
+  for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf, section)) != nullptr;) {
+    GElf_Shdr part;
+    if (gelf_getshdr(section, &part) != nullptr && part.sh_type != SHT_NOBITS) reach(part.sh_offset, part.sh_size);
+  }
+  return out;
 }
 
 // What stands at its beginning; empty when this is a shared object of this machine.
@@ -109,14 +117,12 @@ ObjectFile read_object(const std::filesystem::path& path) {
   const plugin::ElfFile elf(elf_begin(file.number(), ELF_C_READ, nullptr));
   out.wrong = elf == nullptr ? "is not a shared object" : wrong_with_header(elf.get());
   if (!out.wrong.empty()) return out;
-  for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf.get(), section)) != nullptr;) {
-    GElf_Shdr header;
-    if (gelf_getshdr(section, &header) == nullptr) continue;
-    if (header.sh_type == SHT_DYNSYM) read_symbols(elf.get(), section, header, out);
-    if (header.sh_type == SHT_DYNAMIC) read_dynamic(elf.get(), section, header, out);
+  const auto bytes = static_cast<std::uint64_t>(about.st_size);
+  if (const std::uint64_t spoken_of = bytes_spoken_of(elf.get()); spoken_of > bytes) {
+    out.wrong = fmt::format("is cut off: its header speaks of {} bytes, it has {}", spoken_of, bytes);
+    return out;
   }
-  std::ranges::sort(out.exports);
-  std::ranges::sort(out.imports);
+  read_dynamic(plugin::DynamicPart(elf.get()), out);
   return out;
 }
 

@@ -11,10 +11,11 @@ namespace regista::check {
 
 struct ObjectFile {
   std::string wrong;  // why it is no shared object of this machine, one line; empty: it is, and the rest is known
-  std::vector<std::string> exports;  // functions and data that others can link to, sorted
-  std::vector<std::string> imports;  // names that it needs of others, sorted, without versions
-  std::vector<std::string> needs;    // libraries, as "libm.so.6"
-  bool text_relocations = false;     // its code is changed when it is loaded
+  std::vector<std::string> exports;       // functions and data that others can link to, sorted
+  std::vector<std::string> imports;       // names that it needs of others, sorted, without versions
+  std::vector<std::string> needs;         // libraries, as "libm.so.6"
+  std::vector<std::string> search_paths;  // where the loader is to look for these first, as they are written
+  bool text_relocations = false;          // its code is changed when it is loaded
 };
 
 // Never throws for what is wrong with the file.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "check/plugin_check.hpp"
 
-#include <alloca.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdlib>
-#include <map>
+#include <deque>
+#include <iterator>
+#include <new>
 #include <span>
 #include <string_view>
 #include <system_error>
@@ -18,12 +18,15 @@
 #include <regista/testkit/cost.hpp>
 
 #include "check/allocations.hpp"
+#include "check/elsewhere.hpp"
 #include "check/file_checks.hpp"
 #include "check/given_values.hpp"
+#include "check/kinds_checked.hpp"
 #include "check/object_file.hpp"
 #include "check/process_watch.hpp"
 #include "config/bad_input.hpp"
 #include "config/text.hpp"
+#include "config/visible_text.hpp"
 #include "plugin/descriptor.hpp"
 #include "plugin/survey.hpp"
 
@@ -33,11 +36,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::array file_checks{"object", "exports", "relocations", "imports", "open", "hand_shake", "ending"};
-constexpr std::array<std::int32_t, 7> kinds_checked{
-    REGISTA_KIND_PREDICTOR, REGISTA_KIND_CONTEXT, REGISTA_KIND_POSITIONER, REGISTA_KIND_UTILITY,
-    REGISTA_KIND_ASSIGNER,  REGISTA_KIND_SENDER,  REGISTA_KIND_BEHAVIOUR};
-
+constexpr std::array file_checks{"object",  "exports", "relocations", "needs",
+                                 "imports", "open",    "hand_shake",  "ending"};
 std::string kind_and(std::int32_t kind, std::string_view check) {
   return fmt::format("{}.{}", plugin::kind_name(kind), check);
 }
@@ -68,21 +68,28 @@ Outcome outcome_of(const testkit::Findings& findings) {
   return out;
 }
 
-// As in another process of another user: addresses, folder, environment, and what others have drawn from rand().
-void go_elsewhere() {
-  static const std::vector<char> padding(300'007);
-  std::error_code none;
-  fs::current_path("/", none);
-  ::setenv("REGISTA_CHECK_ELSEWHERE", "1", 1);
-  for (int i = 0; i < 17; ++i) std::rand();
-  errno = ENOENT;
+bool is_named(const std::vector<std::string>& names, std::string_view id) {
+  return names.empty() || std::ranges::find(names, id) != names.end();
 }
 
+// The checks of a kind, by their whole names.
+std::vector<std::string> checks_of(std::int32_t kind) {
+  std::vector<std::string> out;
+  for (const testkit::Check& check : testkit::contract(kind)) {
+    if (check.name != "descriptor") out.push_back(kind_and(kind, check.name));
+  }
+  out.push_back(kind_and(kind, "elsewhere"));
+  out.push_back(kind_and(kind, "cost"));
+  return out;
+}
+
+// One file: looked at when it is constructed, checked by run().
 class FileCheck {
  public:
-  FileCheck(const fs::path& file, const Options& options, const std::function<void(const Verdict&)>& told)
-      : file_(fs::absolute(file)), options_(options), told_(told) {
-    report_.file = file.string();
+  // note: of whatever is checked.
+  FileCheck(const fs::path& file, const Options& options, const Listener& listener, SharedNote& note)
+      : file_(fs::absolute(file)), options_(options), listener_(listener), object_(read_object(file_)), note_(note) {
+    report_.file = config::visible(file.string());
     testkit_options_.may_idle = options_.may_idle;
     testkit_options_.doubts_idleness = true;
     testkit_options_.seed = options_.seed;
@@ -90,51 +97,75 @@ class FileCheck {
     testkit_options_.underway = [this](const std::string& corner, const std::string& scene) {
       note_.write(corner + (corner.empty() || scene.empty() ? "" : "; ") + scene);
     };
+    if (!object_.wrong.empty() || !is_plugin()) return;
+    surveyed_ = std::move(plugin::survey(std::array{file_}).front());
+    if (is_open()) given_ = GivenValues(options_.parameters, surveyed_, options_.plugins);
+  }
+  FileCheck(const FileCheck&) = delete;
+  FileCheck& operator=(const FileCheck&) = delete;
+
+  // --- What it has to be asked for. One that cannot be opened has told nothing.
+
+  const std::string& name() const { return report_.file; }
+  bool is_open() const { return object_.wrong.empty() && is_plugin() && surveyed_.refusal.empty(); }
+  std::vector<std::string> plugins() const {
+    std::vector<std::string> out;
+    for (const auto& each : surveyed_.plugins) out.emplace_back(each->declared().id);
+    return out;
+  }
+  const std::vector<std::string>& parameters() const { return given_.known(); }
+  std::vector<std::string> checks() const {
+    std::vector<std::string> out(file_checks.begin(), file_checks.end());
+    for (const auto& each : surveyed_.plugins) {
+      if (!is_named(options_.plugins, each->declared().id)) continue;
+      out.insert(out.end(), {"descriptor", "creation"});
+      for (const std::int32_t kind : kinds_checked) {
+        if (each->implements(kind)) std::ranges::copy(checks_of(kind), std::back_inserter(out));
+      }
+    }
+    return out;
   }
 
   Report run() {
-    const ObjectFile object = read_object(file_);
-    const bool is_plugin = std::ranges::binary_search(object.exports, REGISTA_ENTRY_NAME);
-    plugin::Surveyed surveyed;
-    if (object.wrong.empty() && is_plugin) {
-      surveyed = std::move(plugin::survey(std::array{file_}).front());
-      if (surveyed.refusal.empty()) refuse_bad_input(surveyed);  // before anything is told
-    }
-    here("object", "is a shared object of this machine", [&] {
-      return object.wrong.empty() ? Outcome{} : Outcome{Status::fail, {object.wrong}};
-    });
-    if (!object.wrong.empty()) return std::move(report_);
-    here("exports", "exports the entry point and nothing else", [&] { return exports_of(object); });
-    if (!is_plugin) return std::move(report_);
-    here("relocations", "its code can be shared between processes", [&] { return relocations_of(object); });
-    here("imports", "calls nothing that sound plugins do not need", [&] { return imports_of(object); });
-    here("open", "can be opened, and declares plugins of this interface", [&]() -> Outcome {
-      if (!surveyed.refusal.empty()) return {Status::fail, {surveyed.refusal}};
-      if (!surveyed.remark.empty()) return {Status::warn, {surveyed.remark}};
-      return {};
-    });
-    if (!surveyed.refusal.empty()) return std::move(report_);
-    const auto count = static_cast<std::uint32_t>(surveyed.plugins.size());
+    here("object", "is a shared object of this machine",
+         object_.wrong.empty() ? Outcome{} : Outcome{Status::fail, {object_.wrong}}, !object_.wrong.empty());
+    if (!object_.wrong.empty()) return std::move(report_);
+    here("exports", "exports the entry point and nothing else", exports_of(object_), !is_plugin());
+    if (!is_plugin()) return std::move(report_);
+    here("relocations", "its code can be shared between processes", relocations_of(object_));
+    here("needs", "needs libraries that are everywhere", needs_of(object_, file_));
+    here("imports", "calls nothing that sound plugins do not need", imports_of(object_));
+    here("open", "can be opened, and declares plugins of this interface", opening(), !is_open());
+    if (!is_open()) return std::move(report_);
+    const auto count = static_cast<std::uint32_t>(surveyed_.plugins.size());
     apart("hand_shake", "gives every host the same answers", [&] { return shake_hands(file_, count); });
-    apart("ending", "lets a process end that has opened it", [&] { return end_after_opening(file_); });
-    for (const auto& each : surveyed.plugins) {
+    check_ending();
+    for (const auto& each : surveyed_.plugins) {
       if (is_named(options_.plugins, each->declared().id)) check_plugin(*each);
     }
     return std::move(report_);
   }
 
  private:
-  static bool is_named(const std::vector<std::string>& names, std::string_view id) {
-    return names.empty() || std::ranges::find(names, id) != names.end();
+  bool is_plugin() const { return std::ranges::binary_search(object_.exports, REGISTA_ENTRY_NAME); }
+
+  Outcome opening() const {
+    if (!surveyed_.refusal.empty()) return {Status::fail, {surveyed_.refusal}};
+    if (!surveyed_.remark.empty()) return {Status::warn, {surveyed_.remark}};
+    return {};
   }
-  // Of what was asked, what this file does not have.
-  void refuse_bad_input(const plugin::Surveyed& surveyed) {
-    std::vector<std::string> known;
-    for (const auto& each : surveyed.plugins) known.emplace_back(each->declared().id);
-    for (const std::string& each : options_.plugins) {
-      if (!is_named(known, each)) throw config::BadInput(config::unknown("plugin", each, report_.file, known));
-    }
-    given_ = GivenValues(options_.parameters, surveyed, report_.file);
+
+  // A process of its own has to end, also for a debugger.
+  void check_ending() {
+    if (!is_wanted(options_.only, "ending")) return;
+    judge("ending", "lets a process end that has opened it", [&]() -> Outcome {
+      const auto open = [&] {
+        Outcome out = open_and_no_more(file_);
+        note_.write("the end of the process");
+        return out;
+      };
+      return in_a_child(open, options_.deadline, note_, Ending::as_programs_do);
+    });
   }
 
   void check_plugin(const plugin::Description& plugin) {
@@ -216,22 +247,17 @@ class FileCheck {
     const std::string name = kind_and(kind, "elsewhere");
     if (!is_wanted(options_.only, name)) return;
     judge(name, "does the same in another process, folder and environment", [&]() -> Outcome {
-      if (options_.in_process || hung_) return {Status::skip, {}};
+      if (options_.in_process || hung_ || options_.elsewhere.empty()) return {Status::skip, {}};
       const auto without_digest = [](Outcome outcome) {
         if (outcome.lines.size() > 1 && outcome.status != Status::crash) outcome.lines.erase(outcome.lines.begin());
         return outcome;
       };
       const Outcome first = in_a_child([&] { return digest(kind); }, options_.deadline, note_);
       if (first.status != Status::pass) return without_digest(first);
-      const Outcome second = in_a_child(
-          [&] {
-            go_elsewhere();
-            auto* const deeper = static_cast<volatile char*>(::alloca(70'003));  // the stack is elsewhere, too
-            deeper[0] = 1;
-            digest(kind);  // and something was played before
-            return digest(kind);
-          },
-          options_.deadline, note_);
+      const Elsewhere same{file_, plugin_, kind, options_.seed, options_.visitors, options_.parameters};
+      std::vector<std::string> words = options_.elsewhere;
+      std::ranges::copy(same.words(), std::back_inserter(words));
+      const Outcome second = in_another_program(std::move(words), environment_elsewhere(), options_.deadline, note_);
       if (second.status != Status::pass) return without_digest(second);
       if (first.lines == second.lines) return {};
       return {Status::fail,
@@ -251,7 +277,7 @@ class FileCheck {
       if (each.mean_microseconds > much) {
         out.status = Status::warn;
         out.lines.push_back(
-            fmt::format("a match will be slow: a call takes {:.0f} us in the mean, and every robot makes it ten "
+            fmt::format("a match will be slow: a call takes {:.0f} us on average, and every robot makes it ten "
                         "times a second",
                         each.mean_microseconds));
       }
@@ -259,42 +285,101 @@ class FileCheck {
     return out;
   }
 
-  void here(const std::string& name, const std::string& promise, const std::function<Outcome()>& check) {
-    if (is_wanted(options_.only, name)) judge(name, promise, check);
+  // bars: it stands in the way of all others, so it is told whichever were asked for.
+  void here(const std::string& name, const std::string& promise, const Outcome& outcome, bool bars = false) {
+    if (bars || is_wanted(options_.only, name)) judge(name, promise, [&] { return outcome; });
   }
   void apart(const std::string& name, const std::string& promise, const std::function<Outcome()>& check) {
     if (!is_wanted(options_.only, name)) return;
     const auto alone = [&] {
       return leaving_the_process_alone([&] {
-        Outcome out = check();
+        Outcome out = without_exceptions(check);
         note_.write("after the last call");
         return out;
       });
     };
     judge(name, promise, [&]() -> Outcome {
       if (hung_) return {Status::skip, {"an earlier check had to be ended"}};  // nobody waits twice
-      Outcome out = options_.in_process ? alone() : in_a_child(alone, options_.deadline, note_);
+      Outcome out = options_.in_process ? here_and_now(alone) : in_a_child(alone, options_.deadline, note_);
       hung_ = out.hung;
       return out;
     });
+  }
+  // What a child would end with is an outcome here, too.
+  static Outcome here_and_now(const std::function<Outcome()>& check) {
+    try {
+      return check();
+    } catch (const std::bad_alloc&) {
+      return {Status::crash, {"took all the memory that there is"}};
+    }
   }
   void judge(const std::string& name, const std::string& promise, const std::function<Outcome()>& check) {
     const auto began = Clock::now();
     Outcome outcome = check();
     const std::chrono::duration<double> seconds = Clock::now() - began;
+    // A name of a file or what the loader says of it may be no text at all.
+    for (std::string& line : outcome.lines) line = config::visible(line);
     report_.verdicts.push_back({plugin_, name, promise, outcome.status, std::move(outcome.lines), seconds.count()});
-    if (told_) told_(report_.verdicts.back());
+    if (listener_.verdict) listener_.verdict(report_.file, report_.verdicts.back());
   }
 
   fs::path file_;
   Options options_;
-  const std::function<void(const Verdict&)>& told_;
+  const Listener& listener_;
+  ObjectFile object_;
+  plugin::Surveyed surveyed_;
   GivenValues given_;
   testkit::Options testkit_options_;
   std::string plugin_;
-  SharedNote note_;
+  SharedNote& note_;
   bool hung_ = false;  // a check of this plugin
   Report report_;
+};
+
+// Refuses what was asked of files that can be opened, and that none of them has.
+class Asked {
+ public:
+  Asked(const std::deque<FileCheck>& files, const Options& options) : files_(files), options_(options) {}
+
+  void refuse_what_nobody_has() const {
+    // Whatever is asked may be meant for a file that has told nothing of itself; that one fails.
+    if (!std::ranges::all_of(files_, &FileCheck::is_open)) return;
+    const std::string where = files_.size() == 1 ? files_.front().name() : "these files";
+    refuse("plugin", where, options_.plugins, of_all(&FileCheck::plugins));
+    std::vector<std::string> parameters;
+    for (const auto& each : options_.parameters) parameters.push_back(each.first);
+    refuse("parameter", (options_.plugins.empty() ? "the plugins of " : "the chosen plugins of ") + where, parameters,
+           of_all(&FileCheck::parameters));
+    const std::vector<std::string> checks = of_all(&FileCheck::checks);
+    for (const std::string& each : options_.only) {
+      const std::vector<std::string> alone{each};
+      if (std::ranges::any_of(checks, [&](const std::string& check) { return is_wanted(alone, check); })) continue;
+      throw config::BadInput(files_.size() == 1 ? fmt::format("--only {}: {} has no such check", each, where)
+                                                : fmt::format("--only {}: none of these files has such a check", each));
+    }
+  }
+
+ private:
+  template <class Names>
+  std::vector<std::string> of_all(Names names) const {
+    std::vector<std::string> out;
+    for (const FileCheck& file : files_) {
+      for (const std::string& each : (file.*names)()) {
+        if (std::ranges::find(out, each) == out.end()) out.push_back(each);
+      }
+    }
+    return out;
+  }
+  static void refuse(std::string_view what, const std::string& where, const std::vector<std::string>& asked,
+                     const std::vector<std::string>& known) {
+    for (const std::string& each : asked) {
+      if (std::ranges::find(known, each) == known.end())
+        throw config::BadInput(config::unknown(what, each, where, known));
+    }
+  }
+
+  const std::deque<FileCheck>& files_;
+  const Options& options_;
 };
 
 }  // namespace
@@ -308,28 +393,34 @@ std::vector<std::string> known_checks() {
   };
   for (const std::int32_t kind : kinds_checked) {
     add(std::string(plugin::kind_name(kind)));
-    std::vector<std::string> checks;
-    for (const testkit::Check& check : testkit::contract(kind)) checks.push_back(check.name);
-    checks.insert(checks.end(), {"elsewhere", "cost"});
-    for (const std::string& check : checks) {
-      if (check == "descriptor") continue;
+    for (const std::string& check : checks_of(kind)) {
+      add(check.substr(check.find('.') + 1));
       add(check);
-      add(kind_and(kind, check));
     }
   }
   return out;
 }
 
-Report check_file(const std::filesystem::path& file, const Options& options,
-                  const std::function<void(const Verdict&)>& told) {
+std::vector<Report> check_files(const std::vector<fs::path>& files, const Options& options, const Listener& listener) {
   const std::vector<std::string> known = known_checks();
   for (const std::string& each : options.only) {
     if (std::ranges::find(known, each) == known.end())
       throw config::BadInput(config::unknown("check", each, "--only", known));
   }
-  std::error_code none;
-  if (!fs::exists(file, none)) throw config::BadInput(fmt::format("{}: no such file", file.string()));
-  return FileCheck(file, options, told).run();
+  for (const fs::path& file : files) {
+    std::error_code none;
+    if (!fs::exists(file, none)) throw config::BadInput(fmt::format("{}: no such file", file.string()));
+  }
+  SharedNote note;
+  std::deque<FileCheck> checks;  // they stay where they are
+  for (const fs::path& file : files) checks.emplace_back(file, options, listener, note);
+  Asked(checks, options).refuse_what_nobody_has();
+  std::vector<Report> out;
+  for (FileCheck& each : checks) {
+    out.push_back(each.run());
+    if (listener.report) listener.report(out.back());
+  }
+  return out;
 }
 
 }  // namespace regista::check

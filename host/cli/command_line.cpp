@@ -88,7 +88,7 @@ void add_commands(Command& program, const Invocation& invocation) {
   add_plugin_list(plugin, invocation);
   add_plugin_info(plugin, invocation);
   add_plugin_new(plugin, invocation);
-  add_plugin_check(plugin);
+  add_plugin_check(plugin, invocation);
   add_plugin_reference(plugin, invocation);
   Command& config = program.add("config", "documents: rules, robots, disturbances, openings, teams, studies");
   config.notes(config_examples);

@@ -20,7 +20,7 @@ void add_view(Command& program, const Invocation& invocation);
 void add_metrics(Command& program);
 void add_completion(Command& program);
 void add_plugin_list(Command& parent, const Invocation& invocation);
-void add_plugin_check(Command& parent);
+void add_plugin_check(Command& parent, const Invocation& invocation);
 void add_plugin_info(Command& parent, const Invocation& invocation);
 void add_plugin_new(Command& parent, const Invocation& invocation);
 void add_plugin_reference(Command& parent, const Invocation& invocation);

@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 
+#include "check/elsewhere.hpp"
 #include "check/plugin_check.hpp"
 #include "cli/commands.hpp"
 #include "config/bad_input.hpp"
@@ -40,8 +41,12 @@ struct PluginCheckOptions {
   bool may_idle = false, in_process = false, json = false;
 };
 
-check::Options options_of(const PluginCheckOptions& options) {
+constexpr auto elsewhere_command = "check-elsewhere";
+
+check::Options options_of(const PluginCheckOptions& options, const Invocation& invocation) {
   check::Options out;
+  out.elsewhere = {"regista", "plugin", elsewhere_command};
+  out.visitors = invocation.own("lib/regista/plugins");
   out.only = options.only;
   out.plugins = options.plugins;
   out.may_idle = options.may_idle;
@@ -89,34 +94,55 @@ nlohmann::ordered_json json_of(const check::Report& report) {
   return {{"file", report.file}, {"passed", report.passed()}, {"checks", checks}};
 }
 
-int run(const PluginCheckOptions& options) {
+int run(const PluginCheckOptions& options, const Invocation& invocation) {
   if (options.files.empty())
     throw BadInput("plugin check: which file? Name a shared object, such as build/my_plugin.so");
-  const check::Options wanted = options_of(options);
-  bool passed = true;
-  auto json = nlohmann::ordered_json::array();
-  for (const std::string& file : options.files) {
-    std::string plugin = "none yet";
-    const auto tell = [&](const check::Verdict& verdict) {
-      if (options.json) return;
-      if (verdict.plugin != plugin) output::print(verdict.plugin.empty() ? file + '\n' : verdict.plugin + '\n');
+  const check::Options wanted = options_of(options, invocation);
+  check::Listener listener;
+  std::string plugin = "none yet";
+  if (!options.json) {
+    listener.verdict = [&](const std::string& file, const check::Verdict& verdict) {
+      if (verdict.plugin != plugin) output::print((verdict.plugin.empty() ? file : verdict.plugin) + '\n');
       plugin = verdict.plugin;
       output::print(text_of(verdict));
     };
-    const check::Report report = check::check_file(file, wanted, tell);
-    passed = passed && report.passed();
-    if (options.json)
-      json.push_back(json_of(report));
-    else
+    listener.report = [&](const check::Report& report) {
       output::print(summary_of(report));
+      plugin = "none yet";
+    };
   }
-  if (options.json) output::print(json.dump(2) + '\n');
-  return passed ? exit_done : exit_no;
+  const std::vector<check::Report> reports =
+      check::check_files({options.files.begin(), options.files.end()}, wanted, listener);
+  if (options.json) {
+    auto json = nlohmann::ordered_json::array();
+    for (const check::Report& each : reports) json.push_back(json_of(each));
+    output::print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+  }
+  return std::ranges::all_of(reports, &check::Report::passed) ? exit_done : exit_no;
+}
+
+// What the check `elsewhere` plays when the program is started once more.
+void add_elsewhere(Command& parent) {
+  Command& command = parent.add(elsewhere_command, "a course of a plugin that is checked");
+  command.hide();
+  const auto words = std::make_shared<std::vector<std::string>>();
+  command.take("words", *words, "WORD", "what to play, and where to tell it", Reads::data);
+  command.run = [words]() -> int {
+    if (words->size() < 2) throw BadInput("this command is for the program itself");
+    const std::string note = std::move(words->back());
+    words->pop_back();
+    const std::string answer = std::move(words->back());
+    words->pop_back();
+    const check::Elsewhere what = check::Elsewhere::of(*words);
+    check::answer_as_a_child(answer, note,
+                             [&](check::SharedNote& shared) { return check::play_elsewhere(what, shared); });
+  };
 }
 
 }  // namespace
 
-void add_plugin_check(Command& parent) {
+void add_plugin_check(Command& parent, const Invocation& invocation) {
+  add_elsewhere(parent);
   Command& command = parent.add("check", "see whether a plugin keeps the promises of the interface");
   const auto options = std::make_shared<PluginCheckOptions>();
   command.take("files", options->files, "FILE.so", "shared objects", Reads::data);
@@ -131,7 +157,7 @@ void add_plugin_check(Command& parent) {
                "all checks in the program's own process, for a debugger: what ends it is not explained");
   command.flag("--json", options->json, "write JSON: a list, with one element for each file");
   command.notes(plugin_check_examples);
-  command.run = [options] { return run(*options); };
+  command.run = [options, &invocation] { return run(*options, invocation); };
 }
 
 }  // namespace regista::cli

@@ -48,14 +48,16 @@ std::string neighbour(const fs::path& file) {
 
 }  // namespace
 
-std::string read_file(const fs::path& file, const Location& asked_by) {
+std::string read_file(const fs::path& file, const Location& asked_by, std::string_view expected) {
   const bool asked = !asked_by.file.empty();
   const Location here = asked ? asked_by : Location{file.string(), 0, 0};
   const std::string name = asked ? file.string() + ": " : "";
   std::error_code failed;
   const fs::file_status status = fs::status(file, failed);
   if (status.type() == fs::file_type::not_found) throw Error(here, name + "no such file" + neighbour(file));
-  if (status.type() == fs::file_type::directory) throw Error(here, name + "is a folder; expected a YAML file");
+  if (status.type() == fs::file_type::directory) {
+    throw Error(here, fmt::format("{}is a folder; expected {}", name, expected));
+  }
   if (status.type() == fs::file_type::regular) {
     const auto size = fs::file_size(file, failed);
     if (!failed && size > largest_file) {

@@ -12,8 +12,10 @@
 namespace regista::config {
 
 // The whole content of a regular file of at most `largest_file` bytes. Throws Error at `asked_by` (at the file itself
-// when that is not given) where there is none, and at the file where it is too large or not a file.
-std::string read_file(const std::filesystem::path& file, const Location& asked_by = {});
+// when that is not given) where there is none, and at the file where it is too large or not a file; `expected` says in
+// that case what should have been there.
+std::string read_file(const std::filesystem::path& file, const Location& asked_by = {},
+                      std::string_view expected = "a file");
 
 // The whole content, whatever its size; nothing where it cannot be read.
 std::optional<std::string> file_content(const std::filesystem::path& file);

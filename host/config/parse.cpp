@@ -331,7 +331,7 @@ Node build(std::string_view text, const Location& place, bool fixed) {
 }  // namespace
 
 Node parse(const std::filesystem::path& file, const Location& asked_by) {
-  return parse_text(read_file(file, asked_by), file.string());
+  return parse_text(read_file(file, asked_by, "a YAML file"), file.string());
 }
 
 Node parse_text(std::string_view text, const std::string& name) {

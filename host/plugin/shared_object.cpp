@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <exception>
@@ -19,6 +20,7 @@
 #include "config/text.hpp"
 #include "plugin/address_ranges.hpp"
 #include "plugin/descriptor.hpp"
+#include "plugin/dynamic_part.hpp"
 #include "plugin/elf_file.hpp"
 #include "plugin/floating_point_state.hpp"
 
@@ -48,23 +50,9 @@ bool complete(Elf* elf, const GElf_Ehdr& header, std::uint64_t file_size) {
 }
 
 bool exports(Elf* elf, std::string_view wanted) {
-  for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf, section)) != nullptr;) {
-    GElf_Shdr header;
-    if (gelf_getshdr(section, &header) == nullptr || header.sh_type != SHT_DYNSYM || header.sh_entsize == 0) continue;
-    Elf_Data* const data = elf_getdata(section, nullptr);
-    if (data == nullptr) continue;
-    const int count = static_cast<int>(header.sh_size / header.sh_entsize);
-    for (int i = 0; i < count; ++i) {
-      GElf_Sym symbol;
-      if (gelf_getsym(data, i, &symbol) == nullptr) break;
-      const char* const name = elf_strptr(elf, header.sh_link, symbol.st_name);
-      if (name != nullptr && name == wanted && symbol.st_shndx != SHN_UNDEF &&
-          GELF_ST_TYPE(symbol.st_info) == STT_FUNC) {
-        return true;
-      }
-    }
-  }
-  return false;
+  return std::ranges::any_of(DynamicPart(elf).symbols(), [&](const DynamicPart::Symbol& each) {
+    return each.name == wanted && each.entry.st_shndx != SHN_UNDEF && GELF_ST_TYPE(each.entry.st_info) == STT_FUNC;
+  });
 }
 
 // Why the file is no plugin, as far as that can be known without running it; empty when it may be one.

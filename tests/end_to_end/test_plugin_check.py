@@ -96,6 +96,17 @@ class Files(PluginCheck):
         self.assertEqual(self.object_says("pipe.so"), ["is not a regular file"])
         self.assertEqual(self.object_says("/dev/null"), ["is not a regular file"])
 
+    def test_names_that_are_no_text(self):
+        name = os.fsdecode(b"\xff.so")
+        (self.folder / name).write_text("hello\n")
+        self.assertEqual(self.object_says(name), ["is not a shared object"])
+        # Of a plugin, several checks have the name in their lines.
+        shutil.copy(PLUGINS / "when_opened_crash" / "crash.so", self.folder / name)
+        self.assertEqual(self.found(name)["open"][0], "fail")
+        done = self.run_program("plugin", "check", name, "--only", "open")
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        self.assertTrue(done.stdout.startswith("\ufffd.so\n"), done.stdout)
+
     def test_objects_of_another_machine(self):
         whole = bytearray((SHIPPED / "always.so").read_bytes())
         machine = struct.unpack_from("<H", whole, 18)[0]
@@ -107,6 +118,50 @@ class Files(PluginCheck):
         header = b"\x7fELF\x01\x01\x01" + bytes(9) + struct.pack("<HHIIIIIHHHHHH", 3, 3, 1, 0, 0, 0, 0, 52, 32, 0, 40, 0, 0)
         (self.folder / "small.so").write_bytes(header)
         self.assertRegex(self.object_says("small.so")[0], "^is built for 32-bit x86; this machine is ")
+
+    def test_what_is_cut_off(self):
+        whole = (SHIPPED / "always.so").read_bytes()
+        for bytes_left in (len(whole) - 1, len(whole) // 2, 64):
+            (self.folder / "cut.so").write_bytes(whole[:bytes_left])
+            self.assertEqual(self.object_says("cut.so"),
+                             [f"is cut off: its header speaks of {len(whole)} bytes, it has {bytes_left}"])
+
+    def test_an_object_without_sections(self):
+        bare = bytearray((SHIPPED / "always.so").read_bytes())
+        struct.pack_into("<Q", bare, 40, 0)  # where they stand
+        struct.pack_into("<HHH", bare, 58, 0, 0, 0)
+        (self.folder / "bare.so").write_bytes(bare)
+        def seen(file):
+            return [(check["check"], check["status"], check["lines"])
+                    for check in self.check(file, "--only", "exports", "--only", "needs", "--only", "imports", code=0)]
+        self.assertEqual(seen("bare.so"), seen(SHIPPED / "always.so"))
+
+    def test_libraries_that_it_needs(self):
+        (check,) = self.check(SHIPPED / "greedy.so", "--only", "needs", code=0)
+        self.assertEqual(check["status"], "pass")
+        self.assertRegex(check["lines"][0], r"^needs .*libc\.so\.6")
+        compiler = shutil.which("gcc") or shutil.which("cc")
+        if compiler is None:
+            self.skipTest("no compiler")
+        self.write("own.c", "int own(void) { return 1; }\n")
+        self.write("a.c", "const void* regista_plugin_entry(unsigned a, unsigned b, unsigned c) { return 0; }\n"
+                   "extern int own(void);\nstatic int (*volatile called)(void) = own;\n")
+        self.write("a.map", "{ global: regista_plugin_entry; local: *; };\n")
+        (self.folder / "libs").mkdir()
+        subprocess.run([compiler, "-shared", "-fPIC", "own.c", "-o", "libs/libown.so"], cwd=self.folder, check=True)
+        build = [compiler, "-shared", "-fPIC", "a.c", "-o", "a.so", "-Llibs", "-Wl,--no-as-needed", "-lown",
+                 "-Wl,--version-script=a.map"]
+        subprocess.run(build, cwd=self.folder, check=True)
+        found = self.found("a.so")
+        self.assertEqual(found["needs"][0], "warn")
+        self.assertEqual(found["needs"][1][1:],
+                         ["libown.so has to be installed wherever the plugin plays: link it statically"])
+        self.assertIn("libown.so", found["open"][1][0])  # which nobody finds
+        for path in (self.folder / "libs", "$ORIGIN/libs"):
+            subprocess.run([*build, f"-Wl,-rpath,{path}"], cwd=self.folder, check=True)
+            self.assertEqual(self.found("a.so")["needs"][1][1:],
+                             [f"finds libown.so in {self.folder}/libs, which it was built with: others do not have that "
+                              "folder"])
 
     def test_what_cannot_be_linked(self):
         compiler = shutil.which("gcc") or shutil.which("cc")
@@ -143,6 +198,54 @@ class Files(PluginCheck):
                          '--set "reach": expected NAME=VALUE')
 
 
+    def test_the_command_that_is_for_the_program_itself(self):
+        for words in ((), ("a", "b"), ("a", "b", "/x", "y", "2", "0", "/dev/null"), ("800", "801", "/x", "y", "2", "0", "/dev/null"),
+                      ("800", "801", "/x", "y", "2", "0", "/dev/null", "no_sign")):
+            self.refused("plugin", "check-elsewhere", *words)
+
+    def test_checks_that_a_file_does_not_have(self):
+        greedy = SHIPPED / "greedy.so"
+        self.assertEqual(self.refused("plugin", "check", greedy, "--only", "assigner", "--only", "labels"),
+                         f"--only labels: {greedy} has no such check")
+        self.assertEqual(self.refused("plugin", "check", greedy, SHIPPED / "scram.so", "--only", "capacity"),
+                         "--only capacity: none of these files has such a check")
+        # Which holds only of a file that was opened.
+        self.write("text.so", "hello\n")
+        self.assertEqual(self.found("text.so", "--only", "labels"), {"object": ("fail", ["is not a shared object"])})
+        crash = PLUGINS / "when_opened_crash" / "crash.so"
+        self.assertEqual([check["check"] for check in self.check(crash, "--only", "labels", code=1)], ["open"])
+
+    def test_parameters_are_those_of_the_chosen_plugins(self):
+        bad = PLUGINS / "contract" / "contract_bad_assigners.so"
+        self.assertEqual(self.refused("plugin", "check", bad, "--plugin", "keeps", "--set", "reach=1"),
+                         f'unknown parameter "reach" in the chosen plugins of {bad}')
+        for words in ((), ("--plugin", "wrong_in_a_corner"), ("--plugin", "keeps", "--plugin", "wrong_in_a_corner")):
+            self.check(bad, *words, "--set", "reach=1", "--only", "imports", code=0)
+        # A name that several plugins of a file have is listed once.
+        line = self.refused("plugin", "check", PLUGINS / "contract" / "contract_good.so", "--set", "nobody_has_this=1")
+        known = line.partition("known: ")[2].split(", ")
+        self.assertEqual(sorted(known), sorted(set(known)))
+
+    def test_a_folder_for_a_file(self):
+        self.assertEqual(self.refused("plugin", "check", SHIPPED / "delaunay_formation.so", "--set", "file=/tmp"),
+                         "/tmp: is a folder; expected a file")
+
+    def test_several_files_are_looked_at_first(self):
+        greedy, scram = SHIPPED / "greedy.so", SHIPPED / "scram.so"
+        for later in (("nobody.so",), (scram, "--set", "vote=yes"), (scram, "--plugin", "gredy")):
+            done = self.run_program("plugin", "check", greedy, *later, "--only", "promises")
+            self.assertEqual((done.returncode, done.stdout), (2, ""), "nothing is told before all was looked at")
+        # What one of them has is not unknown.
+        for words in (("--set", "vote=true"), ("--plugin", "scram")):
+            done = self.run_program("plugin", "check", greedy, scram, *words, "--only", "imports", "--json")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual([report["file"] for report in json.loads(done.stdout)], [str(greedy), str(scram)])
+        self.assertIn('unknown parameter "votes" in the plugins of these files; nearest: "vote"',
+                      self.refused("plugin", "check", greedy, scram, "--set", "votes=true"))
+        text = self.succeed("plugin", "check", greedy, scram, "--only", "imports").splitlines()
+        self.assertEqual([text[0], text[3]], [str(greedy), str(scram)])
+
+
 class Faults(PluginCheck):
     def test_when_it_is_opened(self):
         # Sanitizers end the process before the signal does.
@@ -172,9 +275,20 @@ class Faults(PluginCheck):
         self.assertIn("utility.promises", found)
 
     def test_of_chance(self):
-        status, lines = self.found(PLUGINS / "chance" / "chance.so", "--only", "elsewhere")["context.elsewhere"]
-        self.assertEqual(status, "fail")
-        self.assertTrue(lines[0].startswith("the same calls give another result in another process"), lines)
+        for plugin in ("asks_for_the_folder", "asks_who_else_is_there"):
+            status, lines = self.of("chance/chance.so", plugin, "--only", "elsewhere", code=1)
+            self.assertEqual(status, "fail")
+            self.assertTrue(lines[0].startswith("the same calls give another result in another process"), lines)
+        # Where there is no other plugin, none plays.
+        for file in self.plugin_folder.glob("*.so"):
+            file.unlink()
+        self.assertEqual(self.of("chance/chance.so", "asks_who_else_is_there", "--only", "elsewhere", code=0)[0], "pass")
+
+    def test_elsewhere_the_files_of_parameters_are_found(self):
+        shutil.copy(program.SOURCE / "configs" / "formations" / "open_play.conf", self.folder / "own.conf")
+        words = ("--set", "file=own.conf", "--set", "roles=goalkeeper: 1, striker: 2, supporter: 3")
+        (check,) = self.check(SHIPPED / "delaunay_formation.so", "--only", "elsewhere", *words, code=0)
+        self.assertEqual((check["status"], check["lines"]), ("pass", []))
 
     def test_what_ends_or_holds_the_process(self):
         found = self.found(PLUGINS / "hangs" / "hangs.so", "--processor-seconds", "1")
@@ -185,6 +299,20 @@ class Faults(PluginCheck):
         crashed = {check["plugin"]: check["lines"][0] for check in checks if check["status"] == "crash"}
         self.assertIn("Segmentation fault" if not program.SANITIZED else "ended the process", " ".join(crashed.values()))
         self.assertGreater(len(crashed), 2)
+
+    def test_when_the_process_ends(self):
+        found = self.found(PLUGINS / "when_closed_spin" / "spin.so", "--processor-seconds", "1")
+        self.assertEqual(found, {"ending": ("crash", ["took more than 1 s of processor time", "at: the end of the process"])})
+        found = self.found(PLUGINS / "when_closed_sleep_on" / "sleep_on.so")
+        self.assertEqual(found["ending"], ("crash", ["did nothing for 5 s", "at: the end of the process"]))
+        found = self.found(PLUGINS / "when_closed_leave" / "leave.so")
+        self.assertEqual(found["ending"], ("fail", ["the process ends with exit code 7"]))
+
+    def test_a_refusal_in_its_own_process(self):
+        bad = "contract/contract_bad_assigners.so"
+        for words in (("--in-process",), ()):
+            self.assertEqual(self.of(bad, "never_created", "--only", "cost", *words, code=1),
+                             ("fail", ["create: no such formation"]))
 
     def of(self, file, plugin, *arguments, code):
         """The one check of the one plugin of a file."""

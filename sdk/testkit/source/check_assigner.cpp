@@ -67,10 +67,10 @@ void check_assignment(const Matrix& u, const std::vector<std::int32_t>& columns,
     }
     holder[j] = static_cast<int>(i);
   }
-  if (negotiates || options.may_idle) return;
+  if (negotiates) return;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (columns[i] == REGISTA_UNKNOWN_TASK) findings.say("assign: row ", i, " is unknown, but nothing is negotiated");
-    if (columns[i] != REGISTA_NO_TASK) continue;
+    if (columns[i] != REGISTA_NO_TASK || options.may_idle) continue;
     for (std::size_t j = 0; j < u.columns(); ++j) {
       if (holder[j] < 0 && u(i, j) != UtilityMatrix::forbidden) {
         if (options.doubts_idleness) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include <regista/extensions/metric.h>
+#include <regista/testkit/check_rehearsal.hpp>
 
 namespace regista::testkit {
 
@@ -193,6 +194,9 @@ Findings check_descriptor(const Loaded& plugin) {
   table_size(REGISTA_KIND_SENDER, "sender", sizeof(regista_sender));
   table_size(REGISTA_KIND_MAILBOX, "mailbox", sizeof(regista_mailbox));
   table_size(REGISTA_KIND_BEHAVIOUR, "behaviour", sizeof(regista_behaviour));
+  if (detail::says_it_negotiates(plugin) && !plugin.implements(REGISTA_KIND_MAILBOX)) {
+    f.say("assigner: says that it negotiates, but receives nothing: it has no mailbox");
+  }
   const auto* sender = static_cast<const regista_sender*>(d.table(REGISTA_KIND_SENDER));
   if (sender != nullptr && sender->size >= sizeof(regista_sender)) check_reasons(f, *sender);
   if (d.extension == nullptr) return f;

@@ -15,11 +15,6 @@ namespace {
 
 constexpr std::size_t most_told = 3;  // acts without agreement, of each loss
 
-bool negotiates(const Loaded& plugin) {
-  const void* const table = plugin.descriptor().table(REGISTA_KIND_ASSIGNER);
-  return (static_cast<const regista_assigner*>(table)->flags & REGISTA_ASSIGNER_NEGOTIATES) != 0;
-}
-
 std::string with_one_decimal(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.1f", number);
@@ -28,12 +23,18 @@ std::string with_one_decimal(double number) {
 
 }  // namespace
 
+bool detail::says_it_negotiates(const Loaded& plugin) {
+  const auto* const table = static_cast<const regista_assigner*>(plugin.descriptor().table(REGISTA_KIND_ASSIGNER));
+  return table != nullptr && table->size >= sizeof(regista_assigner) &&
+         (table->flags & REGISTA_ASSIGNER_NEGOTIATES) != 0;
+}
+
 Findings check_rehearsal(const Loaded& plugin, const Options& options) {
   Findings findings(options.underway);
   Values values(plugin);
   options.base(values);
   // Who does not say that it negotiates may talk of other things.
-  const bool bound = negotiates(plugin);
+  const bool bound = detail::says_it_negotiates(plugin);
   const auto no_agreement = [&](const auto&... parts) {
     if (bound) {
       findings.say(parts...);

@@ -121,6 +121,21 @@ Check reads_check(std::int32_t kind) {
   return out;
 }
 
+// Of a predictor's subjects one will do.
+std::uint32_t subject_of_mailbox(std::int32_t kind, const Loaded& plugin) {
+  const std::uint32_t all = kind == REGISTA_KIND_PREDICTOR ? detail::subjects_of(plugin) : 0;
+  return all & (~all + 1);
+}
+
+// What it hears is memory that it is given, too.
+Findings check_memory_and_messages(std::int32_t kind, const Loaded& plugin, const Options& options) {
+  Findings findings = check_memory(plugin, options, courses(kind, plugin, options));
+  if (plugin.implements(REGISTA_KIND_MAILBOX)) {
+    play_messages_guarded(plugin, options, subject_of_mailbox(kind, plugin));
+  }
+  return findings;
+}
+
 bool models(const Loaded& plugin, std::uint32_t subject) { return (detail::subjects_of(plugin) & subject) != 0; }
 
 }  // namespace
@@ -131,13 +146,15 @@ std::vector<Check> contract(std::int32_t kind) {
       over_courses(kind, "promises", "every output is as abi.h promises", check_promises),
       over_courses(kind, "determinism", "the same calls give the same bytes, also after a reset", check_determinism),
       over_courses(kind, "growth", "works with a host of a later minor version", check_growth),
-      over_courses(kind, "memory", "touches no memory but what it is given", check_memory),
+      {"memory", "touches no memory but what it is given",
+       [kind](const Loaded& plugin, const Options& options) {
+         return check_memory_and_messages(kind, plugin, options);
+       }},
       reads_check(kind),
       over_courses(kind, "life", "can be created, reset and destroyed in any order", check_life),
       {"mailbox", "bears any message",
        [kind](const Loaded& plugin, const Options& options) {
-         const std::uint32_t all = kind == REGISTA_KIND_PREDICTOR ? detail::subjects_of(plugin) : 0;
-         return check_mailbox(plugin, options, all & (~all + 1));
+         return check_mailbox(plugin, options, subject_of_mailbox(kind, plugin));
        },
        [](const Loaded& plugin, const Options&) { return plugin.implements(REGISTA_KIND_MAILBOX); }}};
   if (kind == REGISTA_KIND_PREDICTOR) {
@@ -155,7 +172,10 @@ std::vector<Check> contract(std::int32_t kind) {
   }
   if (kind == REGISTA_KIND_ASSIGNER) {
     out.push_back({"rehearsal", "teammates agree in spite of losses, delays and absences", check_rehearsal,
-                   [](const Loaded& p, const Options&) { return p.implements(REGISTA_KIND_MAILBOX); }});
+                   // Who says that it negotiates has to agree, whatever it talks with.
+                   [](const Loaded& p, const Options&) {
+                     return p.implements(REGISTA_KIND_MAILBOX) || detail::says_it_negotiates(p);
+                   }});
   }
   if (kind == REGISTA_KIND_UTILITY) {
     out.push_back({"order", "the order of opponents does not matter", check_order_of_opponents,

@@ -15,19 +15,24 @@ void Findings::where(std::string corner, std::string scene) {
 
 std::string Findings::text() const {
   std::string out;
-  for (const std::string& line : lines_) out += line + "\n";
-  if (left_out_ > 0) out += "and " + std::to_string(left_out_) + " more like these\n";
+  for (const std::string& line : lines()) out += line + "\n";
   return out;
 }
 
-void Findings::add(const std::string& text, std::vector<std::string>& lines) {
+std::vector<std::string> Findings::List::told() const {
+  std::vector<std::string> out = lines;
+  if (left_out > 0) out.push_back("and " + std::to_string(left_out) + " more like these");
+  return out;
+}
+
+void Findings::add(const std::string& text, List& list) {
   if (std::find(seen_.begin(), seen_.end(), text) != seen_.end()) return;
   seen_.push_back(text);
-  if (lines.size() == most) {
-    ++left_out_;
+  if (list.lines.size() == most) {
+    ++list.left_out;
     return;
   }
-  lines.push_back(text + place());
+  list.lines.push_back(text + place());
 }
 
 std::string Findings::place() const {

@@ -55,6 +55,28 @@ class Guarded {
   std::vector<std::uint64_t> original_;
 };
 
+// Bytes of a message, which a plugin may only read. On guarded pages the last one ends where the memory does.
+class Payload {
+ public:
+  Payload(std::span<const std::uint8_t> bytes, const Layout& layout)
+      : size_(bytes.size()), memory_(std::max<std::size_t>(size_, 1), {0, layout.guarded}) {
+    std::ranges::copy(bytes, reinterpret_cast<std::uint8_t*>(memory_.data()) + memory_.bytes() - size_);
+    original_.assign(memory_.words().begin(), memory_.words().end());
+    memory_.make_read_only();
+  }
+  // Never null.
+  const std::uint8_t* data() const {
+    return reinterpret_cast<const std::uint8_t*>(memory_.data()) + memory_.bytes() - size_;
+  }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(size_); }
+  bool unchanged() const { return std::ranges::equal(memory_.words(), original_); }
+
+ private:
+  std::size_t size_;
+  Memory memory_;
+  std::vector<std::uint64_t> original_;
+};
+
 // A struct that a plugin writes, with memory behind it that must stay as it is.
 template <class T>
 Grown<T> struct_for_output(const T& value, const Layout& layout) {
@@ -373,12 +395,13 @@ void Instance::dropped(std::uint64_t handle) {
 
 void Instance::receive(int sender, std::span<const std::uint8_t> bytes, double time_sent, double time_heard) {
   const auto& t = table<regista_mailbox>(plugin_, REGISTA_KIND_MAILBOX, "mailbox");
-  const regista_message heard{
-      sender, REGISTA_MEDIUM_RADIO, time_sent, time_heard, bytes.data(), static_cast<std::uint32_t>(bytes.size()), 0};
+  const Payload payload(bytes, layout_);
+  const regista_message heard{sender, REGISTA_MEDIUM_RADIO, time_sent, time_heard, payload.data(), payload.size(), 0};
   const Strided<regista_message> input(std::span(&heard, 1), layout_);
   const auto* const message = static_cast<const regista_message*>(input.span().data);
   call(*host_, "receive", [&](regista_error* error) { return t.receive(instance_, message, error); });
   if (!input.unchanged()) throw CallFailed("receive: wrote to the message");
+  if (!payload.unchanged()) throw CallFailed("receive: wrote to the bytes of the message");
 }
 
 std::string Instance::describe(std::span<const std::uint8_t> bytes) {
@@ -387,14 +410,14 @@ std::string Instance::describe(std::span<const std::uint8_t> bytes) {
   constexpr std::uint32_t capacity = 64;  // less than hosts give
   Guarded<char> text(capacity, layout_);
   text.data()[0] = '\0';
-  const std::uint8_t none = 0;
-  const std::uint8_t* const data = bytes.empty() ? &none : bytes.data();
+  const Payload payload(bytes, layout_);
   call(
       *host_, "describe",
       [&](regista_error* error) {
-        return t.describe(instance_, data, static_cast<std::uint32_t>(bytes.size()), text.data(), capacity, error);
+        return t.describe(instance_, payload.data(), payload.size(), text.data(), capacity, error);
       },
       [&] { text.check("describe", "text"); });
+  if (!payload.unchanged()) throw CallFailed("describe: wrote to the bytes of the message");
   const std::string_view whole(text.data(), capacity);
   const std::size_t end = whole.find('\0');
   if (end == std::string_view::npos) throw CallFailed("describe: the text does not end within its capacity");

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include <regista/mailbox.hpp>
+
 #include "bad.hpp"
 
 namespace {
@@ -205,6 +207,23 @@ struct unguarded_mailbox {
   }
 };
 
+struct ReadsBehindMessages : bad::Described {
+  static constexpr auto id = "reads_behind_messages";
+  int ones = 0;
+  void assign(const Frame&, UtilityMatrix u, Assignment out) { first_free(u, out); }
+  void receive(const regista::Message& message) {
+    const volatile std::uint8_t* const bytes = message.bytes().data();
+    ones += bytes[message.bytes().size()] & 1;
+  }
+};
+struct WritesToMessages : bad::Described {
+  static constexpr auto id = "writes_to_messages";
+  void assign(const Frame&, UtilityMatrix u, Assignment out) { first_free(u, out); }
+  void receive(const regista::Message& message) {
+    if (!message.bytes().empty()) const_cast<std::uint8_t&>(message.bytes()[0]) ^= 1;
+  }
+};
+
 }  // namespace
 
 REGISTA_PLUGINS(regista::Plugin<Throws, regista::assigner>, regista::Plugin<ThrowsOddly, regista::assigner>,
@@ -219,4 +238,6 @@ REGISTA_PLUGINS(regista::Plugin<Throws, regista::assigner>, regista::Plugin<Thro
                 regista::Plugin<FailsEndlessly, bad::bare_assigner>, regista::Plugin<OddStatus, bad::bare_assigner>,
                 regista::Plugin<NeverCreated, regista::assigner>, regista::Plugin<NeverReset, regista::assigner>,
                 regista::Plugin<WrongInACorner, regista::assigner>,
-                regista::Plugin<ChokesOnMessages, regista::assigner, unguarded_mailbox>)
+                regista::Plugin<ChokesOnMessages, regista::assigner, unguarded_mailbox>,
+                regista::Plugin<ReadsBehindMessages, regista::assigner>,
+                regista::Plugin<WritesToMessages, regista::assigner>)

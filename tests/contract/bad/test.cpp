@@ -61,7 +61,8 @@ INSTANTIATE_TEST_SUITE_P(
                     assigner("never_created", "promises", "create: no such formation"),
                     assigner("never_reset", "promises", "reset: not again"),
                     assigner("wrong_in_a_corner", "promises", "assign: not made for this (high: depth"),
-                    assigner("chokes_on_messages", "mailbox", "receive: threw an exception across the boundary")),
+                    assigner("chokes_on_messages", "mailbox", "receive: threw an exception across the boundary"),
+                    assigner("writes_to_messages", "mailbox", "receive: wrote to the bytes of the message")),
     name);
 
 constexpr auto utility = [](const char* id, const char* check, const char* finding) {
@@ -221,6 +222,8 @@ INSTANTIATE_TEST_SUITE_P(
                     assigner("overruns", "memory", "memory: it went behind the end of what it was given"),
                     assigner("scribbles", "memory", "memory: it wrote to what it may only read"),
                     assigner("scribbles_tasks", "memory", "memory: it wrote to what it may only read"),
+                    assigner("reads_behind_messages", "memory", "memory: it went behind the end of what it was given"),
+                    assigner("writes_to_messages", "memory", "memory: it wrote to what it may only read"),
                     utility("keeps_the_environment", "memory", "memory: it used what had ended with an earlier call")),
     name);
 
@@ -238,6 +241,9 @@ TEST(Options, OrderOfOpponentsIsLookedAtWhenAskedFor) {
 
 TEST(Options, AnIdleRobotMayBeAllowed) {
   EXPECT_TRUE(run(assigner("idles", "promises", ""), {.may_idle = true}).empty());
+  // Which is no leave to be unknown.
+  EXPECT_THAT(run(assigner("says_unknown", "promises", ""), {.may_idle = true}).lines(),
+              testing::Contains(testing::HasSubstr("is unknown, but nothing is negotiated")));
 }
 
 // What is wrong in one way is not called wrong in another: findings point at their cause.

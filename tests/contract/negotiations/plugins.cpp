@@ -208,6 +208,31 @@ struct Auction {
   }
 };
 
+// Says that it negotiates, and has nothing to hear with: each robot takes what is best for it alone.
+struct WithoutMailbox {
+  static constexpr auto id = "negotiates_without_mailbox", version = "1.0.0",
+                        summary = "Each robot takes its best task";
+  static constexpr bool negotiates = true;
+
+  int own = 0;
+  void setup(const regista::Environment& environment) { own = environment->own_number; }
+  void assign(const regista::Frame& frame, regista::UtilityMatrix utilities, regista::Assignment out) {
+    const auto active = frame.world().active();
+    for (std::size_t row = 0; row < utilities.rows(); ++row) {
+      if (active[row] != own) {
+        out[row] = regista::Assignment::unknown_task;
+        continue;
+      }
+      double best = regista::UtilityMatrix::forbidden;
+      for (std::size_t column = 0; column < utilities.columns(); ++column) {
+        if (utilities(row, column) <= best) continue;
+        best = utilities(row, column);
+        out[row] = static_cast<std::int32_t>(column);
+      }
+    }
+  }
+};
+
 template <Mistake mistake>
 using As = regista::Plugin<Auction<mistake>, regista::assigner>;
 
@@ -215,4 +240,4 @@ using As = regista::Plugin<Auction<mistake>, regista::assigner>;
 
 REGISTA_PLUGINS(As<Mistake::none>, As<Mistake::names_columns>, As<Mistake::counts_columns>, As<Mistake::falls_silent>,
                 As<Mistake::speaks_once>, As<Mistake::keeps_the_absent>, As<Mistake::never_begins>,
-                As<Mistake::judges_alone>)
+                As<Mistake::judges_alone>, regista::Plugin<WithoutMailbox, regista::assigner>)

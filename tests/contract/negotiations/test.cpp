@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <regista/testkit/check_rehearsal.hpp>
+#include <regista/testkit/checks.hpp>
 #include <regista/testkit/contract.hpp>
 #include <regista/testkit/rehearsal.hpp>
 
@@ -85,6 +88,19 @@ TEST(Rehearsal, WaitingForEachOtherFailsThoughRobotsMayIdle) {
 TEST(Rehearsal, SayingNothingFailsWhoeverClaimsToNegotiate) {
   NOT_WITH_SANITIZERS;
   EXPECT_THAT(rehearsal_of("judges_alone").lines(), Contains(HasSubstr("no agreement within 20.0 s")));
+}
+
+TEST(Rehearsal, NegotiatingWithoutAMailboxIsRehearsedAndNamed) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "negotiates_without_mailbox");
+  const std::vector<Check> checks = contract(REGISTA_KIND_ASSIGNER);
+  const auto rehearsal = std::ranges::find(checks, "rehearsal", &Check::name);
+  ASSERT_NE(rehearsal, checks.end());
+  EXPECT_TRUE(rehearsal->applies(plugin, {}));
+  EXPECT_THAT(check_descriptor(plugin).lines(),
+              testing::ElementsAre("assigner: says that it negotiates, but receives nothing: it has no mailbox"));
+  NOT_WITH_SANITIZERS;
+  EXPECT_THAT(rehearsal->run(plugin, {}).lines(),
+              Contains(AllOf(HasSubstr("no agreement within 20.0 s: robots"), HasSubstr("both do"))));
 }
 
 TEST(Rehearsal, TheSameSeedGivesTheSameRehearsalAndAnotherAnother) {

@@ -383,10 +383,15 @@ TEST(Findings, KeepEachTextOnceAndCountWhatIsLeftOut) {
     findings.say("row ", k, " is wrong");
     findings.say("the same");
   }
-  EXPECT_EQ(findings.lines().size(), 20u);
+  ASSERT_EQ(findings.lines().size(), 21u);
   EXPECT_EQ(findings.lines().at(0), "row 0 is wrong (corner; scene 0)");
   EXPECT_EQ(findings.lines().at(1), "the same (corner; scene 0)");
-  EXPECT_NE(findings.text().find("and 6 more like these"), std::string::npos);
+  EXPECT_EQ(findings.lines().back(), "and 6 more like these");
+  EXPECT_TRUE(findings.text().ends_with("and 6 more like these\n"));
+  // Doubts are counted apart.
+  for (int k = 0; k < 22; ++k) findings.doubt("robot ", k);
+  EXPECT_EQ(findings.doubts().back(), "and 2 more like these");
+  EXPECT_EQ(findings.lines().back(), "and 6 more like these");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Contexts whose answers depend on what is no input of a match: the number of the process, an address, the folder. Each
 // of them tells two processes apart for sure, so that a test need not be lucky.
+#include <link.h>
 #include <unistd.h>
 
 #include <array>
@@ -89,7 +90,22 @@ struct AsksForTheFolder {
   }
 };
 
+// How many shared objects the process has opened: more, when other plugins are there.
+struct AsksWhoElseIsThere {
+  static constexpr auto id = "asks_who_else_is_there", version = "1.0.0", summary = "Decides by the number of plugins";
+  bool holds(const regista::Frame&) {
+    int objects = 0;
+    const auto count = [](dl_phdr_info*, std::size_t, void* into) {
+      ++*static_cast<int*>(into);
+      return 0;
+    };
+    dl_iterate_phdr(count, &objects);
+    return objects % 2 == 0;
+  }
+};
+
 REGISTA_PLUGINS(regista::Plugin<AsksForTheProcess, regista::context>,
                 regista::Plugin<AsksForAnAddress, regista::context>,
                 regista::Plugin<AsksForTheProcessAndIsKilled, regista::context>,
-                regista::Plugin<AsksForTheFolder, regista::context>)
+                regista::Plugin<AsksForTheFolder, regista::context>,
+                regista::Plugin<AsksWhoElseIsThere, regista::context>)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Answers by what is not its input: addresses, the clock, the number of the process. The two best tasks change places,
+ * Answers by what is not its input: addresses, the clock, the environment, the number of the process. The two best tasks change places,
  * or the ball is not seen. */
 #define _GNU_SOURCE
 #include <stdint.h>
@@ -20,6 +20,20 @@ uint64_t address_on_the_heap(void) {
   const volatile uint64_t address = (uint64_t)(uintptr_t)block;
   free(block);
   return address;
+}
+
+uint64_t address_of_its_own_data(void) {
+  static const int data = 1;
+  return (uint64_t)(uintptr_t)&data;
+}
+
+uint64_t address_of_a_function_of_the_system(void) { return (uint64_t)(uintptr_t)&getenv; }
+
+uint64_t home_of_the_user(void) {
+  uint64_t hash = 0;
+  const char* const home = getenv("HOME");
+  for (const char* each = home == NULL ? "none" : home; *each != '\0'; ++each) hash = 31 * hash + (unsigned char)*each;
+  return hash;
 }
 
 uint64_t number_of_the_process(void) { return (uint64_t)getpid(); }

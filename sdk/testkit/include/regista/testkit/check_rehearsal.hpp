@@ -9,6 +9,13 @@
 
 namespace regista::testkit {
 
+namespace detail {
+
+// Whether an assigner's table has the flag; false of what is no assigner.
+bool says_it_negotiates(const Loaded& plugin);
+
+}  // namespace detail
+
 Findings check_rehearsal(const Loaded& plugin, const Options& options);
 
 }  // namespace regista::testkit

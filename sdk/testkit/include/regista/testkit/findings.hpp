@@ -24,7 +24,7 @@ class Findings {
   // The same text is kept once, with the first place where it was seen.
   template <class... Parts>
   void say(const Parts&... parts) {
-    add(text_of(parts...), lines_);
+    add(text_of(parts...), found_);
   }
   // What may be meant, and may be a mistake. It is no finding.
   template <class... Parts>
@@ -36,10 +36,11 @@ class Findings {
   void remark(const Parts&... parts) {
     remarks_.push_back(text_of(parts...));
   }
-  bool empty() const { return lines_.empty(); }
-  const std::vector<std::string>& doubts() const { return doubts_; }
+  bool empty() const { return found_.lines.empty(); }
+  // Of each a readable number; a last line tells how many there are beside.
+  std::vector<std::string> doubts() const { return doubts_.told(); }
   const std::vector<std::string>& remarks() const { return remarks_; }
-  const std::vector<std::string>& lines() const { return lines_; }
+  std::vector<std::string> lines() const { return found_.told(); }
   std::string text() const;
 
  private:
@@ -49,14 +50,19 @@ class Findings {
     (text << ... << parts);
     return text.str();
   }
-  void add(const std::string& text, std::vector<std::string>& lines);
+  struct List {
+    std::vector<std::string> lines;
+    std::size_t left_out = 0;
+    std::vector<std::string> told() const;
+  };
+  void add(const std::string& text, List& list);
   std::string place() const;  // " (low = 0; one robot)", or nothing
 
   static constexpr std::size_t most = 20;
-  std::vector<std::string> lines_, seen_, doubts_, remarks_;
+  List found_, doubts_;
+  std::vector<std::string> seen_, remarks_;
   Underway underway_;
   std::string corner_, scene_;
-  std::size_t left_out_ = 0;
 };
 
 }  // namespace regista::testkit
