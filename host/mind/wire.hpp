@@ -89,7 +89,7 @@ void visit(Archive& archive, MetricReport& report) {
 template <class Archive>
 void visit(Archive& archive, Outcome& outcome) {
   archive(outcome.command, outcome.send, outcome.send_reason, outcome.packet, outcome.role, outcome.assignment,
-          outcome.context, outcome.kept, outcome.target, outcome.segments, outcome.metrics);
+          outcome.context, outcome.kept, outcome.target, outcome.announced, outcome.segments, outcome.metrics);
 }
 
 inline void write_heard(config::BytesOut& bytes, std::span<const HeardPacket> heard) {

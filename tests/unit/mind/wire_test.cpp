@@ -78,8 +78,8 @@ auto members(Is<MetricReport> auto& all) {
   return std::tie(metric, place, count, sum, least, greatest, last);
 }
 auto members(Is<Outcome> auto& all) {
-  auto& [command, send, reason, packet, role, assignment, context, kept, target, segments, metrics] = all;
-  return std::tie(command, send, reason, packet, role, assignment, context, kept, target, segments, metrics);
+  auto& [command, send, reason, packet, role, assignment, context, kept, target, announced, segments, metrics] = all;
+  return std::tie(command, send, reason, packet, role, assignment, context, kept, target, announced, segments, metrics);
 }
 
 // Any bits: infinities, signed noughts, what is not a number.
