@@ -50,7 +50,10 @@ class KickMemory {
   bool plays_ball(const regista::Frame& frame, const Situation& situation, bool by_role) {
     contenders_.clear();
     if (play_.claim.nearest_plays) {
+      const Vector2d own_goal(-situation.facts.field.length / 2.0, 0.0);
+      const bool far = (situation.ball - own_goal).norm() > situation.facts.field.penalty_area_length;
       for (const regista::Robot& robot : frame.mine().robots()) {
+        if (far && robot.number == goalkeeper) continue;  // it does not come so far out
         if (able(robot, situation)) contenders_.push_back({{robot.pose[0], robot.pose[1]}, robot.age, robot.number});
       }
     }
@@ -73,6 +76,8 @@ class KickMemory {
   }
 
  private:
+  static constexpr int goalkeeper = 1;  // the rules number it so
+
   // From afar it is enough to come to the ball from the side of the own goal.
   KickPlan by_gain(const KickScene& scene, const Situation& situation) const {
     const Vector2d to_goal = Vector2d(scene.field.length / 2.0, 0.0) - scene.ball;

@@ -127,6 +127,12 @@ inline constexpr std::tuple play_parameters{
         regista::real("gain_receiver_age", &GainSettings::receiver_age, {0.0, 60.0}, "s",
                       "Nobody passes to a teammate of whom the news are older; our choice: 4")
             .tunable(),
+        regista::real("gain_considered_within", &GainSettings::considered_within, {0.0, 20.0}, "m",
+                      "A robot farther from the ball does not choose its kick yet, and comes from the side of the own "
+                      "goal; our choice: 2"),
+        regista::real("gain_shortest_pass", &GainSettings::shortest_pass, {0.0, 5.0}, "m",
+                      "A shorter kick is no pass; our choice: 1")
+            .tunable(),
         regista::real("gain_into_space", &GainSettings::into_space, {0.0, 3.0}, "m",
                       "Passes are aimed at the teammate and this far in front of it; our choice: 0.4")
             .tunable()),

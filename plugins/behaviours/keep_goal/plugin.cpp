@@ -62,7 +62,8 @@ struct KeepGoal {
   void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
     const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
     const behaviours::Movement movement = behaviours::by_phase(situation, conduct.legal, [&] {
-      if (!situation.facts.can_kick || !keep_goal::plays_ball(situation, settings)) {
+      if (!situation.facts.can_kick || !keep_goal::plays_ball(situation, settings) ||
+          !kicks.plays_ball(frame, situation, true)) {
         return keep_goal::guard(situation, settings, rolling, conduct.legal);
       }
       return behaviours::approach(situation, approach, rolling, kicks.choose(frame, situation));

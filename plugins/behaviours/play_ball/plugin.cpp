@@ -61,7 +61,9 @@ struct PlayBall {
     if (!kicks.plays_ball(frame, situation, true)) {
       const behaviours::Pose behind = behaviours::place_behind(situation, playing.claim.room);
       behaviours::announce({behind.x, behind.y}, out);
-      return behaviours::WalkTo{.target = behaviours::legal_place(situation, conduct.legal, behind)};
+      behaviours::Situation leaving = situation;
+      leaving.duty = behaviours::Duty::other;  // and stands where these may stand
+      return behaviours::WalkTo{.target = behaviours::legal_place(leaving, conduct.legal, behind)};
     }
     if (!situation.facts.can_kick || ball_is_theirs(situation)) {
       return behaviours::support(situation, support, rolling, conduct.legal, path);
