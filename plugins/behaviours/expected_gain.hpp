@@ -31,6 +31,8 @@ struct GainSettings {
   double edge = 0.15;              // m over which an opponent's reach fades out
   double walk_around = 1.9;        // s per rad that the robot has to walk around the ball
   double hurry = 0.01;             // worth of each second until the kick
+  double patience = 4.0;           // s at a ball that lies, after which each second of hurry costs more
+  double impatience = 0.05;        // worth of each second until the kick, for each second beyond that
   double constancy = 0.05;         // worth of keeping to the last choice
   double receiver_age = 4.0;       // s: nobody passes to a teammate of whom the news are older
   double into_space = 0.4;         // m in front of the teammate at which passes are aimed
@@ -43,6 +45,7 @@ struct GainScene {
   const KickScene& kick;
   const Situation& situation;
   double direction_error = 0.0;    // standard deviation, rad
+  double hurry = 0.0;              // worth of each second until the kick
   double opponents_at_ball = 0.0;  // s until the first of them can be there
   double worth_of_ball = 0.0;      // of the place where it lies
 };
@@ -52,9 +55,12 @@ class ExpectedGain {
   ExpectedGain() = default;
   explicit ExpectedGain(const GainSettings& settings) : settings_(settings) {}
 
-  // direction_error: of the robot's kicks. The scene refers to both arguments.
-  GainScene scene(const KickScene& kick, const Situation& situation, double direction_error) const {
+  // direction_error: of the robot's kicks; waited: s that it has been at the ball, and nobody has moved it. Two robots
+  // that want to get around each other may stand there for long; the longer, the better is a kick from where it stands.
+  // The scene refers to its first two arguments.
+  GainScene scene(const KickScene& kick, const Situation& situation, double direction_error, double waited) const {
     GainScene out{kick, situation, direction_error};
+    out.hurry = settings_.hurry + settings_.impatience * std::max(0.0, waited - settings_.patience);
     out.opponents_at_ball = time_of_opponents(out, kick.ball);
     out.worth_of_ball = worth(kick.field, kick.ball);
     return out;
@@ -209,7 +215,7 @@ class ExpectedGain {
     const double delay = time_until_kick(scene.situation, direction);
     const double first = share(scene.opponents_at_ball - delay + settings_.reaction);
     const double lost = scene.worth_of_ball - settings_.possession;
-    return first * kicked + (1.0 - first) * lost - settings_.hurry * delay;
+    return first * kicked + (1.0 - first) * lost - scene.hurry * delay;
   }
 
   double share(double sooner) const { return 1.0 / (1.0 + std::exp(-sooner / settings_.race)); }

@@ -43,6 +43,7 @@ class KickMemory {
 
   void forget() {
     last_.reset();
+    waits_since_.reset();
     claim_.forget();
   }
 
@@ -79,12 +80,23 @@ class KickMemory {
   static constexpr int goalkeeper = 1;  // the rules number it so
 
   // From afar it is enough to come to the ball from the side of the own goal.
-  KickPlan by_gain(const KickScene& scene, const Situation& situation) const {
+  KickPlan by_gain(const KickScene& scene, const Situation& situation) {
     const Vector2d to_goal = Vector2d(scene.field.length / 2.0, 0.0) - scene.ball;
     const bool far = (scene.ball - situation.frame.origin()).norm() > play_.gain.considered_within;
     if (far && !kinds_.empty() && to_goal.norm() > 1e-6)
       return {to_goal.normalized(), kinds_[0].maximum_distance, 0, 0};
-    return gain_.choose(gain_.scene(scene, situation, direction_error_));
+    return gain_.choose(gain_.scene(scene, situation, direction_error_, waited(situation)));
+  }
+
+  // s that the robot has been at the ball, and the ball lay.
+  double waited(const Situation& situation) {
+    constexpr double at_ball = 0.7, moved = 0.15;  // m
+    const bool there = (situation.ball - situation.frame.origin()).norm() < at_ball;
+    if (!there || !waits_since_ || (situation.ball - waits_at_).norm() > moved) {
+      waits_since_ = situation.time;
+      waits_at_ = situation.ball;
+    }
+    return there ? situation.time - *waits_since_ : 0.0;
   }
 
   static bool able(const regista::Robot& robot, const Situation& situation) {
@@ -96,6 +108,8 @@ class KickMemory {
   ExpectedGain gain_;
   Claim claim_;
   double direction_error_ = 0.0;
+  std::optional<double> waits_since_;  // match time
+  Vector2d waits_at_{0, 0};
   std::vector<Contender> contenders_;
   KickChoice choice_;
   std::vector<KickKind> kinds_;

@@ -121,6 +121,12 @@ inline constexpr std::tuple play_parameters{
         regista::real("gain_hurry", &GainSettings::hurry, {0.0, 1.0}, "1",
                       "Worth of each second until the kick; our choice: 0.01")
             .tunable(),
+        regista::real("gain_patience", &GainSettings::patience, of_seconds, "s",
+                      "After so long at a ball that lies, the time until the kick costs more; our choice: 4")
+            .tunable(),
+        regista::real("gain_impatience", &GainSettings::impatience, {0.0, 1.0}, "1",
+                      "So much more for each second of it, with each second beyond; our choice: 0.05")
+            .tunable(),
         regista::real("gain_constancy", &GainSettings::constancy, of_worth, "1",
                       "The last choice is kept unless another kick is worth so much more; our choice: 0.05")
             .tunable(),

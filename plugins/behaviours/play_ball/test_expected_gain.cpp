@@ -28,11 +28,11 @@ class Gain : public testing::Test {
   }
   KickPlan choose(const Situation& situation, const std::optional<KickPlan>& last = {}) const {
     const KickScene scene = kicks(situation, last);
-    return gain.choose(gain.scene(scene, situation, error));
+    return gain.choose(gain.scene(scene, situation, error, waited));
   }
   double value(const Situation& situation, double angle, double distance) const {
     const KickScene scene = kicks(situation);
-    return gain.value(gain.scene(scene, situation, error), {std::cos(angle), std::sin(angle)}, distance);
+    return gain.value(gain.scene(scene, situation, error, waited), {std::cos(angle), std::sin(angle)}, distance);
   }
   static double crosses(const Vector2d& ball, const KickPlan& plan, double line = 4.5) {
     return ball.y() + plan.direction.y() / plan.direction.x() * (line - ball.x());
@@ -44,6 +44,7 @@ class Gain : public testing::Test {
   static double angle(const KickPlan& plan) { return angle_of(plan.direction); }
   void opponent(double x, double y) { opponents.push_back({{x, y}, 1.0}); }
 
+  double waited = 0.0;  // s
   GainSettings settings;
   ExpectedGain gain{settings};
   double error = 7.0 * pi / 180.0;  // of a NAO
@@ -154,6 +155,18 @@ TEST_F(Gain, KicksWhereItStandsWhenItIsPressed) {
   const double pressed = std::abs(angle(choose(beside)) - pi / 2);
   EXPECT_GT(at_leisure, 0.3) << "to its right, towards the goal";
   EXPECT_LT(pressed, at_leisure);
+}
+
+// Two that want to get around each other: in the end it kicks from where it stands.
+TEST_F(Gain, DoesNotWaitForEver) {
+  const Vector2d ball(-1.0, 0.0);
+  const auto off = [&](double seconds) {
+    waited = seconds;
+    return std::abs(wrap(angle(choose(at(ball, {-0.1, 0.35}))) - angle_of({-0.1, 0.35})));
+  };
+  EXPECT_GT(off(0.0), 0.5) << "around the ball";
+  EXPECT_EQ(off(4.0), off(0.0));
+  EXPECT_LT(off(20.0), 0.4) << "as far as it turns without walking";
 }
 
 TEST_F(Gain, OutOfTheFieldIsTheOpponents) {
