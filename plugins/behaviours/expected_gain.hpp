@@ -301,7 +301,8 @@ class ExpectedGain {
   double stopped_at(const GainScene& scene, const Vector2d& stop, bool over_side, bool over_end, double distance,
                     double speed) const {
     const Field& field = scene.kick.field;
-    if (over_end && std::abs(stop.y()) < field.goal_width / 2.0 - scene.situation.facts.ball_radius) {
+    const bool in_goal = std::abs(stop.y()) < field.goal_width / 2.0 - scene.situation.facts.ball_radius;
+    if (over_end && in_goal && !is_indirect(scene.situation)) {
       return stop.x() > 0.0 ? settings_.goal : -settings_.goal;
     }
     // A kick-in, goal kick or corner of the opponents.

@@ -76,4 +76,22 @@ inline bool ball_is_theirs(const Situation& situation) {
   return situation.set_play != SetPlay::none && !situation.own_kick;
 }
 
+// From the own set play no goal can be scored before the ball has been played a second time (SPL rule book 2023, 3.9);
+// but from a kick-off and a penalty kick it can.
+inline bool is_indirect(const Situation& situation) {
+  if (!situation.own_kick) return false;
+  switch (situation.set_play) {
+    case SetPlay::kick_in:
+    case SetPlay::goal_kick:
+    case SetPlay::corner_kick:
+    case SetPlay::pushing_free_kick:
+      return true;
+    case SetPlay::none:
+    case SetPlay::kick_off:
+    case SetPlay::penalty_kick:
+      break;
+  }
+  return false;
+}
+
 }  // namespace behaviours

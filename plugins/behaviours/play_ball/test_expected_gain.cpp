@@ -157,6 +157,17 @@ TEST_F(Gain, KicksWhereItStandsWhenItIsPressed) {
   EXPECT_LT(pressed, at_leisure);
 }
 
+TEST_F(Gain, ShootsNotWhereNoGoalCounts) {
+  const Vector2d ball(3.6, -2.4);
+  teammates = {{{3.4, 0.4}, 0.2, 4}};
+  const Situation corner = in_set_play(at(ball, {-0.1, -0.2}), SetPlay::corner_kick, true);
+  EXPECT_FALSE(scores(ball, choose(corner)));
+  EXPECT_EQ(choose(corner).receiver, 4);
+  const Vector2d near(3.0, 0.0);
+  EXPECT_FALSE(scores(near, choose(in_set_play(behind(near), SetPlay::pushing_free_kick, true))));
+  EXPECT_TRUE(scores(near, choose(in_set_play(behind(near), SetPlay::penalty_kick, true))));
+}
+
 // Two that want to get around each other: in the end it kicks from where it stands.
 TEST_F(Gain, DoesNotWaitForEver) {
   const Vector2d ball(-1.0, 0.0);
