@@ -57,6 +57,8 @@ class Body {
   // As far as it knows: that the present attempt to get up will fail, it does not.
   double time_until_up(double time) const;
   bool kicking() const { return kick_.has_value(); }
+  // The teammate that the kick under way is meant for, 0 = nobody.
+  int receiver() const { return kick_ ? kick_->request.receiver : 0; }
   int falls() const { return falls_; }
 
  private:

@@ -351,7 +351,7 @@ int OngoingMatch::move_bodies() {
     legs = turned({motion.walk.forward, motion.walk.sideways}, now.cosine, now.sine);
     arena_.drive(id, legs, motion.walk.turn, limits.acceleration, limits.turn_acceleration);
     if (motion.ball_velocity) {
-      metrics_.kicked(roster_.side(id));
+      metrics_.kicked(id, robot.body.receiver());
       // Of two that strike at once, who is nearer to the ball hits it.
       if (kicker >= 0 && ball_distance(kicker) <= ball_distance(id)) continue;
       kicked = turned(*motion.ball_velocity, now.cosine, now.sine);

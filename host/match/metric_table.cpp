@@ -462,6 +462,16 @@ std::vector<MetricRow> numbers_of_soccer() {
             [](const Source& from) { return from.team().play.passes; }),
       count("interceptions", "Interceptions", 1, "the same, but the robot before was an opponent; a save is none",
             [](const Source& from) { return from.team().play.interceptions; }),
+      count("meant_passes", "Meant passes", 1,
+            "kicks that reached the ball and of which the behaviour said that they are meant for a teammate (extension "
+            "`regista.pass`)",
+            [](const Source& from) { return from.team().play.meant_passes; }),
+      count("meant_passes_arrived", "Meant passes that arrived", 1,
+            "after them, the next robot but the kicker to touch the ball is a teammate, the meant one or another; the "
+            "kicker has not kicked again, and nobody put the ball down in between",
+            [](const Source& from) { return from.team().play.meant_passes_arrived; }),
+      count("meant_passes_intercepted", "Meant passes that were intercepted", 1, "the same, but it is an opponent",
+            [](const Source& from) { return from.team().play.meant_passes_intercepted; }),
       {.part = part,
        .name = "possession_seconds",
        .unit = "s",

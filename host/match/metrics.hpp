@@ -82,7 +82,11 @@ class Metrics {
   std::size_t plugin_metrics(Side side) const { return plugins_[index(side)].count(); }
   void sent(Side side, int reason, double time);  // s since the start of the match
   void fell(Side side) { ++result_.teams[index(side)].falls; }
-  void kicked(Side side) { ++result_.teams[index(side)].kicks; }
+  // A kick has reached the ball. receiver: shirt number of the teammate that it is meant for, 0 = nobody.
+  void kicked(int id, int receiver) {
+    ++result_.teams[index(roster_.side(id))].kicks;
+    play_.kicked(id, receiver);
+  }
   void penalised(Side side) { ++result_.teams[index(side)].penalties; }
   void scored(Side side) { play_.scored(side); }  // a goal that counts
   void ball_placed() { play_.ball_placed(); }     // by hand

@@ -32,6 +32,11 @@ bool PlayMeasures::on_target(Side side, const Ball& ball, int half) const {
 
 void PlayMeasures::touched(int robot, const Ball& ball, int half) {
   const Side side = roster_.side(robot);
+  if (passer_ && *passer_ != robot) {
+    Team& passing = team(roster_.side(*passer_));
+    ++(roster_.side(*passer_) == side ? passing.arrived : passing.intercepted);
+    passer_.reset();
+  }
   // A post may have turned it away.
   if (shot_ && !on_target(*shot_, ball_, half)) shot_.reset();
   bool saved = false;
@@ -54,12 +59,21 @@ void PlayMeasures::touched(int robot, const Ball& ball, int half) {
   last_ = {robot, ball.position};
 }
 
+void PlayMeasures::kicked(int id, int receiver) {
+  passer_.reset();
+  if (receiver == 0) return;
+  passer_ = id;
+  ++team(roster_.side(id)).meant;
+}
+
 void PlayMeasures::scored(Side side) {
+  passer_.reset();
   if (shot_ == side) ++team(side).scored;
   shot_.reset();
 }
 
 void PlayMeasures::ball_placed() {
+  passer_.reset();
   shot_.reset();
   last_.reset();
 }
@@ -88,6 +102,9 @@ PlayMetrics PlayMeasures::result(Side side) const {
   out.shots_saved = own.saved;
   out.passes = own.passes;
   out.interceptions = own.interceptions;
+  out.meant_passes = own.meant;
+  out.meant_passes_arrived = own.arrived;
+  out.meant_passes_intercepted = own.intercepted;
   out.possession_seconds = static_cast<double>(own.possession) / samples_per_second;
   const int possessed = own.possession + other.possession;
   if (possessed > 0) out.possession_share = static_cast<double>(own.possession) / possessed;

@@ -9,6 +9,10 @@
 // - Scored: a goal that counts ended it. Saved: the touch of an opponent turned the ball away.
 // - Pass: the next robot that touches the ball after one of a team is another of that team, more than 0.5 m from the
 //   place of the last touch. Interception: it is one of the other team, and no shot was saved by it.
+// - Meant pass: a kick that a behaviour said is meant for a teammate. It arrives when the next robot other than the
+// kicker
+//   that touches the ball is a teammate, and is intercepted when it is an opponent; neither when the kicker kicks
+//   again, or the ball is dead before.
 // - Territory: where the ball is, in the field frame of the team, while it is in play.
 // - Distance walked: the way of the bodies of robots that are not penalised.
 #pragma once
@@ -30,6 +34,7 @@ constexpr double shortest_pass = 0.5;  // m; assumption: twice what separates a 
 struct PlayMetrics {
   int shots = 0, shots_scored = 0, shots_saved = 0;
   int passes = 0, interceptions = 0;
+  int meant_passes = 0, meant_passes_arrived = 0, meant_passes_intercepted = 0;
   std::optional<double> possession_share;     // of the time that either team had the ball
   double possession_seconds = 0.0;            // ball in play and last touched by this team
   std::optional<double> ball_x_metres;        // mean; nothing while the ball was never in play
@@ -46,6 +51,8 @@ class PlayMeasures {
   // touched it (id; -1: nobody). half: see attack().
   void step(const BodyState& ball, int touched_by, int half);
 
+  // Robot `id` has kicked the ball; before the step that moves it. receiver: 0 = nobody.
+  void kicked(int id, int receiver);
   void scored(Side side);  // a goal that counts
   void ball_placed();      // somebody put it down: what went before is over
 
@@ -58,8 +65,9 @@ class PlayMeasures {
  private:
   struct Team {
     int shots = 0, scored = 0, saved = 0, passes = 0, interceptions = 0;
-    int possession = 0, in_opponent_half = 0;  // samples
-    double ball_x = 0.0;                       // sum over samples in play
+    int meant = 0, arrived = 0, intercepted = 0;  // meant passes
+    int possession = 0, in_opponent_half = 0;     // samples
+    double ball_x = 0.0;                          // sum over samples in play
   };
   struct Ball {
     Vector position, velocity;
@@ -79,7 +87,8 @@ class PlayMeasures {
   int in_play_ = 0;             // samples
   Ball ball_;                   // after the last step
   std::optional<Touch> last_;
-  std::optional<Side> shot_;  // a shot of this side is under way
+  std::optional<Side> shot_;   // a shot of this side is under way
+  std::optional<int> passer_;  // id of who meant to pass the ball, until somebody else has it
 };
 
 }  // namespace regista::match

@@ -24,6 +24,7 @@ struct KickRequest {
   int kind = 0;            // index into config::Robot::kicks
   double direction = 0.0;  // in which the ball shall go
   double distance = 0.0;   // that it shall roll; clipped to the kind's range
+  int receiver = 0;        // the teammate that it is meant for, 0 = nobody
 };
 
 struct Command {

@@ -62,6 +62,7 @@ struct Mind::Parts {
   Command act(const Percepts& percepts);
   void decide_to_send(const Percepts& percepts, Outcome& out);
   Report report(const Percepts& percepts) const;
+  void say_receiver(Command& command);
   void hand_over_metrics(Outcome& out);
 
   const TeamPlan& plan;
@@ -116,6 +117,7 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   parts.world.fuse(percepts, dt, {last.own_role, last.own_role_since, parts.target()});
   const Decision& decision = parts.coordination.decide(parts.world, percepts.time, parts.caller.tick);
   out.command = parts.act(percepts);
+  parts.say_receiver(out.command);
   parts.decide_to_send(percepts, out);
   tell(decision, out);
   if (parts.told_target) out.announced = Target{parts.told_target->x(), parts.told_target->y()};
@@ -126,6 +128,19 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   parts.extensions.mute(false);
   parts.first = false;
   ++parts.caller.tick;
+}
+
+// Whom the kick is meant for, if the behaviour said so.
+void Mind::Parts::say_receiver(Command& command) {
+  const std::optional<MeantPass>& pass = extensions.pass();
+  if (!command.kick || !pass) return;
+  if (pass->receiver < 1 || pass->receiver > limits.team_size || pass->receiver == number) {
+    throw plugin::Failure(*pass->plugin, &caller, "pass",
+                          "a kick meant for robot " + std::to_string(pass->receiver) +
+                              "; teammates are those from 1 to " + std::to_string(limits.team_size) + " but " +
+                              std::to_string(number));
+  }
+  command.kick->receiver = pass->receiver;
 }
 
 void Mind::Parts::hand_over_metrics(Outcome& out) {

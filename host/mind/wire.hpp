@@ -63,7 +63,7 @@ void visit(Archive& archive, Walk& walk) {
 
 template <class Archive>
 void visit(Archive& archive, KickRequest& kick) {
-  archive(kick.kind, kick.direction, kick.distance);
+  archive(kick.kind, kick.direction, kick.distance, kick.receiver);
 }
 
 template <class Archive>

@@ -48,7 +48,7 @@ inline Movement approach(const Situation& situation, const ApproachSettings& set
   const double turn = wrap(direction - situation.pose.heading);
   const bool behind = distance > 1e-6 && to_ball.dot(kick.direction) > settings.behind * distance;
   if (distance < facts.reach && behind && std::abs(turn) < settings.aligned && situation.sees_ball) {
-    return KickBall{kick.kind, turn, kick.distance};
+    return KickBall{kick.kind, turn, kick.distance, kick.receiver};
   }
 
   WalkTo walk;

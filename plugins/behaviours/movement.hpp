@@ -35,6 +35,7 @@ struct KickBall {
   int kind = 0;            // of the kicks that the robot has
   double direction = 0.0;  // in which the ball shall go, robot frame
   double distance = 0.0;   // that it shall roll
+  int receiver = 0;        // the teammate that it is meant for, 0 = nobody
 };
 
 using Movement = std::variant<Stand, Turn, WalkTo, KickBall>;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <regista/behaviour.hpp>
+#include <regista/pass.hpp>
 
 #include "movement.hpp"
 
@@ -45,6 +46,12 @@ struct ActionWriter {
 inline void write_action(const Movement& movement, double gaze, regista::Action& out) {
   std::visit(detail::ActionWriter{out}, movement);
   out.gaze = gaze;
+}
+
+// For those who count passes.
+inline void say_receiver(const Movement& movement, const regista::Pass& pass) {
+  const auto* const kick = std::get_if<KickBall>(&movement);
+  if (kick != nullptr && kick->receiver != 0) pass.meant_for(kick->receiver);
 }
 
 // Teammates are told that the robot goes there, and not to the place of its task.

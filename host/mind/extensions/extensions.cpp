@@ -27,12 +27,17 @@ InstanceExtensions::InstanceExtensions(Extensions& owner, const plugin::Found& p
                          self.owner_->metrics_.report(*self.plugin_, self.metrics_, self.place_, metric, value);
                        }
                      }};
+  pass_ = {sizeof pass_, 0, this, [](void* context, std::int32_t receiver) {
+             auto& self = *static_cast<InstanceExtensions*>(context);
+             if (!self.owner_->muted_) self.owner_->pass_ = {self.plugin_, receiver};
+           }};
 }
 
 const void* InstanceExtensions::find(std::string_view id) const {
   if (id == REGISTA_LOG_EXTENSION) return &log_;
   if (id == REGISTA_DRAW_EXTENSION) return &draw_;
   if (id == REGISTA_METRIC_EXTENSION) return &metric_reports_;
+  if (id == REGISTA_PASS_EXTENSION) return &pass_;
   return nullptr;
 }
 
@@ -46,6 +51,7 @@ const InstanceExtensions& Extensions::open(const plugin::Found& plugin, std::spa
 void Extensions::begin(double time) {
   log_.begin(time);
   drawings_.begin();
+  pass_.reset();
   for (const auto& each : instances_) each->begin_decision();
 }
 

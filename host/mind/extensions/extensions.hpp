@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The host's side of the extensions that the plugins of one robot may ask for by name: log, draw, metric. Each instance
-// gets tables of its own, so that it is known who speaks.
+// The host's side of the extensions that the plugins of one robot may ask for by name: log, draw, metric, pass. Each
+// instance gets tables of its own, so that it is known who speaks.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include <regista/extensions/draw.h>
 #include <regista/extensions/log.h>
 #include <regista/extensions/metric.h>
+#include <regista/extensions/pass.h>
 
 #include "mind/extensions/drawings.hpp"
 #include "mind/extensions/metric_reports.hpp"
@@ -43,6 +45,13 @@ class InstanceExtensions {
   regista_log log_{};
   regista_draw draw_{};
   regista_metric_reports metric_reports_{};
+  regista_pass pass_{};
+};
+
+// For whom a kick is meant, as a plugin said it.
+struct MeantPass {
+  const plugin::Found* plugin;
+  int receiver;  // not looked at yet
 };
 
 class Extensions {
@@ -65,12 +74,15 @@ class Extensions {
   const PluginLog& log() const { return log_; }
   const Drawings& drawings() const { return drawings_; }
   MetricReports& metrics() { return metrics_; }
+  // What was said last in this decision.
+  const std::optional<MeantPass>& pass() const { return pass_; }
 
  private:
   friend InstanceExtensions;
   PluginLog log_;
   Drawings drawings_;
   MetricReports metrics_;
+  std::optional<MeantPass> pass_;
   bool muted_ = false;
   std::vector<std::unique_ptr<InstanceExtensions>> instances_;
 };

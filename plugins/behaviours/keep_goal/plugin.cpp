@@ -51,8 +51,10 @@ struct KeepGoal {
 
   behaviours::SituationReader reader{behaviours::Duty::keeps_goal};
   behaviours::KickMemory kicks;
+  regista::Pass pass;
 
-  void setup(const regista::Environment& environment) {
+  void setup(const regista::Environment& environment, const regista::Host& host) {
+    pass = regista::Pass(host);
     reader.setup(environment);
     kicks.setup(environment, kick, playing);
   }
@@ -68,6 +70,7 @@ struct KeepGoal {
       }
       return behaviours::approach(situation, approach, rolling, kicks.choose(frame, situation));
     });
+    behaviours::say_receiver(movement, pass);
     behaviours::write_action(movement, behaviours::look(situation, conduct.gaze), out);
   }
 };

@@ -38,9 +38,11 @@ struct PlayBall {
 
   behaviours::SituationReader reader{behaviours::Duty::plays_ball};
   behaviours::KickMemory kicks;
+  regista::Pass pass;
   behaviours::EdgePath path;
 
-  void setup(const regista::Environment& environment) {
+  void setup(const regista::Environment& environment, const regista::Host& host) {
+    pass = regista::Pass(host);
     reader.setup(environment);
     kicks.setup(environment, kick, playing);
     path.reserve(behaviours::SituationReader::most_nodes);
@@ -53,6 +55,7 @@ struct PlayBall {
     reader.read_graph(frame);
     const behaviours::Movement movement =
         behaviours::by_phase(situation, conduct.legal, [&] { return play(frame, situation, out); });
+    behaviours::say_receiver(movement, pass);
     behaviours::write_action(movement, behaviours::look(situation, conduct.gaze), out);
   }
 

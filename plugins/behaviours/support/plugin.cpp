@@ -35,9 +35,11 @@ struct Support {
 
   behaviours::SituationReader reader{behaviours::Duty::other};
   behaviours::KickMemory kicks;
+  regista::Pass pass;
   behaviours::EdgePath path;
 
-  void setup(const regista::Environment& environment) {
+  void setup(const regista::Environment& environment, const regista::Host& host) {
+    pass = regista::Pass(host);
     reader.setup(environment);
     kicks.setup(environment, kick, playing);
     path.reserve(behaviours::SituationReader::most_nodes);
@@ -57,6 +59,7 @@ struct Support {
       return takes_ball ? behaviours::approach(situation, approach, rolling, kicks.choose(frame, situation))
                         : behaviours::support(situation, settings, rolling, conduct.legal, path);
     });
+    behaviours::say_receiver(movement, pass);
     behaviours::write_action(movement, behaviours::look(situation, conduct.gaze), out);
   }
 };

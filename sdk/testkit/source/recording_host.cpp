@@ -56,6 +56,12 @@ RecordingHost::RecordingHost(std::uint32_t bytes_free, const Layout& layout)
   reports_ = {sizeof reports_, 0, this, [](void* context, std::uint32_t metric, double value) {
                 static_cast<RecordingHost*>(context)->report(metric, value);
               }};
+  pass_ = {sizeof pass_, 0, this, [](void* context, std::int32_t receiver) {
+             auto* const host = static_cast<RecordingHost*>(context);
+             const OwnAllocations own(*host);
+             if (receiver < 1) host->break_rule("pass: meant for robot " + std::to_string(receiver));
+             host->receivers.push_back(receiver);
+           }};
   raw_ = Grown<regista_host>(raw, layout);
   raw_.make_read_only();
 }
@@ -65,6 +71,7 @@ const void* RecordingHost::extension(const char* id) const {
   if (name == REGISTA_LOG_EXTENSION) return &log_;
   if (name == REGISTA_DRAW_EXTENSION) return &draw_;
   if (name == REGISTA_METRIC_EXTENSION) return &reports_;
+  if (name == REGISTA_PASS_EXTENSION) return &pass_;
   return nullptr;
 }
 

@@ -134,6 +134,33 @@ TEST_F(Play, PassesGoToAnotherOfTheTeam) {
   EXPECT_EQ(home().interceptions, 0);
 }
 
+TEST_F(Play, MeantPassesArriveOrAreIntercepted) {
+  measures.kicked(1, 3);
+  touch(1, 0.0, 0.0, 1.0);
+  EXPECT_EQ(home().meant_passes, 1);
+  touch(1, 0.1, 0.0, 1.0);
+  EXPECT_EQ(home().meant_passes_arrived, 0) << "nobody else has it yet";
+  touch(2, 1.0, 0.0);
+  EXPECT_EQ(home().meant_passes_arrived, 1) << "another one than was meant";
+  measures.kicked(2, 4);
+  touch(9, 1.5, 0.0);
+  EXPECT_EQ(home().meant_passes_intercepted, 1);
+  touch(3, 2.0, 0.0);
+  EXPECT_EQ(home().meant_passes_arrived, 1) << "that is over";
+  measures.kicked(3, 4);
+  measures.kicked(3, 0);
+  touch(4, 2.5, 0.0);
+  EXPECT_EQ(home().meant_passes, 3);
+  EXPECT_EQ(home().meant_passes_arrived, 1) << "it kicked again, for nobody";
+  measures.kicked(4, 5);
+  measures.ball_placed();
+  touch(5, 2.5, 0.0);
+  EXPECT_EQ(home().meant_passes_arrived, 1) << "somebody put it down in between";
+  measures.kicked(10, 2);
+  touch(11, 0.0, 0.0);
+  EXPECT_EQ(away().meant_passes_arrived, 1);
+}
+
 // The place counts where the ball was touched last, not first: who dribbles a metre has not passed.
 TEST_F(Play, APassBeginsWhereTheBallWasLeft) {
   touch(1, 0.0, 0.0);

@@ -58,8 +58,8 @@ auto members(Is<Walk> auto& all) {
   return std::tie(forward, sideways, turn);
 }
 auto members(Is<KickRequest> auto& all) {
-  auto& [kind, direction, distance] = all;
-  return std::tie(kind, direction, distance);
+  auto& [kind, direction, distance, receiver] = all;
+  return std::tie(kind, direction, distance, receiver);
 }
 auto members(Is<Command> auto& all) {
   auto& [walk, kick, head_yaw] = all;

@@ -12,6 +12,7 @@
 #include <regista/extensions/draw.h>
 #include <regista/extensions/log.h>
 #include <regista/extensions/metric.h>
+#include <regista/extensions/pass.h>
 #include <regista/testkit/storage.hpp>
 
 namespace regista::testkit {
@@ -59,6 +60,7 @@ class RecordingHost {
     double value;
   };
   std::vector<Report> reports;
+  std::vector<std::int32_t> receivers;  // of kicks that were meant for a teammate
   // What each call of the instance took, by name of the call; where somebody wants to know.
   struct CallCosts {
     std::vector<double> seconds;
@@ -84,6 +86,7 @@ class RecordingHost {
   regista_log log_{};
   regista_draw draw_{};
   regista_metric_reports reports_{};
+  regista_pass pass_{};
   std::uint32_t metric_count_ = 0;
   std::string broken_;
   std::uint32_t bytes_free_;
