@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,13 +15,6 @@
 #include "situation.hpp"
 
 namespace behaviours {
-
-// A teammate that could play the ball: in play and on its feet.
-struct Contender {
-  Vector2d position{0, 0};
-  double age = 0.0;  // s since the last news of it
-  int number = 0;
-};
 
 struct ClaimSettings {
   bool nearest_plays = false;  // otherwise the role decides alone
@@ -48,7 +42,7 @@ class Claim {
   void forget() { holds_ = leaves_ = false; }
 
   // Whether this robot plays the ball now. `by_role`: its role plays it.
-  bool update(const Situation& situation, const ClaimSettings& settings, std::span<const Contender> teammates,
+  bool update(const Situation& situation, const ClaimSettings& settings, std::span<const Teammate> teammates,
               bool by_role) {
     if (!settings.nearest_plays || !situation.ball_trusted) {
       forget();
@@ -56,7 +50,9 @@ class Claim {
     }
     const double own = meeting(situation, situation.frame.origin()).time;
     times_.clear();
-    for (const Contender& mate : teammates) times_.push_back(meeting(situation, mate.position).time);
+    for (const Teammate& mate : teammates) {
+      times_.push_back(stays_home(situation, mate) ? never : meeting(situation, mate.position).time);
+    }
     holds_ = before_all(own, holds_ ? settings.kept : settings.sooner, settings, teammates, nobody);
     leaves_ = leaves_to_another(own, settings, teammates);
     return holds_ || (by_role && !leaves_);
@@ -64,10 +60,19 @@ class Claim {
 
  private:
   static constexpr std::size_t nobody = static_cast<std::size_t>(-1);
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  // The goalkeeper does not come out for a ball beyond its penalty area.
+  static bool stays_home(const Situation& situation, const Teammate& mate) {
+    constexpr int goalkeeper = 1;  // the rules number it so
+    const Field& field = situation.facts.field;
+    const Vector2d own_goal(-field.length / 2.0, 0.0);
+    return mate.number == goalkeeper && (situation.ball - own_goal).norm() > field.penalty_area_length;
+  }
 
   // Whether somebody who is there in `time` is so much sooner than all teammates but one. These may have come nearer
   // since their last packets.
-  bool before_all(double time, double margin, const ClaimSettings& settings, std::span<const Contender> teammates,
+  bool before_all(double time, double margin, const ClaimSettings& settings, std::span<const Teammate> teammates,
                   std::size_t but) const {
     for (std::size_t i = 0; i < teammates.size(); ++i) {
       if (i != but && !(time + margin < times_[i] - settings.doubt * teammates[i].age)) return false;
@@ -76,7 +81,7 @@ class Claim {
   }
 
   // Only to one that takes the ball, as it can be computed here: or nobody would go.
-  bool leaves_to_another(double own, const ClaimSettings& settings, std::span<const Contender> teammates) const {
+  bool leaves_to_another(double own, const ClaimSettings& settings, std::span<const Teammate> teammates) const {
     std::size_t first = nobody;
     for (std::size_t i = 0; i < teammates.size(); ++i) {
       if (teammates[i].age <= settings.news_at_most && (first == nobody || times_[i] < times_[first])) first = i;

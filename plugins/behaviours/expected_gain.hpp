@@ -110,7 +110,7 @@ class ExpectedGain {
     if (std::abs(stop.x()) > field.length / 2.0 || std::abs(stop.y()) > field.width / 2.0) return 0;
     double soonest = std::min(time_of_robot(scene, stop, plan.distance), time_of_opponents(scene, stop));
     int out = 0;
-    for (const Receiver& mate : scene.kick.teammates) {
+    for (const Teammate& mate : scene.kick.teammates) {
       const double time = time_of_teammate(scene, mate, stop);
       if (mate.age > settings_.receiver_age || time >= soonest) continue;
       soonest = time;
@@ -150,29 +150,10 @@ class ExpectedGain {
 
   static constexpr std::size_t most_finalists = 8;
 
-  static Vector2d turned(const Vector2d& v, double cosine, double sine) {
-    return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
-  }
-
   static bool is_last(const GainScene& scene, const KickPlan& plan) {
     constexpr double same_direction = 0.97;  // cosine
     const std::optional<KickPlan>& last = scene.kick.last;
     return last && last->kind == plan.kind && last->direction.dot(plan.direction) > same_direction;
-  }
-
-  // The kind of kick whose range comes nearest to the wanted distance; the first of equals.
-  static KickPlan kick(const KickScene& scene, const Vector2d& direction, double distance) {
-    KickPlan plan{direction, 0.0, KickPlan::no_kind, 0};
-    double least_miss = 0.0;
-    for (std::size_t i = 0; i < scene.kinds.size(); ++i) {
-      const double reached = std::clamp(distance, scene.kinds[i].minimum_distance, scene.kinds[i].maximum_distance);
-      const double miss = std::abs(reached - distance);
-      if (plan.kind != KickPlan::no_kind && !(miss < least_miss)) continue;
-      plan.kind = static_cast<int>(i);
-      plan.distance = reached;
-      least_miss = miss;
-    }
-    return plan;
   }
 
   // Shots, passes to everybody, kicks to all sides of the goal, and such as need no walk around the ball.
@@ -182,7 +163,7 @@ class ExpectedGain {
     const auto add = [&](const Vector2d& way, double distance) {
       const double length = way.norm();
       if (length < 1e-6) return;
-      Option option{kick(kicks, way / length, distance), 0.0};
+      Option option{kick_in_direction(kicks.kinds, way / length, distance), 0.0};
       if (option.plan.kind == KickPlan::no_kind) return;
       option.value = in_time(scene, option.plan.direction, roll(scene, option.plan.direction, option.plan.distance));
       if (is_last(scene, option.plan)) option.value += settings_.constancy;
@@ -194,7 +175,7 @@ class ExpectedGain {
       const Vector2d way = goal + Vector2d(0.0, share * kicks.field.goal_width / 2.0) - kicks.ball;
       add(way, way.norm() + into_net);
     }
-    for (const Receiver& mate : kicks.teammates) {
+    for (const Teammate& mate : kicks.teammates) {
       if (mate.age > settings_.receiver_age) continue;
       for (const double ahead : {0.0, settings_.into_space}) {
         const Vector2d way = mate.position + Vector2d(ahead, 0.0) - kicks.ball;
@@ -237,14 +218,14 @@ class ExpectedGain {
     return busy + (scene.situation.frame.origin() - place).norm() / scene.situation.facts.walk_forward;
   }
 
-  static double time_of_teammate(const GainScene& scene, const Receiver& mate, const Vector2d& place) {
+  static double time_of_teammate(const GainScene& scene, const Teammate& mate, const Vector2d& place) {
     constexpr double doubt = 0.2;  // s per s without news
     return (mate.position - place).norm() / scene.situation.facts.walk_forward + doubt * mate.age;
   }
 
   static double time_of_team(const GainScene& scene, const Vector2d& place, double distance) {
     double soonest = time_of_robot(scene, place, distance);
-    for (const Receiver& mate : scene.kick.teammates) soonest = std::min(soonest, time_of_teammate(scene, mate, place));
+    for (const Teammate& mate : scene.kick.teammates) soonest = std::min(soonest, time_of_teammate(scene, mate, place));
     return soonest;
   }
 

@@ -20,13 +20,6 @@ struct KickKind {
   double minimum_distance = 0.0, maximum_distance = 0.0;
 };
 
-// A teammate that could receive a pass: in play and on its feet.
-struct Receiver {
-  Vector2d position{0, 0};
-  double age = 0.0;  // s since the last news of it
-  int number = 0;    // on its shirt
-};
-
 struct Blocker {
   Vector2d position{0, 0};
   double weight = 1.0;  // probability that it is there
@@ -45,10 +38,25 @@ struct KickScene {
   Field field;
   Vector2d ball{0, 0};
   std::span<const KickKind> kinds;
-  std::span<const Receiver> teammates;
+  std::span<const Teammate> teammates;
   std::span<const Blocker> opponents;
   std::optional<KickPlan> last;  // that of the last decision
 };
+
+// With the kind of kick whose range comes nearest to the wanted distance, the first of equals.
+inline KickPlan kick_in_direction(std::span<const KickKind> kinds, const Vector2d& direction, double distance) {
+  KickPlan plan{direction, 0.0, KickPlan::no_kind, 0};
+  double least_miss = 0.0;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const double reached = std::clamp(distance, kinds[i].minimum_distance, kinds[i].maximum_distance);
+    const double miss = std::abs(reached - distance);
+    if (plan.kind != KickPlan::no_kind && !(miss < least_miss)) continue;
+    plan.kind = static_cast<int>(i);
+    plan.distance = reached;
+    least_miss = miss;
+  }
+  return plan;
+}
 
 struct KickSettings {
   // At goal.
@@ -97,7 +105,7 @@ class KickChoice {
     const double post = settings_.along_goal_line * scene.field.goal_width / 2.0;
     const double beside = settings_.beside_keeper * post;
     for (const double y : {0.0, -beside, beside}) options.try_goal(y);
-    for (const Receiver& mate : scene.teammates) {
+    for (const Teammate& mate : scene.teammates) {
       if (mate.age < settings_.teammate_news_at_most) options.try_pass(mate);
     }
     for (const Vector2d& direction : turned_) {
@@ -127,7 +135,7 @@ class KickChoice {
       consider(*plan, here_ + open * settings_.goal_bonus - blocked - settings_.shot_cost * distance);
     }
 
-    void try_pass(const Receiver& mate) {
+    void try_pass(const Teammate& mate) {
       const Vector2d aim(mate.position.x() + settings_.pass_ahead, mate.position.y());
       const double distance = (aim - scene_.ball).norm();
       if (distance < settings_.shortest_pass) return;
@@ -137,11 +145,10 @@ class KickChoice {
       consider(*plan, gain(*plan) + settings_.pass_bonus - risk(plan->direction, plan->distance));
     }
 
-    // `turned`: direction relative to that of the goal, unit.
-    void try_ahead(const Vector2d& turned, double distance) {
+    // `turn`: direction relative to that of the goal, unit.
+    void try_ahead(const Vector2d& turn, double distance) {
       const Vector2d to_goal = (goal_ - scene_.ball).normalized();
-      const Vector2d direction(turned.x() * to_goal.x() - turned.y() * to_goal.y(),
-                               turned.y() * to_goal.x() + turned.x() * to_goal.y());
+      const Vector2d direction = turned(to_goal, turn.x(), turn.y());
       if (const auto plan = plan_towards(scene_.ball + direction * distance, distance)) {
         consider(*plan, gain(*plan) - risk(plan->direction, plan->distance));
       }
@@ -150,24 +157,11 @@ class KickChoice {
     const KickPlan& best() const { return best_; }
 
    private:
-    // The kind whose range comes nearest to the wanted distance; the first of equals.
     std::optional<KickPlan> plan_towards(const Vector2d& aim, double distance) const {
       const Vector2d way = aim - scene_.ball;
       const double length = way.norm();
       if (length < 1e-6 || scene_.kinds.empty()) return std::nullopt;
-      KickPlan plan{way / length, 0.0, KickPlan::no_kind, 0};
-      double least_miss = 0.0;
-      for (std::size_t i = 0; i < scene_.kinds.size(); ++i) {
-        const KickKind& kind = scene_.kinds[i];
-        const double reached = std::clamp(distance, kind.minimum_distance, kind.maximum_distance);
-        const double miss = std::abs(reached - distance);
-        if (plan.kind == KickPlan::no_kind || miss < least_miss) {
-          plan.kind = static_cast<int>(i);
-          plan.distance = reached;
-          least_miss = miss;
-        }
-      }
-      return plan;
+      return kick_in_direction(scene_.kinds, way / length, distance);
     }
 
     double gain(const KickPlan& plan) const {

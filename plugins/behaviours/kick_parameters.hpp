@@ -8,8 +8,8 @@
 #include <regista/parameters.hpp>
 
 #include "approach.hpp"
+#include "ball_play.hpp"
 #include "kick_choice.hpp"
-#include "kick_memory.hpp"
 
 namespace behaviours {
 

@@ -30,6 +30,11 @@ inline double angle_of(const Vector2d& v) {
   return angle == -pi ? pi : angle;  // atan2 says -pi for a y of -0
 }
 
+// Turned to the left by an angle of this cosine and sine.
+inline Vector2d turned(const Vector2d& v, double cosine, double sine) {
+  return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
+}
+
 // A pose with its direction as a vector, so that changing frames costs no trigonometry.
 class Frame2 {
  public:

@@ -41,6 +41,13 @@ struct Facts {
   int own_number = 1;
 };
 
+// Of the own team, in play and on its feet.
+struct Teammate {
+  Vector2d position{0, 0};
+  double age = 0.0;  // s since the last news of it
+  int number = 0;    // on its shirt
+};
+
 struct Edge {
   std::uint32_t from = 0, to = 0;  // undirected
 };

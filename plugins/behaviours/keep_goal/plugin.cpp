@@ -3,9 +3,9 @@
 // ../kick_choice.hpp and ../approach.hpp.
 #include <regista/behaviour.hpp>
 
+#include "../ball_play.hpp"
 #include "../by_phase.hpp"
 #include "../conduct_parameters.hpp"
-#include "../kick_memory.hpp"
 #include "../kick_parameters.hpp"
 #include "../read_situation.hpp"
 #include "../write_action.hpp"
@@ -50,25 +50,25 @@ struct KeepGoal {
       regista::within(&KeepGoal::approach, behaviours::approach_parameters)};
 
   behaviours::SituationReader reader{behaviours::Duty::keeps_goal};
-  behaviours::KickMemory kicks;
+  behaviours::BallPlay ball_play;
   regista::Pass pass;
 
   void setup(const regista::Environment& environment, const regista::Host& host) {
     pass = regista::Pass(host);
     reader.setup(environment);
-    kicks.setup(environment, kick, playing);
+    ball_play.setup(environment, kick, playing);
   }
 
-  void reset(std::uint64_t) { kicks.forget(); }
+  void reset(std::uint64_t) { ball_play.forget(); }
 
   void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
     const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
     const behaviours::Movement movement = behaviours::by_phase(situation, conduct.legal, [&] {
       if (!situation.facts.can_kick || !keep_goal::plays_ball(situation, settings) ||
-          !kicks.plays_ball(frame, situation, true)) {
+          !ball_play.plays_ball(frame, situation, true)) {
         return keep_goal::guard(situation, settings, rolling, conduct.legal);
       }
-      return behaviours::approach(situation, approach, rolling, kicks.choose(frame, situation));
+      return behaviours::approach(situation, approach, rolling, ball_play.choose(frame, situation));
     });
     behaviours::say_receiver(movement, pass);
     behaviours::write_action(movement, behaviours::look(situation, conduct.gaze), out);

@@ -3,9 +3,9 @@
 // and supports while the ball must not be touched.
 #include <regista/behaviour.hpp>
 
+#include "../ball_play.hpp"
 #include "../by_phase.hpp"
 #include "../conduct_parameters.hpp"
-#include "../kick_memory.hpp"
 #include "../kick_parameters.hpp"
 #include "../place_parameters.hpp"
 #include "../read_situation.hpp"
@@ -37,18 +37,18 @@ struct PlayBall {
       regista::within(&PlayBall::search, behaviours::search_parameters)};
 
   behaviours::SituationReader reader{behaviours::Duty::plays_ball};
-  behaviours::KickMemory kicks;
+  behaviours::BallPlay ball_play;
   regista::Pass pass;
   behaviours::EdgePath path;
 
   void setup(const regista::Environment& environment, const regista::Host& host) {
     pass = regista::Pass(host);
     reader.setup(environment);
-    kicks.setup(environment, kick, playing);
+    ball_play.setup(environment, kick, playing);
     path.reserve(behaviours::SituationReader::most_nodes);
   }
 
-  void reset(std::uint64_t) { kicks.forget(); }
+  void reset(std::uint64_t) { ball_play.forget(); }
 
   void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
     const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
@@ -61,7 +61,7 @@ struct PlayBall {
 
   behaviours::Movement play(const regista::Frame& frame, const behaviours::Situation& situation, regista::Action& out) {
     if (!situation.ball_trusted) return behaviours::search(situation, search, conduct.legal);
-    if (!kicks.plays_ball(frame, situation, true)) {
+    if (!ball_play.plays_ball(frame, situation, true)) {
       const behaviours::Pose behind = behaviours::place_behind(situation, playing.claim.room);
       behaviours::announce({behind.x, behind.y}, out);
       behaviours::Situation leaving = situation;
@@ -71,7 +71,7 @@ struct PlayBall {
     if (!situation.facts.can_kick || ball_is_theirs(situation)) {
       return behaviours::support(situation, support, rolling, conduct.legal, path);
     }
-    return behaviours::approach(situation, approach, rolling, kicks.choose(frame, situation));
+    return behaviours::approach(situation, approach, rolling, ball_play.choose(frame, situation));
   }
 };
 

@@ -47,7 +47,7 @@ struct ClaimTest : testing::Test {
   Claim claim;
   // A robot at (x, 0), a ball at the centre, and a teammate at (mate, 0).
   bool plays(double x, double mate, bool by_role, double age = 0.0) {
-    const std::vector<Contender> teammates{{{mate, 0}, age, 3}};
+    const std::vector<Teammate> teammates{{{mate, 0}, age, 3}};
     return claim.update(with_ball(standing(x, 0), {0, 0}), settings, teammates, by_role);
   }
 };
@@ -103,9 +103,9 @@ TEST(Claims, SomebodyGoesAndNotEverybody) {
     const Vector2d ball(dice.real(-4, 4), dice.real(-3, 3)), velocity(dice.real(-1, 1), dice.real(-1, 1));
     int going = 0;
     for (std::size_t own = 0; own < places.size(); ++own) {
-      std::vector<Contender> others;
+      std::vector<Teammate> others;
       for (std::size_t i = 0; i < places.size(); ++i) {
-        if (i != own) others.push_back({places[i], 0.0, static_cast<int>(i) + 1});
+        if (i != own) others.push_back({places[i], 0.0, static_cast<int>(i) + 2});  // 1 is the goalkeeper
       }
       Claim claim;
       const Situation scene = with_ball(standing(places[own].x(), places[own].y()), ball, velocity);

@@ -49,7 +49,7 @@ class Gain : public testing::Test {
   ExpectedGain gain{settings};
   double error = 7.0 * pi / 180.0;  // of a NAO
   std::vector<KickKind> kinds{{1.6, 4.5}, {5.4, 5.4}, {0.4, 1.0}};
-  std::vector<Receiver> teammates;
+  std::vector<Teammate> teammates;
   std::vector<Blocker> opponents;
 };
 

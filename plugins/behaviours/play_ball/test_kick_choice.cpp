@@ -40,7 +40,7 @@ class KickChoosing : public testing::Test {
 
   Field field;
   std::vector<KickKind> kinds{{1.6, 4.5}, {5.4, 5.4}, {0.4, 1.0}};
-  std::vector<Receiver> teammates;
+  std::vector<Teammate> teammates;
   std::vector<Blocker> opponents;
 };
 

@@ -2,9 +2,9 @@
 // Glue of the behaviour `support`, which ../supporting.hpp is.
 #include <regista/behaviour.hpp>
 
+#include "../ball_play.hpp"
 #include "../by_phase.hpp"
 #include "../conduct_parameters.hpp"
-#include "../kick_memory.hpp"
 #include "../kick_parameters.hpp"
 #include "../place_parameters.hpp"
 #include "../read_situation.hpp"
@@ -34,18 +34,18 @@ struct Support {
       regista::within(&Support::approach, behaviours::approach_parameters)};
 
   behaviours::SituationReader reader{behaviours::Duty::other};
-  behaviours::KickMemory kicks;
+  behaviours::BallPlay ball_play;
   regista::Pass pass;
   behaviours::EdgePath path;
 
   void setup(const regista::Environment& environment, const regista::Host& host) {
     pass = regista::Pass(host);
     reader.setup(environment);
-    kicks.setup(environment, kick, playing);
+    ball_play.setup(environment, kick, playing);
     path.reserve(behaviours::SituationReader::most_nodes);
   }
 
-  void reset(std::uint64_t) { kicks.forget(); }
+  void reset(std::uint64_t) { ball_play.forget(); }
 
   void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
     const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
@@ -53,10 +53,10 @@ struct Support {
     reader.read_targets(frame, body);
     // Also in the middle of a kick, when it cannot move: a ball that it has taken stays its own.
     const bool takes_ball = situation.phase == behaviours::Phase::playing && situation.facts.can_kick &&
-                            !ball_is_theirs(situation) && kicks.plays_ball(frame, situation, false);
+                            !ball_is_theirs(situation) && ball_play.plays_ball(frame, situation, false);
     if (takes_ball) behaviours::announce(situation.ball, out);
     const behaviours::Movement movement = behaviours::by_phase(situation, conduct.legal, [&] {
-      return takes_ball ? behaviours::approach(situation, approach, rolling, kicks.choose(frame, situation))
+      return takes_ball ? behaviours::approach(situation, approach, rolling, ball_play.choose(frame, situation))
                         : behaviours::support(situation, settings, rolling, conduct.legal, path);
     });
     behaviours::say_receiver(movement, pass);

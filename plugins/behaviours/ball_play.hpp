@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Glue of the behaviours that play the ball: hands the choice of a kick, and the claim of the ball, what the robot
-// believes, and keeps what must not flicker: the last choice.
+// Glue of the behaviours that play the ball: hands the claim of the ball and the choice of a kick what the robot
+// believes, and keeps what must not flicker: the claim, the last choice, how long it has waited at the ball.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct PlaySettings {
   ClaimSettings claim;
 };
 
-class KickMemory {
+class BallPlay {
  public:
   void setup(const regista::Environment& environment, const KickSettings& settings, const PlaySettings& play) {
     choice_ = KickChoice(settings);
@@ -35,7 +35,6 @@ class KickMemory {
       direction_error_ = std::max(direction_error_, kick.direction_error);
     }
     teammates_.reserve(environment->team_size);
-    contenders_.reserve(environment->team_size);
     claim_.reserve(environment->team_size);
     constexpr std::size_t most_opponents = 64;  // more than there are; only memory depends on it
     opponents_.reserve(most_opponents);
@@ -49,26 +48,14 @@ class KickMemory {
 
   // Whether this robot goes for the ball now. `by_role`: its role does.
   bool plays_ball(const regista::Frame& frame, const Situation& situation, bool by_role) {
-    contenders_.clear();
-    if (play_.claim.nearest_plays) {
-      const Vector2d own_goal(-situation.facts.field.length / 2.0, 0.0);
-      const bool far = (situation.ball - own_goal).norm() > situation.facts.field.penalty_area_length;
-      for (const regista::Robot& robot : frame.mine().robots()) {
-        if (far && robot.number == goalkeeper) continue;  // it does not come so far out
-        if (able(robot, situation)) contenders_.push_back({{robot.pose[0], robot.pose[1]}, robot.age, robot.number});
-      }
-    }
-    return claim_.update(situation, play_.claim, contenders_, by_role);
+    if (play_.claim.nearest_plays) read_teammates(frame, situation);
+    return claim_.update(situation, play_.claim, teammates_, by_role);
   }
 
   KickPlan choose(const regista::Frame& frame, const Situation& situation) {
-    const regista::World world = frame.mine();
-    teammates_.clear();
-    for (const regista::Robot& robot : world.robots()) {
-      if (able(robot, situation)) teammates_.push_back({{robot.pose[0], robot.pose[1]}, robot.age, robot.number});
-    }
+    read_teammates(frame, situation);
     opponents_.clear();
-    for (const regista::Opponent& opponent : world.opponents()) {
+    for (const regista::Opponent& opponent : frame.mine().opponents()) {
       opponents_.push_back({{opponent.position[0], opponent.position[1]}, opponent.weight});
     }
     const KickScene scene{situation.facts.field, situation.ball, kinds_, teammates_, opponents_, last_};
@@ -77,14 +64,13 @@ class KickMemory {
   }
 
  private:
-  static constexpr int goalkeeper = 1;  // the rules number it so
-
   // From afar it is enough to come to the ball from the side of the own goal.
   KickPlan by_gain(const KickScene& scene, const Situation& situation) {
     const Vector2d to_goal = Vector2d(scene.field.length / 2.0, 0.0) - scene.ball;
     const bool far = (scene.ball - situation.frame.origin()).norm() > play_.gain.considered_within;
-    if (far && !kinds_.empty() && to_goal.norm() > 1e-6)
-      return {to_goal.normalized(), kinds_[0].maximum_distance, 0, 0};
+    if (far && to_goal.norm() > 1e-6 && !kinds_.empty()) {
+      return kick_in_direction(kinds_, to_goal.normalized(), kinds_.front().maximum_distance);
+    }
     return gain_.choose(gain_.scene(scene, situation, direction_error_, waited(situation)));
   }
 
@@ -99,9 +85,13 @@ class KickMemory {
     return there ? situation.time - *waits_since_ : 0.0;
   }
 
-  static bool able(const regista::Robot& robot, const Situation& situation) {
-    return (robot.flags & REGISTA_ROBOT_ACTIVE) != 0 && (robot.flags & REGISTA_ROBOT_FALLEN) == 0 &&
-           robot.number != situation.facts.own_number;
+  void read_teammates(const regista::Frame& frame, const Situation& situation) {
+    teammates_.clear();
+    for (const regista::Robot& robot : frame.mine().robots()) {
+      const bool able = (robot.flags & REGISTA_ROBOT_ACTIVE) != 0 && (robot.flags & REGISTA_ROBOT_FALLEN) == 0 &&
+                        robot.number != situation.facts.own_number;
+      if (able) teammates_.push_back({{robot.pose[0], robot.pose[1]}, robot.age, robot.number});
+    }
   }
 
   PlaySettings play_;
@@ -110,10 +100,9 @@ class KickMemory {
   double direction_error_ = 0.0;
   std::optional<double> waits_since_;  // match time
   Vector2d waits_at_{0, 0};
-  std::vector<Contender> contenders_;
   KickChoice choice_;
   std::vector<KickKind> kinds_;
-  std::vector<Receiver> teammates_;
+  std::vector<Teammate> teammates_;
   std::vector<Blocker> opponents_;
   std::optional<KickPlan> last_;
 };
