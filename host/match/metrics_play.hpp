@@ -9,10 +9,9 @@
 // - Scored: a goal that counts ended it. Saved: the touch of an opponent turned the ball away.
 // - Pass: the next robot that touches the ball after one of a team is another of that team, more than 0.5 m from the
 //   place of the last touch. Interception: it is one of the other team, and no shot was saved by it.
-// - Meant pass: a kick that a behaviour said is meant for a teammate. It arrives when the next robot other than the
-// kicker
-//   that touches the ball is a teammate, and is intercepted when it is an opponent; neither when the kicker kicks
-//   again, or the ball is dead before.
+// - Meant pass: a kick of which the behaviour said that it is meant for a teammate. It arrives when the next robot but
+//   the kicker to touch the ball is a teammate, and is intercepted when it is an opponent. When the kicker kicks again
+//   before, or the ball is dead, it does neither.
 // - Territory: where the ball is, in the field frame of the team, while it is in play.
 // - Distance walked: the way of the bodies of robots that are not penalised.
 #pragma once

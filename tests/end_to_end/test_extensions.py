@@ -219,6 +219,12 @@ class Lies(program.Case):
         self.assertRegex(self.refused(*MATCH, "--plugins", LIES),
                          r'^plugin lies_in_numbers .*robot 3, tick 50: metric: reported nan as metric "truth"$')
 
+    def test_a_pass_to_nobody_ends_the_match(self):
+        self.write("told.yaml", program.TEAM.format(name="told") + "behaviours: {support: {plugin: passes_to_nobody}}\n")
+        self.assertRegex(self.refused(*MATCH, "--plugins", LIES),
+                         r'^plugin passes_to_nobody .*robot 3, tick [0-9]+: pass: a kick meant for robot 8; teammates are those '
+                         r'from 1 to 7 but 3$')
+
     def test_two_metrics_of_one_name(self):
         self.team("declares_twice")
         said = self.refused(*MATCH, "--plugins", program.TEST_PLUGINS / "declares_twice")

@@ -89,6 +89,17 @@ TEST(KeepGoalPlugin, ClearsABallThatLiesBeforeIt) {
   EXPECT_EQ(cannot_kick.act(near, behind).pose[0], -4.3);
 }
 
+TEST(KeepGoalPlugin, LeavesTheBallToATeammateThatIsSurelyFirst) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "keep_goal");
+  const Scene scene =
+      FrameBuilder{}.own(1).robot(1).robot(3).at(-3.3, 0).age(0.2).ball(-3.1, 0).task("goalkeeper").at(-4.3, 0).build();
+  const BodyBuilder body = BodyBuilder{}.at(-4.3, 0).task(0).sees_ball();
+  Instance claims(plugin, EnvironmentBuilder{}.own(1), Values(plugin).set("nearest_plays", 1));
+  EXPECT_EQ(claims.act(scene, body).pose[0], -4.3);
+  Instance alone(plugin, EnvironmentBuilder{}.own(1));
+  EXPECT_GT(alone.act(scene, body).pose[0], -3.6) << "otherwise it comes out";
+}
+
 TEST(KeepGoalPlugin, ThrowsItselfAtAShotPastEverybody) {
   Instance behaviour(Loaded(REGISTA_PLUGIN_FILE, "keep_goal"), EnvironmentBuilder{}.own(1));
   const Scene shot = FrameBuilder{}.own(1).robot(1).ball(-3, 0.5).ball_velocity(-1, 0).task("goalkeeper").build();

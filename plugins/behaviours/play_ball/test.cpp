@@ -187,6 +187,38 @@ TEST(PlayBallPlugin, SupportsWhileItMustNotTouchTheBall) {
   EXPECT_EQ(stays.pose[0], -4.4);
 }
 
+// Teammate 5 stands beside the ball, and its news are fresh.
+TEST(PlayBallPlugin, LeavesTheBallToWhoIsSurelyFirstAndSaysSo) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "play_ball");
+  const Scene scene = striker().robot(5).at(1.7, 0.1).age(0.2).build();
+  const BodyBuilder far = BodyBuilder{}.at(0, 0).task(0).sees_ball();
+  Instance by_role(plugin, EnvironmentBuilder{}.own(3));
+  EXPECT_EQ(by_role.act(scene, far).flags, 0u);
+  EXPECT_NEAR(by_role.act(scene, far).pose[0], 1.79, 0.01) << "behind the ball";
+  Instance claims(plugin, EnvironmentBuilder{}.own(3), Values(plugin).set("nearest_plays", 1));
+  const regista_action leaves = claims.act(scene, far);
+  EXPECT_EQ(leaves.flags, std::uint32_t{REGISTA_ACTION_TARGET});
+  EXPECT_NEAR(leaves.target[0], 0.8, 1e-9) << "1.2 m behind the ball";
+  EXPECT_NEAR(leaves.pose[0], 0.8, 1e-9);
+  EXPECT_EQ(claims.act(striker().robot(5).at(-1, 0).age(0.2).build(), far).flags, 0u);
+}
+
+// The goal is shut; teammate 5 stands free beside it.
+TEST(PlayBallPlugin, SaysForWhomAKickIsMeant) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "play_ball");
+  Instance behaviour(plugin, EnvironmentBuilder{}.own(3), Values(plugin).set("kick_rule", "expected_gain"));
+  FrameBuilder scene =
+      FrameBuilder{}.own(3).robot(3).task("striker").ball(2, -2).time(2.0).robot(5).at(2.6, 1.2).age(0.2);
+  for (const double x : {2.5, 2.7, 2.9}) scene.opponent(x, -1.7 + (x - 2.5));
+  scene.opponent(4.1, 0.0);
+  const BodyBuilder body = BodyBuilder{}.at(1.96, -2.2).heading(std::atan2(0.2, 0.04)).task(0).sees_ball();
+  EXPECT_NE(behaviour.act(scene.build(), body).kick, REGISTA_NO_KICK);
+  EXPECT_EQ(behaviour.host().receivers, std::vector<std::int32_t>{5});
+  Instance shoots(plugin, EnvironmentBuilder{}.own(3), Values(plugin).set("kick_rule", "expected_gain"));
+  EXPECT_NE(shoots.act(striker().build(), behind_ball()).kick, REGISTA_NO_KICK);
+  EXPECT_TRUE(shoots.host().receivers.empty()) << "a shot is for nobody";
+}
+
 // An opponent right before the ball makes left and right equally good; a little more room on one side decides, and from
 // then on the choice stays until the match is over.
 TEST(PlayBallPlugin, KeepsItsChoiceUntilTheNextMatch) {

@@ -23,13 +23,12 @@ std::vector<Scene> course() {
           FrameBuilder(scene).no_ball().build(), FrameBuilder(scene).phase(REGISTA_PHASE_READY).build()};
 }
 
-TEST(PlayBallAllocations, NoneInADecision) {
-  const Loaded plugin(REGISTA_PLUGIN_FILE, "play_ball");
+// values: of the parameters.
+void expect_none(const Loaded& plugin, const Values& values) {
   const regista_descriptor& descriptor = plugin.descriptor();
   const auto* table = static_cast<const regista_behaviour*>(descriptor.table(REGISTA_KIND_BEHAVIOUR));
   const Setting setting = EnvironmentBuilder{}.own(2).build();
   const RecordingHost host;
-  const Values values(plugin);
   const std::vector<regista_value> raw = values.raw();
   regista_error error{};
   const regista_span all{raw.data(), static_cast<std::uint32_t>(raw.size()), sizeof(regista_value)};
@@ -51,6 +50,12 @@ TEST(PlayBallAllocations, NoneInADecision) {
   EXPECT_EQ(decide(), REGISTA_OK);
   EXPECT_EQ(allocations_during([&] { decide(); }), 0u);
   descriptor.destroy(instance);
+}
+
+TEST(PlayBallAllocations, NoneInADecision) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "play_ball");
+  expect_none(plugin, Values(plugin));
+  expect_none(plugin, Values(plugin).set("nearest_plays", 1).set("kick_rule", "expected_gain"));
 }
 
 }  // namespace

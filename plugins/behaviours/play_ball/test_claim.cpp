@@ -83,6 +83,17 @@ TEST_F(ClaimTest, TheRobotOfTheRoleLeavesTheBallToWhoIsSurelyFirst) {
   EXPECT_TRUE(plays(-1, 0.5, true, 3.1)) << "of whom there is no news";
 }
 
+// Its penalty area is 1.65 m long.
+TEST_F(ClaimTest, TheGoalkeeperCountsInItsPenaltyArea) {
+  const auto plays_beside_goalkeeper = [&](double ball) {
+    claim.forget();
+    const std::vector<Teammate> goalkeeper{{{ball - 0.3, 0}, 0.0, 1}};
+    return claim.update(with_ball(standing(ball + 1, 0), {ball, 0}), settings, goalkeeper, true);
+  };
+  EXPECT_FALSE(plays_beside_goalkeeper(-2.9));
+  EXPECT_TRUE(plays_beside_goalkeeper(-2.8)) << "it does not come so far out";
+}
+
 TEST_F(ClaimTest, ALostBallIsNobodys) {
   Situation lost = with_ball(standing(-0.3, 0), {0, 0});
   lost.ball_trusted = false;

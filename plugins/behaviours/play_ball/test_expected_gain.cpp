@@ -71,26 +71,22 @@ TEST_F(Gain, AShotThatCannotMissIsWorthAGoal) {
   EXPECT_LT(value(behind({2.5, 0}), 0.0, 1.9), settings.goal - 0.2) << "short of the line";
 }
 
-// 0.3 m beside the middle, the posts are 0.45 m and 1.05 m away; the middle one of five directions goes in, and so do
-// those that miss the aim by less.
+// A ball on the middle line sees the goal, less its own radius, under this half angle. Of the five directions of the
+// law, at quantiles 0.1 to 0.9, those within it go in; the others are goal kicks of the opponents. So the worth is
+// known exactly, and it is that of the normal law up to half of a direction on each side.
 TEST_F(Gain, AShotIsWorthTheShareOfItsErrorsThatGoesIn) {
-  const auto share = [&](double x) {
-    // By the same law, but with 2001 directions.
+  const double missed = gain.worth({}, {3.9, 1.1}) - settings.possession;
+  std::vector<int> seen;
+  for (const double x : {2.5, 1.0, -0.4}) {
+    const double half_angle = std::atan2(0.7, 4.5 - x);
     int in = 0;
-    for (int i = 0; i <= 2000; ++i) {
-      const double z = -4.0 + 8.0 * i / 2000.0;
-      const double weight = std::exp(-0.5 * z * z) / std::sqrt(2.0 * pi) * 8.0 / 2000.0;
-      if (std::abs(std::tan(z * error) * (4.5 - x)) < 0.7) in += static_cast<int>(weight * 1e9);
-    }
-    return in / 1e9;
-  };
-  for (const double x : {2.5, 0.5, -0.5}) {
-    const double of_shot = value(behind({x, 0}, 0.22), 0.0, 5.4);
-    // What misses is a goal kick: worth less than holding the ball there and more than nothing.
-    const double missed = gain.worth({}, {3.9, 1.1}) - settings.possession;
-    const double expected = share(x) * settings.goal + (1.0 - share(x)) * missed;
-    EXPECT_NEAR(of_shot, expected, 0.2 * settings.goal) << "five directions are a coarse law; from " << x;
+    for (const double quantile : {-1.2816, -0.5244, 0.0, 0.5244, 1.2816}) in += std::abs(quantile) * error < half_angle;
+    seen.push_back(in);
+    const double share = in / 5.0;
+    EXPECT_NEAR(value(behind({x, 0}, 0.22), 0.0, 5.4), share * settings.goal + (1.0 - share) * missed, 1e-9) << x;
+    EXPECT_LT(std::abs(share - std::erf(half_angle / error / std::sqrt(2.0))), 0.2) << x;
   }
+  EXPECT_EQ(seen, (std::vector<int>{5, 5, 3}));
 }
 
 TEST_F(Gain, ShootsAtAnOpenGoal) {
@@ -215,6 +211,7 @@ TEST_F(Gain, KeepsToItsChoice) {
   const Vector2d ball(-1.0, 0.0);
   opponent(0.5, 0.03);
   const KickPlan first = choose(behind(ball));
+  ASSERT_GT(std::abs(angle(first)), 0.2);
   opponents[0].position.y() = -0.03;
   EXPECT_NEAR(angle(choose(behind(ball))), -angle(first), 1e-9) << "the other side";
   EXPECT_NEAR(angle(choose(behind(ball), first)), angle(first), 0.25);

@@ -107,6 +107,42 @@ TEST(SupportPlugin, WalksAlongEdgesWhereTheTeamWantsIt) {
   EXPECT_EQ(along.pose[2], 0.4) << "facing as the task asks";
 }
 
+// A ball beside it, and a teammate far away.
+TEST(SupportPlugin, TakesABallWhoseFirstItSurelyIsAndSaysSo) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "support");
+  const FrameBuilder base =
+      FrameBuilder{}.own(4).robot(4).robot(2).at(2, 2).age(0.2).ball(0, 0).task("supporter").at(-2, 1);
+  const BodyBuilder near = BodyBuilder{}.at(-0.2, 0).task(0).sees_ball();
+  Instance by_role(plugin, EnvironmentBuilder{}.own(4));
+  EXPECT_EQ(by_role.act(base.build(), near).kick, REGISTA_NO_KICK);
+  EXPECT_EQ(by_role.act(base.build(), near).flags, 0u);
+  Instance claims(plugin, EnvironmentBuilder{}.own(4), Values(plugin).set("nearest_plays", 1));
+  const regista_action takes = claims.act(base.build(), near);
+  EXPECT_NE(takes.kick, REGISTA_NO_KICK);
+  EXPECT_EQ(takes.flags, std::uint32_t{REGISTA_ACTION_TARGET});
+  EXPECT_EQ(takes.target[0], 0.0);
+  EXPECT_EQ(takes.target[1], 0.0);
+  EXPECT_EQ(claims.act(base.build(), BodyBuilder(near).kicking()).flags, std::uint32_t{REGISTA_ACTION_TARGET})
+      << "its own while it kicks";
+  const Scene theirs = FrameBuilder(base).set_play(REGISTA_SET_PLAY_KICK_IN, false).build();
+  EXPECT_EQ(claims.act(theirs, near).flags, 0u);
+  Instance cannot(plugin, EnvironmentBuilder{}.own(4).no_kicks(), Values(plugin).set("nearest_plays", 1));
+  EXPECT_EQ(cannot.act(base.build(), near).flags, 0u);
+}
+
+TEST(SupportPlugin, KeepsClearOfTheBallAndOfMoreImportantTargets) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "support");
+  const FrameBuilder striker = FrameBuilder{}.own(4).robot(4).ball(0, 0).task("striker").at(0, 0);
+  const Scene scene = FrameBuilder(striker).task("supporter").at(-0.5, 0).build();
+  const BodyBuilder body = BodyBuilder{}.at(-3, 0).task(1).sees_ball();
+  EXPECT_EQ(Instance(plugin, EnvironmentBuilder{}.own(4)).act(scene, body).pose[0], -0.5);
+  EXPECT_NEAR(
+      Instance(plugin, EnvironmentBuilder{}.own(4), Values(plugin).set("clear_of_ball", 1.2)).act(scene, body).pose[0],
+      -1.2, 1e-12);
+  EXPECT_NEAR(Instance(plugin, EnvironmentBuilder{}.own(4), Values(plugin).set("apart", 1.0)).act(scene, body).pose[0],
+              -1.0, 1e-12);
+}
+
 TEST(SupportPlugin, LeavesTheGoalAreaToOthers) {
   Instance behaviour(Loaded(REGISTA_PLUGIN_FILE, "support"), EnvironmentBuilder{}.own(4));
   const Scene scene = FrameBuilder{}.own(4).robot(4).no_ball().task("supporter").at(-4.4, 0.5).build();

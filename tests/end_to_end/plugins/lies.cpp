@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Contexts that hold, and use extensions as they must not be used. lies_in_numbers does so as robot 3, from its tick 50
-// on.
+// Plugins that use extensions as they must not be used. Most are contexts that hold. lies_in_numbers and
+// passes_to_nobody do so as robot 3, from tick 50 on.
 #include <array>
 #include <limits>
 #include <string>
 
+#include <regista/behaviour.hpp>
 #include <regista/context.hpp>
 #include <regista/draw.hpp>
 #include <regista/log.hpp>
 #include <regista/metric.hpp>
+#include <regista/pass.hpp>
 
 namespace {
 
@@ -62,7 +64,20 @@ struct LiesInNumbers {
   }
 };
 
+// Always wants to kick; only robot 3 says for whom.
+struct PassesToNobody {
+  static constexpr auto id = "passes_to_nobody", version = "1.0.0", summary = "Means a kick for a robot that is none";
+  regista::Pass pass;
+  void setup(const regista::Environment&, const regista::Host& host) { pass = regista::Pass(host); }
+  void act(const regista::Frame& frame, const regista::Body&, regista::Action& out) {
+    out.kick = 0;
+    out.kick_distance = 2.0;
+    if (frame.own_number() == 3 && frame.tick() >= 50) pass.meant_for(8);
+  }
+};
+
 }  // namespace
 
 REGISTA_PLUGINS(regista::Plugin<DrawsTooMuch, regista::context>, regista::Plugin<LogsTooMuch, regista::context>,
-                regista::Plugin<WarnsOnce, regista::context>, regista::Plugin<LiesInNumbers, regista::context>)
+                regista::Plugin<WarnsOnce, regista::context>, regista::Plugin<LiesInNumbers, regista::context>,
+                regista::Plugin<PassesToNobody, regista::behaviour>)

@@ -145,6 +145,37 @@ TEST_F(Course, WhatWasDecidedReachesTheMeasuresOfItsTeam) {
   EXPECT_EQ(result().teams[0].agreement.assignment_given_tasks, 1.0);
 }
 
+// What the behaviour announces counts, and not the role: a striker that leaves the ball, a supporter that takes it.
+TEST_F(Course, WhoAnnouncesATargetGoesThere) {
+  bodies[0].x = -4.0f;
+  bodies[1].x = 0.5f;
+  bodies[2].x = 2.0f;
+  mind::Outcome leaves = of_role(1), takes = of_role(0);
+  decide(Side::home, 2, leaves);
+  decide(Side::home, 3, takes);
+  sample(10);
+  EXPECT_EQ(result().teams[0].ball.nearest_plays_share, 1.0);
+  leaves.announced = {-1.2, 0.0};
+  decide(Side::home, 2, leaves);
+  sample(10);
+  EXPECT_EQ(result().teams[0].ball.nearest_plays_share, 0.5);
+  takes.announced = {0.0, 0.0};
+  decide(Side::home, 3, takes);
+  bodies[2].x = 0.4f;
+  sample(20);
+  EXPECT_EQ(result().teams[0].ball.nearest_plays_share, 0.75);
+  EXPECT_EQ(result().teams[0].ball.chased_by_several_seconds, 0.0) << "one at a time";
+}
+
+TEST_F(Course, MeantPassesAreOfTheKicker) {
+  metrics.kicked(2, 2);
+  metrics.kicked(4, 0);
+  EXPECT_EQ(result().teams[0].play.meant_passes, 1);
+  EXPECT_EQ(result().teams[0].kicks, 1);
+  EXPECT_EQ(result().teams[1].play.meant_passes, 0);
+  EXPECT_EQ(result().teams[1].kicks, 1);
+}
+
 TEST_F(Course, TenuresAreFinishedByDecisionsInPlayAlone) {
   const auto take = [this](int role, double time) { decide(Side::home, 2, of_role(role), time); };
   take(0, 0.0);
