@@ -146,6 +146,18 @@ class ShippedTeams(Shipped):
         self.assertGreaterEqual(reasons["phase_changed"], 14)
         self.assertLess(sum(totals(alone)), sum(usual))
 
+    @unittest.skipIf(program.SANITIZED, "plays several matches, which sanitizers slow down to minutes")
+    def test_regista_plays_in_other_sizes_and_on_other_fields(self):
+        """The team whose behaviours reckon with teammates and opponents: with few, with many, with another body."""
+        pair = (TEAMS / "regista.yaml", TEAMS / "spqr2023.yaml")
+        league = ("--rules", program.SOURCE / "configs" / "rules" / "hsl2026.yaml",
+                  "--robot", program.SOURCE / "configs" / "robots" / "humanoid.yaml")
+        for options in (*[("--set", f"rules.team_size={size}") for size in (3, 5, 11)], league):
+            played = json.loads(self.succeed("match", *pair, "--seed", "3", "--limit", "200", "--json", *options))
+            self.assertEqual(played["failures"], [], options)
+            self.assertGreater(played["kicks"][0], 0, options)
+            self.assertGreater(played["nearest_plays_ball"][0], 0.6, options)
+
     def test_every_study_is_sound(self):
         """For experiments that means every arm at every value of the sweep."""
         files = sorted((TEAMS.parent / "studies").glob("*.yaml"))
