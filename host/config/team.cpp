@@ -92,7 +92,8 @@ void check_priorities(const TeamPage& page, const Node& document, Mistakes& mist
 Node coordination_of(const Node& document) {
   std::vector<Node::Entry> entries;
   for (const Node::Entry& entry : document.entries()) {
-    const bool usable = entry.key != "roles" && std::count(usable_keys().begin(), usable_keys().end(), entry.key) > 0;
+    const bool usable = entry.key != "roles" && entry.key != "targets" &&
+                        std::count(usable_keys().begin(), usable_keys().end(), entry.key) > 0;
     if (usable) entries.push_back(entry);
   }
   return Node::map(std::move(entries), document.where());
@@ -119,11 +120,32 @@ std::string unknown_term(std::string_view key, const Node& values) {
   return unknown("term", term, "utility.terms", names);
 }
 
+// The targets of a context, by place in its list of roles. `targets`: a map from roles to where they are played.
+void read_targets(const Node& targets, const RoleList& list, const std::string& what, Context& context,
+                  Mistakes& mistakes) {
+  std::vector<RoleTarget> read_ones;
+  read(declare(read_ones), Node::map({{"targets", targets.where(), targets}}, targets.where()), what, mistakes);
+  std::vector<std::string> names;
+  for (const Role& role : list.roles) names.push_back(role.name);
+  context.targets.resize(list.roles.size());
+  for (const RoleTarget& each : read_ones) {
+    const std::string path = fmt::format("{}.targets.{}", what, each.name);
+    const auto found = std::ranges::find(names, each.name);
+    if (found == names.end()) {
+      const auto written = std::ranges::find(targets.entries(), each.name, &Node::Entry::key);
+      mistakes.add(Error(written->key_where, unknown("role", each.name, list.name, names)), path);
+      continue;
+    }
+    check_target(each.target, targets[each.name], path, mistakes);
+    context.targets[static_cast<std::size_t>(found - names.begin())] = each.target;
+  }
+}
+
 // `what`: the path of the context's `use:`.
 Context resolved(const ContextPage& written, const Node& document, const TeamPage& page, const std::string& what,
                  Mistakes& mistakes) {
   Context context;
-  Node values = coordination_of(document);
+  Node values = coordination_of(document), targets;
   for (const Node::Entry& entry : written.use.entries()) {
     const std::string first = entry.key.substr(0, entry.key.find('.'));
     mistakes.attempt(what, [&] {
@@ -138,12 +160,18 @@ Context resolved(const ContextPage& written, const Node& document, const TeamPag
         context.role_list = role_list_named(entry.value, page, what + ".roles");
       } else if (first == "roles") {
         throw Error(entry.key_where, what + ": roles takes the name of a list and has no parts");
+      } else if (first == "targets") {
+        targets = with(targets ? targets : Node::map({}, entry.key_where), entry.key, entry.value, entry.key_where);
       } else if (const std::string term = unknown_term(entry.key, values); !term.empty()) {
         throw Error(entry.key_where, term);
       } else if (!mistakes.mistaken(entry.key.substr(0, entry.key.rfind('.'))) || first == entry.key) {
         values = with(values, entry.key, entry.value, entry.key_where);
       }
     });
+  }
+  if (targets && !mistakes.mistaken("roles")) {
+    const RoleList& list = page.role_lists[static_cast<std::size_t>(context.role_list)];
+    read_targets(targets["targets"], list, what, context, mistakes);
   }
   Coordination coordination;
   read(declare(coordination), values, "", mistakes);
@@ -168,7 +196,8 @@ Context resolved(const ContextPage& written, const Node& document, const TeamPag
 Node in_context(const Node& document, const Node& use) {
   Node values = coordination_of(document);
   for (const Node::Entry& entry : use.entries()) {
-    if (entry.key != "roles") values = with(values, entry.key, entry.value, entry.key_where);
+    const std::string_view first = std::string_view(entry.key).substr(0, entry.key.find('.'));
+    if (first != "roles" && first != "targets") values = with(values, entry.key, entry.value, entry.key_where);
   }
   return values;
 }

@@ -50,7 +50,7 @@ struct TargetRule {
   std::optional<OnCircle> on_circle;
 
   std::array<double, 2> shift{};                // m
-  std::optional<double> across;                 // then y := -sign(y of the ball) * across: the far side
+  std::optional<double> across;                 // then y := -sign(y of the ball) * across: the far side, if > 0
   std::optional<std::array<double, 4>> within;  // x_min, x_max, y_min, y_max
   Place facing{Anchor::ball, {}};
   std::optional<Place> without_ball;  // used instead while nobody knows the ball
@@ -105,6 +105,8 @@ struct Context {
   PluginUse use;
   Knowledge knowledge = Knowledge::mine;  // that the condition is asked about
   int role_list = 0;                      // index into Team::role_lists; `use: {roles: NAME}`, else the first
+  // By place in that list; nothing: the role's own. Empty when it moves none (`use: {targets: {ROLE: ...}}`).
+  std::vector<std::optional<TargetRule>> targets;
   PluginUse positioner;
   TaskRules tasks;
   Knowledge utility_knowledge = Knowledge::mine;
@@ -112,6 +114,11 @@ struct Context {
   PluginUse assigner;
   PluginUse sender;
   Location where;
+
+  // Where the role at this place of the list is played.
+  const TargetRule& target_of(std::size_t place, const Role& role) const {
+    return place < targets.size() && targets[place] ? *targets[place] : role.target;
+  }
 
   // Something in it is computed on what all robots know.
   bool uses_common() const {

@@ -129,7 +129,8 @@ static Map declare(TargetRule& target) {
                   real("from_goal", from_goal, {0, 100}, "m", "so far from the second place of on_line"),
                   section("on_circle", target.on_circle, "begin where a line enters a growing circle"),
                   numbers("shift", target.shift, metres, "m", "then move by [x, y]"),
-                  real("across", target.across, {0, 100}, "m", "then y is this, on the side where the ball is not"),
+                  real("across", target.across, {-100, 100}, "m",
+                       "then y is this, on the side where the ball is not; below 0, on the ball's side"),
                   numbers("within", target.within, metres, "m",
                           "then keep inside of [least x, largest x, least y, largest y]"),
                   place("facing", target.facing, "looking at"),
@@ -137,6 +138,12 @@ static Map declare(TargetRule& target) {
               },
           .exactly_one = {"at", "on_line", "on_circle"},
           .needs = {{"from_goal", "on_line"}}};
+}
+
+static Field role_target_field(RoleTarget& each) { return section(each.name, each.target, "where it is played"); }
+
+Map declare(std::vector<RoleTarget>& targets) {
+  return {{dictionary("targets", targets, &role_target_field, 1, 64, "roles that are played elsewhere")}};
 }
 
 static Map declare(Role& role) {
@@ -193,7 +200,8 @@ Map declare(TeamPage& page) {
 }
 
 const std::vector<std::string>& usable_keys() {
-  static const std::vector<std::string> keys{"roles", "positioner", "tasks", "utility", "assigner", "sender"};
+  static const std::vector<std::string> keys{"roles",   "targets",  "positioner", "tasks",
+                                             "utility", "assigner", "sender"};
   return keys;
 }
 

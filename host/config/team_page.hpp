@@ -34,6 +34,12 @@ struct ContextPage {
   Location where;
 };
 
+// Where a context has a role played, in `use: {targets: {ROLE: ...}}`.
+struct RoleTarget {
+  std::string name;  // of the role
+  TargetRule target;
+};
+
 struct TeamPage {
   std::string name;
   Predictors predictors;
@@ -47,6 +53,7 @@ struct TeamPage {
 
 Map declare(TeamPage& page);
 Map declare(Coordination& coordination);
+Map declare(std::vector<RoleTarget>& targets);
 
 // The keys that may begin a path of `use:`.
 const std::vector<std::string>& usable_keys();

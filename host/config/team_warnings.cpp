@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "config/carpet.hpp"
+#include "config/overlay.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
 #include "config/text.hpp"
@@ -108,7 +111,7 @@ std::vector<OffCarpet> off_carpet(const TargetRule& target, const Carpet& carpet
     const auto& [x_least, x_most, y_least, y_most] = *target.within;
     const bool outside = x_least > carpet.x || x_most < -carpet.x || y_least > carpet.y || y_most < -carpet.y;
     if (outside && out.empty()) out.push_back({"within", "all of the rectangle is"});
-  } else if (target.across && *target.across > carpet.y) {
+  } else if (target.across && std::abs(*target.across) > carpet.y) {
     out.push_back({"across", real_text(*target.across) + " is"});
   }
   if (target.without_ball && target.without_ball->anchor == Anchor::point &&
@@ -139,13 +142,28 @@ void warn_of_contexts_below(const Team& team, std::vector<Warning>& out) {
   }
 }
 
+void warn_of_target(const TargetRule& target, const Node& written, const std::string& path, const Carpet& carpet,
+                    std::vector<Warning>& out) {
+  for (const OffCarpet& each : off_carpet(target, carpet)) {
+    out.push_back({written[each.key].where(), fmt::format("{}.{}: {} {}", path, each.key, each.says, carpet.off())});
+  }
+}
+
 void warn_of_targets(const RoleList& list, const Node& roles, const Carpet& carpet, std::vector<Warning>& out) {
   for (std::size_t i = 0; i < list.roles.size(); ++i) {
-    const Node target = roles.elements()[i]["target"];
-    for (const OffCarpet& each : off_carpet(list.roles[i].target, carpet)) {
-      out.push_back({target[each.key].where(), fmt::format("roles.{}.{}.target.{}: {} {}", list.name,
-                                                           list.roles[i].name, each.key, each.says, carpet.off())});
-    }
+    warn_of_target(list.roles[i].target, roles.elements()[i]["target"],
+                   fmt::format("roles.{}.{}.target", list.name, list.roles[i].name), carpet, out);
+  }
+}
+
+void warn_of_targets(const Team& team, const Context& context, const Node& use, const Carpet& carpet,
+                     std::vector<Warning>& out) {
+  const RoleList& list = team.role_lists[static_cast<std::size_t>(context.role_list)];
+  for (std::size_t i = 0; i < context.targets.size(); ++i) {
+    if (!context.targets[i]) continue;
+    const std::string path = "targets." + list.roles[i].name;
+    warn_of_target(*context.targets[i], value_at(use, path), fmt::format("contexts.{}.use.{}", context.name, path),
+                   carpet, out);
   }
 }
 
@@ -184,6 +202,12 @@ std::vector<Warning> warnings(const Team& team, const Rules& rules, const Node& 
     out.push_back({key_of(document["roles"], list.name),
                    fmt::format("roles.{}: role{} for {} of {} robots in {}: {} will stand", list.name,
                                played == 1 ? "" : "s", played, rules.team_size, contexts, who)});
+  }
+  for (const Context& context : team.contexts) {
+    const std::span<const Node> pages = document["contexts"].elements();
+    const auto page =
+        std::ranges::find_if(pages, [&](const Node& each) { return each["name"].text() == context.name; });
+    if (page != pages.end()) warn_of_targets(team, context, (*page)["use"], Carpet(rules.field), out);
   }
   return out;
 }

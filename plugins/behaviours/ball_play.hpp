@@ -4,14 +4,20 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdio>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <regista/behaviour.hpp>
+#include <regista/log.hpp>
 
 #include "claim.hpp"
 #include "expected_gain.hpp"
 #include "kick_choice.hpp"
+#include "read_situation.hpp"
 #include "situation.hpp"
 
 namespace behaviours {
@@ -26,7 +32,9 @@ struct PlaySettings {
 
 class BallPlay {
  public:
-  void setup(const regista::Environment& environment, const KickSettings& settings, const PlaySettings& play) {
+  void setup(const regista::Environment& environment, const regista::Host& host, const KickSettings& settings,
+             const PlaySettings& play) {
+    log_ = regista::Log(host);
     choice_ = KickChoice(settings);
     gain_ = ExpectedGain(play.gain);
     play_ = play;
@@ -44,26 +52,57 @@ class BallPlay {
     last_.reset();
     waits_since_.reset();
     claim_.forget();
+    told_ = {};
   }
 
   // Whether this robot goes for the ball now. `by_role`: its role does.
   bool plays_ball(const regista::Frame& frame, const Situation& situation, bool by_role) {
-    if (play_.claim.nearest_plays) read_teammates(frame, situation);
-    return claim_.update(situation, play_.claim, teammates_, by_role);
+    if (play_.claim.nearest_plays) read_teammates(frame, situation, teammates_);
+    const bool plays = claim_.update(situation, play_.claim, teammates_, by_role);
+    tell(claim_.verdict());
+    return plays;
+  }
+
+  // Those that the robot believes in. Valid until the next call of this or of choose().
+  std::span<const Blocker> opponents(const regista::Frame& frame) {
+    read_opponents(frame, opponents_);
+    return opponents_;
   }
 
   KickPlan choose(const regista::Frame& frame, const Situation& situation) {
-    read_teammates(frame, situation);
-    opponents_.clear();
-    for (const regista::Opponent& opponent : frame.mine().opponents()) {
-      opponents_.push_back({{opponent.position[0], opponent.position[1]}, opponent.weight});
-    }
+    read_teammates(frame, situation, teammates_);
+    read_opponents(frame, opponents_);
     const KickScene scene{situation.facts.field, situation.ball, kinds_, teammates_, opponents_, last_};
     last_ = play_.kick_rule == KickRule::metres ? choice_.choose(scene) : by_gain(scene, situation);
     return *last_;
   }
 
  private:
+  // A line for people when the claim changes.
+  void tell(const ClaimVerdict& verdict) {
+    const bool same =
+        verdict.kind == told_.kind && (verdict.kind != ClaimVerdict::leaves || verdict.other == told_.other);
+    if (same) return;
+    told_ = verdict;
+    std::array<char, 96> line{};
+    char* const text = line.data();
+    const std::size_t room = line.size();
+    const int other = verdict.other;
+    int size = 0;
+    if (verdict.kind == ClaimVerdict::by_role) {
+      size = std::snprintf(text, room, "claim: none, the role decides");
+    } else if (verdict.kind == ClaimVerdict::leaves) {
+      size = std::snprintf(text, room, "claim: leaves the ball to robot %d, there in %.1f s, itself in %.1f s", other,
+                           verdict.others, verdict.own);
+    } else if (other != 0) {
+      size = std::snprintf(text, room, "claim: takes the ball, there in %.1f s, robot %d in %.1f s", verdict.own, other,
+                           verdict.others);
+    } else {
+      size = std::snprintf(text, room, "claim: takes the ball, there in %.1f s", verdict.own);
+    }
+    if (size > 0) log_.debug({text, std::min(room - 1, static_cast<std::size_t>(size))});
+  }
+
   // From afar it is enough to come to the ball from the side of the own goal.
   KickPlan by_gain(const KickScene& scene, const Situation& situation) {
     const Vector2d to_goal = Vector2d(scene.field.length / 2.0, 0.0) - scene.ball;
@@ -85,18 +124,11 @@ class BallPlay {
     return there ? situation.time - *waits_since_ : 0.0;
   }
 
-  void read_teammates(const regista::Frame& frame, const Situation& situation) {
-    teammates_.clear();
-    for (const regista::Robot& robot : frame.mine().robots()) {
-      const bool able = (robot.flags & REGISTA_ROBOT_ACTIVE) != 0 && (robot.flags & REGISTA_ROBOT_FALLEN) == 0 &&
-                        robot.number != situation.facts.own_number;
-      if (able) teammates_.push_back({{robot.pose[0], robot.pose[1]}, robot.age, robot.number});
-    }
-  }
-
   PlaySettings play_;
   ExpectedGain gain_;
   Claim claim_;
+  ClaimVerdict told_;
+  regista::Log log_;
   double direction_error_ = 0.0;
   std::optional<double> waits_since_;  // match time
   Vector2d waits_at_{0, 0};

@@ -36,10 +36,21 @@ inline Pose place_behind(const Situation& situation, double room) {
   return {place.x(), place.y(), angle_of(situation.ball - place)};
 }
 
+// What became of the claim in the last decision, for people who ask why somebody went, or did not.
+struct ClaimVerdict {
+  enum Kind { by_role, takes, leaves } kind = by_role;
+  int other = 0;                   // the teammate that is there first, or next; 0: there is none
+  double own = 0.0, others = 0.0;  // s until this robot, and that teammate, is at the ball
+};
+
 class Claim {
  public:
   void reserve(std::size_t teammates) { times_.reserve(teammates); }
-  void forget() { holds_ = leaves_ = false; }
+  void forget() {
+    holds_ = leaves_ = false;
+    verdict_ = {};
+  }
+  const ClaimVerdict& verdict() const { return verdict_; }
 
   // Whether this robot plays the ball now. `by_role`: its role plays it.
   bool update(const Situation& situation, const ClaimSettings& settings, std::span<const Teammate> teammates,
@@ -55,6 +66,15 @@ class Claim {
     }
     holds_ = before_all(own, holds_ ? settings.kept : settings.sooner, settings, teammates, nobody);
     leaves_ = leaves_to_another(own, settings, teammates);
+    verdict_ = {};
+    if (holds_ || (by_role && leaves_)) {
+      verdict_ = {holds_ ? ClaimVerdict::takes : ClaimVerdict::leaves, 0, own, 0.0};
+      const auto soonest = std::min_element(times_.begin(), times_.end());
+      if (soonest != times_.end() && *soonest < never) {
+        verdict_.other = teammates[static_cast<std::size_t>(soonest - times_.begin())].number;
+        verdict_.others = *soonest;
+      }
+    }
     return holds_ || (by_role && !leaves_);
   }
 
@@ -94,6 +114,7 @@ class Claim {
 
   std::vector<double> times_;  // until each teammate is at the ball, s; keeps its memory
   bool holds_ = false, leaves_ = false;
+  ClaimVerdict verdict_;
 };
 
 }  // namespace behaviours

@@ -20,11 +20,6 @@ struct KickKind {
   double minimum_distance = 0.0, maximum_distance = 0.0;
 };
 
-struct Blocker {
-  Vector2d position{0, 0};
-  double weight = 1.0;  // probability that it is there
-};
-
 struct KickPlan {
   static constexpr int no_kind = -1;
   Vector2d direction{1, 0};  // unit, field frame

@@ -7,6 +7,8 @@
 
 #include <regista/parameters.hpp>
 
+#include "lane.hpp"
+#include "looked_at.hpp"
 #include "searching.hpp"
 #include "supporting.hpp"
 
@@ -34,6 +36,37 @@ inline constexpr auto spread_parameters = regista::within(
     regista::real("moved_at_most", &SpreadSettings::moved_at_most, {0.0, 10.0}, "m",
                   "For both of these its target is moved no farther; our choice: 1.2")
         .tunable());
+
+inline constexpr auto lane_parameters = regista::within(
+    &SupportSettings::lane,
+    regista::real("leaves_for_lane", &LaneSettings::leaves, {0.0, 5.0}, "m",
+                  "A robot ahead of the ball leaves its place by so much at most for one to which nobody stops a pass; "
+                  "0: it stays")
+        .tunable(),
+    regista::real("lane_clear", &LaneSettings::clear, {0.05, 3.0}, "m",
+                  "A lane in which opponents leave so much room is open; our choice: 0.4")
+        .tunable(),
+    regista::real("lane_cost", &LaneSettings::cost, {0.0, 10.0}, "1",
+                  "Room that each metre away from its place has to gain; our choice: 0.25")
+        .tunable(),
+    regista::real("lane_constancy", &LaneSettings::constancy, {0.0, 3.0}, "m",
+                  "Room that another place has to gain over the last one; our choice: 0.1")
+        .tunable());
+
+inline constexpr std::tuple looked_at_parameters{
+    regista::boolean(
+        "divides_field", &LookedAtSettings::divides,
+        "A searching robot goes on to what of its part of the field was looked at longest ago, by itself or "
+        "by teammates; false: it turns about at its place"),
+    regista::real("sight", &LookedAtSettings::sight, {0.1, 20.0}, "m",
+                  "As near as this it would have seen the ball; our choice: 2.5")
+        .tunable(),
+    regista::real("look_forgotten_after", &LookedAtSettings::forgotten_after, {1.0, 600.0}, "s",
+                  "A look that is older counts for nothing; our choice: 30")
+        .tunable(),
+    regista::real("search_walk_cost", &LookedAtSettings::walk_cost, {0.0, 60.0}, "s/m",
+                  "How much longer ago it must have been looked at for each metre of the way; our choice: 3")
+        .tunable()};
 
 inline constexpr std::tuple search_parameters{
     regista::real("at_target", &SearchSettings::at_target, {0.0, 5.0}, "m",

@@ -89,6 +89,17 @@ class SituationReader {
     situation_.more_important = targets_;
   }
 
+  // The targets of all tasks but the own one, for those who divide the field. Valid until
+  // the next call of this or of read_targets().
+  std::span<const Vector2d> read_others(const regista::Frame& frame, const regista::Body& body) {
+    targets_.clear();
+    for (std::size_t i = 0; i < frame.tasks().size(); ++i) {
+      const regista::Task& task = frame.tasks()[i];
+      if (static_cast<std::int32_t>(i) != body->task) targets_.emplace_back(task.after[0], task.after[1]);
+    }
+    return targets_;
+  }
+
   // Of what was read last: for walks along the edges.
   void read_graph(const regista::Frame& frame) {
     nodes_.clear();
@@ -108,5 +119,23 @@ class SituationReader {
   std::vector<Vector2d> nodes_, targets_;
   std::vector<Edge> edges_;
 };
+
+// The teammates that play and stand. Replaces what `out` holds.
+inline void read_teammates(const regista::Frame& frame, const Situation& situation, std::vector<Teammate>& out) {
+  out.clear();
+  for (const regista::Robot& robot : frame.mine().robots()) {
+    const bool able = (robot.flags & REGISTA_ROBOT_ACTIVE) != 0 && (robot.flags & REGISTA_ROBOT_FALLEN) == 0 &&
+                      robot.number != situation.facts.own_number;
+    if (able) out.push_back({{robot.pose[0], robot.pose[1]}, robot.age, robot.number});
+  }
+}
+
+// The opponents that it believes in. Replaces what `out` holds.
+inline void read_opponents(const regista::Frame& frame, std::vector<Blocker>& out) {
+  out.clear();
+  for (const regista::Opponent& opponent : frame.mine().opponents()) {
+    out.push_back({{opponent.position[0], opponent.position[1]}, opponent.weight});
+  }
+}
 
 }  // namespace behaviours

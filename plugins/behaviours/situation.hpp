@@ -48,6 +48,12 @@ struct Teammate {
   int number = 0;    // on its shirt
 };
 
+// An opponent.
+struct Blocker {
+  Vector2d position{0, 0};
+  double weight = 1.0;  // probability that it is there
+};
+
 struct Edge {
   std::uint32_t from = 0, to = 0;  // undirected
 };

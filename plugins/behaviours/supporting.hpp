@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Being where the team wants the robot: walks to the place of its task, legally, and receives a ball that comes along.
+// Being where the team wants the robot: walks to the place of its task, legally, in the open where it
+// offers a lane for a pass, and receives a ball that comes along.
 #pragma once
 
 #include "edge_path.hpp"
 #include "interception.hpp"
+#include "lane.hpp"
 #include "legal_place.hpp"
 #include "movement.hpp"
 #include "situation.hpp"
@@ -15,11 +17,18 @@ struct SupportSettings {
   double reception_reach = 1.0;  // m that it leaves its place for a ball that comes along
   EdgePathSettings path;
   SpreadSettings spread;
+  LaneSettings lane;
 };
 
-// `path`: memory for the way along edges.
+// What supporting keeps from one decision to the next.
+struct SupportMemory {
+  EdgePath path;
+  Lane lane;
+};
+
+// opponents: read only where the robot leaves its place for a lane.
 inline Movement support(const Situation& situation, const SupportSettings& settings, const RollingSettings& rolling,
-                        const LegalPlaceSettings& legal, EdgePath& path) {
+                        const LegalPlaceSettings& legal, std::span<const Blocker> opponents, SupportMemory& memory) {
   if (!ball_is_theirs(situation)) {
     if (const auto point = interception(situation, rolling, settings.reception_reach)) {
       return intercept(situation, *point);
@@ -27,11 +36,14 @@ inline Movement support(const Situation& situation, const SupportSettings& setti
   }
   Pose wanted = situation.target;
   const Vector2d apart = spread(situation, settings.spread, {wanted.x, wanted.y}, situation.more_important);
-  wanted.x = apart.x();
-  wanted.y = apart.y();
+  const Vector2d open =
+      memory.lane.offer(situation, settings.lane, settings.spread, opponents, situation.more_important, apart);
+  wanted.x = open.x();
+  wanted.y = open.y();
   Pose target = legal_place(situation, legal, wanted);
   if (situation.along_edges) {
-    const Vector2d next = path.next(situation.graph, settings.path, situation.frame.origin(), {target.x, target.y});
+    const Vector2d next =
+        memory.path.next(situation.graph, settings.path, situation.frame.origin(), {target.x, target.y});
     target = {next.x(), next.y(), target.heading};
   }
   return WalkTo{.target = target};

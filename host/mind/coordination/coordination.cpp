@@ -124,7 +124,7 @@ void Coordination::list_tasks(const Worlds& worlds, config::Knowledge knowledge)
     task.robot = role.robot;
     task.flags = (role.required ? std::uint32_t{REGISTA_TASK_REQUIRED} : 0u) |
                  (context().tasks.walk_along_edges ? std::uint32_t{REGISTA_TASK_ALONG_EDGES} : 0u);
-    place_task(task, role.target, anchors);
+    place_task(task, context().target_of(i, role), anchors);
   }
   decision_.frame.tasks = span(decision_.tasks);
 }
@@ -135,7 +135,8 @@ void Coordination::place_kept_tasks(const Worlds& worlds, config::Knowledge know
   const Anchors anchors(plan_->rules().field, plan_->rules().ball.rolling_deceleration, worlds.of(knowledge));
   for (const std::size_t index : decision_.kept) {
     regista_task& task = decision_.tasks[index];
-    place_task(task, plan_->roles()[static_cast<std::size_t>(task.id)].role->target, anchors);
+    const RoleRow& row = plan_->roles()[static_cast<std::size_t>(task.id)];
+    place_task(task, context().target_of(static_cast<std::size_t>(row.priority), *row.role), anchors);
   }
 }
 

@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Keeping the ball out of the own goal: stands between ball and goal at the place of its task, goes for the line of a
-// shot, and clears a ball that lies near.
+// Keeping the ball out of the own goal: stands between ball and goal at the place of its task, or comes out of the goal
+// to cover the angle; goes for the line of a shot, and clears a ball that lies near, if it is there in time.
 #pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
 
 #include "../interception.hpp"
 #include "../legal_place.hpp"
 #include "../movement.hpp"
+#include "../rolling_ball.hpp"
 #include "../situation.hpp"
 
 namespace keep_goal {
 
+using behaviours::Blocker;
 using behaviours::Movement;
+using behaviours::Pose;
 using behaviours::Situation;
 using behaviours::Vector2d;
 
@@ -20,7 +28,35 @@ struct Settings {
   double near_ball = 1.0;   // m: it plays a ball that is nearer to it wherever that lies
   double slow = 0.5;        // m/s: it does not play a faster ball
   double shot_reach = 1.5;  // m that it leaves its place for the line of a shot
+  double comes_out = 0.0;   // m from the goal line to which it comes out to cover the angle; 0: it keeps to its place
+  double share = 0.4;       // of the way from the goal to the ball, as which it comes out
+  double late = 60.0;       // s: it does not play a ball at which an opponent is so much sooner
 };
+
+// Between the lines from the ball to both posts, in their middle: there one body covers most of the goal. As far out as
+// the nearer ball asks for it. Nothing where it keeps to the place of its task.
+inline std::optional<Pose> covering_place(const Situation& situation, const Settings& settings) {
+  if (settings.comes_out <= 0.0 || !situation.ball_trusted) return std::nullopt;
+  const behaviours::Field& field = situation.facts.field;
+  const double line = -field.length / 2.0, half_goal = field.goal_width / 2.0;
+  const Vector2d to_left = Vector2d(line, half_goal) - situation.ball;
+  const Vector2d to_right = Vector2d(line, -half_goal) - situation.ball;
+  if (to_left.x() > -0.1) return std::nullopt;  // on the goal line, or behind it
+  const Vector2d middle = (to_left.normalized() + to_right.normalized()).normalized();
+  const double whole = to_left.x() / middle.x();  // m along it to the goal line
+  const double out = std::min(settings.comes_out, settings.share * whole);
+  const Vector2d place = situation.ball + middle * (whole - out);
+  return Pose{place.x(), place.y(), behaviours::angle_of(-middle)};
+}
+
+// An opponent is at the ball too much sooner than the keeper.
+inline bool comes_too_late(const Situation& situation, const Settings& settings, std::span<const Blocker> opponents) {
+  constexpr double believed = 0.5;  // probability from which on an opponent counts
+  const double own = behaviours::meeting(situation, situation.frame.origin()).time;
+  return std::any_of(opponents.begin(), opponents.end(), [&](const Blocker& opponent) {
+    return opponent.weight >= believed && behaviours::meeting(situation, opponent.position).time + settings.late < own;
+  });
+}
 
 // The ball lies so near to the goal, or to the robot, that the keeper should play it.
 inline bool plays_ball(const Situation& situation, const Settings& settings) {
@@ -42,7 +78,8 @@ inline Movement guard(const Situation& situation, const Settings& settings, cons
       return walk;
     }
   }
-  return behaviours::WalkTo{.target = legal_place(situation, legal, situation.target)};
+  const Pose place = covering_place(situation, settings).value_or(situation.target);
+  return behaviours::WalkTo{.target = legal_place(situation, legal, place)};
 }
 
 }  // namespace keep_goal

@@ -44,6 +44,16 @@ struct KeepGoal {
               .tunable(),
           regista::real("shot_reach", &Settings::shot_reach, {0.0, 10.0}, "m",
                         "The keeper leaves its place by so much for the line of a shot; our choice: 1.5")
+              .tunable(),
+          regista::real("comes_out", &Settings::comes_out, {0.0, 5.0}, "m",
+                        "The keeper comes out so far at most to cover the angle between ball and posts; 0: it keeps to "
+                        "the place of its task")
+              .tunable(),
+          regista::real("comes_out_share", &Settings::share, {0.0, 1.0}, "1",
+                        "It comes out by this share of the way to the ball; our choice: 0.4")
+              .tunable(),
+          regista::real("late", &Settings::late, {-5.0, 60.0}, "s",
+                        "The keeper leaves a ball alone at which an opponent is so much sooner; our choice: 60, any")
               .tunable()),
       regista::within(&KeepGoal::kick, behaviours::kick_parameters),
       regista::within(&KeepGoal::playing, behaviours::play_parameters),
@@ -56,7 +66,7 @@ struct KeepGoal {
   void setup(const regista::Environment& environment, const regista::Host& host) {
     pass = regista::Pass(host);
     reader.setup(environment);
-    ball_play.setup(environment, kick, playing);
+    ball_play.setup(environment, host, kick, playing);
   }
 
   void reset(std::uint64_t) { ball_play.forget(); }
@@ -65,6 +75,7 @@ struct KeepGoal {
     const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
     const behaviours::Movement movement = behaviours::by_phase(situation, conduct.legal, [&] {
       if (!situation.facts.can_kick || !keep_goal::plays_ball(situation, settings) ||
+          keep_goal::comes_too_late(situation, settings, ball_play.opponents(frame)) ||
           !ball_play.plays_ball(frame, situation, true)) {
         return keep_goal::guard(situation, settings, rolling, conduct.legal);
       }

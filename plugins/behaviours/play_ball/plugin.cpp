@@ -39,13 +39,13 @@ struct PlayBall {
   behaviours::SituationReader reader{behaviours::Duty::plays_ball};
   behaviours::BallPlay ball_play;
   regista::Pass pass;
-  behaviours::EdgePath path;
+  behaviours::SupportMemory memory;
 
   void setup(const regista::Environment& environment, const regista::Host& host) {
     pass = regista::Pass(host);
     reader.setup(environment);
-    ball_play.setup(environment, kick, playing);
-    path.reserve(behaviours::SituationReader::most_nodes);
+    ball_play.setup(environment, host, kick, playing);
+    memory.path.reserve(behaviours::SituationReader::most_nodes);
   }
 
   void reset(std::uint64_t) { ball_play.forget(); }
@@ -69,7 +69,7 @@ struct PlayBall {
       return behaviours::WalkTo{.target = behaviours::legal_place(leaving, conduct.legal, behind)};
     }
     if (!situation.facts.can_kick || ball_is_theirs(situation)) {
-      return behaviours::support(situation, support, rolling, conduct.legal, path);
+      return behaviours::support(situation, support, rolling, conduct.legal, {}, memory);
     }
     return behaviours::approach(situation, approach, rolling, ball_play.choose(frame, situation));
   }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Glue of the behaviour `search`, which ../searching.hpp is.
+// Glue of the behaviour `search`, which ../searching.hpp and ../looked_at.hpp are.
+#include <optional>
+#include <vector>
+
 #include <regista/behaviour.hpp>
 
 #include "../by_phase.hpp"
 #include "../conduct_parameters.hpp"
+#include "../looked_at.hpp"
 #include "../place_parameters.hpp"
 #include "../read_situation.hpp"
 #include "../write_action.hpp"
@@ -11,25 +15,56 @@
 namespace {
 
 struct Search {
-  static constexpr auto id = "search", version = "1.0.0",
-                        summary = "Turns about at the place of the task, or where it stands";
+  static constexpr auto
+      id = "search",
+      version = "1.0.0",
+      summary = "Turns about at the place of the task, or where it stands; looks through its part of the field";
   static constexpr unsigned reads = REGISTA_READS_FACINGS;
   static constexpr unsigned purposes = REGISTA_BEHAVIOUR_SEARCHES;
 
   behaviours::Conduct conduct;
   behaviours::SearchSettings settings;
+  behaviours::LookedAtSettings shared;
   static constexpr std::tuple parameters{regista::within(&Search::conduct, behaviours::conduct_parameters),
-                                         regista::within(&Search::settings, behaviours::search_parameters)};
+                                         regista::within(&Search::settings, behaviours::search_parameters),
+                                         regista::within(&Search::shared, behaviours::looked_at_parameters)};
 
   behaviours::SituationReader reader{behaviours::Duty::other};
 
-  void setup(const regista::Environment& environment) { reader.setup(environment); }
+  behaviours::LookedAt looked_at;
+  std::vector<behaviours::Teammate> teammates;
+  std::optional<double> searched;  // match time of the last decision to search
+
+  void setup(const regista::Environment& environment) {
+    reader.setup(environment);
+    teammates.reserve(environment->team_size);
+  }
+
+  void reset(std::uint64_t) { searched.reset(); }
 
   void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
-    const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
+    const behaviours::Situation& read = reader.read(frame, body, conduct.ball_trusted_for);
+    behaviours::Situation situation = read;
+    if (shared.divides && situation.phase == behaviours::Phase::playing) divide(frame, body, situation);
     const behaviours::Movement movement = behaviours::by_phase(
         situation, conduct.legal, [&] { return behaviours::search(situation, settings, conduct.legal); });
     behaviours::write_action(movement, behaviours::look(situation, conduct.gaze), out);
+  }
+
+  // Its target becomes what it should look at next.
+  void divide(const regista::Frame& frame, const regista::Body& body, behaviours::Situation& situation) {
+    constexpr double another_search = 3.0;  // s without one: the ball has been seen, and lies anywhere now
+    if (!searched || situation.time - *searched > another_search) looked_at.begin(situation.facts.field);
+    searched = situation.time;
+    behaviours::read_teammates(frame, situation, teammates);
+    looked_at.hear(situation, shared, teammates);
+    looked_at.see(situation, shared);
+    if (!situation.has_task) return;
+    const behaviours::Vector2d place(situation.target.x, situation.target.y);
+    const auto next = looked_at.next(situation, shared, place, reader.read_others(frame, body));
+    if (!next) return;
+    const behaviours::Vector2d way = *next - situation.frame.origin();
+    situation.target = {next->x(), next->y(), behaviours::angle_of(way)};
   }
 };
 

@@ -28,7 +28,7 @@ struct Support {
       regista::within(&Support::conduct, behaviours::conduct_parameters),
       regista::within(&Support::rolling, behaviours::rolling_parameter),
       regista::within(&Support::settings, behaviours::reception_reach_parameter.tunable(),
-                      behaviours::node_reached_parameter, behaviours::spread_parameters),
+                      behaviours::node_reached_parameter, behaviours::spread_parameters, behaviours::lane_parameters),
       regista::within(&Support::kick, behaviours::kick_parameters),
       regista::within(&Support::playing, behaviours::play_parameters),
       regista::within(&Support::approach, behaviours::approach_parameters)};
@@ -36,16 +36,19 @@ struct Support {
   behaviours::SituationReader reader{behaviours::Duty::other};
   behaviours::BallPlay ball_play;
   regista::Pass pass;
-  behaviours::EdgePath path;
+  behaviours::SupportMemory memory;
 
   void setup(const regista::Environment& environment, const regista::Host& host) {
     pass = regista::Pass(host);
     reader.setup(environment);
-    ball_play.setup(environment, kick, playing);
-    path.reserve(behaviours::SituationReader::most_nodes);
+    ball_play.setup(environment, host, kick, playing);
+    memory.path.reserve(behaviours::SituationReader::most_nodes);
   }
 
-  void reset(std::uint64_t) { ball_play.forget(); }
+  void reset(std::uint64_t) {
+    ball_play.forget();
+    memory.lane.forget();
+  }
 
   void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
     const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
@@ -56,8 +59,9 @@ struct Support {
                             !ball_is_theirs(situation) && ball_play.plays_ball(frame, situation, false);
     if (takes_ball) behaviours::announce(situation.ball, out);
     const behaviours::Movement movement = behaviours::by_phase(situation, conduct.legal, [&] {
-      return takes_ball ? behaviours::approach(situation, approach, rolling, ball_play.choose(frame, situation))
-                        : behaviours::support(situation, settings, rolling, conduct.legal, path);
+      return takes_ball
+                 ? behaviours::approach(situation, approach, rolling, ball_play.choose(frame, situation))
+                 : behaviours::support(situation, settings, rolling, conduct.legal, ball_play.opponents(frame), memory);
     });
     behaviours::say_receiver(movement, pass);
     behaviours::write_action(movement, behaviours::look(situation, conduct.gaze), out);

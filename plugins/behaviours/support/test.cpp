@@ -65,14 +65,14 @@ TEST(Interception, AsOfABallThatRollsStepByStep) {
 }
 
 TEST(Support, ReceivesUnlessTheBallIsTheOpponents) {
-  EdgePath path;
+  SupportMemory memory;
   const Situation pass = with_ball(standing(-1, 0.5), {-2, 1}, {1, 0});
-  const auto walk = std::get<WalkTo>(support(pass, {}, rolling, {}, path));
+  const auto walk = std::get<WalkTo>(support(pass, {}, rolling, {}, {}, memory));
   EXPECT_NEAR(walk.target.y, 1.0, 1e-12);
   EXPECT_NEAR(walk.target.heading, std::atan2(0.5, -1.0), 1e-12);
   EXPECT_TRUE(walk.brisk);
   EXPECT_FALSE(walk.straight);
-  const auto forbidden = std::get<WalkTo>(support(in_set_play(pass, SetPlay::kick_in, false), {}, rolling, {}, path));
+  const auto forbidden = std::get<WalkTo>(support(in_set_play(pass, SetPlay::kick_in, false), {}, rolling, {}, {}, memory));
   EXPECT_FALSE(forbidden.brisk);
 }
 

@@ -6,7 +6,8 @@
 
 namespace {
 
-static_assert(set_play::none == REGISTA_SET_PLAY_NONE && set_play::playing == REGISTA_PHASE_PLAYING);
+static_assert(set_play::none == REGISTA_SET_PLAY_NONE && set_play::kick_off == REGISTA_SET_PLAY_KICK_OFF &&
+              set_play::playing == REGISTA_PHASE_PLAYING);
 
 struct SetPlay {
   static constexpr auto id = "set_play", version = "1.0.0", summary = "A set play is on, or has just been";
@@ -16,6 +17,7 @@ struct SetPlay {
   bool ready = false, set = false, playing = false;
   set_play::Rule rule{.at_most = 600.0};
   static constexpr std::array<const char*, 3> sides{"either", "own", "opponent"};
+  static constexpr std::array<const char*, 3> patterns{"any", "first", "second"};
   static constexpr std::tuple parameters{
       regista::boolean("kick_off", &SetPlay::kick_off,
                        "The kick-off counts; when none of the six set plays is chosen, all of them count"),
@@ -26,6 +28,11 @@ struct SetPlay {
       regista::boolean("penalty_kick", &SetPlay::penalty_kick, "The penalty kick counts"),
       regista::within(&SetPlay::rule, regista::choice("whose", &set_play::Rule::whose, sides,
                                                       "The side that kicks; SPQR's code has contexts for either")),
+      regista::within(&SetPlay::rule,
+                      regista::choice("pattern", &set_play::Rule::pattern, patterns,
+                                      "Holds in one half of the set plays, which all robots know and opponents do not "
+                                      "foresee: of kick-offs by goals and half, of others by the second in which "
+                                      "they began; our choice: any, in all")),
       regista::boolean("ready", &SetPlay::ready,
                        "Holds in the phase Ready; when none of the three phases is chosen, it holds in all of them"),
       regista::boolean("set", &SetPlay::set, "Holds in the phase Set"),
@@ -60,7 +67,9 @@ struct SetPlay {
   bool holds(const regista::Frame& frame) {
     const regista::World world = frame.world();
     const regista::Game& game = world.game();
-    return memory.update(rule, frame.time(), {game.set_play, game.phase, game.own_kick == 1, game.phase_time});
+    return memory.update(rule, frame.time(),
+                         {game.set_play, game.phase, game.own_kick == 1, game.phase_time, game.half,
+                          game.own_score + game.opponent_score});
   }
 };
 

@@ -13,6 +13,7 @@ namespace {
 using set_play::Game;
 using set_play::Memory;
 using set_play::one;
+using set_play::Pattern;
 using set_play::Rule;
 using set_play::Whose;
 
@@ -68,6 +69,42 @@ TEST(SetPlay, AnotherSetPlayEndsWhatIsLeftOfTheFirst) {
   ASSERT_TRUE(memory.update(rule, 1.0, {}));
   EXPECT_FALSE(memory.update(rule, 2.0, {goal_kick, REGISTA_PHASE_PLAYING, true, 0.0}));
   EXPECT_FALSE(memory.update(rule, 3.0, {}));
+}
+
+// All robots of a team have one pattern, from the first second of a set play to its last, whenever they decide.
+TEST(SetPlay, ThePatternIsOneForAllAndStays) {
+  for (int began = 0; began < 500; ++began) {
+    const double start = 0.02 * began;  // of a physics step
+    for (const double later : {0.02, 0.1, 0.37, 5.0, 29.9}) {
+      const Game game{corner, REGISTA_PHASE_PLAYING, true, start + later - start};
+      EXPECT_EQ(pattern_of(game, start + later), began / 50 % 2 == 0 ? Pattern::first : Pattern::second) << start;
+    }
+  }
+}
+
+TEST(SetPlay, OneOfTwoPatternsHolds) {
+  int first = 0;
+  for (int second = 0; second < 20; ++second) {
+    const Game game{corner, REGISTA_PHASE_PLAYING, true, 2.0};
+    const bool one_holds = Memory().update({.pattern = Pattern::first}, 2.5 + second, game);
+    EXPECT_NE(one_holds, Memory().update({.pattern = Pattern::second}, 2.5 + second, game));
+    EXPECT_TRUE(Memory().update({}, 2.5 + second, game));
+    first += one_holds ? 1 : 0;
+  }
+  EXPECT_EQ(first, 10);
+}
+
+// Ready, Set and the play of one kick-off begin at different times, and with a whistle at different ones for each
+// robot.
+TEST(SetPlay, TheKickOffsPatternFollowsFromGoalsAndHalf) {
+  for (int goals = 0; goals < 4; ++goals) {
+    for (const int half : {1, 2}) {
+      for (const double time : {0.0, 45.3, 50.9}) {
+        const Game game{REGISTA_SET_PLAY_KICK_OFF, REGISTA_PHASE_READY, true, 0.3, half, goals};
+        EXPECT_EQ(pattern_of(game, time), (goals + half) % 2 == 1 ? Pattern::first : Pattern::second);
+      }
+    }
+  }
 }
 
 TEST(SetPlay, ForgetStartsAfresh) {

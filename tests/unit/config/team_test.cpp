@@ -294,8 +294,8 @@ TEST(Team, WhatIsRefused) {
        "t.yaml:6:56: roles.playing.0.target.within: 2 elements; expected a list of 4 numbers"},
       {6, "roles: {playing: [{name: s, target: {at: ball, shift: 1}}]}",
        "t.yaml:6:55: roles.playing.0.target.shift: \"1\"; expected a list of 2 numbers"},
-      {6, "roles: {playing: [{name: s, target: {at: ball, across: -1}}]}",
-       "t.yaml:6:56: roles.playing.0.target.across: \"-1\" is outside 0 to 100 m"},
+      {6, "roles: {playing: [{name: s, target: {at: ball, across: -101}}]}",
+       "t.yaml:6:56: roles.playing.0.target.across: \"-101\" is outside -100 to 100 m"},
       // Utility
       {0, "utility: {terms: {d: {plugin: x, weight: -1}}}",
        "t.yaml:7:42: utility.terms.d.weight: \"-1\" is outside 0 to 1000000"},
