@@ -2,6 +2,9 @@
 // When the keeper plays the ball, when it goes for a shot, and where it stands otherwise.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 #include "../test_conduct.hpp"
 #include "../test_situations.hpp"
 #include "algorithm.hpp"
@@ -68,6 +71,46 @@ TEST(Keeper, StandsAtItsPlaceInTheGoalArea) {
   EXPECT_FALSE(walk.brisk || walk.straight);
 }
 
+// The goal is 1.5 m wide and its line at -4.5. From the place, both posts are seen under the same angle as from the
+// ball.
+TEST(Keeper, ComesOutToCoverTheAngle) {
+  const keep_goal::Settings out{.comes_out = 1.2, .share = 0.4};
+  const auto place = [&](const Vector2d& ball) {
+    return *keep_goal::covering_place(with_ball(keeper(-4.2, 0), ball), out);
+  };
+  EXPECT_NEAR(place({-2.5, 0}).x, -4.5 + 0.4 * 2.0, 1e-12) << "0.4 of the way to the ball";
+  EXPECT_NEAR(place({-2.5, 0}).y, 0.0, 1e-12);
+  EXPECT_NEAR(place({2, 0}).x, -4.5 + 1.2, 1e-12) << "no farther than it may";
+  for (const Vector2d& ball : {Vector2d(-2.5, 2), Vector2d(-3.9, -1.5), Vector2d(0, 2.5)}) {
+    const Pose stand = place(ball);
+    const Vector2d there = Vector2d(stand.x, stand.y) - ball;
+    const auto angle_to = [&](double post) {
+      return std::abs(wrap(angle_of(Vector2d(-4.5, post) - ball) - angle_of(there)));
+    };
+    EXPECT_NEAR(angle_to(0.75), angle_to(-0.75), 1e-12);
+    EXPECT_GT(stand.x, -4.5);
+    EXPECT_NEAR(wrap(stand.heading - angle_of(-there)), 0.0, 1e-12) << "it faces the ball";
+  }
+  EXPECT_FALSE(keep_goal::covering_place(with_ball(keeper(-4.2, 0), {-2.5, 0}), {})) << "only where it is asked to";
+  EXPECT_FALSE(keep_goal::covering_place(with_ball(keeper(-4.2, 0), {-4.6, 2}), out)) << "no angle to cover";
+  EXPECT_FALSE(keep_goal::covering_place(keeper(-4.2, 0), out)) << "nobody knows the ball";
+  const auto guard = std::get<WalkTo>(keep_goal::guard(with_ball(keeper(-4.2, 0), {-2.5, 0}), out, {}, {}));
+  EXPECT_NEAR(guard.target.x, -3.7, 1e-12);
+}
+
+// A ball 1.2 m from the keeper, at which it is after 4 s; the opponent needs (distance - 0.2) / 0.25.
+TEST(Keeper, LeavesABallAtWhichAnOpponentIsMuchSooner) {
+  const auto late = [](double opponent_away, double weight, double seconds) {
+    const std::vector<Blocker> opponents{{{-3 + opponent_away, 0}, weight}};
+    return keep_goal::comes_too_late(with_ball(keeper(-4.2, 0), {-3, 0}), {.late = seconds}, opponents);
+  };
+  EXPECT_TRUE(late(0.9, 1.0, 1.0));   // after 2.8 s
+  EXPECT_FALSE(late(1.0, 1.0, 1.0));  // after 3.2 s
+  EXPECT_FALSE(late(0.2, 1.0, 60.0));
+  EXPECT_FALSE(late(0.2, 0.4, 1.0)) << "hardly believed in";
+  EXPECT_FALSE(keep_goal::comes_too_late(with_ball(keeper(-4.2, 0), {-3, 0}), {.late = 0.0}, {}));
+}
+
 // --- The plugin ------------------------------------------------------------------------------------------------
 
 using namespace regista::testkit;
@@ -107,6 +150,18 @@ TEST(KeepGoalPlugin, ThrowsItselfAtAShotPastEverybody) {
   EXPECT_EQ(action.motion, REGISTA_MOTION_WALK_TO);
   EXPECT_EQ(action.walk, std::uint32_t{REGISTA_WALK_BRISK | REGISTA_WALK_STRAIGHT});
   EXPECT_NEAR(action.pose[1], 0.5, 1e-12);
+}
+
+TEST(KeepGoalPlugin, ComesOutOrLeavesTheBallAsItIsTold) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "keep_goal");
+  const FrameBuilder base = FrameBuilder{}.own(1).robot(1).task("goalkeeper").at(-4.3, 0);
+  const BodyBuilder body = BodyBuilder{}.at(-4.3, 0).task(0).sees_ball();
+  Instance out(plugin, EnvironmentBuilder{}.own(1), Values(plugin).set("comes_out", 1).set("late", 0.5));
+  EXPECT_NEAR(out.act(FrameBuilder(base).ball(-2.0, 0).build(), body).pose[0], -3.5, 1e-12);
+  const Scene near = FrameBuilder(base).ball(-3.0, 0).opponent(-2.7, 0).build();
+  EXPECT_NEAR(out.act(near, body).pose[0], -3.9, 1e-12) << "the opponent is there first: it covers the angle";
+  Instance plain(plugin, EnvironmentBuilder{}.own(1));
+  EXPECT_GT(plain.act(near, body).pose[0], -3.9) << "it plays whatever lies near";
 }
 
 REGISTA_CONDUCT_TESTS("keep_goal", REGISTA_BEHAVIOUR_KEEPS_GOAL);

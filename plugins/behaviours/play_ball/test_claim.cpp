@@ -138,4 +138,20 @@ TEST(Claims, WhoLeavesTheBallStandsBehindIt) {
   EXPECT_TRUE(std::isfinite(place_behind(with_ball(standing(1, 0), {-4.5, 0}), 1.2).heading));
 }
 
+// What people are told: 1.2 m from the ball is 4 s, 2.2 m is 8 s.
+TEST_F(ClaimTest, SaysWhyItGoesOrDoesNot) {
+  EXPECT_TRUE(plays(1.2, 2.2, false));
+  EXPECT_EQ(claim.verdict().kind, ClaimVerdict::takes);
+  EXPECT_EQ(claim.verdict().other, 3);
+  EXPECT_NEAR(claim.verdict().own, 4.0, 1e-12);
+  EXPECT_NEAR(claim.verdict().others, 8.0, 1e-12);
+  EXPECT_FALSE(plays(2.2, 1.2, true));
+  EXPECT_EQ(claim.verdict().kind, ClaimVerdict::leaves);
+  EXPECT_EQ(claim.verdict().other, 3);
+  EXPECT_FALSE(plays(2.2, 1.2, false));
+  EXPECT_EQ(claim.verdict().kind, ClaimVerdict::by_role);
+  claim.forget();
+  EXPECT_EQ(claim.verdict().kind, ClaimVerdict::by_role);
+}
+
 }  // namespace

@@ -72,7 +72,8 @@ TEST(Support, ReceivesUnlessTheBallIsTheOpponents) {
   EXPECT_NEAR(walk.target.heading, std::atan2(0.5, -1.0), 1e-12);
   EXPECT_TRUE(walk.brisk);
   EXPECT_FALSE(walk.straight);
-  const auto forbidden = std::get<WalkTo>(support(in_set_play(pass, SetPlay::kick_in, false), {}, rolling, {}, {}, memory));
+  const auto forbidden =
+      std::get<WalkTo>(support(in_set_play(pass, SetPlay::kick_in, false), {}, rolling, {}, {}, memory));
   EXPECT_FALSE(forbidden.brisk);
 }
 

@@ -175,6 +175,35 @@ TEST(Team, ABehaviourIsThePluginOfItsNameUnlessThePageSaysIt) {
   EXPECT_EQ(team.behaviour_without_role, "dance");
 }
 
+// The target of a context takes the place of the role's own, all of it; other contexts do not know it.
+TEST(Team, AContextMovesRoles) {
+  const std::string text =
+      "team: t\n"
+      "predictors: {self: {plugin: a}, ball: {plugin: b}, opponents: {plugin: c}, teammates: {plugin: d}}\n"
+      "contexts:\n"
+      "  - {name: corner, priority: 2, plugin: a, use: {roles: other, targets: {wing: {at: [3, 0], across: -1}}}}\n"
+      "  - {name: short, priority: 1, plugin: a, use: {targets.wing: {at: ball}, targets.striker.at: own_goal}}\n"
+      "  - {name: playing, plugin: always}\n"
+      "assigner: {plugin: greedy}\nsender: {plugin: event_based}\n"
+      "roles:\n"
+      "  playing: [{name: striker, target: {at: ball}}, {name: wing, target: {at: ball, shift: [1, 0]}}]\n"
+      "  other: [{name: keeper, target: {at: own_goal}}, {name: wing, target: {at: ball, shift: [1, 0]}}]\n";
+  const Team team = read_team(parse_text(text, "t.yaml"));
+  const auto target = [&](std::size_t context, std::size_t place) {
+    const Context& each = team.contexts[context];
+    return each.target_of(place, team.role_lists[static_cast<std::size_t>(each.role_list)].roles[place]);
+  };
+  EXPECT_EQ(target(0, 0).at->anchor, Anchor::own_goal);
+  EXPECT_EQ(target(0, 1).at->point[0], 3.0);
+  EXPECT_EQ(*target(0, 1).across, -1.0);
+  EXPECT_EQ(target(0, 1).shift[0], 0.0) << "nothing is left of its own target";
+  EXPECT_EQ(target(1, 0).at->anchor, Anchor::own_goal);
+  EXPECT_EQ(target(1, 1).shift[0], 0.0);
+  EXPECT_EQ(target(2, 0).at->anchor, Anchor::ball);
+  EXPECT_EQ(target(2, 1).shift[0], 1.0);
+  EXPECT_EQ(team.role_lists[0].roles[0].behaviour, "play_ball") << "how a role acts follows from its own target";
+}
+
 TEST(Team, WhatIsRefused) {
   struct Case {
     int line;  // of the page, that is replaced; 0: added
@@ -225,13 +254,23 @@ TEST(Team, WhatIsRefused) {
        "t.yaml:3:46: contexts.0.use.roles: expected the name of a list of roles"},
       {3, "contexts: [{name: p, plugin: a, use: {roles.playing: [a]}}]",
        "t.yaml:3:39: contexts.0.use: roles takes the name of a list and has no parts"},
+      {3, "contexts: [{name: p, plugin: a, use: {targets: {strker: {at: ball}}}}]",
+       "t.yaml:3:49: unknown role \"strker\" in playing; nearest: \"striker\"; known: striker"},
+      {3, "contexts: [{name: p, plugin: a, use: {targets: {striker: {at: bal}}}}]",
+       "t.yaml:3:63: contexts.0.use.targets.striker.at: unknown place \"bal\"; nearest: \"ball\"; " + places},
+      {3, "contexts: [{name: p, plugin: a, use: {targets: {striker: {at: ball, within: [1, 0, 0, 1]}}}}]",
+       "t.yaml:3:77: contexts.0.use.targets.striker.within: expected [least x, largest x, least y, largest y], in "
+       "order"},
+      {3, "contexts: [{name: p, plugin: a, use: {targets: {striker: {shift: [1, 0]}}}}]",
+       "t.yaml:3:58: contexts.0.use.targets.striker: expected one of at, on_line, on_circle"},
+      {3, "contexts: [{name: p, plugin: a, use: {targets: striker}}]",
+       "t.yaml:3:48: contexts.0.use.targets: \"striker\"; expected a map"},
       {3, "contexts: [{name: p, plugin: a, use: {sendr.params.x: 1}}]",
-       "t.yaml:3:39: unknown key \"sendr\" in contexts.0.use; nearest: \"sender\"; known: roles, positioner, tasks, "
-       "utility, "
-       "assigner, sender"},
+       "t.yaml:3:39: unknown key \"sendr\" in contexts.0.use; nearest: \"sender\"; known: roles, targets, positioner, "
+       "tasks, utility, assigner, sender"},
       {3, "contexts: [{name: p, plugin: a, use: {predictors.self.plugin: x}}]",
-       "t.yaml:3:39: unknown key \"predictors\" in contexts.0.use; known: roles, positioner, tasks, utility, assigner, "
-       "sender"},
+       "t.yaml:3:39: unknown key \"predictors\" in contexts.0.use; known: roles, targets, positioner, tasks, "
+       "utility, assigner, sender"},
       {3, "contexts: [{name: p, plugin: a, use: {sender.parms.x: 1}}]",
        "t.yaml:3:39: unknown key \"parms\" in sender; nearest: \"params\"; known: plugin, file, params"},
       {3, "contexts: [{name: p, plugin: a, use: {sender.plugin.x: 1}}]",

@@ -125,6 +125,19 @@ TEST(TeamWarnings, TargetsOffTheField) {
   }
 }
 
+TEST(TeamWarnings, TargetsOfContextsOffTheField) {
+  const Node document = parse_text(
+      small_page("{name: corner, priority: 1, plugin: c, use: {targets: {striker: {at: [0, 9]}}}}, {name: p, plugin: "
+                 "always}",
+                 "    - {name: goalkeeper, target: {at: own_goal}}\n    - {name: striker, target: {at: ball}}\n"),
+      "t.yaml");
+  const std::vector<Warning> found = warnings(read_team(document), of_size(2), document);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(to_string(found[0]),
+            "t.yaml:3:81: warning: contexts.corner.use.targets.striker.at: [0, 9] is off the field, which with its "
+            "border reaches from -5.2 to 5.2 m in x and from -3.7 to 3.7 m in y");
+}
+
 TEST(TeamWarnings, WhoStandsIsSaid) {
   EXPECT_EQ(warned({0, 0, 0}, 3), std::vector<std::string>{});
   EXPECT_EQ(warned({0, 0, 0, 0}, 3), std::vector<std::string>{});

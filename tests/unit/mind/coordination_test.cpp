@@ -373,6 +373,34 @@ TEST_F(CoordinationTest, TheFirstContextThatHoldsIsInForceAndAllAreAsked) {
   EXPECT_EQ(ScriptedContext<1>::asked, 2);
 }
 
+// Another place, and still the same role: whoever holds it goes on holding it.
+TEST_F(CoordinationTest, AContextMovesARole) {
+  config::Team page = two_contexts();
+  page.contexts[0].role_list = 0;
+  page.contexts[0].targets.resize(10);
+  config::TargetRule elsewhere;
+  elsewhere.at = place(3.0, 1.0);
+  page.contexts[0].targets[2] = elsewhere;
+  for (config::Context& each : page.contexts) each.tasks.keep = config::TaskRules::Keep::all;
+  make(page);
+  ScriptedAssigner::hook = [](const Frame& frame, UtilityMatrix, Assignment out) {
+    for (std::size_t i = 0; i < frame.world().active().size(); ++i) {
+      if (frame.world().active()[i] == 2) out[i] = 2;
+    }
+  };
+  const Decision& decision = decide(1.0, {});
+  ASSERT_EQ(decision.own_role, 2);
+  EXPECT_EQ(decision.own_task->before[0], -3.5);
+  ScriptedContext<0>::answer = true;
+  decide(1.1, {});
+  ASSERT_EQ(decision.context, 0);
+  ASSERT_EQ(decision.own_role, 2);
+  EXPECT_EQ(decision.own_task->before[0], 3.0);
+  EXPECT_EQ(decision.own_task->before[1], 1.0);
+  EXPECT_EQ(decision.own_role_since, 1.0);
+  EXPECT_EQ(decision.tasks[3].before[0], -2.5) << "others stay where they are";
+}
+
 TEST_F(CoordinationTest, WithoutAContextNothingIsAssigned) {
   make(two_contexts());
   ScriptedAssigner::hook = [](const Frame&, UtilityMatrix, Assignment out) { out[0] = 0; };

@@ -145,6 +145,10 @@ TEST_F(Target, AcrossIsTheSideWhereTheBallIsNot) {
   expect(target(), 1.7, -0.8);
   ball(1.0, -2.0);
   expect(target(), 1.7, 0.8);
+  rule.across = -0.8;  // on the ball's side
+  expect(target(), 1.7, -0.8);
+  ball(1.0, 2.0);
+  expect(target(), 1.7, 0.8);
 }
 
 TEST_F(Target, WithinClipsLast) {
