@@ -28,14 +28,15 @@ constexpr auto config_draw_examples = R"(Examples:
   regista config draw configs/teams/paper.yaml --ball 1,1 -o roles.svg
   regista config draw configs/teams/paper.yaml --role libero --ball=-3,-1 --ball 0,0 --ball 3,2 -o libero.svg
   regista config draw configs/teams/paper.yaml --list searching --no-ball -o searching.svg
+  regista config draw configs/teams/regista.yaml --context own_corner_near --ball 4.5,3 -o corner.svg
 
 Positions are in metres from the centre of the field: x towards the opponent's goal, y to the left. Without --ball the ball lies
-in the centre. Contexts, positioner and sender have no part in it: it is where a role goes before a task is moved towards
-a waypoint. So no plugin is needed; --plugins may be given and changes nothing. A drawing replaces an older drawing in the same file.)";
+in the centre. Positioner and sender have no part in it: it is where a role goes before a task is moved towards a
+waypoint. A context has only with --context, which draws its list of roles with the targets that it changes. So no plugin is needed; --plugins may be given and changes nothing. A drawing replaces an older drawing in the same file.)";
 
 struct ConfigDrawOptions {
   std::vector<std::string> files, overrides, roles, balls, plugins;
-  std::string list, rules, output;
+  std::string list, context, rules, output;
   bool no_ball = false, force = false;
 };
 
@@ -52,6 +53,22 @@ const config::RoleList& list_of(const config::TeamPage& page, const std::string&
   std::vector<std::string> names;
   for (const config::RoleList& each : page.role_lists) names.push_back(each.name);
   throw BadInput("--list: " + config::unknown("list of roles", name, "", names));
+}
+
+// The roles of a context, where it has them played.
+config::RoleList list_in(const config::Node& document, const std::string& name) {
+  const config::Team team = config::read_team(document);
+  const auto context = std::ranges::find(team.contexts, name, &config::Context::name);
+  if (context == team.contexts.end()) {
+    std::vector<std::string> names;
+    for (const config::Context& each : team.contexts) names.push_back(each.name);
+    throw BadInput("--context: " + config::unknown("context", name, "", names));
+  }
+  config::RoleList list = team.role_lists[static_cast<std::size_t>(context->role_list)];
+  for (std::size_t i = 0; i < list.roles.size(); ++i) {
+    list.roles[i].target = context->target_of(i, list.roles[i]);
+  }
+  return list;
 }
 
 bool has(const config::RoleList& list, const std::string& role) {
@@ -87,13 +104,16 @@ int draw(const ConfigDrawOptions& options, const output::OutputFiles& outputs) {
     throw BadInput(fmt::format("config draw: expected one file of a team, {} given", options.files.size()));
   }
   if (options.no_ball && !options.balls.empty()) throw BadInput("--no-ball and --ball: one of them");
+  if (!options.context.empty() && !options.list.empty()) throw BadInput("--context and --list: one of them");
   if (options.output.empty()) throw BadInput("config draw: where to? Say -o FILE.svg");
   const config::Node document = config::load(options.files.front(), options.overrides);
   config::require_kind(document, config::DocumentKind::team);
   const config::TeamPage page = config::read_team_page(document);
   const config::Rules rules = options.rules.empty() ? config::Rules{} : config::read_rules(options.rules);
-  const config::RoleList& list = list_of(page, options.list);
+  const config::RoleList list =
+      options.context.empty() ? list_of(page, options.list) : list_in(document, options.context);
   const std::vector<const config::Role*> roles = roles_of(page, list, options.roles);
+  const std::string shown = options.context.empty() ? "the list " + list.name : "the context " + options.context;
   std::vector<std::array<double, 2>> balls;
   const config::Carpet carpet(rules.field);
   for (const std::string& each : options.balls) {
@@ -102,7 +122,7 @@ int draw(const ConfigDrawOptions& options, const output::OutputFiles& outputs) {
   }
   if (balls.empty() && !options.no_ball) balls.push_back({0.0, 0.0});
   outputs.check(options.force);
-  const std::string picture = recording::roles_svg({page.name, list.name, roles, balls}, rules.field);
+  const std::string picture = recording::roles_svg({page.name, shown, roles, balls}, rules.field);
   if (options.output == "-") {
     output::print(picture);
     return exit_done;
@@ -121,6 +141,7 @@ void add_config_draw(Command& parent) {
   command.take("--ball", options->balls, "X,Y", "where the ball is, in metres; may be repeated");
   command.flag("--no-ball", options->no_ball, "nobody knows the ball");
   command.take("--list", options->list, "NAME", "list of roles; default: the first one");
+  command.take("--context", options->context, "NAME", "the roles of this context, where it has them played");
   command.take("--role", options->roles, "NAME", "this role alone, with what its rule is made of; may be repeated");
   command.take("--rules", options->rules, "FILE",
                "rules profile, for the size of the field; default: spl2023, built in", Reads::documents);

@@ -158,8 +158,8 @@ std::string roles_svg(const RolesToDraw& what, const config::FieldSize& field) {
   Html out = drawn(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" )"
                    R"(height="{1:.0f}"><rect width="100%" height="100%" fill="#fff"/>)",
                    page_width, height);
-  const std::string title = fmt::format("{}: roles of the list {}", config::visible_at_most(what.team, 40),
-                                        config::visible_at_most(what.list, 40));
+  const std::string title =
+      fmt::format("{}: roles of {}", config::visible_at_most(what.team, 40), config::visible_at_most(what.of, 60));
   out << roles_style << label(page_margin, 19.0, "head", title) << field_lines(field, to) << shapes << markers << names;
   return std::string(roles_svg_begin) + '\n' + (out << "</svg>\n"_html).str();
 }

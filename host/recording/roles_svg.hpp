@@ -16,7 +16,7 @@ namespace regista::recording {
 inline constexpr std::string_view roles_svg_begin = "<!-- regista config draw -->";
 
 struct RolesToDraw {
-  std::string team, list;                             // stand above the field
+  std::string team, of;                               // stand above the field; of: "the list playing"
   std::span<const config::Role* const> roles;         // a single one is drawn with what its rule is made of
   std::span<const std::array<double, 2>> balls = {};  // m; several are numbered; none: nobody knows the ball
 };

@@ -57,6 +57,22 @@ class Drawings(program.Case):
                                          "small: roles of the list playing", "striker", "supporter"])
         self.assertEqual(len([each for each in picture.iter(SVG + "circle") if each.get("class") == "marker"]), 7)
 
+    def test_a_context_draws_the_targets_that_it_changes(self):
+        self.write("corner.yaml", "extends: small.yaml\ncontexts:\n  corner: {before: playing, priority: 9, plugin: set_play,\n"
+                                  "    use: {targets: {supporter: {at: [2, 0], across: -1}}}}\n")
+        places = {}
+        for words in ((), ("--context", "corner")):
+            picture = xml.etree.ElementTree.fromstring(self.succeed(
+                "config", "draw", "corner.yaml", "-o", "-", "--role", "supporter", "--ball", "3,2", *words))
+            marker, = [each for each in picture.iter(SVG + "circle") if each.get("class") == "marker"]
+            ball, = [each for each in picture.iter(SVG + "circle") if each.get("class") == "ball"]
+            places[words] = [float(marker.get(axis)) - float(ball.get(axis)) for axis in ("cx", "cy")]
+            title = "small: roles of the context corner" if words else "small: roles of the list playing"
+            self.assertIn(title, [text.text for text in picture.iter(SVG + "text")])
+        metre = -places[()][0]  # a metre behind the ball
+        for axis, difference in zip((0, 1), (-1.0, 1.0)):  # (2, 1) and the ball at (3, 2); y of a picture goes down
+            self.assertAlmostEqual(places["--context", "corner"][axis], difference * metre, delta=0.2)
+
     def test_one_role_for_several_balls(self):
         names, picture = self.texts("--role", "supporter", "--ball=-1,2", "--ball", "3,0")
         self.assertEqual(sorted(names), ["1", "2", "ball 1", "ball 2", "small: roles of the list playing", "supporter"])
@@ -72,6 +88,8 @@ class Drawings(program.Case):
         for words, line in (
                 (("--role", "strikr"), '--role: unknown role "strikr" in playing; nearest: "striker"; known: '),
                 (("--list", "serching"), '--list: unknown list of roles "serching"; known: playing'),
+                (("--context", "playin"), '--context: unknown context "playin"; nearest: "playing"; known: playing'),
+                (("--context", "playing", "--list", "playing"), "--context and --list: one of them"),
                 (("--ball", "1,x"), '--ball 1,x: where the ball is.1: "x" is not a number'),
                 (("--ball", "1"), "--ball 1: where the ball is: "),
                 (("--ball", "0,0", "--no-ball"), "--no-ball and --ball: one of them"),

@@ -383,9 +383,10 @@ TEST_F(CoordinationTest, AContextMovesARole) {
   page.contexts[0].targets[2] = elsewhere;
   for (config::Context& each : page.contexts) each.tasks.keep = config::TaskRules::Keep::all;
   make(page);
+  // Alone on the field: the only row is its own.
   ScriptedAssigner::hook = [](const Frame& frame, UtilityMatrix, Assignment out) {
-    for (std::size_t i = 0; i < frame.world().active().size(); ++i) {
-      if (frame.world().active()[i] == 2) out[i] = 2;
+    for (std::size_t column = 0; column < frame.tasks().size(); ++column) {
+      if (frame.tasks()[column].id == 2) out[0] = static_cast<int>(column);
     }
   };
   const Decision& decision = decide(1.0, {});
