@@ -159,7 +159,7 @@ std::optional<Store::Row> Store::row(std::int64_t row) const {
   });
 }
 
-std::vector<std::string> Store::metric_paths(std::int64_t rows) const {
+match::MetricPaths Store::metric_paths(std::int64_t rows) const {
   return guarded(*parts_, [&] { return parts_->matches.metric_paths(rows); });
 }
 

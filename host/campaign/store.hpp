@@ -66,8 +66,8 @@ class Store {
   // Throws StoreGone when the name does not lead to the file that is written to any more; so does insert().
   void require_file() const;
 
-  // Paths of sides that the first rows have numbers under, each once, in the order in which they come up.
-  std::vector<std::string> metric_paths(std::int64_t rows) const;
+  // Paths that the first rows have numbers under, each once, in the order in which they come up.
+  match::MetricPaths metric_paths(std::int64_t rows) const;
 
   // A stored match and what it was.
   struct Row {

@@ -199,7 +199,7 @@ std::optional<StoredMatches::Row> StoredMatches::row(std::int64_t row) {
 
 std::int64_t StoredMatches::rows() { return parts_->database.execAndGet("SELECT count(*) FROM matches").getInt64(); }
 
-std::vector<std::string> StoredMatches::metric_paths(std::int64_t rows) { return parts_->metrics.paths(rows); }
+match::MetricPaths StoredMatches::metric_paths(std::int64_t rows) { return parts_->metrics.paths(rows); }
 
 void StoredMatches::insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts) {
   const std::string failure = decided.failure ? to_json(*decided.failure) : std::string();

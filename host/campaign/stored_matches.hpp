@@ -36,8 +36,8 @@ class StoredMatches {
   };
   std::optional<Row> row(std::int64_t row);
   std::int64_t rows();
-  // Paths of sides that the first rows have numbers under, each once, in the order in which they come up.
-  std::vector<std::string> metric_paths(std::int64_t rows);
+  // Paths that the first rows have numbers under, each once, in the order in which they come up.
+  match::MetricPaths metric_paths(std::int64_t rows);
 
   // Within a transaction. Also refuses a key that there is already, and a row that is taken.
   void insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts);

@@ -102,17 +102,19 @@ match::MetricNumbers StoredMetrics::read(std::int64_t row) {
   }
 }
 
-std::vector<std::string> StoredMetrics::paths(std::int64_t rows) {
-  std::vector<std::string> out;
+match::MetricPaths StoredMetrics::paths(std::int64_t rows) {
+  match::MetricPaths out;
   SQLite::Statement each(parts_->database, "SELECT names FROM metrics WHERE row <= ? GROUP BY names ORDER BY min(row)");
   each.bind(1, rows);
   while (each.executeStep()) {
     const Names& names = parts_->names(each.getColumn(0).getInt64());
-    for (const match::Side side : match::both_sides) {
-      for (const std::size_t place : names->of(side)) {
-        if (std::ranges::find(out, names->path(place)) == out.end()) out.push_back(names->path(place));
+    const auto take = [&names](std::vector<std::string>& paths, const std::vector<std::size_t>& places) {
+      for (const std::size_t place : places) {
+        if (std::ranges::find(paths, names->path(place)) == paths.end()) paths.push_back(names->path(place));
       }
-    }
+    };
+    for (const match::Side side : match::both_sides) take(out.of_teams, names->of(side));
+    take(out.of_match, names->of_match());
   }
   return out;
 }

@@ -38,8 +38,8 @@ class StoredMetrics {
   match::MetricNumbers read(std::int64_t row);
   // Within a transaction.
   void write(std::int64_t row, const match::MetricNumbers& numbers);
-  // Paths of sides that the first rows have numbers under, each once, in the order in which they come up.
-  std::vector<std::string> paths(std::int64_t rows);
+  // Paths that the first rows have numbers under, each once, in the order in which they come up.
+  match::MetricPaths paths(std::int64_t rows);
   // Lets go of what was read last.
   void reset();
 

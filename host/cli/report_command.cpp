@@ -64,8 +64,8 @@ void refuse_what_does_not_go_together(const ReportOptions& options) {
 }
 
 // Names of the metrics that the matches have which the study takes: what was played ahead does not count.
-std::vector<std::string> metric_columns(const ReportOptions& options, const campaign::Store& store,
-                                        const Invocation& invocation) {
+match::MetricPaths metric_columns(const ReportOptions& options, const campaign::Store& store,
+                                  const Invocation& invocation) {
   std::uint64_t rows = 0;
   const auto report = stored_study(options.file, store, {}, invocation.studies);
   study::read_back(report->study(), store, report->study().metrics(),

@@ -35,7 +35,11 @@ MetricNames::MetricNames(std::vector<MetricName> names) : names_(std::move(names
   }
   for (std::size_t i = 0; i < names_.size(); ++i) {
     const MetricName& each = names_[i];
-    if (!each.side || each.place != 0) continue;
+    if (each.place != 0) continue;
+    if (!each.side) {
+      of_match_.push_back(i);
+      continue;
+    }
     OfSide& side = sides_[index(*each.side)];
     side.numbers.push_back(i);
     if (each.role.empty()) continue;

@@ -38,6 +38,9 @@ class MetricNames {
   // Places of the numbers of a side that are of no list, in their order.
   const std::vector<std::size_t>& of(Side side) const { return sides_[index(side)].numbers; }
 
+  // The same of the match as a whole.
+  const std::vector<std::size_t>& of_match() const { return of_match_; }
+
   // Of a name that only roles have: the places of all of them.
   struct Sum {
     std::string name;
@@ -59,6 +62,16 @@ class MetricNames {
   std::vector<std::string> paths_;
   std::vector<std::size_t> sorted_;  // by side and path
   std::array<OfSide, 2> sides_;
+  std::vector<std::size_t> of_match_;
+};
+
+// Paths that many matches have, of numbers that are of no list.
+struct MetricPaths {
+  std::vector<std::string> of_teams;  // each has one
+  std::vector<std::string> of_match;
+
+  bool empty() const { return of_teams.empty() && of_match.empty(); }
+  friend bool operator==(const MetricPaths&, const MetricPaths&) = default;
 };
 
 // Empty for a match that was not played to its end: missing, not zero.

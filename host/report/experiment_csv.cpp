@@ -44,9 +44,13 @@ std::string experiment_csv_lines(const study::ExperimentPlan& plan, std::uint64_
   };
   if (decided.failure || decided.set_aside()) return before + ",\n";  // that it was played, and has no numbers
   const study::MatchMeasures played(decided, static_cast<int>(trial.side));
-  line("playing_seconds", played.playing_seconds());
+  const std::string always = "playing_seconds";
+  line(always, played.playing_seconds());
   if (measures == CsvMeasures::all) {
     for (const study::NamedValue& each : played.all()) line(each.path, each.value);
+    for (const study::NamedValue& each : study::metric_values_of_match(decided.metrics)) {
+      if (each.path != always) line(each.path, each.value);
+    }
     return out;
   }
   for (const std::string& measure : plan.measures) {

@@ -23,7 +23,7 @@ using CommandOf = std::function<std::string(const campaign::Job& job)>;
 // What stands in a table of results besides what always does.
 struct TableWish {
   bool all_metrics = false;
-  std::vector<std::string> metrics{};  // that matches of the file have
+  match::MetricPaths metrics{};  // that matches of the file have
 };
 
 // What a page is made with.

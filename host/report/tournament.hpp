@@ -36,12 +36,13 @@ std::string tournament_text(const TournamentView& view);
 std::string tournament_json(const TournamentView& view);
 
 // Metrics that stand in the table though nobody asked for any: of short games the packets, and the share of the budget.
-std::vector<std::string> csv_metrics(const study::TournamentPlan& plan);
+match::MetricPaths csv_metrics(const study::TournamentPlan& plan);
 
 // Lines of a table with a row for each match, in the order of the schedule (RFC 4180, but lines end with \n).
-std::string csv_head(const std::vector<std::string>& metrics);
+// Metrics stand at the end of it, those of the match after those of the teams.
+std::string csv_head(const match::MetricPaths& metrics);
 std::string csv_line(const TournamentView& view, std::uint64_t index, const campaign::Decided& decided,
-                     const std::vector<std::string>& metrics);
+                     const match::MetricPaths& metrics);
 
 // "plugin hangs"; where only the team is known "a plugin of small"
 std::string plugin_text(const std::string& plugin, const std::string& team);

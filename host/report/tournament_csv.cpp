@@ -14,21 +14,22 @@
 
 namespace regista::report {
 
-std::vector<std::string> csv_metrics(const study::TournamentPlan& plan) {
+match::MetricPaths csv_metrics(const study::TournamentPlan& plan) {
   if (!plan.short_games()) return {};
-  return {study::packet_metrics.begin(), study::packet_metrics.end()};
+  return {.of_teams = {study::packet_metrics.begin(), study::packet_metrics.end()}, .of_match = {}};
 }
 
-std::string csv_head(const std::vector<std::string>& metrics) {
+std::string csv_head(const match::MetricPaths& metrics) {
   std::string out =
       "row,pair,seed,opening,home,away,home_goals,away_goals,ended,state_hash,forfeited_by,plugin,call,why";
-  for (const std::string& each : metrics)
+  for (const std::string& each : metrics.of_teams)
     out += fmt::format(",{},{}", csv_field("home." + each), csv_field("away." + each));
+  for (const std::string& each : metrics.of_match) out += ',' + csv_field(each);
   return out + '\n';
 }
 
 std::string csv_line(const TournamentView& view, std::uint64_t index, const campaign::Decided& decided,
-                     const std::vector<std::string>& metrics) {
+                     const match::MetricPaths& metrics) {
   const study::Fixture fixture = view.course.calendar().at(index);
   const auto& teams = view.plan.teams;
   const std::string opening = view.plan.openings.empty()
@@ -63,12 +64,13 @@ std::string csv_line(const TournamentView& view, std::uint64_t index, const camp
     for (const std::size_t side : {0u, 1u}) {
       if (!decided.metrics.empty()) values[side] = study::metric_values(decided.metrics, static_cast<int>(side));
     }
-    for (const std::string& each : metrics) {
+    for (const std::string& each : metrics.of_teams) {
       for (const std::vector<study::NamedValue>& of_side : values) {
         const auto found = std::ranges::find(of_side, each, &study::NamedValue::path);
         write(found == of_side.end() ? std::nullopt : std::optional(found->value));
       }
     }
+    for (const std::string& each : metrics.of_match) write(decided.metrics.of_match(each));
   }
   return out + '\n';
 }

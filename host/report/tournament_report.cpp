@@ -81,7 +81,7 @@ class TournamentReport final : public StudyReport {
   std::string page(PageFrame frame) const override;
 
  private:
-  std::vector<std::string> columns(const TableWish& wish) const {
+  match::MetricPaths columns(const TableWish& wish) const {
     return wish.all_metrics ? wish.metrics : csv_metrics(plan_);
   }
   campaign::Job job(std::uint64_t index) const { return study::job(plan_, course_.calendar().at(index)); }

@@ -18,7 +18,10 @@ struct NamedValue {
 };
 std::vector<NamedValue> metric_values(const match::MetricNumbers& metrics, int side);
 
-// The same, and sums over roles.
+// The same of the match as a whole.
+std::vector<NamedValue> metric_values_of_match(const match::MetricNumbers& metrics);
+
+// Those of a side, and sums over roles.
 std::vector<NamedValue> all_metric_values(const match::MetricNumbers& metrics, int side);
 
 }  // namespace regista::study

@@ -68,9 +68,12 @@ class Played(experiment.Experiment):
                     self.assertEqual((row["mean"], condition["mean"]), ("", None))
                 else:
                     self.assertAlmostEqual(float(row["mean"]), condition["mean"], places=12)
-        stored = {(row["arm"], int(row["seed"]), row["side"], row["measure"]): float(row["value"])
-                  for row in self.table_of("--metrics")}
+        table = self.table_of("--metrics")
+        stored = {(row["arm"], int(row["seed"]), row["side"], row["measure"]): float(row["value"]) for row in table}
         self.assertEqual(stored, values)
+        self.assertEqual(len(table), len(stored))  # each number of a match once
+        for name in ("playing_seconds", "in_play_seconds", "ball_rests", "ball_crowd_seconds"):  # of the match, not of a team
+            self.assertEqual(sum(measure == name for *_, measure in stored), 8)
 
     def test_an_arm_against_itself_shows_no_difference(self):
         self.document(experiment.PRIMARY, [("other.yaml", "small.yaml")])

@@ -117,9 +117,14 @@ class Report(tournament.Tournament):
             self.assertEqual({key: row[key] for key in short}, short)
             for side, name in enumerate(("home", "away")):
                 self.assertEqual(float(row[f"{name}.packets"]), metrics["packets"][side])
+                self.assertNotIn(f"{name}.ball_rests", row)
                 for role, numbers in metrics["roles"][side].items():
                     for key in ("overlap_seconds", "uncovered_seconds", "switches"):
                         self.assertEqual(float(row[f"{name}.{role}.{key}"]), numbers[key])
+            of_match = [name for name, value in metrics.items() if not isinstance(value, (list, dict))]
+            self.assertIn("ball_rests", of_match)
+            self.assertEqual(columns[-len(of_match):], of_match)  # last
+            self.assertEqual([float(row[name]) for name in of_match], [metrics[name] for name in of_match])
             self.assertEqual([column for column in columns if row[column] == ""],
                              [column for column in columns if self.there_is_none(metrics, column)])
 
@@ -127,6 +132,8 @@ class Report(tournament.Tournament):
     def there_is_none(metrics, column):
         """Whether the match had no such number, as the error of a ball that nobody knew."""
         side, _, path = column.partition(".")
+        if not path:
+            return metrics[column] is None
         value = {name: member[("home", "away").index(side)] for name, member in metrics.items()
                  if isinstance(member, list) and len(member) == 2}
         names = path.split(".")

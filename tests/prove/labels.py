@@ -21,6 +21,8 @@ import re
 import subprocess
 import sys
 
+import results
+
 PAIRS = 50          # of a tournament
 SECONDS = 30        # of a match
 COINS = 50          # seeds of the coin, for the same matches
@@ -35,16 +37,13 @@ def main(program, label_exchange, source, folder):
     folder.mkdir(parents=True, exist_ok=True)
     tournaments = int(os.environ.get("REGISTA_TOURNAMENTS", "200"))
     match_seed = os.environ.get("REGISTA_MATCH_SEED", "1")
-    results = folder / f"labels_{tournaments}_{match_seed}.db"
-    words = [program, "tournament", "--openings", source / "configs/openings", "--limit", SECONDS, "--pairs",
-             tournaments * PAIRS, "--seed", match_seed, "--results", results, "--no-page", "--quiet"]
+    file = folder / f"labels_{tournaments}_{match_seed}.db"
+    words = ["--openings", source / "configs/openings", "--limit", SECONDS, "--pairs", tournaments * PAIRS, "--seed",
+             match_seed]
     for team in TEAMS:
         words += ["--team", source / f"configs/teams/{team}.yaml"]
-    if results.exists():
-        words.append("--resume")
-    print(subprocess.run([str(word) for word in words], check=True, stdout=subprocess.PIPE, text=True).stdout)
-    table = with_metric(subprocess.run([program, "report", str(results), "--csv", "--metrics"], check=True,
-                                       stdout=subprocess.PIPE, text=True).stdout)
+    print(results.played(program, file, words))
+    table = with_metric(results.table(program, file))
     return judge([label_exchange, str(PAIRS), str(MOST_GOALS)], table, int(os.environ.get("REGISTA_SEED", "1")))
 
 

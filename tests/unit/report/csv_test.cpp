@@ -19,8 +19,8 @@ TEST(CsvText, FieldsThatASpreadsheetWouldRun) {
 TEST(TournamentCsv, Head) {
   EXPECT_EQ(csv_head({}),
             "row,pair,seed,opening,home,away,home_goals,away_goals,ended,state_hash,forfeited_by,plugin,call,why\n");
-  EXPECT_THAT(csv_head({"packets", "a,b"}),
-              testing::EndsWith(",why,home.packets,away.packets,\"home.a,b\",\"away.a,b\"\n"));
+  EXPECT_THAT(csv_head({.of_teams = {"packets", "a,b"}, .of_match = {"ball_rests", "c,d"}}),
+              testing::EndsWith(",why,home.packets,away.packets,\"home.a,b\",\"away.a,b\",ball_rests,\"c,d\"\n"));
 }
 
 TEST(TournamentCsv, ALineForAMatch) {
@@ -50,10 +50,20 @@ TEST(TournamentCsv, FieldsThatHoldSignsOfATable) {
 TEST(TournamentCsv, MetricsOfBothSidesAndNothingWhereThereAreNone) {
   Course course({"a", "b"}, 10);
   const campaign::Decided decided = match(0, 0, R"({"packets":[3,0.1],"agreement":[null,1e300]})");
-  EXPECT_EQ(csv_line(course.view(), 0, decided, {"packets", "agreement"}),
-            "1,1,1,,a,b,0,0,full_time,9f2c,,,,,3,0.1,,1e+300\n");
-  EXPECT_EQ(csv_line(course.view(), 0, failed(0), {"packets", "agreement"}),
+  const match::MetricPaths columns{.of_teams = {"packets", "agreement"}, .of_match = {}};
+  EXPECT_EQ(csv_line(course.view(), 0, decided, columns), "1,1,1,,a,b,0,0,full_time,9f2c,,,,,3,0.1,,1e+300\n");
+  EXPECT_EQ(csv_line(course.view(), 0, failed(0), columns),
             "1,1,1,,a,b,0,10,forfeit,,home,greedy,assign,Segmentation fault,,,,\n");
+}
+
+TEST(TournamentCsv, MetricsOfTheMatchStandOnceAfterThoseOfTheTeams) {
+  Course course({"a", "b"}, 10);
+  const campaign::Decided decided = match(0, 0, R"({"packets":[3,4],"ball_rests":17,"ball_rest_seconds":null})");
+  const match::MetricPaths columns{.of_teams = {"packets"},
+                                   .of_match = {"ball_rests", "ball_rest_seconds", "ball_crowd_seconds"}};
+  EXPECT_EQ(csv_line(course.view(), 0, decided, columns), "1,1,1,,a,b,0,0,full_time,9f2c,,,,,3,4,17,,\n");
+  EXPECT_EQ(csv_line(course.view(), 0, failed(0), columns),
+            "1,1,1,,a,b,0,10,forfeit,,home,greedy,assign,Segmentation fault,,,,,\n");
 }
 
 }  // namespace
