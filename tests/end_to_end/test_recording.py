@@ -86,6 +86,7 @@ class WhatStandsInIt(Recording):
         self.check_beliefs()
         self.check_radio()
         self.check_metrics()
+        self.check_play()
         with self.subTest("events"):
             seen = [(e["time"], e["event"], e["side"], e["robot"] or None, e["score"]) for e in self.file.of("/event")]
             self.assertEqual(seen, [(e["time"], e["event"], e["side"], e["robot"], e["score"])
@@ -97,7 +98,7 @@ class WhatStandsInIt(Recording):
             jsonschema.Draft7Validator.check_schema(schema)
             validators[topic] = jsonschema.Draft7Validator(schema)
         topics = {topic.split("/")[1] for topic in validators}
-        self.assertEqual(topics, {"game", "event", "packet", "heard", "decision", "belief"})
+        self.assertEqual(topics, {"game", "event", "play", "packet", "heard", "decision", "belief"})
         for number, (topic, message) in enumerate(self.file.messages):
             if number % 5 == 0:  # the validator is slow
                 validators[topic].validate(message)
@@ -239,6 +240,30 @@ class WhatStandsInIt(Recording):
                 with self.subTest("metrics", side=side, role=role["name"]):
                     self.assertAlmostEqual(0.1 * overlap[row], stored[role["name"]]["overlap_seconds"], 6)
                     self.assertAlmostEqual(0.1 * uncovered[row], stored[role["name"]]["uncovered_seconds"], 6)
+
+    def check_play(self):
+        """As many of each kind as the match counted, and the nearest robot goes for the ball as often."""
+        plays = self.file.of("/play")
+        self.assertGreater(len(plays), 0)
+        for i, side in enumerate(("home", "away")):
+            for kind, metric in (("shot", "shots"), ("pass", "meant_passes"), ("clearance", "clearances")):
+                with self.subTest("play", side=side, kind=kind):
+                    told = sum(play["kind"] == kind and play["side"] == side for play in plays)
+                    self.assertEqual(told, self.result[metric][i])
+            able = goes = 0
+            for game in self.file.of("/game"):
+                if game["phase"] != "playing" or game["set_play"] != "none":
+                    continue
+                out = {*game["penalised"][i], *game["fallen"][i]}
+                near = [(math.dist(pose[:2], game["ball"][:2]), n) for n, pose in enumerate(game[side], 1)
+                        if n not in out]
+                self.assertFalse(out & {*game["chases"][i]})
+                able += len(near) > 0
+                goes += len(near) > 0 and min(near)[1] in game["chases"][i]
+            with self.subTest("chases", side=side):
+                self.assertAlmostEqual(goes / able, self.result["nearest_plays_ball"][i], 2)
+        with self.subTest("duels"):
+            self.assertEqual(sum(play["kind"] == "duel" for play in plays), self.result["duels"])
 
     def test_packets_that_a_silent_radio_never_sends_are_not_told(self):
         self.write("silent.yaml", "disturbance: silent\nradio: {silence: true}\n")
