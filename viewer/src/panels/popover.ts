@@ -3,7 +3,7 @@
 // field than the button.
 export class Popover {
   constructor(
-    bar: HTMLElement,
+    private readonly bar: HTMLElement,
     private readonly button: HTMLButtonElement,
     private readonly list: HTMLElement,
   ) {
@@ -26,6 +26,12 @@ export class Popover {
 
   private show(open: boolean): void {
     this.list.hidden = !open;
+    // Above its button, as far as there is room to the right.
+    this.list.style.left = "0";
+    if (open) {
+      const room = this.bar.clientWidth - this.list.offsetWidth;
+      this.list.style.left = `${Math.max(0, Math.min(this.button.offsetLeft, room))}px`;
+    }
     this.button.setAttribute("aria-expanded", String(open));
   }
 }
