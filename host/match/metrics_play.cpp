@@ -45,6 +45,12 @@ void PlayMeasures::end_pass(PlayOutcome outcome) {
   pass_.reset();
 }
 
+void PlayMeasures::pass_met_by(int robot) {
+  if (!pass_ || pass_->robot == robot) return;
+  const bool own = roster_.side(pass_->robot) == roster_.side(robot);
+  end_pass(own ? PlayOutcome::arrived : PlayOutcome::intercepted);
+}
+
 void PlayMeasures::end_duel(const std::optional<Duels::Duel>& duel) {
   if (!duel) return;
   ++duel_count_;
@@ -87,9 +93,7 @@ bool PlayMeasures::on_target(Side side, const Ball& ball, int half) const {
 
 void PlayMeasures::touched(int robot, const Ball& ball, int half) {
   const Side side = roster_.side(robot);
-  if (pass_ && pass_->robot != robot) {
-    end_pass(roster_.side(pass_->robot) == side ? PlayOutcome::arrived : PlayOutcome::intercepted);
-  }
+  pass_met_by(robot);
   end_duel(duels_.touched(side));
   clearances_.touched(robot);
   // A post may have turned it away.
@@ -115,6 +119,7 @@ void PlayMeasures::touched(int robot, const Ball& ball, int half) {
 }
 
 void PlayMeasures::kicked(int id, int receiver) {
+  pass_met_by(id);
   end_pass(PlayOutcome::lost);
   clearances_.drop();
   if (receiver == 0) {

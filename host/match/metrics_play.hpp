@@ -10,8 +10,8 @@
 // - Pass: the next robot that touches the ball after one of a team is another of that team, more than 0.5 m from the
 //   place of the last touch. Interception: it is one of the other team, and no shot was saved by it.
 // - Meant pass: a kick of which the behaviour said that it is meant for a teammate. It arrives when the next robot but
-//   the kicker to touch the ball is a teammate, and is intercepted when it is an opponent. When the kicker kicks again
-//   before, or the ball is dead, it does neither.
+//   the kicker to touch or kick the ball is a teammate, and is intercepted when it is an opponent. When the kicker
+//   kicks again before, or the ball is dead, it does neither.
 // - Clearance: see clearances.hpp. Duel: see duels.hpp.
 // - Territory: where the ball is, in the field frame of the team, while it is in play.
 // - Distance walked: the way of the bodies of robots that are not penalised.
@@ -101,6 +101,7 @@ class PlayMeasures {
   void touched(int robot, const Ball& ball, int half);
   void end_shot(PlayOutcome outcome);
   void end_pass(PlayOutcome outcome);
+  void pass_met_by(int robot);  // touches or kicks the ball
   void end_duel(const std::optional<Duels::Duel>& duel);
   void tell(PlayKind kind, const Begun& begun, PlayOutcome outcome) const;
   bool on_target(Side side, const Ball& ball, int half) const;

@@ -239,6 +239,19 @@ TEST_F(Told, EachMeantPassOnceWithItsReceiver) {
   EXPECT_EQ(home().meant_passes + away().meant_passes, 4);
 }
 
+// A kick meets the ball before the step in which it counts as a touch.
+TEST_F(Told, WhoKicksAPassOnHasReceivedIt) {
+  measures.kicked(1, 3);
+  measures.kicked(3, 4);
+  measures.kicked(9, 0);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].outcome, PlayOutcome::arrived);
+  EXPECT_EQ(events[1].outcome, PlayOutcome::intercepted);
+  touch(9, 1.0, 0.0);
+  EXPECT_EQ(home().meant_passes_arrived, 1);
+  EXPECT_EQ(home().meant_passes_intercepted, 1);
+}
+
 // The own third of home ends at x = -1.5 in the first half.
 TEST_F(Told, AClearanceLeavesTheOwnThird) {
   touch(1, -2.0, 0.0);
