@@ -88,6 +88,7 @@ class JobRecording {
     observer_.event = [this](double time, const match::Event& event, const match::GameState& state) {
       write([&] { file_->event(time, event, state); });
     };
+    observer_.play = [this](double time, const match::PlayEvent& event) { write([&] { file_->play(time, event); }); };
     after_ = [this](const mind::Mind& mind, const match::Decision& decision) {
       write([&] { file_->decided(mind, decision); });
     };

@@ -107,6 +107,9 @@ int play_prepared(const MatchOptions& options, std::vector<std::string> words, c
       if (log) log->stepped(snapshot);
       if (recording) recording->stepped(snapshot);
     };
+    if (recording) {
+      observer.play = [&](double time, const match::PlayEvent& event) { recording->play(time, event); };
+    }
     after = [&](const mind::Mind& mind, const match::Decision& decision) {
       if (log) log->decided(mind, decision);
       if (recording) recording->decided(mind, decision);

@@ -157,6 +157,7 @@ OngoingMatch::OngoingMatch(const Setup& setup, std::span<const mind::Think> home
     *observer.physics_log = {setup.rules.field, setup.rules.ball, bodies_of(setup), {}, {}};
     arena_.record(observer.physics_log);
   }
+  metrics_.tell_play(observer.play);
   robots_.reserve(static_cast<std::size_t>(roster_.count()));
   heard_.reserve(64);
   positions_.resize(static_cast<std::size_t>(roster_.count()));
@@ -211,6 +212,7 @@ Result OngoingMatch::run() {
     if (tick_ % steps_per_sample == 0) metrics_.sample(referee_.state(), arena_.states(), able());
     observe();
   }
+  metrics_.finish();
   const GameState& state = referee_.state();
   return {state.goals,
           state.ended == Ended::no ? Ended::limit : state.ended,
@@ -388,6 +390,7 @@ void OngoingMatch::judge(int kicker) {
   }
   const Contacts& contacts = arena_.contacts();
   const int touched_by = contacts.hardest_on_ball >= 0 ? contacts.hardest_on_ball : kicker;
+  metrics_.now(time_);
   metrics_.stepped(arena_.ball(), touched_by, referee_.state());
   follow(referee_.update({.time = time_,
                           .ball = arena_.ball_position(),
@@ -463,7 +466,9 @@ void OngoingMatch::observe() {
       if (robot(id).body.fallen(time_)) fallen |= only(id);
       if (robot(id).body.kicking()) kicking |= only(id);
     }
-    observer_.step({time_, referee_.state(), arena_.states(), fallen, kicking});
+    const GameState& state = referee_.state();
+    const RobotSet chasing = metrics_.chasing(state, arena_.ball(), able());
+    observer_.step({time_, state, arena_.states(), fallen, kicking, chasing});
   }
   if (observer_.second && tick_ % physics_steps_per_second == 0) observer_.second(time_, referee_.state());
 }

@@ -24,6 +24,7 @@
 #include "match/game_state.hpp"
 #include "match/metrics.hpp"
 #include "match/physics_log.hpp"
+#include "match/play_event.hpp"
 #include "mind/command.hpp"
 #include "mind/extensions/log_line.hpp"
 #include "mind/percepts.hpp"
@@ -70,6 +71,7 @@ struct Snapshot {
   const GameState& state;
   std::span<const BodyState> bodies;  // robots by id (home 1..n, away 1..n), then the ball
   RobotSet fallen, kicking;
+  RobotSet chasing;  // go for the ball, in Playing: see metrics_ball.hpp
 };
 
 struct Decision {
@@ -88,6 +90,7 @@ struct Decision {
 struct Observer {
   std::function<void(double time, const GameState&)> second;  // each second of match time
   std::function<void(double time, const Event&, const GameState&)> event;
+  PlayTeller play;  // each shot, meant pass, clearance and duel, once it is decided
   std::function<void(const Snapshot&)> step;
   std::function<void(const Decision&)> decision;
   PhysicsLog* physics_log = nullptr;  // of what is done to the bodies, for Replay

@@ -83,6 +83,15 @@ std::vector<MetricRow> numbers_of_the_match() {
        .total = Total::sum,
        .meaning = "in play, five or more active robots of both teams are within 1 m of the ball",
        .get = [](const Source& from) { return from.result.metrics.ball_crowd_seconds; }},
+      {.of = Of::match,
+       .part = part,
+       .name = "duels",
+       .unit = "times",
+       .total = Total::sum,
+       .meaning =
+           "in play, for 1 s or more without a break at least one able robot of each team is within 0.5 m of the "
+           "ball. When that holds again before anybody has touched the ball, it is the same duel",
+       .get = [](const Source& from) { return from.result.metrics.duels; }},
   };
 }
 
@@ -472,6 +481,16 @@ std::vector<MetricRow> numbers_of_soccer() {
             [](const Source& from) { return from.team().play.meant_passes_arrived; }),
       count("meant_passes_intercepted", "Meant passes that were intercepted", 1, "the same, but it is an opponent",
             [](const Source& from) { return from.team().play.meant_passes_intercepted; }),
+      count("clearances", "Clearances", 1,
+            "kicks in open play of a ball in the own third, `x < -length / 6` in the field frame of the team, that are "
+            "neither a meant pass nor a shot, and after which the ball leaves that third or gets 2 m farther away from "
+            "the centre of the own goal than it lay, before another robot touches it. Assumption: whoever kicks the "
+            "ball out of there for nobody in particular clears it; a goal kick is none",
+            [](const Source& from) { return from.team().play.clearances; }),
+      count("duels_won", "Duels won", 1,
+            "of the `duels` of the match: the team is the first to touch the ball once the duel is over, or scores out "
+            "of it",
+            [](const Source& from) { return from.team().play.duels_won; }),
       {.part = part,
        .name = "possession_seconds",
        .unit = "s",

@@ -132,7 +132,11 @@ void Metrics::sample(const GameState& state, std::span<const BodyState> bodies, 
     worlds_[i].sample(robots);
     plugins_[i].sample();
   }
-  play_.sample(state, bodies, last_touch_);
+  play_.sample(state, bodies, last_touch_, able);
+}
+
+RobotSet Metrics::chasing(const GameState& state, const BodyState& ball, RobotSet able) const {
+  return state.phase == mind::Phase::playing ? ball_.chasing(state, ball, able) : 0;
 }
 
 void Metrics::add_minutes(const GameState& state, std::array<std::vector<int>*, 2> curves) const {
@@ -150,6 +154,7 @@ MatchMetrics Metrics::result(const GameState& state, double end) const {
   out.in_play_seconds = seconds(in_play_);
   out.ball_rests = ball_.rests();
   out.ball_crowd_seconds = ball_.crowd_seconds();
+  out.duels = play_.duels();
   for (const Side side : both_sides) {
     TeamMetrics& team = out.teams[index(side)];
     team.coordination = roles_[index(side)].result(end);

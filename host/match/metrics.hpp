@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "config/robot.hpp"
@@ -60,6 +61,7 @@ struct MatchMetrics {
   double in_play_seconds = 0.0;      // without set plays
   BallRests ball_rests;              // in play, though somebody could soon be there
   double ball_crowd_seconds = 0.0;   // in play, with five robots or more at the ball
+  int duels = 0;
 };
 
 class Metrics {
@@ -68,6 +70,10 @@ class Metrics {
   Metrics(const config::Rules& rules, const std::array<config::Robot, 2>& robots,
           const std::array<std::vector<Role>, 2>& roles, const std::array<std::vector<std::string>, 2>& reasons = {},
           const std::array<std::vector<mind::TeamMetric>, 2>& plugin_metrics = {});
+
+  // Who is told of each shot, meant pass, clearance and duel that is counted.
+  void tell_play(PlayTeller tell) { play_.tell(std::move(tell)); }
+  void now(double time) { play_.now(time); }  // s of match time; to be called before what happens then is told
 
   // Robot `number` has decided. sees_ball: in the image it decided on. time: s of match time.
   void decided(Side side, int number, const mind::Outcome& outcome, bool sees_ball, double time,
@@ -96,6 +102,11 @@ class Metrics {
   // To be called ten times in a second of match time. able: who stands and has not crashed; what it says of penalised
   // robots is not looked at.
   void sample(const GameState& state, std::span<const BodyState> bodies, RobotSet able);
+
+  // Which of the able robots (see above) go for the ball while the phase is Playing; see metrics_ball.hpp.
+  RobotSet chasing(const GameState& state, const BodyState& ball, RobotSet able) const;
+
+  void finish() { play_.finish(); }  // the match has ended; before the result
 
   // At the end of the match: its state, and its length in seconds.
   MatchMetrics result(const GameState& state, double end) const;

@@ -21,14 +21,24 @@ bool BallMeasures::Decision::goes_for(const Vector& ball) const {
   return plays || kicks || (target && squared_length(*target - ball) <= for_the_ball * for_the_ball);
 }
 
+RobotSet BallMeasures::chasing(const GameState& state, const BodyState& ball, RobotSet able) const {
+  RobotSet out = 0;
+  for (int id = 0; id < roster_.count(); ++id) {
+    const Side side = roster_.side(id);
+    if (!contains(able, id) || state.is_penalised(side, roster_.number(id))) continue;
+    if (decisions_[at(id)].goes_for(attack(side, state.half) * Vector{ball.x, ball.y})) out |= only(id);
+  }
+  return out;
+}
+
 void BallMeasures::sample(const GameState& state, std::span<const BodyState> bodies, RobotSet able) {
   ++samples_;
   const BodyState& ball = bodies.back();
   const Vector place{ball.x, ball.y};
+  const RobotSet goes = chasing(state, ball, able);
   bool neglected = false;
   int near = 0;
   for (const Side side : both_sides) {
-    const Vector in_frame = attack(side, state.half) * place;
     int nearest = -1, chasing = 0;
     double least = 0.0;  // m^2
     for (int number = 1; number <= roster_.team_size; ++number) {
@@ -45,13 +55,13 @@ void BallMeasures::sample(const GameState& state, std::span<const BodyState> bod
         nearest = id;
         least = distance;
       }
-      if (decisions_[at(id)].goes_for(in_frame)) ++chasing;
+      if (contains(goes, id)) ++chasing;
     }
     Team& team = teams_[index(side)];
     if (chasing >= 2) ++team.several;
     if (nearest < 0) continue;
     ++team.nearest;
-    if (decisions_[at(nearest)].goes_for(in_frame)) ++team.nearest_plays;
+    if (contains(goes, nearest)) ++team.nearest_plays;
     const double reach = within_reach_[index(side)];
     if (least <= reach * reach) neglected = true;
   }

@@ -60,6 +60,9 @@ class BallMeasures {
   // not penalised, too.
   void sample(const GameState& state, std::span<const BodyState> bodies, RobotSet able);
 
+  // Which of the able robots go for the ball, by their last decisions. able: as above.
+  RobotSet chasing(const GameState& state, const BodyState& ball, RobotSet able) const;
+
   BallMetrics result(Side side) const;
   BallRests rests() const;
   double crowd_seconds() const;

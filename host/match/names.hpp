@@ -8,6 +8,7 @@
 
 #include "match/game_state.hpp"
 #include "match/metrics.hpp"
+#include "match/play_event.hpp"
 #include "mind/percepts.hpp"
 
 namespace regista::match {
@@ -18,6 +19,8 @@ std::string_view name(mind::SetPlay set_play);
 // name(kind) as one word: "kick_off".
 std::string word(EventKind kind);
 std::string word(Offence offence);
+std::string_view name(PlayKind kind);
+std::string_view name(PlayOutcome outcome);
 
 // Reason of a packet, for REGISTA_EVENT_*: "role_changed".
 

@@ -57,8 +57,11 @@ Json roles(const mind::TeamPlan& plan) {
   const std::vector<std::string> names = match::role_names(table);
   Json out = Json::array();
   for (std::size_t i = 0; i < table.size(); ++i) {
-    out.push_back(
-        {{"name", names[i]}, {"list", table[i].list}, {"priority", table[i].priority}, {"robot", table[i].robot}});
+    out.push_back({{"name", names[i]},
+                   {"list", table[i].list},
+                   {"priority", table[i].priority},
+                   {"robot", table[i].robot},
+                   {"plays_ball", table[i].plays_ball}});
   }
   return out;
 }
@@ -122,6 +125,7 @@ mcap::Pairs about(const RecordedSetup& setup) {
     out[side == 0 ? "home" : "away"] = dump({{"team", plan.team().name},
                                              {"file", plan.team().file},
                                              {"robot_radius", plan.robot().body.radius},
+                                             {"walk_speed", plan.robot().walk.forward},
                                              {"roles", roles(plan)},
                                              {"contexts", contexts(plan)}});
   }

@@ -169,6 +169,7 @@ struct MatchRecording::Parts {
     };
     game = channel("/game", "game", schema::game());
     events = channel("/event", "event", schema::event());
+    plays = channel("/play", "play", schema::play());
     packets = channel("/packet", "packet", schema::packet());
     heard = channel("/heard", "heard", schema::heard());
     const auto decision = writer.add_schema("decision", "jsonschema", schema::decision());
@@ -225,10 +226,10 @@ struct MatchRecording::Parts {
   double at_stake;
   mcap::Writer writer;
   JsonText json;
-  mcap::ChannelId game{}, events{}, packets{}, heard{};
+  mcap::ChannelId game{}, events{}, plays{}, packets{}, heard{};
   std::optional<mcap::ChannelId> segment_channel, log_channel, draw_channel;
-  std::uint32_t game_count = 0, event_count = 0, packet_count = 0, heard_count = 0, segment_count = 0, log_count = 0,
-                draw_count = 0;
+  std::uint32_t game_count = 0, event_count = 0, play_count = 0, packet_count = 0, heard_count = 0, segment_count = 0,
+                log_count = 0, draw_count = 0;
   std::array<mind::PacketLimits, 2> limits;
   std::array<bool, 2> with_common{};  // a context of the team uses what all can know
   std::vector<mind::Segment> segments;
@@ -391,6 +392,22 @@ void MatchRecording::event(double time, const match::Event& event, const match::
   parts.write(parts.events, time, parts.event_count);
 }
 
+void MatchRecording::play(double time, const match::PlayEvent& event) {
+  Parts& parts = *parts_;
+  JsonText& json = parts.json;
+  parts.begin(time);
+  json.key("kind").word(match::name(event.kind)).key("side").word(match::name(event.side));
+  json.key("robot").integer(event.number).key("began").number(event.began);
+  json.key("at").open('[').number(event.at.x).number(event.at.y).close(']');
+  if (event.outcome != match::PlayOutcome::none) json.key("outcome").word(match::name(event.outcome));
+  if (event.kind == match::PlayKind::pass) json.key("receiver").integer(event.receiver);
+  if (event.kind == match::PlayKind::duel) {
+    json.key("opponent").integer(event.opponent).key("duration").number(event.duration);
+  }
+  json.close('}');
+  parts.write(parts.plays, time, parts.play_count);
+}
+
 void MatchRecording::stepped(const match::Snapshot& snapshot) {
   Parts& parts = *parts_;
   if (snapshot.time - parts.chunk_began >= parts.at_stake - 1e-9) {
@@ -426,6 +443,7 @@ void MatchRecording::stepped(const match::Snapshot& snapshot) {
   robots("penalised", state.penalised[0] | static_cast<match::RobotSet>(state.penalised[1]) << team_size);
   robots("fallen", snapshot.fallen);
   robots("kicks", snapshot.kicking);
+  robots("chases", snapshot.chasing);
   const match::BodyState& ball = snapshot.bodies.back();
   json.key("ball").open('[').number(ball.x).number(ball.y).number(ball.vx).number(ball.vy).close(']');
   for (const std::size_t side : {0u, 1u}) {

@@ -5,6 +5,7 @@
 //
 //   /game                  ten times a second: clock, phase, score, penalties, packets left, where everything truly is
 //   /event                 of the referee, when it happens
+//   /play                  each shot, meant pass, clearance and duel, when it is decided what became of it
 //   /packet                when it is sent and charged, by whom and why
 //   /heard                 when a robot hears a packet of another
 //   /segment               what becomes of the bytes that plugins offer for packets; only where they offer some
@@ -45,6 +46,7 @@ class MatchRecording {
   // To be called as match::play calls its observers.
   void decided(const mind::Mind& mind, const match::Decision& turn);
   void event(double time, const match::Event& event, const match::GameState& state);
+  void play(double time, const match::PlayEvent& event);
   void stepped(const match::Snapshot& snapshot);
   void close();
 

@@ -78,6 +78,7 @@ inline std::string game() {
                  {"penalised", both_sets},
                  {"fallen", both_sets},
                  {"kicks", described(both_sets, "robots that are kicking")},
+                 {"chases", described(both_sets, "able robots that go for the ball, in Playing"), true},
                  {"ball", described(list(number, 4, 4), "x, y in m, velocity in m/s, world frame")},
                  {"home", list(pose)},
                  {"away", list(pose)},
@@ -94,6 +95,24 @@ inline std::string event() {
                  {"offence", R"({"type":"string","description":"of a penalty"})", true},
                  {"score", both_counts}},
                 "event");
+}
+
+// receiver: of a pass; opponent and duration: of a duel. A clearance has no outcome.
+inline std::string play() {
+  using namespace part;
+  return object(
+      {{"time", described(number, "s since the match began: when it was decided what became of it")},
+       {"kind", R"({"type":"string","enum":["shot","pass","clearance","duel"]})"},
+       {"side", described(side, "whose shot, pass or clearance; in a duel, whose robot was nearer to the ball")},
+       {"robot", integer},
+       {"began", described(number, "s since the match began")},
+       {"at", described(list(number, 2, 2), "x, y of the ball in m when it began, world frame")},
+       {"outcome",
+        R"({"type":"string","enum":["goal","saved","missed","arrived","intercepted","lost","won","undecided"]})", true},
+       {"receiver", described(integer, "of a pass: whom it was meant for"), true},
+       {"opponent", described(integer, "of a duel: the robot of the other side"), true},
+       {"duration", described(number, "s, of a duel"), true}},
+      "play");
 }
 
 inline std::string packet() {

@@ -97,7 +97,7 @@ class WhatStandsInIt(Recording):
             jsonschema.Draft7Validator.check_schema(schema)
             validators[topic] = jsonschema.Draft7Validator(schema)
         topics = {topic.split("/")[1] for topic in validators}
-        self.assertEqual(topics, {"game", "event", "packet", "heard", "decision", "belief"})
+        self.assertEqual(topics, {"game", "event", "play", "packet", "heard", "decision", "belief"})
         for number, (topic, message) in enumerate(self.file.messages):
             if number % 5 == 0:  # the validator is slow
                 validators[topic].validate(message)
@@ -279,6 +279,39 @@ class WhatStandsInIt(Recording):
                         checked += 1
                 before = held
         self.assertGreater(checked, 4)
+
+
+class Play(Recording):
+    plugins = tuple(sorted(program.BEHAVIOURS[0].parent.glob("*.so")))  # all that are shipped
+
+    def test_as_much_is_told_as_is_counted(self):
+        """Of each kind, and the nearest robot goes for the ball as often."""
+        teams = [program.SOURCE / "configs/teams" / name for name in ("regista.yaml", "spqr2023.yaml")]
+        result = json.loads(self.succeed("match", *teams, "--seed", "31", "--limit", "400", "--json", "--record",
+                                         "a.mcap"))
+        file = self.recording()
+        plays = file.of("/play")
+        validator = jsonschema.Draft7Validator(file.schemas["/play"])
+        for play in plays:
+            validator.validate(play)
+        self.assertEqual(sorted(play["time"] for play in plays), [play["time"] for play in plays])
+        self.assertEqual(sum(play["kind"] == "duel" for play in plays), result["duels"])
+        for i, side in enumerate(("home", "away")):
+            told = collections.Counter(play["kind"] for play in plays if play["side"] == side)
+            for kind, metric in (("shot", "shots"), ("pass", "meant_passes"), ("clearance", "clearances")):
+                self.assertEqual(told[kind], result[metric][i], (side, kind))
+            able = goes = 0
+            for game in file.of("/game"):
+                if game["phase"] != "playing" or game["set_play"] != "none":
+                    continue
+                out = {*game["penalised"][i], *game["fallen"][i]}
+                self.assertFalse(out & {*game["chases"][i]})
+                near = [(math.dist(pose[:2], game["ball"][:2]), n) for n, pose in enumerate(game[side], 1)
+                        if n not in out]
+                able += len(near) > 0
+                goes += len(near) > 0 and min(near)[1] in game["chases"][i]
+            self.assertAlmostEqual(goes / able, result["nearest_plays_ball"][i], 3)
+        self.assertEqual({play["kind"] for play in plays}, {"shot", "pass", "clearance", "duel"})
 
 
 class Ends(Recording):

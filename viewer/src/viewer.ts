@@ -17,30 +17,37 @@ import {
 import { decisionStep, eventStep, goalStep, timeOf } from "./app/steps";
 import type { Theme } from "./app/theme";
 import { Field } from "./field/field";
+import { Heat } from "./field/heat";
 import { type Pair, pairAt, pairNow } from "./model/compare";
 import { computedNames } from "./model/positioner";
 import { type Stretch, neighbour } from "./model/roles";
 import { countSwitches } from "./model/switches";
 import { listText, shortened, timeText } from "./model/text";
+import { AtBallPanel } from "./panels/at_ball";
 import { ComparePanel } from "./panels/compare";
 import { DrawingChoice, hasDrawings } from "./panels/drawing_choice";
 import { byId, element, setText } from "./panels/elements";
 import { Head } from "./panels/head";
+import { HeatChoice } from "./panels/heat_choice";
 import { LogPanel, hasLines } from "./panels/log";
 import { MatchPanel } from "./panels/match";
 import { OverlapList } from "./panels/overlaps";
+import { PlayPanel } from "./panels/plays";
 import { RobotPanel } from "./panels/robot";
 import { SegmentPanel, hasSegments } from "./panels/segments";
 import type { Side } from "./recording/about";
 import type { Match } from "./recording/match";
 import { isGoal } from "./recording/messages";
 import { stripLanes } from "./time/detail";
+import { playLane } from "./time/plays";
 import { Timeline } from "./time/timeline";
 
 const panelTexts: Record<PanelName, string> = {
   overlaps: "Overlaps",
   robot: "Robot",
   compare: "Compare",
+  plays: "Actions",
+  ball: "At the ball",
   segments: "Segments",
   log: "Log",
   match: "Match",
@@ -67,11 +74,14 @@ export class Viewer {
   private readonly list: OverlapList;
   private readonly robotPanel: RobotPanel;
   private readonly comparePanel: ComparePanel;
+  private readonly playPanel: PlayPanel;
+  private readonly atBallPanel: AtBallPanel;
   private readonly segmentPanel: SegmentPanel;
   private readonly logPanel: LogPanel;
   private readonly matchPanel: MatchPanel;
   private readonly address: Address;
   private readonly drawings: DrawingChoice;
+  private readonly heat: HeatChoice;
   private readonly computed: readonly [string[], string[]]; // by side: names of what its positioners compute
   private panelsDrawn = 0;
   private panelsStale = true;
@@ -84,10 +94,11 @@ export class Viewer {
     byId("viewer").style.setProperty("--rows", String(Math.max(...match.game.sizes)));
     const [over, under] = stripLanes(match);
     byId("viewer").style.setProperty("--lanes", String(over + under));
+    byId("viewer").style.setProperty("--plays", String(playLane(match)));
     this.state = new State(match.game.begin, match.game.end);
     this.computed = [computedNames(match, 0), computedNames(match, 1)];
     this.palette = readPalette();
-    this.field = new Field(byId("field"), match, this.palette);
+    this.field = new Field(byId("field"), match, this.palette, new Heat(match, () => this.timeline.window));
     this.timeline = new Timeline(
       {
         box: byId("timeline"),
@@ -108,6 +119,8 @@ export class Viewer {
     this.comparePanel = new ComparePanel(byId("panel-compare"), byId("tab-row"), match, (pair) =>
       this.state.set({ pair }),
     );
+    this.playPanel = new PlayPanel(byId("panel-plays"), match, (time) => this.state.set({ time }));
+    this.atBallPanel = new AtBallPanel(byId("panel-ball"), match);
     this.segmentPanel = new SegmentPanel(byId("panel-segments"), match, (time) => this.state.set({ time }));
     this.logPanel = new LogPanel(byId("panel-log"), match, (time) => this.state.set({ time }));
     this.matchPanel = new MatchPanel(byId("panel-match"), match, name, (time) => this.state.set({ time }));
@@ -119,6 +132,7 @@ export class Viewer {
     theme.changed = () => this.repaint();
     this.state.listen((changed) => this.changed(changed));
     this.buildControls();
+    this.heat = new HeatChoice(byId("layers"), match, this.state);
     this.drawings = new DrawingChoice(byId("layers"), match, this.state);
     this.go(location.hash);
     this.address.listen((fragment) => this.go(fragment));
@@ -199,6 +213,8 @@ export class Viewer {
     scrub.setAttribute("aria-valuetext", timeText(view.time));
     if (view.panel === "overlaps") this.list.update(view.time, true);
     if (view.panel === "robot") this.robotPanel.update(view);
+    if (view.panel === "plays") this.playPanel.update(view.time);
+    if (view.panel === "ball") this.atBallPanel.update(view.time);
     if (view.panel === "segments") this.segmentPanel.update(view.time);
     if (view.panel === "log") this.logPanel.update(view);
     if (view.panel === "compare") {
@@ -309,6 +325,10 @@ export class Viewer {
       key(["o"], "o", "list of overlaps", () => this.state.set({ panel: "overlaps" })),
       key(["r"], "r", "the chosen robot", () => this.state.set({ panel: "robot" })),
       key(["c"], "c", "comparison", () => this.state.set({ panel: "compare" })),
+      key(["a"], "a", "actions with the ball: shots, passes, clearances, duels", () =>
+        this.state.set({ panel: "plays" }),
+      ),
+      key(["f"], "f", "at the ball: who goes for it, and why nobody does", () => this.state.set({ panel: "ball" })),
       key(["s"], "s", "segments of packets, if there are any", () => {
         if (hasSegments(this.match)) this.state.set({ panel: "segments" });
       }),
@@ -324,6 +344,7 @@ export class Viewer {
       key(["w"], "w", "drawings of plugins, if there are any: all or none", () => {
         if (hasDrawings(this.match)) this.drawings.toggle();
       }),
+      key(["h"], "h", "heat map on or off", () => this.heat.toggle()),
       key(["="], "=", "less time in the timeline", () => this.zoom(0.6)),
       key(["_"], "_", "more time in the timeline", () => this.zoom(1.7)),
       key(["d"], "d", "light or dark", () => this.theme.toggle()),
@@ -454,5 +475,6 @@ export class Viewer {
     for (const layer of layerNames) byId(`layer-${layer}`).setAttribute("aria-pressed", String(view.layers[layer]));
     this.showComputed(view);
     this.drawings.update(view);
+    this.heat.update(view);
   }
 }

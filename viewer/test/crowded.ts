@@ -114,6 +114,22 @@ function drawing(message: Json, { plugins, layers }: Names, index: number): Json
 
 const hexagon = (corner: number, axis: 0 | 1) => 0.9 * Math.cos((corner * Math.PI) / 3 - (axis * Math.PI) / 2);
 
+// Something happens with the ball every half second.
+function playsAsWell(time: number): { topic: string; message: Json }[] {
+  const n = Math.round(2 * time);
+  if (Math.abs(n / 2 - time) > 1e-6) return [];
+  const play = {
+    time,
+    began: Math.max(0, time - 1),
+    side: n % 3 === 0 ? "home" : "away",
+    robot: (n % 7) + 1,
+    at: [0, 0],
+  };
+  const duel = { kind: "duel", outcome: "lost", opponent: 7, duration: 12.3 };
+  const kinds = [{ kind: "shot", outcome: "saved" }, { kind: "pass", outcome: "intercepted", receiver: 6 }, duel];
+  return [{ topic: "/play", message: { ...play, ...kinds[n % 3] } }];
+}
+
 export async function crowded(names: Names): Promise<Uint8Array> {
   const pairs = metadata(names.teams);
   for (const key of ["home", "away"]) {
@@ -137,6 +153,7 @@ export async function crowded(names: Names): Promise<Uint8Array> {
     metadata: pairs,
     segments: true,
     plugins: true,
+    more: playsAsWell,
     message: (topic, message, index) => {
       const time = message.time as number;
       if (topic === "/game") {
@@ -147,6 +164,7 @@ export async function crowded(names: Names): Promise<Uint8Array> {
           roles: [rolesOf(time, 0), rolesOf(time, 1)],
           set_play: "pushing_free_kick",
           packets_left: [1200 - 10 * time, 1200],
+          chases: [[2, 5], [3]],
         };
       }
       if (topic === "/event" && message.event === "kick_off")

@@ -26,8 +26,8 @@ const screens = [
   { width: 1920, height: 1080 },
 ];
 const panels = {
-  ...{ o: "Overlaps", r: "Robot", c: "Compare", s: "Segments", k: "Log", m: "Match" },
-  ...{ Drawings: "Drawings", "?": "Help" },
+  ...{ o: "Overlaps", r: "Robot", c: "Compare", a: "Actions", f: "At the ball", s: "Segments", k: "Log", m: "Match" },
+  ...{ Drawings: "Drawings", Heat: "Heat map", "?": "Help" },
 };
 
 async function measure(address: string, wholeNames: boolean): Promise<string[]> {
@@ -36,14 +36,15 @@ async function measure(address: string, wholeNames: boolean): Promise<string[]> 
   await page.goto(address);
   await page.waitForFunction(() => document.body.dataset.counted === "true");
   await page.keyboard.press("w"); // what plugins drew
+  await page.keyboard.press("h");
   const found: string[] = [];
   for (const colorScheme of ["light", "dark"] as const) {
     await page.emulateMedia({ colorScheme });
     for (const screen of screens) {
       await page.setViewportSize(screen);
       for (const [key, panel] of Object.entries(panels)) {
-        const isList = key === "Drawings"; // of layers, above its button
-        const button = page.locator("#drawings-open");
+        const isList = key === "Drawings" || key === "Heat"; // above its button
+        const button = page.locator(`#${key.toLowerCase()}-open`);
         if (isList && !(await button.isVisible())) continue;
         if (isList) await button.click();
         else await page.keyboard.press(key);

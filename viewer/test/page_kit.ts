@@ -112,3 +112,18 @@ export async function placeOnField(page: Page, pose: number[]): Promise<{ x: num
   const scale = Math.min(box.width / 10.4, box.height / 7.4);
   return { x: box.x + box.width / 2 + scale * pose[0]!, y: box.y + box.height / 2 - scale * pose[1]!, scale };
 }
+
+// The colour of the field at a place in metres.
+export async function colourAt(page: Page, x: number, y: number): Promise<number[]> {
+  const place = await placeOnField(page, [x, y]);
+  return page.evaluate(({ x, y }) => {
+    const field = document.getElementById("field") as HTMLCanvasElement;
+    const box = field.getBoundingClientRect();
+    const scale = field.width / box.width;
+    const copy = document.createElement("canvas");
+    [copy.width, copy.height] = [1, 1];
+    const context = copy.getContext("2d")!;
+    context.drawImage(field, -Math.round((x - box.x) * scale), -Math.round((y - box.y) * scale));
+    return [...context.getImageData(0, 0, 1, 1).data.slice(0, 3)];
+  }, place);
+}

@@ -7,23 +7,8 @@ import { test } from "node:test";
 
 import type { Page } from "playwright-core";
 
-import { open, placeOnField, settle, shownTime, synthetic, text } from "./page_kit";
+import { colourAt, open, settle, shownTime, synthetic, text } from "./page_kit";
 import { recording } from "./synthetic";
-
-// The colour of the field at a place in metres.
-async function colourAt(page: Page, x: number, y: number): Promise<number[]> {
-  const place = await placeOnField(page, [x, y]);
-  return page.evaluate(({ x, y }) => {
-    const field = document.getElementById("field") as HTMLCanvasElement;
-    const box = field.getBoundingClientRect();
-    const scale = field.width / box.width;
-    const copy = document.createElement("canvas");
-    [copy.width, copy.height] = [1, 1];
-    const context = copy.getContext("2d")!;
-    context.drawImage(field, -Math.round((x - box.x) * scale), -Math.round((y - box.y) * scale));
-    return [...context.getImageData(0, 0, 1, 1).data.slice(0, 3)];
-  }, place);
-}
 
 const magenta = [255, 0, 255];
 const cyan = [0, 255, 255];

@@ -135,6 +135,48 @@ export function drawingsAt(time: number): Json[] {
 
 const tables = ["striker", "defender"];
 
+// What happened with the ball in recordings made `withPlays`.
+export const played: Json[] = [
+  { time: 13, kind: "pass", side: "home", robot: 2, began: 12, at: [-1.8, 0.5], outcome: "arrived", receiver: 3 },
+  {
+    ...{ time: 16.2, kind: "duel", side: "home", robot: 3, began: 14, at: [-1.6, 0.5] },
+    ...{ outcome: "lost", opponent: 1, duration: 2.2 },
+  },
+  { time: 18.6, kind: "clearance", side: "home", robot: 1, began: 18, at: [-2, 0.5] },
+  { time: 25, kind: "shot", side: "home", robot: 3, began: 23, at: [-0.7, 0.5], outcome: "goal" },
+  { time: 29, kind: "pass", side: "away", robot: 2, began: 28, at: [-0.2, 0.5], outcome: "intercepted", receiver: 1 },
+];
+export const playsAt = (time: number): Json[] => played.filter((play) => Math.abs((play.time as number) - time) < 1e-6);
+
+// Robot 2 of home goes for the ball, but from 35 to 38 s, when it lies still: then it leaves it to robot 3, the striker,
+// which says that it takes it, and does not go.
+const rests = (time: number) => time > 34.95 && time < 38.05;
+function claimsAt(time: number): Json[] {
+  const line = { time, side: "home", plugin: "play_ball", level: "debug" };
+  const at = (when: number) => Math.abs(time - when) < 1e-6;
+  if (at(35)) return [{ ...line, robot: 3, text: "claim: takes the ball, 6.2 s before 2" }];
+  if (at(36)) return [{ ...line, robot: 2, text: "claim: leaves the ball to 3" }];
+  return [];
+}
+const knowing = (team: string): string => {
+  const out = JSON.parse(team) as Json & { roles: Json[] };
+  const roles = out.roles.map((role) => ({ ...role, plays_ball: role.name === "striker" }));
+  return JSON.stringify({ ...out, walk_speed: 0.25, roles });
+};
+export const withPlays: Change = {
+  metadata: { home: knowing(metadata().home!), away: knowing(metadata().away!) },
+  message: (topic, message) => {
+    if (topic !== "/game") return message;
+    const time = message.time as number;
+    const ball = rests(time) ? [...ballAt(34).slice(0, 2), 0, 0] : message.ball;
+    return { ...message, ball, chases: [rests(time) || phaseAt(time) !== "playing" ? [] : [2], []] };
+  },
+  more: (time) => [
+    ...playsAt(time).map((message) => ({ topic: "/play", message })),
+    ...claimsAt(time).map((message) => ({ topic: "/log", message })),
+  ],
+};
+
 // Robots 2 and 3 of home each believe that the other takes the role that they do not.
 function assignedBy(side: 0 | 1, robot: number, time: number): number[] {
   const own = rolesAt(time)[side];

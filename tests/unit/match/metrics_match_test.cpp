@@ -143,6 +143,52 @@ TEST(MetricsOfAMatch, TheBallDoesNotRestBesideWhoHasCrashed) {
   EXPECT_NEAR(rest(s), 4.0, 0.2);
 }
 
+// What is told of the play is what the metrics count. The minds of home mean every second kick for a teammate.
+TEST(MetricsOfAMatch, AsMuchIsToldAsIsCounted) {
+  match::Setup s = setup(3);
+  s.rules.durations.half = 240.0;
+  std::vector<mind::Think> home = chasers(7, 0, true);
+  for (mind::Think& think : home) {
+    think = [think, kicks = 0](const mind::Percepts& percepts, std::span<const mind::HeardPacket> heard,
+                               mind::Outcome& out) mutable {
+      think(percepts, heard, out);
+      if (out.command.kick) out.command.kick->receiver = ++kicks % 2;
+    };
+  }
+  std::array<std::array<int, 4>, 2> told{};
+  std::array<std::array<int, 9>, 2> outcomes{};
+  double last = 0.0;
+  Observer observer;
+  observer.play = [&](double time, const PlayEvent& event) {
+    ++told[index(event.side)][static_cast<std::size_t>(event.kind)];
+    const bool lost_duel = event.kind == PlayKind::duel && event.outcome == PlayOutcome::lost;
+    const Side whose = lost_duel ? opposite(event.side) : event.side;
+    ++outcomes[index(whose)][static_cast<std::size_t>(lost_duel ? PlayOutcome::won : event.outcome)];
+    EXPECT_LE(last, time);
+    EXPECT_LE(event.began, time);
+    last = time;
+  };
+  const Result result = play(s, home, chasers(7, 0, true), &observer);
+  const auto number = [](const auto& list, auto what) { return list[static_cast<std::size_t>(what)]; };
+  int duels = 0, all = 0;
+  for (const Side side : both_sides) {
+    const PlayMetrics& counted = result.metrics.teams[index(side)].play;
+    EXPECT_EQ(number(told[index(side)], PlayKind::shot), counted.shots);
+    EXPECT_EQ(number(told[index(side)], PlayKind::pass), counted.meant_passes);
+    EXPECT_EQ(number(told[index(side)], PlayKind::clearance), counted.clearances);
+    duels += number(told[index(side)], PlayKind::duel);
+    EXPECT_EQ(number(outcomes[index(side)], PlayOutcome::goal), counted.shots_scored);
+    EXPECT_EQ(number(outcomes[index(side)], PlayOutcome::saved), counted.shots_saved);
+    EXPECT_EQ(number(outcomes[index(side)], PlayOutcome::arrived), counted.meant_passes_arrived);
+    EXPECT_EQ(number(outcomes[index(side)], PlayOutcome::intercepted), counted.meant_passes_intercepted);
+    EXPECT_EQ(number(outcomes[index(side)], PlayOutcome::won), counted.duels_won);
+    all += counted.shots + counted.meant_passes + counted.clearances;
+  }
+  EXPECT_EQ(duels, result.metrics.duels);
+  EXPECT_GT(duels, 0);
+  EXPECT_GT(all, 10);
+}
+
 // Of a goal that somebody shot there is a shot.
 TEST(MetricsOfAMatch, GoalsComeFromShots) {
   match::Setup s = setup(3);

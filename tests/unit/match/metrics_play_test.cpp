@@ -169,6 +169,209 @@ TEST_F(Play, APassBeginsWhereTheBallWasLeft) {
   EXPECT_EQ(home().passes, 0);
 }
 
+// Ends of what is told: kind, robot, outcome. Times are those of now().
+struct Told : Play {
+  std::vector<PlayEvent> events;
+  std::vector<double> times;
+  Told() {
+    measures.tell([this](double time, const PlayEvent& event) {
+      times.push_back(time);
+      events.push_back(event);
+    });
+  }
+  // Of home robot 2 and away robot 3 at these places, everybody else far away; the ball lies at (0, 0).
+  void stand(double home_x, double away_x, int samples, RobotSet able = ~RobotSet{0}) {
+    GameState state;
+    state.phase = mind::Phase::playing;
+    std::vector<BodyState> bodies(15, ball(4.0, 2.0));
+    bodies[1].x = static_cast<float>(home_x);
+    bodies[9].x = static_cast<float>(away_x);
+    bodies[1].y = bodies[9].y = 0.0f;
+    bodies[14] = ball(0.0, 0.0);
+    for (int i = 0; i < samples; ++i) measures.sample(state, bodies, std::nullopt, able);
+  }
+};
+
+TEST_F(Told, EachShotOnceWithWhatBecameOfIt) {
+  measures.now(1.0);
+  touch(2, 2.0, 0.0, speed(4.0));
+  EXPECT_TRUE(events.empty()) << "it is under way";
+  measures.now(3.0);
+  touch(7, 4.2, 0.0, -1.0);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].kind, PlayKind::shot);
+  EXPECT_EQ(events[0].outcome, PlayOutcome::saved);
+  EXPECT_EQ(events[0].side, Side::home);
+  EXPECT_EQ(events[0].number, 3);
+  EXPECT_EQ(events[0].began, 1.0);
+  EXPECT_EQ(times[0], 3.0);
+  EXPECT_NEAR(events[0].at.x, 2.0, 1e-6);
+  touch(2, 2.0, 0.0, speed(4.0));
+  measures.scored(Side::home);
+  touch(2, 2.0, 0.0, speed(4.0));
+  measures.ball_placed();
+  touch(2, 2.0, 0.0, speed(4.0));
+  measures.finish();
+  ASSERT_EQ(events.size(), 4u);
+  EXPECT_EQ(events[1].outcome, PlayOutcome::goal);
+  EXPECT_EQ(events[2].outcome, PlayOutcome::missed);
+  EXPECT_EQ(events[3].outcome, PlayOutcome::missed) << "the match ended";
+  EXPECT_EQ(home().shots, 4);
+}
+
+TEST_F(Told, EachMeantPassOnceWithItsReceiver) {
+  measures.kicked(1, 3);
+  touch(1, 0.0, 0.0, 1.0);
+  touch(2, 1.0, 0.0);
+  measures.kicked(2, 4);
+  touch(9, 1.5, 0.0);
+  measures.kicked(9, 1);
+  measures.kicked(9, 2);
+  measures.finish();
+  ASSERT_EQ(events.size(), 4u);
+  EXPECT_EQ(events[0].outcome, PlayOutcome::arrived);
+  EXPECT_EQ(events[0].number, 2);
+  EXPECT_EQ(events[0].receiver, 3) << "whom it was meant for, not who got it";
+  EXPECT_EQ(events[1].outcome, PlayOutcome::intercepted);
+  EXPECT_EQ(events[2].outcome, PlayOutcome::lost) << "it kicked again";
+  EXPECT_EQ(events[2].side, Side::away);
+  EXPECT_EQ(events[3].outcome, PlayOutcome::lost);
+  EXPECT_EQ(home().meant_passes + away().meant_passes, 4);
+}
+
+// A kick meets the ball before the step in which it counts as a touch.
+TEST_F(Told, WhoKicksAPassOnHasReceivedIt) {
+  measures.kicked(1, 3);
+  measures.kicked(3, 4);
+  measures.kicked(9, 0);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].outcome, PlayOutcome::arrived);
+  EXPECT_EQ(events[1].outcome, PlayOutcome::intercepted);
+  touch(9, 1.0, 0.0);
+  EXPECT_EQ(home().meant_passes_arrived, 1);
+  EXPECT_EQ(home().meant_passes_intercepted, 1);
+}
+
+// The own third of home ends at x = -1.5 in the first half.
+TEST_F(Told, AClearanceLeavesTheOwnThird) {
+  touch(1, -2.0, 0.0);
+  measures.kicked(1, 0);
+  touch(1, -2.0, 0.0, 1.0);
+  roll(-1.6, 0.0, 1.0);
+  EXPECT_EQ(home().clearances, 0);
+  roll(-1.4, 0.0, 1.0);
+  EXPECT_EQ(home().clearances, 1);
+  roll(-1.0, 0.0, 1.0);
+  EXPECT_EQ(home().clearances, 1) << "once";
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].kind, PlayKind::clearance);
+  EXPECT_EQ(events[0].outcome, PlayOutcome::none);
+  EXPECT_NEAR(events[0].at.x, -2.0, 1e-6);
+}
+
+TEST_F(Told, OrGetsTwoMetresFartherFromTheOwnGoal) {
+  touch(1, -4.0, 0.0);
+  measures.kicked(1, 0);
+  roll(-4.0, 2.4);
+  EXPECT_EQ(home().clearances, 0) << "0.5 m from the goal's centre before, 2.45 m now";
+  roll(-4.0, 2.6);
+  EXPECT_EQ(home().clearances, 1);
+}
+
+TEST_F(Told, NoClearanceIsAPassAShotABlockedKickOrAGoalKick) {
+  const auto kick = [&](int receiver) {
+    touch(1, -2.0, 0.0);
+    measures.kicked(1, receiver);
+  };
+  kick(3);
+  roll(0.0, 0.0);
+  EXPECT_EQ(home().clearances, 0) << "a meant pass";
+  kick(0);
+  touch(1, -2.0, 0.0, speed(8.0));
+  roll(0.0, 0.0, speed(6.0));
+  EXPECT_EQ(home().clearances, 0) << "a shot";
+  kick(0);
+  touch(8, -1.9, 0.0);
+  roll(0.0, 0.0);
+  EXPECT_EQ(home().clearances, 0) << "an opponent was in the way";
+  measures.ball_placed();
+  roll(-4.0, 1.1);
+  measures.kicked(1, 0);
+  roll(0.0, 0.0);
+  EXPECT_EQ(home().clearances, 0) << "a goal kick";
+  touch(1, -1.4, 0.0);
+  measures.kicked(1, 0);
+  roll(0.0, 0.0);
+  EXPECT_EQ(home().clearances, 0) << "not in the own third";
+  half = 2;
+  touch(1, 2.0, 0.0);
+  measures.kicked(1, 0);
+  roll(1.0, 0.0);
+  EXPECT_EQ(home().clearances, 1) << "after the change of sides";
+}
+
+TEST_F(Told, ADuelLastsASecondAndIsWonByTheNextTouch) {
+  measures.now(5.0);
+  stand(0.3, -0.2, 9);
+  touch(1, 0.0, 0.0);
+  stand(0.3, -0.6, 1);
+  touch(1, 0.0, 0.0);
+  EXPECT_EQ(measures.duels(), 0) << "0.9 s";
+  stand(0.3, -0.2, 10);
+  touch(1, 0.0, 0.0);
+  EXPECT_EQ(measures.duels(), 0) << "both are still there";
+  stand(0.3, -0.6, 1);
+  EXPECT_EQ(measures.duels(), 0) << "nobody has had the ball since";
+  measures.now(7.0);
+  touch(1, 0.0, 0.0);
+  EXPECT_EQ(measures.duels(), 1);
+  EXPECT_EQ(home().duels_won, 1);
+  EXPECT_EQ(away().duels_won, 0);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].kind, PlayKind::duel);
+  EXPECT_EQ(events[0].side, Side::away) << "whose robot was nearer";
+  EXPECT_EQ(events[0].number, 3);
+  EXPECT_EQ(events[0].opponent, 2);
+  EXPECT_EQ(events[0].outcome, PlayOutcome::lost);
+  EXPECT_DOUBLE_EQ(events[0].duration, 1.0);
+  EXPECT_EQ(events[0].began, 5.0);
+  EXPECT_EQ(times[0], 7.0);
+}
+
+TEST_F(Told, TheSameDuelGoesOnWhileNobodyHasTouchedTheBall) {
+  stand(0.3, -0.2, 10);
+  stand(0.3, -0.6, 3);
+  stand(0.3, -0.2, 5);
+  stand(0.6, -0.2, 1);
+  touch(9, 0.0, 0.0);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_DOUBLE_EQ(events[0].duration, 1.5);
+  EXPECT_EQ(events[0].outcome, PlayOutcome::won);
+}
+
+TEST_F(Told, ADeadBallLeavesADuelUndecidedAndAGoalDecidesIt) {
+  stand(0.3, -0.2, 20);
+  measures.ball_placed();
+  stand(0.3, -0.2, 20);
+  measures.scored(Side::home);
+  measures.ball_placed();
+  stand(0.3, -0.2, 20);
+  measures.finish();
+  ASSERT_EQ(events.size(), 3u);
+  EXPECT_EQ(events[0].outcome, PlayOutcome::undecided);
+  EXPECT_EQ(events[1].outcome, PlayOutcome::lost);
+  EXPECT_EQ(events[2].outcome, PlayOutcome::undecided);
+  EXPECT_EQ(measures.duels(), 3);
+  EXPECT_EQ(home().duels_won, 1);
+}
+
+TEST_F(Told, NobodyDuelsWithWhoHasFallen) {
+  stand(0.3, -0.2, 20, ~only(9));
+  stand(0.6, -0.6, 1);
+  touch(1, 0.0, 0.0);
+  EXPECT_EQ(measures.duels(), 0);
+}
+
 TEST_F(Play, TerritoryPossessionAndDistance) {
   GameState state;
   state.phase = mind::Phase::playing;
@@ -179,10 +382,10 @@ TEST_F(Play, TerritoryPossessionAndDistance) {
   bodies[14].x = 1.5f;
   EXPECT_EQ(home().possession_share, std::nullopt);
   EXPECT_EQ(home().ball_x_metres, std::nullopt);
-  for (int i = 0; i < 10; ++i) measures.sample(state, bodies, std::nullopt);
-  for (int i = 0; i < 30; ++i) measures.sample(state, bodies, Side::away);
+  for (int i = 0; i < 10; ++i) measures.sample(state, bodies, std::nullopt, 0);
+  for (int i = 0; i < 30; ++i) measures.sample(state, bodies, Side::away, 0);
   bodies[14].x = -0.5f;
-  for (int i = 0; i < 10; ++i) measures.sample(state, bodies, Side::home);
+  for (int i = 0; i < 10; ++i) measures.sample(state, bodies, Side::home, 0);
   EXPECT_DOUBLE_EQ(home().possession_seconds, 1.0);
   EXPECT_DOUBLE_EQ(away().possession_seconds, 3.0);
   EXPECT_DOUBLE_EQ(*away().possession_share, 0.75);
@@ -195,7 +398,7 @@ TEST_F(Play, TerritoryPossessionAndDistance) {
   // Out of play, and a penalised robot: it walks nowhere, and the ball is nowhere.
   state.set_play = mind::SetPlay::kick_in;
   state.penalised[0] = 0b1;
-  for (int i = 0; i < 10; ++i) measures.sample(state, bodies, Side::home);
+  for (int i = 0; i < 10; ++i) measures.sample(state, bodies, Side::home, 0);
   EXPECT_NEAR(home().distance_walked_metres, 2.5, 1e-6);
   EXPECT_NEAR(away().distance_walked_metres, 1.5, 1e-6);
   EXPECT_DOUBLE_EQ(home().possession_seconds, 1.0);
@@ -203,7 +406,7 @@ TEST_F(Play, TerritoryPossessionAndDistance) {
   // Sides change ends.
   state.set_play = mind::SetPlay::none;
   state.half = 2;
-  for (int i = 0; i < 50; ++i) measures.sample(state, bodies, std::nullopt);
+  for (int i = 0; i < 50; ++i) measures.sample(state, bodies, std::nullopt, 0);
   EXPECT_DOUBLE_EQ(*home().opponent_half_share, 0.9);
 }
 

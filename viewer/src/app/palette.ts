@@ -20,6 +20,7 @@ const names = [
   "uncovered",
   "first",
   "second",
+  "heat",
   "on-home",
   "on-away",
 ] as const;

@@ -9,12 +9,18 @@ export interface Robot {
   number: number;
 }
 
-export const panelNames = ["overlaps", "robot", "compare", "segments", "log", "match"] as const;
+export const panelNames = ["overlaps", "robot", "compare", "plays", "ball", "segments", "log", "match"] as const;
 export type PanelName = (typeof panelNames)[number];
 
 // "computed": what the positioner computed, drawn only when wanted.
 export const layerNames = ["belief", "ellipses", "tasks", "trails", "computed"] as const;
 export type LayerName = (typeof layerNames)[number];
+
+// Heat maps: of what, and over which stretch of the match. "window": what the timeline shows.
+export const heatWhats = ["ball", "home", "away", "robot"] as const;
+export type HeatWhat = (typeof heatWhats)[number];
+export const heatStretches = ["match", "first", "second", "window"] as const;
+export type HeatStretch = (typeof heatStretches)[number];
 
 export const speeds = [0.25, 0.5, 1, 2, 4, 8, 16] as const;
 
@@ -28,6 +34,8 @@ export interface View {
   panel: PanelName;
   knowledge: Knowledge;
   layers: Record<LayerName, boolean>;
+  heat: HeatWhat | null;
+  heatStretch: HeatStretch;
   drawings: readonly number[]; // layers of plugins, as places in the recording's, ascending
 }
 
@@ -42,6 +50,8 @@ export class State {
     panel: "overlaps",
     knowledge: "decided",
     layers: { belief: true, ellipses: true, tasks: true, trails: true, computed: false },
+    heat: null,
+    heatStretch: "match",
     drawings: [],
   };
   private readonly listeners: ((changed: ReadonlySet<keyof View>) => void)[] = [];

@@ -11,6 +11,7 @@ import type { Match } from "../recording/match";
 import { drawBelief } from "./belief";
 import { drawTrueBall, shownBallRadius } from "./ball";
 import { drawShapes, styleOf } from "./drawings";
+import type { Heat } from "./heat";
 import { Projection, drawGround } from "./ground";
 import { Labels } from "./labels";
 import { drawPlan } from "./plan";
@@ -30,6 +31,7 @@ export class Field {
     element: HTMLCanvasElement,
     private readonly match: Match,
     private palette: Palette,
+    private readonly heat: Heat,
   ) {
     this.canvas = new Canvas(element);
     this.ground = new Canvas(document.createElement("canvas"));
@@ -76,10 +78,11 @@ export class Field {
     }
     moment.set(view.time);
     context.drawImage(this.ground.element, 0, 0, canvas.width, canvas.height);
-    if (view.layers.trails) this.drawTrails();
-    this.drawSetPlay();
     this.labels.clear();
     this.takeBodies();
+    this.heat.draw(canvas, to, view, palette, this.labels);
+    if (view.layers.trails) this.drawTrails();
+    this.drawSetPlay();
 
     const pair = view.panel === "compare" ? view.pair : null;
     const compared = pair === null ? null : pair.robots.map((number) => ({ side: pair.side, number }));

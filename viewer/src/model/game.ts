@@ -41,6 +41,8 @@ export class Game {
   penalised = new Uint32Array(0); // robots as bits
   fallen = new Uint32Array(0);
   kicks = new Uint32Array(0);
+  chases = new Uint32Array(0); // who goes for the ball
+  tellsChases = false; // recordings of earlier versions do not
   ball = new Float32Array(0); // [sample * 4]: x, y, vx, vy
   poses = new Float32Array(0); // [(sample * robots + robot) * 3]: x, y, heading; home first
   roles = new Int16Array(0); // [sample * robots + robot]
@@ -73,6 +75,7 @@ export class Game {
     this.setPlay[i] = setPlays.indexOf(m.setPlay);
     this.kicking[i] = m.kicking;
     this.ball.set(m.ball, 4 * i);
+    this.tellsChases ||= m.chases !== null;
     let robot = i * this.robots;
     for (const side of bothSides) {
       this.score[2 * i + side] = m.score[side];
@@ -80,6 +83,7 @@ export class Game {
       this.penalised[2 * i + side] = maskOf(m.penalised[side]);
       this.fallen[2 * i + side] = maskOf(m.fallen[side]);
       this.kicks[2 * i + side] = maskOf(m.kicks[side]);
+      this.chases[2 * i + side] = maskOf(m.chases?.[side] ?? []);
       for (let n = 0; n < this.sizes[side]; ++n, ++robot) {
         this.poses.set(m.robots[side][n]!, 3 * robot);
         this.roles[robot] = m.roles[side][n]!;
@@ -101,6 +105,7 @@ export class Game {
     this.penalised = grown(this.penalised, 2 * length);
     this.fallen = grown(this.fallen, 2 * length);
     this.kicks = grown(this.kicks, 2 * length);
+    this.chases = grown(this.chases, 2 * length);
     this.ball = grown(this.ball, 4 * length);
     this.poses = grown(this.poses, 3 * robots * length);
     this.roles = grown(this.roles, robots * length);

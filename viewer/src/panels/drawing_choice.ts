@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Which layers of the plugins' drawings are drawn: a button among those below the field, which opens a list of switches,
-// one for each layer. Any number of layers with names of any length take no more room below the field than this.
+// one for each layer.
 import { drawingColours } from "../app/palette";
 import type { State, View } from "../app/state";
 import { layerText } from "../model/drawings";
 import type { Match } from "../recording/match";
 import { element, setText } from "./elements";
+import { Popover } from "./popover";
 
 export class DrawingChoice {
-  private readonly button = element("button", {
-    ...{ type: "button", id: "drawings-open", "aria-haspopup": "true", "aria-controls": "drawings" },
-  });
+  private readonly button = element("button", { type: "button", id: "drawings-open" });
   private readonly list = element("div", { id: "drawings", role: "group", "aria-label": "Layers of plugins" });
   private readonly switches: HTMLButtonElement[];
 
@@ -28,24 +27,8 @@ export class DrawingChoice {
       return made;
     });
     this.list.append(...this.switches);
-    this.button.addEventListener("click", () => this.show(this.list.hidden));
-    document.addEventListener("pointerdown", ({ target }) => {
-      if (target instanceof Node && !this.button.contains(target) && !this.list.contains(target)) this.show(false);
-    });
-    bar.addEventListener("keydown", (event) => {
-      if (event.key !== "Escape" || this.list.hidden) return;
-      event.stopPropagation(); // the chosen robot stays
-      this.show(false);
-      this.button.focus();
-    });
-    this.show(false);
     this.button.hidden = !hasDrawings(match);
-    bar.append(this.button, this.list);
-  }
-
-  private show(open: boolean): void {
-    this.list.hidden = !open;
-    this.button.setAttribute("aria-expanded", String(open));
+    new Popover(bar, this.button, this.list);
   }
 
   // All layers, or, where some are drawn, none.

@@ -26,6 +26,7 @@ export interface Role {
   list: string;
   priority: number;
   robot: number; // that alone may take it; 0 = any
+  playsBall: boolean | null; // null: not recorded
 }
 
 export interface Term {
@@ -51,6 +52,7 @@ export interface Team {
   name: string;
   file: string;
   robotRadius: number;
+  walkSpeed: number | null; // m/s, forward at most; null: not recorded
   roles: Role[];
   contexts: Context[];
 }
@@ -111,6 +113,7 @@ function roleOf(value: unknown, where: string): Role {
     list: checked.text(role.list, `${where}.list`),
     priority: checked.integer(role.priority, `${where}.priority`),
     robot: checked.integer(role.robot, `${where}.robot`),
+    playsBall: (role.plays_ball ?? null) === null ? null : checked.boolean(role.plays_ball, `${where}.plays_ball`),
   };
 }
 
@@ -146,6 +149,7 @@ function teamOf(value: unknown, where: string): Team {
     name: checked.text(team.team, `${where}.team`),
     file: checked.text(team.file ?? "", `${where}.file`),
     robotRadius: positive(team.robot_radius, `${where}.robot_radius`),
+    walkSpeed: (team.walk_speed ?? null) === null ? null : positive(team.walk_speed, `${where}.walk_speed`),
     roles: checked.list(team.roles, `${where}.roles`, roleOf),
     contexts: checked.list(team.contexts, `${where}.contexts`, contextOf),
   };

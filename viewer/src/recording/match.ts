@@ -24,12 +24,14 @@ import {
   phases,
   segmentOf,
 } from "./messages";
+import { type PlayMessage, playOf } from "./play_messages";
 import { type LogLine, logLineOf } from "./plugin_messages";
 
 export interface Match {
   about: About;
   game: Game;
   events: EventMessage[];
+  plays: PlayMessage[]; // shots, meant passes, clearances, duels, by when they began
   packets: Packets;
   segments: Segments;
   lines: LogLine[]; // that plugins wrote, by time
@@ -73,6 +75,7 @@ class Reading {
   about: About | null = null;
   game: Game | null = null;
   events: EventMessage[] = [];
+  readonly plays: PlayMessage[] = [];
   packets: Packets | null = null;
   readonly segments = new Segments();
   readonly lines: LogLine[] = [];
@@ -138,6 +141,9 @@ class Reading {
         this.phase = phaseOfEvent[event.event] ?? this.phase;
         return;
       }
+      case "/play":
+        this.plays.push(playOf(parsedJson(data)));
+        return;
       case "/packet": {
         const packet = packetOf(parsedJson(data));
         return this.whenKnown(() => this.packets!.addSent(packet));
@@ -221,6 +227,7 @@ export async function readMatch(bytes: Uint8Array, progress?: (share: number) =>
 
   packets.close(game.end, reading.gaps);
   reading.segments.close();
+  reading.plays.sort((a, b) => a.began - b.began);
   reading.lines.sort((a, b) => a.time - b.time);
   reading.drawings.close();
   for (const side of bothSides) {
@@ -234,6 +241,7 @@ export async function readMatch(bytes: Uint8Array, progress?: (share: number) =>
   return {
     about,
     game,
+    plays: reading.plays,
     packets,
     segments: reading.segments,
     lines: reading.lines,

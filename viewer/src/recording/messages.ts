@@ -32,6 +32,7 @@ export interface GameMessage {
   penalised: [number[], number[]];
   fallen: [number[], number[]];
   kicks: [number[], number[]];
+  chases: [number[], number[]] | null; // who goes for the ball; null: not recorded
   ball: [number, number, number, number]; // x, y, vx, vy
   robots: [Pose[], Pose[]];
   roles: [number[], number[]];
@@ -175,6 +176,7 @@ export function gameOf(json: unknown): GameMessage {
     penalised: checked.both(m.penalised, "penalised", integers),
     fallen: checked.both(m.fallen, "fallen", integers),
     kicks: checked.both(m.kicks ?? [[], []], "kicks", integers),
+    chases: (m.chases ?? null) === null ? null : checked.both(m.chases, "chases", integers),
     ball: checked.numbers(m.ball, "ball", 4) as [number, number, number, number],
     robots: [poses(m.home, "home"), poses(m.away, "away")],
     roles: checked.both(m.roles, "roles", integers),

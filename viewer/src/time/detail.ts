@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A window of the match: a row for each robot of one team with the roles it held and the packets it sent; roles held
-// twice are framed in the rows and named below, in a lane each, and so are those that nobody held.
+// A window of the match: what happened with the ball; a row for each robot of one team with the roles it held and the
+// packets it sent; roles held twice are framed in the rows and named below, in a lane each, and so are those that nobody
+// held.
 import { Canvas, font } from "../app/canvas";
 import type { Palette } from "../app/palette";
 import type { View } from "../app/state";
@@ -13,9 +14,10 @@ import { timeText } from "../model/text";
 import type { Side } from "../recording/about";
 import type { Match } from "../recording/match";
 import { eventText } from "../recording/messages";
+import { drawPlays, playLane } from "./plays";
 import { type TimeScale, gutter, margin, tickSeconds } from "./scale";
 
-export const axisHeight = 24; // times above, events below
+const axisHeight = 24; // times above, events below
 const laneHeight = 10; // of overlaps and of uncovered roles, below the rows
 const mostLanes = [3, 2]; // of overlaps, of uncovered roles
 const stripsMargin = 6;
@@ -84,6 +86,15 @@ export class Detail {
     ];
   }
 
+  // Where the lane of what happened with the ball ends, and the rows of the robots begin.
+  get rowsTop(): number {
+    return axisHeight + playLane(this.match);
+  }
+
+  isPlayLane(py: number): boolean {
+    return py >= axisHeight && py < this.rowsTop;
+  }
+
   resize(width: number, height: number): boolean {
     this.scale.width = width;
     return this.canvas.fit(width, height);
@@ -91,7 +102,7 @@ export class Detail {
 
   rowHeight(side: Side): number {
     const strips = (this.lanes[0] + this.lanes[1]) * laneHeight + stripsMargin;
-    return (this.canvas.height - axisHeight - strips) / Math.max(1, this.match.game.sizes[side]);
+    return (this.canvas.height - this.rowsTop - strips) / Math.max(1, this.match.game.sizes[side]);
   }
 
   draw(view: View, palette: Palette): void {
@@ -104,6 +115,7 @@ export class Detail {
     context.rect(gutter, 0, width - gutter - margin, height);
     context.clip();
     this.drawAxis(palette);
+    drawPlays(context, this.scale, this.match, palette, axisHeight);
     this.drawRuns(view, palette);
     this.drawGaps(palette);
     this.drawOverlapFrames(side, palette);
@@ -159,7 +171,7 @@ export class Detail {
     context.textBaseline = "middle";
     context.font = font(Math.min(10.5, rowHeight - 2.2));
     for (const [n, runs] of match.courses[side].runs.entries()) {
-      const y = axisHeight + n * rowHeight;
+      const y = this.rowsTop + n * rowHeight;
       for (const { role, from, to } of runs) {
         const begin = game.times[from]!;
         const end = game.until(to - 1);
@@ -197,21 +209,21 @@ export class Detail {
       const w = Math.min(this.canvas.width - margin, this.scale.x(to ?? this.scale.to)) - x;
       context.save();
       context.beginPath();
-      context.rect(x, axisHeight, w, bottom - axisHeight);
+      context.rect(x, this.rowsTop, w, bottom - this.rowsTop);
       context.clip();
       context.strokeStyle = palette.line;
       context.lineWidth = 1;
       context.beginPath();
-      for (let at = x - (bottom - axisHeight); at < x + w; at += 7) {
+      for (let at = x - (bottom - this.rowsTop); at < x + w; at += 7) {
         context.moveTo(at, bottom);
-        context.lineTo(at + bottom - axisHeight, axisHeight);
+        context.lineTo(at + bottom - this.rowsTop, this.rowsTop);
       }
       context.stroke();
       context.font = font(11);
       context.textAlign = "center";
       context.textBaseline = "middle";
       const text = ["not recorded: damaged", "damaged"].find((one) => context.measureText(one).width < w - 4) ?? "";
-      label(context, text, x + w / 2, (axisHeight + bottom) / 2, palette.text, palette.panel);
+      label(context, text, x + w / 2, (this.rowsTop + bottom) / 2, palette.text, palette.panel);
       context.restore();
     }
   }
@@ -227,7 +239,7 @@ export class Detail {
         for (const [from, to] of held(match, side, robot, stretch)) {
           const x = scale.x(from);
           const w = Math.max(2, scale.x(to) - x);
-          const y = axisHeight + (robot - 1) * rowHeight;
+          const y = this.rowsTop + (robot - 1) * rowHeight;
           context.strokeRect(x + 0.5, y + 1.5, w - 1, rowHeight - 2 - foot);
         }
       }
@@ -243,7 +255,7 @@ export class Detail {
     const size = 3.4;
     const listener = view.robot !== null && view.robot.side === view.side ? view.robot.number : 0;
     for (let n = 1; n <= match.game.sizes[view.side]; ++n) {
-      const base = axisHeight + n * rowHeight - 0.5;
+      const base = this.rowsTop + n * rowHeight - 0.5;
       for (const packet of match.packets.between(view.side, n, scale.from, scale.to)) {
         const x = scale.x(packet.time);
         const missed = listener > 0 && match.packets.lost(packet, listener);
@@ -356,7 +368,7 @@ export class Detail {
     context.textAlign = "right";
     context.textBaseline = "middle";
     for (let n = 1; n <= this.match.game.sizes[side]; ++n) {
-      const y = axisHeight + (n - 0.5) * rowHeight;
+      const y = this.rowsTop + (n - 0.5) * rowHeight;
       const chosen = view.panel !== "compare" && view.robot?.side === side && view.robot.number === n;
       if (chosen) {
         context.fillStyle = side === 0 ? palette.home : palette.away;
@@ -372,13 +384,14 @@ export class Detail {
         context.setLineDash(i === 0 ? [] : [2.5, 2]);
         context.lineWidth = 2.5;
         context.beginPath();
-        context.arc(14, axisHeight + (n - 0.5) * rowHeight, Math.min(4, rowHeight / 2 - 1), 0, 2 * Math.PI);
+        context.arc(14, this.rowsTop + (n - 0.5) * rowHeight, Math.min(4, rowHeight / 2 - 1), 0, 2 * Math.PI);
         context.stroke();
       }
       context.setLineDash([]);
     }
     context.font = font(10);
     context.fillStyle = palette.muted;
+    if (this.rowsTop > axisHeight) context.fillText("with the ball", gutter - 8, (axisHeight + this.rowsTop) / 2);
     for (const { kind, top, lanes } of this.strips) {
       const text = kind === "overlaps" ? "held twice" : "uncovered";
       context.fillText(text, gutter - 8, top + (lanes * laneHeight) / 2);

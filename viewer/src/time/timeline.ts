@@ -47,6 +47,11 @@ export class Timeline {
     this.listen();
   }
 
+  // What the window shows, s.
+  get window(): readonly [number, number] {
+    return [this.detail.scale.from, this.detail.scale.to];
+  }
+
   setPalette(palette: Palette): void {
     this.palette = palette;
     this.overview.invalidate();

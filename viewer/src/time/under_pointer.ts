@@ -8,7 +8,8 @@ import { lastNotAfter } from "../recording/log";
 import type { Match } from "../recording/match";
 import { type EventMessage, eventText, isGoal } from "../recording/messages";
 import { packetLines } from "../panels/packet_lines";
-import { type Detail, axisHeight } from "./detail";
+import type { Detail } from "./detail";
+import { playsUnderPointer } from "./plays";
 import type { TimeScale } from "./scale";
 
 // robot: whom a click there chooses.
@@ -49,7 +50,8 @@ export function underPointer(detail: Detail, view: View, px: number, py: number)
     }
     return { lines, robot: null };
   }
-  const row = Math.floor((py - axisHeight) / detail.rowHeight(side));
+  if (detail.isPlayLane(py)) return { lines: [...lines, ...playsUnderPointer(match, scale, px)], robot: null };
+  const row = Math.floor((py - detail.rowsTop) / detail.rowHeight(side));
   if (row < 0) {
     const near = match.events.filter((event) => Math.abs(scale.x(event.time) - px) < 5);
     for (const event of near.slice(0, 4)) {
