@@ -73,13 +73,14 @@ struct KeepGoal {
 
   void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
     const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
+    const bool plays = situation.phase == behaviours::Phase::playing && situation.facts.can_kick &&
+                       keep_goal::plays_ball(situation, settings) &&
+                       !keep_goal::comes_too_late(situation, settings, ball_play.opponents(frame)) &&
+                       ball_play.plays_ball(frame, situation, true);
+    if (plays && playing.claim.nearest_plays) behaviours::announce(situation.ball, out);
     const behaviours::Movement movement = behaviours::by_phase(situation, conduct.legal, [&] {
-      if (!situation.facts.can_kick || !keep_goal::plays_ball(situation, settings) ||
-          keep_goal::comes_too_late(situation, settings, ball_play.opponents(frame)) ||
-          !ball_play.plays_ball(frame, situation, true)) {
-        return keep_goal::guard(situation, settings, rolling, conduct.legal);
-      }
-      return behaviours::approach(situation, approach, rolling, ball_play.choose(frame, situation));
+      return plays ? behaviours::approach(situation, approach, rolling, ball_play.choose(frame, situation))
+                   : keep_goal::guard(situation, settings, rolling, conduct.legal);
     });
     behaviours::say_receiver(movement, pass);
     behaviours::write_action(movement, behaviours::look(situation, conduct.gaze), out);

@@ -152,6 +152,22 @@ TEST(KeepGoalPlugin, ThrowsItselfAtAShotPastEverybody) {
   EXPECT_NEAR(action.pose[1], 0.5, 1e-12);
 }
 
+// So that teammates, and those who count, know that it goes for the ball.
+TEST(KeepGoalPlugin, AnnouncesTheBallThatItTakes) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "keep_goal");
+  const FrameBuilder base = FrameBuilder{}.own(1).robot(1).task("goalkeeper").at(-4.3, 0);
+  const Scene near = FrameBuilder(base).ball(-3.1, 0.2).build(), far = FrameBuilder(base).ball(1, 0).build();
+  const BodyBuilder body = BodyBuilder{}.at(-4.3, 0).task(0).sees_ball();
+  Instance claims(plugin, EnvironmentBuilder{}.own(1), Values(plugin).set("nearest_plays", 1));
+  const regista_action takes = claims.act(near, body);
+  EXPECT_NE(takes.flags & REGISTA_ACTION_TARGET, 0u);
+  EXPECT_EQ(takes.target[0], -3.1);
+  EXPECT_EQ(takes.target[1], 0.2);
+  EXPECT_EQ(claims.act(far, body).flags & REGISTA_ACTION_TARGET, 0u);
+  Instance plain(plugin, EnvironmentBuilder{}.own(1));
+  EXPECT_EQ(plain.act(near, body).flags & REGISTA_ACTION_TARGET, 0u) << "the paper's teams stay what they are";
+}
+
 TEST(KeepGoalPlugin, ComesOutOrLeavesTheBallAsItIsTold) {
   const Loaded plugin(REGISTA_PLUGIN_FILE, "keep_goal");
   const FrameBuilder base = FrameBuilder{}.own(1).robot(1).task("goalkeeper").at(-4.3, 0);
