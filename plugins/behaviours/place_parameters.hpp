@@ -53,6 +53,11 @@ inline constexpr auto lane_parameters = regista::within(
                   "Room that another place has to gain over the last one; our choice: 0.1")
         .tunable());
 
+inline constexpr auto turns_first_parameter =
+    regista::real("turns_first", &SearchSettings::turns_first, {0.0, 60.0}, "s",
+                  "A search begins with so long a look about where the robot stands; 0: it goes at once")
+        .tunable();
+
 inline constexpr std::tuple looked_at_parameters{
     regista::boolean(
         "divides_field", &LookedAtSettings::divides,

@@ -11,8 +11,9 @@
 namespace behaviours {
 
 struct SearchSettings {
-  double at_target = 0.5;  // m
-  double turn_rate = 0.6;  // rad/s: slow enough for the camera
+  double at_target = 0.5;    // m
+  double turn_rate = 0.6;    // rad/s: slow enough for the camera
+  double turns_first = 0.0;  // s in which a search begins with a look about where the robot stands
 };
 
 inline Movement search(const Situation& situation, const SearchSettings& settings, const LegalPlaceSettings& legal) {

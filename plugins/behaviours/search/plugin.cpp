@@ -25,15 +25,16 @@ struct Search {
   behaviours::Conduct conduct;
   behaviours::SearchSettings settings;
   behaviours::LookedAtSettings shared;
-  static constexpr std::tuple parameters{regista::within(&Search::conduct, behaviours::conduct_parameters),
-                                         regista::within(&Search::settings, behaviours::search_parameters),
-                                         regista::within(&Search::shared, behaviours::looked_at_parameters)};
+  static constexpr std::tuple parameters{
+      regista::within(&Search::conduct, behaviours::conduct_parameters),
+      regista::within(&Search::settings, behaviours::search_parameters, behaviours::turns_first_parameter),
+      regista::within(&Search::shared, behaviours::looked_at_parameters)};
 
   behaviours::SituationReader reader{behaviours::Duty::other};
 
   behaviours::LookedAt looked_at;
   std::vector<behaviours::Teammate> teammates;
-  std::optional<double> searched;  // match time of the last decision to search
+  std::optional<double> began, searched;  // match times of this search, and of the last decision to search
 
   void setup(const regista::Environment& environment) {
     reader.setup(environment);
@@ -43,19 +44,29 @@ struct Search {
   void reset(std::uint64_t) { searched.reset(); }
 
   void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
-    const behaviours::Situation& read = reader.read(frame, body, conduct.ball_trusted_for);
-    behaviours::Situation situation = read;
-    if (shared.divides && situation.phase == behaviours::Phase::playing) divide(frame, body, situation);
+    behaviours::Situation situation = reader.read(frame, body, conduct.ball_trusted_for);
+    if (situation.phase == behaviours::Phase::playing) {
+      const bool first = begin(situation);
+      if (shared.divides) divide(frame, body, situation, first);
+      if (situation.time - *began < settings.turns_first) situation.has_task = false;  // it turns where it stands
+    }
     const behaviours::Movement movement = behaviours::by_phase(
         situation, conduct.legal, [&] { return behaviours::search(situation, settings, conduct.legal); });
     behaviours::write_action(movement, behaviours::look(situation, conduct.gaze), out);
   }
 
-  // Its target becomes what it should look at next.
-  void divide(const regista::Frame& frame, const regista::Body& body, behaviours::Situation& situation) {
+  // Whether this decision is the first of a search.
+  bool begin(const behaviours::Situation& situation) {
     constexpr double another_search = 3.0;  // s without one: the ball has been seen, and lies anywhere now
-    if (!searched || situation.time - *searched > another_search) looked_at.begin(situation.facts.field);
+    const bool first = !searched || situation.time - *searched > another_search;
+    if (first) began = situation.time;
     searched = situation.time;
+    return first;
+  }
+
+  // Its target becomes what it should look at next.
+  void divide(const regista::Frame& frame, const regista::Body& body, behaviours::Situation& situation, bool first) {
+    if (first) looked_at.begin(situation.facts.field);
     behaviours::read_teammates(frame, situation, teammates);
     looked_at.hear(situation, shared, teammates);
     looked_at.see(situation, shared);
