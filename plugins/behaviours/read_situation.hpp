@@ -54,6 +54,8 @@ class SituationReader {
     edges_.reserve(most_edges);
   }
 
+  const Facts& facts() const { return situation_.facts; }
+
   // ball_trusted_for: s; nobody acts on older news of the ball. Valid until the next call.
   const Situation& read(const regista::Frame& frame, const regista::Body& body, double ball_trusted_for) {
     Situation& s = situation_;

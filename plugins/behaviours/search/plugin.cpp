@@ -39,6 +39,7 @@ struct Search {
   void setup(const regista::Environment& environment) {
     reader.setup(environment);
     teammates.reserve(environment->team_size);
+    looked_at.begin(reader.facts().field);  // and so has its memory
   }
 
   void reset(std::uint64_t) { searched.reset(); }
