@@ -145,7 +145,8 @@ void read_targets(const Node& targets, const RoleList& list, const std::string& 
 Context resolved(const ContextPage& written, const Node& document, const TeamPage& page, const std::string& what,
                  Mistakes& mistakes) {
   Context context;
-  Node values = coordination_of(document), targets;
+  Node values = coordination_of(document);
+  bool list_known = !mistakes.mistaken("roles");
   for (const Node::Entry& entry : written.use.entries()) {
     const std::string first = entry.key.substr(0, entry.key.find('.'));
     mistakes.attempt(what, [&] {
@@ -153,15 +154,17 @@ Context resolved(const ContextPage& written, const Node& document, const TeamPag
         throw Error(entry.key_where, unknown("key", first, what, usable_keys()));
       }
       if (entry.key == "roles") {
+        list_known = false;
         // A list that could not be read may be the one that is meant.
         const bool all_lists =
             !mistakes.mistaken("roles") && page.role_lists.size() == document["roles"].entries().size();
         if (!all_lists && entry.value.kind() == Node::Kind::scalar) return;
         context.role_list = role_list_named(entry.value, page, what + ".roles");
+        list_known = true;
       } else if (first == "roles") {
         throw Error(entry.key_where, what + ": roles takes the name of a list and has no parts");
       } else if (first == "targets") {
-        targets = with(targets ? targets : Node::map({}, entry.key_where), entry.key, entry.value, entry.key_where);
+        // Read below, once the list of roles is known.
       } else if (const std::string term = unknown_term(entry.key, values); !term.empty()) {
         throw Error(entry.key_where, term);
       } else if (!mistakes.mistaken(entry.key.substr(0, entry.key.rfind('.'))) || first == entry.key) {
@@ -169,10 +172,11 @@ Context resolved(const ContextPage& written, const Node& document, const TeamPag
       }
     });
   }
-  if (targets && !mistakes.mistaken("roles")) {
-    const RoleList& list = page.role_lists[static_cast<std::size_t>(context.role_list)];
-    read_targets(targets["targets"], list, what, context, mistakes);
-  }
+  mistakes.attempt(what + ".targets", [&] {
+    const Node targets = targets_of(written.use);
+    if (!targets || !list_known) return;
+    read_targets(targets, page.role_lists[static_cast<std::size_t>(context.role_list)], what, context, mistakes);
+  });
   Coordination coordination;
   read(declare(coordination), values, "", mistakes);
   follow(coordination.tasks, values["tasks"]);
@@ -192,6 +196,15 @@ Context resolved(const ContextPage& written, const Node& document, const TeamPag
 }
 
 }  // namespace
+
+Node targets_of(const Node& use) {
+  Node out;
+  for (const Node::Entry& entry : use.entries()) {
+    if (entry.key.substr(0, entry.key.find('.')) != "targets") continue;
+    out = with(out ? out : Node::map({}, entry.key_where), entry.key, entry.value, entry.key_where);
+  }
+  return out["targets"];
+}
 
 Node in_context(const Node& document, const Node& use) {
   Node values = coordination_of(document);

@@ -62,6 +62,10 @@ const std::vector<std::string>& usable_keys();
 // with those of `use` laid over.
 Node in_context(const Node& document, const Node& use);
 
+// The targets of a context's `use`, a map from roles to them, however their paths are written; absent without any.
+// Throws Error at a path that leads nowhere.
+Node targets_of(const Node& use);
+
 // Reads and checks a page, and fills in what follows from other values (the behaviours of roles).
 TeamPage read_team_page(const Node& document);
 TeamPage read_team_page(const Node& document, Mistakes& mistakes);

@@ -11,9 +11,9 @@
 #include <span>
 
 #include "config/carpet.hpp"
-#include "config/overlay.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
+#include "config/team_page.hpp"
 #include "config/text.hpp"
 
 namespace regista::config {
@@ -159,10 +159,11 @@ void warn_of_targets(const RoleList& list, const Node& roles, const Carpet& carp
 void warn_of_targets(const Team& team, const Context& context, const Node& use, const Carpet& carpet,
                      std::vector<Warning>& out) {
   const RoleList& list = team.role_lists[static_cast<std::size_t>(context.role_list)];
+  const Node targets = targets_of(use);
   for (std::size_t i = 0; i < context.targets.size(); ++i) {
     if (!context.targets[i]) continue;
-    const std::string path = "targets." + list.roles[i].name;
-    warn_of_target(*context.targets[i], value_at(use, path), fmt::format("contexts.{}.use.{}", context.name, path),
+    const std::string& role = list.roles[i].name;
+    warn_of_target(*context.targets[i], targets[role], fmt::format("contexts.{}.use.targets.{}", context.name, role),
                    carpet, out);
   }
 }

@@ -63,6 +63,12 @@ class BallPlay {
     return plays;
   }
 
+  // It does not go for the ball, and says so if it did.
+  void withdraw() {
+    claim_.forget();
+    tell(claim_.verdict());
+  }
+
   // Those that the robot believes in. Valid until the next call of this or of choose().
   std::span<const Blocker> opponents(const regista::Frame& frame) {
     read_opponents(frame, opponents_);

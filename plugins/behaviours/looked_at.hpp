@@ -38,7 +38,6 @@ class LookedAt {
     looked_.assign(columns_ * rows_, never);
     goal_.reset();
   }
-  bool begun() const { return !looked_.empty(); }
   std::size_t squares() const { return looked_.size(); }
 
   // The centre of a square.
@@ -59,7 +58,8 @@ class LookedAt {
     }
   }
 
-  // Teammates had looked all about them when their last packets left.
+  // Assumption: teammates had looked all about them when their last packets left, from where they are believed to be
+  // now.
   void hear(const Situation& situation, const LookedAtSettings& settings, std::span<const Teammate> teammates) {
     for (const Teammate& mate : teammates) {
       for (std::size_t i = 0; i < looked_.size(); ++i) {
@@ -70,7 +70,7 @@ class LookedAt {
   }
 
   // The square to look at next, of those that are nearer to `own` than to all `others`: old looks and short ways first.
-  // Nothing when none is nearer. It keeps to one until it has looked there.
+  // Nothing when none is nearer. The last one counts as a square's width nearer, so that it does not go to and fro.
   std::optional<Vector2d> next(const Situation& situation, const LookedAtSettings& settings, const Vector2d& own,
                                std::span<const Vector2d> others) {
     std::optional<std::size_t> best;

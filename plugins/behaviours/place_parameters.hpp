@@ -40,22 +40,21 @@ inline constexpr auto spread_parameters = regista::within(
 inline constexpr auto lane_parameters = regista::within(
     &SupportSettings::lane,
     regista::real("leaves_for_lane", &LaneSettings::leaves, {0.0, 5.0}, "m",
-                  "A robot ahead of the ball leaves its place by so much at most for one to which nobody stops a pass; "
-                  "0: it stays")
+                  "A robot ahead of the ball moves up to this far from its place to be open for a pass; 0: it stays")
         .tunable(),
     regista::real("lane_clear", &LaneSettings::clear, {0.05, 3.0}, "m",
                   "A lane in which opponents leave so much room is open; our choice: 0.4")
         .tunable(),
     regista::real("lane_cost", &LaneSettings::cost, {0.0, 10.0}, "1",
-                  "Room that each metre away from its place has to gain; our choice: 0.25")
+                  "A place that is one metre farther away must offer this much more room; our choice: 0.25")
         .tunable(),
     regista::real("lane_constancy", &LaneSettings::constancy, {0.0, 3.0}, "m",
-                  "Room that another place has to gain over the last one; our choice: 0.1")
+                  "Another place than the last one must offer this much more room; our choice: 0.1")
         .tunable());
 
 inline constexpr auto turns_first_parameter =
     regista::real("turns_first", &SearchSettings::turns_first, {0.0, 60.0}, "s",
-                  "A search begins with so long a look about where the robot stands; 0: it goes at once")
+                  "A searching robot first turns on the spot for this long; 0: it goes at once")
         .tunable();
 
 inline constexpr std::tuple looked_at_parameters{
@@ -70,7 +69,7 @@ inline constexpr std::tuple looked_at_parameters{
                   "A look that is older counts for nothing; our choice: 30")
         .tunable(),
     regista::real("search_walk_cost", &LookedAtSettings::walk_cost, {0.0, 60.0}, "s/m",
-                  "How much longer ago it must have been looked at for each metre of the way; our choice: 3")
+                  "A square that is one metre farther away must have been unseen this much longer; our choice: 3")
         .tunable()};
 
 inline constexpr std::tuple search_parameters{

@@ -91,13 +91,15 @@ class SituationReader {
     situation_.more_important = targets_;
   }
 
-  // The targets of all tasks but the own one, for those who divide the field. Valid until
-  // the next call of this or of read_targets().
-  std::span<const Vector2d> read_others(const regista::Frame& frame, const regista::Body& body) {
+  // The targets of the tasks that these teammates have by the last assignment: for those who divide the field. Valid
+  // until the next call of this or of read_targets().
+  std::span<const Vector2d> read_targets_of(const regista::Frame& frame, std::span<const Teammate> teammates) {
     targets_.clear();
-    for (std::size_t i = 0; i < frame.tasks().size(); ++i) {
-      const regista::Task& task = frame.tasks()[i];
-      if (static_cast<std::int32_t>(i) != body->task) targets_.emplace_back(task.after[0], task.after[1]);
+    for (const Teammate& mate : teammates) {
+      const int held = frame.previous_task(mate.number);
+      for (const regista::Task& task : frame.tasks()) {
+        if (task.id == held) targets_.emplace_back(task.after[0], task.after[1]);
+      }
     }
     return targets_;
   }

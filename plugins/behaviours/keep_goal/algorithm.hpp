@@ -22,6 +22,8 @@ using behaviours::Pose;
 using behaviours::Situation;
 using behaviours::Vector2d;
 
+inline constexpr double never_late = 60.0;  // s: it leaves no ball to opponents
+
 struct Settings {
   double beyond_area =
       0.2;  // m added to the length of the penalty area: how far from the goal's centre it plays the ball
@@ -30,7 +32,7 @@ struct Settings {
   double shot_reach = 1.5;  // m that it leaves its place for the line of a shot
   double comes_out = 0.0;   // m from the goal line to which it comes out to cover the angle; 0: it keeps to its place
   double share = 0.4;       // of the way from the goal to the ball, as which it comes out
-  double late = 60.0;       // s: it does not play a ball at which an opponent is so much sooner
+  double late = never_late;  // s: it leaves a ball that an opponent reaches so much earlier
 };
 
 // Between the lines from the ball to both posts, in their middle: there one body covers most of the goal. As far out as
@@ -49,8 +51,9 @@ inline std::optional<Pose> covering_place(const Situation& situation, const Sett
   return Pose{place.x(), place.y(), behaviours::angle_of(-middle)};
 }
 
-// An opponent is at the ball too much sooner than the keeper.
+// An opponent reaches the ball too much earlier than the keeper.
 inline bool comes_too_late(const Situation& situation, const Settings& settings, std::span<const Blocker> opponents) {
+  if (settings.late >= never_late) return false;
   constexpr double believed = 0.5;  // probability from which on an opponent counts
   const double own = behaviours::meeting(situation, situation.frame.origin()).time;
   return std::any_of(opponents.begin(), opponents.end(), [&](const Blocker& opponent) {

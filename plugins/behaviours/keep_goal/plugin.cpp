@@ -52,8 +52,8 @@ struct KeepGoal {
           regista::real("comes_out_share", &Settings::share, {0.0, 1.0}, "1",
                         "It comes out by this share of the way to the ball; our choice: 0.4")
               .tunable(),
-          regista::real("late", &Settings::late, {-5.0, 60.0}, "s",
-                        "The keeper leaves a ball alone at which an opponent is so much sooner; our choice: 60, any")
+          regista::real("late", &Settings::late, {-5.0, keep_goal::never_late}, "s",
+                        "The keeper leaves the ball if an opponent reaches it this much earlier; our choice: 60, never")
               .tunable()),
       regista::within(&KeepGoal::kick, behaviours::kick_parameters),
       regista::within(&KeepGoal::playing, behaviours::play_parameters),
@@ -73,10 +73,12 @@ struct KeepGoal {
 
   void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
     const behaviours::Situation& situation = reader.read(frame, body, conduct.ball_trusted_for);
-    const bool plays = situation.phase == behaviours::Phase::playing && situation.facts.can_kick &&
-                       keep_goal::plays_ball(situation, settings) &&
-                       !keep_goal::comes_too_late(situation, settings, ball_play.opponents(frame)) &&
-                       ball_play.plays_ball(frame, situation, true);
+    // Also in the middle of a kick, when it cannot move: a ball that it has taken stays its own.
+    const bool may = situation.phase == behaviours::Phase::playing && situation.facts.can_kick &&
+                     keep_goal::plays_ball(situation, settings) &&
+                     !keep_goal::comes_too_late(situation, settings, ball_play.opponents(frame));
+    if (!may) ball_play.withdraw();
+    const bool plays = may && ball_play.plays_ball(frame, situation, true);
     if (plays && playing.claim.nearest_plays) behaviours::announce(situation.ball, out);
     const behaviours::Movement movement = behaviours::by_phase(situation, conduct.legal, [&] {
       return plays ? behaviours::approach(situation, approach, rolling, ball_play.choose(frame, situation))

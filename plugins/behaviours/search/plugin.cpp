@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Glue of the behaviour `search`, which ../searching.hpp and ../looked_at.hpp are.
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct Search {
       id = "search",
       version = "1.0.0",
       summary = "Turns about at the place of the task, or where it stands; looks through its part of the field";
-  static constexpr unsigned reads = REGISTA_READS_FACINGS;
+  static constexpr unsigned reads = REGISTA_READS_FACINGS | REGISTA_READS_PREVIOUS;
   static constexpr unsigned purposes = REGISTA_BEHAVIOUR_SEARCHES;
 
   behaviours::Conduct conduct;
@@ -39,16 +40,17 @@ struct Search {
   void setup(const regista::Environment& environment) {
     reader.setup(environment);
     teammates.reserve(environment->team_size);
-    looked_at.begin(reader.facts().field);  // and so has its memory
+    looked_at.begin(reader.facts().field);                      // and so has its memory
+    shared.sight = std::max(shared.sight, settings.at_target);  // it goes no nearer, so there it must have looked
   }
 
   void reset(std::uint64_t) { searched.reset(); }
 
   void act(const regista::Frame& frame, const regista::Body& body, regista::Action& out) {
     behaviours::Situation situation = reader.read(frame, body, conduct.ball_trusted_for);
-    if (situation.phase == behaviours::Phase::playing) {
+    if (situation.phase == behaviours::Phase::playing && !situation.incapable) {
       const bool first = begin(situation);
-      if (shared.divides) divide(frame, body, situation, first);
+      if (shared.divides) divide(frame, situation, first);
       if (situation.time - *began < settings.turns_first) situation.has_task = false;  // it turns where it stands
     }
     const behaviours::Movement movement = behaviours::by_phase(
@@ -66,14 +68,14 @@ struct Search {
   }
 
   // Its target becomes what it should look at next.
-  void divide(const regista::Frame& frame, const regista::Body& body, behaviours::Situation& situation, bool first) {
+  void divide(const regista::Frame& frame, behaviours::Situation& situation, bool first) {
     if (first) looked_at.begin(situation.facts.field);
     behaviours::read_teammates(frame, situation, teammates);
     looked_at.hear(situation, shared, teammates);
     looked_at.see(situation, shared);
     if (!situation.has_task) return;
     const behaviours::Vector2d place(situation.target.x, situation.target.y);
-    const auto next = looked_at.next(situation, shared, place, reader.read_others(frame, body));
+    const auto next = looked_at.next(situation, shared, place, reader.read_targets_of(frame, teammates));
     if (!next) return;
     const behaviours::Vector2d way = *next - situation.frame.origin();
     situation.target = {next->x(), next->y(), behaviours::angle_of(way)};

@@ -2,6 +2,8 @@
 // Searching: to the place, then about; neighbours in opposite directions.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "../searching.hpp"
 #include "../test_conduct.hpp"
 #include "../test_situations.hpp"
@@ -72,6 +74,47 @@ TEST(SearchPlugin, ScansToBothEnds) {
   }
   EXPECT_LT(lowest, -1.4);
   EXPECT_GT(highest, 1.4);
+}
+
+// Two searchers with tasks, and a third task that nobody has: its part of the field is theirs.
+TEST(SearchPlugin, DividesTheFieldAmongThoseWhoSearch) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "search");
+  Instance behaviour(plugin, EnvironmentBuilder{}.own(3), Values(plugin).set("divides_field", 1));
+  double farthest = 0.0;
+  double x = -2.0;
+  for (int k = 0; k < 1200; ++k) {
+    const Scene scene = FrameBuilder{}
+                            .own(3)
+                            .time(0.1 * k)
+                            .robot(3)
+                            .at(x, 0)
+                            .no_ball()
+                            .task("search_1")
+                            .at(-2, 0)
+                            .task("search_2")
+                            .at(3, 0)
+                            .build();
+    const regista_action action = behaviour.act(scene, BodyBuilder{}.at(x, 0).task(0));
+    if (action.motion != REGISTA_MOTION_WALK_TO) continue;
+    farthest = std::max(farthest, action.pose[0]);
+    x += std::clamp(action.pose[0] - x, -0.025, 0.025);  // it walks 0.25 m/s
+  }
+  EXPECT_GT(farthest, 2.0) << "the only searcher looks everywhere";
+}
+
+TEST(SearchPlugin, TurnsFirstInEachSearch) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "search");
+  Instance behaviour(plugin, EnvironmentBuilder{}.own(3), Values(plugin).set("turns_first", 5));
+  const auto motion = [&](double time) {
+    const Scene scene = FrameBuilder{}.own(3).time(time).robot(3).no_ball().task("search_1").at(1, 1).build();
+    return behaviour.act(scene, BodyBuilder{}.at(-1, 0).task(0)).motion;
+  };
+  EXPECT_EQ(motion(10.0), REGISTA_MOTION_VELOCITY);
+  EXPECT_EQ(motion(12.0), REGISTA_MOTION_VELOCITY);
+  EXPECT_EQ(motion(14.9), REGISTA_MOTION_VELOCITY);
+  EXPECT_EQ(motion(15.1), REGISTA_MOTION_WALK_TO);
+  EXPECT_EQ(motion(18.0), REGISTA_MOTION_WALK_TO) << "still the same search";
+  EXPECT_EQ(motion(22.0), REGISTA_MOTION_VELOCITY) << "another one";
 }
 
 REGISTA_CONDUCT_TESTS("search", REGISTA_BEHAVIOUR_SEARCHES);

@@ -2,6 +2,7 @@
 // What was looked at, on a field of 9 m by 6 m: 24 squares of 1.5 m.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 #include <vector>
 
@@ -32,7 +33,6 @@ TEST_F(LookedAtTest, DividesTheFieldIntoSquares) {
   ASSERT_EQ(looked.squares(), 24u);
   EXPECT_NEAR((looked.centre(0) - Vector2d(-3.75, -2.25)).norm(), 0.0, 1e-12);
   EXPECT_NEAR((looked.centre(23) - Vector2d(3.75, 2.25)).norm(), 0.0, 1e-12);
-  EXPECT_FALSE(LookedAt().begun());
 }
 
 // The robot sees half a turn and a little to both sides, as far as 2.5 m: what lies behind it is still to be looked at.
@@ -51,15 +51,27 @@ TEST_F(LookedAtTest, WhatATeammateLookedAtNeedNoSecondLook) {
   const std::vector<Teammate> there{{first, 0.5, 3}};
   looked.hear(situation, settings, there);
   EXPECT_GT((next(situation) - first).norm(), settings.sight);
-  // Its look grows as old as all others: after half a minute it counts no more.
-  looked.begin({});
-  looked.hear(situation, settings, std::vector<Teammate>{{first, 40.0, 3}});
-  EXPECT_EQ(next(situation), next(at(0, 0, 0, 10)));
+}
+
+// A look of 29 s ago still keeps the robot away; after half a minute it counts no more.
+TEST_F(LookedAtTest, ALookGrowsOld) {
+  const Situation situation = at(0, 0, 0, 100);
+  looked.see(at(0, 0, pi, 99), settings);  // so that the squares ahead are nearest
+  const Vector2d unseen = next(situation);
+  const auto next_after = [&](double age) {
+    looked.begin({});
+    looked.see(at(0, 0, pi, 99), settings);
+    looked.hear(situation, settings, std::vector<Teammate>{{unseen, age, 3}});
+    return next(situation);
+  };
+  EXPECT_NE(next_after(5.0), unseen);
+  EXPECT_EQ(next_after(30.0), unseen);
+  EXPECT_EQ(next_after(40.0), unseen);
 }
 
 TEST_F(LookedAtTest, EverybodyHasSquaresOfItsOwn) {
   const std::vector<Vector2d> places{{-2.5, 1}, {-2.5, -1}, {2.5, 1}, {2.5, -1}};
-  std::set<std::pair<double, double>> seen;
+  std::map<std::pair<double, double>, std::set<std::size_t>> seen;  // square -> who went there
   for (std::size_t robot = 0; robot < places.size(); ++robot) {
     std::vector<Vector2d> others = places;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(robot));
@@ -70,10 +82,11 @@ TEST_F(LookedAtTest, EverybodyHasSquaresOfItsOwn) {
       const Vector2d goal = *own.next(situation, settings, places[robot], others);
       for (const Vector2d& other : others) EXPECT_LE((goal - places[robot]).norm(), (goal - other).norm() + 1e-9);
       own.see(at(goal.x(), goal.y(), 0, step), settings);
-      seen.insert({goal.x(), goal.y()});
+      seen[{goal.x(), goal.y()}].insert(robot);
     }
   }
   EXPECT_GE(seen.size(), 8u) << "more than one square each";
+  for (const auto& [square, robots] : seen) EXPECT_EQ(robots.size(), 1u) << square.first << ' ' << square.second;
   EXPECT_FALSE(looked.next(at(0, 0, 0, 0), settings, {99, 99}, std::vector<Vector2d>{{0, 0}}));
 }
 

@@ -55,8 +55,10 @@ struct Support {
     reader.read_graph(frame);
     reader.read_targets(frame, body);
     // Also in the middle of a kick, when it cannot move: a ball that it has taken stays its own.
-    const bool takes_ball = situation.phase == behaviours::Phase::playing && situation.facts.can_kick &&
-                            !ball_is_theirs(situation) && ball_play.plays_ball(frame, situation, false);
+    const bool may =
+        situation.phase == behaviours::Phase::playing && situation.facts.can_kick && !ball_is_theirs(situation);
+    if (!may) ball_play.withdraw();
+    const bool takes_ball = may && ball_play.plays_ball(frame, situation, false);
     if (takes_ball) behaviours::announce(situation.ball, out);
     const behaviours::Movement movement = behaviours::by_phase(situation, conduct.legal, [&] {
       return takes_ball

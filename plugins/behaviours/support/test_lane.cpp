@@ -98,8 +98,9 @@ TEST_F(LaneTest, OffersNoneWhereThereIsNoPassToGet) {
 
 TEST_F(LaneTest, KeepsApartAndInTheField) {
   regista::testkit::Dice dice(4);
+  int moved = 0;
   const SpreadSettings spread{.clear_of_ball = 1.2, .apart = 1.0};
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < 1000; ++round) {
     scene.ball = {dice.real(-4.5, 4.5), dice.real(-3, 3)};
     opponents.assign(3, {});
     for (Blocker& each : opponents) each = {{dice.real(-4, 4), dice.real(-3, 3)}, 1.0};
@@ -107,11 +108,13 @@ TEST_F(LaneTest, KeepsApartAndInTheField) {
     const Vector2d place(dice.real(-4.5, 4.5), dice.real(-3, 3));
     const Vector2d there = offer(place, spread, others);
     if (there == place) continue;
+    ++moved;
     EXPECT_GE((there - others[0]).norm(), std::min(1.0, (place - others[0]).norm()));
     EXPECT_GE((there - scene.ball).norm(), 1.2);
     EXPECT_LE(std::abs(there.x()), 4.5);
     EXPECT_LE(std::abs(there.y()), 3.0);
   }
+  EXPECT_GT(moved, 30);
 }
 
 }  // namespace

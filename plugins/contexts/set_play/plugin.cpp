@@ -28,11 +28,11 @@ struct SetPlay {
       regista::boolean("penalty_kick", &SetPlay::penalty_kick, "The penalty kick counts"),
       regista::within(&SetPlay::rule, regista::choice("whose", &set_play::Rule::whose, sides,
                                                       "The side that kicks; SPQR's code has contexts for either")),
-      regista::within(&SetPlay::rule,
-                      regista::choice("pattern", &set_play::Rule::pattern, patterns,
-                                      "Holds in one half of the set plays, which all robots know and opponents do not "
-                                      "foresee: of kick-offs by goals and half, of others by the second in which "
-                                      "they began; our choice: any, in all")),
+      regista::within(
+          &SetPlay::rule,
+          regista::choice("pattern", &set_play::Rule::pattern, patterns,
+                          "first and second share the set plays between them: kick-offs by goals and half, others by "
+                          "the second in which they began; our choice: any, all of them")),
       regista::boolean("ready", &SetPlay::ready,
                        "Holds in the phase Ready; when none of the three phases is chosen, it holds in all of them"),
       regista::boolean("set", &SetPlay::set, "Holds in the phase Set"),

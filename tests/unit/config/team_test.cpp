@@ -204,6 +204,18 @@ TEST(Team, AContextMovesRoles) {
   EXPECT_EQ(team.role_lists[0].roles[0].behaviour, "play_ball") << "how a role acts follows from its own target";
 }
 
+// One mistake, one line: which roles there are is not known without the list.
+TEST(Team, OfAnUnknownListNoRoleIsRefused) {
+  const std::string text = std::string(page).replace(
+      std::string_view(page).find("contexts:"), std::string_view("contexts: [{name: playing, plugin: always}]").size(),
+      "contexts: [{name: p, plugin: a, use: {roles: nosuch, targets: {keeper: {at: ball}}}}]");
+  Mistakes mistakes(Mistakes::After::go_on);
+  read_team(parse_text(text, "t.yaml"), mistakes);
+  const std::vector<Error> found = mistakes.in_order("t.yaml");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].message(), "unknown list of roles \"nosuch\"; known: playing");
+}
+
 TEST(Team, WhatIsRefused) {
   struct Case {
     int line;  // of the page, that is replaced; 0: added
@@ -263,6 +275,10 @@ TEST(Team, WhatIsRefused) {
        "order"},
       {3, "contexts: [{name: p, plugin: a, use: {targets: {striker: {shift: [1, 0]}}}}]",
        "t.yaml:3:58: contexts.0.use.targets.striker: expected one of at, on_line, on_circle"},
+      {3, "contexts: [{name: p, plugin: a, use: {targets: {striker: ~}}}]",
+       "t.yaml:3:58: contexts.0.use.targets.striker: nothing; expected a map"},
+      {3, "contexts: [{name: p, plugin: a, use: {targets: {}}}]",
+       "t.yaml:3:48: contexts.0.use.targets: 0 elements; expected 1 to 64"},
       {3, "contexts: [{name: p, plugin: a, use: {targets: striker}}]",
        "t.yaml:3:48: contexts.0.use.targets: \"striker\"; expected a map"},
       {3, "contexts: [{name: p, plugin: a, use: {sendr.params.x: 1}}]",

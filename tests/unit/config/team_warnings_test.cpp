@@ -126,16 +126,22 @@ TEST(TeamWarnings, TargetsOffTheField) {
 }
 
 TEST(TeamWarnings, TargetsOfContextsOffTheField) {
-  const Node document = parse_text(
-      small_page("{name: corner, priority: 1, plugin: c, use: {targets: {striker: {at: [0, 9]}}}}, {name: p, plugin: "
-                 "always}",
-                 "    - {name: goalkeeper, target: {at: own_goal}}\n    - {name: striker, target: {at: ball}}\n"),
-      "t.yaml");
-  const std::vector<Warning> found = warnings(read_team(document), of_size(2), document);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(to_string(found[0]),
-            "t.yaml:3:81: warning: contexts.corner.use.targets.striker.at: [0, 9] is off the field, which with its "
-            "border reaches from -5.2 to 5.2 m in x and from -3.7 to 3.7 m in y");
+  for (const auto& [written, column] :
+       {std::pair{"targets: {striker: {at: [0, 9]}}", 81}, std::pair{"targets.striker: {at: [0, 9]}", 79},
+        std::pair{"targets.striker.at: [0, 9]", 77}}) {
+    const Node document = parse_text(
+        small_page(
+            fmt::format("{{name: corner, priority: 1, plugin: c, use: {{{}}}}}, {{name: p, plugin: always}}", written),
+            "    - {name: goalkeeper, target: {at: own_goal}}\n    - {name: striker, target: {at: ball}}\n"),
+        "t.yaml");
+    const std::vector<Warning> found = warnings(read_team(document), of_size(2), document);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(
+        to_string(found[0]),
+        fmt::format("t.yaml:3:{}: warning: contexts.corner.use.targets.striker.at: [0, 9] is off the field, which "
+                    "with its border reaches from -5.2 to 5.2 m in x and from -3.7 to 3.7 m in y",
+                    column));
+  }
 }
 
 TEST(TeamWarnings, WhoStandsIsSaid) {
