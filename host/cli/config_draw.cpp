@@ -31,8 +31,8 @@ constexpr auto config_draw_examples = R"(Examples:
   regista config draw configs/teams/regista.yaml --context own_corner_near --ball 4.5,3 -o corner.svg
 
 Positions are in metres from the centre of the field: x towards the opponent's goal, y to the left. Without --ball the ball lies
-in the centre. Positioner and sender have no part in it: it is where a role goes before a task is moved towards a
-waypoint. A context has only with --context, which draws its list of roles with the targets that it changes. So no plugin is needed; --plugins may be given and changes nothing. A drawing replaces an older drawing in the same file.)";
+in the centre. It is drawn where a role goes before a task is moved towards a waypoint. With --context NAME the roles of
+that context are drawn, at the targets it gives them. So no plugin is needed; --plugins may be given and changes nothing. A drawing replaces an older drawing in the same file.)";
 
 struct ConfigDrawOptions {
   std::vector<std::string> files, overrides, roles, balls, plugins;

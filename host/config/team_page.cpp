@@ -103,8 +103,9 @@ static Map declare(ContextPage& context) {
   for (Field& field : plugin_fields(context.plugin)) fields.push_back(std::move(field));
   fields.push_back(
       choice("knowledge", context.knowledge, {"mine", "common"}, "world that the condition is asked about"));
-  fields.push_back(
-      free("use", context.use, "use", "values of the team that are others while it holds, by their paths"));
+  fields.push_back(free("use", context.use, "use",
+                        "values of the team that are others while it holds, by their paths; targets: a map from roles "
+                        "of the list to targets"));
   return {.fields = std::move(fields), .where = &context.where, .plugin_kind = "context"};
 }
 

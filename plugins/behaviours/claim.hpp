@@ -60,13 +60,17 @@ class Claim {
       return by_role;
     }
     const double own = meeting(situation, situation.frame.origin()).time;
+    const double margin = holds_ ? settings.kept : settings.sooner;
+    verdict_ = {};
     times_.clear();
     for (const Teammate& mate : teammates) {
       times_.push_back(stays_home(situation, mate) ? never : meeting(situation, mate.position).time);
+      if (by_role || before(own, margin, settings, mate, times_.back())) continue;
+      holds_ = leaves_ = false;  // one that is sooner is enough where nobody has to leave the ball
+      return false;
     }
-    holds_ = before_all(own, holds_ ? settings.kept : settings.sooner, settings, teammates, nobody);
+    holds_ = before_all(own, margin, settings, teammates, nobody);
     leaves_ = leaves_to_another(own, settings, teammates);
-    verdict_ = {};
     if (holds_ || (by_role && leaves_)) {
       verdict_ = {holds_ ? ClaimVerdict::takes : ClaimVerdict::leaves, 0, own, 0.0};
       const auto soonest = std::min_element(times_.begin(), times_.end());
@@ -90,12 +94,17 @@ class Claim {
     return mate.number == goalkeeper && (situation.ball - own_goal).norm() > field.penalty_area_length;
   }
 
-  // Whether somebody who is there in `time` is so much sooner than all teammates but one. These may have come nearer
-  // since their last packets.
+  // Whether somebody who is there in `time` is so much sooner than a teammate that needs `other`. It may have come
+  // nearer since its last packet.
+  static bool before(double time, double margin, const ClaimSettings& settings, const Teammate& mate, double other) {
+    return time + margin < other - settings.doubt * mate.age;
+  }
+
+  // The same of all teammates but one.
   bool before_all(double time, double margin, const ClaimSettings& settings, std::span<const Teammate> teammates,
                   std::size_t but) const {
     for (std::size_t i = 0; i < teammates.size(); ++i) {
-      if (i != but && !(time + margin < times_[i] - settings.doubt * teammates[i].age)) return false;
+      if (i != but && !before(time, margin, settings, teammates[i], times_[i])) return false;
     }
     return true;
   }

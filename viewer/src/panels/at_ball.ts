@@ -24,7 +24,7 @@ export class AtBallPanel {
     const notes: string[] = [];
     if (!this.claims.any) notes.push("No plugin has logged a claim to the ball in this recording.");
     if (!match.game.tellsChases) notes.push("It was written before Regista told who goes for the ball.");
-    notes.push("Away: straight, at full forward speed, until the body is at the ball.");
+    notes.push("Seconds away: walking straight at full speed until the body touches the ball.");
     box.append(element("p", { class: "muted note" }, notes.join(" ")));
   }
 
