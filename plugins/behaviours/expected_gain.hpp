@@ -260,12 +260,16 @@ class ExpectedGain {
     const double speed = std::sqrt(2.0 * facts.ball_deceleration * distance);
     // Opponents in the way.
     const double touching = facts.robot_radius + facts.ball_radius;
+    const double rolls = speed / facts.ball_deceleration;  // s
+    const double farthest =
+        touching + facts.walk_forward * std::max(0.0, rolls - settings_.reaction) + 0.5 * settings_.edge;
     double through = 1.0, sum = 0.0;
     for (const Blocker& opponent : kick.opponents) {
       const Vector2d offset = opponent.position - kick.ball;
       const double along = offset.dot(direction);
       if (along <= 0.0 || along > way + touching) continue;
       const double across = std::abs(offset.x() * direction.y() - offset.y() * direction.x());
+      if (across >= farthest) continue;  // it cannot be there before the ball rests
       const double at = std::min(along, way);
       const double time = (speed - std::sqrt(std::max(0.0, speed * speed - 2.0 * facts.ball_deceleration * at))) /
                           facts.ball_deceleration;
