@@ -203,10 +203,14 @@ class ExpectedGain {
 
   static double time_of_opponents(const GainScene& scene, const Vector2d& place) {
     const Facts& facts = scene.situation.facts;
+    const double touching = facts.robot_radius + facts.ball_radius;
     double soonest = 60.0;
     for (const Blocker& opponent : scene.kick.opponents) {
-      const double way = std::max(0.0, (opponent.position - place).norm() - facts.robot_radius - facts.ball_radius);
-      soonest = std::min(soonest, way / facts.walk_forward + 4.0 * (1.0 - opponent.weight));
+      const double unlikely = 4.0 * (1.0 - opponent.weight);
+      const Vector2d offset = opponent.position - place;
+      const double nearest = offset.cwiseAbs().maxCoeff() - touching;  // costs no root, and most are farther away
+      if (nearest / facts.walk_forward + unlikely >= soonest) continue;
+      soonest = std::min(soonest, std::max(0.0, offset.norm() - touching) / facts.walk_forward + unlikely);
     }
     return soonest;
   }
@@ -225,7 +229,11 @@ class ExpectedGain {
 
   static double time_of_team(const GainScene& scene, const Vector2d& place, double distance) {
     double soonest = time_of_robot(scene, place, distance);
-    for (const Teammate& mate : scene.kick.teammates) soonest = std::min(soonest, time_of_teammate(scene, mate, place));
+    for (const Teammate& mate : scene.kick.teammates) {
+      const double nearest = (mate.position - place).cwiseAbs().maxCoeff();
+      if (nearest / scene.situation.facts.walk_forward >= soonest) continue;
+      soonest = std::min(soonest, time_of_teammate(scene, mate, place));
+    }
     return soonest;
   }
 
