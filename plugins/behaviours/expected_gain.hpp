@@ -203,14 +203,10 @@ class ExpectedGain {
 
   static double time_of_opponents(const GainScene& scene, const Vector2d& place) {
     const Facts& facts = scene.situation.facts;
-    const double touching = facts.robot_radius + facts.ball_radius;
     double soonest = 60.0;
     for (const Blocker& opponent : scene.kick.opponents) {
-      const double unlikely = 4.0 * (1.0 - opponent.weight);
-      const Vector2d offset = opponent.position - place;
-      const double nearest = offset.cwiseAbs().maxCoeff() - touching;  // costs no root, and most are farther away
-      if (nearest / facts.walk_forward + unlikely >= soonest) continue;
-      soonest = std::min(soonest, std::max(0.0, offset.norm() - touching) / facts.walk_forward + unlikely);
+      const double way = std::max(0.0, (opponent.position - place).norm() - facts.robot_radius - facts.ball_radius);
+      soonest = std::min(soonest, way / facts.walk_forward + 4.0 * (1.0 - opponent.weight));
     }
     return soonest;
   }
@@ -229,11 +225,7 @@ class ExpectedGain {
 
   static double time_of_team(const GainScene& scene, const Vector2d& place, double distance) {
     double soonest = time_of_robot(scene, place, distance);
-    for (const Teammate& mate : scene.kick.teammates) {
-      const double nearest = (mate.position - place).cwiseAbs().maxCoeff();
-      if (nearest / scene.situation.facts.walk_forward >= soonest) continue;
-      soonest = std::min(soonest, time_of_teammate(scene, mate, place));
-    }
+    for (const Teammate& mate : scene.kick.teammates) soonest = std::min(soonest, time_of_teammate(scene, mate, place));
     return soonest;
   }
 
@@ -268,16 +260,12 @@ class ExpectedGain {
     const double speed = std::sqrt(2.0 * facts.ball_deceleration * distance);
     // Opponents in the way.
     const double touching = facts.robot_radius + facts.ball_radius;
-    const double rolls = speed / facts.ball_deceleration;  // s
-    const double farthest =
-        touching + facts.walk_forward * std::max(0.0, rolls - settings_.reaction) + 0.5 * settings_.edge;
     double through = 1.0, sum = 0.0;
     for (const Blocker& opponent : kick.opponents) {
       const Vector2d offset = opponent.position - kick.ball;
       const double along = offset.dot(direction);
       if (along <= 0.0 || along > way + touching) continue;
       const double across = std::abs(offset.x() * direction.y() - offset.y() * direction.x());
-      if (across >= farthest) continue;  // it cannot be there before the ball rests
       const double at = std::min(along, way);
       const double time = (speed - std::sqrt(std::max(0.0, speed * speed - 2.0 * facts.ball_deceleration * at))) /
                           facts.ball_deceleration;
