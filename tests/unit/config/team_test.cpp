@@ -226,6 +226,8 @@ TEST(Team, WhatIsRefused) {
       "opponent_penalty_mark";
   const std::string near_own =
       "t.yaml:6:50: roles.playing.0.target.at: unknown place \"own_gaol\"; nearest: \"own_goal\"; " + places;
+  const std::string near_moved =
+      "t.yaml:3:63: contexts.0.use.targets.striker.at: unknown place \"bal\"; nearest: \"ball\"; " + places;
   const Case cases[] = {
       // Keys
       {4, "", "t.yaml:1:1: missing key \"assigner\""},
@@ -268,8 +270,7 @@ TEST(Team, WhatIsRefused) {
        "t.yaml:3:39: contexts.0.use: roles takes the name of a list and has no parts"},
       {3, "contexts: [{name: p, plugin: a, use: {targets: {strker: {at: ball}}}}]",
        "t.yaml:3:49: unknown role \"strker\" in playing; nearest: \"striker\"; known: striker"},
-      {3, "contexts: [{name: p, plugin: a, use: {targets: {striker: {at: bal}}}}]",
-       "t.yaml:3:63: contexts.0.use.targets.striker.at: unknown place \"bal\"; nearest: \"ball\"; " + places},
+      {3, "contexts: [{name: p, plugin: a, use: {targets: {striker: {at: bal}}}}]", near_moved},
       {3, "contexts: [{name: p, plugin: a, use: {targets: {striker: {at: ball, within: [1, 0, 0, 1]}}}}]",
        "t.yaml:3:77: contexts.0.use.targets.striker.within: expected [least x, largest x, least y, largest y], in "
        "order"},
