@@ -27,11 +27,11 @@ inline constexpr double never_late = 60.0;  // s: it leaves no ball to opponents
 struct Settings {
   double beyond_area =
       0.2;  // m added to the length of the penalty area: how far from the goal's centre it plays the ball
-  double near_ball = 1.0;   // m: it plays a ball that is nearer to it wherever that lies
-  double slow = 0.5;        // m/s: it does not play a faster ball
-  double shot_reach = 1.5;  // m that it leaves its place for the line of a shot
-  double comes_out = 0.0;   // m from the goal line to which it comes out to cover the angle; 0: it keeps to its place
-  double share = 0.4;       // of the way from the goal to the ball, as which it comes out
+  double near_ball = 1.0;    // m: it plays a ball that is nearer to it wherever that lies
+  double slow = 0.5;         // m/s: it does not play a faster ball
+  double shot_reach = 1.5;   // m that it leaves its place for the line of a shot
+  double comes_out = 0.0;    // m from the goal line to which it comes out to cover the angle; 0: it keeps to its place
+  double share = 0.4;        // of the way from the goal to the ball, as which it comes out
   double late = never_late;  // s: it leaves a ball that an opponent reaches so much earlier
 };
 
