@@ -5,7 +5,7 @@ import { font } from "../app/canvas";
 import type { Palette } from "../app/palette";
 import type { Moment } from "../model/game";
 import { fixed } from "../model/text";
-import type { Side } from "../recording/about";
+import { type Side, otherSide } from "../recording/about";
 import type { Match } from "../recording/match";
 import type { World } from "../recording/messages";
 import { drawBelievedBall, shownBallRadius } from "./ball";
@@ -37,7 +37,7 @@ export function drawBelief(
 ): void {
   const { game, about } = match;
   const own = style.color ?? (side === 0 ? palette.home : palette.away);
-  const other: Side = side === 0 ? 1 : 0;
+  const other = otherSide(side);
   const theirs = style.color ?? (side === 0 ? palette.away : palette.home);
   const radius = Math.max(8, about.teams[side].robotRadius * to.scale);
   const ballRadius = shownBallRadius(about.ballRadius, to.scale);

@@ -5,7 +5,7 @@ import { type Side, bothSides } from "../recording/about";
 import { lastNotAfter } from "../recording/log";
 import type { Match } from "../recording/match";
 import type { LogLine } from "../recording/plugin_messages";
-import { type Game, inMask, playing } from "./game";
+import { inMask, inPlay } from "./game";
 import { shortRoleName } from "./look";
 import { fixed, listText, secondsText, timeText, words } from "./text";
 
@@ -57,8 +57,6 @@ export class Claims {
 }
 
 export const claimText = (line: LogLine): string => line.text.slice("claim:".length).trim();
-
-const inPlay = (game: Game, i: number): boolean => game.phase[i] === playing && game.setPlay[i] === 0;
 
 function robotsAt(match: Match, claims: Claims | null, side: Side, i: number): AtBall[] {
   const { game, about } = match;

@@ -192,3 +192,6 @@ function mix(
   to[at + 1] = from[a + 1]! + (moves ? share * dy : 0);
   return moves;
 }
+
+// In the phase Playing, without a set play.
+export const inPlay = (game: Game, i: number): boolean => game.phase[i] === playing && game.setPlay[i] === 0;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How long the ball, a robot or a team was where: seconds in squares of the field, while the ball was in play. Penalised
 // robots are not counted, and of a team all robots add up.
-import { type Side } from "../recording/about";
-import type { FieldSize } from "../recording/about";
-import { type Game, playing, sampleSeconds } from "./game";
+import type { FieldSize, Side } from "../recording/about";
+import { type Game, inPlay, sampleSeconds } from "./game";
 
 export const squareMetres = 0.25;
 
@@ -39,7 +38,7 @@ export function heatMap(game: Game, field: FieldSize, of: HeatOf, from: number, 
   };
   for (let i = 0; i < game.count; ++i) {
     if (game.times[i]! < from - 1e-9 || game.times[i]! > to + 1e-9) continue;
-    if (game.phase[i] !== playing || game.setPlay[i] !== 0) continue;
+    if (!inPlay(game, i)) continue;
     if (of.what === "ball") {
       add(game.ball[4 * i]!, game.ball[4 * i + 1]!);
       continue;

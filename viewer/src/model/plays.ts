@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shots, meant passes, clearances and duels: those that the reader of the page wants, and what is said of each.
-import type { Side } from "../recording/about";
+import { type Side, otherSide } from "../recording/about";
 import type { Match } from "../recording/match";
 import { type PlayKind, type PlayMessage, playKinds } from "../recording/play_messages";
 import { secondsText } from "./text";
@@ -19,12 +19,10 @@ export const isOf = (play: PlayMessage, side: Side): boolean => play.kind === "d
 export const chosenPlays = (plays: readonly PlayMessage[], { kind, side }: PlayChoice): PlayMessage[] =>
   plays.filter((play) => (kind === null || play.kind === kind) && (side === null || isOf(play, side)));
 
-export const other = (side: Side): Side => (side === 0 ? 1 : 0);
-
 // Of a duel: who had the ball after it; null: nobody.
 export function winner(play: PlayMessage): Side | null {
   if (play.outcome === "won") return play.side;
-  return play.outcome === "lost" ? other(play.side) : null;
+  return play.outcome === "lost" ? otherSide(play.side) : null;
 }
 
 // "shot: saved", "pass to 3: arrived", "duel with 5 of red, 1.4 s: won by red"
@@ -40,7 +38,7 @@ export function playText(match: Match, play: PlayMessage): string {
     case "duel": {
       const won = winner(play);
       const end = won === null ? "undecided" : `won by ${team(won)}`;
-      return `duel with ${play.opponent} of ${team(other(play.side))}, ${secondsText(play.duration)}: ${end}`;
+      return `duel with ${play.opponent} of ${team(otherSide(play.side))}, ${secondsText(play.duration)}: ${end}`;
     }
   }
 }

@@ -7,6 +7,7 @@ export const readableFormat = 1;
 export type Side = 0 | 1; // home, away: places in arrays of both sides
 export const sideNames = ["home", "away"] as const;
 export const bothSides: readonly Side[] = [0, 1];
+export const otherSide = (side: Side): Side => (side === 0 ? 1 : 0);
 
 // Lengths in metres.
 export interface FieldSize {
