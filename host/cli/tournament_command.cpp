@@ -16,6 +16,7 @@ namespace regista::cli {
 namespace {
 
 constexpr auto tournament_examples = R"(Examples:
+  regista tournament configs/studies/rivals.yaml
   regista tournament --team configs/teams/paper.yaml --team configs/teams/fixed_rate.yaml --pairs 100
   regista tournament --team new.yaml --team old.yaml --sprt 0,20 --openings configs/openings
   regista tournament --team a.yaml --team b.yaml --metric striker.overlap_seconds --pairs 200 --limit 300
@@ -41,6 +42,7 @@ int tournament(study::TournamentRequest options, output::OutputFiles outputs, co
   study::PlannedTournament planned = study::planned_tournament(options, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();
+  if (options.results.empty()) options.results = planned.name + ".db";
   outputs.read(folders_of(catalogue), Reads::plugins);
   outputs.write_beside(options.results,
                        options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::alone);
@@ -58,6 +60,8 @@ int tournament(study::TournamentRequest options, output::OutputFiles outputs, co
 void add_tournament(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("tournament", "find out which team is better");
   const auto options = std::make_shared<study::TournamentRequest>();
+  command.take("file", options->file, "[T.yaml]", "the tournament's document, in the place of --team and what follows",
+               Reads::documents);
   command.take("--team", options->teams, "FILE", "a team's file; to be given twice, or more often", Reads::documents);
   command.choose("--format", options->format, {"round-robin", "gauntlet"},
                  "of more than two teams: all against all (default), or the first against each of the others");
@@ -78,10 +82,12 @@ void add_tournament(Command& parent, const Invocation& invocation) {
   command.take("--robot", options->robot, "FILE", "robot profile of all teams; default: nao, built in",
                Reads::documents);
   command.take("--disturbance", options->disturbance, "FILE", "disturbance profile; default: none", Reads::documents);
-  command.take("--set", options->overrides, "PATH=VALUE", "a value laid over a document; may be repeated");
+  command.take(
+      "--set", options->overrides, "PATH=VALUE",
+      "a value laid over the tournament's document; without one, over those of teams and profiles; may be repeated");
   command.take("--failures-in-a-row", options->failures_in_a_row, "N",
                "set a team aside after so many forfeits by the same plugin; default 10; 0: never");
-  add_campaign_options(command, *options, options->results);
+  add_campaign_options(command, *options, "the name of the document with .db, or tournament.db");
   command.notes(tournament_examples);
   command.run = [options, &command, &invocation] {
     return tournament(*options, output::OutputFiles(command.given(), "tournament"), invocation);

@@ -28,6 +28,7 @@ constexpr std::array named_kinds{
     NamedKind{DocumentKind::opening, "opening"},
     NamedKind{DocumentKind::team, "team"},
     NamedKind{DocumentKind::predictor_study, "predictor_study"},
+    NamedKind{DocumentKind::tournament, "tournament"},
     NamedKind{DocumentKind::experiment, "experiment"},
     NamedKind{DocumentKind::tuning, "tuning"},
 };
@@ -55,6 +56,10 @@ auto visit(const Node& document, Use use) {
     case DocumentKind::predictor_study: {
       PredictorStudy study = read_predictor_study(document);
       return use(declare(study));
+    }
+    case DocumentKind::tournament: {
+      Tournament tournament = read_tournament(document);
+      return use(declare(tournament));
     }
     case DocumentKind::experiment: {
       Experiment experiment = read_experiment(document);
@@ -97,7 +102,8 @@ std::string document_kind_names(std::string_view before_last) {
 
 DocumentKind kind_of(const Node& document) {
   // Studies name a team, rules and more; a team has a key `roles` and may one day have one of the others.
-  for (const DocumentKind kind : {DocumentKind::experiment, DocumentKind::tuning, DocumentKind::team}) {
+  for (const DocumentKind kind :
+       {DocumentKind::tournament, DocumentKind::experiment, DocumentKind::tuning, DocumentKind::team}) {
     if (document[name_of(kind)]) return kind;
   }
   for (const NamedKind& each : named_kinds) {
@@ -143,6 +149,9 @@ Opening read_opening(const Node& document, Mistakes& mistakes) {
 PredictorStudy read_predictor_study(const Node& document, Mistakes& mistakes) {
   return read_sound<PredictorStudy>(document, DocumentKind::predictor_study, mistakes);
 }
+Tournament read_tournament(const Node& document, Mistakes& mistakes) {
+  return read_sound<Tournament>(document, DocumentKind::tournament, mistakes);
+}
 Experiment read_experiment(const Node& document, Mistakes& mistakes) {
   return read_sound<Experiment>(document, DocumentKind::experiment, mistakes);
 }
@@ -164,6 +173,7 @@ Team read_team(const Node& document) { return read_first<Team>(document, &read_t
 PredictorStudy read_predictor_study(const Node& document) {
   return read_first<PredictorStudy>(document, &read_predictor_study);
 }
+Tournament read_tournament(const Node& document) { return read_first<Tournament>(document, &read_tournament); }
 Experiment read_experiment(const Node& document) { return read_first<Experiment>(document, &read_experiment); }
 Tuning read_tuning(const Node& document) { return read_first<Tuning>(document, &read_tuning); }
 
@@ -184,6 +194,9 @@ Team read_team(const std::filesystem::path& file, const Overrides& overrides) {
 }
 PredictorStudy read_predictor_study(const std::filesystem::path& file, const Overrides& overrides) {
   return read_predictor_study(load(file, overrides));
+}
+Tournament read_tournament(const std::filesystem::path& file, const Overrides& overrides) {
+  return read_tournament(load(file, overrides));
 }
 Experiment read_experiment(const std::filesystem::path& file, const Overrides& overrides) {
   return read_experiment(load(file, overrides));
@@ -220,6 +233,8 @@ void with_declaration(DocumentKind kind, const std::function<void(const Map&)>& 
       return declared(Opening{});
     case DocumentKind::predictor_study:
       return declared(PredictorStudy{});
+    case DocumentKind::tournament:
+      return declared(Tournament{});
     case DocumentKind::experiment:
       return declared(Experiment{});
     case DocumentKind::tuning:

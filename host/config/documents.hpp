@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The eight kinds of document: read, shown, described. A document says its kind by the key that holds its name
+// The nine kinds of document: read, shown, described. A document says its kind by the key that holds its name
 // (`rules: spl2023`, `robot: nao`, `disturbance: none`, `opening: overload`, `team: paper`, `predictor_study:
-// ssl_ball`, `experiment: role_overlap`, `tuning: weights`).
+// ssl_ball`, `tournament: rivals`, `experiment: role_overlap`, `tuning: weights`).
 #pragma once
 
 #include <filesystem>
@@ -22,6 +22,7 @@
 #include "config/rules.hpp"
 #include "config/show.hpp"
 #include "config/team.hpp"
+#include "config/tournament.hpp"
 #include "config/tuning.hpp"
 
 namespace regista::config {
@@ -34,6 +35,7 @@ Disturbance read_disturbance(const std::filesystem::path& file, const Overrides&
 Opening read_opening(const std::filesystem::path& file, const Overrides& overrides = {});
 Team read_team(const std::filesystem::path& file, const Overrides& overrides = {});
 PredictorStudy read_predictor_study(const std::filesystem::path& file, const Overrides& overrides = {});
+Tournament read_tournament(const std::filesystem::path& file, const Overrides& overrides = {});
 Experiment read_experiment(const std::filesystem::path& file, const Overrides& overrides = {});
 Tuning read_tuning(const std::filesystem::path& file, const Overrides& overrides = {});
 
@@ -44,6 +46,7 @@ Disturbance read_disturbance(const Node& document);
 Opening read_opening(const Node& document);
 Team read_team(const Node& document);
 PredictorStudy read_predictor_study(const Node& document);
+Tournament read_tournament(const Node& document);
 Experiment read_experiment(const Node& document);
 Tuning read_tuning(const Node& document);
 
@@ -54,10 +57,11 @@ Disturbance read_disturbance(const Node& document, Mistakes& mistakes);
 Opening read_opening(const Node& document, Mistakes& mistakes);
 Team read_team(const Node& document, Mistakes& mistakes);
 PredictorStudy read_predictor_study(const Node& document, Mistakes& mistakes);
+Tournament read_tournament(const Node& document, Mistakes& mistakes);
 Experiment read_experiment(const Node& document, Mistakes& mistakes);
 Tuning read_tuning(const Node& document, Mistakes& mistakes);
 
-enum class DocumentKind { rules, robot, disturbance, opening, team, predictor_study, experiment, tuning };
+enum class DocumentKind { rules, robot, disturbance, opening, team, predictor_study, tournament, experiment, tuning };
 
 // As documents, commands and schemas name it.
 std::string_view name_of(DocumentKind kind);

@@ -33,6 +33,8 @@ std::string_view about(DocumentKind kind) {
              "[writing-a-team.md](writing-a-team.md) goes from an empty file to a team.";
     case DocumentKind::predictor_study:
       return "A predictor measured on a recording, for `regista evaluate-predictor`. Key `predictor_study`.";
+    case DocumentKind::tournament:
+      return "Teams that play each other, for `regista tournament`. Key `tournament`.";
     case DocumentKind::experiment:
       return "Arms compared in numbers of their matches, for `regista experiment`. Key `experiment`.";
     case DocumentKind::tuning:

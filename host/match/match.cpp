@@ -290,7 +290,7 @@ void OngoingMatch::decide(int id) {
   const bool leaves = outcome.send && !percepts.penalised && !trouble_[index(side)].of(number).silent;
   const bool in_the_air = leaves && referee_.packet(side, outcome.packet.size());
   const bool charged = state.packets[index(side)] != packets;
-  if (charged) metrics_.sent(side, outcome.send_reason, time_);
+  if (charged) metrics_.sent(side, outcome.send_reason, outcome.packet.size(), time_);
   // Before the radio reuses the memory of what was heard.
   if (observer_.decision) observer_.decision({time_, side, number, percepts, heard_, outcome, charged});
   if (in_the_air) radio_[index(side)].send(number, outcome.packet, time_, tick_);

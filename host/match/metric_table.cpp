@@ -306,11 +306,11 @@ std::vector<MetricRow> numbers_of_coordination() {
   return rows;
 }
 
-// How many segments of a team's mailboxes came to something.
+// How many segments of a team's mailboxes came to something, or bytes of them.
 MetricRow segments(const char* what, const char* meaning, std::int64_t SegmentMetrics::*count) {
   return {.part = "packets",
           .name = std::string("segments_") + what,
-          .unit = "segments",
+          .unit = std::string_view(what) == "bytes" ? "bytes" : "segments",
           .total = Total::sum,
           .meaning = meaning,
           .get = [count](const Source& from) { return from.team().segments.*count; }};
@@ -325,6 +325,12 @@ std::vector<MetricRow> numbers_of_packets() {
        .total = Total::sum,
        .meaning = "charged to the budget, too long ones included",
        .get = [](const Source& from) { return from.result.packets[index(from.side)]; }},
+      {.part = part,
+       .name = "packet_bytes",
+       .unit = "bytes",
+       .total = Total::sum,
+       .meaning = "of those packets, core and segments together, without what the network adds",
+       .get = [](const Source& from) { return from.team().packet_bytes; }},
       {.of = Of::event,
        .part = part,
        .name = "packets_by_reason",
@@ -363,6 +369,7 @@ std::vector<MetricRow> numbers_of_packets() {
                &SegmentMetrics::refused),
       segments("sent", "of those offered: left a robot in a packet, whatever the radio made of it",
                &SegmentMetrics::sent),
+      segments("bytes", "of those sent, with the two bytes of heading of each", &SegmentMetrics::bytes),
       segments("dropped",
                "of those offered: expired, replaced or withdrawn before a packet took them. What is neither sent nor "
                "dropped was pending at the end",

@@ -56,6 +56,7 @@ void Metrics::decided(Side side, int number, const mind::Outcome& outcome, bool 
   segments.sent += outcome.segments.sent;
   segments.dropped += outcome.segments.dropped;
   segments.heard += outcome.segments.heard;
+  segments.bytes += outcome.segments.bytes;
   plugins_[index(side)].decided(number, outcome.metrics);
   took(side, number, outcome, sees_ball, state);
 }
@@ -100,9 +101,10 @@ void Metrics::believes(Side side, int number, const Belief& belief, std::span<co
   worlds_[index(side)].compare(number, belief, {place(bodies.back()), own_, active(side, state), opponents_});
 }
 
-void Metrics::sent(Side side, int reason, double time) {
+void Metrics::sent(Side side, int reason, std::size_t bytes, double time) {
   TeamMetrics& team = result_.teams[index(side)];
   ++team.packets;
+  team.packet_bytes += static_cast<std::int64_t>(bytes);
   ++team.packets_by_reason[at(reason)];
   roles_[index(side)].sent(time);
 }

@@ -34,7 +34,7 @@ namespace regista::match {
 
 // What became of the segments of a team's mailboxes; see mind/world/segment_counts.hpp.
 struct SegmentMetrics {
-  std::int64_t offered = 0, refused = 0, sent = 0, dropped = 0, heard = 0;
+  std::int64_t offered = 0, refused = 0, sent = 0, dropped = 0, heard = 0, bytes = 0;
 };
 
 struct TeamMetrics {
@@ -47,6 +47,7 @@ struct TeamMetrics {
   WorldModelMetrics world_model;
   PlayMetrics play;
   int packets = 0;                     // sent, charged or not delivered as too long
+  std::int64_t packet_bytes = 0;       // of those
   std::vector<std::string> reasons;    // names; those of abi.h first
   std::vector<int> packets_by_reason;  // in that order
   std::vector<int> budget_curve;       // packets left when the clock of the match shows 1, 2, ... minutes
@@ -86,7 +87,7 @@ class Metrics {
 
   std::size_t reasons(Side side) const { return result_.teams[index(side)].reasons.size(); }
   std::size_t plugin_metrics(Side side) const { return plugins_[index(side)].count(); }
-  void sent(Side side, int reason, double time);  // s since the start of the match
+  void sent(Side side, int reason, std::size_t bytes, double time);  // s since the start of the match
   void fell(Side side) { ++result_.teams[index(side)].falls; }
   // A kick has reached the ball. receiver: shirt number of the teammate that it is meant for, 0 = nobody.
   void kicked(int id, int receiver) {

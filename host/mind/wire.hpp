@@ -78,7 +78,7 @@ void visit(Archive& archive, Target& target) {
 
 template <class Archive>
 void visit(Archive& archive, SegmentCounts& segments) {
-  archive(segments.offered, segments.refused, segments.sent, segments.dropped, segments.heard);
+  archive(segments.offered, segments.refused, segments.sent, segments.dropped, segments.heard, segments.bytes);
 }
 
 template <class Archive>

@@ -13,6 +13,7 @@
 #include "study/experiment_setup.hpp"
 #include "study/prediction/forecast.hpp"
 #include "study/scenes_check.hpp"
+#include "study/tournament_setup.hpp"
 #include "study/tuning/tuning_setup.hpp"
 
 namespace regista::study {
@@ -75,6 +76,15 @@ class Checker {
       case DocumentKind::predictor_study: {
         const config::PredictorStudy study = config::read_predictor_study(document, mistakes);
         if (mistakes.none()) const Forecaster forecaster(study, catalogue_);  // what its plugin refuses
+        break;
+      }
+      case DocumentKind::tournament: {
+        config::read_tournament(document, mistakes);
+        if (!mistakes.none()) break;
+        TournamentRequest tournament;
+        tournament.file = out.file;
+        tournament.plugins = plugins_;
+        mistakes.attempt("", [&] { planned_tournament(tournament, catalogue_); });  // every team
         break;
       }
       case DocumentKind::experiment: {

@@ -13,10 +13,13 @@
 #include "campaign/mathematics.hpp"
 #include "config/bad_input.hpp"
 #include "config/documents.hpp"
+#include "config/flow.hpp"
+#include "config/scalar.hpp"
 #include "config/text.hpp"
 #include "config/typed.hpp"
 #include "match/match.hpp"
 #include "plugin/declarations.hpp"
+#include "study/document_settings.hpp"
 #include "study/packets_spent.hpp"
 #include "study/sequential_test_options.hpp"
 #include "study/study_inputs.hpp"
@@ -27,8 +30,20 @@ namespace {
 constexpr std::uint64_t most_pairs = 10'000'000;
 constexpr std::size_t most_teams = 1000;
 
+// What is asked for, whoever says it, and where a document says it.
+struct Asked {
+  TournamentRequest options;  // those of a document are as the command line would say them
+  config::Node document;      // absent: the command line said it
+  std::vector<Setting> settings;
+  std::string name = "tournament";
+  config::Isolation isolation = config::Isolation::after_death;
+  bool play_twice = true;
+
+  bool by_document() const { return !options.file.empty(); }
+};
+
 Format parse_format(const std::string& text) {
-  if (text == "round-robin") return Format::round_robin;
+  if (text.empty() || text == "round-robin") return Format::round_robin;
   if (text == "gauntlet") return Format::gauntlet;
   throw config::BadInput(
       config::unknown("format", text, "--format", std::vector<std::string>{"round-robin", "gauntlet"}));
@@ -57,6 +72,14 @@ Objective parse_objective(const TournamentRequest& options) {
   }
   alone("--alpha", options.alpha, "--sprt or --metric");
   return FixedNumber{};
+}
+
+// Throws the error of a value that the document sets with its place there.
+void tell_at_its_place(const std::string& text, const Asked& asked) {
+  for (const Setting& each : asked.settings) {
+    const std::string said = fmt::format("--set {}={}: ", each.path, each.value);
+    if (text.starts_with(said)) throw config::Error(each.path_where, each.path + ": " + text.substr(said.size()));
+  }
 }
 
 // Those that do not begin with a team's letter go to the match as they are.
@@ -88,7 +111,8 @@ void check_overrides(const TournamentRequest& options) {
 }
 
 // A match of the plan, set up; errors name teams as they were typed.
-campaign::MatchSetup setup_of(const TournamentPlan& plan, const Fixture& fixture, const plugin::Catalogue& catalogue) {
+campaign::MatchSetup setup_of(const TournamentPlan& plan, const Fixture& fixture, const Asked& asked,
+                              const plugin::Catalogue& catalogue) {
   try {
     return campaign::match_setup(campaign::request_of(job(plan, fixture)), catalogue);
   } catch (const config::Error& error) {
@@ -98,6 +122,7 @@ campaign::MatchSetup setup_of(const TournamentPlan& plan, const Fixture& fixture
         text.replace(0, std::string_view(side).size(), fmt::format("--set {}.", letter(team)));
       }
     }
+    tell_at_its_place(text, asked);
     throw config::BadInput(text);
   }
 }
@@ -117,19 +142,22 @@ void label_teams(std::vector<Entrant>& teams) {
   });
 }
 
-void require_metric(const TournamentPlan& plan, const mind::TeamPlan& team) {
+void require_metric(const TournamentPlan& plan, const mind::TeamPlan& team, const Asked& asked) {
   const auto* const test = std::get_if<ValueTest>(&plan.objective);
   if (test == nullptr || test->value == goals_value) return;
   std::vector<std::string> paths = metric_paths_of(team);
   const std::string prefix = "roles.";
   const std::string path = test->value.starts_with(prefix) ? test->value.substr(prefix.size()) : test->value;
-  if (const std::string why = why_missing(path, plan.short_games()); !why.empty()) {
-    throw config::BadInput("--metric " + why);
-  }
+  const std::string who = asked.by_document() ? "test.metric" : "--metric";
+  const auto refuse = [&](const std::string& text) {
+    if (asked.by_document()) throw config::Error(asked.document["test"]["metric"].where(), text);
+    throw config::BadInput(text);
+  };
+  if (const std::string why = why_missing(path, plan.short_games()); !why.empty())
+    refuse(fmt::format("{} {}", who, why));
   if (std::ranges::find(paths, path) != paths.end()) return;
   paths.insert(paths.begin(), goals_value);
-  throw config::BadInput(
-      config::unknown("metric", test->value, fmt::format("--metric, of team {}", team.team().name), paths));
+  refuse(config::unknown("metric", test->value, fmt::format("{}, of team {}", who, team.team().name), paths));
 }
 
 void refuse_what_never_ends(const TournamentRequest& options, const TournamentPlan& plan) {
@@ -150,17 +178,86 @@ void refuse_too_many(const TournamentPlan& plan) {
                   plan.teams.size(), plan.openings.size(), fixtures, most_fixtures));
 }
 
+// As the command line would say what the document says.
+Asked asked_by_document(const TournamentRequest& given) {
+  for (const auto& [option, text] : {std::pair{"--format", &given.format},
+                                     {"--pairs", &given.pairs},
+                                     {"--sprt", &given.sprt},
+                                     {"--model", &given.model},
+                                     {"--metric", &given.metric},
+                                     {"--alpha", &given.alpha},
+                                     {"--beta", &given.beta},
+                                     {"--seed", &given.seed},
+                                     {"--limit", &given.limit},
+                                     {"--rules", &given.rules},
+                                     {"--robot", &given.robot},
+                                     {"--disturbance", &given.disturbance},
+                                     {"--failures-in-a-row", &given.failures_in_a_row}}) {
+    if (text->empty()) continue;
+    throw config::BadInput(fmt::format("{} {}: {} says that; --set PATH=VALUE lays another value over it", option,
+                                       config::one_line(*text), given.file));
+  }
+  if (!given.teams.empty()) throw config::BadInput(fmt::format("--team: {} says who plays", given.file));
+  if (!given.openings.empty()) throw config::BadInput(fmt::format("--openings: {} names the scenes", given.file));
+  Asked out;
+  out.document = config::load(given.file, given.overrides);
+  const config::Tournament tournament = config::read_tournament(out.document);
+  out.name = tournament.name;
+  out.isolation = tournament.isolation;
+  out.play_twice = tournament.play_twice;
+  out.options = given;
+  TournamentRequest& options = out.options;
+  options.overrides.clear();
+  for (const config::Tournament::Team& each : tournament.teams) options.teams.push_back(from_here(each.team));
+  for (const config::NamedPath& each : tournament.openings) options.openings.push_back(from_here(each.path));
+  for (const config::Node::Entry& entry : tournament.set.entries()) {
+    out.settings.push_back({entry.key, config::flow(entry.value), entry.key_where, entry.value.where()});
+    options.overrides.push_back(fmt::format("{}={}", entry.key, out.settings.back().value));
+  }
+  options.format = tournament.format == config::Tournament::Format::gauntlet ? "gauntlet" : "round-robin";
+  if (tournament.pairs) options.pairs = std::to_string(*tournament.pairs);
+  if (const auto& test = tournament.test) {
+    options.alpha = config::real_text(test->alpha);
+    if (test->elo) {
+      options.sprt = fmt::format("{},{}", config::real_text((*test->elo)[0]), config::real_text((*test->elo)[1]));
+      options.model = test->model == config::TournamentTest::Model::logistic ? "logistic" : "normalized";
+      if (test->beta) options.beta = config::real_text(*test->beta);
+    } else {
+      options.metric = test->metric;
+    }
+  }
+  options.seed = std::to_string(tournament.seed);
+  if (tournament.limit) options.limit = config::real_text(*tournament.limit);
+  options.rules = from_here(tournament.rules);
+  options.robot = from_here(tournament.robot);
+  options.disturbance = from_here(tournament.disturbance);
+  options.failures_in_a_row = std::to_string(tournament.failures_in_a_row);
+  return out;
+}
+
+Asked asked_by(const TournamentRequest& given) {
+  if (!given.file.empty()) return asked_by_document(given);
+  Asked out;
+  out.options = given;
+  if (out.options.seed.empty()) out.options.seed = "1";
+  if (out.options.failures_in_a_row.empty()) out.options.failures_in_a_row = "10";
+  return out;
+}
+
 }  // namespace
 
-PlannedTournament planned_tournament(const TournamentRequest& options, const plugin::Catalogue& catalogue) {
+PlannedTournament planned_tournament(const TournamentRequest& given, const plugin::Catalogue& catalogue) {
+  const Asked asked = asked_by(given);
+  const TournamentRequest& options = asked.options;
   if (options.teams.size() < 2) {
-    throw config::BadInput(
-        fmt::format("tournament: expected two teams or more, each by --team FILE; {} given", options.teams.size()));
+    throw config::BadInput(fmt::format(
+        "tournament: expected a document, or two teams or more, each by --team FILE; {} given", options.teams.size()));
   }
   if (options.teams.size() > most_teams) {
     throw config::BadInput(fmt::format("tournament: {} teams; at most {} can play", options.teams.size(), most_teams));
   }
   PlannedTournament out;
+  out.name = asked.name;
   TournamentPlan& plan = out.plan;
   plan.objective = parse_objective(options);
   const bool tested = !std::holds_alternative<FixedNumber>(plan.objective);
@@ -184,9 +281,14 @@ PlannedTournament planned_tournament(const TournamentRequest& options, const plu
   }
   plan.failures_in_a_row =
       static_cast<int>(config::parse_whole("--failures-in-a-row", options.failures_in_a_row, 0, 1'000'000));
-  plan.limits = campaign::limits_of(options);
+  plan.limits = campaign::limits_of(options, asked.isolation, asked.play_twice);
   plan.folder = std::filesystem::current_path().string();
-  check_overrides(options);
+  try {
+    check_overrides(options);
+  } catch (const config::BadInput& error) {
+    tell_at_its_place(error.what(), asked);
+    throw;
+  }
   plan.common.rules = options.rules;
   plan.common.robot = options.robot;
   plan.common.disturbance = options.disturbance;
@@ -196,14 +298,15 @@ PlannedTournament planned_tournament(const TournamentRequest& options, const plu
   for (const std::string& file : options.teams) plan.teams.push_back({file, file, {}});
 
   const std::string program = campaign::program_hash(), mathematics = campaign::mathematics_fingerprint();
-  const std::vector<std::string> openings = opening_files(options.openings, "--openings");
+  const std::string scenes_from = asked.by_document() ? options.file + ": openings" : "--openings";
+  const std::vector<std::string> openings = opening_files(options.openings, scenes_from);
   if (!openings.empty()) plan.openings = {{openings.front(), {}}};
   for (std::size_t team = 0; team < plan.teams.size(); ++team) {
     Fixture fixture;
     fixture.home = team;
     fixture.away = (team + 1) % plan.teams.size();
-    const campaign::MatchSetup prepared = setup_of(plan, fixture, catalogue);
-    require_metric(plan, *prepared.plans[0]);
+    const campaign::MatchSetup prepared = setup_of(plan, fixture, asked, catalogue);
+    require_metric(plan, *prepared.plans[0], asked);
     plan.teams[team].label = prepared.plans[0]->team().name;
     plan.teams[team].inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue);
     out.documents.push_back(
@@ -218,10 +321,10 @@ PlannedTournament planned_tournament(const TournamentRequest& options, const plu
     with.openings = {{file, {}}};
     Fixture fixture;
     fixture.away = 1;
-    const campaign::MatchSetup prepared = setup_of(with, fixture, catalogue);
+    const campaign::MatchSetup prepared = setup_of(with, fixture, asked, catalogue);
     plan.most_goals = std::max(plan.most_goals, match::most_goal_difference(prepared.setup));
     add_scene(scenes, {file, campaign::opening_input(*prepared.setup.opening)}, prepared.setup.opening->name,
-              "--openings");
+              scenes_from);
   }
   plan.openings = std::move(scenes);
   refuse_what_never_ends(options, plan);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From what the command line says about a tournament to its plan: everything is read and checked before the first
-// match.
+// From what the command line or a document says about a tournament to its plan: everything is read and checked before
+// the first match.
 #pragma once
 
 #include <string>
@@ -13,20 +13,21 @@
 namespace regista::study {
 
 struct TournamentRequest : campaign::Options {
-  TournamentRequest() { results = "tournament.db"; }
-  std::vector<std::string> teams, overrides, openings;
+  std::string file;                    // the tournament's document; empty: the options below say all
+  std::vector<std::string> overrides;  // of the document; without one, of the documents of matches
+  std::vector<std::string> teams, openings;
   std::string rules, robot, disturbance, limit;
-  std::string format = "round-robin", pairs, seed = "1";
-  std::string sprt, metric, model, alpha, beta;  // empty: not given
-  std::string failures_in_a_row = "10";
+  // Empty: not given.
+  std::string format, pairs, seed, sprt, metric, model, alpha, beta, failures_in_a_row;
 };
 
 struct PlannedTournament {
   TournamentPlan plan;
+  std::string name;                    // of the document; "tournament" without one
   std::vector<std::string> documents;  // of the teams, resolved, as their hashes in the plan were made from them
 };
 
-// Throws config::BadInput and config::Error.
+// Throws config::BadInput and config::Error, of a document at the place that asks for what is not there.
 PlannedTournament planned_tournament(const TournamentRequest& options, const plugin::Catalogue& catalogue);
 
 }  // namespace regista::study

@@ -45,7 +45,7 @@ class Completion(program.Case):
         self.assertEqual(self.bash("help", "plugin", "l"), {"list"})
         self.assertEqual(self.bash("match", "--home"), {"--home-disturbance"})
         self.assertEqual(self.bash("tournament", "--format", ""), {"round-robin", "gauntlet"})
-        self.assertEqual(self.bash("config", "schema", "t"), {"team", "tuning"})
+        self.assertEqual(self.bash("config", "schema", "t"), {"team", "tournament", "tuning"})
         self.assertEqual(self.bash("match", "b t"), {"b team.yaml"})
         self.assertTrue({"b team.yaml", "small.yaml", "scenes"} <= self.bash("match", ""))
         self.assertFalse({"notes.txt", "t.db"} & self.bash("match", ""))

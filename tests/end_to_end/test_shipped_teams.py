@@ -26,7 +26,7 @@ class Shipped(program.Case):
 
 class ShippedTeams(Shipped):
     def test_every_team_is_sound(self):
-        files = sorted(TEAMS.glob("*.yaml"))
+        files = sorted(TEAMS.rglob("*.yaml"))
         self.assertTrue(files)
         done = self.run_program("config", "check", *files)  # there are warnings, see below
         self.assertEqual((done.returncode, done.stdout), (0, "".join(f"{file}: team, sound\n" for file in files)))
@@ -169,11 +169,11 @@ class ShippedTeams(Shipped):
         files = sorted((TEAMS.parent / "studies").glob("*.yaml"))
         kinds = [line.removeprefix(f"{file}: ") for file, line in
                  zip(files, self.succeed("config", "check", *files).splitlines(), strict=True)]
-        self.assertEqual(set(kinds), {"experiment, sound", "predictor_study, sound", "tuning, sound"})
+        self.assertEqual(set(kinds), {"experiment, sound", "predictor_study, sound", "tournament, sound", "tuning, sound"})
         for file, kind in zip(files, kinds):
             text = file.read_text()
             self.assertTrue(text.startswith("#"), file)
-            if kind.startswith(("experiment", "tuning")):
+            if kind.startswith(("experiment", "tournament", "tuning")):
                 self.assertRegex(text, r"\nquestion: .*\?\n", file)
 
     def test_reference_of_plugins_is_up_to_date(self):
@@ -186,7 +186,7 @@ class ShippedTeams(Shipped):
         listed = json.loads(self.succeed("plugin", "list", "--json"))["plugins"]
         unused = {plugin["id"] for plugin in listed}
         limit = "30" if program.SANITIZED else "120"
-        for team in sorted(TEAMS.glob("*.yaml")) + sorted(OTHER_TEAMS.glob("*.yaml")):
+        for team in sorted(TEAMS.glob("*.yaml")) + sorted(TEAMS.glob("league/*.yaml")) + sorted(OTHER_TEAMS.glob("*.yaml")):
             played = json.loads(self.succeed("match", team, TEAMS / "paper.yaml", "--limit", limit, "--json"))
             self.assertEqual(played["failures"], [])
             # A behaviour that a page says nothing of is the plugin of its name.

@@ -182,6 +182,52 @@ class Matches(tournament.Tournament):
         self.assertEqual(len(self.rows()), 6)
 
 
+class Documents(tournament.Tournament):
+    PAGE = """tournament: night
+question: Which of them is better?
+teams: [{team: small.yaml}, {team: other.yaml}]
+pairs: 3
+openings: scenes
+seed: 7
+set: {a.utility.terms.near.params.scale: 3}
+"""
+
+    def test_a_document_says_what_options_say(self):
+        self.write("night.yaml", self.PAGE)
+        self.play("--seed", "7", "--set", "a.utility.terms.near.params.scale=3")
+        by_document = self.succeed("tournament", "night.yaml", "--quiet", "--no-page")
+        self.assertEqual(by_document, self.succeed("report", "tournament.db"))
+        self.assertEqual(self.rows("night.db"), self.rows())
+        # Values can be laid over it; where it stops, it goes on.
+        more = ("tournament", "night.yaml", "--set", "pairs=4", "--results", "more.db", "--quiet", "--no-page", "--json")
+        self.assertEqual(json.loads(self.succeed(*more))["pairings"][0]["games"]["played"], 8)
+        self.assertEqual(self.succeed("tournament", "night.yaml", "--resume", "--quiet", "--no-page"), by_document)
+        self.assertIn("--pairs: was 3, now 2",
+                      self.refused("tournament", "night.yaml", "--set", "pairs=2", "--resume", "--quiet"))
+
+    def test_mistakes_of_a_document_are_told_with_their_place(self):
+        def told(old, new, *more):
+            self.assertIn(old, self.PAGE)
+            self.write("bad.yaml", self.PAGE.replace(old, new))
+            line = self.refused("tournament", "bad.yaml", *more)
+            checked = self.run_program("config", "check", "bad.yaml")
+            self.assertEqual((checked.returncode, checked.stderr), (2, line))
+            return line
+        self.assertIn("bad.yaml:3:8: teams: ", told(", {team: other.yaml}", ""))
+        self.assertIn('nearest: "other.yaml"', told("team: other.yaml", "team: othr.yaml"))
+        self.assertIn("bad.yaml:4:16: unknown metric", told("pairs: 3", "test: {metric: no_such}\npairs: 3"))
+        self.assertIn("bad.yaml:4:7: test: expected exactly one of",
+                      told("pairs: 3", "test: {metric: goals, elo: [0, 20]}\npairs: 3"))
+        self.assertIn("bad.yaml:7:7: home.x: in a tournament each team plays on both sides",
+                      told("a.utility.terms.near.params.scale", "home.x"))
+        self.assertIn("bad.yaml:7:7: a.utility.terms.near.params.scal: ",
+                      told("a.utility.terms.near.params.scale", "a.utility.terms.near.params.scal"))
+        self.write("night.yaml", self.PAGE)
+        for option in (("--pairs", "3"), ("--seed", "1"), ("--team", "small.yaml"), ("--openings", "scenes")):
+            self.assertIn("night.yaml", self.refused("tournament", "night.yaml", *option))
+        self.assertFalse((self.folder / "bad.db").exists() or (self.folder / "night.db").exists())
+
+
 class Changes(tournament.Tournament):
     def change(self, *more):
         return self.refused(*self.arguments("--quiet", "--resume", *more))

@@ -209,6 +209,7 @@ void Mailboxes::load(std::span<const std::uint64_t> granted, std::vector<std::ui
     append_segment({static_cast<int>(found->place), bytes}, packet);
     Endpoint& endpoint = *endpoints_[found->place];
     ++counts_.sent;
+    counts_.bytes += found->offer.bytes;
     if (SegmentEvent* const event = note(Kind::sent, Why::none, found->place)) {
       event->handle = handle;
       event->at = at;

@@ -13,6 +13,7 @@ struct SegmentCounts {
   std::uint32_t sent = 0;     // left in a packet
   std::uint32_t dropped = 0;  // expired, replaced or withdrawn
   std::uint32_t heard = 0;    // of teammates, handed to a plugin
+  std::uint32_t bytes = 0;    // of those that left, with their headings
 };
 
 }  // namespace regista::mind

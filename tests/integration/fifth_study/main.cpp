@@ -29,6 +29,7 @@ int count_goals(study::TournamentRequest options, const Invocation& invocation) 
 void add_count_goals(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("count-goals", "how many goals fall in a match");
   const auto options = std::make_shared<study::TournamentRequest>();
+  options->results = "goals.db";
   command.take("--team", options->teams, "TEXT", "");
   command.take("--openings", options->openings, "TEXT", "");
   command.take("--pairs", options->pairs, "TEXT", "");

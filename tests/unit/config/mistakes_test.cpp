@@ -47,6 +47,9 @@ void read_any(const Node& document, Mistakes& mistakes) {
     case DocumentKind::predictor_study:
       read_predictor_study(document, mistakes);
       return;
+    case DocumentKind::tournament:
+      read_tournament(document, mistakes);
+      return;
     case DocumentKind::experiment:
       read_experiment(document, mistakes);
       return;

@@ -50,7 +50,7 @@ def changed(document, path, value):
 
 rules, robot, disturbance = validator("rules"), validator("robot"), validator("disturbance")
 opening = validator("opening")
-tuning = validator("tuning")
+tuning, tournament = validator("tuning"), validator("tournament")
 team, team_with_plugins = validator("team"), validator("team", "plugins")
 documents = {
     "rules": load("configs/rules/spl2023.yaml"),
@@ -59,9 +59,10 @@ documents = {
     "opening": load("configs/openings/cross_from_the_right.yaml"),
     "team": load("tests/fixtures/config/team.yaml"),
     "tuning": load("configs/studies/tune_paper.yaml"),
+    "tournament": load("configs/studies/rivals.yaml"),
 }
 schemas = {"rules": [rules], "robot": [robot], "disturbance": [disturbance], "opening": [opening],
-           "team": [team, team_with_plugins], "tuning": [tuning]}
+           "team": [team, team_with_plugins], "tuning": [tuning], "tournament": [tournament]}
 
 for kind, document in documents.items():
     for other, choices in schemas.items():
@@ -117,6 +118,13 @@ broken = {
         (["verification", "confidence"], 1), (["verification", "against"], "team"), (["slices"], {"points": -1}),
         (["openings"], []), (["limit"], 0), (["set"], [1]),
     ],
+    "tournament": [
+        (["tournament"], None), (["teams"], None), (["teams"], []), (["teams"], [{"team": "a.yaml"}]),
+        (["teams", 0], "a.yaml"), (["teams", 0, "team"], None), (["format"], "round-robin"), (["pairs"], 0),
+        (["test"], {}), (["test"], {"elo": [0, 20], "metric": "goals"}), (["test"], {"elo": [0]}),
+        (["test"], {"metric": "goals", "alpha": 1}), (["seed"], -1), (["openings"], []), (["set"], [1]),
+        (["failures_in_a_row"], -1), (["isolation"], "never"),
+    ],
 }
 # What the reader accepts.
 for path, value in [
@@ -128,6 +136,9 @@ for path, value in [
     (["opponents", 0, "weight"], 2.5), (["question"], None), (["extends"], "other.yaml"),
 ]:
     expect(True, tuning, changed(documents["tuning"], path, value), f"tuning with {path} = {value}")
+for path, value in [(["test"], {"elo": [0, 20], "model": "logistic", "beta": 0.1}), (["test"], {"metric": "goals"}),
+                    (["format"], "gauntlet"), (["set"], {"a.sender.params.reserve": 20}), (["openings"], None)]:
+    expect(True, tournament, changed(documents["tournament"], path, value), f"tournament with {path} = {value}")
 for kind, changes in broken.items():
     for path, value in changes:
         for schema in schemas[kind]:

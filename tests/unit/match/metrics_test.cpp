@@ -68,34 +68,36 @@ TEST_F(Course, PossessionGoesToTheLastTouchWhileTheBallIsInPlay) {
 }
 
 TEST_F(Course, AccountsPacketsByReason) {
-  metrics.sent(Side::home, 0, 1.0);
-  metrics.sent(Side::home, 5, 2.0);
-  metrics.sent(Side::home, 5, 3.0);
+  metrics.sent(Side::home, 0, 40, 1.0);
+  metrics.sent(Side::home, 5, 128, 2.0);
+  metrics.sent(Side::home, 5, 0, 3.0);
   const TeamMetrics team = result().teams[0];
   EXPECT_EQ(team.packets, 3);
+  EXPECT_EQ(team.packet_bytes, 168);
   EXPECT_EQ(team.packets_by_reason[0], 1);
   EXPECT_EQ(team.packets_by_reason[5], 2);
 }
 
 TEST_F(Course, SegmentsAreCountedInEveryPhase) {
   mind::Outcome outcome;
-  outcome.segments = {.offered = 5, .refused = 1, .sent = 2, .dropped = 2, .heard = 7};
+  outcome.segments = {.offered = 5, .refused = 1, .sent = 2, .dropped = 2, .heard = 7, .bytes = 30};
   decide(Side::away, 1, outcome);
   state.phase = mind::Phase::ready;
   decide(Side::away, 2, outcome, 0.1);
   metrics.crashed(Side::away, 2, state);
   const SegmentMetrics home = result().teams[0].segments, away = result().teams[1].segments;
-  EXPECT_EQ(home.offered + home.refused + home.sent + home.dropped + home.heard, 0);
-  EXPECT_EQ(std::tuple(away.offered, away.refused, away.sent, away.dropped, away.heard), std::tuple(10, 2, 4, 4, 14));
+  EXPECT_EQ(home.offered + home.refused + home.sent + home.dropped + home.heard + home.bytes, 0);
+  EXPECT_EQ(std::tuple(away.offered, away.refused, away.sent, away.dropped, away.heard, away.bytes),
+            std::tuple(10, 2, 4, 4, 14, 60));
 }
 
 TEST_F(Course, SilenceIsOfOneTeam) {
   decide(Side::home, 2, of_role(1));
   decide(Side::home, 3, of_role(1));
   sample(300);
-  metrics.sent(Side::home, 0, 30.0);
+  metrics.sent(Side::home, 0, 40, 30.0);
   sample(500);
-  metrics.sent(Side::away, 0, 79.0);
+  metrics.sent(Side::away, 0, 40, 79.0);
   const MatchMetrics all = result(80.0);
   EXPECT_EQ(all.teams[0].coordination.silent_seconds, 50.0);
   EXPECT_EQ(all.teams[1].coordination.silent_seconds, 0.0);

@@ -330,7 +330,7 @@ class JournalTest : public MailboxTest {
   }
   static std::vector<std::uint32_t> counted(Robot& robot) {
     const SegmentCounts counts = robot.mailboxes.take_counts();
-    return {counts.offered, counts.refused, counts.sent, counts.dropped, counts.heard};
+    return {counts.offered, counts.refused, counts.sent, counts.dropped, counts.heard, counts.bytes};
   }
   using Counts = std::vector<std::uint32_t>;
 };
@@ -353,15 +353,15 @@ TEST_F(JournalTest, FollowsEachOfferToItsEnd) {
   EXPECT_EQ(std::tuple(offered.time, offered.place, offered.urgency, offered.expiry), std::tuple(1.0, 0, 0.5, 3.0));
   EXPECT_STREQ(offered.plugin, "box");
   EXPECT_EQ(offered.text, "2 bytes");
-  EXPECT_EQ(counted(robot), (Counts{4, 0, 1, 2, 0}));
+  EXPECT_EQ(counted(robot), (Counts{4, 0, 1, 2, 0, 5}));
 
   robot.mailboxes.begin(2.0);
   EXPECT_EQ(told(robot), "dropped " + std::to_string(fourth) + " expired");
   EXPECT_EQ(robot.mailboxes.journal()[0].time, 2.0);
-  EXPECT_EQ(counted(robot), (Counts{0, 0, 0, 1, 0}));
+  EXPECT_EQ(counted(robot), (Counts{0, 0, 0, 1, 0, 0}));
   robot.mailboxes.begin(2.1);
   EXPECT_EQ(told(robot), "");
-  EXPECT_EQ(counted(robot), (Counts{0, 0, 0, 0, 0}));
+  EXPECT_EQ(counted(robot), (Counts{0, 0, 0, 0, 0, 0}));
 }
 
 TEST_F(JournalTest, SaysWhichSegmentOfItsPacketItIs) {
@@ -396,7 +396,7 @@ TEST_F(JournalTest, SaysWhyAnOfferIsRefused) {
   const SegmentEvent &long_one = robot.mailboxes.journal()[0], &huge = robot.mailboxes.journal()[1];
   EXPECT_EQ(std::tuple(long_one.length, long_one.bytes.size(), long_one.text), std::tuple(72u, 72u, "72 bytes"));
   EXPECT_EQ(std::tuple(huge.length, huge.bytes.size(), huge.text), std::tuple(300u, 0u, ""));
-  EXPECT_EQ(counted(robot), (Counts{64, 5, 0, 0, 0}));
+  EXPECT_EQ(counted(robot), (Counts{64, 5, 0, 0, 0, 0}));
 }
 
 TEST_F(JournalTest, SaysWhatCameAndWhatWentNowhere) {
@@ -418,7 +418,7 @@ TEST_F(JournalTest, SaysWhatCameAndWhatWentNowhere) {
   EXPECT_STREQ(journal[1].plugin, "mute");
   EXPECT_STREQ(journal[2].plugin, "");
   EXPECT_EQ(journal[3].place, -1);
-  EXPECT_EQ(counted(robot), (Counts{0, 0, 0, 0, 1}));
+  EXPECT_EQ(counted(robot), (Counts{0, 0, 0, 0, 1, 0}));
 }
 
 TEST_F(JournalTest, WhatIsOfferedWhileItIsCreatedStandsWithTheFirstDecision) {
@@ -441,7 +441,7 @@ TEST_F(JournalTest, NothingIsOfferedOrWithdrawnWhileBytesAreDescribed) {
   EXPECT_EQ(told(robot), "offered 1");
   Box::in_describe = nullptr;
   EXPECT_EQ(robot.mailboxes.pending().size(), 1u);
-  EXPECT_EQ(counted(robot), (Counts{1, 0, 0, 0, 0}));
+  EXPECT_EQ(counted(robot), (Counts{1, 0, 0, 0, 0, 0}));
 }
 
 TEST_F(JournalTest, ADescriptionThatFailsIsToldAndEndsNothing) {
@@ -470,7 +470,7 @@ TEST_F(JournalTest, NobodyRecordsNobodyIsAsked) {
   robot.offer(Bytes(200));
   robot.mailboxes.wrong_length(4, 1.0, 1.0);
   EXPECT_EQ(told(robot), "");
-  EXPECT_EQ(counted(robot), (Counts{1, 1, 0, 0, 0}));
+  EXPECT_EQ(counted(robot), (Counts{1, 1, 0, 0, 0, 0}));
   EXPECT_EQ(Box::asked, 0);
 }
 

@@ -70,8 +70,8 @@ auto members(Is<Target> auto& all) {
   return std::tie(x, y);
 }
 auto members(Is<SegmentCounts> auto& all) {
-  auto& [offered, refused, sent, dropped, heard] = all;
-  return std::tie(offered, refused, sent, dropped, heard);
+  auto& [offered, refused, sent, dropped, heard, bytes] = all;
+  return std::tie(offered, refused, sent, dropped, heard, bytes);
 }
 auto members(Is<MetricReport> auto& all) {
   auto& [metric, place, count, sum, least, greatest, last] = all;
