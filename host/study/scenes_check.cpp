@@ -18,6 +18,8 @@
 #include "campaign/supervised.hpp"
 #include "mind/coordination/idle_contexts.hpp"
 #include "mind/coordination/idle_terms.hpp"
+#include "mind/coordination/made_up.hpp"
+#include "mind/unsendable_segments.hpp"
 #include "plugin/failure.hpp"
 
 namespace regista::study {
@@ -27,6 +29,8 @@ namespace {
 struct Findings {
   std::array<char, 4096> idle{}, without_waypoints{};  // 1 for each term of which it is true
   std::array<mind::ContextFinding, 512> contexts{};
+  std::array<mind::UnsendableSegment, 512> unsendable{};
+  std::size_t unsendable_count = 0;
   int scenes = 0, without = 0;
   std::array<char, 512> failure{};  // ends with a zero; empty: none
 };
@@ -106,12 +110,26 @@ std::vector<config::Warning> check_terms(const mind::TeamPlan& plan, Findings& f
   return mind::idle_term_warnings(plan, bits(findings.idle), bits(findings.without_waypoints));
 }
 
+std::vector<config::Warning> check_segments(const mind::TeamPlan& plan, Findings& findings) {
+  if (std::ranges::none_of(plan.parts(), [](const mind::Part* part) { return mind::talks(*part); })) return {};
+  try_on_scenes(findings, [&](plugin::Noting noting) {
+    const std::vector<mind::UnsendableSegment> found = mind::unsendable_segments(plan, noting);
+    findings.unsendable_count = std::min(found.size(), findings.unsendable.size());
+    std::copy_n(found.begin(), findings.unsendable_count, findings.unsendable.begin());
+  });
+  if (findings.failure.front() != '\0') return failed(plan, "the whole team", findings);
+  return mind::unsendable_segment_warnings(
+      plan, {findings.unsendable.begin(),
+             findings.unsendable.begin() + static_cast<std::ptrdiff_t>(findings.unsendable_count)});
+}
+
 }  // namespace
 
 std::vector<config::Warning> scenes_check(const mind::TeamPlan& plan) {
   const auto findings = shared_findings();
   std::vector<config::Warning> out = check_contexts(plan, *findings);
   std::ranges::move(check_terms(plan, *findings), std::back_inserter(out));
+  std::ranges::move(check_segments(plan, *findings), std::back_inserter(out));
   return out;
 }
 

@@ -298,14 +298,19 @@ struct Seeks {
 // Offers its number whenever its last offer is gone; scores everything by the sum of what it received.
 struct Gossip {
   static constexpr auto id = "gossip", version = "1.0.0", summary = "Tells its number, scores by what it heard";
+  int length = 1;
+  static constexpr std::tuple parameters{
+      regista::integer("length", &Gossip::length, {1, 1000}, "bytes", "How often it tells it at once")};
   void setup(const regista::Environment& environment, regista::Mailbox mailbox) {
     own_number_ = environment->own_number;
     mailbox_ = mailbox;
   }
   void reset(std::uint64_t) { sum_ = 0.0, handle_ = 0; }
   void score(const regista::Frame& frame, regista::Utilities out) {
-    const std::array<std::uint8_t, 1> bytes{static_cast<std::uint8_t>(own_number_)};
-    if (handle_ == 0) handle_ = mailbox_.offer(bytes, 0.5, frame.time() + 0.35);
+    std::array<std::uint8_t, 1000> bytes;
+    bytes.fill(static_cast<std::uint8_t>(own_number_));
+    if (handle_ == 0)
+      handle_ = mailbox_.offer(std::span(bytes).first(static_cast<std::size_t>(length)), 0.5, frame.time() + 0.35);
     for (std::size_t i = 0; i < out.rows(); ++i) {
       for (std::size_t j = 0; j < out.columns(); ++j) out(i, j) = sum_;
     }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// A plugin that says more than a packet can take is found, and one that fits exactly is not.
+#include "mind/unsendable_segments.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "mind/world/mailbox.hpp"
+#include "team.hpp"
+
+namespace regista::mind {
+namespace {
+
+std::vector<std::string> warned(int length, int packet_size = 128) {
+  config::Team page = team();
+  page.contexts[0].terms[1].weight = 0.1;
+  page.contexts[0].terms[1].use = use("gossip", {{"length", std::to_string(length)}});
+  page.contexts[0].terms[1].use.where = {"team.yaml", 7, 3};
+  config::Rules rules;
+  rules.messages.size = packet_size;
+  const auto plan = plan_of(page, rules);
+  std::vector<std::string> out;
+  for (const config::Warning& each : unsendable_segment_warnings(*plan, unsendable_segments(*plan))) {
+    out.push_back(to_string(each));
+  }
+  return out;
+}
+
+// Of a packet, for segments with their headings.
+int room(int packet_size) { return static_cast<int>(Mailboxes(static_cast<std::size_t>(packet_size)).bytes_free()); }
+constexpr int heading = static_cast<int>(segment_heading);
+
+TEST(UnsendableSegments, WhatFitsExactlyIsNotWarnedOf) {
+  EXPECT_EQ(warned(1), std::vector<std::string>{});
+  EXPECT_EQ(warned(room(128) - heading), std::vector<std::string>{});
+  EXPECT_EQ(warned(200, 1024), std::vector<std::string>{});
+}
+
+TEST(UnsendableSegments, WhatNoPacketCanTakeIsWarnedOfAtItsPluginsPlace) {
+  EXPECT_EQ(warned(room(128) - heading + 1),
+            std::vector{"team.yaml:7:3: warning: gossip says " + std::to_string(room(128) + 1) +
+                        " bytes at once, and a packet of these rules has room for " + std::to_string(room(128)) +
+                        ": its teammates never hear it"});
+  EXPECT_EQ(warned(room(100) - heading + 1, 100).size(), 1u);
+}
+
+}  // namespace
+}  // namespace regista::mind
