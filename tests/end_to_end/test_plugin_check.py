@@ -186,14 +186,15 @@ class Files(PluginCheck):
                       self.refused("plugin", "check", SHIPPED / "greedy.so", "--only", "promise"))
         self.assertEqual(self.refused("plugin", "check", SHIPPED / "greedy.so", "--plugin", "gredy"),
                          f'unknown plugin "gredy" in {SHIPPED / "greedy.so"}; nearest: "greedy"; known: greedy')
-        for value, reason in (("vote=yes", '--set vote="yes": expected true or false'),
-                              ("vote_age=0", '--set vote_age="0": expected a number from 0.1 to 60'),
+        self.assertEqual(self.refused("plugin", "check", SHIPPED / "static_partition.so", "--set", "fill=yes"),
+                         '--set fill="yes": expected true or false')
+        for value, reason in (("vote_age=0", '--set vote_age="0": expected a number from 0.1 to 60'),
                               ("vote_age=nan", '--set vote_age="nan": expected a number from 0.1 to 60'),
                               ("cost=distances", 'unknown value "distances" in --set cost; nearest: "distance"; '
                                                  "known: distance, utility"),
-                              ("votes=true", f'unknown parameter "votes" in the plugins of {SHIPPED / "scram.so"}; '
-                                             'nearest: "vote"; known: criterion, cost, vote, vote_age')):
-            self.assertEqual(self.refused("plugin", "check", SHIPPED / "scram.so", "--set", value), reason)
+                              ("vote_aged=1", f'unknown parameter "vote_aged" in the plugins of {SHIPPED / "scram_vote.so"}; '
+                                              'nearest: "vote_age"; known: criterion, cost, incumbent, vote_age')):
+            self.assertEqual(self.refused("plugin", "check", SHIPPED / "scram_vote.so", "--set", value), reason)
         self.assertEqual(self.refused("plugin", "check", SHIPPED / "greedy.so", "--set", "reach"),
                          '--set "reach": expected NAME=VALUE')
 
@@ -231,19 +232,19 @@ class Files(PluginCheck):
                          "/tmp: is a folder; expected a file")
 
     def test_several_files_are_looked_at_first(self):
-        greedy, scram = SHIPPED / "greedy.so", SHIPPED / "scram.so"
-        for later in (("nobody.so",), (scram, "--set", "vote=yes"), (scram, "--plugin", "gredy")):
+        greedy, static = SHIPPED / "greedy.so", SHIPPED / "static_partition.so"
+        for later in (("nobody.so",), (static, "--set", "fill=yes"), (static, "--plugin", "gredy")):
             done = self.run_program("plugin", "check", greedy, *later, "--only", "promises")
             self.assertEqual((done.returncode, done.stdout), (2, ""), "nothing is told before all was looked at")
         # What one of them has is not unknown.
-        for words in (("--set", "vote=true"), ("--plugin", "scram")):
-            done = self.run_program("plugin", "check", greedy, scram, *words, "--only", "imports", "--json")
+        for words in (("--set", "fill=true"), ("--plugin", "static_partition")):
+            done = self.run_program("plugin", "check", greedy, static, *words, "--only", "imports", "--json")
             self.assertEqual((done.returncode, done.stderr), (0, ""))
-            self.assertEqual([report["file"] for report in json.loads(done.stdout)], [str(greedy), str(scram)])
-        self.assertIn('unknown parameter "votes" in the plugins of these files; nearest: "vote"',
-                      self.refused("plugin", "check", greedy, scram, "--set", "votes=true"))
-        text = self.succeed("plugin", "check", greedy, scram, "--only", "imports").splitlines()
-        self.assertEqual([text[0], text[3]], [str(greedy), str(scram)])
+            self.assertEqual([report["file"] for report in json.loads(done.stdout)], [str(greedy), str(static)])
+        self.assertIn('unknown parameter "filled" in the plugins of these files; nearest: "fill"',
+                      self.refused("plugin", "check", greedy, static, "--set", "filled=true"))
+        text = self.succeed("plugin", "check", greedy, static, "--only", "imports").splitlines()
+        self.assertEqual([text[0], text[3]], [str(greedy), str(static)])
 
 
 class Faults(PluginCheck):
@@ -350,7 +351,7 @@ class Faults(PluginCheck):
 
     @unittest.skipIf(program.SANITIZED, "rehearsals take long there; contract_negotiations has two")
     def test_of_who_talks_and_does_not_negotiate(self):
-        status, lines = self.of(SHIPPED / "scram.so", "scram", "--only", "rehearsal", "--set", "vote=true", code=0)
+        status, lines = self.of("contract/contract_negotiations.so", "does_not_say_it_negotiates", "--only", "rehearsal", code=0)
         self.assertEqual(status, "warn")
         self.assertIn("robot 2 does not know one of the tasks", lines[0])
         self.assertIn("it does not say that it negotiates, and may mean to decide alone", lines)

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The plugin in scenes: distances or utilities, forbidden pairs, and the vote among teammates.
+// The plugin in scenes: distances or utilities, forbidden pairs, robots that hold a role.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <string>
 #include <vector>
 
 #include <regista/testkit/contract.hpp>
 #include <regista/testkit/frame_builder.hpp>
 #include <regista/testkit/instance.hpp>
-
-#include "algorithm.hpp"
-#include "vote.hpp"
 
 namespace {
 
@@ -72,89 +75,93 @@ TEST(ScramPlugin, TheLeastImportantTaskStaysOpenUnlessItIsRequired) {
   EXPECT_EQ(assigner.assign(Scene(data), Matrix(2, 3)), (Rows{0, 2}));
 }
 
-// --- The vote --------------------------------------------------------------------------------------------------
+// --- Incumbents ------------------------------------------------------------------------------------------------
 
-Values voting() {
-  Values values(scram_plugin());
-  values.set("vote", 1.0);
-  return values;
-}
-
-TEST(ScramPlugin, WithoutVoteNothingIsOffered) {
+TEST(ScramPlugin, ClaimsDoNotMatterUnlessAskedFor) {
   Instance assigner(scram_plugin(), EnvironmentBuilder{}.own(2));
-  assigner.assign(line().build(), Matrix(3, 3));
-  EXPECT_TRUE(assigner.host().offers.empty());
-}
-
-// What a robot that sees the line the other way round would send: the real bytes of another instance.
-std::vector<std::uint8_t> vote_of_a_mirrored_robot(int own) {
-  SceneData data = line().own(own).build().data();
-  std::swap(data.mine.robots[0].pose[0], data.mine.robots[2].pose[0]);
-  Instance other(scram_plugin(), EnvironmentBuilder{}.own(own), voting());
-  EXPECT_EQ(other.assign(Scene(data), Matrix(3, 3)), (Rows{2, 1, 0}));
-  EXPECT_EQ(other.host().offers.size(), 1u);
-  return other.host().offers.front().bytes;
-}
-
-TEST(ScramPlugin, TheRecentMajorityIsPlayed) {
-  Instance assigner(scram_plugin(), EnvironmentBuilder{}.own(2), voting());
-  const auto at = [](double time) { return line().time(time).build(); };
-  EXPECT_EQ(assigner.assign(at(100.0), Matrix(3, 3)), (Rows{0, 1, 2}));
-  for (const int sender : {1, 3}) assigner.receive(sender, vote_of_a_mirrored_robot(sender), 100.0, 100.1);
-  EXPECT_EQ(assigner.assign(at(101.0), Matrix(3, 3)), (Rows{2, 1, 0}));
-  EXPECT_EQ(assigner.assign(at(111.0), Matrix(3, 3)), (Rows{0, 1, 2}));  // the votes are too old
-  assigner.reset(1);
-  EXPECT_EQ(assigner.assign(at(101.0), Matrix(3, 3)), (Rows{0, 1, 2}));
-}
-
-TEST(ScramPlugin, AForbiddenMajorityIsNotPlayed) {
-  Instance assigner(scram_plugin(), EnvironmentBuilder{}.own(2), voting());
-  for (const int sender : {1, 3}) assigner.receive(sender, vote_of_a_mirrored_robot(sender), 100.0, 100.1);
-  Matrix utilities(3, 3);
-  utilities(0, 2) = forbidden;
-  EXPECT_EQ(assigner.assign(line().build(), utilities), (Rows{0, 1, 2}));
-  EXPECT_EQ(assigner.assign(line().build(), Matrix(3, 3)), (Rows{2, 1, 0}));
   SceneData data = line().build().data();
-  data.mine.robots[0].flags &= ~std::uint32_t{REGISTA_ROBOT_ACTIVE};  // robot 1, which the ballots name
-  EXPECT_EQ(assigner.assign(Scene(data), Matrix(2, 3)), (Rows{0, 1}));
+  data.mine.robots[0].role = data.tasks[2].id;
+  EXPECT_EQ(assigner.assign(Scene(data), Matrix(3, 3)), (Rows{0, 1, 2}));
 }
 
-TEST(ScramPlugin, OtherTasksMakeVotesVoid) {
-  Instance assigner(scram_plugin(), EnvironmentBuilder{}.own(2), voting());
-  assigner.assign(line().build(), Matrix(3, 3));
-  for (const int sender : {1, 3}) assigner.receive(sender, vote_of_a_mirrored_robot(sender), 100.0, 100.1);
-  EXPECT_EQ(assigner.assign(line().build(), Matrix(3, 3)), (Rows{2, 1, 0}));
-  SceneData other = line().build().data();
-  other.tasks[2].id = 11;
-  EXPECT_EQ(assigner.assign(Scene(other), Matrix(3, 3)), (Rows{0, 1, 2}));
-  EXPECT_EQ(assigner.assign(line().build(), Matrix(3, 3)), (Rows{0, 1, 2}));
+TEST(ScramPlugin, OfTwoClaimsThatOfTheLowerNumberCounts) {
+  // Robots 1 and 2 stand 1 m to either side of the task.
+  const auto taken_by = [](std::vector<int> claims, double incumbent) {
+    FrameBuilder frame;
+    frame.own(2).task("striker").at(0, 0);
+    for (const int number : {1, 2, 3}) {
+      frame.robot(number).at(number == 1 ? -1.0 : 1.0, number == 3 ? 1.0 : 0.0);
+      for (const int claims_it : claims) {
+        if (claims_it == number) frame.role("striker");
+      }
+    }
+    Instance assigner(scram_plugin(), EnvironmentBuilder{}.own(2), Values(scram_plugin()).set("incumbent", incumbent));
+    const Rows rows = assigner.assign(frame.build(), Matrix(3, 1));
+    return static_cast<int>(std::find(rows.begin(), rows.end(), 0) - rows.begin()) + 1;
+  };
+  EXPECT_EQ(taken_by({}, 0.5), 1);
+  EXPECT_EQ(taken_by({2}, 0.5), 2);
+  EXPECT_EQ(taken_by({2, 3}, 0.5), 2);
+  EXPECT_EQ(taken_by({1, 2}, 0.5), 1);
+  EXPECT_EQ(taken_by({3}, 0.3), 1);  // it is 0.41 m farther
+  EXPECT_EQ(taken_by({3}, 0.5), 3);
 }
 
-TEST(ScramPlugin, SaysWhatAVoteIsFor) {
-  Instance assigner(scram_plugin(), EnvironmentBuilder{}.own(2), voting());
-  const std::string said = assigner.describe(vote_of_a_mirrored_robot(1));
-  EXPECT_EQ(said.substr(0, 24), "vote for tasks of print ");
-  EXPECT_EQ(said.substr(25), ": 3 2 1");
-  EXPECT_EQ(assigner.describe(std::vector<std::uint8_t>(40)), "no vote of this team");
-  EXPECT_EQ(assigner.describe({}), "no vote");
+// What is to be least, of an assignment of all tasks: the lengths with the longest first, or the longest and the sum
+// of squares, in which a distance below 0 counts as 0.
+std::vector<double> key_of(std::vector<double> lengths, int criterion) {
+  std::sort(lengths.rbegin(), lengths.rend());
+  if (criterion == 0) return lengths;
+  double sum = 0.0;
+  for (double& each : lengths) sum += std::pow(std::max(each, 0.0), 2);
+  return {std::max(lengths[0], 0.0), sum};
 }
 
-TEST(ScramPlugin, OneVoteIsPendingAlways) {
-  Instance assigner(scram_plugin(), EnvironmentBuilder{}.own(2), voting());
-  assigner.assign(line().build(), Matrix(3, 3));
-  assigner.assign(line().build(), Matrix(3, 3));
-  ASSERT_EQ(assigner.host().offers.size(), 1u);
-  EXPECT_EQ(assigner.host().offers[0].bytes.size(), scram::ballot_bytes(3, 7));
-  EXPECT_EQ(assigner.host().offers[0].expiry, 110.0);
-  assigner.transmitted(assigner.host().offers[0].handle);
-  assigner.assign(line().build(), Matrix(3, 3));
-  ASSERT_EQ(assigner.host().offers.size(), 2u);
-  EXPECT_EQ(assigner.host().offers[1].replaces, 0u);
-  SceneData mirrored = line().build().data();
-  std::swap(mirrored.mine.robots[0].pose[0], mirrored.mine.robots[2].pose[0]);
-  assigner.assign(Scene(mirrored), Matrix(3, 3));
-  ASSERT_EQ(assigner.host().offers.size(), 3u);
-  EXPECT_EQ(assigner.host().offers[2].replaces, assigner.host().offers[1].handle);
+TEST(ScramPlugin, IncumbentsAreSoMuchNearerForEveryOrderOfRobots) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> x(-4.5, 4.5), y(-3.0, 3.0);
+  const std::vector<std::string>& roles = usual_roles();
+  int changed = 0;
+  for (const int criterion : {0, 1}) {
+    for (const double incumbent : {0.0, 0.7, 3.0}) {
+      const Values values = Values(scram_plugin()).set("criterion", criterion).set("incumbent", incumbent);
+      Instance assigner(scram_plugin(), EnvironmentBuilder{}.own(1), values);
+      for (int round = 0; round < 400; ++round) {
+        const std::size_t n = 1 + random() % 5;
+        FrameBuilder frame;
+        frame.own(1);
+        std::vector<int> claims(n);
+        std::vector<double> robot_x, robot_y, task_x, task_y;
+        for (std::size_t i = 0; i < n; ++i) {
+          claims[i] = static_cast<int>(random() % (n + 1)) - 1;
+          robot_x.push_back(x(random)), robot_y.push_back(y(random));
+          task_x.push_back(x(random)), task_y.push_back(y(random));
+          frame.robot(static_cast<int>(i + 1)).at(robot_x[i], robot_y[i]).role(claims[i]);
+        }
+        for (std::size_t j = 0; j < n; ++j) frame.task(roles[j]).at(task_x[j], task_y[j]);
+        const auto length = [&](std::size_t i, std::size_t j) {
+          const auto holder = std::find(claims.begin(), claims.end(), static_cast<int>(j)) - claims.begin();
+          return std::hypot(task_x[j] - robot_x[i], task_y[j] - robot_y[i]) -
+                 (holder == static_cast<std::ptrdiff_t>(i) ? incumbent : 0.0);
+        };
+        const auto key = [&](const Rows& columns) {
+          std::vector<double> lengths;
+          for (std::size_t i = 0; i < n; ++i) lengths.push_back(length(i, static_cast<std::size_t>(columns[i])));
+          return key_of(lengths, criterion);
+        };
+        Rows columns(n);
+        std::iota(columns.begin(), columns.end(), 0);
+        std::vector<double> best = key(columns);
+        while (std::next_permutation(columns.begin(), columns.end())) best = std::min(best, key(columns));
+        const Rows got = assigner.assign(frame.build(), Matrix(static_cast<unsigned>(n), static_cast<unsigned>(n)));
+        const std::vector<double> reached = key(got);
+        for (std::size_t k = 0; k < best.size(); ++k) ASSERT_NEAR(reached[k], best[k], 1e-6) << "round " << round;
+        Instance without(scram_plugin(), EnvironmentBuilder{}.own(1), Values(values).set("incumbent", 0.0));
+        changed += without.assign(frame.build(), Matrix(static_cast<unsigned>(n), static_cast<unsigned>(n))) != got;
+      }
+    }
+  }
+  EXPECT_GT(changed, 200);
 }
 
 REGISTA_ASSIGNER_CONTRACT(REGISTA_PLUGIN_FILE, "scram");

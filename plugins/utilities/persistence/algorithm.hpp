@@ -3,6 +3,8 @@
 // the SPQR team's utility of 2022, weight 0.2). In that of 2023 it is full at once and fades: times 0.9 each second,
 // weight 0.5. SPQR's code counts it for the own row only, so that each robot computes another matrix even when all
 // messages arrive; counting it on every row is what makes the matrices alike.
+//
+// The released code of 2022 divides whole seconds by 10, so that there h is a step: 0 before, then 1.
 #pragma once
 
 #include <algorithm>
@@ -24,6 +26,7 @@ struct Holder {
 struct Settings {
   double full_after = 10.0;  // s, >= 0; 0: at once
   double fade = 1.0;         // factor for each whole second for which the role has been held, [0, 1]; 1: never
+  bool step = false;         // nothing before full_after
 };
 
 // factor^count by repeated squaring: the same bits on every processor, which pow of the C library does not promise.
@@ -37,7 +40,8 @@ inline double power(double factor, std::uint32_t count) {
 
 // In [0, 1].
 inline double value(double held, const Settings& settings) {
-  const double grown = settings.full_after > 0.0 ? std::clamp(held / settings.full_after, 0.0, 1.0) : 1.0;
+  double grown = settings.full_after > 0.0 ? std::clamp(held / settings.full_after, 0.0, 1.0) : 1.0;
+  if (settings.step && grown < 1.0) grown = 0.0;
   if (settings.fade == 1.0) return grown;
   constexpr double longest = 1e6;  // s; by then whatever fades has faded
   const double faded = power(settings.fade, static_cast<std::uint32_t>(std::clamp(held, 0.0, longest)));

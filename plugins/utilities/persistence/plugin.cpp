@@ -14,7 +14,7 @@ namespace {
 enum class Rows { all, own };
 
 struct Persistence {
-  static constexpr auto id = "persistence", version = "1.1.0", summary = "How long the robot has held the role";
+  static constexpr auto id = "persistence", version = "1.2.0", summary = "How long the robot has held the role";
   static constexpr unsigned reads = REGISTA_READS_PREVIOUS;
   persistence_utility::Settings settings;
   Rows rows = Rows::all;
@@ -29,7 +29,9 @@ struct Persistence {
               "fade", &persistence_utility::Settings::fade, {0.0, 1.0}, "1",
               "Factor for each whole second for which the role has been held; 1: it does not fade; SPQR 2022: 1, "
               "2023: 0.9")
-              .tunable()),
+              .tunable(),
+          regista::boolean("step", &persistence_utility::Settings::step,
+                           "A role counts nothing before `full_after`; SPQR 2022, whose whole numbers make it so")),
       regista::choice("rows", &Persistence::rows, row_choices,
                       "all: every robot's role counts; own: only the own one, as in SPQR's released code")};
 

@@ -72,6 +72,17 @@ TEST(Persistence, WithoutFadingItIsTheRampAlone) {
   }
 }
 
+TEST(Persistence, IsAStepWhereWholeNumbersMakeItOne) {
+  const persistence_utility::Settings of_2022{10.0, 1.0, true};
+  for (int tenths = -10; tenths < 300; ++tenths) {
+    const int seconds = tenths / 10;
+    const double published = seconds * 50 <= 500 ? seconds / 10 : 1;
+    EXPECT_EQ(persistence_utility::value(tenths / 10.0, of_2022), published) << tenths;
+  }
+  EXPECT_EQ(persistence_utility::value(3.0, {0.0, 1.0, true}), 1.0);
+  EXPECT_EQ(persistence_utility::value(12.0, {10.0, 0.5, true}), 1.0 / 4096.0);
+}
+
 // --- The plugin ------------------------------------------------------------------------------------------------
 
 using namespace regista::testkit;
@@ -117,6 +128,17 @@ TEST(PersistencePlugin, TheUtilityOf2023) {
   EXPECT_NEAR(out(0, 0), 0.9 * 0.9 * 0.9 * 0.9, 1e-15);
   EXPECT_EQ(out(0, 1), 0.0);
   EXPECT_EQ(out(1, 1), 0.0);
+}
+
+TEST(PersistencePlugin, TheUtilityOf2022) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "persistence");
+  for (const double full_after : {5.0, 4.0}) {  // the roles are 4 and 5 s old
+    Instance utility(plugin, EnvironmentBuilder{}.own(2),
+                     Values(plugin).set("full_after", full_after).set("step", true));
+    const Matrix out = utility.score(roles(REGISTA_MINE));
+    EXPECT_EQ(out(0, 0), full_after == 4.0 ? 1.0 : 0.0);
+    EXPECT_EQ(out(1, 1), 1.0);
+  }
 }
 
 REGISTA_UTILITY_CONTRACT(REGISTA_PLUGIN_FILE, "persistence", {.order_of_opponents_is_irrelevant = true});

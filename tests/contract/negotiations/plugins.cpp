@@ -208,6 +208,12 @@ struct Auction {
   }
 };
 
+// Negotiates, and does not say so.
+struct Unsaid : Auction<Mistake::names_columns> {
+  static constexpr const char* id = "does_not_say_it_negotiates";
+  static constexpr bool negotiates = false;
+};
+
 // Says that it negotiates, and has nothing to hear with: each robot takes what is best for it alone.
 struct WithoutMailbox {
   static constexpr auto id = "negotiates_without_mailbox", version = "1.0.0",
@@ -240,4 +246,5 @@ using As = regista::Plugin<Auction<mistake>, regista::assigner>;
 
 REGISTA_PLUGINS(As<Mistake::none>, As<Mistake::names_columns>, As<Mistake::counts_columns>, As<Mistake::falls_silent>,
                 As<Mistake::speaks_once>, As<Mistake::keeps_the_absent>, As<Mistake::never_begins>,
-                As<Mistake::judges_alone>, regista::Plugin<WithoutMailbox, regista::assigner>)
+                As<Mistake::judges_alone>, regista::Plugin<Unsaid, regista::assigner>,
+                regista::Plugin<WithoutMailbox, regista::assigner>)

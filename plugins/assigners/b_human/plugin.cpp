@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+// Assigner of B-Human (Roefer et al., "B-Human 2022 - More Team Play with Less Communication", RoboCup 2022, LNCS
+// 13561; numbers of the code release of 2025): active_player.hpp chooses who plays the ball, each robot for itself;
+// positions.hpp gives the other tasks, on what was last sent. This file is glue.
+//
+// Base points are the places of tasks before the offset (task.before), for the offset is what the positioner adds.
+// Utilities are not weighed, but pairs that the host forbids stay forbidden.
+//
+// Not here: the mirrored formations and the vote of teammates on formation and side, as the host's roles have one place
+// each. Decided by us: without an active player, because nobody sees the ball, the task of the active player is given
+// like the others; what a silent robot said of its task and its ball counts for 25 s, and who was never heard stands
+// where the team's predictor has it.
+//
+// Messages: statement.hpp. The own row of the table is what left in the last packet (transmitted), so an offer that is
+// dropped leaves the older statement in force, here as with the teammates.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <regista/assigner.hpp>
+#include <regista/mailbox.hpp>
+
+#include "../negotiation/standing_offer.hpp"
+#include "../task_order.hpp"
+#include "active_player.hpp"
+#include "extrapolation.hpp"
+#include "positions.hpp"
+#include "statement.hpp"
+
+namespace {
+
+using b_human::ActiveRule;
+using b_human::Candidate;
+using b_human::Member;
+using b_human::Position;
+using b_human::Statement;
+
+constexpr double never = -std::numeric_limits<double>::infinity();
+
+struct BHuman {
+  static constexpr auto id = "b_human", version = "1.0.0",
+                        summary = "First at the ball plays it; others: least sorted walks from last sent poses";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
+
+  std::string active_role = "striker";
+  ActiveRule rule;
+  double holder_bonus = 1.0, claim_lapses_after = 25.0;
+  static constexpr std::tuple parameters{
+      regista::text(
+          "active_role", &BHuman::active_role,
+          "Name of the role that the active player takes; empty, or no such role: there is none (assumption)"),
+      regista::real("holder_bonus", &BHuman::holder_bonus, {0.0, 10.0}, "m",
+                    "By which who holds a position counts as nearer to it; B-Human: 1")
+          .tunable(),
+      regista::real("claim_lapses_after", &BHuman::claim_lapses_after, {1.0, 3600.0}, "s",
+                    "What a robot said of its task and its ball counts so long after it was sent; assumption"),
+      regista::within(
+          &BHuman::rule,
+          regista::real("active_bonus", &ActiveRule::holder_bonus, {0.0, 20.0}, "s",
+                        "By which the active player counts as faster; B-Human: 1")
+              .tunable(),
+          regista::real("forward", &ActiveRule::forward, {0.01, 10.0}, "m/s",
+                        "Speed ahead in the time to the ball; B-Human: 0.26"),
+          regista::real("sideways", &ActiveRule::sideways, {0.01, 10.0}, "m/s",
+                        "Speed sideways in the time to the ball; B-Human: 0.22"),
+          regista::real("turn_rate", &ActiveRule::turn_rate, {0.1, 20.0}, "rad/s",
+                        "Speed of turning in the time to the ball; B-Human: 100 degrees a second"),
+          regista::real("longest_get_up", &ActiveRule::longest_get_up, {0.0, 60.0}, "s",
+                        "What lying on the ground costs at most; B-Human: 5"),
+          regista::real("blind_penalty", &ActiveRule::blind_penalty, {0.0, 60.0}, "s",
+                        "What not seeing the ball costs; B-Human: 2")
+              .tunable(),
+          regista::real("age_to_become", &ActiveRule::age_to_become, {0.05, 25.0}, "s",
+                        "A ball at most so old makes a robot active; B-Human: 1")
+              .tunable(),
+          regista::real("age_to_stay", &ActiveRule::age_to_stay, {0.05, 25.0}, "s",
+                        "A ball at most so old lets it stay active; B-Human: 5")
+              .tunable(),
+          regista::real("near", &ActiveRule::near, {0.0, 100.0}, "m",
+                        "Distance of a teammate from its ball at which off_when_near holds; B-Human: 2.5"),
+          regista::real("far", &ActiveRule::far, {0.0, 100.0}, "m",
+                        "Distance of a teammate from its ball at which off_when_far holds; B-Human: 7.5"),
+          regista::real("off_when_near", &ActiveRule::off_when_near, {0.0, 100.0}, "m",
+                        "A teammate whose ball is farther from the own one cannot be active; B-Human: 0.78"),
+          regista::real("off_when_far", &ActiveRule::off_when_far, {0.0, 100.0}, "m",
+                        "The same for one far from its ball; B-Human: 1.55"))};
+
+  // The newest statement of each robot, by number - 1; the own one as it left.
+  struct Entry {
+    bool known = false;
+    bool is_new = false;       // it has not been looked at
+    bool ball_is_off = false;  // of a teammate: see active_player.hpp
+    double time_sent = never;
+    Statement said;
+  };
+
+  int own_number = 1;
+  std::size_t roles = 0;
+  double half_period = 0.05;
+  std::vector<bool> is_active_role;  // by row of the table of roles
+  std::vector<Entry> table;
+  negotiation::StandingOffer offer;
+  Statement next;  // as it was last offered
+  double now = 0.0, ball_seen_at = never;
+  b_human::Positions positions;
+  std::vector<Member> members;
+  std::vector<Position> tasks;
+  std::vector<Candidate> candidates;
+  std::vector<std::size_t> candidate_row;
+  std::vector<std::uint32_t> order, choice;
+  std::vector<std::int32_t> assigned;
+  std::vector<std::uint8_t> bytes;
+
+  void setup(const regista::Environment& environment, regista::Mailbox mailbox) {
+    const std::size_t robots = environment->team_size;
+    own_number = environment->own_number;
+    half_period = 0.5 * environment->decision_period;
+    roles = std::min(environment.roles().size(), b_human::most_roles);
+    for (const regista::Role& role : environment.roles()) is_active_role.push_back(active_role == role.name);
+    table.resize(robots);
+    offer.setup(mailbox, b_human::statement_bytes(roles));
+    bytes.reserve(b_human::statement_bytes(roles));
+    positions.reserve(robots, environment.roles().size());
+    members.reserve(robots);
+    candidates.reserve(robots);
+    candidate_row.reserve(robots);
+    assigned.reserve(robots);
+    tasks.reserve(environment.roles().size());
+    order.reserve(environment.roles().size());
+    choice.reserve(environment.roles().size());
+  }
+
+  void reset(std::uint64_t) {
+    std::fill(table.begin(), table.end(), Entry{});
+    offer.forget();
+    next = {};
+    now = 0.0;
+    ball_seen_at = never;
+  }
+
+  void assign(const regista::Frame& frame, regista::UtilityMatrix utilities, regista::Assignment out) {
+    now = frame.time();
+    look_at_ball(frame.mine());
+    compare_balls(frame.mine());
+    list_tasks(frame.tasks());
+    list_members(frame);
+    assigned.assign(out.size(), regista::Assignment::no_task);
+    if (utilities.columns() > 0) {
+      const auto not_forbidden = [&](std::size_t row, std::size_t column) {
+        return utilities(row, column) != regista::UtilityMatrix::forbidden;
+      };
+      const std::optional<std::size_t> column = active_column(frame.tasks());
+      std::optional<std::size_t> active;
+      if (column) active = active_row(frame, *column, not_forbidden);
+      put_in_order(frame.tasks(), active ? column : std::nullopt);
+      const auto allowed = [&](std::size_t row, std::size_t j) {
+        if (active && (row == *active) != (j == *column)) return false;
+        return not_forbidden(row, j);
+      };
+      positions.assign(members, tasks, allowed, b_human::millimetres(holder_bonus), order, choice, assigned);
+    }
+    for (std::size_t row = 0; row < out.size(); ++row) out[row] = assigned[row];
+    say(frame);
+  }
+
+  void receive(const regista::Message& message) {
+    const auto index = static_cast<std::size_t>(message.sender()) - 1;
+    if (message.sender() < 1 || index >= table.size() || message.sender() == own_number) return;
+    const std::optional<Statement> said = b_human::read(message.bytes(), roles);
+    if (!said || !(message.time_sent() > table[index].time_sent)) return;
+    table[index] = {true, true, false, message.time_sent(), *said};
+  }
+  void transmitted(std::uint64_t handle) {
+    if (offer.gone(handle)) table[static_cast<std::size_t>(own_number) - 1] = {true, false, false, now, next};
+  }
+  void dropped(std::uint64_t handle) { offer.gone(handle); }
+
+  // "at (1.20, -0.40), ball (0.10, 0.00) seen 0.3 s ago, does role 3"
+  std::string describe(std::span<const std::uint8_t> segment) const {
+    const std::optional<Statement> said = b_human::read(segment, roles);
+    if (!said) return "no statement of this team";
+    std::array<char, 160> text{};
+    int length = std::snprintf(text.data(), text.size(), "at (%.2f, %.2f)", said->pose().x, said->pose().y);
+    std::string out(text.data(), static_cast<std::size_t>(length));
+    if (said->knows_ball()) {
+      length = std::snprintf(text.data(), text.size(), ", ball (%.2f, %.2f) seen %.1f s ago", said->ball().x,
+                             said->ball().y, said->ball_seconds());
+      out.append(text.data(), static_cast<std::size_t>(length));
+    } else {
+      out += ", has seen no ball of late";
+    }
+    return out + (said->task < 0 ? std::string(", does no task") : ", does role " + std::to_string(said->task));
+  }
+
+ private:
+  // Sighted by the own eyes: what teammates tell is older than half a decision.
+  void look_at_ball(const regista::World& mine) {
+    if (mine.ball_known() && mine.ball().age < half_period) ball_seen_at = now;
+  }
+
+  // What was heard since the last decision. Who knows no ball cannot compare.
+  void compare_balls(const regista::World& mine) {
+    for (Entry& entry : table) {
+      if (!entry.is_new) continue;
+      entry.is_new = false;
+      if (!mine.ball_known() || !entry.said.knows_ball()) continue;
+      const b_human::Pose pose = entry.said.pose();
+      const b_human::Point own{mine.ball().position[0], mine.ball().position[1]};
+      entry.ball_is_off = b_human::is_another_ball({pose.x, pose.y}, entry.said.ball(), own, rule);
+    }
+  }
+
+  void list_tasks(const regista::Span<regista::Task>& all) {
+    tasks.clear();
+    for (const regista::Task& task : all) tasks.push_back({task.id, {task.before[0], task.before[1]}});
+  }
+
+  bool counts(const Entry& entry) const { return entry.known && now - entry.time_sent <= claim_lapses_after; }
+  const Entry& entry_of(int number) const { return table[static_cast<std::size_t>(number) - 1]; }
+
+  void list_members(const regista::Frame& frame) {
+    members.clear();
+    for (const std::int32_t number : frame.world().active()) {
+      const Entry& entry = entry_of(number);
+      Member& member = members.emplace_back();
+      if (entry.known) {
+        member = {entry.said.x, entry.said.y, &entry.said, counts(entry)};
+      } else {
+        const regista::World world = number == own_number ? frame.mine() : frame.world();
+        const double* pose = world.robot(number).pose;
+        member = {b_human::millimetres(pose[0]), b_human::millimetres(pose[1]), nullptr, false};
+      }
+    }
+  }
+
+  std::optional<std::size_t> active_column(const regista::Span<regista::Task>& all) const {
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      const auto row = static_cast<std::size_t>(all[j].id);
+      if (row < is_active_role.size() && is_active_role[row]) return j;
+    }
+    return std::nullopt;
+  }
+
+  // Rounded as in a statement: at rest a robot has then the same time for itself as its teammates have for it.
+  Statement of_myself(const regista::Frame& frame) const {
+    const regista::World mine = frame.mine();
+    const regista::Robot& self = mine.robot(own_number);
+    Statement said;
+    said.x = b_human::millimetres(self.pose[0]);
+    said.y = b_human::millimetres(self.pose[1]);
+    said.heading = b_human::heading_byte(self.pose[2]);
+    said.speed =
+        b_human::speed_byte(std::sqrt(self.velocity[0] * self.velocity[0] + self.velocity[1] * self.velocity[1]));
+    if (!mine.ball_known() || !(now - ball_seen_at <= rule.age_to_stay)) return said;
+    said.ball_age = b_human::age_byte(now - ball_seen_at);
+    said.ball_x = b_human::millimetres(mine.ball().position[0]);
+    said.ball_y = b_human::millimetres(mine.ball().position[1]);
+    return said;
+  }
+
+  Candidate candidate(const Statement& said, bool is_active, double until_up) const {
+    return {said.pose(), said.knows_ball(), false, said.ball_seconds(), is_active, until_up};
+  }
+
+  template <class Allowed>
+  std::optional<std::size_t> active_row(const regista::Frame& frame, std::size_t column, const Allowed& allowed) {
+    const regista::World mine = frame.mine();
+    if (!mine.ball_known()) return std::nullopt;
+    const b_human::Point ball{b_human::millimetres(mine.ball().position[0]) / 1000.0,
+                              b_human::millimetres(mine.ball().position[1]) / 1000.0};
+    candidates.clear();
+    candidate_row.clear();
+    const regista::Span<std::int32_t> active = frame.world().active();
+    for (std::size_t row = 0; row < active.size(); ++row) {
+      if (!allowed(row, column) || !b_human::Common(members[row], tasks).can_take(tasks[column])) continue;
+      const std::int32_t number = active[row];
+      const regista::Robot& robot = mine.robot(number);
+      if (number == own_number) {
+        candidates.push_back(candidate(of_myself(frame), robot.role == tasks[column].id, robot.time_until_up));
+      } else {
+        const Entry& entry = entry_of(number);
+        if (!counts(entry)) continue;
+        Candidate each = candidate(entry.said, entry.said.task == tasks[column].id, robot.time_until_up);
+        each.ball_is_off = entry.ball_is_off;
+        if ((robot.flags & REGISTA_ROBOT_HAS_TARGET) != 0) walk_on(robot, entry, each.pose);
+        candidates.push_back(each);
+      }
+      candidate_row.push_back(row);
+    }
+    const std::optional<std::size_t> found = b_human::active_player(candidates, ball, rule);
+    return found ? std::optional(candidate_row[*found]) : std::nullopt;
+  }
+
+  void walk_on(const regista::Robot& robot, const Entry& entry, b_human::Pose& pose) const {
+    const b_human::Point by_now = b_human::walked_on({pose.x, pose.y}, {robot.target[0], robot.target[1]},
+                                                     entry.said.speed / 100.0, now - entry.time_sent);
+    pose.x = by_now.x;
+    pose.y = by_now.y;
+  }
+
+  // The task of the active player is taken in any case, then those that are required.
+  void put_in_order(const regista::Span<regista::Task>& all, std::optional<std::size_t> first) {
+    assignment::by_importance(all, order);
+    choice.clear();
+    for (const int wanted : {2, 1, 0}) {
+      for (const std::uint32_t column : order) {
+        const int rank = first == column ? 2 : (all[column].flags & REGISTA_TASK_REQUIRED) != 0 ? 1 : 0;
+        if (rank == wanted) choice.push_back(column);
+      }
+    }
+  }
+
+  void say(const regista::Frame& frame) {
+    next = of_myself(frame);
+    for (const Position& task : tasks) next.add_task(task.id);
+    const regista::Span<std::int32_t> active = frame.world().active();
+    for (std::size_t row = 0; row < active.size(); ++row) {
+      if (active[row] == own_number && assigned[row] >= 0)
+        next.task = tasks[static_cast<std::size_t>(assigned[row])].id;
+    }
+    b_human::write(next, roles, bytes);
+    offer.say(bytes, now);
+  }
+};
+
+}  // namespace
+
+REGISTA_PLUGIN(BHuman, regista::assigner)

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The assignment of roles with the largest sum of utilities. CS Freiburg tried every permutation for four robots; here
+// any number of robots and tasks, by the Hungarian method, which finds the same.
+//
+// The publication has as many roles as robots. Our decisions: with more tasks than robots the less important ones stay
+// open; where pairs are forbidden, a task is done when it can be in addition to the more important ones. Of equal sums
+// the lexicographically least holds: the most important task goes to the lowest robot that can have it, and so on.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../hungarian/algorithm.hpp"
+#include "../matrix.hpp"
+
+namespace role_exchange {
+
+using assignment::forbidden, assignment::Matrix, assignment::nobody;
+
+// Reuse one object: it keeps its memory.
+class BestPermutation {
+ public:
+  void reserve(std::size_t robots, std::size_t tasks) {
+    solver_.reserve(robots, tasks);
+    values_.reserve(robots * tasks);
+    taken_by_.reserve(robots);
+    seen_.reserve(robots);
+    for (auto* each : {&kept_, &order_}) each->reserve(tasks);
+    chosen_.reserve(tasks);
+  }
+
+  // utilities: finite, or `forbidden`. choice: every column once; which tasks are done when not all can be. order: the
+  // same, for ties. out[robot] := column, or -1.
+  void find(const Matrix& utilities, std::span<const std::uint32_t> choice, std::span<const std::uint32_t> order,
+            std::span<std::int32_t> out) {
+    assert(choice.size() == utilities.columns && order.size() == utilities.columns && out.size() == utilities.rows);
+    std::fill(out.begin(), out.end(), nobody);
+    choose(utilities, choice);
+    kept_.clear();
+    for (const std::uint32_t column : order) {
+      if (chosen_[column] != 0) kept_.push_back(column);
+    }
+    if (kept_.empty()) return;
+    values_.clear();
+    for (std::size_t row = 0; row < utilities.rows; ++row) {
+      for (const std::uint32_t column : kept_) values_.push_back(utilities(row, column));
+    }
+    order_.clear();
+    for (std::size_t k = 0; k < kept_.size(); ++k) order_.push_back(static_cast<std::uint32_t>(k));
+    solver_.assign({values_.data(), utilities.rows, kept_.size(), kept_.size()}, order_, out);
+    for (std::int32_t& column : out) {
+      if (column != nobody) column = static_cast<std::int32_t>(kept_[static_cast<std::size_t>(column)]);
+    }
+  }
+
+ private:
+  void choose(const Matrix& utilities, std::span<const std::uint32_t> choice) {
+    chosen_.assign(utilities.columns, 0);
+    taken_by_.assign(utilities.rows, nobody);
+    std::size_t count = 0;
+    for (const std::uint32_t column : choice) {
+      if (count == utilities.rows) return;
+      seen_.assign(utilities.rows, 0);
+      if (!find_robot(utilities, column)) continue;
+      chosen_[column] = 1;
+      ++count;
+    }
+  }
+
+  // A robot without a task, or one whose task another robot can take over, and so on.
+  bool find_robot(const Matrix& utilities, std::size_t column) {
+    for (std::size_t row = 0; row < utilities.rows; ++row) {
+      if (seen_[row] != 0 || utilities(row, column) == forbidden) continue;
+      seen_[row] = 1;
+      if (taken_by_[row] != nobody && !find_robot(utilities, static_cast<std::size_t>(taken_by_[row]))) continue;
+      taken_by_[row] = static_cast<std::int32_t>(column);
+      return true;
+    }
+    return false;
+  }
+
+  hungarian::Solver solver_;
+  std::vector<double> values_;
+  std::vector<std::int32_t> taken_by_;
+  std::vector<std::uint8_t> seen_, chosen_;
+  std::vector<std::uint32_t> kept_, order_;
+};
+
+}  // namespace role_exchange

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// The plugin in scenes: which tasks have cells, and to which task a point belongs.
+#include <gtest/gtest.h>
+#include <regista/testkit/count_allocations.hpp>
+
+#include <vector>
+
+#include <regista/testkit/contract.hpp>
+#include <regista/testkit/frame_builder.hpp>
+#include <regista/testkit/instance.hpp>
+
+namespace {
+
+using namespace regista::testkit;
+
+const Loaded& plugin() {
+  static const Loaded loaded(REGISTA_PLUGIN_FILE, "formation_cells");
+  return loaded;
+}
+
+// Four roles for the robots 1, 2 and 4; the goalkeeper is robot 1's.
+FrameBuilder scene() {
+  FrameBuilder frame;
+  frame.own(2).robot(1).at(-4, 0).robot(2).at(3, 0).robot(4).at(-3, -1).ball(0, 0);
+  frame.task("goalkeeper").at(-4, 0).only_for(1).task("striker").at(0, 0).required();
+  frame.task("supporter").at(-2, 0).task("jolly").at(2, 1);
+  return frame;
+}
+
+std::vector<int> tasks_of(const Placed& placed) {
+  std::vector<int> out;
+  for (const regista_waypoint& point : placed.points) out.push_back(point.task);
+  return out;
+}
+
+TEST(FormationCellsPlugin, AsManyPositionsAsRobots) {
+  Instance positioner(plugin(), EnvironmentBuilder{}.own(2));
+  EXPECT_EQ(tasks_of(positioner.place(scene().build().before_placing())), (std::vector<int>{0, 2}));
+  FrameBuilder four = scene();
+  four.robot(3).at(0, 2);
+  EXPECT_EQ(tasks_of(positioner.place(four.build().before_placing())), (std::vector<int>{0, 2, 3}));
+  FrameBuilder without = scene();
+  without.robot(1).penalised();
+  EXPECT_EQ(tasks_of(positioner.place(without.build().before_placing())), (std::vector<int>{2}));
+}
+
+TEST(FormationCellsPlugin, RolesThatAreLeftOut) {
+  Values values(plugin());
+  values.set("left_out", "goalkeeper  supporter");
+  Instance positioner(plugin(), EnvironmentBuilder{}.own(2), values);
+  EXPECT_EQ(tasks_of(positioner.place(scene().build().before_placing())), (std::vector<int>{1}));
+}
+
+// The base point is free, the robot far: it walks there. Near, it stays where it is.
+TEST(FormationCellsPlugin, TheHolderStandsOrWalks) {
+  Instance positioner(plugin(), EnvironmentBuilder{}.own(2));
+  const auto point = [&](double x) {
+    const Placed placed = positioner.place(scene().robot(2).at(x, 0.5).role("supporter").build().before_placing());
+    return placed.points.back();
+  };
+  EXPECT_NEAR(point(3.0).x, -2.0, 1.0);
+  EXPECT_EQ(point(-1.9).x, -1.9);
+  EXPECT_EQ(point(-1.9).y, 0.5);
+  EXPECT_GT(point(-1.9).score, 0.0);
+}
+
+TEST(FormationCellsPlugin, OneHistoryOneResult) {
+  Instance a(plugin(), EnvironmentBuilder{}.own(2)), b(plugin(), EnvironmentBuilder{}.own(4));
+  for (int tick = 0; tick < 200; ++tick) {
+    FrameBuilder frame = scene();
+    frame.robot(2).at(3.0 - 0.025 * tick, 0.01 * tick).role("supporter").ball(0.02 * tick, 1.0);
+    const Placed first = a.place(frame.build().before_placing()), second = b.place(frame.build().before_placing());
+    ASSERT_EQ(first.points.size(), second.points.size());
+    for (std::size_t i = 0; i < first.points.size(); ++i) {
+      ASSERT_EQ(first.points[i].x, second.points[i].x);
+      ASSERT_EQ(first.points[i].y, second.points[i].y);
+    }
+  }
+}
+
+TEST(FormationCellsPlugin, NothingIsAllocated) {
+  Instance busy(plugin(), EnvironmentBuilder{}.own(2));
+  const Scene none = FrameBuilder{}.own(2).build().before_placing(), some = scene().build().before_placing();
+  // The testkit's own allocations for a call do not depend on what is placed, but for the points that it copies.
+  const std::size_t of_none = allocations_during([&] { busy.place(none); });
+  const std::size_t of_some = allocations_during([&] { busy.place(some); });
+  EXPECT_LE(of_some, of_none + 1);
+}
+
+REGISTA_POSITIONER_CONTRACT(REGISTA_PLUGIN_FILE, "formation_cells");
+
+}  // namespace

@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: MIT
+// The plugin through whole matches of a team: what is left of the budget, second by second; and its glue.
+#include <gtest/gtest.h>
+#include <regista/testkit/count_allocations.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <regista/testkit/contract.hpp>
+#include <regista/testkit/frame_builder.hpp>
+#include <regista/testkit/instance.hpp>
+
+#include "algorithm.hpp"
+
+namespace {
+
+using namespace regista::testkit;
+using namespace extrapolated_change;
+
+const Loaded& plugin() {
+  static const Loaded loaded(REGISTA_PLUGIN_FILE, "extrapolated_change");
+  return loaded;
+}
+
+// --- A whole match ---------------------------------------------------------------------------------------------------
+
+// Robots of the algorithm alone, with the budget as the plugin reads it.
+struct Team {
+  int robots = 7;
+  Allowance allowance;
+  std::vector<Sender> senders{7};
+  std::vector<double> sent{std::vector<double>(7, -100.0)};
+  double left = 1200.0, team_sent = -100.0, line_at_packet = 0.0, time = 0.0;
+  double least_above_line = 1e9;
+
+  // What a robot has to tell at this decision.
+  using Life = std::function<void(int robot, Situation& now)>;
+
+  // One decision of all robots, at the same moment: nobody knows of the packets of this one.
+  void step(const Clock& clock, const Life& life) {
+    const double known_left = left, line = allowance.line(share_left(allowance, clock));
+    double spent = 0.0;
+    for (int robot = 0; robot < robots; ++robot) {
+      Situation now;
+      now.time = time;
+      now.number = robot + 1;
+      now.since_own = time - sent[static_cast<std::size_t>(robot)];
+      now.allowance = allowance;
+      now.purse = {.left = known_left,
+                   .line = line,
+                   .line_before = line_at_packet,
+                   .reserve = half_reserve(allowance, clock.half),
+                   .half_left = clock.half_left,
+                   .silent = time - team_sent,
+                   .robots = robots,
+                   .turn = 0.1 * ((robot + 1 + static_cast<int>(known_left)) % robots)};
+      life(robot, now);
+      if (!senders[static_cast<std::size_t>(robot)].decide({}, now)) continue;
+      sent[static_cast<std::size_t>(robot)] = time;
+      spent += 1.0;
+    }
+    if (spent > 0.0) {
+      team_sent = time;
+      line_at_packet = line;
+    }
+    left -= spent;
+    least_above_line = std::min(least_above_line, left - line);
+    time += 0.1;
+  }
+  // Ready and Set, in which the clock stands, then a half.
+  void half(int number, const Life& life) {
+    for (int tick = 0; tick < 500; ++tick) step({number, 600.0}, life);
+    for (int tick = 0; tick < 6000; ++tick) step({number, 600.0 - 0.1 * tick}, life);
+  }
+};
+
+TEST(Budget, AllWantToSendAlways) {
+  Team team;
+  const Team::Life want = [](int, Situation& now) { now.urgent_offer = true; };
+  team.half(1, want);
+  EXPECT_GE(team.left, 615.0);
+  EXPECT_LE(team.left, 625.0);
+  team.half(2, want);
+  EXPECT_GE(team.left, 30.0);
+  EXPECT_LE(team.left, 40.0);
+  // Seven packets at most go out at once when one is left above the line. The line of the second half begins lower.
+  EXPECT_GE(team.least_above_line, -30.0);
+}
+
+// Without the seconds before the kick-off, in which the clock stands, nobody falls below the line by more than the
+// packets of one moment.
+TEST(Budget, InPlayTheLineHolds) {
+  Team team;
+  const Team::Life want = [](int, Situation& now) { now.urgent_offer = true; };
+  for (int tick = 0; tick < 6000; ++tick) team.step({1, 600.0 - 0.1 * tick}, want);
+  EXPECT_GE(team.least_above_line, -7.0);
+  EXPECT_GE(team.left, 615.0);
+}
+
+TEST(Budget, RandomWishes) {
+  std::mt19937 random(5);
+  for (int match = 0; match < 12; ++match) {
+    Team team;
+    const auto rarity = 1u + random() % 60u;
+    const Team::Life life = [&](int, Situation& now) { now.urgent_offer = random() % rarity == 0; };
+    team.half(1, life);
+    ASSERT_GE(team.left, 615.0) << rarity;
+    team.half(2, life);
+    ASSERT_GE(team.left, 30.0) << rarity;
+  }
+}
+
+// Whistles are told beyond the line, down to 15.
+TEST(Budget, WhistlesToo) {
+  std::mt19937 random(6);
+  Team team;
+  const Team::Life life = [&](int, Situation& now) {
+    now.urgent_offer = true;
+    now.heard_whistle = static_cast<int>(now.time * 10.0 + 0.5) % 100 == 0;  // one every 10 s
+  };
+  team.half(1, life);
+  team.half(2, life);
+  EXPECT_LT(team.left, 30.0);
+  EXPECT_GE(team.left, 15.0 - 6.0);  // all seven at once with 16 left
+}
+
+// Robots that walk about at random, and a ball that they see or not: what a match may be like.
+TEST(Budget, RandomMotion) {
+  std::mt19937 random(7);
+  for (int match = 0; match < 3; ++match) {
+    Team team;
+    struct Robot {
+      Point place, target;
+      double ball_age = 0.0;
+      int role = 0;
+      std::optional<int> told;
+    };
+    std::vector<Robot> robots(7);
+    const auto anywhere = [&] {
+      return Point{-4.5 + 9.0 * static_cast<double>(random() % 1000) / 1000.0,
+                   -3.0 + 6.0 * static_cast<double>(random() % 1000) / 1000.0};
+    };
+    const Team::Life life = [&](int k, Situation& now) {
+      static std::vector<Point> mates;
+      Robot& r = robots[static_cast<std::size_t>(k)];
+      if (random() % 100 == 0) r.target = anywhere();
+      if (random() % 150 == 0) r.role = static_cast<int>(random() % 7);
+      if (random() % 80 == 0) r.ball_age = random() % 2 == 0 ? 0.0 : 5.0;
+      const double dx = r.target.x - r.place.x, dy = r.target.y - r.place.y, way = std::hypot(dx, dy);
+      if (way > 0.025) r.place = {r.place.x + 0.025 * dx / way, r.place.y + 0.025 * dy / way};
+      mates.clear();
+      for (const Robot& each : robots) mates.push_back(each.place);
+      now.place = r.place;
+      now.speed = way > 0.025 ? 0.25 : 0.0;
+      now.knows_ball = true;
+      now.ball_age = r.ball_age;
+      now.role = r.role;
+      if (team.sent[static_cast<std::size_t>(k)] == team.time - 0.1) r.told = r.role;
+      now.told_role = r.told ? r.told : std::optional<int>(r.role);
+      now.told_target = r.target;
+      now.mates = mates;
+    };
+    team.half(1, life);
+    ASSERT_GE(team.left, 615.0);
+    team.half(2, life);
+    ASSERT_GE(team.left, 30.0);
+    ASSERT_LT(team.left, 300.0);  // it does spend
+  }
+}
+
+// --- The plugin
+// --------------------------------------------------------------------------------------------------------
+
+regista_budget plenty(double time, double last) {
+  regista_budget budget{};
+  budget.size = sizeof budget;
+  budget.packets_left = 1200;
+  budget.line = 1000;
+  budget.match_time_left = 1000;
+  budget.since_own = budget.since_team = time - last;
+  budget.bytes_free = 61;
+  budget.share = 1.0;
+  return budget;
+}
+
+// Robot 3 with two mates near; the ball is in sight and known.
+FrameBuilder quiet(double time) {
+  FrameBuilder frame;
+  frame.own(3).time(time).robot(3).at(0, 0).role("supporter").target(0, 0).robot(1).at(-2, 0).robot(5).at(0, 2);
+  regista_game game{};
+  game.size = sizeof game;
+  game.phase = REGISTA_PHASE_PLAYING;
+  game.half = 1;
+  game.time_left = 300.0;
+  frame.game(game).ball(2, 0).ball_age(0.0).common([](WorldBuilder& world) { world.ball_age(1.0); });
+  return frame;
+}
+
+struct Robot {
+  Instance sender;
+  double last = 0.0;
+  std::vector<regista_event> events;
+  std::vector<regista_offer> offers;
+  int left = 1200;
+  explicit Robot(const Values& values = Values(plugin())) : sender(plugin(), EnvironmentBuilder{}.own(3), values) {}
+
+  // Of the first packet within so many seconds after `from`: time and reason; reason -1: none.
+  std::pair<double, int> first(double from, double seconds, const std::function<FrameBuilder(double)>& frame) {
+    for (int tick = 0; tick < static_cast<int>(seconds * 10.0 + 0.5); ++tick) {
+      const double time = from + 0.1 * tick;
+      regista_budget budget = plenty(time, last);
+      budget.packets_left = left;
+      const Sent sent = sender.decide(frame(time).build(), events, offers, budget);
+      if (sent.send == 0) continue;
+      last = time;
+      return {time, sent.reason};
+    }
+    return {-1.0, -1};
+  }
+};
+
+TEST(ExtrapolatedChangePlugin, ReasonsHaveNames) {
+  Robot robot;
+  EXPECT_EQ(robot.first(10.0, 1.0, quiet).second, REGISTA_REASON_OWN);  // the first packet
+  EXPECT_EQ(robot.first(10.1, 20.0, quiet).second, -1);
+  const auto with = [](auto change) {
+    return [change](double time) {
+      FrameBuilder frame = quiet(time);
+      change(frame);
+      return frame;
+    };
+  };
+  double time = 40.0;
+  const auto reason = [&](auto change) {
+    const auto [when, why] = robot.first(time, 5.0, with(change));
+    time += 20.0;
+    robot.first(time, 3.0, quiet);  // back again, and told
+    time += 20.0;
+    return why;
+  };
+  EXPECT_EQ(reason([](FrameBuilder& f) { f.robot(3).at(0.4, 0); }), REGISTA_EVENT_POSE_MOVED);
+  EXPECT_EQ(reason([](FrameBuilder& f) { f.robot(3).fallen(3.0); }), REGISTA_EVENT_FELL);
+  EXPECT_EQ(reason([](FrameBuilder& f) {
+              f.robot(3).role("jolly").common([](WorldBuilder& w) { w.robot(3).role("supporter"); });
+            }),
+            REGISTA_EVENT_ROLE_CHANGED);
+  EXPECT_EQ(reason([](FrameBuilder& f) { f.common([](WorldBuilder& w) { w.ball_age(10.6); }); }),
+            REGISTA_REASON_OWN + 2);
+  EXPECT_EQ(reason([](FrameBuilder& f) { f.ball_age(3.2); }), REGISTA_REASON_OWN + 1);
+  EXPECT_EQ(reason([](FrameBuilder& f) { f.ball(2, 0.7).common([](WorldBuilder& w) { w.ball(2, 0).ball_age(1.0); }); }),
+            REGISTA_EVENT_BALL_MOVED);
+}
+
+TEST(ExtrapolatedChangePlugin, ARollingBallIsWhereItComesToRest) {
+  Robot robot;
+  robot.first(10.0, 1.0, quiet);
+  // It rolls towards where it was told: 0.8 m/s stop after 1 m.
+  const auto rolling = [](double time) { return quiet(time).ball(1, 0).ball_velocity(0.8, 0); };
+  EXPECT_EQ(robot.first(20.0, 5.0, rolling).second, -1);
+  const auto elsewhere = [](double time) {
+    return quiet(time).ball(2, 0).ball_velocity(0, 0.8).common(
+        [](WorldBuilder& w) { w.ball(2, 0).ball_velocity(0, 0).ball_age(1.0); });
+  };
+  EXPECT_EQ(robot.first(30.0, 5.0, elsewhere).second, REGISTA_EVENT_BALL_MOVED);
+}
+
+TEST(ExtrapolatedChangePlugin, WalksAsItSaid) {
+  Robot robot;
+  const auto walking = [](double time) {
+    const double x = std::min(3.0, 0.125 * (time - 10.0));  // half of what it says
+    return quiet(time).robot(3).at(x, 0).velocity(0.25, 0).target(3, 0);
+  };
+  EXPECT_EQ(robot.first(10.0, 1.0, walking), (std::pair{10.0, int{REGISTA_REASON_OWN}}));
+  EXPECT_EQ(robot.first(10.1, 60.0, walking).second, -1);
+  robot.sender.reset(1);
+  robot.last = 0.0;
+  const auto faster = [](double time) {
+    return quiet(time).robot(3).at(0.25 * (time - 10.0), 0).velocity(0.25, 0).target(3, 0);
+  };
+  robot.first(10.0, 1.0, faster);
+  const auto [time, why] = robot.first(10.1, 20.0, faster);
+  EXPECT_EQ(why, REGISTA_EVENT_POSE_MOVED);
+  EXPECT_GT(time, 10.0 + 0.3 / 0.125);
+  EXPECT_LT(time, 10.0 + 0.3 / 0.125 + 1.5);
+}
+
+// The same through the plugin, which reads clock and silence from what the host tells: two decisions a second, and
+// always an urgent offer. What is left stays above the half's reserve, and is all spent but a few.
+TEST(ExtrapolatedChangePlugin, AWholeMatch) {
+  constexpr double period = 0.5;
+  std::vector<std::unique_ptr<Instance>> team;
+  for (int n = 1; n <= 7; ++n) {
+    team.push_back(std::make_unique<Instance>(plugin(), EnvironmentBuilder{}.own(n).decision_period(period)));
+  }
+  std::vector<double> sent(7, 0.0);
+  const std::vector<regista_offer> offers{{7, 20, REGISTA_MEDIUM_RADIO, 1.0, 1e9}};
+  const Allowance allowance;
+  int left = 1200;
+  double time = 0.0, team_sent = 0.0, least_in_play = 1e9;
+  for (const int half : {1, 2}) {
+    for (double clock = -50.0; clock < 600.0; clock += period, time += period) {
+      regista_game game{};
+      game.size = sizeof game;
+      game.phase = clock < 0.0 ? REGISTA_PHASE_READY : REGISTA_PHASE_PLAYING;
+      game.half = half;
+      game.time_left = 600.0 - std::max(0.0, clock);
+      const int known_left = left;
+      const double known_sent = team_sent;
+      for (int n = 1; n <= 7; ++n) {
+        double& own = sent[static_cast<std::size_t>(n - 1)];
+        regista_budget budget = plenty(time, own);
+        budget.packets_left = known_left;
+        budget.since_team = time - known_sent;
+        const Scene scene = FrameBuilder{}.own(n).time(time).robot(n).at(n, 0).game(game).no_ball().build();
+        if (team[static_cast<std::size_t>(n - 1)]->decide(scene, {}, offers, budget).send == 0) continue;
+        own = team_sent = time;
+        --left;
+      }
+      const double line = allowance.line(share_left(allowance, {half, game.time_left}));
+      if (clock > 100.0) least_in_play = std::min(least_in_play, left - line);
+    }
+    const double reserve = half == 1 ? 615.0 : 30.0;
+    EXPECT_GE(left, reserve);
+    EXPECT_LE(left, reserve + 12.0);
+  }
+  EXPECT_GE(least_in_play, -7.0);
+}
+
+// Half-way through the first half 907 packets should be left.
+TEST(ExtrapolatedChangePlugin, SilencesBelowTheLine) {
+  const auto sends = [](Instance& sender, double time, int left, double silent) {
+    regista_budget budget = plenty(time, 0.0);
+    budget.packets_left = left;
+    budget.since_team = silent;
+    return sender.decide(quiet(time).build(), {}, {}, budget).send == 1;
+  };
+  {  // 10 above the half's reserve for 300 s
+    Instance sender(plugin(), EnvironmentBuilder{}.own(3));
+    EXPECT_FALSE(sends(sender, 10.0, 625, 29.0));
+    EXPECT_TRUE(sends(sender, 12.0, 625, 31.0));
+  }
+  {  // 57 below the line when the team's last packet was sent: 3.96 s
+    Instance sender(plugin(), EnvironmentBuilder{}.own(3));
+    EXPECT_FALSE(sends(sender, 10.0, 850, 1.0));
+    EXPECT_FALSE(sends(sender, 10.1, 850, 0.1));
+    EXPECT_FALSE(sends(sender, 13.9, 850, 3.9));
+    EXPECT_TRUE(sends(sender, 14.6, 850, 4.6));
+  }
+}
+
+TEST(ExtrapolatedChangePlugin, AShareOfAMatch) {
+  // A tenth of a match: 120 packets and a reserve of 3. The line is the host's.
+  for (const auto& [left, line, silent, sends] :
+       {std::tuple{70, 60.0, 0.0, true}, {60, 60.0, 0.0, false}, {60, 60.0, 3.0, true}, {3, 60.0, 1000.0, false}}) {
+    Instance sender(plugin(), EnvironmentBuilder{}.own(7).packets(128, 120));
+    regista_budget budget = plenty(10.0, 0.0);
+    budget.share = 0.1;
+    budget.packets_left = left;
+    budget.line = line;
+    budget.match_time_left = 65.0;
+    budget.since_team = silent;
+    EXPECT_EQ(sender.decide(quiet(10.0).own(7).build(), {}, {}, budget).send == 1, sends) << left << ' ' << silent;
+  }
+}
+
+TEST(ExtrapolatedChangePlugin, AWhistleBelowTheReserve) {
+  for (const auto& [left, share, sends] :
+       {std::tuple{16, 1.0, true}, {15, 1.0, false}, {2, 0.05, true}, {1, 0.05, false}}) {
+    Robot robot;
+    robot.events = {{REGISTA_EVENT_WHISTLE, 0, 0.0}};
+    regista_budget budget = plenty(10.0, 0.0);
+    budget.packets_left = left;
+    budget.share = share;
+    const Sent sent = robot.sender.decide(quiet(10.0).build(), robot.events, {}, budget);
+    EXPECT_EQ(sent.send == 1, sends) << left << ' ' << share;
+    if (sends) {
+      EXPECT_EQ(sent.reason, REGISTA_EVENT_WHISTLE);
+    }
+  }
+}
+
+TEST(ExtrapolatedChangePlugin, OffersThatFitGoAlong) {
+  Robot robot;
+  robot.first(10.0, 1.0, quiet);
+  robot.offers = {{7, 20, REGISTA_MEDIUM_RADIO, 0.5, 99.0}, {8, 61, REGISTA_MEDIUM_RADIO, 0.9, 99.0}};
+  EXPECT_EQ(robot.first(20.0, 3.0, quiet).second, -1);
+  robot.offers[1].urgency = 1.0;
+  regista_budget budget = plenty(30.0, 10.0);
+  const Sent sent = robot.sender.decide(quiet(30.0).build(), {}, robot.offers, budget);
+  EXPECT_EQ(sent.reason, REGISTA_EVENT_OFFER);
+  EXPECT_EQ(sent.granted, (std::vector<std::uint64_t>{8}));
+  robot.offers[1].bytes = 62;
+  EXPECT_EQ(robot.sender.decide(quiet(40.0).build(), {}, robot.offers, budget).send, 0);
+}
+
+TEST(ExtrapolatedChangePlugin, BeforeTheKickOff) {
+  for (const bool before : {true, false}) {
+    Robot robot(Values(plugin()).set("before_kick_off", before ? 1.0 : 0.0));
+    const auto ready = [](double time) { return quiet(time).phase(REGISTA_PHASE_READY, 1.0); };
+    EXPECT_EQ(robot.first(10.0, 5.0, ready).second >= 0, before);
+  }
+}
+
+TEST(ExtrapolatedChangePlugin, SilentWhilePoorlyLocalised) {
+  Robot robot;
+  const auto lost = [](double time) {
+    return quiet(time).mine([](WorldBuilder& world) {
+      world.data().robots[2].covariance[0] = world.data().robots[2].covariance[2] = 0.6 * 0.6;
+    });
+  };
+  EXPECT_EQ(robot.first(10.0, 5.0, lost).second, -1);
+  EXPECT_EQ(robot.first(15.0, 5.0, quiet).first, 15.0);
+}
+
+TEST(ExtrapolatedChangePlugin, NothingIsAllocated) {
+  Robot robot;
+  std::vector<Scene> scenes;
+  for (int k = 0; k < 50; ++k) scenes.push_back(quiet(10.0 + 2.0 * k).robot(3).at(0.1 * k, 0).build());
+  std::size_t of_testkit = 0, of_plugin = 0;
+  regista_budget budget = plenty(10.0, 0.0);
+  // What the testkit itself allocates for a call is what it does for one that answers at once.
+  budget.since_own = 0.0;
+  for (const Scene& scene : scenes) {
+    of_testkit += allocations_during([&] { robot.sender.decide(scene, {}, {}, budget); });
+  }
+  robot.sender.reset(1);
+  budget.since_own = 5.0;
+  for (const Scene& scene : scenes) {
+    of_plugin += allocations_during([&] { robot.sender.decide(scene, {}, {}, budget); });
+  }
+  EXPECT_EQ(of_plugin, of_testkit);
+}
+
+REGISTA_SENDER_CONTRACT(REGISTA_PLUGIN_FILE, "extrapolated_change");
+
+}  // namespace
