@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Warnings of what a team's plugins make of made-up scenes: contexts that may never be in force
-// (mind/coordination/idle_contexts.hpp), terms of the utility that change nothing (idle_terms.hpp), and segments that no
-// packet can take (mind/unsendable_segments.hpp). The plugins are called in a copy of this process: one that ends it, or
-// does not return, is a warning too.
+// (mind/coordination/idle_contexts.hpp), terms of the utility that change nothing (idle_terms.hpp), and segments that
+// no packet can take (mind/unsendable_segments.hpp). The plugins are called in a copy of this process: one that ends
+// it, or does not return, is a warning too.
 #pragma once
 
 #include <vector>
