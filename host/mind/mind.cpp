@@ -49,6 +49,8 @@ struct Mind::Parts {
     limits.role_count = static_cast<int>(plan.roles().size());
     limits.context_count = static_cast<int>(plan.contexts().size());
     limits.size = static_cast<std::size_t>(plan.rules().messages.size);
+    extensions.know({[this](int of) { return of < 1 || of > limits.team_size ? nullptr : world.team().report(of); },
+                     [this] { return world.local().sees_ball(); }, [this] { return budget(); }});
     events.reserve(REGISTA_EVENT_COUNT);
     segments.reserve(limits.size / segment_heading);
     points_near.reserve(RobotMemory::most);
@@ -61,6 +63,7 @@ struct Mind::Parts {
   regista_body body(const Percepts& percepts);
   Command act(const Percepts& percepts);
   void decide_to_send(const Percepts& percepts, Outcome& out);
+  regista_budget budget() const;
   Report report(const Percepts& percepts) const;
   void say_receiver(Command& command);
   void hand_over_metrics(Outcome& out);
@@ -81,6 +84,7 @@ struct Mind::Parts {
   std::vector<regista_point> points_near;
   std::optional<Vector2d> told_target;  // by the behaviour, instead of the task's place
 
+  GameTold game;  // as this decision was told
   bool first = true;
   double now = 0.0;
   double own_sent_at = 0.0, team_sent_at = 0.0;
@@ -107,6 +111,7 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   const double dt = parts.first ? 0.0 : percepts.time - parts.now;
   assert(dt >= 0.0);
   parts.now = percepts.time;
+  parts.game = percepts.game;
   parts.caller.begin_decision();
   parts.extensions.begin(percepts.time);
   parts.mailboxes.begin(percepts.time);
@@ -221,6 +226,21 @@ Command Mind::Parts::act(const Percepts& percepts) {
                    action);
 }
 
+regista_budget Mind::Parts::budget() const {
+  const config::Rules& rules = plan.rules();
+  const double sending_left = sending_time_left(rules.durations, game);
+  regista_budget out{};
+  out.size = sizeof out;
+  out.packets_left = game.packets_left;
+  out.line = config::packet_line(rules, sending_left);
+  out.match_time_left = config::packet_time_left(rules, sending_left);
+  out.since_own = now - own_sent_at;
+  out.since_team = now - std::max(own_sent_at, team_sent_at);
+  out.bytes_free = mailboxes.bytes_free();
+  out.share = rules.messages.share;
+  return out;
+}
+
 void Mind::Parts::decide_to_send(const Percepts& percepts, Outcome& out) {
   const Decision& decision = coordination.decision();
   const bool searching = decision.own_role >= 0 && (plan.purposes(decision.own_role) & REGISTA_BEHAVIOUR_SEARCHES) != 0;
@@ -232,19 +252,8 @@ void Mind::Parts::decide_to_send(const Percepts& percepts, Outcome& out) {
   const bool may_send = phase == Phase::ready || phase == Phase::set || phase == Phase::playing;
   if (!may_send || percepts.penalised || decision.context < 0) return;
 
-  const config::Rules& rules = plan.rules();
-  regista_budget budget{};
-  budget.size = sizeof budget;
-  budget.packets_left = percepts.game.packets_left;
-  const double sending_left = sending_time_left(rules.durations, percepts.game);
-  budget.line = config::packet_line(rules, sending_left);
-  budget.match_time_left = config::packet_time_left(rules, sending_left);
-  budget.since_own = now - own_sent_at;
-  budget.since_team = now - std::max(own_sent_at, team_sent_at);
-  budget.bytes_free = mailboxes.bytes_free();
-  budget.share = rules.messages.share;
   const plugin::SendDecision send_decision =
-      coordination.sender().decide(decision.frame, events, mailboxes.pending(), budget);
+      coordination.sender().decide(decision.frame, events, mailboxes.pending(), budget());
   if (!send_decision.send) return;
   out.send = true;
   encode(report(percepts), out.packet);

@@ -1,7 +1,43 @@
 // SPDX-License-Identifier: MIT
 #include "mind/extensions/extensions.hpp"
 
+#include <algorithm>
+#include <cstring>
+
 namespace regista::mind {
+namespace {
+
+// As much of it as the caller knows of, with the size that it has.
+template <class Struct>
+void write(Struct value, Struct* out) {
+  if (out == nullptr) return;
+  value.size = std::min<std::uint32_t>(out->size, sizeof value);
+  std::memcpy(static_cast<void*>(out), &value, value.size);
+}
+
+regista_told_packet as_told(const Report& report) {
+  regista_told_packet out{};
+  out.flags =
+      (report.ball ? std::uint32_t{REGISTA_TOLD_BALL} : 0u) | (report.fallen ? std::uint32_t{REGISTA_TOLD_FALLEN} : 0u);
+  out.time_sent = report.time_sent;
+  out.pose[0] = report.pose.x;
+  out.pose[1] = report.pose.y;
+  out.pose[2] = report.pose.heading;
+  const auto put = [](const Vector2d& from, double* to) { to[0] = from.x(), to[1] = from.y(); };
+  put(report.velocity, out.velocity);
+  put(report.target, out.target);
+  out.role = report.role;
+  out.context = report.context;
+  out.role_since = report.role_since;
+  if (report.ball) {
+    put(report.ball->position, out.ball);
+    put(report.ball->velocity, out.ball_velocity);
+    out.ball_age = report.ball->age;
+  }
+  return out;
+}
+
+}  // namespace
 
 InstanceExtensions::InstanceExtensions(Extensions& owner, const plugin::Found& plugin, std::span<const int> metrics,
                                        int place)
@@ -31,6 +67,22 @@ InstanceExtensions::InstanceExtensions(Extensions& owner, const plugin::Found& p
              auto& self = *static_cast<InstanceExtensions*>(context);
              if (!self.owner_->muted_) self.owner_->pass_ = {self.plugin_, receiver};
            }};
+  told_ = {sizeof told_, 0, this,
+           [](void* context, std::int32_t number, regista_told_packet* out) -> std::int32_t {
+             const Known& known = static_cast<InstanceExtensions*>(context)->owner_->known_;
+             const Report* const report = known.packet ? known.packet(number) : nullptr;
+             if (report == nullptr) return 0;
+             write(as_told(*report), out);
+             return 1;
+           },
+           [](void* context) -> std::int32_t {
+             const Known& known = static_cast<InstanceExtensions*>(context)->owner_->known_;
+             return known.sees_ball && known.sees_ball() ? 1 : 0;
+           }};
+  budget_ = {sizeof budget_, 0, this, [](void* context, regista_budget* out) {
+               const Known& known = static_cast<InstanceExtensions*>(context)->owner_->known_;
+               write(known.budget ? known.budget() : regista_budget{}, out);
+             }};
 }
 
 const void* InstanceExtensions::find(std::string_view id) const {
@@ -38,6 +90,8 @@ const void* InstanceExtensions::find(std::string_view id) const {
   if (id == REGISTA_DRAW_EXTENSION) return &draw_;
   if (id == REGISTA_METRIC_EXTENSION) return &metric_reports_;
   if (id == REGISTA_PASS_EXTENSION) return &pass_;
+  if (id == REGISTA_TOLD_EXTENSION) return &told_;
+  if (id == REGISTA_BUDGET_EXTENSION) return &budget_;
   return nullptr;
 }
 

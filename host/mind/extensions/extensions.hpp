@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: MIT
-// The host's side of the extensions that the plugins of one robot may ask for by name: log, draw, metric, pass. Each
-// instance gets tables of its own, so that it is known who speaks.
+// The host's side of the extensions that the plugins of one robot may ask for by name: log, draw, metric, pass, told,
+// budget. Each instance gets tables of its own, so that it is known who speaks.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include <regista/extensions/budget.h>
 #include <regista/extensions/draw.h>
 #include <regista/extensions/log.h>
 #include <regista/extensions/metric.h>
 #include <regista/extensions/pass.h>
+#include <regista/extensions/told.h>
 
 #include "mind/extensions/drawings.hpp"
 #include "mind/extensions/metric_reports.hpp"
 #include "mind/extensions/plugin_log.hpp"
+#include "mind/world/packet.hpp"
 #include "plugin/failure.hpp"
 #include "plugin/found.hpp"
 
@@ -46,12 +50,21 @@ class InstanceExtensions {
   regista_draw draw_{};
   regista_metric_reports metric_reports_{};
   regista_pass pass_{};
+  regista_told told_{};
+  regista_budget_now budget_{};
 };
 
 // For whom a kick is meant, as a plugin said it.
 struct MeantPass {
   const plugin::Found* plugin;
   int receiver;  // not looked at yet
+};
+
+// What the robot knows and plugins may ask for. Called from within their calls.
+struct Known {
+  std::function<const Report*(int number)> packet;  // the newest of a robot, the own one too; null: none
+  std::function<bool()> sees_ball;
+  std::function<regista_budget()> budget;
 };
 
 class Extensions {
@@ -65,6 +78,9 @@ class Extensions {
 
   // For the next instance. metrics: see InstanceExtensions; plugin and metrics outlive it.
   const InstanceExtensions& open(const plugin::Found& plugin, std::span<const int> metrics);
+
+  // Before the first call of a plugin that asks.
+  void know(Known known) { known_ = std::move(known); }
 
   // At the beginning of a decision. time: s since the start of the match.
   void begin(double time);
@@ -83,6 +99,7 @@ class Extensions {
   Drawings drawings_;
   MetricReports metrics_;
   std::optional<MeantPass> pass_;
+  Known known_;
   bool muted_ = false;
   std::vector<std::unique_ptr<InstanceExtensions>> instances_;
 };

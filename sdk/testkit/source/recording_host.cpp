@@ -2,6 +2,7 @@
 // The functions that a plugin calls.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string_view>
 #include <utility>
 
@@ -24,6 +25,14 @@ class OwnAllocations {
   RecordingHost& host_;
   std::size_t before_;
 };
+
+// As much of it as the caller knows of, with the size that it has.
+template <class Struct>
+void write_known(Struct value, Struct* out) {
+  if (out == nullptr) return;
+  value.size = std::min<std::uint32_t>(out->size, sizeof value);
+  std::memcpy(static_cast<void*>(out), &value, value.size);
+}
 
 }  // namespace
 
@@ -62,6 +71,18 @@ RecordingHost::RecordingHost(std::uint32_t bytes_free, const Layout& layout)
              if (receiver < 1) host->break_rule("pass: meant for robot " + std::to_string(receiver));
              host->receivers.push_back(receiver);
            }};
+  told_ = {sizeof told_, 0, this,
+           [](void* context, std::int32_t number, regista_told_packet* out) -> std::int32_t {
+             const auto* const host = static_cast<const RecordingHost*>(context);
+             if (number < 1 || static_cast<std::size_t>(number) > host->told.size()) return 0;
+             const auto& packet = host->told[static_cast<std::size_t>(number - 1)];
+             if (packet) write_known(*packet, out);
+             return packet ? 1 : 0;
+           },
+           [](void* context) -> std::int32_t { return static_cast<const RecordingHost*>(context)->sees_ball ? 1 : 0; }};
+  budget_ = {sizeof budget_, 0, this, [](void* context, regista_budget* out) {
+               write_known(static_cast<const RecordingHost*>(context)->budget, out);
+             }};
   raw_ = Grown<regista_host>(raw, layout);
   raw_.make_read_only();
 }
@@ -72,6 +93,8 @@ const void* RecordingHost::extension(const char* id) const {
   if (name == REGISTA_DRAW_EXTENSION) return &draw_;
   if (name == REGISTA_METRIC_EXTENSION) return &reports_;
   if (name == REGISTA_PASS_EXTENSION) return &pass_;
+  if (name == REGISTA_TOLD_EXTENSION) return &told_;
+  if (name == REGISTA_BUDGET_EXTENSION) return &budget_;
   return nullptr;
 }
 

@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "regista/draw.hpp"
@@ -77,6 +79,51 @@ TEST_F(ExtensionsTest, NamesThatNobodyKnowsAreNull) {
   EXPECT_EQ(own().find("regista.log/1"), nullptr);
   EXPECT_EQ(own().find("regista.reward/0"), nullptr);
   EXPECT_EQ(own().find(""), nullptr);
+}
+
+TEST_F(ExtensionsTest, WhatWasToldIsGivenAsItWasSaid) {
+  const auto& told_table = *static_cast<const regista_told*>(own().find(REGISTA_TOLD_EXTENSION));
+  const auto& budget_table = *static_cast<const regista_budget_now*>(own().find(REGISTA_BUDGET_EXTENSION));
+  regista_told_packet packet{};
+  packet.size = sizeof packet;
+  EXPECT_EQ(told_table.packet(told_table.context, 2, &packet), 0) << "nothing is known yet";
+  EXPECT_EQ(told_table.sees_ball(told_table.context), 0);
+
+  Report report;
+  report.time_sent = 3.5;
+  report.pose = {1, -2, 0.5};
+  report.velocity = {0.1, 0.2};
+  report.target = {3, 4};
+  report.role = 5;
+  report.role_since = 1.5;
+  report.context = 2;
+  report.ball.emplace(ReportedBall{{0.5, 0.6}, {-1, 1}, 0.1, 0.7});
+  extensions.know({[&](int number) { return number == 2 ? &report : nullptr; }, [] { return true; },
+                   [] {
+                     regista_budget out{};
+                     out.packets_left = 17;
+                     out.share = 0.5;
+                     return out;
+                   }});
+  ASSERT_EQ(told_table.packet(told_table.context, 2, &packet), 1);
+  EXPECT_EQ(packet.size, sizeof packet);
+  EXPECT_EQ(packet.flags, std::uint32_t{REGISTA_TOLD_BALL});
+  EXPECT_EQ(packet.time_sent, 3.5);
+  EXPECT_EQ(std::vector(packet.pose, packet.pose + 3), (std::vector{1.0, -2.0, 0.5}));
+  EXPECT_EQ(std::vector(packet.velocity, packet.velocity + 2), (std::vector{0.1, 0.2}));
+  EXPECT_EQ(std::vector(packet.target, packet.target + 2), (std::vector{3.0, 4.0}));
+  EXPECT_EQ(std::tuple(packet.role, packet.role_since, packet.context), std::tuple(5, 1.5, 2));
+  EXPECT_EQ(std::vector(packet.ball, packet.ball + 2), (std::vector{0.5, 0.6}));
+  EXPECT_EQ(std::vector(packet.ball_velocity, packet.ball_velocity + 2), (std::vector{-1.0, 1.0}));
+  EXPECT_EQ(packet.ball_age, 0.7);
+  EXPECT_EQ(told_table.packet(told_table.context, 3, &packet), 0);
+  EXPECT_EQ(told_table.sees_ball(told_table.context), 1);
+  // A caller that knows less is given less.
+  regista_budget budget{};
+  budget.size = offsetof(regista_budget, share);
+  budget_table.read(budget_table.context, &budget);
+  EXPECT_EQ(std::tuple(budget.packets_left, budget.share, budget.size),
+            std::tuple(17, 0.0, static_cast<std::uint32_t>(offsetof(regista_budget, share))));
 }
 
 TEST_F(ExtensionsTest, ALineSaysWhoWroteIt) {

@@ -136,6 +136,26 @@ TEST(MindTest, TeammatesHearEachOtherAndAgree) {
 }
 
 // Gossip tells its number once a packet and scores by the sum of what it heard.
+TEST(MindTest, PluginsMayAskWhatWasSaidAsItWasSaid) {
+  config::Team page = team();
+  page.contexts[0].terms.push_back({"asker", use("asker"), 0.1, {}, {}});
+  const auto plan = plan_of(page);
+  Squad squad(*plan, {2, 3}, {.drawings = true});
+  std::vector<std::string> lines;
+  for (int i = 0; i < 4; ++i) {
+    squad.decide(1.0 + 0.5 * i, [&](std::size_t index, Percepts& given) {
+      if (i == 0) given.placed = placed(index == 0 ? 0.0 : -2.5, 0.0);
+      if (i == 1 && index == 1) given.odometry.x = 0.7;  // robot 3 walks on and has not said so yet
+      if (i == 2) given.balls.push_back({{1.0, 0.0}, 0.1, 0.1});
+    });
+    for (const LogLine& line : squad.mind(0).log()) lines.emplace_back(line.text);
+  }
+  const std::string first = "3 at -2.500000 sent 1.000000";
+  EXPECT_EQ(lines,
+            (std::vector<std::string>{"none, blind, left 1200", first + ", blind, left 1200",
+                                      first + ", sees, left 1200", "3 at -1.800000 sent 2.000000, blind, left 1200"}));
+}
+
 TEST(MindTest, OffersTravelBetweenMinds) {
   const auto plan = plan_of(team());
   Squad squad(*plan, {2, 3, 5});

@@ -9,4 +9,5 @@ REGISTA_PLUGINS(regista::Plugin<stubs::Still, regista::predictor>, regista::Plug
                 regista::Plugin<stubs::Even, regista::sender>, regista::Plugin<stubs::Flat, regista::utility>,
                 regista::Plugin<stubs::LargestFirst, regista::assigner>,
                 regista::Plugin<stubs::NearPoints, regista::utility>, regista::Plugin<stubs::Rumour, regista::context>,
-                regista::Plugin<stubs::Walks, regista::behaviour>, regista::Plugin<stubs::Seeks, regista::behaviour>)
+                regista::Plugin<stubs::Walks, regista::behaviour>, regista::Plugin<stubs::Seeks, regista::behaviour>,
+                regista::Plugin<stubs::Asker, regista::utility>)

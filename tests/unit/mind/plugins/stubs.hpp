@@ -6,15 +6,19 @@
 #include <regista/assigner.hpp>
 #include <regista/behaviour.hpp>
 #include <regista/context.hpp>
+#include <regista/log.hpp>
 #include <regista/positioner.hpp>
 #include <regista/predictor.hpp>
 #include <regista/sender.hpp>
+#include <regista/told.hpp>
 #include <regista/utility.hpp>
 
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
+#include <string>
 
 namespace stubs {
 
@@ -329,6 +333,29 @@ struct Gossip {
   int own_number_ = 0;
   std::uint64_t handle_ = 0;
   double sum_ = 0.0;
+};
+
+// Logs what robot 3 said last, and what is left.
+struct Asker {
+  static constexpr auto id = "asker", version = "1.0.0", summary = "Logs what was told";
+  void setup(const regista::Environment&, const regista::Host& host) {
+    told_ = regista::Told(host);
+    budget_ = regista::BudgetNow(host);
+    log_ = regista::Log(host);
+    if (told_.packet(3)) log_.error("told before anybody has spoken");
+  }
+  void score(const regista::Frame&, regista::Utilities) {
+    const auto packet = told_.packet(3);
+    const auto budget = budget_.read();
+    log_.info(
+        (packet ? "3 at " + std::to_string(packet->pose[0]) + " sent " + std::to_string(packet->time_sent) : "none") +
+        (*told_.sees_ball() ? ", sees" : ", blind") + ", left " + std::to_string(budget->packets_left));
+  }
+
+ private:
+  regista::Told told_;
+  regista::BudgetNow budget_;
+  regista::Log log_;
 };
 
 }  // namespace stubs

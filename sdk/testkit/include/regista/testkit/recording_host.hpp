@@ -6,13 +6,16 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <regista/extensions/budget.h>
 #include <regista/extensions/draw.h>
 #include <regista/extensions/log.h>
 #include <regista/extensions/metric.h>
 #include <regista/extensions/pass.h>
+#include <regista/extensions/told.h>
 #include <regista/testkit/storage.hpp>
 
 namespace regista::testkit {
@@ -61,6 +64,10 @@ class RecordingHost {
   };
   std::vector<Report> reports;
   std::vector<std::int32_t> receivers;  // of kicks that were meant for a teammate
+  // What the extensions told and budget answer: by shirt number - 1, none by default.
+  std::vector<std::optional<regista_told_packet>> told;
+  bool sees_ball = false;
+  regista_budget budget{};
   // What each call of the instance took, by name of the call; where somebody wants to know.
   struct CallCosts {
     std::vector<double> seconds;
@@ -87,6 +94,8 @@ class RecordingHost {
   regista_draw draw_{};
   regista_metric_reports reports_{};
   regista_pass pass_{};
+  regista_told told_{};
+  regista_budget_now budget_{};
   std::uint32_t metric_count_ = 0;
   std::string broken_;
   std::uint32_t bytes_free_;

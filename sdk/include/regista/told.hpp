@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What was said last, and how many packets are left: see <regista/extensions/told.h> and <regista/extensions/budget.h>.
+//
+//   void setup(const regista::Environment&, const regista::Host& host) { told_ = regista::Told(host); }
+//   ... if (const std::optional<regista::ToldPacket> packet = told_.packet(3)) walk_from(packet->pose);
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <regista/extensions/budget.h>
+#include <regista/extensions/told.h>
+#include <regista/host.hpp>
+
+namespace regista {
+
+using ToldPacket = regista_told_packet;
+
+class Told {
+ public:
+  Told() = default;
+  explicit Told(const Host& host) : table_(host.extension<regista_told>(REGISTA_TOLD_EXTENSION)) {}
+
+  // Of a robot by its shirt number, the own last packet too. Nothing: none was heard, or the host tells none.
+  std::optional<ToldPacket> packet(int number) const {
+    ToldPacket out{};
+    out.size = sizeof out;
+    if (table_ == nullptr || table_->packet(table_->context, number, &out) == 0) return std::nullopt;
+    return out;
+  }
+  // Nothing: the host does not tell.
+  std::optional<bool> sees_ball() const {
+    if (table_ == nullptr) return std::nullopt;
+    return table_->sees_ball(table_->context) != 0;
+  }
+
+ private:
+  const regista_told* table_ = nullptr;
+};
+
+class BudgetNow {
+ public:
+  BudgetNow() = default;
+  explicit BudgetNow(const Host& host) : table_(host.extension<regista_budget_now>(REGISTA_BUDGET_EXTENSION)) {}
+
+  // Nothing: the host does not tell.
+  std::optional<regista_budget> read() const {
+    if (table_ == nullptr) return std::nullopt;
+    regista_budget out{};
+    out.size = sizeof out;
+    table_->read(table_->context, &out);
+    return out;
+  }
+
+ private:
+  const regista_budget_now* table_ = nullptr;
+};
+
+}  // namespace regista
