@@ -200,7 +200,7 @@ set: {a.utility.terms.near.params.scale: 3}
         self.assertEqual(self.rows("night.db"), self.rows())
         # Values can be laid over it; where it stops, it goes on.
         more = ("tournament", "night.yaml", "--set", "pairs=4", "--results", "more.db", "--quiet", "--no-page", "--json")
-        self.assertEqual(json.loads(self.succeed(*more))["pairings"][0]["games"]["played"], 8)
+        self.assertEqual(json.loads(self.succeed(*more))["pairings"][0]["games"], 8)
         self.assertEqual(self.succeed("tournament", "night.yaml", "--resume", "--quiet", "--no-page"), by_document)
         self.assertIn("--pairs: was 3, now 2",
                       self.refused("tournament", "night.yaml", "--set", "pairs=2", "--resume", "--quiet"))
@@ -211,12 +211,12 @@ set: {a.utility.terms.near.params.scale: 3}
             self.write("bad.yaml", self.PAGE.replace(old, new))
             line = self.refused("tournament", "bad.yaml", *more)
             checked = self.run_program("config", "check", "bad.yaml")
-            self.assertEqual((checked.returncode, checked.stderr), (2, line))
+            self.assertEqual((checked.returncode, checked.stderr), (2, f"regista: {line}\n"))
             return line
         self.assertIn("bad.yaml:3:8: teams: ", told(", {team: other.yaml}", ""))
         self.assertIn('nearest: "other.yaml"', told("team: other.yaml", "team: othr.yaml"))
         self.assertIn("bad.yaml:4:16: unknown metric", told("pairs: 3", "test: {metric: no_such}\npairs: 3"))
-        self.assertIn("bad.yaml:4:7: test: expected exactly one of",
+        self.assertIn("bad.yaml:4:16: test: expected exactly one of",
                       told("pairs: 3", "test: {metric: goals, elo: [0, 20]}\npairs: 3"))
         self.assertIn("bad.yaml:7:7: home.x: in a tournament each team plays on both sides",
                       told("a.utility.terms.near.params.scale", "home.x"))
@@ -278,7 +278,7 @@ class Changes(tournament.Tournament):
 class BadInput(tournament.Tournament):
     def test_what_cannot_be_asked_for(self):
         ask = lambda *more, **options: self.refused(*self.arguments(*more, **options))
-        self.assertIn("expected two teams or more", ask(teams=("small.yaml",)))
+        self.assertIn("expected a document, or two teams or more", ask(teams=("small.yaml",)))
         self.assertIn("nobody.yaml", ask(teams=("small.yaml", "nobody.yaml")))
         self.assertIn("how many pairs", self.refused("tournament", "--team", "small.yaml", "--team", "other.yaml"))
         for pairs in ("0", "-1", "1.5", "many"):

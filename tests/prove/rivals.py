@@ -76,7 +76,7 @@ class Proof:
         print(results.played(self.program, file, [self.study]), flush=True)
         findings = results.findings(self.program, file)
         self.note_unplayed(findings, "the round robin")
-        return results.table(self.program, file), findings
+        return findings
 
     def whole_matches(self):
         file = self.folder / f"rivals_whole_{self.pairs}_{self.seed}.db"
@@ -87,7 +87,7 @@ class Proof:
         print(results.played(self.program, file, words), flush=True)
         findings = results.findings(self.program, file)
         self.note_unplayed(findings, "whole matches")
-        return results.table(self.program, file), findings
+        return results.table(self.program, file)
 
     def costs(self):
         """Processor seconds of a match against itself, the least of several that were run in turn."""
@@ -101,8 +101,8 @@ class Proof:
 
     def run(self):
         self.folder.mkdir(parents=True, exist_ok=True)
-        table, findings = self.round_robin()
-        whole, _ = self.whole_matches()
+        findings = self.round_robin()
+        whole = self.whole_matches()
         costs = self.costs()
         records = {name: [0, 0, 0] for name in costs}
         for pairing in findings["pairings"]:
