@@ -132,6 +132,19 @@ void warn_of_shared_robots(const RoleList& list, const Node& roles, std::vector<
   }
 }
 
+// A robot plays one role at a time, so of more groups than robots some always go without.
+void warn_of_groups(const RoleList& list, const Node& roles, int team_size, std::vector<Warning>& out) {
+  std::set<int> groups;
+  for (std::size_t i = 0; i < list.roles.size(); ++i) {
+    const Role& role = list.roles[i];
+    if (role.group < 0 || !groups.insert(role.group).second) continue;
+    if (static_cast<int>(groups.size()) != team_size + 1) continue;
+    out.push_back({roles.elements()[i]["group"].where(),
+                   fmt::format("roles.{}.{}: group {} makes {} groups for {} robots: some group always goes without",
+                               list.name, role.name, role.group, groups.size(), team_size)});
+  }
+}
+
 void warn_of_contexts_below(const Team& team, std::vector<Warning>& out) {
   const auto always = std::ranges::find_if(team.contexts, always_holds);
   if (always == team.contexts.end()) return;
@@ -193,6 +206,7 @@ std::vector<Warning> warnings(const Team& team, const Rules& rules, const Node& 
           {key_of(document["roles"], list.name), fmt::format("roles.{}: in {} {}", list.name, contexts, each)});
     }
     warn_of_shared_robots(list, roles, out);
+    warn_of_groups(list, roles, rules.team_size, out);
     warn_of_targets(list, roles, Carpet(rules.field), out);
     const Takers by = takers(list, rules.team_size);
     const int certain = static_cast<int>(by.certain.size()), played = certain + by.for_all;

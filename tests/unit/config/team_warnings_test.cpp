@@ -192,5 +192,20 @@ TEST(TeamWarnings, ShippedTeamsPlayWithEveryRobotOfSeven) {
   }
 }
 
+TEST(TeamWarnings, MoreGroupsThanRobots) {
+  const auto list = [](int second, int third) {
+    return fmt::format(
+        "    - {{name: goalkeeper, group: 0, target: {{at: own_goal}}}}\n"
+        "    - {{name: striker, group: {}, target: {{at: ball}}}}\n"
+        "    - {{name: libero, group: {}, target: {{at: centre}}}}\n",
+        second, third);
+  };
+  EXPECT_EQ(missing(list(1, 1)), std::vector<std::string>{});
+  EXPECT_EQ(missing(list(1, -1)), std::vector<std::string>{});
+  EXPECT_EQ(missing(list(4, 9)),
+            std::vector<std::string>{"t.yaml:10:29: warning: roles.usual.libero: group 9 makes 3 groups for 2 robots: some "
+                                     "group always goes without"});
+}
+
 }  // namespace
 }  // namespace regista::config
