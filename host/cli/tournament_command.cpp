@@ -42,7 +42,9 @@ int tournament(study::TournamentRequest options, output::OutputFiles outputs, co
   study::PlannedTournament planned = study::planned_tournament(options, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();
-  if (options.results.empty()) options.results = planned.name + ".db";
+  if (options.results.empty()) {
+    options.results = planned.plan.name.empty() ? "tournament.db" : planned.plan.name + ".db";
+  }
   outputs.read(folders_of(catalogue), Reads::plugins);
   outputs.write_beside(options.results,
                        options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::alone);
@@ -60,7 +62,9 @@ int tournament(study::TournamentRequest options, output::OutputFiles outputs, co
 void add_tournament(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("tournament", "find out which team is better");
   const auto options = std::make_shared<study::TournamentRequest>();
-  command.take("file", options->file, "[T.yaml]", "the tournament's document, in the place of --team and what follows",
+  command.take("file", options->file, "[T.yaml]",
+               "the tournament's document, which says what the options from --team to --disturbance say, and "
+               "--failures-in-a-row",
                Reads::documents);
   command.take("--team", options->teams, "FILE", "a team's file; to be given twice, or more often", Reads::documents);
   command.choose("--format", options->format, {"round-robin", "gauntlet"},
@@ -87,7 +91,7 @@ void add_tournament(Command& parent, const Invocation& invocation) {
       "a value laid over the tournament's document; without one, over those of teams and profiles; may be repeated");
   command.take("--failures-in-a-row", options->failures_in_a_row, "N",
                "set a team aside after so many forfeits by the same plugin; default 10; 0: never");
-  add_campaign_options(command, *options, "the name of the document with .db, or tournament.db");
+  add_campaign_options(command, *options, "the tournament's name with .db, or tournament.db");
   command.notes(tournament_examples);
   command.run = [options, &command, &invocation] {
     return tournament(*options, output::OutputFiles(command.given(), "tournament"), invocation);

@@ -63,7 +63,7 @@ void check(const Tournament& tournament, const Node& document, Mistakes& mistake
     const bool again = std::any_of(tournament.teams.begin(), tournament.teams.begin() + static_cast<std::ptrdiff_t>(i),
                                    [&](const auto& other) { return !team.team.empty() && other.team == team.team; });
     // Two teams of one file can differ by what is set.
-    if (again && tournament.set.kind() != Node::Kind::map) {
+    if (again && tournament.set.entries().empty()) {
       mistakes.add(Error(team.where, fmt::format("teams: {} a second time; nothing would tell the two apart",
                                                  document["teams"].elements()[i]["team"].text())),
                    fmt::format("teams.{}", i));
@@ -83,7 +83,18 @@ void check(const Tournament& tournament, const Node& document, Mistakes& mistake
                                                "{elo: [0, 20]}`"),
                  "pairs");
   }
-  if (ends_by_itself && !(tournament.test->alpha + tournament.test->beta.value_or(0.05) < 1.0)) {
+  if (tournament.test && !ends_by_itself) {
+    if (tournament.test->metric.empty() && !mistakes.doubtful("test")) {
+      refuse(document, {"test.metric"}, "test.metric: expected `goals`, or a number of a match", mistakes);
+    }
+    if (tournament.test->model != TournamentTest::Model::normalized) {
+      refuse(document, {"test.model"}, "test.model: belongs to elo, and this test is on a metric", mistakes);
+    }
+  }
+  if (ends_by_itself && (*tournament.test->elo)[0] == (*tournament.test->elo)[1]) {
+    refuse(document, {"test.elo"}, "test.elo: the first must be the smaller one", mistakes);
+  }
+  if (ends_by_itself && !(tournament.test->alpha + tournament.test->beta.value_or(TournamentTest::usual_rate) < 1.0)) {
     refuse(document, {"test.beta", "test.alpha"}, "test: alpha and beta: their sum must be below 1", mistakes);
   }
 }

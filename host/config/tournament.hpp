@@ -20,8 +20,9 @@ struct TournamentTest {
   std::optional<std::array<double, 2>> elo;  // what the scores are to tell apart, the smaller one first
   Model model = Model::normalized;           // what `elo` is in; says nothing of a metric
   std::string metric;                        // "goals", or the path of a number of a match; empty: none
-  double alpha = 0.05;
-  std::optional<double> beta;  // with `elo`; without it 0.05
+  static constexpr double usual_rate = 0.05;
+  double alpha = usual_rate;
+  std::optional<double> beta;  // with `elo`; without it the usual rate
   Location where;
 };
 

@@ -306,11 +306,11 @@ std::vector<MetricRow> numbers_of_coordination() {
   return rows;
 }
 
-// How many segments of a team's mailboxes came to something, or bytes of them.
+// How many segments of a team's mailboxes came to something.
 MetricRow segments(const char* what, const char* meaning, std::int64_t SegmentMetrics::*count) {
   return {.part = "packets",
           .name = std::string("segments_") + what,
-          .unit = std::string_view(what) == "bytes" ? "bytes" : "segments",
+          .unit = "segments",
           .total = Total::sum,
           .meaning = meaning,
           .get = [count](const Source& from) { return from.team().segments.*count; }};
@@ -369,7 +369,12 @@ std::vector<MetricRow> numbers_of_packets() {
                &SegmentMetrics::refused),
       segments("sent", "of those offered: left a robot in a packet, whatever the radio made of it",
                &SegmentMetrics::sent),
-      segments("bytes", "of those sent, with the two bytes of heading of each", &SegmentMetrics::bytes),
+      {.part = part,
+       .name = "segment_bytes",
+       .unit = "bytes",
+       .total = Total::sum,
+       .meaning = "of the segments that were sent, with the two bytes of heading of each",
+       .get = [](const Source& from) { return from.team().segments.bytes; }},
       segments("dropped",
                "of those offered: expired, replaced or withdrawn before a packet took them. What is neither sent nor "
                "dropped was pending at the end",

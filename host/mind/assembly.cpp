@@ -13,6 +13,7 @@ std::shared_ptr<plugin::Instance> Assembly::create(const Part& part, unsigned su
   const regista_host* host = mailboxes_->open(&extensions_->open(*part.found, plan_->metrics_of(*part.found)));
   auto instance = std::make_shared<plugin::Instance>(*part.found, part.parameters, plan_->environment(number_, subject),
                                                      host, caller_);
+  parts_.push_back(&part);
   mailboxes_->connect(instance);
   // Every instance of a robot has a stream of its own.
   const r123::Philox2x64 philox;

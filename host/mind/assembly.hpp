@@ -5,6 +5,7 @@
 // do.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -30,6 +31,8 @@ class Assembly {
   std::vector<ContextParts> contexts();
   // In the order of the plan's. After contexts(), whose instances they may share.
   std::vector<plugin::Behaviour> behaviours();
+  // What the instance in this place of the mailboxes was made for; of a shared one the first of its parts.
+  const Part& part(std::size_t place) const { return *parts_.at(place); }
 
  private:
   // `stream`: robot whose luck the instance has, 0 = the same luck for all robots.
@@ -48,6 +51,7 @@ class Assembly {
   const plugin::Caller* caller_;
   std::uint64_t created_ = 0;
   std::vector<Shared> shared_;
+  std::vector<const Part*> parts_;  // by place
 };
 
 }  // namespace regista::mind

@@ -49,8 +49,9 @@ struct Mind::Parts {
     limits.role_count = static_cast<int>(plan.roles().size());
     limits.context_count = static_cast<int>(plan.contexts().size());
     limits.size = static_cast<std::size_t>(plan.rules().messages.size);
-    extensions.know({[this](int of) { return of < 1 || of > limits.team_size ? nullptr : world.team().report(of); },
-                     [this] { return world.local().sees_ball(); }, [this] { return budget(); }});
+    extensions.answer_with(
+        {[this](int of) { return of < 1 || of > limits.team_size ? nullptr : world.team().report(of); },
+         [this] { return world.local().sees_ball(); }, [this] { return budget(); }});
     events.reserve(REGISTA_EVENT_COUNT);
     segments.reserve(limits.size / segment_heading);
     points_near.reserve(RobotMemory::most);
@@ -105,6 +106,7 @@ std::span<const SegmentEvent> Mind::segments() const { return std::as_const(part
 std::span<const LogLine> Mind::log() const { return parts_->extensions.log().lines(); }
 std::span<const DrawnShape> Mind::drawings() const { return parts_->extensions.drawings().shapes(); }
 int Mind::number() const { return parts_->number; }
+const Part& Mind::part(int place) const { return parts_->assembly.part(static_cast<std::size_t>(place)); }
 
 void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, Outcome& out) {
   Parts& parts = *parts_;

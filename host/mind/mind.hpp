@@ -53,6 +53,8 @@ class Mind {
   std::span<const LogLine> log() const;
   std::span<const DrawnShape> drawings() const;
   int number() const;
+  // Of the team's plan: what the plugin of a segment event is there for.
+  const Part& part(int place) const;
 
  private:
   struct Parts;

@@ -58,9 +58,7 @@ std::vector<UnsendableSegment> unsendable_segments(const TeamPlan& plan, plugin:
       if (outcome.send) next.emplace_back(number, std::move(outcome.packet));
       for (const SegmentEvent& event : mind.segments()) {
         if (event.kind != SegmentEvent::Kind::refused || event.why != SegmentEvent::Why::too_long) continue;
-        // A part that has several instances says the same in all of them.
-        const auto part =
-            std::ranges::find_if(parts, [&](const Part* each) { return each->use.plugin == event.plugin; });
+        const auto part = std::ranges::find(parts, &mind.part(event.place));
         if (part == parts.end()) continue;
         std::uint64_t& most = longest[static_cast<std::size_t>(part - parts.begin())];
         most = std::max(most, event.length);
@@ -78,13 +76,14 @@ std::vector<UnsendableSegment> unsendable_segments(const TeamPlan& plan, plugin:
 std::vector<config::Warning> unsendable_segment_warnings(const TeamPlan& plan,
                                                          const std::vector<UnsendableSegment>& found) {
   const std::size_t room = Mailboxes(static_cast<std::size_t>(plan.rules().messages.size)).bytes_free();
+  const std::size_t most = room > segment_heading ? room - segment_heading : 0;
   std::vector<config::Warning> out;
   for (const UnsendableSegment& each : found) {
     const Part& part = *plan.parts()[each.part];
     out.push_back({part.use.where,
-                   fmt::format("{} says {} bytes at once, and a packet of these rules has room for {}: its teammates "
-                               "never hear it",
-                               part.use.plugin, each.bytes + segment_heading, room)});
+                   fmt::format("{} offers segments of {} bytes, and a packet of these rules takes at most {}: its "
+                               "teammates never hear them",
+                               part.use.plugin, each.bytes, most)});
   }
   return out;
 }

@@ -97,6 +97,10 @@ std::string tournament_json(const TournamentView& view) {
                      {"failures", course.failures()[team]},
                      {"packets_of_short_games", packets_json(course.packets(team))}});
   }
+  if (!view.plan.name.empty()) {
+    out["tournament"] = view.plan.name;
+    out["question"] = view.plan.question;
+  }
   out["teams"] = teams;
   out["format"] = view.plan.format == study::Format::gauntlet ? "gauntlet" : "round_robin";
   out["pairs"] = view.plan.pairs;

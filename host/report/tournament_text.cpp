@@ -15,6 +15,7 @@
 #include "report/standing.hpp"
 #include "report/tournament.hpp"
 #include "report/verdict_sentence.hpp"
+#include "report/visible_text.hpp"
 #include "statistics/sequential_bounds.hpp"
 
 namespace regista::report {
@@ -262,6 +263,7 @@ std::string standing_text(const TournamentView& view) {
 
 std::string tournament_text(const TournamentView& view) {
   std::string out = irreproducible_text(view.course.remarks());
+  if (!view.plan.question.empty()) out += fmt::format("{}: {}\n", visible(view.plan.name), visible(view.plan.question));
   out += fmt::format("Results of {}:\n", title(view));
   for (const study::Pairing& pairing : view.course.calendar().pairings()) {
     if (study::equal_teams(view.plan, pairing)) {

@@ -84,7 +84,7 @@ class Checker {
         TournamentRequest tournament;
         tournament.file = out.file;
         tournament.plugins = plugins_;
-        mistakes.attempt("", [&] { planned_tournament(tournament, catalogue_); });  // every team
+        check_tournament(tournament, catalogue_, mistakes);  // every team from every scene
         break;
       }
       case DocumentKind::experiment: {

@@ -4,6 +4,7 @@
 //   template <Like<FooPlan> Plan, class Visit> void fields(Plan& plan, Visit& visit) {
 //     visit("pairs", plan.pairs, "--pairs");                        // key in JSON, value, what a difference is called
 //     visit("folder", plan.folder);                                 // a difference is not reported
+//     visit.maybe("question", plan.question);                       // the same of a text; an empty one is not written
 //     visit("memory", plan.memory, "--memory", in_mebibytes);       // the value as it is reported
 //     visit.inner("limits", [&](auto& inner) { ... });              // an object in the object
 //   }
@@ -107,6 +108,9 @@ class PlanWriter {
   void operator()(const char* key, const T& value, const Shown&...) {
     out_[key] = json_of(value);
   }
+  void maybe(const char* key, const std::string& text) {
+    if (!text.empty()) out_[key] = text;
+  }
   template <class Fields>
   void inner(const char* key, Fields fields) {
     PlanWriter inside;
@@ -125,6 +129,9 @@ class PlanReader {
   template <class T, class... Shown>
   void operator()(const char* key, T& value, const Shown&...) {
     read(in_.at(key), value);
+  }
+  void maybe(const char* key, std::string& text) {
+    if (in_.contains(key)) read(in_.at(key), text);
   }
   template <class Fields>
   void inner(const char* key, Fields fields) {
@@ -198,6 +205,7 @@ class PlanWords {
   void operator()(const char*, const T& value, const char* what, const Words& words) {
     lines_.emplace_back(what, words(value));
   }
+  void maybe(const char*, const std::string&) {}
   template <class Fields>
   void inner(const char*, Fields fields) {
     fields(*this);

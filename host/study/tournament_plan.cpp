@@ -129,6 +129,8 @@ static void fields(Team& team, Visit& visit) {
 
 template <Like<TournamentPlan> Plan, class Visit>
 static void fields(Plan& plan, Visit& visit) {
+  visit.maybe("name", plan.name);
+  visit.maybe("question", plan.question);
   visit("teams", plan.teams, "the number of teams",
         [](const std::vector<Entrant>& teams) { return std::to_string(teams.size()); });
   visit("format", plan.format, "--format");

@@ -57,6 +57,7 @@ struct Pairing {
 };
 
 struct TournamentPlan {
+  std::string name, question;  // of its document; empty without one
   std::vector<Entrant> teams;  // two or more
   Format format = Format::round_robin;
   std::vector<Opening> openings;  // none: from kick-off

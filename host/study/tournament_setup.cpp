@@ -35,7 +35,8 @@ struct Asked {
   TournamentRequest options;  // those of a document are as the command line would say them
   config::Node document;      // absent: the command line said it
   std::vector<Setting> settings;
-  std::string name = "tournament";
+  std::vector<config::NamedPath> scenes;
+  std::string name, question;
   config::Isolation isolation = config::Isolation::after_death;
   bool play_twice = true;
 
@@ -74,11 +75,18 @@ Objective parse_objective(const TournamentRequest& options) {
   return FixedNumber{};
 }
 
-// Throws the error of a value that the document sets with its place there.
-void tell_at_its_place(const std::string& text, const Asked& asked) {
+// Throws the error of a value that the document sets with its place there: of the value, or of its path where there is
+// no such path.
+void tell_where_it_is_set(std::string text, const Asked& asked) {
   for (const Setting& each : asked.settings) {
     const std::string said = fmt::format("--set {}={}: ", each.path, each.value);
-    if (text.starts_with(said)) throw config::Error(each.path_where, each.path + ": " + text.substr(said.size()));
+    if (!text.starts_with(said)) continue;
+    text.erase(0, said.size());
+    for (const std::string_view side : {"home team: ", "away team: "}) {
+      if (text.starts_with(side)) text.erase(0, side.size());
+    }
+    const bool of_path = text.starts_with("unknown ") || text.find("begin the path") != std::string::npos;
+    throw config::Error(of_path ? each.path_where : each.value_where, each.path + ": " + text);
   }
 }
 
@@ -122,7 +130,7 @@ campaign::MatchSetup setup_of(const TournamentPlan& plan, const Fixture& fixture
         text.replace(0, std::string_view(side).size(), fmt::format("--set {}.", letter(team)));
       }
     }
-    tell_at_its_place(text, asked);
+    tell_where_it_is_set(text, asked);
     throw config::BadInput(text);
   }
 }
@@ -160,22 +168,43 @@ void require_metric(const TournamentPlan& plan, const mind::TeamPlan& team, cons
   refuse(config::unknown("metric", test->value, fmt::format("{}, of team {}", who, team.team().name), paths));
 }
 
-void refuse_what_never_ends(const TournamentRequest& options, const TournamentPlan& plan) {
-  if (!options.pairs.empty() || !equal_teams(plan, {0, 1})) return;
-  throw config::BadInput(
-      "tournament: the teams are equal to the last byte, so every pair is even and --sprt would never stop; "
-      "--pairs N says how many are enough");
+void refuse_what_never_ends(const Asked& asked, const TournamentPlan& plan) {
+  if (!asked.options.pairs.empty() || !equal_teams(plan, {0, 1})) return;
+  const std::string why = "the teams are equal to the last byte, so every pair is even and ";
+  if (asked.by_document()) {
+    throw config::Error(asked.document["test"].where(),
+                        "test: " + why + "it would never stop; `pairs` says how many are enough");
+  }
+  throw config::BadInput("tournament: " + why + "--sprt would never stop; --pairs N says how many are enough");
 }
 
 // Each fixture is known with all its inputs before the first match.
-void refuse_too_many(const TournamentPlan& plan) {
+void refuse_too_many(const Asked& asked, const TournamentPlan& plan) {
   constexpr std::size_t most_fixtures = 50'000;
   const std::size_t fixtures = Calendar(plan).fixtures();
   if (fixtures <= most_fixtures) return;
-  throw config::BadInput(
-      fmt::format("tournament: {} teams from {} openings make {} fixtures; at most {} can be kept; fewer "
-                  "openings or --format gauntlet make fewer",
-                  plan.teams.size(), plan.openings.size(), fixtures, most_fixtures));
+  const std::string why =
+      fmt::format("{} teams from {} openings make {} fixtures; at most {} can be kept; fewer openings",
+                  plan.teams.size(), plan.openings.size(), fixtures, most_fixtures);
+  if (asked.by_document()) {
+    throw config::Error(asked.document["teams"].where(), "teams: " + why + " or `format: gauntlet` make fewer");
+  }
+  throw config::BadInput("tournament: " + why + " or --format gauntlet make fewer");
+}
+
+struct Scene {
+  std::string file, who;  // who: what a message about it begins with
+};
+
+std::vector<Scene> scenes_of(const Asked& asked) {
+  std::vector<Scene> out;
+  const auto add = [&out](const std::string& path, const std::string& who) {
+    for (const std::string& file : opening_files({path}, who)) out.push_back({file, who});
+  };
+  for (const std::string& path : asked.options.openings) add(path, "--openings");
+  for (const config::NamedPath& each : asked.scenes)
+    add(from_here(each.path), config::to_string(each.where) + ": openings");
+  return out;
 }
 
 // As the command line would say what the document says.
@@ -203,14 +232,18 @@ Asked asked_by_document(const TournamentRequest& given) {
   out.document = config::load(given.file, given.overrides);
   const config::Tournament tournament = config::read_tournament(out.document);
   out.name = tournament.name;
+  out.question = tournament.question;
+  out.scenes = tournament.openings;
   out.isolation = tournament.isolation;
   out.play_twice = tournament.play_twice;
   out.options = given;
   TournamentRequest& options = out.options;
   options.overrides.clear();
   for (const config::Tournament::Team& each : tournament.teams) options.teams.push_back(from_here(each.team));
-  for (const config::NamedPath& each : tournament.openings) options.openings.push_back(from_here(each.path));
   for (const config::Node::Entry& entry : tournament.set.entries()) {
+    if (entry.key.starts_with("opening.") && tournament.openings.empty()) {
+      throw config::Error(entry.key_where, entry.key + ": there is no opening; `openings` names some");
+    }
     out.settings.push_back({entry.key, config::flow(entry.value), entry.key_where, entry.value.where()});
     options.overrides.push_back(fmt::format("{}={}", entry.key, out.settings.back().value));
   }
@@ -246,7 +279,8 @@ Asked asked_by(const TournamentRequest& given) {
 
 }  // namespace
 
-PlannedTournament planned_tournament(const TournamentRequest& given, const plugin::Catalogue& catalogue) {
+static PlannedTournament plan_of(const TournamentRequest& given, const plugin::Catalogue& catalogue,
+                                 config::Mistakes& mistakes) {
   const Asked asked = asked_by(given);
   const TournamentRequest& options = asked.options;
   if (options.teams.size() < 2) {
@@ -257,8 +291,9 @@ PlannedTournament planned_tournament(const TournamentRequest& given, const plugi
     throw config::BadInput(fmt::format("tournament: {} teams; at most {} can play", options.teams.size(), most_teams));
   }
   PlannedTournament out;
-  out.name = asked.name;
   TournamentPlan& plan = out.plan;
+  plan.name = asked.name;
+  plan.question = asked.question;
   plan.objective = parse_objective(options);
   const bool tested = !std::holds_alternative<FixedNumber>(plan.objective);
   if (tested && options.teams.size() > 2) {
@@ -286,7 +321,7 @@ PlannedTournament planned_tournament(const TournamentRequest& given, const plugi
   try {
     check_overrides(options);
   } catch (const config::BadInput& error) {
-    tell_at_its_place(error.what(), asked);
+    tell_where_it_is_set(error.what(), asked);
     throw;
   }
   plan.common.rules = options.rules;
@@ -298,38 +333,53 @@ PlannedTournament planned_tournament(const TournamentRequest& given, const plugi
   for (const std::string& file : options.teams) plan.teams.push_back({file, file, {}});
 
   const std::string program = campaign::program_hash(), mathematics = campaign::mathematics_fingerprint();
-  const std::string scenes_from = asked.by_document() ? options.file + ": openings" : "--openings";
-  const std::vector<std::string> openings = opening_files(options.openings, scenes_from);
-  if (!openings.empty()) plan.openings = {{openings.front(), {}}};
-  for (std::size_t team = 0; team < plan.teams.size(); ++team) {
+  const std::vector<Scene> scenes = scenes_of(asked);
+  if (!scenes.empty()) plan.openings = {{scenes.front().file, {}}};
+  const auto look_at_team = [&](std::size_t team) {
     Fixture fixture;
     fixture.home = team;
     fixture.away = (team + 1) % plan.teams.size();
     const campaign::MatchSetup prepared = setup_of(plan, fixture, asked, catalogue);
-    require_metric(plan, *prepared.plans[0], asked);
+    if (!mistakes.doubtful("test.metric")) {
+      mistakes.attempt("test.metric", [&] { require_metric(plan, *prepared.plans[0], asked); });
+    }
     plan.teams[team].label = prepared.plans[0]->team().name;
     plan.teams[team].inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue);
     out.documents.push_back(
         config::show(prepared.documents[0], plugin::declarations(catalogue.plugins()), config::Remarks::without));
     plan.common_inputs = campaign::common_inputs(without_opening(prepared.setup), program, mathematics);
-    if (openings.empty()) plan.most_goals = match::most_goal_difference(prepared.setup);
-  }
+    if (scenes.empty()) plan.most_goals = match::most_goal_difference(prepared.setup);
+  };
+  for (std::size_t team = 0; team < plan.teams.size(); ++team) mistakes.attempt("", [&] { look_at_team(team); });
+  if (!mistakes.none()) return out;
   label_teams(plan.teams);
-  std::vector<Opening> scenes;
-  for (const std::string& file : openings) {
+  std::vector<Opening> found;
+  const auto look_at_scene = [&](const Scene& scene) {
     TournamentPlan with = plan;
-    with.openings = {{file, {}}};
+    with.openings = {{scene.file, {}}};
     Fixture fixture;
     fixture.away = 1;
     const campaign::MatchSetup prepared = setup_of(with, fixture, asked, catalogue);
     plan.most_goals = std::max(plan.most_goals, match::most_goal_difference(prepared.setup));
-    add_scene(scenes, {file, campaign::opening_input(*prepared.setup.opening)}, prepared.setup.opening->name,
-              scenes_from);
-  }
-  plan.openings = std::move(scenes);
-  refuse_what_never_ends(options, plan);
-  refuse_too_many(plan);
+    add_scene(found, {scene.file, campaign::opening_input(*prepared.setup.opening)}, prepared.setup.opening->name,
+              scene.who);
+  };
+  for (const Scene& scene : scenes) mistakes.attempt("", [&] { look_at_scene(scene); });
+  plan.openings = std::move(found);
+  if (!mistakes.none()) return out;
+  refuse_what_never_ends(asked, plan);
+  refuse_too_many(asked, plan);
   return out;
+}
+
+PlannedTournament planned_tournament(const TournamentRequest& options, const plugin::Catalogue& catalogue) {
+  config::Mistakes first(config::Mistakes::After::stop);
+  return plan_of(options, catalogue, first);
+}
+
+void check_tournament(const TournamentRequest& options, const plugin::Catalogue& catalogue,
+                      config::Mistakes& mistakes) {
+  mistakes.attempt("", [&] { plan_of(options, catalogue, mistakes); });
 }
 
 }  // namespace regista::study

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "campaign/options.hpp"
+#include "config/mistakes.hpp"
 #include "plugin/catalogue.hpp"
 #include "study/tournament_plan.hpp"
 
@@ -23,11 +24,13 @@ struct TournamentRequest : campaign::Options {
 
 struct PlannedTournament {
   TournamentPlan plan;
-  std::string name;                    // of the document; "tournament" without one
   std::vector<std::string> documents;  // of the teams, resolved, as their hashes in the plan were made from them
 };
 
 // Throws config::BadInput and config::Error, of a document at the place that asks for what is not there.
 PlannedTournament planned_tournament(const TournamentRequest& options, const plugin::Catalogue& catalogue);
+
+// Whether it can be planned: lists every mistake in teams and scenes.
+void check_tournament(const TournamentRequest& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
 
 }  // namespace regista::study

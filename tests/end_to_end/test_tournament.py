@@ -196,7 +196,10 @@ set: {a.utility.terms.near.params.scale: 3}
         self.write("night.yaml", self.PAGE)
         self.play("--seed", "7", "--set", "a.utility.terms.near.params.scale=3")
         by_document = self.succeed("tournament", "night.yaml", "--quiet", "--no-page")
-        self.assertEqual(by_document, self.succeed("report", "tournament.db"))
+        title, _, rest = by_document.partition("\n")
+        self.assertEqual((title, rest), ("night: Which of them is better?", self.succeed("report", "tournament.db")))
+        report = json.loads(self.succeed("report", "night.db", "--json"))
+        self.assertEqual((report["tournament"], report["question"]), ("night", "Which of them is better?"))
         self.assertEqual(self.rows("night.db"), self.rows())
         # Values can be laid over it; where it stops, it goes on.
         more = ("tournament", "night.yaml", "--set", "pairs=4", "--results", "more.db", "--quiet", "--no-page", "--json")
@@ -204,6 +207,32 @@ set: {a.utility.terms.near.params.scale: 3}
         self.assertEqual(self.succeed("tournament", "night.yaml", "--resume", "--quiet", "--no-page"), by_document)
         self.assertIn("--pairs: was 3, now 2",
                       self.refused("tournament", "night.yaml", "--set", "pairs=2", "--resume", "--quiet"))
+
+    def test_every_key_means_its_option(self):
+        rules, robot, wind = ("rules.yaml", "extends: {}/rules/spl2023.yaml\nrules: own\n"), \
+            ("robot.yaml", "extends: {}/robots/nao.yaml\nrobot: own\n"), \
+            ("wind.yaml", "disturbance: wind\nradio: {{loss: 0.2}}\n")
+        for name, text in (rules, robot, wind):
+            self.write(name, text.format(program.SOURCE / "configs"))
+        common = ("--seed", "5", "--limit", "3", "--rules", "rules.yaml", "--robot", "robot.yaml", "--disturbance", "wind.yaml",
+                  "--failures-in-a-row", "4", "--isolation", "always", "--play-once")
+        keys = "seed: 5\nlimit: 3\nrules: rules.yaml\nrobot: robot.yaml\ndisturbance: wind.yaml\n" \
+               "failures_in_a_row: 4\nisolation: always\nplay_twice: false\n"
+        two, three = ("small.yaml", "other.yaml"), ("small.yaml", "other.yaml", "worse.yaml")
+        for teams, options, page in (
+                (three, ("--format", "gauntlet", "--pairs", "1"), "format: gauntlet\npairs: 1\n"),
+                (two, ("--sprt=-3,8", "--model", "logistic", "--alpha", "0.04", "--beta", "0.2", "--pairs", "1"),
+                 "test: {elo: [-3, 8], model: logistic, alpha: 0.04, beta: 0.2}\npairs: 1\n"),
+                (two, ("--metric", "goals", "--alpha", "0.01", "--pairs", "2"), "test: {metric: goals, alpha: 0.01}\npairs: 2\n")):
+            plans = []
+            self.write("page.yaml", "tournament: page\nteams: [" + ", ".join(f"{{team: {team}}}" for team in teams) + "]\n"
+                       + page + keys)
+            for words in ([word for team in teams for word in ("--team", team)] + [*options, *common], ["page.yaml"]):
+                self.succeed("tournament", *words, "--results", f"{len(plans)}.db", "--quiet", "--no-page")
+                plans.append(json.loads(self.stored("SELECT value FROM meta WHERE name = 'schedule'", f"{len(plans)}.db")[0][0]))
+                (self.folder / f"{len(plans) - 1}.db").unlink()
+            self.assertEqual(plans[1].pop("name"), "page")
+            self.assertEqual(*plans)
 
     def test_mistakes_of_a_document_are_told_with_their_place(self):
         def told(old, new, *more):
@@ -218,6 +247,16 @@ set: {a.utility.terms.near.params.scale: 3}
         self.assertIn("bad.yaml:4:16: unknown metric", told("pairs: 3", "test: {metric: no_such}\npairs: 3"))
         self.assertIn("bad.yaml:4:16: test: expected exactly one of",
                       told("pairs: 3", "test: {metric: goals, elo: [0, 20]}\npairs: 3"))
+        self.assertIn("bad.yaml:4:16: test.metric: expected", told("pairs: 3", "test: {metric: ''}\npairs: 3"))
+        self.assertIn("bad.yaml:4:13: test.elo: the first must be the smaller", told("pairs: 3", "test: {elo: [20, 20]}"))
+        self.assertIn("test.model: belongs to elo", told("pairs: 3", "test: {metric: goals, model: logistic}\npairs: 3"))
+        self.assertIn("bad.yaml:7:7: opening.ball.x: there is no opening",
+                      told("openings: scenes\nseed: 7\nset: {a.utility.terms.near.params.scale", "seed: 7\n\nset: {opening.ball.x"))
+        (self.folder / "none").mkdir()
+        self.assertIn("bad.yaml:5:11: openings", told("openings: scenes", "openings: none"))
+        self.assertIn("bad.yaml:5:20: openings: scenes/left.yaml is given twice",
+                      told("openings: scenes", "openings: [scenes, scenes/left.yaml]"))
+        self.assertIn("bad.yaml:7:42: a.utility.terms.near.params.scale: ", told("scale: 3", "scale: large"))
         self.assertIn("bad.yaml:7:7: home.x: in a tournament each team plays on both sides",
                       told("a.utility.terms.near.params.scale", "home.x"))
         self.assertIn("bad.yaml:7:7: a.utility.terms.near.params.scal: ",

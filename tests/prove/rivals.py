@@ -124,7 +124,7 @@ class Proof:
                   f"{mean(rows, 'rates.overlap_seconds_per_minute'):.1f} | "
                   f"{mean(rows, 'rates.uncovered_seconds_per_minute'):.0f} | {100 * mean(rows, 'agreement'):.0f} % | "
                   f"{mean(rows, 'packets'):.0f} | {total(rows, 'packet_bytes') / packets:.0f} | "
-                  f"{total(rows, 'segments_bytes') / packets:.1f} | {1e6 * costs[team] / decisions:.1f} | {slower:.2f} |")
+                  f"{total(rows, 'segment_bytes') / packets:.1f} | {1e6 * costs[team] / decisions:.1f} | {slower:.2f} |")
         print("\n".join(self.missed) or "every bar holds")
         return 1 if self.missed else 0
 

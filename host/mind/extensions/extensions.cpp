@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "mind/extensions/extensions.hpp"
 
-#include <algorithm>
-#include <cstring>
+#include <regista/extensions/known_size.hpp>
 
 namespace regista::mind {
 namespace {
-
-// As much of it as the caller knows of, with the size that it has.
-template <class Struct>
-void write(Struct value, Struct* out) {
-  if (out == nullptr) return;
-  value.size = std::min<std::uint32_t>(out->size, sizeof value);
-  std::memcpy(static_cast<void*>(out), &value, value.size);
-}
 
 regista_told_packet as_told(const Report& report) {
   regista_told_packet out{};
@@ -69,19 +60,19 @@ InstanceExtensions::InstanceExtensions(Extensions& owner, const plugin::Found& p
            }};
   told_ = {sizeof told_, 0, this,
            [](void* context, std::int32_t number, regista_told_packet* out) -> std::int32_t {
-             const Known& known = static_cast<InstanceExtensions*>(context)->owner_->known_;
-             const Report* const report = known.packet ? known.packet(number) : nullptr;
+             const Answers& answers = static_cast<InstanceExtensions*>(context)->owner_->answers_;
+             const Report* const report = answers.packet ? answers.packet(number) : nullptr;
              if (report == nullptr) return 0;
-             write(as_told(*report), out);
+             write_known(as_told(*report), out);
              return 1;
            },
            [](void* context) -> std::int32_t {
-             const Known& known = static_cast<InstanceExtensions*>(context)->owner_->known_;
-             return known.sees_ball && known.sees_ball() ? 1 : 0;
+             const Answers& answers = static_cast<InstanceExtensions*>(context)->owner_->answers_;
+             return answers.sees_ball && answers.sees_ball() ? 1 : 0;
            }};
   budget_ = {sizeof budget_, 0, this, [](void* context, regista_budget* out) {
-               const Known& known = static_cast<InstanceExtensions*>(context)->owner_->known_;
-               write(known.budget ? known.budget() : regista_budget{}, out);
+               const Answers& answers = static_cast<InstanceExtensions*>(context)->owner_->answers_;
+               write_known(answers.budget ? answers.budget() : regista_budget{}, out);
              }};
 }
 

@@ -60,8 +60,8 @@ struct MeantPass {
   int receiver;  // not looked at yet
 };
 
-// What the robot knows and plugins may ask for. Called from within their calls.
-struct Known {
+// What plugins may ask for. Called from within their calls.
+struct Answers {
   std::function<const Report*(int number)> packet;  // the newest of a robot, the own one too; null: none
   std::function<bool()> sees_ball;
   std::function<regista_budget()> budget;
@@ -80,7 +80,7 @@ class Extensions {
   const InstanceExtensions& open(const plugin::Found& plugin, std::span<const int> metrics);
 
   // Before the first call of a plugin that asks.
-  void know(Known known) { known_ = std::move(known); }
+  void answer_with(Answers answers) { answers_ = std::move(answers); }
 
   // At the beginning of a decision. time: s since the start of the match.
   void begin(double time);
@@ -99,7 +99,7 @@ class Extensions {
   Drawings drawings_;
   MetricReports metrics_;
   std::optional<MeantPass> pass_;
-  Known known_;
+  Answers answers_;
   bool muted_ = false;
   std::vector<std::unique_ptr<InstanceExtensions>> instances_;
 };

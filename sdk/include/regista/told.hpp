@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was said last, and how many packets are left: see <regista/extensions/told.h> and <regista/extensions/budget.h>.
+// What robots said last: see <regista/extensions/told.h>.
 //
 //   void setup(const regista::Environment&, const regista::Host& host) { told_ = regista::Told(host); }
 //   ... if (const std::optional<regista::ToldPacket> packet = told_.packet(3)) walk_from(packet->pose);
@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <optional>
 
-#include <regista/extensions/budget.h>
 #include <regista/extensions/told.h>
 #include <regista/host.hpp>
 
@@ -36,24 +35,6 @@ class Told {
 
  private:
   const regista_told* table_ = nullptr;
-};
-
-class BudgetNow {
- public:
-  BudgetNow() = default;
-  explicit BudgetNow(const Host& host) : table_(host.extension<regista_budget_now>(REGISTA_BUDGET_EXTENSION)) {}
-
-  // Nothing: the host does not tell.
-  std::optional<regista_budget> read() const {
-    if (table_ == nullptr) return std::nullopt;
-    regista_budget out{};
-    out.size = sizeof out;
-    table_->read(table_->context, &out);
-    return out;
-  }
-
- private:
-  const regista_budget_now* table_ = nullptr;
 };
 
 }  // namespace regista

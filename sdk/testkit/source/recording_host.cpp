@@ -2,10 +2,10 @@
 // The functions that a plugin calls.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string_view>
 #include <utility>
 
+#include <regista/extensions/known_size.hpp>
 #include <regista/testkit/recording_host.hpp>
 
 namespace regista::testkit {
@@ -25,14 +25,6 @@ class OwnAllocations {
   RecordingHost& host_;
   std::size_t before_;
 };
-
-// As much of it as the caller knows of, with the size that it has.
-template <class Struct>
-void write_known(Struct value, Struct* out) {
-  if (out == nullptr) return;
-  value.size = std::min<std::uint32_t>(out->size, sizeof value);
-  std::memcpy(static_cast<void*>(out), &value, value.size);
-}
 
 }  // namespace
 
@@ -85,6 +77,18 @@ RecordingHost::RecordingHost(std::uint32_t bytes_free, const Layout& layout)
              }};
   raw_ = Grown<regista_host>(raw, layout);
   raw_.make_read_only();
+}
+
+regista_budget RecordingHost::whole_budget() {
+  regista_budget out{};
+  out.size = sizeof out;
+  out.packets_left = 1200;
+  out.line = 1154.0;  // at the first whistle
+  out.match_time_left = 1200.0;
+  out.since_own = out.since_team = 5.0;
+  out.bytes_free = 64;
+  out.share = 1.0;
+  return out;
 }
 
 const void* RecordingHost::extension(const char* id) const {

@@ -63,7 +63,8 @@ struct Place {
 class Speaker {
  public:
   Speaker(const Loaded& plugin, const Values& values, int number, int robots)
-      : talks_(plugin.implements(REGISTA_KIND_MAILBOX)),
+      : number_(number),
+        talks_(plugin.implements(REGISTA_KIND_MAILBOX)),
         instance_(plugin, EnvironmentBuilder{}.team_size(static_cast<unsigned>(robots)).own(number), values) {
     instance_.host().set_bytes_free(bytes_for_segments);
     instance_.host().set_most_pending(most_pending);
@@ -107,6 +108,31 @@ class Speaker {
     }
     return out;
   }
+  // What it may ask about: the newest packet of a robot, the own one too; the budget.
+  void tell(const Packet& packet) {
+    auto& told = instance_.host().told;
+    const auto index = static_cast<std::size_t>(packet.sender - 1);
+    if (told.size() <= index) told.resize(index + 1);
+    if (told[index] && told[index]->time_sent > packet.time_sent) return;
+    regista_told_packet& out = told[index].emplace();
+    out.size = sizeof out;
+    out.time_sent = packet.time_sent;
+    std::ranges::copy(packet.pose, out.pose);
+    std::copy_n(packet.pose.begin(), 2, out.target);
+    out.role = packet.role;
+    out.role_since = packet.role_since;
+    double& newest = packet.sender == number_ ? own_sent_ : team_sent_;
+    newest = std::max(newest, packet.time_sent);
+  }
+  // At its radio's pace a team sends more than in a match: its budget is that of so long a rehearsal.
+  void budget(int left, double line, double time_left, double now) {
+    regista_budget& out = instance_.host().budget;
+    out.packets_left = left;
+    out.line = line;
+    out.match_time_left = time_left;
+    out.since_own = now - own_sent_;
+    out.since_team = now - std::max(own_sent_, team_sent_);
+  }
   std::uint64_t offers() const { return last_handle_; }
 
  private:
@@ -124,7 +150,9 @@ class Speaker {
     }
   }
 
+  int number_;
   bool talks_;
+  double own_sent_ = 0.0, team_sent_ = 0.0;  // s
   Instance instance_;
   std::uint64_t last_handle_ = 0;
 };
@@ -166,6 +194,9 @@ class Stage {
   Rehearsal play() {
     const double length = shortest_act / (1.0 - std::min(conditions_.radio.loss, 0.9));
     const auto ticks = static_cast<std::uint64_t>(std::lround(length / decision_period));
+    whole_ = length * static_cast<double>(plans(conditions_.robots).size());
+    // A little more than is sent, so that the team keeps above its line.
+    budget_ = static_cast<int>(std::ceil(1.2 * whole_ * conditions_.robots / conditions_.packet_period));
     for (const Plan& plan : plans(conditions_.robots)) {
       Act act{begin_act(plan), length, 0.0, {}};
       std::uint64_t last_without = 0;
@@ -298,8 +329,10 @@ class Stage {
           sender.role = packet.role;
           sender.role_since = packet.role_since;
         }
+        player.speaker->tell(packet);
         player.speaker->receive(packet, now());
       }
+      player.speaker->budget(budget_ - sent_, budget_ * (1.0 - now() / whole_), whole_ - now(), now());
       player.speaker->begin(now());
       decide(player);
     }
@@ -307,7 +340,12 @@ class Stage {
       if (player.next_packet > now()) continue;
       player.next_packet += conditions_.packet_period * dice_.real(0.9, 1.1);
       if (player.number == penalised_) continue;
-      Packet packet{player.number, now(), player.speaker->speak(), player.task, player.task_since};
+      const regista_robot& self = player.view.mine.robots[static_cast<std::size_t>(player.number - 1)];
+      const Packet packet{player.number,           now(),
+                          player.speaker->speak(), player.task,
+                          player.task_since,       {self.pose[0], self.pose[1], self.pose[2]}};
+      player.speaker->tell(packet);
+      ++sent_;
       for (const auto& segment : packet.segments) out_.bytes += segment.size() + segment_heading;
       radio_.send(packet);
     }
@@ -417,6 +455,8 @@ class Stage {
   double act_began_ = 0.0;
   int first_task_ = 0;
   int penalised_ = 0, penalised_before_ = 0, out_of_range_ = 0;  // 0: nobody
+  double whole_ = 0.0;                                           // s of the rehearsal
+  int budget_ = 0, sent_ = 0;                                    // packets
   Rehearsal out_;
 };
 

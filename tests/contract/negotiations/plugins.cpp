@@ -13,7 +13,9 @@
 #include <vector>
 
 #include <regista/assigner.hpp>
+#include <regista/budget.hpp>
 #include <regista/mailbox.hpp>
+#include <regista/told.hpp>
 
 namespace {
 
@@ -208,6 +210,26 @@ struct Auction {
   }
 };
 
+// Counts on the extensions: claims nothing without packets left, and a claim of who has not told for long is void.
+struct Asking : Auction<Mistake::none> {
+  static constexpr const char* id = "asks_what_was_told";
+  regista::BudgetNow budget;
+  regista::Told told;
+  void setup(const regista::Environment& environment, const regista::Host& host) {
+    Auction::setup(environment, host.mailbox());
+    budget = regista::BudgetNow(host);
+    told = regista::Told(host);
+  }
+  void assign(const regista::Frame& frame, regista::UtilityMatrix utilities, regista::Assignment out) {
+    if (budget.read()->packets_left <= 0) return;
+    for (std::size_t index = 0; index < claims.size(); ++index) {
+      const auto packet = told.packet(static_cast<int>(index) + 1);
+      if (!packet) claims[index] = {};  // nothing can have been claimed
+    }
+    Auction::assign(frame, utilities, out);
+  }
+};
+
 // Negotiates, and does not say so.
 struct Unsaid : Auction<Mistake::names_columns> {
   static constexpr const char* id = "does_not_say_it_negotiates";
@@ -246,5 +268,5 @@ using As = regista::Plugin<Auction<mistake>, regista::assigner>;
 
 REGISTA_PLUGINS(As<Mistake::none>, As<Mistake::names_columns>, As<Mistake::counts_columns>, As<Mistake::falls_silent>,
                 As<Mistake::speaks_once>, As<Mistake::keeps_the_absent>, As<Mistake::never_begins>,
-                As<Mistake::judges_alone>, regista::Plugin<Unsaid, regista::assigner>,
-                regista::Plugin<WithoutMailbox, regista::assigner>)
+                As<Mistake::judges_alone>, regista::Plugin<Asking, regista::assigner>,
+                regista::Plugin<Unsaid, regista::assigner>, regista::Plugin<WithoutMailbox, regista::assigner>)

@@ -48,6 +48,12 @@ TEST(Rehearsal, ASoundNegotiationPassesAtEveryLossWithAnySeed) {
   }
 }
 
+TEST(Rehearsal, WhatWasToldAndWhatIsLeftCanBeCountedOn) {
+  NOT_WITH_SANITIZERS;
+  const Findings findings = rehearsal_of("asks_what_was_told");
+  EXPECT_TRUE(findings.empty()) << findings.text();
+}
+
 TEST(Rehearsal, NamingTasksByTheirColumnFailsWhereARobotKnowsFewerTasks) {
   NOT_WITH_SANITIZERS;
   for (const char* id : {"names_columns", "counts_columns"}) {

@@ -98,13 +98,13 @@ TEST_F(ExtensionsTest, WhatWasToldIsGivenAsItWasSaid) {
   report.role_since = 1.5;
   report.context = 2;
   report.ball.emplace(ReportedBall{{0.5, 0.6}, {-1, 1}, 0.1, 0.7});
-  extensions.know({[&](int number) { return number == 2 ? &report : nullptr; }, [] { return true; },
-                   [] {
-                     regista_budget out{};
-                     out.packets_left = 17;
-                     out.share = 0.5;
-                     return out;
-                   }});
+  extensions.answer_with({[&](int number) { return number == 2 ? &report : nullptr; }, [] { return true; },
+                          [] {
+                            regista_budget out{};
+                            out.packets_left = 17;
+                            out.share = 0.5;
+                            return out;
+                          }});
   ASSERT_EQ(told_table.packet(told_table.context, 2, &packet), 1);
   EXPECT_EQ(packet.size, sizeof packet);
   EXPECT_EQ(packet.flags, std::uint32_t{REGISTA_TOLD_BALL});

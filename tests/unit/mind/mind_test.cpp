@@ -135,7 +135,6 @@ TEST(MindTest, TeammatesHearEachOtherAndAgree) {
   EXPECT_EQ(squad.outcome(0).role, 0) << "robot 1 keeps the goal";
 }
 
-// Gossip tells its number once a packet and scores by the sum of what it heard.
 TEST(MindTest, PluginsMayAskWhatWasSaidAsItWasSaid) {
   config::Team page = team();
   page.contexts[0].terms.push_back({"asker", use("asker"), 0.1, {}, {}});
@@ -156,6 +155,7 @@ TEST(MindTest, PluginsMayAskWhatWasSaidAsItWasSaid) {
                                       first + ", sees, left 1200", "3 at -1.800000 sent 2.000000, blind, left 1200"}));
 }
 
+// Gossip tells its number once a packet and scores by the sum of what it heard.
 TEST(MindTest, OffersTravelBetweenMinds) {
   const auto plan = plan_of(team());
   Squad squad(*plan, {2, 3, 5});

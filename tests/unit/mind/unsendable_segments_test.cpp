@@ -39,11 +39,23 @@ TEST(UnsendableSegments, WhatFitsExactlyIsNotWarnedOf) {
 }
 
 TEST(UnsendableSegments, WhatNoPacketCanTakeIsWarnedOfAtItsPluginsPlace) {
-  EXPECT_EQ(warned(room(128) - heading + 1),
-            std::vector{"team.yaml:7:3: warning: gossip says " + std::to_string(room(128) + 1) +
-                        " bytes at once, and a packet of these rules has room for " + std::to_string(room(128)) +
-                        ": its teammates never hear it"});
+  ASSERT_EQ(room(128), 73);
+  EXPECT_EQ(warned(72),
+            std::vector<std::string>{"team.yaml:7:3: warning: gossip offers segments of 72 bytes, and a packet "
+                                     "of these rules takes at most 71: its teammates never hear them"});
   EXPECT_EQ(warned(room(100) - heading + 1, 100).size(), 1u);
+}
+
+TEST(UnsendableSegments, OfTwoOfOnePluginTheOneThatOffersThemIsNamed) {
+  config::Team page = team();
+  page.contexts[0].terms[1].use = use("gossip", {{"length", "1"}});
+  page.contexts[0].terms[1].use.where = {"team.yaml", 7, 3};
+  page.contexts[0].terms.push_back({"louder", use("gossip", {{"length", "200"}}), 0.1, {}, {}});
+  page.contexts[0].terms[2].use.where = {"team.yaml", 8, 3};
+  const auto plan = plan_of(page);
+  const auto found = unsendable_segment_warnings(*plan, unsendable_segments(*plan));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].where.line, 8);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
  *
  * Extension "regista.budget/0", a draft: the budget of packets for plugins that are no sender. Who negotiates can hold
  * urgent offers back when packets run short, or stop negotiating altogether. The host's side only: what
- * regista_host.extension gives. A host that has none gives null, and a plugin does without. C++: <regista/told.hpp>.
+ * regista_host.extension gives. A host that has none gives null, and a plugin does without. C++: <regista/budget.hpp>.
  */
 /* clang-format off */
 #ifndef REGISTA_EXTENSIONS_BUDGET_H

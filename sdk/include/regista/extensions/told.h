@@ -19,7 +19,7 @@ enum {
   REGISTA_TOLD_FALLEN = 2
 };
 
-/* The core of a packet, as all who heard it decoded it: in fixed point. Field frame of the own team. */
+/* Of the core of a packet, as all who heard it decoded it: in fixed point. Field frame of the own team. */
 typedef struct regista_told_packet {
   uint32_t size;                     /* set by the caller: what it has room for */
   uint32_t flags;                    /* REGISTA_TOLD_* */
@@ -42,7 +42,7 @@ typedef struct regista_told {
   /* The newest packet of the robot with this shirt number; of the own number the last one that this robot sent. 1, or 0
    * and nothing is written: none was heard, or there is no such robot. */
   int32_t (*packet)(void* context, int32_t number, regista_told_packet* out);
-  /* 1: the ball is in the image of this decision of the own camera, or what the robot takes for it. */
+  /* 1: the robot sees a ball in the image of this decision. A false detection counts, too. */
   int32_t (*sees_ball)(void* context);
 } regista_told;
 

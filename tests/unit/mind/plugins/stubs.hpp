@@ -5,6 +5,7 @@
 
 #include <regista/assigner.hpp>
 #include <regista/behaviour.hpp>
+#include <regista/budget.hpp>
 #include <regista/context.hpp>
 #include <regista/log.hpp>
 #include <regista/positioner.hpp>

@@ -3,6 +3,7 @@
 // luck. The same seed gives the same losses.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Packet {
   std::vector<std::vector<std::uint8_t>> segments;
   std::int32_t role = -1;  // that the sender claims, and since when
   double role_since = 0.0;
+  std::array<double, 3> pose{};  // of the sender, as it believes
 };
 
 class Radio {

@@ -64,10 +64,11 @@ class RecordingHost {
   };
   std::vector<Report> reports;
   std::vector<std::int32_t> receivers;  // of kicks that were meant for a teammate
-  // What the extensions told and budget answer: by shirt number - 1, none by default.
+  // What the extensions told and budget answer. told: by shirt number - 1; nobody has spoken by default. budget: of the
+  // beginning of a match by default.
   std::vector<std::optional<regista_told_packet>> told;
   bool sees_ball = false;
-  regista_budget budget{};
+  regista_budget budget = whole_budget();
   // What each call of the instance took, by name of the call; where somebody wants to know.
   struct CallCosts {
     std::vector<double> seconds;
@@ -80,6 +81,7 @@ class RecordingHost {
   std::size_t own_allocations = 0;
 
  private:
+  static regista_budget whole_budget();
   std::uint64_t offer(const std::uint8_t* bytes, std::uint32_t count, double urgency, double expiry,
                       std::int32_t medium, std::uint64_t replaces);
 
