@@ -297,6 +297,8 @@ class Stage {
       frame.task(task_id(task)).at(place.x, place.y);
     }
     SceneData view = frame.build().data();
+    constexpr int tasks_a_group = 2;  // for who heeds groups
+    for (std::size_t k = 0; k < known.size(); ++k) view.tasks[k].group = known[k] / tasks_a_group;
     for (std::size_t i = 0; i < player.view.mine.robots.size(); ++i) {
       const regista_robot& before = player.view.mine.robots[i];
       view.mine.robots[i].role = before.role;
