@@ -7,7 +7,17 @@ namespace regista::mind {
 
 Assembly::Assembly(const TeamPlan& plan, int number, std::uint64_t seed, Mailboxes& mailboxes, Extensions& extensions,
                    const plugin::Caller& caller)
-    : plan_(&plan), number_(number), seed_(seed), mailboxes_(&mailboxes), extensions_(&extensions), caller_(&caller) {}
+    : plan_(&plan), number_(number), seed_(seed), mailboxes_(&mailboxes), extensions_(&extensions), caller_(&caller) {
+  extensions.tell_roles([&plan](int id, regista_role_facts& out) {
+    if (id < 0 || static_cast<std::size_t>(id) >= plan.roles().size()) return false;
+    const config::Role& role = *plan.roles()[static_cast<std::size_t>(id)].role;
+    out.group = role.group;
+    out.moves = role.offset ? 1 : 0;
+    out.purposes = static_cast<std::int32_t>(plan.purposes(id));
+    out.behaviour = role.behaviour.c_str();
+    return true;
+  });
+}
 
 std::shared_ptr<plugin::Instance> Assembly::create(const Part& part, unsigned subject, int stream) {
   const regista_host* host = mailboxes_->open(&extensions_->open(*part.found, plan_->metrics_of(*part.found)));

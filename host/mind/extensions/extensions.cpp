@@ -58,7 +58,9 @@ InstanceExtensions::InstanceExtensions(Extensions& owner, const plugin::Found& p
              auto& self = *static_cast<InstanceExtensions*>(context);
              if (!self.owner_->muted_) self.owner_->pass_ = {self.plugin_, receiver};
            }};
-  told_ = {sizeof told_, 0, this,
+  told_ = {sizeof told_,
+           0,
+           this,
            [](void* context, std::int32_t number, regista_told_packet* out) -> std::int32_t {
              const Answers& answers = static_cast<InstanceExtensions*>(context)->owner_->answers_;
              const Report* const report = answers.packet ? answers.packet(number) : nullptr;
@@ -69,7 +71,18 @@ InstanceExtensions::InstanceExtensions(Extensions& owner, const plugin::Found& p
            [](void* context) -> std::int32_t {
              const Answers& answers = static_cast<InstanceExtensions*>(context)->owner_->answers_;
              return answers.sees_ball && answers.sees_ball() ? 1 : 0;
+           },
+           [](void* context) -> std::int32_t {
+             const std::optional<MeantPass>& pass = static_cast<InstanceExtensions*>(context)->owner_->pass_;
+             return pass ? pass->receiver : 0;
            }};
+  roles_ = {sizeof roles_, 0, this, [](void* context, std::int32_t id, regista_role_facts* out) -> std::int32_t {
+              const RoleFacts& roles = static_cast<InstanceExtensions*>(context)->owner_->roles_;
+              regista_role_facts facts{};
+              if (!roles || !roles(id, facts)) return 0;
+              write_known(facts, out);
+              return 1;
+            }};
   budget_ = {sizeof budget_, 0, this, [](void* context, regista_budget* out) {
                const Answers& answers = static_cast<InstanceExtensions*>(context)->owner_->answers_;
                write_known(answers.budget ? answers.budget() : regista_budget{}, out);
@@ -83,6 +96,7 @@ const void* InstanceExtensions::find(std::string_view id) const {
   if (id == REGISTA_PASS_EXTENSION) return &pass_;
   if (id == REGISTA_TOLD_EXTENSION) return &told_;
   if (id == REGISTA_BUDGET_EXTENSION) return &budget_;
+  if (id == REGISTA_ROLES_EXTENSION) return &roles_;
   return nullptr;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The host's side of the extensions that the plugins of one robot may ask for by name: log, draw, metric, pass, told,
-// budget. Each instance gets tables of its own, so that it is known who speaks.
+// budget, roles. Each instance gets tables of its own, so that it is known who speaks.
 #pragma once
 
 #include <functional>
@@ -15,6 +15,7 @@
 #include <regista/extensions/log.h>
 #include <regista/extensions/metric.h>
 #include <regista/extensions/pass.h>
+#include <regista/extensions/roles.h>
 #include <regista/extensions/told.h>
 
 #include "mind/extensions/drawings.hpp"
@@ -52,6 +53,7 @@ class InstanceExtensions {
   regista_pass pass_{};
   regista_told told_{};
   regista_budget_now budget_{};
+  regista_roles roles_{};
 };
 
 // For whom a kick is meant, as a plugin said it.
@@ -67,6 +69,9 @@ struct Answers {
   std::function<regista_budget()> budget;
 };
 
+// What the page says of the role in a row of the table; false: there is no such row.
+using RoleFacts = std::function<bool(int id, regista_role_facts& out)>;
+
 class Extensions {
  public:
   // caller outlives the extensions. sink: told each log line at once. records: log lines and drawings of a decision are
@@ -81,6 +86,9 @@ class Extensions {
 
   // Before the first call of a plugin that asks.
   void answer_with(Answers answers) { answers_ = std::move(answers); }
+
+  // The same, from before the first instance on.
+  void tell_roles(RoleFacts roles) { roles_ = std::move(roles); }
 
   // At the beginning of a decision. time: s since the start of the match.
   void begin(double time);
@@ -100,6 +108,7 @@ class Extensions {
   MetricReports metrics_;
   std::optional<MeantPass> pass_;
   Answers answers_;
+  RoleFacts roles_;
   bool muted_ = false;
   std::vector<std::unique_ptr<InstanceExtensions>> instances_;
 };

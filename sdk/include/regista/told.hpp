@@ -32,6 +32,11 @@ class Told {
     if (table_ == nullptr) return std::nullopt;
     return table_->sees_ball(table_->context) != 0;
   }
+  // Shirt number, 0 = nobody. Nothing: the host does not tell.
+  std::optional<int> receiver() const {
+    if (table_ == nullptr) return std::nullopt;
+    return table_->receiver(table_->context);
+  }
 
  private:
   const regista_told* table_ = nullptr;

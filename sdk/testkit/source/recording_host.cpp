@@ -57,13 +57,15 @@ RecordingHost::RecordingHost(std::uint32_t bytes_free, const Layout& layout)
   reports_ = {sizeof reports_, 0, this, [](void* context, std::uint32_t metric, double value) {
                 static_cast<RecordingHost*>(context)->report(metric, value);
               }};
-  pass_ = {sizeof pass_, 0, this, [](void* context, std::int32_t receiver) {
+  pass_ = {sizeof pass_, 0, this, [](void* context, std::int32_t meant) {
              auto* const host = static_cast<RecordingHost*>(context);
              const OwnAllocations own(*host);
-             if (receiver < 1) host->break_rule("pass: meant for robot " + std::to_string(receiver));
-             host->receivers.push_back(receiver);
+             if (meant < 1) host->break_rule("pass: meant for robot " + std::to_string(meant));
+             host->receivers.push_back(meant);
            }};
-  told_ = {sizeof told_, 0, this,
+  told_ = {sizeof told_,
+           0,
+           this,
            [](void* context, std::int32_t number, regista_told_packet* out) -> std::int32_t {
              const auto* const host = static_cast<const RecordingHost*>(context);
              if (number < 1 || static_cast<std::size_t>(number) > host->told.size()) return 0;
@@ -71,7 +73,14 @@ RecordingHost::RecordingHost(std::uint32_t bytes_free, const Layout& layout)
              if (packet) write_known(*packet, out);
              return packet ? 1 : 0;
            },
-           [](void* context) -> std::int32_t { return static_cast<const RecordingHost*>(context)->sees_ball ? 1 : 0; }};
+           [](void* context) -> std::int32_t { return static_cast<const RecordingHost*>(context)->sees_ball ? 1 : 0; },
+           [](void* context) -> std::int32_t { return static_cast<const RecordingHost*>(context)->receiver; }};
+  roles_ = {sizeof roles_, 0, this, [](void* context, std::int32_t id, regista_role_facts* out) -> std::int32_t {
+              const auto& all = static_cast<const RecordingHost*>(context)->roles;
+              if (id < 0 || static_cast<std::size_t>(id) >= all.size()) return 0;
+              write_known(all[static_cast<std::size_t>(id)], out);
+              return 1;
+            }};
   budget_ = {sizeof budget_, 0, this, [](void* context, regista_budget* out) {
                write_known(static_cast<const RecordingHost*>(context)->budget, out);
              }};
@@ -99,6 +108,7 @@ const void* RecordingHost::extension(const char* id) const {
   if (name == REGISTA_PASS_EXTENSION) return &pass_;
   if (name == REGISTA_TOLD_EXTENSION) return &told_;
   if (name == REGISTA_BUDGET_EXTENSION) return &budget_;
+  if (name == REGISTA_ROLES_EXTENSION) return &roles_;
   return nullptr;
 }
 

@@ -118,6 +118,12 @@ TEST_F(ExtensionsTest, WhatWasToldIsGivenAsItWasSaid) {
   EXPECT_EQ(packet.ball_age, 0.7);
   EXPECT_EQ(told_table.packet(told_table.context, 3, &packet), 0);
   EXPECT_EQ(told_table.sees_ball(told_table.context), 1);
+  EXPECT_EQ(told_table.receiver(told_table.context), 0);
+  const auto& pass = *static_cast<const regista_pass*>(own().find(REGISTA_PASS_EXTENSION));
+  pass.meant_for(pass.context, 6);
+  EXPECT_EQ(told_table.receiver(told_table.context), 6);
+  extensions.begin(4.2);
+  EXPECT_EQ(told_table.receiver(told_table.context), 0) << "of this decision";
   // A caller that knows less is given less.
   regista_budget budget{};
   budget.size = offsetof(regista_budget, share);

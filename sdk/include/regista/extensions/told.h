@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Extension "regista.told/0", a draft: what robots of the own team said last, as they said it, and whether this robot
- * itself sees the ball. A frame has all of that too, but carried forward to now and fused with the rest; systems that
+ * Extension "regista.told/0", a draft: what robots of the own team said last, as they said it, whether this robot
+ * itself sees the ball, and whom it is about to pass to. A frame has all of that too, but carried forward to now and fused with the rest; systems that
  * decide by what was communicated, and senders that ask what others must believe, need it as it was. The host's side
  * only: what regista_host.extension gives. A host that has none gives null, and a plugin does without.
  * C++: <regista/told.hpp>.
@@ -44,6 +44,9 @@ typedef struct regista_told {
   int32_t (*packet)(void* context, int32_t number, regista_told_packet* out);
   /* 1: the robot sees a ball in the image of this decision. A false detection counts, too. */
   int32_t (*sees_ball)(void* context);
+  /* The teammate for which the kick of this decision is meant, as its behaviour said (regista.pass/0); 0 = nobody, and
+   * before it has acted. A sender decides after it. */
+  int32_t (*receiver)(void* context);
 } regista_told;
 
 #endif /* REGISTA_EXTENSIONS_TOLD_H */

@@ -10,6 +10,7 @@
 #include <regista/log.hpp>
 #include <regista/positioner.hpp>
 #include <regista/predictor.hpp>
+#include <regista/roles.hpp>
 #include <regista/sender.hpp>
 #include <regista/told.hpp>
 #include <regista/utility.hpp>
@@ -344,6 +345,11 @@ struct Asker {
     budget_ = regista::BudgetNow(host);
     log_ = regista::Log(host);
     if (told_.packet(3)) log_.error("told before anybody has spoken");
+    const regista::Roles roles(host);
+    const auto first = roles.role(0), second = roles.role(1);
+    log_.info("roles: " + std::to_string(first->group) + ' ' + std::to_string(first->moves) + ' ' + first->behaviour +
+              ", " + std::to_string(second->group) + ' ' + std::to_string(second->moves) +
+              (roles.role(99) ? ", and 99" : ""));
   }
   void score(const regista::Frame&, regista::Utilities) {
     const auto packet = told_.packet(3);

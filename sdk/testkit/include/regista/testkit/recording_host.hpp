@@ -15,6 +15,7 @@
 #include <regista/extensions/log.h>
 #include <regista/extensions/metric.h>
 #include <regista/extensions/pass.h>
+#include <regista/extensions/roles.h>
 #include <regista/extensions/told.h>
 #include <regista/testkit/storage.hpp>
 
@@ -64,11 +65,13 @@ class RecordingHost {
   };
   std::vector<Report> reports;
   std::vector<std::int32_t> receivers;  // of kicks that were meant for a teammate
-  // What the extensions told and budget answer. told: by shirt number - 1; nobody has spoken by default. budget: of the
-  // beginning of a match by default.
+  // What the extensions told, budget and roles answer. told: by shirt number - 1; nobody has spoken by default. budget:
+  // of the beginning of a match by default.
   std::vector<std::optional<regista_told_packet>> told;
   bool sees_ball = false;
+  int receiver = 0;
   regista_budget budget = whole_budget();
+  std::vector<regista_role_facts> roles;  // by row of the table of roles; none by default
   // What each call of the instance took, by name of the call; where somebody wants to know.
   struct CallCosts {
     std::vector<double> seconds;
@@ -98,6 +101,7 @@ class RecordingHost {
   regista_pass pass_{};
   regista_told told_{};
   regista_budget_now budget_{};
+  regista_roles roles_{};
   std::uint32_t metric_count_ = 0;
   std::string broken_;
   std::uint32_t bytes_free_;
