@@ -153,7 +153,7 @@ TEST(MindTest, PluginsMayAskWhatWasSaidAsItWasSaid) {
   }
   const std::string first = "3 at -2.500000 sent 1.000000";
   EXPECT_EQ(lines,
-            (std::vector<std::string>{"none, blind, left 1200", first + ", blind, left 1200",
+            (std::vector<std::string>{"roles: 4 1 walks, -1 0", "none, blind, left 1200", first + ", blind, left 1200",
                                       first + ", sees, left 1200", "3 at -1.800000 sent 2.000000, blind, left 1200"}));
 }
 
