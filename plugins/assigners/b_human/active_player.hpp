@@ -7,12 +7,11 @@
 // Decided by us, where the sources leave it open:
 //   - the form of the time: see time_to_ball();
 //   - who is blind: its ball is older than the age at which it could become active;
-//   - the distance by which a teammate's ball may be off grows with the distance of that teammate from its ball. It is
-//     compared when the packet is heard: a ball that was kicked since then is off for everybody who has not spoken, and
-//     without this every robot that sees it would take itself for the only one;
-//   - what a teammate said of its ball's age stays so until it says something else, for a robot whose sender has no
-//   news
-//     is silent.
+//   - the distance by which a teammate's ball may be off grows with the distance of that teammate from its ball. Balls
+//     are compared once, when the packet is heard. Later the ball may have been kicked away from where all teammates
+//     said it was; a robot that sees that and compared again would take itself for the only one with a good ball;
+//   - what a teammate said of its ball's age stays so until it says something else: a robot whose sender has no news is
+//     silent.
 #pragma once
 
 #include <algorithm>

@@ -101,6 +101,7 @@ struct BHuman {
 
   int own_number = 1;
   std::size_t roles = 0;
+  std::vector<const char*> names;  // of roles; they live as long as the instance
   double half_period = 0.05;
   std::vector<bool> is_active_role;  // by row of the table of roles
   std::vector<Entry> table;
@@ -121,7 +122,10 @@ struct BHuman {
     own_number = environment->own_number;
     half_period = 0.5 * environment->decision_period;
     roles = std::min(environment.roles().size(), b_human::most_roles);
-    for (const regista::Role& role : environment.roles()) is_active_role.push_back(active_role == role.name);
+    for (const regista::Role& role : environment.roles()) {
+      names.push_back(role.name);
+      is_active_role.push_back(active_role == role.name);
+    }
     table.resize(robots);
     offer.setup(mailbox, b_human::statement_bytes(roles));
     bytes.reserve(b_human::statement_bytes(roles));
@@ -194,7 +198,8 @@ struct BHuman {
     } else {
       out += ", has seen no ball of late";
     }
-    return out + (said->task < 0 ? std::string(", does no task") : ", does role " + std::to_string(said->task));
+    return out + (said->task < 0 ? std::string(", does no task")
+                                 : std::string(", does ") + names[static_cast<std::size_t>(said->task)]);
   }
 
  private:
@@ -306,13 +311,7 @@ struct BHuman {
   // The task of the active player is taken in any case, then those that are required.
   void put_in_order(const regista::Span<regista::Task>& all, std::optional<std::size_t> first) {
     assignment::by_importance(all, order);
-    choice.clear();
-    for (const int wanted : {2, 1, 0}) {
-      for (const std::uint32_t column : order) {
-        const int rank = first == column ? 2 : (all[column].flags & REGISTA_TASK_REQUIRED) != 0 ? 1 : 0;
-        if (rank == wanted) choice.push_back(column);
-      }
-    }
+    assignment::by_need(all, order, choice, first);
   }
 
   void say(const regista::Frame& frame) {

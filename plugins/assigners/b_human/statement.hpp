@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a robot says of itself in every packet, as the assignment needs it: where it is, what it sees of the ball, which
-// task it does and which tasks it has to choose from. The same numbers are in the packet's core, but a plugin is shown
-// the core only after a predictor has carried it forward, and of the ball only what all robots together make of it.
+// task it does and which tasks it has to choose from. The same numbers but for the list of tasks are in the packet's
+// core. A frame shows the core only after a predictor has carried it forward, and of the ball only what all robots
+// together make of it. The extension regista.told shows it as it was said; this plugin is older and does not use it.
 //
 // x y mm:16 | heading:8 | speed cm/s:8 | ball age ds:8, 255 = no ball | ball x y mm:16 | task:8, 255 = none | a bit for
 // each role, set when it is a task now. 12 bytes and one for eight roles; lowest byte first.

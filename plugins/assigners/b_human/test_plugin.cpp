@@ -136,9 +136,9 @@ TEST(BHumanPlugin, OneStatementIsPendingAlways) {
   EXPECT_EQ(waiting, 1);
   EXPECT_EQ(assigner.host().offers.back().bytes.size(), b_human::statement_bytes(usual_roles().size()));
   EXPECT_EQ(assigner.describe(assigner.host().offers.back().bytes),
-            "at (0.00, 0.00), has seen no ball of late, does role " + std::to_string(role("supporter")));
+            "at (0.00, 0.00), has seen no ball of late, does supporter");
   EXPECT_EQ(assigner.describe(statement(1.2, -0.4, "jolly", 0.1, 0.3)),
-            "at (1.20, -0.40), ball (0.10, 0.00) seen 0.3 s ago, does role " + std::to_string(role("jolly")));
+            "at (1.20, -0.40), ball (0.10, 0.00) seen 0.3 s ago, does jolly");
   EXPECT_EQ(assigner.describe({}), "no statement of this team");
 }
 

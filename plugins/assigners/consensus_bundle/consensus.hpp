@@ -8,9 +8,8 @@
 // Ours:
 // - The time stamp of a robot is the tick at which it sent the newest packet of which one has news, directly or by
 //   others; the paper counts the time of arrival. A packet that is older than other news of its sender is dropped.
-// - A bid is lower than the one before it in the bundle; a gain that is not is cut. Then all can tell which of a
-// robot's
-//   tasks is its first, and teams settle with gains of any kind. Of gains that strictly diminish none is cut while the
+// - A bid is lower than the one before it in the bundle; a gain that is not is cut. Then all can tell which task of a
+//   robot is its first, and teams settle with gains of any kind. Of gains that strictly diminish none is cut while the
 //   bundle is built from the beginning.
 // - rebuild(). The paper only adds to a bundle. A task that was added while a better one looked taken then stays when
 //   the better one becomes free, and about one random problem in a thousand ends beside the greedy assignment when the

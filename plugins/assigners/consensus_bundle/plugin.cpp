@@ -7,7 +7,9 @@
 // - A robot does one task at a time, and roles do not end. It plays the first task of its bundle, the one with its
 //   highest bid. The others are those that it would take next, and nobody plays them meanwhile: so with CBBA a robot
 //   may stand idle although a task is open, with CBAA it does not.
-// - What a robot says rides along with each of its packets, however often; a lost packet costs time alone.
+// - What a robot says rides along with each of its packets, however often; a lost packet costs time alone. It must fit
+//   into one packet in any case: where a packet has no room for the bundles of all robots, bundles are shorter than the
+//   team's page wants, and a line in the log says so.
 // - Packets are rare. A robot plays what it has said: it leaves a task for another one when a packet has told of that,
 //   and at once only when it hears that somebody else wins its task. Else the task would be nobody's until then.
 // - The paper gives tasks values. Here a task's value is its utility, less for each place further down in the list of
@@ -25,6 +27,7 @@
 #include <vector>
 
 #include <regista/assigner.hpp>
+#include <regista/log.hpp>
 #include <regista/mailbox.hpp>
 
 #include "../negotiation/bids.hpp"
@@ -78,7 +81,6 @@ struct ConsensusBundle {
   int own = 0;
   std::size_t limit = 1;
   regista::Span<regista::Role> roles;
-  regista::Mailbox mailbox;
   consensus_bundle::Consensus consensus;
   consensus_bundle::StandingBid standing;
   Segment segment;
@@ -93,20 +95,17 @@ struct ConsensusBundle {
   std::size_t offered = 0, told_last = 0;         // the own first task in what is offered, and in what left last
   std::vector<char> penalised;                    // by number - 1
 
-  void setup(const regista::Environment& environment, regista::Mailbox way_out) {
-    constexpr std::size_t largest_core = 40, heading = 2;  // bytes of a packet that are not the segment's
+  void setup(const regista::Environment& environment, const regista::Host& host) {
     own = environment->own_number;
     roles = environment.roles();
     const std::size_t robots = environment->team_size, tasks = roles.size();
     consensus.setup(own, robots, tasks);
     standing.setup(tasks);
     segment.setup(robots, tasks);
-    limit = static_cast<std::size_t>(bundle);
-    const auto longest = [&] { return segment.bytes(std::min(tasks, robots * limit)) + heading + largest_core; };
-    while (limit > 1 && longest() > environment->packet_size) --limit;
+    shorten_bundle(robots, tasks, host);
     if (environment->walk_forward > 0.0) worth.speed = environment->walk_forward;
     worth.most = Segment::most_bid;
-    offer.setup(way_out, segment.bytes(tasks));
+    offer.setup(host.mailbox(), segment.bytes(tasks));
     bytes.reserve(segment.bytes(tasks));
     told.claims.reserve(tasks);
     told.stamps.reserve(robots);
@@ -183,6 +182,22 @@ struct ConsensusBundle {
   }
 
  private:
+  // All robots of a team have the same room and shorten alike.
+  void shorten_bundle(std::size_t robots, std::size_t tasks, const regista::Host& host) {
+    const std::size_t wanted = static_cast<std::size_t>(bundle), room = host.mailbox().bytes_free();
+    const auto longest = [&] { return segment.bytes(std::min(tasks, robots * limit)); };
+    limit = wanted;
+    while (limit > 1 && longest() > room) --limit;
+    const std::string has_room = "a packet has room for " + std::to_string(room) + " bytes of bids";
+    if (longest() > room) {
+      regista::Log(host).warning(has_room + ", and a task for each robot may take " + std::to_string(longest()) +
+                                 ": what does not fit is not sent");
+    } else if (limit < wanted) {
+      regista::Log(host).warning(has_room + ": bundle is " + std::to_string(limit) + " and not " +
+                                 std::to_string(wanted));
+    }
+  }
+
   void forget() {
     consensus.forget();
     standing.forget();

@@ -245,30 +245,61 @@ TEST(ConsensusBundlePlugin, ABundlePlaysItsFirstTask) {
   EXPECT_EQ(assigner.assign(frame_at(5.2).build(), own_row(0.1, 0.5, 0.9)), (Rows{unknown, 1, 2}));
 }
 
-TEST(ConsensusBundlePlugin, LargeTeamsWithManyRolesFitIntoAPacket) {
+// What the bundle becomes where packets have room for 64 bytes, as seen by what a robot that is alone on the air says.
+struct Large {
+  std::size_t says = 0;  // tasks that it wins
+  std::size_t bytes = 0;
+  unsigned refused = 0;
+  std::vector<std::string> log;
+};
+Large large(int robots, int roles, double bundle) {
   EnvironmentBuilder environment;
-  environment.team_size(22).own(2);
+  environment.team_size(static_cast<unsigned>(robots)).own(2);
   std::vector<std::string> many;
-  for (int k = 0; k < 64; ++k) many.push_back("role_" + std::to_string(k));
+  for (int k = 0; k < roles; ++k) many.push_back("role_" + std::to_string(k));
   environment.roles(many);
-  for (const double bundle : {1.0, 16.0}) {
-    Instance assigner(plugin(), environment, Values(plugin()).set("bundle", bundle));
-    assigner.host().set_bytes_free(88);
-    FrameBuilder frame;
-    frame.roles(many).team_size(22).own(2).time(5.0);
-    for (int number = 1; number <= 22; ++number) frame.robot(number);
-    for (const std::string& each : many) frame.task(each);
-    Matrix utilities(22, 64);
-    for (std::size_t column = 0; column < 64; ++column) utilities(1, column) = 0.01 * static_cast<double>(column);
-    EXPECT_EQ(assigner.assign(frame.build(), utilities)[1], 63);
-    EXPECT_EQ(assigner.host().refused, 0u);
-    // Were each robot to win two tasks, a packet could not say so.
-    Segment segment;
-    segment.setup(22, 64);
-    EXPECT_LE(segment.bytes(22), 86u);
-    EXPECT_GT(segment.bytes(44), 86u);
-    EXPECT_EQ(assigner.host().offers.back().bytes.size(), segment.bytes(1));
+  Instance assigner(plugin(), environment, Values(plugin()).set("bundle", bundle));
+  FrameBuilder frame;
+  frame.roles(many).team_size(robots).own(2).time(5.0);
+  for (int number = 1; number <= robots; ++number) frame.robot(number);
+  for (const std::string& each : many) frame.task(each);
+  Matrix utilities(static_cast<std::uint32_t>(robots), static_cast<std::uint32_t>(roles));
+  for (std::size_t column = 0; column < many.size(); ++column) {
+    utilities(1, column) = 0.01 * static_cast<double>(column);
   }
+  EXPECT_EQ(assigner.assign(frame.build(), utilities)[1], roles - 1);
+  Large out;
+  for (const auto& line : assigner.host().log) {
+    EXPECT_EQ(line.level, REGISTA_LOG_WARNING);
+    out.log.push_back(line.text);
+  }
+  out.refused = assigner.host().refused;
+  if (assigner.host().offers.empty()) return out;
+  Segment segment;
+  segment.setup(static_cast<std::size_t>(robots), many.size());
+  out.bytes = assigner.host().offers.back().bytes.size();
+  while (segment.bytes(out.says) < out.bytes) ++out.says;
+  return out;
+}
+
+TEST(ConsensusBundlePlugin, TheBundleFitsIntoAPacket) {
+  const Large fits = large(11, 27, 2.0);  // 22 tasks in 60 bytes
+  EXPECT_EQ(fits.says, 2u);
+  EXPECT_TRUE(fits.log.empty());
+  const Large shorter = large(15, 27, 2.0);  // 27 tasks in 74 bytes, 15 in 50
+  EXPECT_EQ(shorter.says, 1u);
+  EXPECT_EQ(shorter.refused, 0u);
+  EXPECT_EQ(shorter.log, std::vector<std::string>{"a packet has room for 64 bytes of bids: bundle is 1 and not 2"});
+  EXPECT_EQ(large(11, 27, 16.0).says, 2u);
+  EXPECT_TRUE(large(7, 64, 1.0).log.empty());
+}
+
+TEST(ConsensusBundlePlugin, SaysWhenNoBundleFits) {
+  const Large team = large(22, 27, 1.0);
+  EXPECT_EQ(team.log, std::vector<std::string>{"a packet has room for 64 bytes of bids, and a task for each robot may "
+                                               "take 74: what does not fit is not sent"});
+  EXPECT_EQ(team.says, 1u);  // as long as it knows of few claims it is heard
+  EXPECT_EQ(team.refused, 0u);
 }
 
 TEST(ConsensusBundlePlugin, SaysInWordsWhatItSays) {

@@ -82,7 +82,9 @@ template <class Rule>
 class Desk {
  public:
   void setup(const regista::Environment& environment, const regista::Mailbox& mailbox, const Settings& settings) {
-    constexpr std::size_t most_bytes = 60;  // of a packet's 128, beside what is always in it and other plugins' offers
+    // Of a packet, beside what is always in it and other plugins' offers. All robots of a team have the same room.
+    constexpr std::uint32_t usual_bytes = 60, least_bytes = 8;
+    const std::size_t most_bytes = std::clamp(mailbox.bytes_free(), least_bytes, usual_bytes);
     settings_ = settings;
     own_ = environment->own_number;
     const std::size_t tasks = environment.roles().size(), robots = environment->team_size;
@@ -106,6 +108,7 @@ class Desk {
     for (auto* each : {&columns_, &tasks_}) each->reserve(tasks);
     told_.reserve(tasks);
     heard_.reserve(tasks);
+    untold_.reserve(tasks);
     bytes_.reserve(most_bytes);
     reset();
   }
@@ -125,7 +128,10 @@ class Desk {
 
   void assign(const regista::Frame& frame, const regista::UtilityMatrix& utilities, const regista::Assignment& out,
               const Rule& rule) {
-    if (frame.tasks().empty()) return;
+    if (frame.tasks().empty()) {  // nothing to bid for
+      played_ = wanted_ = none;
+      return offer_.withdraw();
+    }
     const Situation situation = read(frame, utilities);
     participant_.decide(situation, conduct_, rule);
     const std::size_t own_row = negotiation::row_of(frame.world().active(), own_);
@@ -150,7 +156,7 @@ class Desk {
   }
   void transmitted(std::uint64_t handle) {
     if (!offer_.gone(handle)) return;
-    participant_.sent();
+    participant_.sent(untold_);
     is_sent_ = has_spoken_ = true;
     ++turn_;
   }
@@ -297,22 +303,28 @@ class Desk {
     return allowed ? column : regista::Assignment::unknown_task;
   }
 
-  // Own bids first, then those of others beginning at another one each time, if a message has no room for all; tasks
-  // that were given up at last.
+  // Own bids first, then what this robot has just given up, then the bids of others beginning at another one each time,
+  // if a message has no room for all; other tasks that were given up at last.
   void say(double now) {
     const std::span<const Bid> table = participant_.table();
     told_.clear();
+    untold_.clear();
     const auto take = [&](const auto& wanted) {
-      for (std::size_t k = 0; k < table.size() && told_.size() < format_.most_told; ++k) {
+      for (std::size_t k = 0; k < table.size(); ++k) {
         const std::size_t task = (k + turn_) % table.size();
-        if (is_listed_[task] && table[task].price > 0 && wanted(table[task])) {
+        if (!is_listed_[task] || table[task].price == 0 || !wanted(task, table[task].bidder)) continue;
+        if (told_.size() < format_.most_told) {
           told_.push_back({task, table[task], participant_.is_done(task)});
+        } else {
+          untold_.push_back(task);
         }
       }
     };
-    take([&](Bid bid) { return bid.bidder == own_; });
-    take([&](Bid bid) { return bid.bidder != own_ && bid.bidder != nobody; });
-    take([&](Bid bid) { return bid.bidder == nobody; });
+    const auto gave_up = [&](std::size_t task) { return participant_.is_unsent(task); };
+    take([&](std::size_t, int bidder) { return bidder == own_; });
+    take([&](std::size_t task, int bidder) { return bidder == nobody && gave_up(task); });
+    take([&](std::size_t, int bidder) { return bidder != own_ && bidder != nobody; });
+    take([&](std::size_t task, int bidder) { return bidder == nobody && !gave_up(task); });
     std::ranges::sort(told_, {}, &Told::task);
     write_message(format_, participant_.epoch(), told_, bytes_);
     if (std::exchange(has_spoken_, false)) spoke_ = now;
@@ -341,6 +353,7 @@ class Desk {
   std::vector<std::int32_t> values_, groups_;
   std::vector<std::uint32_t> columns_, tasks_;  // ascending ids
   std::vector<Told> told_, heard_;
+  std::vector<std::size_t> untold_;  // tasks that the message has no room for
   std::vector<std::uint8_t> bytes_;
 };
 

@@ -88,14 +88,20 @@ class Participant {
     bid(situation, rule);
   }
 
-  // The table, as decide() has left it, was sent.
-  void sent() {
-    for (Entry& each : entries_) each.is_unsent = false;
-    is_restless_ = false;
+  // The table, as decide() has left it, was sent, but for these tasks. What was heard since then still counts.
+  void sent(std::span<const std::size_t> untold = {}) {
+    for (std::size_t task = 0; task < table_.size(); ++task) {
+      Entry& entry = entries_[task];
+      if (!entry.is_unsent || std::ranges::find(untold, task) != untold.end()) continue;
+      entry.is_unsent = false;
+      merge(table_[task], entry.before);
+    }
+    if (!has_unsent()) is_restless_ = false;
   }
   bool has_unsent() const {
     return std::ranges::any_of(entries_, [](const Entry& each) { return each.is_unsent; });
   }
+  bool is_unsent(std::size_t task) const { return entries_[task].is_unsent; }
 
   // A message of a teammate arrived at `now`; its ids and bidders have been checked.
   void hear(std::int32_t sender, std::uint8_t epoch, std::span<const Told> told, double now) {
@@ -151,7 +157,7 @@ class Participant {
 
   void begin_epoch_if_changed(const Situation& situation) {
     negotiation::Subject subject = situation.subject;
-    subject.add_task(restarts_);
+    subject.add_round(restarts_);
     if (epoch_.about(subject)) clear(situation.now);
   }
 

@@ -129,6 +129,19 @@ TEST(DistributedAuctionNetwork, WhatIsUnsentIsThoughtOver) {
   EXPECT_FALSE(robot.part.has_unsent());
 }
 
+TEST(DistributedAuctionNetwork, WhatAMessageHadNoRoomForStaysUnsent) {
+  Robot robot;
+  robot.decide();
+  ASSERT_EQ(robot.part.table()[0], (Bid{12, 1}));
+  robot.part.sent(std::vector<std::size_t>{0});
+  EXPECT_TRUE(robot.part.has_unsent());
+  robot.hear(2, 0, {11, 2});  // lower than the own bid, which is thought over
+  robot.decide();
+  EXPECT_EQ(robot.part.table()[0], (Bid{11, 2}));
+  robot.part.sent(std::vector<std::size_t>{0});  // of the others the message told
+  EXPECT_FALSE(robot.part.has_unsent());
+}
+
 TEST(DistributedAuctionNetwork, BidsAnewOnlyAfterAChangeAboveTheThreshold) {
   Robot robot;
   robot.decide();

@@ -91,6 +91,26 @@ TEST(DistributedAuctionPlugin, LeavesATaskAtOnceThatAnotherHolds) {
   EXPECT_EQ(one.assign(scene(1, 1.1), utilities(0.5, 0.6, 0, 0)), (Rows{0, 1}));
 }
 
+TEST(DistributedAuctionPlugin, AHigherBidThatIsHeardBeforeTheOwnLeavesIsNotForgotten) {
+  Instance one(plugin(), EnvironmentBuilder{}.own(1), settings()),
+      two(plugin(), EnvironmentBuilder{}.own(2), settings());
+  EXPECT_EQ(one.assign(scene(1, 1.0), utilities(0.5, 0.6, 0, 0)), (Rows{1, unknown}));
+  two.assign(scene(2, 1.0), utilities(0, 0, 0.1, 0.9));
+  EXPECT_EQ(two.describe(last_said(two)), "epoch 0: striker 2 for 0.850");
+  one.receive(2, last_said(two), 1.0, 1.05);
+  one.transmitted(one.host().offers.back().handle);  // it says: striker 1 for 0.150
+  EXPECT_EQ(one.assign(scene(1, 1.1), utilities(0.5, 0.6, 0, 0)), (Rows{0, 1}));
+}
+
+TEST(DistributedAuctionPlugin, WithoutTasksItIsSilent) {
+  Instance one(plugin(), EnvironmentBuilder{}.own(1), settings());
+  one.assign(scene(1, 1.0), utilities(0.5, 0.6, 0, 0));
+  EXPECT_EQ(one.assign(scene(1, 1.1, {}), Matrix(2, 0)).size(), 2u);
+  EXPECT_FALSE(one.host().offers.back().waits());
+  EXPECT_EQ(one.assign(scene(1, 1.2), utilities(0.5, 0.6, 0, 0)), (Rows{1, unknown}));
+  EXPECT_TRUE(one.host().offers.back().waits());
+}
+
 TEST(DistributedAuctionPlugin, ANewBidIsUrgentNowAndThen) {
   Instance one(plugin(), EnvironmentBuilder{}.own(1), settings().set("urgent_every", 6.0));
   const auto urgency = [&](double time, double striker) {
@@ -162,6 +182,18 @@ TEST(DistributedAuctionPlugin, AMessageIsCutWhereItHasNoRoom) {
     one.transmitted(one.host().offers.back().handle);
   }
   EXPECT_EQ(in_all.size(), 22u);
+  // What it gives up now goes before what others hold.
+  utility(0, 62) = 2.0;
+  utility(0, 63) = 0.0;  // or its price would be worth a new epoch
+  one.assign(frame.build(), utility);
+  std::uint8_t epoch = 0;
+  std::vector<auction::Told> told;
+  ASSERT_TRUE(read_message(format, last_said(one), epoch, told));
+  ASSERT_EQ(told.size(), format.most_told);
+  EXPECT_EQ(told.back().task, 63u);
+  EXPECT_EQ(told.back().bid.bidder, auction::nobody);
+  EXPECT_EQ(told[told.size() - 2].task, 62u);
+  EXPECT_EQ(told[told.size() - 2].bid.bidder, 1);
 }
 
 REGISTA_ASSIGNER_CONTRACT(REGISTA_PLUGIN_FILE, "distributed_auction");

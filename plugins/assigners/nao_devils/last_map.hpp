@@ -51,10 +51,11 @@ class LastMap {
     return true;
   }
 
-  // Once per decision. numbers: the robots that play here; fits: whether the map is for just these robots, about the
-  // tasks here, and gives this robot one of them if any. The map becomes void when that was so and is no longer, or is
-  // not so when robots leave or return. A map that came from a robot which sees other robots or tasks than this one,
-  // and never fitted, is not void: else two such robots would outbid each other for ever.
+  // Once per decision. numbers: the robots that play here; fits: the map is for just these robots and about the tasks
+  // here, and gives this robot one of them if any. The map becomes void when it fitted before and no longer does, and
+  // when it does not fit after robots have left or returned. A map that never fitted is not void: it comes from a robot
+  // that sees other robots or tasks. If each of two such robots took the other's map for void, both would make new ones
+  // for ever.
   void look(std::span<const std::int32_t> numbers, bool fits) {
     const bool others = !std::equal(numbers.begin(), numbers.end(), numbers_.begin(), numbers_.end());
     numbers_.assign(numbers.begin(), numbers.end());

@@ -4,18 +4,16 @@
 //
 //   - Every robot computes the map with the least longest walk (MMDR) from what it knows. Played is the map that was
 //     broadcast last.
-//   - While robots and tasks are those of that map and its longest walk is no more than a metre longer than the best,
-//   it
-//     is kept. Else a new one is broadcast: by the ball chaser alone, so that one robot decides for all; by anyone if
-//     there is no map. All adopt the newest.
+//   - While robots and tasks are those of that map and its longest walk is no more than a metre longer than the best
+//     one, it is kept. Else a new one is broadcast: by the ball chaser alone, so that one robot decides for all; by
+//     anyone if there is no map. All adopt the newest.
 //   - The ball chaser is who has the role that plays the ball by the map in force, and whose last packet says so while
 //     no other robot has claimed the role since. The platform has no message for chasers: the role stands in every
 //     packet.
 //
 // Ours:
 //   - The author repeats its map with every packet, until it hears a newer one. Published: who missed it disagrees
-//   until
-//     the next map.
+//     until the next map.
 //   - The author plays its map from the moment at which it is sent. Until then, it plays the old one, as all do.
 //   - There is no map, and anyone may make one, also when robots have left or returned or another list of roles is in
 //     force; and for a robot whose own task by the map is no longer kept: see LastMap::look(). Until a new one is

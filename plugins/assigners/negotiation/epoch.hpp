@@ -26,6 +26,8 @@ class Subject {
  public:
   void add_robot(int number) { sum_ += mix(static_cast<std::uint64_t>(number)); }
   void add_task(int id) { sum_ += mix(0x10000u + static_cast<std::uint64_t>(id)); }
+  // The same robots and tasks once more.
+  void add_round(int number) { sum_ += mix(0x100000000u + static_cast<std::uint64_t>(number)); }
   friend bool operator==(Subject, Subject) = default;
 
  private:

@@ -76,6 +76,10 @@ TEST(Epochs, BeginWhenRobotsOrTasksChangeAndAreJoined) {
   EXPECT_TRUE(epoch.about(subject({1}, {3})));
   EXPECT_TRUE(epoch.about(subject({3}, {1})));  // a task is no robot
   EXPECT_EQ(epoch.number(), 3);
+  Subject again = subject({3}, {1});
+  again.add_round(0);
+  EXPECT_FALSE(again == subject({3}, {1}));
+  EXPECT_FALSE(again == subject({3}, {1, 0}));  // a round is no task
   EXPECT_FALSE(epoch.hear(2).counts);
   EXPECT_TRUE(epoch.hear(3).counts);
   const Epoch::Heard heard = epoch.hear(9);

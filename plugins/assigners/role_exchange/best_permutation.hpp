@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "../choose_tasks.hpp"
 #include "../hungarian/algorithm.hpp"
 #include "../matrix.hpp"
 
@@ -27,10 +28,8 @@ class BestPermutation {
   void reserve(std::size_t robots, std::size_t tasks) {
     solver_.reserve(robots, tasks);
     values_.reserve(robots * tasks);
-    taken_by_.reserve(robots);
-    seen_.reserve(robots);
+    choice_.reserve(robots, tasks);
     for (auto* each : {&kept_, &order_}) each->reserve(tasks);
-    chosen_.reserve(tasks);
   }
 
   // utilities: finite, or `forbidden`. choice: every column once; which tasks are done when not all can be. order: the
@@ -39,10 +38,10 @@ class BestPermutation {
             std::span<std::int32_t> out) {
     assert(choice.size() == utilities.columns && order.size() == utilities.columns && out.size() == utilities.rows);
     std::fill(out.begin(), out.end(), nobody);
-    choose(utilities, choice);
+    choice_.choose(utilities, forbidden, choice);
     kept_.clear();
     for (const std::uint32_t column : order) {
-      if (chosen_[column] != 0) kept_.push_back(column);
+      if (choice_.has(column)) kept_.push_back(column);
     }
     if (kept_.empty()) return;
     values_.clear();
@@ -58,35 +57,9 @@ class BestPermutation {
   }
 
  private:
-  void choose(const Matrix& utilities, std::span<const std::uint32_t> choice) {
-    chosen_.assign(utilities.columns, 0);
-    taken_by_.assign(utilities.rows, nobody);
-    std::size_t count = 0;
-    for (const std::uint32_t column : choice) {
-      if (count == utilities.rows) return;
-      seen_.assign(utilities.rows, 0);
-      if (!find_robot(utilities, column)) continue;
-      chosen_[column] = 1;
-      ++count;
-    }
-  }
-
-  // A robot without a task, or one whose task another robot can take over, and so on.
-  bool find_robot(const Matrix& utilities, std::size_t column) {
-    for (std::size_t row = 0; row < utilities.rows; ++row) {
-      if (seen_[row] != 0 || utilities(row, column) == forbidden) continue;
-      seen_[row] = 1;
-      if (taken_by_[row] != nobody && !find_robot(utilities, static_cast<std::size_t>(taken_by_[row]))) continue;
-      taken_by_[row] = static_cast<std::int32_t>(column);
-      return true;
-    }
-    return false;
-  }
-
   hungarian::Solver solver_;
   std::vector<double> values_;
-  std::vector<std::int32_t> taken_by_;
-  std::vector<std::uint8_t> seen_, chosen_;
+  assignment::TaskChoice choice_;
   std::vector<std::uint32_t> kept_, order_;
 };
 

@@ -160,9 +160,8 @@ class Negotiator {
     Statement statement;
   };
 
-  static constexpr double later = 0.05;  // s: a claim that is newer than a statement came without one
-  static constexpr double on_the_way =
-      2.0;  // s: news of a robot that has just come back may have been sent before that
+  static constexpr double later = 0.05;      // s: a claim that is newer than a statement came without one
+  static constexpr double on_the_way = 2.0;  // s: so old may news be of a robot that has just come back
 
   Holding& mine() { return table_[static_cast<std::size_t>(own_ - 1)]; }
   static std::size_t column_of(const Situation& now, std::int32_t role) {

@@ -149,13 +149,7 @@ struct RoleExchange {
       claimed.push_back(heard ? frame.time() - robot.age : -settings.lapse);
     }
     assignment::by_importance(frame.tasks(), order);
-    choice.clear();
-    for (const std::uint32_t wanted : {1u, 0u}) {
-      for (const std::uint32_t column : order) {
-        const bool required = (frame.tasks()[column].flags & REGISTA_TASK_REQUIRED) != 0;
-        if (required == (wanted == 1u)) choice.push_back(column);
-      }
-    }
+    assignment::by_need(frame.tasks(), order, choice);
     return {
         .time = frame.time(),
         .members = members,

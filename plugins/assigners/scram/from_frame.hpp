@@ -59,7 +59,7 @@ class FrameSolver {
     std::fill(assigned.begin(), assigned.end(), regista::Assignment::no_task);
     assignment::by_importance(frame.tasks(), order_);
     if (utilities.columns() == 0) return;
-    choose_first_the_required(frame.tasks());
+    assignment::by_need(frame.tasks(), order_, choice_);
     fill_costs(settings, frame, utilities);
     solver_.assign({values_.data(), utilities.rows(), utilities.columns(), utilities.columns()}, settings.criterion,
                    order_, choice_, assigned);
@@ -68,16 +68,6 @@ class FrameSolver {
   std::span<const std::uint32_t> order() const { return order_; }
 
  private:
-  void choose_first_the_required(const regista::Span<regista::Task>& all) {
-    choice_.clear();
-    for (const std::uint32_t wanted : {1u, 0u}) {
-      for (const std::uint32_t column : order_) {
-        const bool required = (all[column].flags & REGISTA_TASK_REQUIRED) != 0;
-        if (required == (wanted == 1u)) choice_.push_back(column);
-      }
-    }
-  }
-
   // Squared distances order pairs as distances do and are what mmd_msd2 sums. In place of a distance, a utility falls
   // short of the largest by a number whose square is summed; for mmdr its order is enough.
   void fill_costs(const Settings& settings, const regista::Frame& frame, const regista::UtilityMatrix& utilities) {

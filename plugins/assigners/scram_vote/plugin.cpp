@@ -7,10 +7,9 @@
 //   - A vote counts only if it was cast for just the robots that play here. So after a robot has left or returned, all
 //     play their own maps until they have heard new ones; no map that names a robot which left is ever played.
 //   - A vote counts only if at least half of the tasks that it gives are known here: else it is about another list.
-//   - A vote counts for `vote_age`. A vote that is void for some only divides the team: with 10 s a team that hears 40
-//   %
-//     of its packets, one a second and robot, does not settle in the rehearsal. 25 s is the silence after which a robot
-//     is given up.
+//   - A vote counts for `vote_age`. A vote that is void for some only divides the team: with 10 s a team that hears two
+//     fifths of its packets, one a second and robot, does not settle in the rehearsal. 25 s is the silence after which
+//     a robot is given up.
 //   - Where the elected map does not fit what a robot knows: ../scram/follow_map.hpp.
 #include <cstdint>
 #include <span>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The tokens that a robot answers for, as bytes: in a team of seven with 19 roles five bytes each. A receiver bears any
-// bytes and takes a message whole or not at all.
+// The tokens that a robot answers for, as bytes: in a team of seven with 19 roles five bytes each. How many there are
+// follows from the length. A receiver bears any bytes. It takes no token of a message in which one makes no sense; of a
+// message that was cut off it takes the tokens that are whole, if the bits left over happen to be 0.
 #pragma once
 
 #include <algorithm>

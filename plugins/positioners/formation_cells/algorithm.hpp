@@ -5,14 +5,12 @@
 // near a teammate, the ball, the border of the field or of the cell is bad.
 //
 // Decided by us, where the sources leave it open:
-//   - a bell curve falls from 1 (what attracts) or rises from 0 to 1 (what repels); the last target's is never below
-//   0.5;
+//   - a bell curve falls from 1 (what attracts) or rises from 0 to 1 (what repels); that of the last target is never
+//     below 0.5;
 //   - the ascent begins at the base point and takes the best of eight directions; it ends where none is better, and
-//   never
-//     leaves cell or field;
+//     never leaves cell or field;
 //   - the place that was found before stays while the new one is not 1.2 times as good, and is forgotten when it lies
-//   in
-//     another cell;
+//     in another cell;
 //   - a robot within 0.6 m of its place stands, and walks again when it is 0.75 m away. Where it stands in another
 //     cell or off the field it walks.
 #pragma once

@@ -77,9 +77,11 @@ struct FormationCells {
     }
     place_of.resize(has_place.size());
     seen.resize(has_place.size());
-    for (auto* each : {&sites, &mates}) each->reserve(64);
-    for (auto* each : {&site_task, &order}) each->reserve(64);
-    mate_number.reserve(64);
+    const std::size_t robots = environment->team_size, roles = has_place.size();
+    sites.reserve(roles);
+    mates.reserve(robots);
+    for (auto* each : {&site_task, &order}) each->reserve(roles);
+    mate_number.reserve(robots);
   }
   void reset(std::uint64_t) {
     for (formation_cells::Place& each : place_of) each.forget();

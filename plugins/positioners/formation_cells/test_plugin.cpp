@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <regista/testkit/count_allocations.hpp>
 
+#include <algorithm>
+#include <map>
+#include <string>
 #include <vector>
 
 #include <regista/testkit/contract.hpp>
@@ -78,13 +81,34 @@ TEST(FormationCellsPlugin, OneHistoryOneResult) {
   }
 }
 
+std::vector<double> kept;  // outside of functions, so that no compiler leaves an allocation out
+
 TEST(FormationCellsPlugin, NothingIsAllocated) {
-  Instance busy(plugin(), EnvironmentBuilder{}.own(2));
-  const Scene none = FrameBuilder{}.own(2).build().before_placing(), some = scene().build().before_placing();
-  // The testkit's own allocations for a call do not depend on what is placed, but for the points that it copies.
-  const std::size_t of_none = allocations_during([&] { busy.place(none); });
-  const std::size_t of_some = allocations_during([&] { busy.place(some); });
-  EXPECT_LE(of_some, of_none + 1);
+  std::map<std::string, RecordingHost::CallCosts> costs;
+  EnvironmentBuilder environment;
+  environment.team_size(22).own(2);
+  std::vector<std::string> names;
+  for (int k = 0; k < 64; ++k) names.push_back("role_" + std::to_string(k));
+  Instance positioner(plugin(), environment.roles(names));
+  positioner.host().costs = &costs;
+  positioner.host().allocated = [] { return allocations; };  // but for the testkit's own
+  std::size_t most_points = 0;
+  const std::size_t all = allocations_during([&] {
+    kept = std::vector<double>(1000);
+    for (int k = 0; k < 23; ++k) {
+      FrameBuilder frame;
+      frame.team_size(22).own(2).roles(names).ball(0.1 * k, 0);
+      for (int number = 1; number <= 22; ++number) frame.robot(number).at(0.3 * number - 3.0, 0.1 * k);
+      for (int number = 22; number > 22 - k; --number) frame.robot(number).penalised();
+      for (std::size_t j = 0; j < names.size(); ++j) {
+        frame.task(names[j]).at(0.1 * static_cast<double>(j) - 3.0, 0.2 * static_cast<double>(j % 9) - 1.0);
+      }
+      most_points = std::max(most_points, positioner.place(frame.build().before_placing()).points.size());
+    }
+  });
+  EXPECT_GT(all, 0u);  // it does count
+  EXPECT_EQ(most_points, 22u);
+  EXPECT_EQ(costs["place"].allocations, std::vector<std::size_t>(23, 0));
 }
 
 REGISTA_POSITIONER_CONTRACT(REGISTA_PLUGIN_FILE, "formation_cells");

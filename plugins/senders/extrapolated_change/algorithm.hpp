@@ -7,8 +7,8 @@
 // Decided by us, where the sources leave it open:
 //   - "own ball off the team ball for more than 0.3 s": the place where the own ball comes to rest must be 0.3 m from
 //     that of the team's ball, for at least 0.3 s;
-//   - the ball's place is compared with what this robot itself said of it; one that it did not see then is another
-//   cause;
+//   - the ball's place is compared with what this robot itself said of it; a ball that it did not see then is another
+//     cause;
 //   - the first packet of a robot has nothing to differ from and nothing to wait for but the budget;
 //   - without a ball causes must last as long as with a ball far away;
 //   - an urgent offer of another plugin stands in the place of B-Human's proposals.

@@ -3,9 +3,9 @@
 //
 // Of the own last packet the sender remembers the pose and the speed that it was given when it sent; role and target it
 // reads from the common world, as the host chooses the target after it. The number of packets left is the controller's,
-// which the host tells at every decision, so that the own count of B-Human is not needed. A frame has no ball of the
-// own eyes: it is the ball of `mine`, which counts as seen while its age is below half a decision period (what a
-// teammate told is older).
+// which the host tells at every decision, so that the own count of B-Human is not needed. A frame does not
+// say whether the ball of `mine` is of the own eyes: it counts as seen while its age is below half a decision period
+// (what a teammate told is older). The extension regista.told would say it; this plugin is older and does not use it.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -9,6 +9,11 @@
 // and are computed from those here. Several robots that wait for the same silence would send at once and leave fewer
 // than the reserve: so when fewer than a packet for each robot are left above it the silence is asked for in any case,
 // and each robot waits some decisions longer, another number of them for each robot, in turn.
+//
+// The line is no hard limit. Robots that decide at the same moment all see the same packets left: when one packet is
+// left above the line, all may send at once, so that in play seven robots end up to seven packets below it. Before a
+// kick-off the clock stands, and the line with it, while packets go out: there it may be up to 30 packets. The
+// reserve of each half holds but for whistles, which have a reserve of their own (test_budget.cpp).
 #pragma once
 
 #include <algorithm>

@@ -129,8 +129,7 @@ TEST(Spending, BelowTheLineTheLongestOfThreeSilences) {
   EXPECT_NEAR(silence(last), 300.0 / 6.0, 0.002);
 }
 
-// --- Each cause alone
-// --------------------------------------------------------------------------------------------------
+// --- Each cause alone -----------------------------------------------------------------------------------------------
 
 // A robot that stands, sees the ball where everybody knows it, and has nothing to tell. Ten decisions a second.
 struct Quiet {
@@ -432,8 +431,7 @@ TEST(Motion, OnlyWhoIsNotWhereItIsBelievedTells) {
       }
       if (exact && said == 0.0 && tick == 50) {  // a new packet, so that it walks
         quiet.now.role = 9;
-        while (!quiet.step()) {
-        }
+        for (int left = 100; !quiet.step(); --left) ASSERT_GT(left, 0);
         quiet.now.told_role = 9;
         start = quiet.now.place;
         said = quiet.now.speed;

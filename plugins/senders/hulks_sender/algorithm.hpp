@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // When the HULKs speak (SPL, released code of 2024): a claim of the striker's role, and the word that it has lost the
 // ball, at once; the striker's claim again every 2 s; at least 1 s apart, only in Playing, and never with 20 packets
-// left or fewer. Nobody else speaks, so that one striker spends at most half a packet a second.
+// left or fewer. In Playing nobody else speaks, so that while one robot is the striker the team spends half a packet a
+// second, and one more at each change of striker.
 //
 // Ours: the least time holds for the lost ball, too. In Ready and Set each robot sends every `ready_period`: here
-// robots learn from packets alone who plays, there the game controller tells them.
+// robots learn from packets alone who plays, there the game controller tells them. With these packets they also learn
+// where the others stand before a kick-off.
 #pragma once
 
 #include <optional>

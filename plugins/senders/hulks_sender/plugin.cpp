@@ -15,7 +15,7 @@ using hulks_sender::Cause, hulks_sender::Settings;
 
 struct HulksSender {
   static constexpr auto id = "hulks_sender", version = "1.0.0",
-                        summary = "The striker's claim at once and every 2 s; nobody else speaks";
+                        summary = "The striker's claim at once and every 2 s; in Playing nobody else speaks";
   static constexpr unsigned reads = REGISTA_READS_NOTHING;
   static constexpr std::array<const char*, 2> reasons{"news_of_striker", "claim_again"};
 

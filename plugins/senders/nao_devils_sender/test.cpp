@@ -419,18 +419,36 @@ TEST(NaoDevilsSenderPlugin, WhatIsHeardTwiceOrTooLateCountsOnce) {
   EXPECT_EQ(other.decide(FrameBuilder{}.robot(3).previous(3, "striker")), -1);
 }
 
-TEST(NaoDevilsSenderPlugin, NothingIsAllocatedByTheAlgorithm) {
-  const Settings settings;
-  Sender sender;
-  const auto count = regista::testkit::allocations_during([&] {
-    for (int tick = 0; tick < 1000; ++tick) {
-      Situation now = quiet(0.1 * tick);
-      now.has_new_map = tick % 3 == 0;
-      sender.told(News::ball, now.time);
-      sender.decide(settings, now);
+std::vector<double> kept;  // outside of functions, so that no compiler leaves an allocation out
+
+TEST(NaoDevilsSenderPlugin, NothingIsAllocated) {
+  using namespace regista::testkit;
+  std::map<std::string, RecordingHost::CallCosts> costs;
+  Robot robot;
+  robot.instance.host().costs = &costs;
+  robot.instance.host().allocated = [] { return allocations; };  // but for the testkit's own
+  const std::vector<regista_offer> offers{{map_offer, 8, REGISTA_MEDIUM_RADIO, 1.0, 999.0},
+                                          {other_offer, 20, REGISTA_MEDIUM_RADIO, 0.4, 999.0}};
+  std::map<int, int> sent;
+  const std::size_t all = allocations_during([&] {
+    kept = std::vector<double>(1000);
+    for (int k = 0; k < 200; ++k) {
+      robot.instance.receive(1 + k % 9, std::vector<std::uint8_t>{static_cast<std::uint8_t>(k % 4)}, robot.time,
+                             robot.time + 0.1);
+      FrameBuilder frame;
+      frame.robot(3).at(0.2 * (k / 3 % 20), 0);
+      if (k % 7 == 0) frame.previous(3, "striker");
+      std::vector<regista_event> events;
+      if (k % 5 == 0) events.push_back({REGISTA_EVENT_BALL_MOVED, 0, 2.0});
+      ++sent[robot.decide(std::move(frame), events, k % 11 == 0 ? offers : std::vector<regista_offer>{})];
     }
   });
-  EXPECT_EQ(count, 0u);
+  EXPECT_GT(all, 0u);          // it does count
+  EXPECT_GT(sent.size(), 3u);  // packets of several kinds, and silence
+  EXPECT_EQ(costs["receive"].allocations, std::vector<std::size_t>(200, 0));
+  const std::vector<std::size_t>& of_decisions = costs["decide"].allocations;
+  EXPECT_EQ(of_decisions, std::vector<std::size_t>(of_decisions.size(), 0));
+  EXPECT_GE(of_decisions.size(), 200u);
 }
 
 REGISTA_SENDER_CONTRACT(REGISTA_PLUGIN_FILE, "nao_devils_sender");
