@@ -202,9 +202,10 @@ TEST(TeamWarnings, MoreGroupsThanRobots) {
   };
   EXPECT_EQ(missing(list(1, 1)), std::vector<std::string>{});
   EXPECT_EQ(missing(list(1, -1)), std::vector<std::string>{});
-  EXPECT_EQ(missing(list(4, 9)),
-            std::vector<std::string>{"t.yaml:10:29: warning: roles.usual.libero: group 9 makes 3 groups for 2 robots: some "
-                                     "group always goes without"});
+  EXPECT_EQ(
+      missing(list(4, 9)),
+      std::vector<std::string>{"t.yaml:10:29: warning: roles.usual.libero: group 9 makes 3 groups for 2 robots: some "
+                               "group always goes without"});
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Extension "regista.roles/0", a draft: what the team's page says of its roles beside the table of the environment, from
- * the moment an instance is created. The host's side only: what regista_host.extension gives. A host that has none
+ * Extension "regista.roles/0", a draft: what the team's page says of its roles beside the table of the environment,
+ * from the moment an instance is created. The host's side only: what regista_host.extension gives. A host that has none
  * gives null, and a plugin does without. C++: <regista/roles.hpp>.
  */
 /* clang-format off */

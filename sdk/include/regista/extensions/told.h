@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * Extension "regista.told/0", a draft: what robots of the own team said last, as they said it, whether this robot
- * itself sees the ball, and whom it is about to pass to. A frame has all of that too, but carried forward to now and fused with the rest; systems that
- * decide by what was communicated, and senders that ask what others must believe, need it as it was. The host's side
- * only: what regista_host.extension gives. A host that has none gives null, and a plugin does without.
- * C++: <regista/told.hpp>.
+ * itself sees the ball, and whom it is about to pass to. A frame has all of that too, but carried forward to now and
+ * fused with the rest; systems that decide by what was communicated, and senders that ask what others must believe,
+ * need it as it was. The host's side only: what regista_host.extension gives. A host that has none gives null, and a
+ * plugin does without. C++: <regista/told.hpp>.
  */
 /* clang-format off */
 #ifndef REGISTA_EXTENSIONS_TOLD_H
