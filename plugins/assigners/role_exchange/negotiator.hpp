@@ -118,6 +118,7 @@ class Negotiator {
       role_ = wish_ = no_role;
       has_sent_ = completes_ = false;
       mine() = {};
+      find_permutation(now);  // for what the others are taken to do; that of before was of other members
       return;
     }
     if (column_of(now, role_) == now.tasks.size()) role_ = no_role;
@@ -256,6 +257,7 @@ class Negotiator {
     }
     permutation_.resize(rows);
     best_.find({values_.data(), rows, columns, columns}, now.choice, now.order, permutation_);
+    if (own_row_ == rows) return;
     const std::int32_t own = permutation_[own_row_];
     wish_ = own == nobody ? no_role : now.tasks[static_cast<std::size_t>(own)];
   }

@@ -121,6 +121,20 @@ TEST(RoleExchangePlugin, APenalisedHolderIsReplacedAndItsReturnIsNoClaim) {
   EXPECT_EQ(robot.assign(back, utilities({0.8, 0.1, 0.1, 0.9})), (Rows{0, 1}));
 }
 
+// Who does not play itself sees others come and go: what it takes them to do is of those that play now.
+TEST(RoleExchangePlugin, ItsGuessesAreOfThoseThatPlayWhileItDoesNot) {
+  Instance robot(role_exchange_plugin(), EnvironmentBuilder{}.own(2));
+  EXPECT_EQ(robot.assign(pair(1.0).robot(3).penalised().build(), utilities({0.9, 0.1})), (Rows{0}));
+  FrameBuilder many = pair(1.1).robot(2).penalised();
+  for (int number = 4; number <= 7; ++number) many.robot(number);
+  many.task("jolly").task("libero").task("goalkeeper");
+  std::vector<double> all;
+  for (std::size_t row = 0; row < 5; ++row) {
+    for (std::size_t column = 0; column < 5; ++column) all.push_back((row + column) % 5 == 1 ? 0.9 : 0.1);
+  }
+  EXPECT_EQ(robot.assign(many.build(), utilities(all, 5)), (Rows{1, 0, 4, 3, 2}));
+}
+
 TEST(RoleExchangePlugin, ForbiddenPairsAndRequiredTasks) {
   Instance robot(role_exchange_plugin(), EnvironmentBuilder{}.own(2));
   EXPECT_EQ(robot.assign(pair(1.0).build(), utilities({forbidden, 0.1, 0.9, 0.9})), (Rows{1, 0}));
