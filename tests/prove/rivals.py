@@ -153,9 +153,9 @@ class Proof:
             for team, counts in zip(pairing["teams"], (games, games[::-1])):
                 records[team] = [a + b for a, b in zip(records[team], counts)]
         form = lambda value, spec: "-" if value is None else format(value, spec)  # noqa: E731
-        print("\n| | team | Elo | won, drawn, lost | overlap | uncovered | agreement | packets | bytes | of segments | call, µs "
+        print("\n| | team | Elo | won, drawn, lost | overlap | uncovered | agreement | nearest | packets | bytes | of segments | call, µs "
               "| match |")
-        print("|---" * 12 + "|")
+        print("|---" * 13 + "|")
         for place, each in enumerate(findings["ranking"], 1):
             team = each["team"]
             file = next(file for file in self.files if self.name(file) == team)
@@ -169,11 +169,12 @@ class Proof:
             self.rehearse(file)
             low, high = each["elo_interval"]
             interval = "" if low is None or high is None else f" ({low:.0f} to {high:.0f})"
-            agreement = mean(rows, "agreement")
+            agreement, nearest = mean(rows, "agreement"), mean(rows, "nearest_plays_ball")
             print(f"| {place} | `{team}` | {form(each['elo'], '.0f')}{interval} | {', '.join(map(str, records[team]))} | "
                   f"{form(mean(rows, 'rates.overlap_seconds_per_minute'), '.1f')} | "
                   f"{form(mean(rows, 'rates.uncovered_seconds_per_minute'), '.0f')} | "
                   f"{form(None if agreement is None else 100 * agreement, '.0f')} % | "
+                  f"{form(None if nearest is None else 100 * nearest, '.0f')} % | "
                   f"{form(mean(rows, 'packets'), '.0f')} | "
                   f"{form(total(rows, 'packet_bytes') / packets if packets else None, '.0f')} | "
                   f"{form(total(rows, 'segment_bytes') / packets if packets else None, '.1f')} | {half:.1f}, {most:.1f} | "
