@@ -258,6 +258,7 @@ void Mind::Parts::decide_to_send(const Percepts& percepts, Outcome& out) {
       coordination.sender().decide(decision.frame, events, mailboxes.pending(), budget());
   if (!send_decision.send) return;
   out.send = true;
+  out.packet.reserve(limits.size);  // once: segments would make it grow in the middle of a match
   encode(report(percepts), out.packet);
   out.send_reason = send_decision.reason;
   if (send_decision.reason >= REGISTA_REASON_OWN) {

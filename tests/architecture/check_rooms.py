@@ -12,7 +12,8 @@ import re
 import sys
 from pathlib import Path
 
-from rooms import C_HEADERS, CHECKS_PLUGINS, CONFINED, HOST_SEES_EXTENSIONS, HOST_SEES_OF_SDK, KNOWS, TESTKIT
+from rooms import (C_HEADERS, CHECKS_PLUGINS, CONFINED, HOST_SEES_EXTENSIONS, HOST_SEES_OF_SDK, KNOWS, PLUGINS_KNOW,
+                   SHARED_BY_A_KIND, TESTKIT)
 
 SOURCES = {".h", ".hpp", ".hh", ".c", ".cc", ".cpp", ".inl", ".ipp", ".in"}
 TEST = re.compile(r"(test|test_.*|tests|.*_test|.*_benchmark|benchmark.*)\.[a-z]+$")
@@ -103,7 +104,9 @@ def stranger(root, path, target, quoted):
         if found is None:
             return "it by quotes, which are for its own files" if quoted else None
         kind = "/".join(room.split("/")[:2])
-        own = found.startswith("sdk/include/regista/") or room_of(found) in (room, kind)
+        other = room_of(found)
+        own = found.startswith("sdk/include/regista/") or other in (room, kind) or other in PLUGINS_KNOW.get(room, ()) or (
+            other in SHARED_BY_A_KIND and other.startswith(kind + "/"))
         return None if own else room_of(found) or posixpath.dirname(found)
     # sdk: author's headers know the standard library and each other; the testkit also GoogleTest and what it likes
     # from outside of the tree.

@@ -31,6 +31,20 @@ KNOWS = {
 # What of the SDK the host may include: the interface, and the extensions of it.
 HOST_SEES_OF_SDK = "regista/abi.h"
 HOST_SEES_EXTENSIONS = "regista/extensions/"
+# What plugins may include beside their own folder and what their kind shares: a published system often is another one with
+# something added.
+PLUGINS_KNOW = {
+    "plugins/assigners/b_human": {"plugins/assigners/scram"},
+    "plugins/assigners/delayed_greedy": {"plugins/assigners/greedy"},
+    "plugins/assigners/nao_devils": {"plugins/assigners/scram"},
+    "plugins/assigners/precedence_auction": {"plugins/assigners/distributed_auction"},
+    "plugins/assigners/role_exchange": {"plugins/assigners/hungarian"},
+    "plugins/assigners/scram_vote": {"plugins/assigners/scram"},
+    "plugins/utilities/effort_to_pose": {"plugins/utilities/inverse_distance"},
+}
+# Folders that are no plugin, and are shared by those of their kind.
+SHARED_BY_A_KIND = {"plugins/assigners/negotiation"}
+
 # The room that checks plugins plays the testkit's checks, which know nothing of the host.
 CHECKS_PLUGINS, TESTKIT = "check", "regista/testkit/"
 

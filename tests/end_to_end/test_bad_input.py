@@ -102,7 +102,7 @@ class CommandLine(BadInput):
     def test_kind_of_schema(self):
         self.assert_refused(("config", "schema", "robots"),
                             'config schema: unknown kind of document "robots"; nearest: "robot"; '
-                            "known: rules, robot, disturbance, opening, team, predictor_study, experiment, tuning")
+                            "known: rules, robot, disturbance, opening, team, predictor_study, tournament, experiment, tuning")
 
     def test_control_characters_stay_in_one_line(self):
         self.assert_refused(("match\n\x1b[31m",), r'unknown command "match\n\x1b[31m" in regista; '

@@ -125,7 +125,7 @@ TEST(Profiles, WhatIsRefused) {
   const std::pair<std::string_view, std::string_view> cases[] = {
       // Keys and types
       {"x: 1\n",
-       "t.yaml:1:1: no key says what this is: rules, robot, disturbance, opening, team, predictor_study, "
+       "t.yaml:1:1: no key says what this is: rules, robot, disturbance, opening, team, predictor_study, tournament, "
        "experiment or tuning, with its name"},
       {"rules: a\nfield:\n  lenght: 9\n",
        "t.yaml:3:3: unknown key \"lenght\" in field; nearest: \"length\"; known: length, width, border_strip, "
