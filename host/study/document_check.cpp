@@ -78,34 +78,30 @@ class Checker {
         if (mistakes.none()) const Forecaster forecaster(study, catalogue_);  // what its plugin refuses
         break;
       }
-      case DocumentKind::tournament: {
+      case DocumentKind::tournament:
         config::read_tournament(document, mistakes);
-        if (!mistakes.none()) break;
-        TournamentRequest tournament;
-        tournament.file = out.file;
-        tournament.plugins = plugins_;
-        check_tournament(tournament, catalogue_, mistakes);  // every team from every scene
+        look_at_study(check_tournament, out, mistakes);  // every team from every scene
         break;
-      }
-      case DocumentKind::experiment: {
+      case DocumentKind::experiment:
         config::read_experiment(document, mistakes);
-        if (!mistakes.none()) break;
-        ExperimentRequest experiment;
-        experiment.file = out.file;
-        experiment.plugins = plugins_;
-        check_experiment(experiment, catalogue_, mistakes);  // every arm at every value
+        look_at_study(check_experiment, out, mistakes);  // every arm at every value
         break;
-      }
-      case DocumentKind::tuning: {
+      case DocumentKind::tuning:
         config::read_tuning(document, mistakes);
-        if (!mistakes.none()) break;
-        TuningRequest tuning;
-        tuning.file = out.file;
-        tuning.plugins = plugins_;
-        check_tuning(tuning, catalogue_, mistakes);  // team, opponents, parameters
+        look_at_study(check_tuning, out, mistakes);  // team, opponents, parameters
         break;
-      }
     }
+  }
+
+  // A study whose document is sound in itself: whether it can be planned.
+  template <class Request>
+  void look_at_study(void (*plan)(const Request&, const plugin::Catalogue&, config::Mistakes&),
+                     const DocumentCheck& out, config::Mistakes& mistakes) const {
+    if (!mistakes.none()) return;
+    Request request;
+    request.file = out.file;
+    request.plugins = plugins_;
+    plan(request, catalogue_, mistakes);
   }
 
   void look_at_team(const config::Node& document, DocumentCheck& out, config::Mistakes& mistakes) const {
