@@ -39,7 +39,11 @@ void watch(const Worker& worker, std::vector<pollfd>& watched, int& patient) {
 class Engine {
  public:
   Engine(const Schedule& schedule, Store& store, int workers, const Limits& limits)
-      : schedule_(schedule), store_(store), workers_(static_cast<std::size_t>(workers)), limits_(limits) {}
+      : schedule_(schedule),
+        store_(store),
+        workers_(static_cast<std::size_t>(workers)),
+        limits_(limits),
+        server_(limits, [this] { end_strays(); }) {}
 
   Finish run() {
     while (due_ < schedule_.matches) {
@@ -55,9 +59,7 @@ class Engine {
         }
         decide(*runs_[i]);
         runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(i));
-        std::vector<pid_t> ours;
-        for (const auto& run : runs_) ours.push_back(run->match.worker().process());
-        descendants_.end_all_but(ours);
+        end_strays();
       }
     }
     return Finish::complete;
@@ -68,6 +70,13 @@ class Engine {
     std::optional<Decided> decided;
     bool fresh;
   };
+
+  // What plugins have started, and workers of a server that died before it could tell of them.
+  void end_strays() const {
+    std::vector<pid_t> ours{server_.process()};
+    for (const auto& run : runs_) ours.push_back(run->match.worker().process());
+    descendants_.end_all_but(ours);
+  }
 
   // Gives every free worker a match.
   void fill() {
@@ -90,7 +99,7 @@ class Engine {
       const bool twice = limits_.play_twice && schedule_.twice && schedule_.twice(index);
       std::string failure_record = schedule_.record_failure ? schedule_.record_failure(index) : std::string();
       runs_.emplace_back(
-          new Run{*key, {index}, MatchRun(schedule_.job(index), limits_, twice, std::move(failure_record))});
+          new Run{*key, {index}, MatchRun(schedule_.job(index), limits_, twice, std::move(failure_record), &server_)});
     }
   }
 
@@ -129,6 +138,7 @@ class Engine {
   std::size_t workers_;
   Limits limits_;
   plugin::Descendants descendants_;
+  ForkServer server_;
   std::vector<std::unique_ptr<Run>> runs_;
   std::map<std::uint64_t, Waiting> decided_;  // by index, not yet handed on
   std::uint64_t next_ = 0, due_ = 0;

@@ -53,16 +53,24 @@ std::string input_of(const Job& job, const std::string& name) {
   return found == job.common_inputs.end() ? std::string() : found->hash;
 }
 
+FoundInputs inputs_of(const MatchSetup& prepared, const plugin::Catalogue& catalogue, const std::string& program,
+                      const std::string& mathematics, const std::string& root) {
+  return {team_inputs(*prepared.plans[0], *prepared.documents[0], catalogue, root),
+          team_inputs(*prepared.plans[1], *prepared.documents[1], catalogue, root),
+          common_inputs(prepared.setup, program, mathematics)};
+}
+
 std::string what_changed(const Job& job, const MatchSetup& prepared, const plugin::Catalogue& catalogue,
                          const std::string& program, const std::string& mathematics, const std::string& root) {
   if (job.common_inputs.empty()) return {};  // nobody has counted them up
-  const auto home = team_inputs(*prepared.plans[0], prepared.documents[0], catalogue, root);
-  const auto away = team_inputs(*prepared.plans[1], prepared.documents[1], catalogue, root);
-  const auto common = common_inputs(prepared.setup, program, mathematics);
+  return what_changed(job, inputs_of(prepared, catalogue, program, mathematics, root));
+}
+
+std::string what_changed(const Job& job, const FoundInputs& now) {
   std::vector<std::string> changed;
-  for (const auto& [before, now] :
-       {std::pair{&job.home_inputs, &home}, {&job.away_inputs, &away}, {&job.common_inputs, &common}}) {
-    for (std::string& each : differences(*before, *now)) {
+  for (const auto& [before, found] :
+       {std::pair{&job.home_inputs, &now.home}, {&job.away_inputs, &now.away}, {&job.common_inputs, &now.common}}) {
+    for (std::string& each : differences(*before, *found)) {
       if (std::ranges::find(changed, each) == changed.end()) changed.push_back(std::move(each));
     }
   }

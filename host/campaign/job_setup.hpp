@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "campaign/job.hpp"
 #include "campaign/match_setup.hpp"
@@ -16,7 +17,17 @@ MatchRequest request_of(const Job& job);
 // The hash of one of the inputs that both teams share; empty when the job has none of this name.
 std::string input_of(const Job& job, const std::string& name);
 
-// Everything that differs from what the job was, in words; empty when nothing does. root: see team_inputs().
+// What the files hold now of all that a match is a function of.
+struct FoundInputs {
+  std::vector<Input> home, away, common;
+};
+
+// root: see team_inputs().
+FoundInputs inputs_of(const MatchSetup& prepared, const plugin::Catalogue& catalogue, const std::string& program,
+                      const std::string& mathematics, const std::string& root = {});
+
+// Everything that differs from what the job was, in words; empty when nothing does.
+std::string what_changed(const Job& job, const FoundInputs& now);
 std::string what_changed(const Job& job, const MatchSetup& prepared, const plugin::Catalogue& catalogue,
                          const std::string& program, const std::string& mathematics, const std::string& root = {});
 

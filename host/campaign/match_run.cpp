@@ -21,8 +21,12 @@ void remove(const std::string& file) {
 
 }  // namespace
 
-MatchRun::MatchRun(Job job, const Limits& limits, bool twice, std::string failure_record)
-    : job_(std::move(job)), limits_(limits), twice_(twice), failure_record_(std::move(failure_record)) {
+MatchRun::MatchRun(Job job, const Limits& limits, bool twice, std::string failure_record, ForkServer* server)
+    : job_(std::move(job)),
+      limits_(limits),
+      twice_(twice),
+      failure_record_(std::move(failure_record)),
+      server_(server) {
   for (const std::string& file : job_.plugin_files) plugin_files_.emplace_back(file, plugin::stamp_of(file));
   if (twice_) trail_ = std::make_unique<TrailFile>();
   start(Stage::first);
@@ -51,7 +55,7 @@ void MatchRun::start(Stage stage) {
     ++plays_;
   }
   if (job.trail) trail_->clear();
-  worker_ = std::make_unique<Worker>(job, limits_, note_, job.trail ? trail_->descriptor() : -1);
+  worker_ = std::make_unique<Worker>(job, limits_, note_, job.trail ? trail_->descriptor() : -1, server_);
 }
 
 bool MatchRun::advance() {

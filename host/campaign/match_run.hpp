@@ -22,8 +22,9 @@ namespace regista::campaign {
 class MatchRun {
  public:
   // twice: a second play holds the first to account. failure_record: the file for the recording of a match that fails;
-  // empty: none. Throws std::system_error when a worker cannot be started.
-  MatchRun(Job job, const Limits& limits, bool twice, std::string failure_record);
+  // empty: none. server: who may start workers more cheaply, outlives this; null: nobody. Throws std::system_error when
+  // a worker cannot be started.
+  MatchRun(Job job, const Limits& limits, bool twice, std::string failure_record, ForkServer* server = nullptr);
   MatchRun(const MatchRun&) = delete;  // its worker writes into its note
   MatchRun& operator=(const MatchRun&) = delete;
 
@@ -58,6 +59,7 @@ class MatchRun {
   Limits limits_;
   bool twice_;
   std::string failure_record_;
+  ForkServer* server_;
   std::vector<std::pair<std::string, plugin::FileStamp>> plugin_files_;  // before they were opened
   Stage stage_ = Stage::first;
   SharedNote note_;

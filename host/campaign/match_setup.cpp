@@ -95,7 +95,23 @@ std::uint64_t parse_seed(const std::string& text, const std::string& option) {
   return seed;
 }
 
+TeamSetup team_setup(const std::string& file, const config::Overrides& overrides, const config::Rules& rules,
+                     const config::Robot& robot, const plugin::Catalogue& catalogue) {
+  const auto document = std::make_shared<const config::Node>(config::load(file, overrides));
+  const config::Team team = config::read_team(*document);
+  config::check(team, rules, *document);
+  return {document, std::make_shared<const mind::TeamPlan>(team, rules, robot, catalogue),
+          config::warnings(team, rules, *document)};
+}
+
 MatchSetup match_setup(const MatchRequest& request, const plugin::Catalogue& catalogue) {
+  return match_setup(request, [&catalogue](const std::string& file, const config::Overrides& overrides,
+                                           const config::Rules& rules, const config::Robot& robot) {
+    return team_setup(file, overrides, rules, robot, catalogue);
+  });
+}
+
+MatchSetup match_setup(const MatchRequest& request, const ReadTeam& read_team) {
   MatchSetup out;
   out.setup.seed = parse_seed(request.seed, "--seed");
   if (!request.limit.empty()) out.setup.limit = parse_limit(request.limit);
@@ -124,18 +140,15 @@ MatchSetup match_setup(const MatchRequest& request, const plugin::Catalogue& cat
   config::fit_packets(out.setup.rules, match::limit_of(out.setup), out.setup.opening.has_value());
 
   for (const match::Side side : match::both_sides) {
-    const std::string& file = request.teams[match::index(side)];
-    Node& document = out.documents[match::index(side)];
-    out.plans[match::index(side)] = overrides.read(match::name(side), [&](const config::Overrides& of_this) {
-      document = config::load(file, of_this);
-      const config::Team team = config::read_team(document);
-      config::check(team, out.setup.rules, document);
-      for (config::Warning& each : config::warnings(team, out.setup.rules, document)) {
-        const auto same = [&](const config::Warning& other) { return to_string(other) == to_string(each); };
-        if (std::ranges::none_of(out.warnings, same)) out.warnings.push_back(std::move(each));
-      }
-      return std::make_unique<const mind::TeamPlan>(team, out.setup.rules, robot, catalogue);
+    TeamSetup team = overrides.read(match::name(side), [&](const config::Overrides& of_this) {
+      return read_team(request.teams[match::index(side)], of_this, out.setup.rules, robot);
     });
+    for (config::Warning& each : team.warnings) {
+      const auto same = [&](const config::Warning& other) { return to_string(other) == to_string(each); };
+      if (std::ranges::none_of(out.warnings, same)) out.warnings.push_back(std::move(each));
+    }
+    out.documents[match::index(side)] = std::move(team.document);
+    out.plans[match::index(side)] = std::move(team.plan);
   }
   return out;
 }

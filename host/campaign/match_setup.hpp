@@ -4,12 +4,16 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "config/load.hpp"
 #include "config/node.hpp"
+#include "config/robot.hpp"
+#include "config/rules.hpp"
 #include "config/team_warnings.hpp"
 #include "match/match.hpp"
 #include "mind/team_plan.hpp"
@@ -27,14 +31,30 @@ struct MatchRequest {
   std::string seed = "1", limit;       // as typed; no limit: empty
 };
 
-struct MatchSetup {
-  match::Setup setup;                                          // its roles are left to match::play
-  std::array<std::unique_ptr<const mind::TeamPlan>, 2> plans;  // by side; they need the catalogue
-  std::array<config::Node, 2> documents;                       // of the teams, by side, with --set laid over
-  std::vector<config::Warning> warnings;                       // of the teams, each once
+// A team as a match has it.
+struct TeamSetup {
+  std::shared_ptr<const config::Node> document;  // with --set laid over
+  std::shared_ptr<const mind::TeamPlan> plan;    // needs the catalogue
+  std::vector<config::Warning> warnings;
 };
 
+struct MatchSetup {
+  match::Setup setup;                                            // its roles are left to match::play
+  std::array<std::shared_ptr<const mind::TeamPlan>, 2> plans;    // by side; they need the catalogue
+  std::array<std::shared_ptr<const config::Node>, 2> documents;  // of the teams, by side, with --set laid over
+  std::vector<config::Warning> warnings;                         // of the teams, each once
+};
+
+// Reads a team's page. Throws config::Error.
+TeamSetup team_setup(const std::string& file, const config::Overrides& overrides, const config::Rules& rules,
+                     const config::Robot& robot, const plugin::Catalogue& catalogue);
+
+// Who reads the team of a side: as team_setup() does, or who has read it before.
+using ReadTeam = std::function<TeamSetup(const std::string& file, const config::Overrides& overrides,
+                                         const config::Rules& rules, const config::Robot& robot)>;
+
 // Throws config::BadInput and config::Error.
+MatchSetup match_setup(const MatchRequest& request, const ReadTeam& read_team);
 MatchSetup match_setup(const MatchRequest& request, const plugin::Catalogue& catalogue);
 
 // A whole number from 0 to 2^64 - 1 in decimal digits. `option`: who asks, for the message. Throws config::BadInput.

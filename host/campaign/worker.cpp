@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,13 +13,13 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <ctime>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "campaign/descriptor.hpp"
 #include "campaign/process.hpp"
-#include "config/sanitized.hpp"
+#include "campaign/worker_process.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -28,22 +27,7 @@ namespace {
 // A match is answered in some ten kilobytes; who writes without end is stopped.
 constexpr std::size_t longest_answer = std::size_t{16} << 20;
 
-constexpr rlim_t stack = rlim_t{8} << 20;  // bytes: an endless recursion ends here, whatever the user's own limit is
-
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
-
-// A file descriptor that is closed at the end.
-struct Descriptor {
-  int number = -1;
-  explicit Descriptor(int opened) : number(opened) {}
-  ~Descriptor() { reset(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  void reset() {
-    if (number != -1) close(number);
-    number = -1;
-  }
-};
 
 // The job as a file without a name, from its beginning: unlike a pipe it never fills.
 int file_of(const std::string& text) {
@@ -56,58 +40,29 @@ int file_of(const std::string& text) {
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
   lseek(file.number, 0, SEEK_SET);
-  return std::exchange(file.number, -1);
+  return file.release();
 }
 
-bool limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
-  rlimit now{};
-  if (getrlimit(resource, &now) == -1) return false;
-  const rlimit wanted{std::min(soft, now.rlim_max), std::min(hard, now.rlim_max)};
-  return setrlimit(resource, &wanted) == 0;
-}
-
-struct Inherited {
-  int job, answer, note, output, trail;  // trail: -1 for none
-  bool elsewhere;
+struct Start {
+  WorkerFiles files;
+  int job;
   pid_t coordinator;
+  bool elsewhere;
 };
 
 // Between fork and exec: only calls that are safe in a signal handler.
-[[noreturn]] void become_worker(const Inherited& given, const Limits& limits) {
+[[noreturn]] void execute_worker(const Start& start, const Limits& limits) {
   constexpr int cannot = 127;
-  setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != given.coordinator) _exit(cannot);  // it died before it could be watched
-  // Out of the way of the numbers they are to have, which are not closed at exec.
-  const int job = fcntl(given.job, F_DUPFD, 10), answer = fcntl(given.answer, F_DUPFD, 10),
-            note = fcntl(given.note, F_DUPFD, 10), output = fcntl(given.output, F_DUPFD, 10),
-            trail = given.trail == -1 ? open("/dev/null", O_WRONLY) : fcntl(given.trail, F_DUPFD, 10),
-            nothing = open("/dev/null", O_WRONLY);
-  if (job == -1 || answer == -1 || note == -1 || output == -1 || trail == -1 || nothing == -1) _exit(cannot);
-  const bool placed = dup2(job, STDIN_FILENO) != -1 && dup2(nothing, STDOUT_FILENO) != -1 &&
-                      dup2(output, STDERR_FILENO) != -1 && dup2(answer, answer_descriptor) != -1 &&
-                      dup2(note, note_descriptor) != -1 && dup2(trail, trail_descriptor) != -1;
-  if (!placed) _exit(cannot);
-  for (const int each : {job, answer, note, output, trail, nothing}) {
-    if (each > trail_descriptor) close(each);
-  }
-  const auto seconds = static_cast<rlim_t>(limits.match_seconds());
-  bool limited =
-      limit(RLIMIT_CPU, seconds, seconds + 2) && limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_STACK, stack, stack);
-  // A sanitizer reserves more addresses than there is memory.
-  if (limits.memory != 0 && !addresses_are_reserved())
-    limited = limited && limit(RLIMIT_AS, limits.memory, limits.memory);
-  if (!limited) _exit(cannot);
-  for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGPIPE, SIGXFSZ, SIGXCPU}) std::signal(each, SIG_DFL);
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
+  const int job = fcntl(start.job, F_DUPFD, 10);
+  if (job == -1 || !become_worker(start.files, limits, start.coordinator)) _exit(cannot);
+  if (dup2(job, STDIN_FILENO) == -1) _exit(cannot);
+  close(job);
   // The program that runs now, even when its file has been replaced meanwhile.
   std::array<char, 8> name{"regista"};
   std::array<char, 16> command{};
   std::strncpy(command.data(), worker_command, command.size() - 1);
   char* const arguments[] = {name.data(), command.data(), nullptr};
-  if (!given.elsewhere) execv("/proc/self/exe", arguments);
+  if (!start.elsewhere) execv("/proc/self/exe", arguments);
   // What a match must not depend on is another than in the first play.
   static char padding[4096] = "REGISTA_SECOND_PLAY=";
   memset(padding + 20, 'x', sizeof padding - 21);
@@ -119,13 +74,20 @@ struct Inherited {
   _exit(cannot);
 }
 
+pid_t start_program(const Start& start, const Limits& limits) {
+  const pid_t process = fork();
+  if (process == -1) fail("cannot start a worker");
+  if (process == 0) execute_worker(start, limits);
+  return process;
+}
+
 double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 }  // namespace
 
-Worker::Worker(const Job& job, const Limits& limits, SharedNote& note, int trail)
+Worker::Worker(const Job& job, const Limits& limits, SharedNote& note, int trail, ForkServer* server)
     : limits_(limits), note_(note), isolated_(job.isolated) {
   note_.clear();
   const Descriptor given(file_of(to_json(job)));
@@ -140,14 +102,18 @@ Worker::Worker(const Job& job, const Limits& limits, SharedNote& note, int trail
   // The reading ends alone: what the worker inherits must block.
   fcntl(reading.number, F_SETFL, O_NONBLOCK);
   fcntl(reading_output.number, F_SETFL, O_NONBLOCK);
-  const Inherited inherited{given.number, writing.number, note.descriptor(), writing_output.number,
-                            trail,        job.elsewhere,  getpid()};
-  process_ = fork();
-  if (process_ == -1) fail("cannot start a worker");
-  if (process_ == 0) become_worker(inherited, limits);
+  const WorkerFiles files{writing.number, note.descriptor(), writing_output.number, trail};
+  if (server != nullptr) process_ = server->start(job, given.number, files);
+  if (process_ == -1) {
+    // A server that has died may have begun it.
+    note_.clear();
+    if (trail != -1 && (ftruncate(trail, 0) == -1 || lseek(trail, 0, SEEK_SET) == -1))
+      fail("cannot begin a match anew");
+    process_ = start_program({files, given.number, getpid(), job.elsewhere}, limits);
+  }
   setpgid(process_, process_);  // whoever of the two comes first
-  pipe_ = std::exchange(reading.number, -1);
-  output_pipe_ = std::exchange(reading_output.number, -1);
+  pipe_ = reading.release();
+  output_pipe_ = reading_output.release();
 }
 
 Worker::~Worker() {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One match in a process of its own: this program started once more, with limits, a pipe for its answer and a shared
-// note of whose call is under way. Isolation from accidents, not from malice: a plugin can do whatever its user can.
-//
-// The worker dies with its coordinator (PR_SET_PDEATHSIG) and stands in a process group of its own, so that Ctrl-C on
-// the terminal reaches the coordinator alone.
+// One match in a process of its own, with limits, a pipe for its answer and a shared note of whose call is under way:
+// this program started once more, or a copy of one that has read the teams already (fork_server.hpp). Isolation from
+// accidents, not from malice: a plugin can do whatever its user can.
 #pragma once
 
 #include <sys/types.h>
@@ -11,23 +9,14 @@
 #include <chrono>
 #include <optional>
 #include <string>
-#include <string_view>
 
+#include "campaign/fork_server.hpp"
 #include "campaign/job.hpp"
 #include "campaign/kept_output.hpp"
 #include "campaign/limits.hpp"
 #include "campaign/shared_note.hpp"
 
 namespace regista::campaign {
-
-// File descriptors of a worker.
-inline constexpr int answer_descriptor = 3, note_descriptor = 4, trail_descriptor = 5;
-
-// Stands before the answer: what a plugin may have written there by accident is not taken for it.
-inline constexpr std::string_view answer_mark = "\nregista-answer:";
-
-// The hidden command of the program that a worker runs: a Job on standard input, an Answer to answer_descriptor.
-inline constexpr const char* worker_command = "play-one";
 
 // How a worker ended.
 struct End {
@@ -52,8 +41,9 @@ struct End {
 class Worker {
  public:
   // `note` is cleared and outlives the worker. trail: a descriptor that the worker writes digests of decisions to, or
-  // -1. Throws std::system_error when the process cannot be started.
-  Worker(const Job& job, const Limits& limits, SharedNote& note, int trail = -1);
+  // -1. server: who may start it more cheaply; null: nobody. Throws std::system_error when the process cannot be
+  // started.
+  Worker(const Job& job, const Limits& limits, SharedNote& note, int trail = -1, ForkServer* server = nullptr);
   // Kills it if it still runs.
   ~Worker();
   Worker(const Worker&) = delete;

@@ -82,6 +82,7 @@ void add_commands(Command& program, const Invocation& invocation) {
   add_evaluate_predictor(program, invocation);
   add_metrics(program);
   add_play_one(program, invocation);
+  add_fork_server(program);
   add_completion(program);
   Command& plugin = program.add("plugin", "the plugins that there are");
   plugin.notes(plugin_examples);

@@ -12,6 +12,7 @@ void add_experiment(Command& program, const Invocation& invocation);
 void add_tune(Command& program, const Invocation& invocation);
 void add_evaluate_predictor(Command& program, const Invocation& invocation);
 void add_play_one(Command& program, const Invocation& invocation);
+void add_fork_server(Command& program);
 void add_report(Command& program, const Invocation& invocation);
 void add_sprt(Command& program);
 void add_rank(Command& program);

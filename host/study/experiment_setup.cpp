@@ -161,12 +161,12 @@ class Planner {
         job = job_of(reading_, arm, side, settings);
         campaign::MatchSetup prepared =
             settled_match(job, side, settings, job_of(reading_, arm, 0, {}), reading_.catalogue);
-        job.home_inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], reading_.catalogue);
-        job.away_inputs = campaign::team_inputs(*prepared.plans[1], prepared.documents[1], reading_.catalogue);
+        job.home_inputs = campaign::team_inputs(*prepared.plans[0], *prepared.documents[0], reading_.catalogue);
+        job.away_inputs = campaign::team_inputs(*prepared.plans[1], *prepared.documents[1], reading_.catalogue);
         job.common_inputs = campaign::common_inputs(prepared.setup, program, mathematics);
         if (side == 1) continue;
-        if (value == 0) plan_.documents.push_back(shown(prepared.documents[0]));
-        if (opponent.empty()) opponent = shown(prepared.documents[1]);
+        if (value == 0) plan_.documents.push_back(shown(*prepared.documents[0]));
+        if (opponent.empty()) opponent = shown(*prepared.documents[1]);
         paths_.push_back(metric_paths_of(*prepared.plans[0]));
         if (value == 0) roles_.push_back(roles_of(*prepared.plans[0]));
         setups_.push_back(std::move(prepared.setup));

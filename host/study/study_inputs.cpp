@@ -86,7 +86,7 @@ std::vector<std::string> settable_paths(const campaign::Job& bare, const plugin:
   };
   const auto declarations = plugin::declarations(catalogue.plugins());
   const auto team = [&](std::size_t side) {
-    return config::show(prepared.documents[side], declarations, config::Remarks::without);
+    return config::show(*prepared.documents[side], declarations, config::Remarks::without);
   };
   const auto profile = [](const config::Map& map) { return config::show(map, {}, {}, config::Remarks::without); };
   add("", team(0));

@@ -344,9 +344,9 @@ static PlannedTournament plan_of(const TournamentRequest& given, const plugin::C
       mistakes.attempt("test.metric", [&] { require_metric(plan, *prepared.plans[0], asked); });
     }
     plan.teams[team].label = prepared.plans[0]->team().name;
-    plan.teams[team].inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue);
+    plan.teams[team].inputs = campaign::team_inputs(*prepared.plans[0], *prepared.documents[0], catalogue);
     out.documents.push_back(
-        config::show(prepared.documents[0], plugin::declarations(catalogue.plugins()), config::Remarks::without));
+        config::show(*prepared.documents[0], plugin::declarations(catalogue.plugins()), config::Remarks::without));
     plan.common_inputs = campaign::common_inputs(without_opening(prepared.setup), program, mathematics);
     if (scenes.empty()) plan.most_goals = match::most_goal_difference(prepared.setup);
   };

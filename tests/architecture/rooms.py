@@ -37,6 +37,7 @@ PLUGINS_KNOW = {
     "plugins/assigners/b_human": {"plugins/assigners/scram"},
     "plugins/assigners/delayed_greedy": {"plugins/assigners/greedy"},
     "plugins/assigners/nao_devils": {"plugins/assigners/scram"},
+    "plugins/assigners/negotiation": {"plugins/assigners/static_partition"},
     "plugins/assigners/precedence_auction": {"plugins/assigners/distributed_auction"},
     "plugins/assigners/role_exchange": {"plugins/assigners/hungarian"},
     "plugins/assigners/scram_vote": {"plugins/assigners/scram"},

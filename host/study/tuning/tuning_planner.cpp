@@ -165,11 +165,11 @@ TuningOpponent TuningPlanner::opponent_of(const std::string& file, double weight
     const campaign::Job bare = job_of(file, 0, is_base);
     for (const Setting& each : settings) job.overrides.push_back(override_of(each, side));
     campaign::MatchSetup prepared = settled_match(job, side, settings, bare, catalogue_);
-    job.home_inputs = campaign::team_inputs(*prepared.plans[0], prepared.documents[0], catalogue_);
-    job.away_inputs = campaign::team_inputs(*prepared.plans[1], prepared.documents[1], catalogue_);
+    job.home_inputs = campaign::team_inputs(*prepared.plans[0], *prepared.documents[0], catalogue_);
+    job.away_inputs = campaign::team_inputs(*prepared.plans[1], *prepared.documents[1], catalogue_);
     job.common_inputs = campaign::common_inputs(prepared.setup, program_, mathematics_);
     if (side == 1) continue;
-    if (!base_) base_ = prepared.documents[0];
+    if (!base_) base_ = *prepared.documents[0];
     paths_ = metric_paths_of(*prepared.plans[0]);
     setups_.push_back(std::move(prepared.setup));
   }

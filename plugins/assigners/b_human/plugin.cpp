@@ -11,19 +11,23 @@
 // like the others; what a silent robot said of its task and its ball counts for 25 s, and who was never heard stands
 // where the team's predictor has it.
 //
-// Messages: statement.hpp. The own row of the table is what left in the last packet (transmitted), so an offer that is
-// dropped leaves the older statement in force, here as with the teammates.
+// What was sent the extension regista.told says: of each teammate the newest packet that was heard, of this robot the
+// last one that left. So a packet that is lost leaves the older row in force until the next. A host without the
+// extension cannot have this assigner.
+//
+// Messages: statement.hpp, the tasks of a robot. The own list is the one that left in a packet (transmitted); who sends
+// a packet without one, or whose offer is dropped, has the list that it sent before, here as with the teammates.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <regista/assigner.hpp>
 #include <regista/mailbox.hpp>
+#include <regista/told.hpp>
 
 #include "../negotiation/standing_offer.hpp"
 #include "../task_order.hpp"
@@ -38,7 +42,7 @@ using b_human::ActiveRule;
 using b_human::Candidate;
 using b_human::Member;
 using b_human::Position;
-using b_human::Statement;
+using b_human::TaskList;
 
 constexpr double never = -std::numeric_limits<double>::infinity();
 
@@ -90,23 +94,22 @@ struct BHuman {
           regista::real("off_when_far", &ActiveRule::off_when_far, {0.0, 100.0}, "m",
                         "The same for one far from its ball; B-Human: 1.55"))};
 
-  // The newest statement of each robot, by number - 1; the own one as it left.
+  // What each robot said last, by number - 1; the own row as it left.
   struct Entry {
-    bool known = false;
-    bool is_new = false;       // it has not been looked at
-    bool ball_is_off = false;  // of a teammate: see active_player.hpp
-    double time_sent = never;
-    Statement said;
+    std::optional<regista::ToldPacket> said;
+    bool ball_is_off = false;       // of a teammate: see active_player.hpp
+    std::optional<TaskList> tasks;  // the newest, perhaps of an older packet
+    double tasks_sent = never;
   };
 
   int own_number = 1;
   std::size_t roles = 0;
-  std::vector<const char*> names;  // of roles; they live as long as the instance
-  double half_period = 0.05;
+  std::vector<const char*> names;    // of roles; they live as long as the instance
   std::vector<bool> is_active_role;  // by row of the table of roles
   std::vector<Entry> table;
+  regista::Told told;
   negotiation::StandingOffer offer;
-  Statement next;  // as it was last offered
+  TaskList next;  // as it was last offered
   double now = 0.0, ball_seen_at = never;
   b_human::Positions positions;
   std::vector<Member> members;
@@ -117,17 +120,20 @@ struct BHuman {
   std::vector<std::int32_t> assigned;
   std::vector<std::uint8_t> bytes;
 
-  void setup(const regista::Environment& environment, regista::Mailbox mailbox) {
+  void setup(const regista::Environment& environment, const regista::Host& host) {
+    if (host.extension<regista_told>(REGISTA_TOLD_EXTENSION) == nullptr) {
+      throw std::runtime_error("needs a host with the extension " REGISTA_TOLD_EXTENSION);
+    }
+    told = regista::Told(host);
     const std::size_t robots = environment->team_size;
     own_number = environment->own_number;
-    half_period = 0.5 * environment->decision_period;
     roles = std::min(environment.roles().size(), b_human::most_roles);
     for (const regista::Role& role : environment.roles()) {
       names.push_back(role.name);
       is_active_role.push_back(active_role == role.name);
     }
     table.resize(robots);
-    offer.setup(mailbox, b_human::statement_bytes(roles));
+    offer.setup(host.mailbox(), b_human::statement_bytes(roles));
     bytes.reserve(b_human::statement_bytes(roles));
     positions.reserve(robots, environment.roles().size());
     members.reserve(robots);
@@ -150,7 +156,7 @@ struct BHuman {
   void assign(const regista::Frame& frame, regista::UtilityMatrix utilities, regista::Assignment out) {
     now = frame.time();
     look_at_ball(frame.mine());
-    compare_balls(frame.mine());
+    look_at_packets(frame.mine());
     list_tasks(frame.tasks());
     list_members(frame);
     assigned.assign(out.size(), regista::Assignment::no_task);
@@ -169,63 +175,66 @@ struct BHuman {
       positions.assign(members, tasks, allowed, b_human::millimetres(holder_bonus), order, choice, assigned);
     }
     for (std::size_t row = 0; row < out.size(); ++row) out[row] = assigned[row];
-    say(frame);
+    say();
   }
 
   void receive(const regista::Message& message) {
     const auto index = static_cast<std::size_t>(message.sender()) - 1;
     if (message.sender() < 1 || index >= table.size() || message.sender() == own_number) return;
-    const std::optional<Statement> said = b_human::read(message.bytes(), roles);
-    if (!said || !(message.time_sent() > table[index].time_sent)) return;
-    table[index] = {true, true, false, message.time_sent(), *said};
+    const std::optional<TaskList> list = b_human::read(message.bytes(), roles);
+    if (list && message.time_sent() > table[index].tasks_sent) has_said(table[index], *list, message.time_sent());
   }
   void transmitted(std::uint64_t handle) {
-    if (offer.gone(handle)) table[static_cast<std::size_t>(own_number) - 1] = {true, false, false, now, next};
+    if (offer.gone(handle)) has_said(table[static_cast<std::size_t>(own_number) - 1], next, now);
   }
   void dropped(std::uint64_t handle) { offer.gone(handle); }
 
-  // "at (1.20, -0.40), ball (0.10, 0.00) seen 0.3 s ago, does role 3"
+  // "has the tasks striker, supporter"
   std::string describe(std::span<const std::uint8_t> segment) const {
-    const std::optional<Statement> said = b_human::read(segment, roles);
-    if (!said) return "no statement of this team";
-    std::array<char, 160> text{};
-    int length = std::snprintf(text.data(), text.size(), "at (%.2f, %.2f)", said->pose().x, said->pose().y);
-    std::string out(text.data(), static_cast<std::size_t>(length));
-    if (said->knows_ball()) {
-      length = std::snprintf(text.data(), text.size(), ", ball (%.2f, %.2f) seen %.1f s ago", said->ball().x,
-                             said->ball().y, said->ball_seconds());
-      out.append(text.data(), static_cast<std::size_t>(length));
-    } else {
-      out += ", has seen no ball of late";
+    const std::optional<TaskList> list = b_human::read(segment, roles);
+    if (!list) return "no list of tasks of this team";
+    std::string out;
+    for (std::size_t row = 0; row < roles; ++row) {
+      if (list->has(static_cast<std::int32_t>(row)))
+        out += (out.empty() ? "has the tasks " : ", ") + std::string(names[row]);
     }
-    return out + (said->task < 0 ? std::string(", does no task")
-                                 : std::string(", does ") + names[static_cast<std::size_t>(said->task)]);
+    return out.empty() ? "has no tasks" : out;
   }
 
  private:
-  // Sighted by the own eyes: what teammates tell is older than half a decision.
-  void look_at_ball(const regista::World& mine) {
-    if (mine.ball_known() && mine.ball().age < half_period) ball_seen_at = now;
+  static void has_said(Entry& entry, const TaskList& tasks, double time_sent) {
+    entry.tasks = tasks;
+    entry.tasks_sent = time_sent;
   }
 
-  // What was heard since the last decision. Who knows no ball cannot compare.
-  void compare_balls(const regista::World& mine) {
-    for (Entry& entry : table) {
-      if (!entry.is_new) continue;
-      entry.is_new = false;
-      if (!mine.ball_known() || !entry.said.knows_ball()) continue;
-      const b_human::Pose pose = entry.said.pose();
+  // Sighted by the own eyes.
+  void look_at_ball(const regista::World& mine) {
+    if (mine.ball_known() && told.sees_ball().value_or(false)) ball_seen_at = now;
+  }
+
+  // Whose packet is new its ball is compared with the own one. Who knows no ball cannot compare.
+  void look_at_packets(const regista::World& mine) {
+    for (std::size_t k = 0; k < table.size(); ++k) {
+      Entry& entry = table[k];
+      const std::optional<regista::ToldPacket> packet = told.packet(static_cast<int>(k) + 1);
+      const bool is_new = packet && (!entry.said || packet->time_sent > entry.said->time_sent);
+      entry.said = packet;
+      if (!is_new) continue;
+      entry.ball_is_off = false;
+      if (!mine.ball_known() || !knows_ball(*packet)) continue;
       const b_human::Point own{mine.ball().position[0], mine.ball().position[1]};
-      entry.ball_is_off = b_human::is_another_ball({pose.x, pose.y}, entry.said.ball(), own, rule);
+      entry.ball_is_off =
+          b_human::is_another_ball({packet->pose[0], packet->pose[1]}, {packet->ball[0], packet->ball[1]}, own, rule);
     }
   }
+  static bool knows_ball(const regista::ToldPacket& packet) { return (packet.flags & REGISTA_TOLD_BALL) != 0; }
 
   void list_tasks(const regista::Span<regista::Task>& all) {
     tasks.clear();
     for (const regista::Task& task : all) tasks.push_back({task.id, {task.before[0], task.before[1]}});
   }
 
-  bool counts(const Entry& entry) const { return entry.known && now - entry.time_sent <= claim_lapses_after; }
+  bool counts(const Entry& entry) const { return entry.said && now - entry.said->time_sent <= claim_lapses_after; }
   const Entry& entry_of(int number) const { return table[static_cast<std::size_t>(number) - 1]; }
 
   void list_members(const regista::Frame& frame) {
@@ -233,13 +242,12 @@ struct BHuman {
     for (const std::int32_t number : frame.world().active()) {
       const Entry& entry = entry_of(number);
       Member& member = members.emplace_back();
-      if (entry.known) {
-        member = {entry.said.x, entry.said.y, &entry.said, counts(entry)};
-      } else {
-        const regista::World world = number == own_number ? frame.mine() : frame.world();
-        const double* pose = world.robot(number).pose;
-        member = {b_human::millimetres(pose[0]), b_human::millimetres(pose[1]), nullptr, false};
-      }
+      const regista::World world = number == own_number ? frame.mine() : frame.world();
+      const double* pose = entry.said ? entry.said->pose : world.robot(number).pose;
+      member.x = b_human::millimetres(pose[0]);
+      member.y = b_human::millimetres(pose[1]);
+      if (counts(entry)) member.claims = entry.said->role;
+      if (entry.tasks) member.has = &*entry.tasks;
     }
   }
 
@@ -251,25 +259,27 @@ struct BHuman {
     return std::nullopt;
   }
 
-  // Rounded as in a statement: at rest a robot has then the same time for itself as its teammates have for it.
-  Statement of_myself(const regista::Frame& frame) const {
-    const regista::World mine = frame.mine();
+  // Rounded as in a packet.
+  Candidate myself(const regista::World& mine, std::int32_t active_task) const {
     const regista::Robot& self = mine.robot(own_number);
-    Statement said;
-    said.x = b_human::millimetres(self.pose[0]);
-    said.y = b_human::millimetres(self.pose[1]);
-    said.heading = b_human::heading_byte(self.pose[2]);
-    said.speed =
-        b_human::speed_byte(std::sqrt(self.velocity[0] * self.velocity[0] + self.velocity[1] * self.velocity[1]));
-    if (!mine.ball_known() || !(now - ball_seen_at <= rule.age_to_stay)) return said;
-    said.ball_age = b_human::age_byte(now - ball_seen_at);
-    said.ball_x = b_human::millimetres(mine.ball().position[0]);
-    said.ball_y = b_human::millimetres(mine.ball().position[1]);
-    return said;
+    const double age = b_human::whole_hundredths(now - ball_seen_at);
+    Candidate out;
+    out.pose = {b_human::millimetres(self.pose[0]) / 1000.0, b_human::millimetres(self.pose[1]) / 1000.0, self.pose[2]};
+    out.knows_ball = mine.ball_known() && age <= rule.age_to_stay;
+    if (out.knows_ball) out.ball_age = age;
+    out.is_active = self.role == active_task;
+    out.until_up = self.time_until_up;
+    return out;
   }
 
-  Candidate candidate(const Statement& said, bool is_active, double until_up) const {
-    return {said.pose(), said.knows_ball(), false, said.ball_seconds(), is_active, until_up};
+  // On its straight way from where it was to where it said to walk.
+  Candidate teammate(const Entry& entry, std::int32_t active_task, double until_up) const {
+    const regista::ToldPacket& said = *entry.said;
+    const double speed = std::sqrt(said.velocity[0] * said.velocity[0] + said.velocity[1] * said.velocity[1]);
+    const b_human::Point by_now =
+        b_human::walked_on({said.pose[0], said.pose[1]}, {said.target[0], said.target[1]}, speed, now - said.time_sent);
+    return {{by_now.x, by_now.y, said.pose[2]}, knows_ball(said), entry.ball_is_off, said.ball_age,
+            said.role == active_task,           until_up};
   }
 
   template <class Allowed>
@@ -284,28 +294,17 @@ struct BHuman {
     for (std::size_t row = 0; row < active.size(); ++row) {
       if (!allowed(row, column) || !b_human::Common(members[row], tasks).can_take(tasks[column])) continue;
       const std::int32_t number = active[row];
-      const regista::Robot& robot = mine.robot(number);
       if (number == own_number) {
-        candidates.push_back(candidate(of_myself(frame), robot.role == tasks[column].id, robot.time_until_up));
+        candidates.push_back(myself(mine, tasks[column].id));
       } else {
         const Entry& entry = entry_of(number);
         if (!counts(entry)) continue;
-        Candidate each = candidate(entry.said, entry.said.task == tasks[column].id, robot.time_until_up);
-        each.ball_is_off = entry.ball_is_off;
-        if ((robot.flags & REGISTA_ROBOT_HAS_TARGET) != 0) walk_on(robot, entry, each.pose);
-        candidates.push_back(each);
+        candidates.push_back(teammate(entry, tasks[column].id, mine.robot(number).time_until_up));
       }
       candidate_row.push_back(row);
     }
     const std::optional<std::size_t> found = b_human::active_player(candidates, ball, rule);
     return found ? std::optional(candidate_row[*found]) : std::nullopt;
-  }
-
-  void walk_on(const regista::Robot& robot, const Entry& entry, b_human::Pose& pose) const {
-    const b_human::Point by_now = b_human::walked_on({pose.x, pose.y}, {robot.target[0], robot.target[1]},
-                                                     entry.said.speed / 100.0, now - entry.time_sent);
-    pose.x = by_now.x;
-    pose.y = by_now.y;
   }
 
   // The task of the active player is taken in any case, then those that are required.
@@ -314,14 +313,9 @@ struct BHuman {
     assignment::by_need(all, order, choice, first);
   }
 
-  void say(const regista::Frame& frame) {
-    next = of_myself(frame);
-    for (const Position& task : tasks) next.add_task(task.id);
-    const regista::Span<std::int32_t> active = frame.world().active();
-    for (std::size_t row = 0; row < active.size(); ++row) {
-      if (active[row] == own_number && assigned[row] >= 0)
-        next.task = tasks[static_cast<std::size_t>(assigned[row])].id;
-    }
+  void say() {
+    next = {};
+    for (const Position& task : tasks) next.add(task.id);
     b_human::write(next, roles, bytes);
     offer.say(bytes, now);
   }

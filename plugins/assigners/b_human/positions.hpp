@@ -9,7 +9,7 @@
 //   - one that says to do a task that this robot does not have, while it has some that this robot has, is at work
 //     elsewhere and takes none here;
 //   - one that has some of this robot's tasks takes none that it does not have.
-// Who has none of them is believed to follow soon (it spoke last in another context).
+// Who has none of them, or was not heard to say, is believed to follow soon (it spoke last in another context).
 #pragma once
 
 #include <cmath>
@@ -19,14 +19,15 @@
 #include <vector>
 
 #include "../scram/algorithm.hpp"
+#include "active_player.hpp"
 #include "statement.hpp"
 
 namespace b_human {
 
 struct Member {
-  std::int32_t x = 0, y = 0;        // mm: as last sent
-  const Statement* said = nullptr;  // nullptr: it has said nothing
-  bool claim_counts = false;        // what it says to do is not too old; not without a statement
+  std::int32_t x = 0, y = 0;      // mm: as last sent
+  std::int32_t claims = -1;       // task that it says to do, unless that is too old
+  const TaskList* has = nullptr;  // the tasks that it said to have; nullptr: it has said nothing of them
 };
 
 struct Position {
@@ -37,20 +38,20 @@ struct Position {
 // Whether the tasks of a teammate are those of this robot.
 class Common {
  public:
-  Common(const Member& member, std::span<const Position> tasks) : said_(member.said) {
-    if (said_ == nullptr) return;
+  Common(const Member& member, std::span<const Position> tasks) : has_(member.has) {
+    if (has_ == nullptr) return;
     bool knows_one = false, claims_one = false;
     for (const Position& task : tasks) {
-      knows_one = knows_one || said_->has_task(task.id);
-      claims_one = claims_one || said_->task == task.id;
+      knows_one = knows_one || has_->has(task.id);
+      claims_one = claims_one || member.claims == task.id;
     }
-    if (!knows_one) said_ = nullptr;
-    elsewhere_ = knows_one && member.claim_counts && member.said->task >= 0 && !claims_one;
+    if (!knows_one) has_ = nullptr;
+    elsewhere_ = knows_one && member.claims >= 0 && !claims_one;
   }
-  bool can_take(const Position& task) const { return said_ == nullptr || (!elsewhere_ && said_->has_task(task.id)); }
+  bool can_take(const Position& task) const { return has_ == nullptr || (!elsewhere_ && has_->has(task.id)); }
 
  private:
-  const Statement* said_;  // nullptr: it may take all
+  const TaskList* has_;  // nullptr: it may take all
   bool elsewhere_ = false;
 };
 
@@ -80,7 +81,7 @@ class Positions {
     }
     for (std::size_t j = 0; j < columns; ++j) {
       for (std::size_t i = 0; i < members.size(); ++i) {
-        if (!members[i].claim_counts || members[i].said->task != tasks[j].id) continue;
+        if (members[i].claims != tasks[j].id) continue;
         costs_[i * columns + j] -= holder_bonus;  // infinity stays
         break;
       }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rules alone: the active player in scenes with known answers, positions against all permutations, statements
+// The rules alone: the active player in scenes with known answers, positions against all permutations, lists of tasks
 // through their bytes.
 #include <gtest/gtest.h>
 
@@ -156,26 +156,22 @@ TEST(Extrapolation, HalfTheSpeedAndNotBeyond) {
 // --- Positions -----------------------------------------------------------------------------------------------------
 
 struct Problem {
-  std::vector<Statement> said;
   std::vector<Member> members;
+  std::vector<TaskList> has;  // who has no bit has all of `tasks`
   std::vector<Position> tasks;
   std::vector<std::uint32_t> order;
 
   void robot(std::int32_t x, std::int32_t y, std::int32_t task = -1) {
-    Statement each;
-    each.x = x;
-    each.y = y;
-    each.task = task;
-    said.push_back(each);
+    members.push_back({x, y, task, nullptr});
+    has.emplace_back();
   }
   void task(std::int32_t id, double x, double y) { tasks.push_back({id, {x, y}}); }
   std::vector<std::int32_t> solve(std::int32_t bonus = 1000) {
-    members.clear();
-    for (Statement& each : said) {
-      if (std::ranges::all_of(each.tasks, [](auto byte) { return byte == 0; })) {
-        for (const Position& position : tasks) each.add_task(position.id);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (std::ranges::all_of(has[i].bits, [](auto byte) { return byte == 0; })) {
+        for (const Position& position : tasks) has[i].add(position.id);
       }
-      members.push_back({each.x, each.y, &each, true});
+      members[i].has = &has[i];
     }
     order.resize(tasks.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -211,7 +207,7 @@ TEST(Positions, OfSeveralHoldersTheLowestCounts) {
   p.robot(1500, 0, 5);
   p.task(5, 0, 0);
   EXPECT_EQ(p.solve(), (std::vector<std::int32_t>{-1, 0, -1}));
-  p.said[1].task = -1;
+  p.members[1].claims = -1;
   EXPECT_EQ(p.solve(), (std::vector<std::int32_t>{-1, -1, 0}));
 }
 
@@ -238,11 +234,11 @@ TEST(Positions, TheLongestWalkIsShortestThenTheNext) {
     do {
       std::vector<long> walks;
       for (std::size_t j = 0; j < taken; ++j) {
-        const Statement& s = p.said[robot[j]];
+        const Member& s = p.members[robot[j]];
         long walk = std::lround(std::hypot(s.x - 1000 * p.tasks[j].base.x, s.y - 1000 * p.tasks[j].base.y));
         const auto holder =
-            std::ranges::find_if(p.said, [&](const Statement& each) { return each.task == p.tasks[j].id; });
-        if (holder == p.said.begin() + static_cast<std::ptrdiff_t>(robot[j])) walk -= 1000;
+            std::ranges::find_if(p.members, [&](const Member& each) { return each.claims == p.tasks[j].id; });
+        if (holder == p.members.begin() + static_cast<std::ptrdiff_t>(robot[j])) walk -= 1000;
         walks.push_back(walk);
       }
       std::ranges::sort(walks, std::greater{});
@@ -266,49 +262,58 @@ TEST(Positions, TeammatesWithOtherTasks) {
   p.task(7, 1, 0);
   p.task(8, 3, 0);
   EXPECT_EQ(p.solve(), (std::vector<std::int32_t>{0, 1}));
-  p.said[1].tasks = {};
-  p.said[1].add_task(8);
-  p.said[0].x = 2900;
+  p.has[1] = {};
+  p.has[1].add(8);
+  p.members[0].x = 2900;
   EXPECT_EQ(p.solve(), (std::vector<std::int32_t>{0, 1}));
-  p.said[1].add_task(9);
-  p.said[1].task = 9;
+  p.has[1].add(9);
+  p.members[1].claims = 9;
   EXPECT_EQ(p.solve(), (std::vector<std::int32_t>{0, -1}));
-  p.said[1].tasks = {};  // none of these: it will follow
-  p.said[1].add_task(9);
+  p.has[1] = {};  // none of these: it will follow
+  p.has[1].add(9);
   EXPECT_EQ(p.solve(), (std::vector<std::int32_t>{1, 0}));
+  p.has[1] = {};
+  p.has[1].add(8);
+  p.members[1].claims = 8;
+  EXPECT_EQ(p.solve(), (std::vector<std::int32_t>{0, 1}));
 }
 
-// --- Statements ----------------------------------------------------------------------------------------------------
+// Of whom no list was heard anything is believed, whatever it says to do.
+TEST(Positions, TeammatesWithoutAList) {
+  for (const std::int32_t claims : {-1, 7, 8, 9}) {
+    const std::vector<Position> tasks{{7, {1, 0}}, {8, {3, 0}}};
+    const std::vector<Member> members{{2900, 0, -1, nullptr}, {1000, 0, claims, nullptr}};
+    const std::vector<std::uint32_t> order{0, 1};
+    std::vector<std::int32_t> out(2, -1);
+    Positions positions;
+    positions.reserve(2, 2);
+    positions.assign(
+        members, tasks, [](auto, auto) { return true; }, 100, order, order, out);
+    EXPECT_EQ(out, (std::vector<std::int32_t>{1, 0})) << claims;
+  }
+}
 
-TEST(Statements, ComeBackFromTheirBytes) {
+// --- Lists of tasks --------------------------------------------------------------------------------------------------
+
+TEST(TaskLists, ComeBackFromTheirBytes) {
   std::mt19937 random(3);
   std::vector<std::uint8_t> bytes;
   for (int round = 0; round < 10000; ++round) {
     const std::size_t roles = 1 + random() % most_roles;
-    Statement said;
-    for (auto* each : {&said.x, &said.y, &said.ball_x, &said.ball_y}) {
-      *each = static_cast<std::int32_t>(random() % 65535) - 32767;
-    }
-    said.heading = static_cast<std::uint8_t>(random());
-    said.speed = static_cast<std::uint8_t>(random());
-    said.ball_age = static_cast<std::uint8_t>(random());
-    said.task = static_cast<std::int32_t>(random() % (roles + 1)) - 1;
+    TaskList tasks;
+    std::vector<bool> in(roles);
     for (std::size_t k = 0; k < roles; ++k) {
-      if (random() % 3 == 0) said.add_task(static_cast<std::int32_t>(k));
+      if (random() % 3 != 0) continue;
+      tasks.add(static_cast<std::int32_t>(k));
+      in[k] = true;
     }
-    write(said, roles, bytes);
+    write(tasks, roles, bytes);
+    ASSERT_EQ(bytes.size(), (roles + 7) / 8);
     ASSERT_EQ(bytes.size(), statement_bytes(roles));
     const auto back = read(bytes, roles);
     ASSERT_TRUE(back);
-    ASSERT_EQ(back->x, said.x);
-    ASSERT_EQ(back->y, said.y);
-    ASSERT_EQ(back->ball_x, said.ball_x);
-    ASSERT_EQ(back->ball_y, said.ball_y);
-    ASSERT_EQ(back->heading, said.heading);
-    ASSERT_EQ(back->speed, said.speed);
-    ASSERT_EQ(back->ball_age, said.ball_age);
-    ASSERT_EQ(back->task, said.task);
-    ASSERT_EQ(back->tasks, said.tasks);
+    ASSERT_EQ(back->bits, tasks.bits);
+    for (std::size_t k = 0; k < roles; ++k) ASSERT_EQ(back->has(static_cast<std::int32_t>(k)), in[k]);
     bytes.push_back(0);
     ASSERT_FALSE(read(bytes, roles));
     bytes.resize(bytes.size() - 2);
@@ -316,28 +321,39 @@ TEST(Statements, ComeBackFromTheirBytes) {
   }
 }
 
-TEST(Statements, RolesThatDoNotExistAreNoStatement) {
+TEST(TaskLists, ABitForEachRole) {
+  EXPECT_EQ(statement_bytes(1), 1u);
+  EXPECT_EQ(statement_bytes(8), 1u);
+  EXPECT_EQ(statement_bytes(9), 2u);
+  TaskList tasks;
+  for (const std::int32_t id : {0, 3, 17}) tasks.add(id);
   std::vector<std::uint8_t> bytes;
-  write(Statement{}, 19, bytes);
+  write(tasks, 19, bytes);
+  EXPECT_EQ(bytes, (std::vector<std::uint8_t>{0x09, 0x00, 0x02}));
+}
+
+TEST(TaskLists, RolesThatDoNotExistAreNoList) {
+  std::vector<std::uint8_t> bytes;
+  write(TaskList{}, 19, bytes);
   EXPECT_TRUE(read(bytes, 19));
-  bytes[11] = 19;
-  EXPECT_FALSE(read(bytes, 19));
-  bytes[11] = 18;
+  bytes.back() = 0x04;  // bit of role 18
   EXPECT_TRUE(read(bytes, 19));
   bytes.back() = 0x08;  // bit of role 19
   EXPECT_FALSE(read(bytes, 19));
   EXPECT_FALSE(read({}, 19));
-  EXPECT_TRUE(read(std::vector<std::uint8_t>(12), 0) == std::nullopt);  // plays role 0 of none
+  TaskList tasks;
+  for (const std::int32_t id : {-1, 254, 255, 256, 100000}) {
+    tasks.add(id);
+    EXPECT_FALSE(tasks.has(id));
+  }
+  EXPECT_EQ(tasks.bits, TaskList{}.bits);
 }
 
-TEST(Statements, Rounding) {
+TEST(TaskLists, Rounding) {
   EXPECT_EQ(millimetres(1.2345), 1235);
   EXPECT_EQ(millimetres(-1e6), -32767);
-  EXPECT_EQ(heading_byte(-pi / 2), 192);
-  EXPECT_EQ(heading_byte(pi), 128);
-  EXPECT_EQ(speed_byte(9.0), 255);
-  EXPECT_EQ(age_byte(0.34), 3);
-  EXPECT_EQ(age_byte(100.0), 254);
+  EXPECT_EQ(whole_hundredths(0.1 + 0.2 + 0.7 + 1e-12), 1.0);
+  EXPECT_EQ(whole_hundredths(0.346), 0.35);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Positions, statements and the active player allocate nothing within what was reserved.
+// Positions, lists of tasks and the active player allocate nothing within what was reserved.
 #include <gtest/gtest.h>
 #include <regista/testkit/count_allocations.hpp>
 
@@ -27,15 +27,16 @@ TEST(BHuman, NothingIsAllocatedWithinWhatWasReserved) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(statement_bytes(roles));
   for (int round = 0; round < 500; ++round) {
-    std::vector<Statement> said(random() % (robots + 1));
+    std::vector<TaskList> lists(random() % (robots + 1));
     std::vector<Position> tasks(random() % (roles + 1));
     std::vector<Member> members;
-    std::vector<Candidate> candidates(said.size());
+    std::vector<Candidate> candidates(lists.size());
     for (std::size_t j = 0; j < tasks.size(); ++j) tasks[j] = {static_cast<int>(j), {place(random), place(random)}};
-    for (Statement& each : said) {
-      each.x = millimetres(place(random));
-      each.task = static_cast<int>(random() % roles);
-      members.push_back({each.x, each.y, &each, true});
+    for (TaskList& each : lists) {
+      for (const Position& task : tasks) {
+        if (random() % 4 != 0) each.add(task.id);
+      }
+      members.push_back({millimetres(place(random)), 0, static_cast<int>(random() % roles), &each});
     }
     for (Candidate& each : candidates) {
       each.knows_ball = true;
@@ -48,8 +49,8 @@ TEST(BHuman, NothingIsAllocatedWithinWhatWasReserved) {
       positions.assign(
           members, tasks, [](auto i, auto j) { return (i + j) % 5 != 0; }, 1000, order, order, out);
       active_player(candidates, {0, 0}, ActiveRule{});
-      if (said.empty()) return;
-      write(said.front(), roles, bytes);
+      if (lists.empty()) return;
+      write(lists.front(), roles, bytes);
       read(bytes, roles);
     });
     ASSERT_EQ(count, 0u);

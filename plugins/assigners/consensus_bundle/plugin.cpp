@@ -32,6 +32,7 @@
 
 #include "../negotiation/bids.hpp"
 #include "../negotiation/epoch.hpp"
+#include "../negotiation/reserve.hpp"
 #include "../negotiation/standing_offer.hpp"
 #include "consensus.hpp"
 #include "path.hpp"
@@ -53,6 +54,7 @@ struct ConsensusBundle {
   double kept_per_place = 1.0;
   double rebid_after = 0.02;
   double lapses_after = 25.0;
+  int static_at = negotiation::usual_reserve;
   consensus_bundle::Worth worth;
   static constexpr std::tuple parameters{
       regista::integer("bundle", &ConsensusBundle::bundle, {1.0, 16.0}, "1",
@@ -68,6 +70,7 @@ struct ConsensusBundle {
       regista::real("lapses_after", &ConsensusBundle::lapses_after, {1.0, 120.0}, "s",
                     "A claim ends when nothing was heard of its holder for this long, directly or by others "
                     "(assumption)"),
+      negotiation::static_at(&ConsensusBundle::static_at),
       regista::within(
           &ConsensusBundle::worth,
           regista::real("step", &consensus_bundle::Worth::step, {1e-6, 1.0}, "1",
@@ -85,6 +88,7 @@ struct ConsensusBundle {
   consensus_bundle::StandingBid standing;
   Segment segment;
   negotiation::StandingOffer offer;
+  negotiation::Reserve reserve;
   negotiation::Epoch epoch;
   consensus_bundle::Told told;
   std::vector<std::uint8_t> bytes;
@@ -106,6 +110,7 @@ struct ConsensusBundle {
     if (environment->walk_forward > 0.0) worth.speed = environment->walk_forward;
     worth.most = Segment::most_bid;
     offer.setup(host.mailbox(), segment.bytes(tasks));
+    reserve.setup(environment, host, static_at);
     bytes.reserve(segment.bytes(tasks));
     told.claims.reserve(tasks);
     told.stamps.reserve(robots);
@@ -124,6 +129,10 @@ struct ConsensusBundle {
   void reset(std::uint64_t) { forget(); }
 
   void assign(const regista::Frame& frame, regista::UtilityMatrix utilities, regista::Assignment out) {
+    if (reserve.is_reached()) {
+      stop();
+      return reserve.assign_by_rank(frame, utilities, out);
+    }
     const auto active = frame.world().active();
     const std::int64_t now = tick_of(frame.time());
     end_claims(frame.world(), now);
@@ -206,6 +215,14 @@ struct ConsensusBundle {
     epoch.forget();
     std::fill(newest.begin(), newest.end(), -1.0);
     std::fill(penalised.begin(), penalised.end(), char{0});
+  }
+
+  // Nobody hears what this robot would win; what the others have won lapses by itself.
+  void stop() {
+    consensus.release();
+    standing.forget();
+    offer.withdraw();
+    offered = told_last = column_of.size();
   }
 
   // Of robots that do not play, and of those that nobody has heard of for long.

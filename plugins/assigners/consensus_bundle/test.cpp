@@ -302,6 +302,19 @@ TEST(ConsensusBundlePlugin, SaysWhenNoBundleFits) {
   EXPECT_EQ(team.refused, 0u);
 }
 
+TEST(ConsensusBundlePlugin, AtTheReserveRolesGoByRank) {
+  Instance assigner(plugin(), three());
+  const Matrix utilities = own_row(0.1, 0.5, 0.4);
+  hear(assigner, {3, 5.0, {{}, {3, 1500}, {}}});
+  EXPECT_EQ(assigner.assign(frame_at(5.1).build(), utilities), (Rows{unknown, 2, 1}));
+  tell(assigner);
+  assigner.host().budget.packets_left = 30;
+  EXPECT_EQ(assigner.assign(frame_at(5.2).build(), utilities), (Rows{0, 1, 2}));
+  EXPECT_EQ(assigner.host().offers.size(), 1u);  // nothing new
+  assigner.host().budget.packets_left = 31;      // what the others have won still counts
+  EXPECT_EQ(assigner.assign(frame_at(5.3).build(), utilities), (Rows{unknown, 2, 1}));
+}
+
 TEST(ConsensusBundlePlugin, SaysInWordsWhatItSays) {
   Instance assigner(plugin(), three());
   hear(assigner, {3, 4.9, {{}, {3, 1500}, {}}});

@@ -19,9 +19,11 @@
 #include <vector>
 
 #include <regista/assigner.hpp>
+#include <regista/host.hpp>
 #include <regista/mailbox.hpp>
 
 #include "../negotiation/bids.hpp"
+#include "../negotiation/reserve.hpp"
 #include "../negotiation/standing_offer.hpp"
 #include "participant.hpp"
 #include "price_table.hpp"
@@ -41,6 +43,7 @@ struct Settings {
   double urgency = 1.0;
   double urgent_every = 6.0;
   double done_within = 0.0;  // m; 0: tasks are never done
+  int static_at = negotiation::usual_reserve;
 
   std::uint32_t steps(double utility) const {
     return static_cast<std::uint32_t>(std::max(1.0, std::round(utility / step)));
@@ -75,16 +78,17 @@ inline constexpr std::tuple shared_parameters{
                   "Urgency of a new bid; 1 asks for a packet of its own (assumption)"),
     regista::real("urgent_every", &Settings::urgent_every, {0.0, 120.0}, "s",
                   "Least time since the last packet of this robot after which a bid is urgent, or the budget does not "
-                  "last (assumption)")
-        .tunable()};
+                  "last; none is while the team is below the even line of its packets (assumption)")
+        .tunable(),
+    negotiation::static_at(&Settings::static_at)};
 
 template <class Rule>
 class Desk {
  public:
-  void setup(const regista::Environment& environment, const regista::Mailbox& mailbox, const Settings& settings) {
+  void setup(const regista::Environment& environment, const regista::Host& host, const Settings& settings) {
     // Of a packet, beside what is always in it and other plugins' offers. All robots of a team have the same room.
     constexpr std::uint32_t usual_bytes = 60, least_bytes = 8;
-    const std::size_t most_bytes = std::clamp(mailbox.bytes_free(), least_bytes, usual_bytes);
+    const std::size_t most_bytes = std::clamp(host.mailbox().bytes_free(), least_bytes, usual_bytes);
     settings_ = settings;
     own_ = environment->own_number;
     const std::size_t tasks = environment.roles().size(), robots = environment->team_size;
@@ -93,7 +97,8 @@ class Desk {
     format_ = Format::fitting(static_cast<std::int32_t>(robots), tasks, settings.highest_value() + epsilon_,
                               settings.done_within > 0.0, most_bytes);
     participant_.setup(own_, robots, tasks);
-    offer_.setup(mailbox, most_bytes);
+    offer_.setup(host.mailbox(), most_bytes);
+    reserve_.setup(environment, host, settings.static_at);
     names_.clear();
     list_of_.clear();
     for (const regista::Role& role : environment.roles()) {
@@ -128,8 +133,10 @@ class Desk {
 
   void assign(const regista::Frame& frame, const regista::UtilityMatrix& utilities, const regista::Assignment& out,
               const Rule& rule) {
-    if (frame.tasks().empty()) {  // nothing to bid for
+    const bool is_static = reserve_.is_reached();
+    if (frame.tasks().empty() || is_static) {  // nothing to bid for
       played_ = wanted_ = none;
+      if (is_static) reserve_.assign_by_rank(frame, utilities, out);
       return offer_.withdraw();
     }
     const Situation situation = read(frame, utilities);
@@ -328,7 +335,7 @@ class Desk {
     std::ranges::sort(told_, {}, &Told::task);
     write_message(format_, participant_.epoch(), told_, bytes_);
     if (std::exchange(has_spoken_, false)) spoke_ = now;
-    const bool is_urgent = participant_.has_unsent() && now - spoke_ >= settings_.urgent_every;
+    const bool is_urgent = participant_.has_unsent() && now - spoke_ >= settings_.urgent_every && reserve_.may_hurry();
     offer_.say(bytes_, now, is_urgent ? settings_.urgency : 0.0);
   }
 
@@ -339,6 +346,7 @@ class Desk {
   std::int32_t own_ = 0;
   Participant<Rule> participant_;
   negotiation::StandingOffer offer_;
+  negotiation::Reserve reserve_;
   std::vector<const char*> names_;  // of roles; they live as long as the instance
   std::vector<int> list_of_;        // by id: first role of the list that it stands in
   std::vector<char> is_listed_;     // by id: it stands in list_

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <regista/assigner.hpp>
+#include <regista/host.hpp>
 #include <regista/mailbox.hpp>
 
 #include "algorithm.hpp"
@@ -22,8 +23,8 @@ struct DistributedAuction {
 
   auction::Desk<auction::OneTask> desk;
 
-  void setup(const regista::Environment& environment, regista::Mailbox mailbox) {
-    desk.setup(environment, mailbox, settings);
+  void setup(const regista::Environment& environment, const regista::Host& host) {
+    desk.setup(environment, host, settings);
   }
   void reset(std::uint64_t) { desk.reset(); }
   void assign(const regista::Frame& frame, regista::UtilityMatrix utilities, regista::Assignment out) {

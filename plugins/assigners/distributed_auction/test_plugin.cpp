@@ -124,6 +124,31 @@ TEST(DistributedAuctionPlugin, ANewBidIsUrgentNowAndThen) {
   EXPECT_EQ(urgency(7.2, 0.1), 1.0);
 }
 
+TEST(DistributedAuctionPlugin, NoBidIsUrgentWhilePacketsRunShort) {
+  Instance one(plugin(), EnvironmentBuilder{}.own(1), settings());
+  one.host().budget.packets_left = 1154;  // as many as the line has
+  one.assign(scene(1, 1.0), utilities(0.5, 0.6, 0, 0));
+  EXPECT_EQ(one.host().offers.back().urgency, 0.0);
+  one.host().budget.packets_left = 1155;
+  one.assign(scene(1, 1.1), utilities(0.5, 0.6, 0, 0));
+  EXPECT_EQ(one.host().offers.back().urgency, 1.0);
+}
+
+TEST(DistributedAuctionPlugin, AtTheReserveRolesGoByRank) {
+  Instance one(plugin(), EnvironmentBuilder{}.own(1), settings());
+  const Matrix values = utilities(0.5, 0.9, 0.0, 0.0);
+  EXPECT_EQ(one.assign(scene(1, 1.0), values), (Rows{1, unknown}));
+  one.host().budget.packets_left = 30;
+  EXPECT_EQ(one.assign(scene(1, 1.1), values), (Rows{0, 1}));
+  EXPECT_FALSE(one.host().offers.back().waits());
+  one.host().budget.packets_left = 31;
+  EXPECT_EQ(one.assign(scene(1, 1.2), values), (Rows{1, unknown}));
+  EXPECT_TRUE(one.host().offers.back().waits());
+  Instance never(plugin(), EnvironmentBuilder{}.own(1), settings().set("static_at", -1.0));
+  never.host().budget.packets_left = 0;
+  EXPECT_EQ(never.assign(scene(1, 1.0), values), (Rows{1, unknown}));
+}
+
 TEST(DistributedAuctionPlugin, WhatItMustNotTakeItDoesNotBidFor) {
   Instance one(plugin(), EnvironmentBuilder{}.own(1), settings());
   EXPECT_EQ(one.assign(scene(1, 1.0), utilities(forbidden, forbidden, 0.5, 0.5)), (Rows{REGISTA_NO_TASK, unknown}));

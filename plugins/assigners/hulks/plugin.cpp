@@ -6,21 +6,27 @@
 // number alone. A teammate that says that it plays a task of this list which this robot does not know keeps it: then
 // the two would count the tasks differently.
 //
+// When packets run out the team is only silent, as published: who hears no claim and sees the ball claims.
+//
 // Not here: the roles of penalty kicks, the five seconds for which a replacement of the keeper stays one, and that
 // roles are kept during free kicks of an unknown side.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <regista/assigner.hpp>
+#include <regista/host.hpp>
 #include <regista/mailbox.hpp>
+#include <regista/told.hpp>
 
 #include "../negotiation/bids.hpp"
 #include "../negotiation/standing_offer.hpp"
 #include "../task_order.hpp"
 #include "claims.hpp"
 #include "dealing.hpp"
+#include "own_eyes.hpp"
 #include "word.hpp"
 
 namespace {
@@ -56,20 +62,21 @@ struct Hulks {
                         "A striker that says nothing for so long is none, and the highest number is it (assumption)"))};
 
   static constexpr double standing = 0.5, at_once = 1.0;  // urgency: hulks_sender repeats the one and says the other
-  static constexpr double rounding_of_ages = 0.3;         // s, in packets
 
   hulks::Claims claims;
   negotiation::StandingOffer offer;
   int own = 0;
   std::vector<std::string> names;  // of roles
   std::vector<int> lists;          // the list that a role stands in, as the number of its first role
-  double seen = -1e9;              // when the ball was last seen with the own eyes
+  hulks::OwnEyes eyes;
+  regista::Told told;
   std::uint32_t reach = hulks::never;
   std::vector<std::uint8_t> bytes;
   std::vector<std::uint32_t> order;
   std::vector<std::int32_t> columns;
 
-  void setup(const regista::Environment& environment, regista::Mailbox mailbox) {
+  void setup(const regista::Environment& environment, const regista::Host& host) {
+    told = regista::Told(host);
     own = environment->own_number;
     claims.reserve(static_cast<int>(environment->team_size));
     const regista::Span<regista::Role> roles = environment.roles();
@@ -80,14 +87,14 @@ struct Hulks {
       lists.push_back(static_cast<int>(first));
     }
     bytes.reserve(hulks::word_bytes(roles.size()));
-    offer.setup(mailbox, hulks::word_bytes(roles.size()));
+    offer.setup(host.mailbox(), hulks::word_bytes(roles.size()));
     order.reserve(roles.size());
     columns.reserve(environment->team_size);
   }
   void reset(std::uint64_t) {
     claims.forget();
     offer.forget();
-    seen = -1e9;
+    eyes.forget();
   }
 
   void assign(const regista::Frame& frame, regista::UtilityMatrix utilities, regista::Assignment out) {
@@ -168,12 +175,11 @@ struct Hulks {
       now.reach = static_cast<std::uint32_t>(std::clamp(std::round(milliseconds), 0.0, hulks::never - 1.0));
     }
     reach = now.reach;
-    // What is newer than all that was told, this robot has seen itself.
-    if (mine.ball_known()) {
-      const double sighting = now.time - mine.ball().age;
-      if (!common.ball_known() || sighting > now.time - common.ball().age + rounding_of_ages) seen = sighting;
-    }
-    now.sees_ball = mine.ball_known() && now.time - seen <= settings.memory;
+    const auto sighting = [&](const regista::World& world) {
+      return world.ball_known() ? std::optional(now.time - world.ball().age) : std::nullopt;
+    };
+    eyes.look(now.time, told.sees_ball(), sighting(mine), sighting(common));
+    now.sees_ball = mine.ball_known() && eyes.saw_within(settings.memory, now.time);
     now.trusts_ball = now.sees_ball || (mine.ball_known() && mine.ball().age <= settings.trust);
     claims.decide(settings, now, [&](int number) { return negotiation::row_of(active, number) < active.size(); });
   }

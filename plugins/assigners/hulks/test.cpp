@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <random>
 #include <set>
 #include <vector>
 
 #include "claims.hpp"
 #include "dealing.hpp"
+#include "own_eyes.hpp"
 #include "word.hpp"
 
 namespace {
@@ -369,6 +371,33 @@ TEST(Dealing, DefinitionHoldsOnRandomProblems) {
       if (first >= 0) free[static_cast<std::size_t>(first)] = false;
     }
   }
+}
+
+// --- Own eyes ----------------------------------------------------------------------------------------------------
+
+TEST(OwnEyes, TheHostTells) {
+  hulks::OwnEyes eyes;
+  eyes.look(10.0, false, 10.0, std::nullopt);  // what looks like an own sighting is none
+  EXPECT_FALSE(eyes.saw_within(3.0, 10.0));
+  eyes.look(10.1, true, 10.1, 10.1);
+  EXPECT_TRUE(eyes.saw_within(3.0, 13.0));
+  EXPECT_FALSE(eyes.saw_within(3.0, 13.2));
+  eyes.forget();
+  EXPECT_FALSE(eyes.saw_within(3.0, 10.1));
+}
+
+TEST(OwnEyes, ElseWhatIsNewerThanAllThatWasToldIsAnOwnSighting) {
+  hulks::OwnEyes eyes;
+  const auto sees = [&](double now, std::optional<double> mine, std::optional<double> common) {
+    eyes.look(now, std::nullopt, mine, common);
+    return eyes.saw_within(1.0, now);
+  };
+  EXPECT_FALSE(sees(10.0, std::nullopt, std::nullopt));
+  EXPECT_FALSE(sees(10.0, 10.0, 9.8));  // packets round ages
+  EXPECT_TRUE(sees(10.0, 10.0, 9.6));
+  EXPECT_TRUE(sees(11.0, 11.0, 11.0));
+  EXPECT_FALSE(sees(11.1, 11.0, 11.0));
+  EXPECT_TRUE(sees(12.0, 11.5, std::nullopt));
 }
 
 // --- Words -------------------------------------------------------------------------------------------------------

@@ -19,7 +19,8 @@
 //     force; and for a robot whose own task by the map is no longer kept: see LastMap::look(). Until a new one is
 //     heard, such a robot plays its own best one.
 //   - Robots whose task by the map is not known here, or that it does not know: ../scram/follow_map.hpp.
-//   - Not there: static roles by number when the budget is spent. The last map stays in force.
+//   - When 5 packets are left roles are static, as published; but by rank among the robots in the game, not by number:
+//     ../negotiation/reserve.hpp.
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -28,8 +29,10 @@
 #include <vector>
 
 #include <regista/assigner.hpp>
+#include <regista/host.hpp>
 #include <regista/mailbox.hpp>
 
+#include "../negotiation/reserve.hpp"
 #include "../negotiation/standing_offer.hpp"
 #include "../scram/follow_map.hpp"
 #include "../scram/from_frame.hpp"
@@ -49,19 +52,24 @@ struct NaoDevils {
 
   std::string chaser = "striker";
   double margin = 1.0;
+  int static_at = 5;
   static constexpr std::tuple parameters{
       regista::text("chaser", &NaoDevils::chaser,
                     "Name of the role that plays the ball, in any list of roles; who has it decides for all"),
       regista::real("margin", &NaoDevils::margin, {0.0, 20.0}, "m",
                     "The last map is kept while its longest walk is at most so much longer than it could be; Nao "
                     "Devils: 1")
-          .tunable()};
+          .tunable(),
+      regista::integer("static_at", &NaoDevils::static_at, {-1, 10000}, "1",
+                       "Packets of the team at which robots stop making maps and take roles by rank; Nao Devils: 5; "
+                       "-1: they never do")};
 
   scram::FrameSolver solver;
   scram::MapOfFrame here;
   scram::Follower follower;
   nao_devils::LastMap last;
   negotiation::StandingOffer offer;
+  negotiation::Reserve reserve;
   int own = 1;
   std::vector<bool> chases;  // by id of the role
   std::vector<std::int32_t> assigned, best, heard;
@@ -69,7 +77,7 @@ struct NaoDevils {
   nao_devils::Stamp draft_stamp;
   std::vector<std::int32_t> draft;  // as offered; empty: what is offered is the last map, or nothing
 
-  void setup(const regista::Environment& environment, regista::Mailbox mailbox) {
+  void setup(const regista::Environment& environment, const regista::Host& host) {
     const std::size_t robots = environment->team_size, roles = environment.roles().size();
     own = environment->own_number;
     for (const regista::Role& role : environment.roles()) chases.push_back(chaser == role.name);
@@ -77,7 +85,8 @@ struct NaoDevils {
     here.setup(environment);
     follower.reserve(roles);
     last.reserve(robots);
-    offer.setup(mailbox, here.code().bytes(serial_bits));
+    reserve.setup(environment, host, static_at);
+    offer.setup(host.mailbox(), here.code().bytes(serial_bits));
     bytes.reserve(here.code().bytes(serial_bits));
     for (auto* each : {&assigned, &best, &heard, &draft}) each->reserve(robots);
   }
@@ -89,6 +98,11 @@ struct NaoDevils {
   }
 
   void assign(const regista::Frame& frame, regista::UtilityMatrix utilities, regista::Assignment out) {
+    if (reserve.is_reached()) {
+      draft.clear();
+      offer.withdraw();
+      return reserve.assign_by_rank(frame, utilities, out);
+    }
     assigned.resize(out.size());
     solver.assign({}, frame, utilities, assigned);
     here.look(frame, solver.order());

@@ -256,6 +256,20 @@ TEST(NaoDevils, ARobotThatDoesNotPlaySaysNothing) {
   EXPECT_EQ(robot.pending(), nullptr);
 }
 
+TEST(NaoDevils, AtFivePacketsRolesGoByRank) {
+  Robot robot(3);
+  robot.hear(2, said(7, other_way_map()));
+  const Scene scene = line(3).common([](WorldBuilder& world) { world.robot(3).role("striker"); }).build();
+  robot.instance.host().budget.packets_left = 6;
+  EXPECT_EQ(robot.assign(scene), other_way);
+  EXPECT_TRUE(robot.makes_a_map());
+  robot.instance.host().budget.packets_left = 5;
+  EXPECT_EQ(robot.assign(scene), best);
+  EXPECT_EQ(robot.pending(), nullptr);
+  robot.instance.host().budget.packets_left = 6;
+  EXPECT_EQ(robot.assign(scene), other_way);
+}
+
 TEST(NaoDevils, SaysWhatAMapIs) {
   Robot robot(2);
   EXPECT_EQ(robot.instance.describe(said(12, {id("goalkeeper"), idle, id("striker")})),

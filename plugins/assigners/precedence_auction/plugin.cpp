@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Assigner plugin around algorithm.hpp. A task's group is that of its role in the team's page, the lower number first;
-// tasks without a group make up the last one.
+// tasks without a group make up the last one. What is odd about the groups of the page is said at once, where the host
+// tells of them from the beginning; else more groups than the team can do are noticed in the match.
 #include <array>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,9 +11,11 @@
 #include <regista/assigner.hpp>
 #include <regista/log.hpp>
 #include <regista/mailbox.hpp>
+#include <regista/roles.hpp>
 
 #include "../distributed_auction/desk.hpp"
 #include "algorithm.hpp"
+#include "groups.hpp"
 
 namespace {
 
@@ -40,13 +44,15 @@ struct PrecedenceAuction {
   std::vector<precedence::OneOfEachGroup::Best> best;
   regista::Log log;
   unsigned team_size = 0;
+  bool knows_groups = false;  // since setup, and has said what is odd about them
   bool has_warned = false;
 
   void setup(const regista::Environment& environment, const regista::Host& host) {
     log = regista::Log(host);
     team_size = environment->team_size;
     best.reserve(environment.roles().size());
-    desk.setup(environment, host.mailbox(), settings);
+    desk.setup(environment, host, settings);
+    knows_groups = look_at_groups(environment, regista::Roles(host));
   }
   void reset(std::uint64_t) {
     desk.reset();
@@ -62,16 +68,38 @@ struct PrecedenceAuction {
   std::string describe(std::span<const std::uint8_t> bytes) const { return desk.describe(bytes); }
 
  private:
+  std::size_t most_groups() const { return std::size_t{team_size} * static_cast<std::size_t>(tasks_per_robot); }
+
+  // False: the host does not tell. One robot speaks for all, which have the same page.
+  bool look_at_groups(const regista::Environment& environment, const regista::Roles& facts) const {
+    std::vector<precedence::RoleInGroup> roles;
+    for (const regista::Role& role : environment.roles()) {
+      const auto told = facts.role(static_cast<int>(roles.size()));
+      if (!told) return false;
+      roles.push_back({role.name, role.list, told->group});
+    }
+    if (environment->own_number != 1) return true;
+    for (const precedence::GroupsOfList& each : precedence::groups_of_lists(roles)) {
+      const std::string list = "roles " + std::string(each.list) + ": ";
+      if (each.groups.size() > most_groups()) {
+        log.warning(list + std::to_string(each.groups.size()) + " groups, and the team can do tasks of " +
+                    std::to_string(most_groups()) + ": some stay without a robot");
+      }
+      if (!each.without.empty()) log.info(list + "without a group, and so in the last one: " + each.without);
+    }
+    return true;
+  }
+
   // A team's page may ask for what no team of its size can do. It is played as far as it goes.
   void warn_of_groups_without_robots(const regista::Span<regista::Task>& tasks) {
-    if (has_warned) return;
+    if (knows_groups || has_warned) return;
     std::size_t groups = 0;
     for (std::size_t j = 0; j < tasks.size(); ++j) {
       bool is_new = true;
       for (std::size_t k = 0; k < j; ++k) is_new = is_new && tasks[k].group != tasks[j].group;
       groups += is_new ? 1u : 0u;
     }
-    if (groups <= std::size_t{team_size} * static_cast<std::size_t>(tasks_per_robot)) return;
+    if (groups <= most_groups()) return;
     has_warned = true;
     log.warning("more groups of tasks than robots can take: some stay without a robot");
   }

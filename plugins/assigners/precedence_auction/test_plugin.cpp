@@ -92,6 +92,49 @@ TEST(PrecedenceAuctionPlugin, WarnsOnceOfGroupsThatNoRobotCanTake) {
   EXPECT_TRUE(two.host().log.empty());
 }
 
+TEST(PrecedenceAuctionPlugin, AtTheReserveRolesGoByRank) {
+  Instance one(plugin(), EnvironmentBuilder{}.own(1), settings(1, 0));
+  one.host().budget.packets_left = 30;
+  EXPECT_EQ(one.assign(frame(1, 1.0).build(), utilities(0.1, 0.5, 0.9)), (Rows{0, 1}));
+  EXPECT_TRUE(one.host().offers.empty());
+}
+
+// What robot `own` says when it is set up, in a team of two whose page has roles in these groups.
+std::vector<RecordingHost::Line> says_of_groups(const std::vector<std::int32_t>& groups, int own, double each_takes) {
+  RecordingHost host;
+  for (const std::int32_t group : groups) {
+    host.roles.emplace_back().size = sizeof(regista_role_facts);
+    host.roles.back().group = group;
+  }
+  EnvironmentBuilder environment;
+  environment.team_size(2).own(own).roles({"striker", "supporter", "jolly"}).role("searcher", 0, "searching");
+  const Setting setting = environment.build();
+  const std::vector<regista_value> values = settings(each_takes, 0).raw();
+  regista_error error{};
+  void* const instance = plugin().descriptor().create(
+      &setting.raw(), host.raw(),
+      {values.data(), static_cast<std::uint32_t>(values.size()), static_cast<std::uint32_t>(sizeof(regista_value))},
+      &error);
+  EXPECT_NE(instance, nullptr) << error.text;
+  plugin().descriptor().destroy(instance);
+  return host.log;
+}
+
+TEST(PrecedenceAuctionPlugin, SaysAtSetupWhatIsOddAboutGroups) {
+  EXPECT_TRUE(says_of_groups({1, 2, 1, -1}, 1, 1).empty());
+  EXPECT_TRUE(says_of_groups({-1, -1, -1, -1}, 1, 1).empty());  // the plain auction
+  const auto many = says_of_groups({1, 2, 3, -1}, 1, 1);
+  ASSERT_EQ(many.size(), 1u);
+  EXPECT_EQ(many[0].level, REGISTA_LOG_WARNING);
+  EXPECT_EQ(many[0].text, "roles playing: 3 groups, and the team can do tasks of 2: some stay without a robot");
+  EXPECT_TRUE(says_of_groups({1, 2, 3, -1}, 1, 2).empty());
+  EXPECT_TRUE(says_of_groups({1, 2, 3, -1}, 2, 1).empty());  // robot 1 has said it
+  const auto without = says_of_groups({-1, 1, -1, -1}, 1, 1);
+  ASSERT_EQ(without.size(), 1u);
+  EXPECT_EQ(without[0].level, REGISTA_LOG_INFO);
+  EXPECT_EQ(without[0].text, "roles playing: without a group, and so in the last one: striker, jolly");
+}
+
 REGISTA_ASSIGNER_CONTRACT(REGISTA_PLUGIN_FILE, "precedence_auction");
 
 }  // namespace

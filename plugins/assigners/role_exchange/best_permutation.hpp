@@ -22,14 +22,17 @@ namespace role_exchange {
 
 using assignment::forbidden, assignment::Matrix, assignment::nobody;
 
-// Reuse one object: it keeps its memory.
+// Reuse one object: it keeps its memory, and the last answer for as long as the question is the same, which it mostly
+// is: values are those of packets and rounded.
 class BestPermutation {
  public:
   void reserve(std::size_t robots, std::size_t tasks) {
     solver_.reserve(robots, tasks);
     values_.reserve(robots * tasks);
     choice_.reserve(robots, tasks);
-    for (auto* each : {&kept_, &order_}) each->reserve(tasks);
+    for (auto* each : {&kept_, &order_, &last_choice_, &last_order_}) each->reserve(tasks);
+    last_values_.reserve(robots * tasks);
+    last_.reserve(robots);
   }
 
   // utilities: finite, or `forbidden`. choice: every column once; which tasks are done when not all can be. order: the
@@ -37,6 +40,32 @@ class BestPermutation {
   void find(const Matrix& utilities, std::span<const std::uint32_t> choice, std::span<const std::uint32_t> order,
             std::span<std::int32_t> out) {
     assert(choice.size() == utilities.columns && order.size() == utilities.columns && out.size() == utilities.rows);
+    if (is_the_last(utilities, choice, order)) {
+      std::copy(last_.begin(), last_.end(), out.begin());
+      return;
+    }
+    search(utilities, choice, order, out);
+    last_.assign(out.begin(), out.end());
+  }
+
+ private:
+  // Remembers the question if it is another one.
+  bool is_the_last(const Matrix& utilities, std::span<const std::uint32_t> choice,
+                   std::span<const std::uint32_t> order) {
+    assert(utilities.stride == utilities.columns);
+    const std::span<const double> values(utilities.values, utilities.rows * utilities.columns);
+    if (last_.size() == utilities.rows && std::ranges::equal(last_values_, values) &&
+        std::ranges::equal(last_choice_, choice) && std::ranges::equal(last_order_, order)) {
+      return true;
+    }
+    last_values_.assign(values.begin(), values.end());
+    last_choice_.assign(choice.begin(), choice.end());
+    last_order_.assign(order.begin(), order.end());
+    return false;
+  }
+
+  void search(const Matrix& utilities, std::span<const std::uint32_t> choice, std::span<const std::uint32_t> order,
+              std::span<std::int32_t> out) {
     std::fill(out.begin(), out.end(), nobody);
     choice_.choose(utilities, forbidden, choice);
     kept_.clear();
@@ -56,11 +85,11 @@ class BestPermutation {
     }
   }
 
- private:
   hungarian::Solver solver_;
-  std::vector<double> values_;
+  std::vector<double> values_, last_values_;
   assignment::TaskChoice choice_;
-  std::vector<std::uint32_t> kept_, order_;
+  std::vector<std::uint32_t> kept_, order_, last_choice_, last_order_;
+  std::vector<std::int32_t> last_;
 };
 
 }  // namespace role_exchange

@@ -10,8 +10,10 @@
 #include <vector>
 
 #include <regista/assigner.hpp>
+#include <regista/host.hpp>
 #include <regista/mailbox.hpp>
 
+#include "../negotiation/reserve.hpp"
 #include "../negotiation/standing_offer.hpp"
 #include "../task_order.hpp"
 #include "negotiator.hpp"
@@ -28,6 +30,7 @@ struct RoleExchange {
   enum class Urgent { never, answers, wishes };
   static constexpr std::array urgent_names{"never", "answers", "wishes"};
   Urgent urgent = Urgent::answers;
+  int static_at = negotiation::usual_reserve;
   static constexpr std::tuple parameters{
       regista::within(
           &RoleExchange::settings,
@@ -47,10 +50,12 @@ struct RoleExchange {
       regista::choice(
           "urgent", &RoleExchange::urgent, urgent_names,
           "What is worth a packet of its own: nothing, a wish that completes an exchange, or every new wish "
-          "(assumption: answers)")};
+          "(assumption: answers)"),
+      negotiation::static_at(&RoleExchange::static_at)};
 
   role_exchange::Negotiator negotiator;
   negotiation::StandingOffer offer;
+  negotiation::Reserve reserve;
   std::size_t roles = 0;
   int own = 1;
   bool called = false;
@@ -60,13 +65,14 @@ struct RoleExchange {
   std::vector<double> claimed;
   std::vector<std::uint32_t> order, choice;
 
-  void setup(const regista::Environment& environment, regista::Mailbox mailbox) {
+  void setup(const regista::Environment& environment, const regista::Host& host) {
     const std::size_t robots = environment->team_size;
     roles = environment.roles().size();
     own = environment->own_number;
     for (const regista::Role& role : environment.roles()) names.emplace_back(role.name);
     negotiator.reserve(settings, own, robots, roles);
-    offer.setup(mailbox, role_exchange::message_bytes(roles, std::min(robots, roles)));
+    reserve.setup(environment, host, static_at);
+    offer.setup(host.mailbox(), role_exchange::message_bytes(roles, std::min(robots, roles)));
     members.reserve(robots);
     claims.reserve(robots);
     claimed.reserve(robots);
@@ -81,6 +87,11 @@ struct RoleExchange {
   }
 
   void assign(const regista::Frame& frame, regista::UtilityMatrix utilities, regista::Assignment out) {
+    if (reserve.is_reached()) {
+      called = false;  // what others decide meanwhile, negotiator takes on
+      offer.withdraw();
+      return reserve.assign_by_rank(frame, utilities, out);
+    }
     const role_exchange::Situation now = read(frame, utilities);
     negotiator.decide(now);
     if (negotiator.speaks()) {

@@ -159,6 +159,20 @@ TEST(RoleExchangePlugin, RolesAreTakenOnFromAnotherContext) {
   EXPECT_EQ(robot.assign(from_search(60.0), utilities({0.9, 0.1, 0.1, 0.9})), (Rows{0, 1}));
 }
 
+TEST(RoleExchangePlugin, AtTheReserveRolesGoByRank) {
+  Instance robot(role_exchange_plugin(), EnvironmentBuilder{}.own(2));
+  const Matrix values = utilities({0.1, 0.9, 0.9, 0.1});
+  const auto at = [](double time) { return pair(time).robot(1).penalised(); };
+  EXPECT_EQ(robot.assign(at(1.0).build(), values), (Rows{1, 0}));
+  robot.host().budget.packets_left = 30;
+  EXPECT_EQ(robot.assign(at(1.1).build(), values), (Rows{0, 1}));
+  EXPECT_TRUE(robot.host().offers.back().withdrawn);
+  robot.host().budget.packets_left = 31;  // it goes on with what it plays
+  const Matrix level = utilities({0.5, 0.5, 0.5, 0.5});
+  EXPECT_EQ(robot.assign(at(1.2).previous(2, "striker").build(), level), (Rows{0, 1}));
+  EXPECT_TRUE(robot.host().offers.back().waits());
+}
+
 TEST(RoleExchangePlugin, RobotsOutOfTheTableAndOtherTeamsAreIgnored) {
   Instance robot(role_exchange_plugin(), EnvironmentBuilder{}.own(2));
   const Matrix level = utilities({0.6, 0.5, 0.5, 0.6});

@@ -17,8 +17,10 @@
 #include <vector>
 
 #include <regista/assigner.hpp>
+#include <regista/host.hpp>
 #include <regista/mailbox.hpp>
 
+#include "../negotiation/reserve.hpp"
 #include "../negotiation/standing_offer.hpp"
 #include "../scram/follow_map.hpp"
 #include "../scram/from_frame.hpp"
@@ -36,25 +38,29 @@ struct ScramVote {
 
   scram::Settings settings;
   double vote_age = 25.0;
+  int static_at = negotiation::usual_reserve;
   static constexpr std::tuple parameters{regista::within(&ScramVote::settings, scram::parameters),
                                          regista::real("vote_age", &ScramVote::vote_age, {0.1, 60.0}, "s",
-                                                       "A vote counts for this long after it was sent (assumption)")};
+                                                       "A vote counts for this long after it was sent (assumption)"),
+                                         negotiation::static_at(&ScramVote::static_at)};
 
   scram::FrameSolver solver;
   scram::MapOfFrame here;
   scram::BallotBox ballots;
   scram::Follower follower;
   negotiation::StandingOffer offer;
+  negotiation::Reserve reserve;
   std::vector<std::int32_t> assigned, map;
   std::vector<std::uint8_t> bytes;
 
-  void setup(const regista::Environment& environment, regista::Mailbox mailbox) {
+  void setup(const regista::Environment& environment, const regista::Host& host) {
     const std::size_t robots = environment->team_size, roles = environment.roles().size();
     solver.reserve(robots, roles);
     here.setup(environment);
     ballots.reserve(here.code());
     follower.reserve(roles);
-    offer.setup(mailbox, here.code().bytes());
+    reserve.setup(environment, host, static_at);
+    offer.setup(host.mailbox(), here.code().bytes());
     bytes.reserve(here.code().bytes());
     assigned.reserve(robots);
     map.reserve(robots);
@@ -66,6 +72,10 @@ struct ScramVote {
   }
 
   void assign(const regista::Frame& frame, regista::UtilityMatrix utilities, regista::Assignment out) {
+    if (reserve.is_reached()) {
+      offer.withdraw();
+      return reserve.assign_by_rank(frame, utilities, out);
+    }
     assigned.resize(out.size());
     solver.assign(settings, frame, utilities, assigned);
     if (out.size() == 0 || utilities.columns() == 0) return offer.withdraw();  // nothing to vote on

@@ -114,6 +114,17 @@ TEST(ScramVotePlugin, AForbiddenPairIsNotPlayed) {
   EXPECT_EQ(assigner->assign(line().build(), utilities), (Rows{-1, 1, 0}));
 }
 
+TEST(ScramVotePlugin, AtTheReserveRolesGoByRank) {
+  const auto assigner = voter();
+  for (const int sender : {1, 3}) assigner->receive(sender, mirrored_vote(sender), 100.0, 100.1);
+  EXPECT_EQ(assigner->assign(line().build(), Matrix(3, 3)), (Rows{2, 1, 0}));
+  assigner->host().budget.packets_left = 30;
+  EXPECT_EQ(assigner->assign(line().build(), Matrix(3, 3)), (Rows{0, 1, 2}));
+  EXPECT_FALSE(assigner->host().offers.back().waits());
+  assigner->host().budget.packets_left = 31;
+  EXPECT_EQ(assigner->assign(line().build(), Matrix(3, 3)), (Rows{2, 1, 0}));
+}
+
 TEST(ScramVotePlugin, SaysWhatAVoteIsFor) {
   const auto assigner = voter();
   EXPECT_EQ(assigner->describe(mirrored_vote(1)), "vote: 1 jolly, 2 supporter, 3 striker");

@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <regista/assigner.hpp>
+#include <regista/host.hpp>
 #include <regista/mailbox.hpp>
+#include <regista/told.hpp>
 
 #include "../negotiation/bids.hpp"
+#include "../negotiation/reserve.hpp"
 #include "../negotiation/standing_offer.hpp"
 #include "../task_order.hpp"
 #include "message.hpp"
@@ -36,6 +40,7 @@ struct TokenPassing {
   double reach = 11.0, full_utility = 1.0;
   double threshold = 0.7, step = 0.1, give_up = 0.1;
   bool urgent = true;
+  int static_at = negotiation::usual_reserve;
   token_passing::Settings settings;
   static constexpr std::tuple parameters{
       regista::choice(
@@ -56,9 +61,11 @@ struct TokenPassing {
       regista::real("give_up", &TokenPassing::give_up, {0.0, 1.0}, "1",
                     "A robot gives its task up when its capability is this far below the threshold (assumption)")
           .tunable(),
-      regista::boolean("urgent", &TokenPassing::urgent,
-                       "Tokens that were made, passed or taken are worth a packet at once; false: they wait for the "
-                       "next one (assumption)"),
+      regista::boolean(
+          "urgent", &TokenPassing::urgent,
+          "Tokens that were made, passed or taken are worth a packet at once while the team is above the even "
+          "line of its packets; false: they wait for the next one (assumption)"),
+      negotiation::static_at(&TokenPassing::static_at),
       regista::within(
           &TokenPassing::settings,
           regista::choice("takeover", &token_passing::Settings::takeover, takeovers,
@@ -67,8 +74,10 @@ struct TokenPassing {
           regista::boolean("foresight", &token_passing::Settings::foresight,
                            "Teammates that would refuse by this robot's own prediction are not asked; false: all are, "
                            "as in the publication (assumption)"),
-          regista::integer("repeats", &token_passing::Settings::repeats, {1, 20}, "1",
-                           "Packets that name the new holder before the token is taken back (assumption)"),
+          regista::integer(
+              "repeats", &token_passing::Settings::repeats, {1, 20}, "1",
+              "Packets that name the new holder before the token is taken back, and packets in which a holder does not "
+              "name its token before that is lost (assumption)"),
           regista::real("patience", &token_passing::Settings::patience, {0.2, 60.0}, "s",
                         "How long the new holder may take to answer the last of them (assumption)"),
           regista::real("silence", &token_passing::Settings::silence, {1.0, 600.0}, "s",
@@ -87,26 +96,31 @@ struct TokenPassing {
   regista::Span<regista::Role> roles;
   regista::Mailbox mailbox;
   negotiation::StandingOffer offer;
+  negotiation::Reserve reserve;
   int own = 1;
-  std::size_t offered = 0;  // tokens in it
+  std::size_t offered = 0;    // tokens in it
+  std::size_t most_told = 0;  // that a packet has room for
+  regista::Told told;
   std::vector<std::uint32_t> order;
   std::vector<token_passing::Work> work;
   std::vector<std::int32_t> able;  // work x number
   std::vector<token_passing::Told> heard;
   std::vector<std::uint8_t> bytes;
 
-  void setup(const regista::Environment& environment, regista::Mailbox way_out) {
+  void setup(const regista::Environment& environment, const regista::Host& host) {
     settings.threshold = static_cast<int>(std::lround(thousandths * threshold));
     settings.step = static_cast<int>(std::lround(thousandths * step));
     settings.give_up = static_cast<int>(std::lround(thousandths * give_up));
     roles = environment.roles();
     own = environment->own_number;
-    mailbox = way_out;
+    mailbox = host.mailbox();
+    told = regista::Told(host);
     const auto tokens = static_cast<int>(roles.size());
     const auto team_size = static_cast<int>(environment->team_size);
     layout = {team_size, tokens, settings.rounds()};
     robot.reserve(team_size, tokens);
-    offer.setup(way_out, layout.bytes(roles.size()));
+    offer.setup(mailbox, layout.bytes(roles.size()));
+    reserve.setup(environment, host, static_at);
     bytes.reserve(layout.bytes(roles.size()));
     order.reserve(roles.size());
     work.reserve(roles.size());
@@ -117,14 +131,21 @@ struct TokenPassing {
   void reset(std::uint64_t) {
     robot.forget();
     offer.forget();
-    offered = 0;
+    offered = most_told = 0;
   }
 
   void assign(const regista::Frame& frame, regista::UtilityMatrix utilities, regista::Assignment out) {
+    if (reserve.is_reached()) {
+      robot.decide(settings, {frame.time(), own, 0, {}});  // as one that does not play: it holds nothing
+      offered = 0;
+      offer.withdraw();
+      return reserve.assign_by_rank(frame, utilities, out);
+    }
     const regista::Span<std::int32_t> active = frame.world().active();
     read_tasks(frame, utilities);
     token_passing::Robots members = 0;
     for (const std::int32_t number : active) members |= token_passing::only(number);
+    overhear();
     robot.decide(settings, {frame.time(), own, members, work});
     say(frame.time());
     for (std::size_t row = 0; row < out.size(); ++row) {
@@ -141,7 +162,7 @@ struct TokenPassing {
     const int sender = message.sender();
     if (sender < 1 || sender > layout.team_size || sender == own) return;
     if (!token_passing::read(layout, sender, message.bytes(), heard)) return;
-    robot.hear(own, sender, heard, message.time_sent(), message.time_heard());
+    robot.hear(own, sender, heard, message.time_sent(), message.time_heard(), heard.size() < most_told);
   }
   void transmitted(std::uint64_t handle) {
     if (offer.gone(handle)) robot.transmitted(offered);
@@ -171,6 +192,14 @@ struct TokenPassing {
   }
 
  private:
+  // Who answers for no token says nothing to this plugin.
+  void overhear() {
+    for (int number = 1; number <= layout.team_size; ++number) {
+      const auto packet = number == own ? std::nullopt : told.packet(number);
+      if (packet) robot.overhear(own, number, packet->time_sent);
+    }
+  }
+
   void read_tasks(const regista::Frame& frame, const regista::UtilityMatrix& utilities) {
     const regista::Span<regista::Task> tasks = frame.tasks();
     const regista::World world = frame.world();
@@ -200,11 +229,12 @@ struct TokenPassing {
   void say(double now) {
     constexpr std::uint32_t heading = 2;
     const std::uint32_t free = mailbox.bytes_free();
-    const auto told = robot.told();
-    offered = std::min(told.size(), layout.most(free > heading ? free - heading : 0));
+    const auto tokens = robot.told();
+    most_told = layout.most(free > heading ? free - heading : 0);
+    offered = std::min(tokens.size(), most_told);
     if (offered == 0) return offer.withdraw();
-    token_passing::write(layout, told.first(offered), bytes);
-    offer.say(bytes, now, urgent && robot.is_urgent() ? 1.0 : 0.0);
+    token_passing::write(layout, tokens.first(offered), bytes);
+    offer.say(bytes, now, urgent && robot.is_urgent() && reserve.may_hurry() ? 1.0 : 0.0);
   }
 };
 

@@ -26,14 +26,16 @@
 //   refused against the prediction is asked again after `rest`.
 // - A task that is gone from what its holder perceives leaves the holder free. It is done after `gone_after`; until
 //   then the holder resumes it when it comes back. Who holds a token of a task that it has never perceived passes it
-//   on after `stagger`; when all have been visited it is done.
+//   on after `stagger`; when all have been visited it is done. Who hears that a task is done that it perceives takes it
+//   that the teller does not, and does not ask it for `rest`.
 //
 // Under loss, where the publications assume that what is sent arrives:
 // - A robot tells with every packet the tokens that it holds, and those that it has passed until it overhears that the
 //   new holder knows: this is the acknowledgement. If it hears packets of the new holder that do not know after it has
 //   told `repeats` times, or nothing for `patience`, it takes the token back in a new generation and tries the next
 //   one. If nobody else would take it, it goes on telling.
-// - A token is lost when its holder has left, or when nobody has answered for it for `silence`, which is longer than
+// - A token is lost when its holder has left, when the holder has said `repeats` times what it holds and not named it
+//   (it has dropped it, and that was not heard), or when nobody has answered for it for `silence`, which is longer than
 //   the longest period of a sender: 20 s of the goalkeeper in the paper's team. The lowest number makes it anew in the
 //   next generation, with the first threshold; the k-th lowest waits as above. It does so only if somebody could take
 //   it: who is cut off from the team does not take away what others do. Who returns first listens for `stagger`.
@@ -110,6 +112,7 @@ class Robot {
     busy_.resize(static_cast<std::size_t>(team_size));
     told_.reserve(static_cast<std::size_t>(tokens));
     heard_of_.resize(static_cast<std::size_t>(team_size));
+    spoke_.resize(static_cast<std::size_t>(team_size));
     forget();
   }
   // Back to the beginning of a match.
@@ -117,6 +120,7 @@ class Robot {
     std::ranges::fill(known_, Known{});
     std::ranges::fill(busy_, none);
     std::ranges::fill(heard_of_, never);
+    std::ranges::fill(spoke_, never);
     told_.clear();
     members_ = 0;
     started_ = away_ = urgent_ = false;
@@ -124,8 +128,9 @@ class Robot {
     kept_ = none;
   }
 
-  // A packet of a teammate. Packets that were overtaken are dropped. told: ids and numbers are in range.
-  void hear(int own, int sender, std::span<const Told> told, double time_sent, double now) {
+  // A packet of a teammate. Packets that were overtaken are dropped. told: ids and numbers are in range. says_all: it
+  // had room for all that its sender answers for.
+  void hear(int own, int sender, std::span<const Told> told, double time_sent, double now, bool says_all) {
     double& newest = heard_of_[index(sender)];
     if (time_sent <= newest) return;
     newest = time_sent;
@@ -134,10 +139,12 @@ class Robot {
       const negotiation::Order order = known.is_known ? compare(each.token, known.token) : negotiation::Order::later;
       if (order == negotiation::Order::earlier) continue;
       known.answered_for = now;
+      known.unnamed = 0;
       if (order == negotiation::Order::same) {
         if (each.token.holder == sender) known.on_its_way = false;
         continue;
       }
+      if (each.token.done && known.work != none) refuse(known, only(sender));
       known.is_known = true;
       known.token = each.token;
       known.teller = sender;
@@ -145,13 +152,14 @@ class Robot {
       known.on_its_way = each.token.holder != sender && each.token.holder != own;
       known.perceived = false;
     }
-    // Whom this robot has passed a token, and who does not answer for it, has not heard.
-    for (Known& each : known_) {
-      if (!each.on_its_way || each.teller != own || each.token.holder != sender || each.sent == 0) continue;
-      if (time_sent <= each.first_sent + longest_delay) continue;
-      if (each.told_in_vain == 0) urgent_ = true;
-      each.told_in_vain = each.sent >= settings_.repeats && time_sent > each.sent_enough + longest_delay ? 2 : 1;
-    }
+    miss(own, sender, told, time_sent, says_all);
+  }
+  // A packet in which a teammate says nothing of tokens: it answers for none. May be one that was heard before.
+  void overhear(int own, int sender, double time_sent) {
+    double& newest = spoke_[index(sender)];
+    if (time_sent <= newest || time_sent <= heard_of_[index(sender)]) return;
+    newest = time_sent;
+    miss(own, sender, {}, time_sent, true);
   }
 
   // To be called at every decision. Returns the index of the work that this robot does, or none.
@@ -191,7 +199,7 @@ class Robot {
   // The work that a robot does or is asked to do, or none. Of the last decision.
   int work_of(int number) const { return number == situation_.own ? kept_ : busy_[index(number)]; }
   // Whether it was ever heard of.
-  bool was_heard(int number) const { return heard_of_[index(number)] != never; }
+  bool was_heard(int number) const { return heard_of_[index(number)] != never || spoke_[index(number)] != never; }
 
   // What this robot answers for, what matters most first. Of the last decision.
   std::span<const Told> told() const { return told_; }
@@ -225,6 +233,7 @@ class Robot {
     int teller = 0;           // who told it first: the own number for what this robot has changed last
     int sent = 0;             // packets with it since then
     int told_in_vain = 0;     // 1: the new holder has spoken since and does not know; 2: in spite of all repeats
+    int unnamed = 0;          // packets of the holder, one after the other, that should have named it
     int work = none;
     Robots refused = 0;  // of those that should have taken it, until `rest` is over
     double refused_at = never, answered_for = never, changed_at = never, last_perceived = never;
@@ -247,7 +256,25 @@ class Robot {
   }
   bool lives(const Known& known) const {
     if (!known.is_known || known.token.done || !plays(known.token.holder)) return false;
+    if (known.unnamed >= settings_.repeats) return false;
     return is_mine(known) || is_mine_to_deliver(known) || now_ - known.answered_for <= settings_.silence;
+  }
+
+  // What a packet does not say. Whom this robot has passed a token, and who does not answer for it, has not heard.
+  void miss(int own, int sender, std::span<const Told> told, double time_sent, bool says_all) {
+    for (Known& each : known_) {
+      const int id = static_cast<int>(&each - known_.data());
+      const bool holds = each.is_known && !each.token.done && !each.on_its_way && each.token.holder == sender;
+      if (holds && says_all && std::ranges::none_of(told, [&](const Told& other) { return other.id == id; })) {
+        ++each.unnamed;
+      }
+    }
+    for (Known& each : known_) {
+      if (!each.on_its_way || each.teller != own || each.token.holder != sender || each.sent == 0) continue;
+      if (time_sent <= each.first_sent + longest_delay) continue;
+      if (each.told_in_vain == 0) urgent_ = true;
+      each.told_in_vain = each.sent >= settings_.repeats && time_sent > each.sent_enough + longest_delay ? 2 : 1;
+    }
   }
 
   // --- Changes of a token that this robot holds
@@ -257,7 +284,7 @@ class Robot {
     known.teller = situation_.own;
     known.changed_at = now_;
     known.answered_for = now_;
-    known.sent = known.told_in_vain = 0;
+    known.sent = known.told_in_vain = known.unnamed = 0;
     if (is_news) urgent_ = true;
   }
   void begin_generation(Known& known) {
@@ -272,7 +299,7 @@ class Robot {
     known.teller = situation_.own;
     known.changed_at = now_;
     known.answered_for = now_;
-    known.sent = known.told_in_vain = 0;
+    known.sent = known.told_in_vain = known.unnamed = 0;
     urgent_ = true;
   }
   void pass(Known& known, int number, bool is_news = true) {
@@ -384,7 +411,7 @@ class Robot {
       begin_generation(known);
       known.token.round = 0;
       known.token.visited = 0;
-      known.refused = 0;
+      if (lost) known.refused = 0;
     }
   }
   bool somebody_could(int w) const {
@@ -498,7 +525,8 @@ class Robot {
   int team_size_ = 0;
   std::vector<Known> known_;      // by id
   std::vector<int> busy_;         // by number - 1: work of a teammate; that of this robot is kept_
-  std::vector<double> heard_of_;  // by number - 1: when its newest packet was sent
+  std::vector<double> heard_of_;  // by number - 1: when its newest packet with tokens was sent
+  std::vector<double> spoke_;     // the same of packets without any, where the host tells of them
   std::vector<Told> told_;
   Settings settings_;
   Situation situation_;

@@ -280,6 +280,30 @@ TEST(Tokens, WhoDoesNotKnowTheTaskPassesItOn) {
   EXPECT_TRUE(team.newest(0)->done);
 }
 
+// Robot 2 held it, and says that it is done.
+TEST(Tokens, WhoSaysThatAPerceivedTaskIsDoneIsNotAskedAtOnce) {
+  Settings settings;
+  settings.gone_after = 1.0;
+  settings.rest = 5.0;
+  Team team(4, 1, settings, 1);
+  const Tasks for_2 = make_tasks({{100, 900, 100, 500}});
+  team.tasks = for_2;
+  team.play(2.0);
+  EXPECT_EQ(team.does(2), 0);
+  only_seen_by(team, ~only(2), 0);
+  team.play(1.3);
+  EXPECT_EQ(team.does(4), 0);
+  EXPECT_EQ(team.newest(0)->generation, 2);
+  // All lose it: nobody who says so is to blame.
+  team.seen_by = nullptr;
+  team.tasks = {};
+  team.play(1.5);
+  EXPECT_TRUE(team.newest(0)->done);
+  team.tasks = make_tasks({{100, 500, 100, 900}});
+  team.play(0.5);
+  EXPECT_EQ(team.does(4), 0);
+}
+
 TEST(Tokens, TheLowestRobotMakesTheTokenOfOneThatLeftAnew) {
   std::mt19937 random(6);
   for (int round = 0; round < 500; ++round) {
@@ -329,11 +353,11 @@ TEST(Tokens, APacketThatWasOvertakenIsDropped) {
   first.id = 0;
   second.id = 1;
   first.token = second.token = {.generation = 1, .creator = 2, .holder = 2, .kept = true};
-  robot.hear(1, 2, std::vector{first}, 5.0, 5.1);
-  robot.hear(1, 2, std::vector{second}, 4.9, 5.2);
+  robot.hear(1, 2, std::vector{first}, 5.0, 5.1, false);
+  robot.hear(1, 2, std::vector{second}, 4.9, 5.2, false);
   EXPECT_NE(robot.token(0), nullptr);
   EXPECT_EQ(robot.token(1), nullptr);
-  robot.hear(1, 3, std::vector{second}, 4.9, 5.2);  // of another robot it is the newest
+  robot.hear(1, 3, std::vector{second}, 4.9, 5.2, false);  // of another robot it is the newest
   EXPECT_NE(robot.token(1), nullptr);
 }
 
@@ -396,7 +420,7 @@ struct Single {
     Told other;
     other.id = 1;
     other.token = {.generation = 1, .creator = 3, .holder = static_cast<std::uint8_t>(sender), .kept = true};
-    robot.hear(1, sender, std::vector{other}, now, now);
+    robot.hear(1, sender, std::vector{other}, now, now, false);
   }
 };
 
@@ -422,6 +446,43 @@ TEST(Answers, TooFewPacketsProveNothing) {
   one.hear_of_something_else(2);
   EXPECT_EQ(one.decide().holder, 2);
   EXPECT_TRUE(one.robot.is_urgent()) << "it is told again at once";
+}
+
+TEST(Answers, APacketWithoutTokensIsAnAnswerToo) {
+  Single one({100, 900, 800});
+  one.speak(3, 1.0);
+  one.now += 1.5;
+  one.robot.overhear(1, 2, one.now);
+  EXPECT_TRUE(one.robot.was_heard(2));
+  EXPECT_EQ(one.decide().holder, 3);
+}
+
+// It was passed to robot 2, which does it, and then no longer says so: that it is done was lost.
+TEST(Answers, AHolderThatDoesNotNameItsTokenHasNone) {
+  const auto holder_after = [](int packets, bool says_all) {
+    Single one({100, 900, 800});
+    one.speak(1, 1.0);
+    Told kept{0, *one.robot.token(0)};
+    kept.token.kept = true;
+    ++kept.token.hop;
+    one.robot.hear(1, 2, std::vector{kept}, one.now, one.now, true);
+    one.able[1] = -1;
+    for (int i = 0; i < packets; ++i) {
+      one.now += 1.0;
+      one.robot.overhear(1, 2, one.now);
+      one.robot.overhear(1, 2, one.now);  // the same
+      if (says_all) continue;
+      kept.id = 1;
+      one.now += 0.1;
+      one.robot.hear(1, 2, std::vector{kept}, one.now, one.now, false);  // had no room for the other
+      kept.id = 0;
+      one.robot.hear(1, 2, std::vector{kept}, one.now + 0.1, one.now + 0.1, true);
+    }
+    return static_cast<int>(one.decide().holder);
+  };
+  EXPECT_EQ(holder_after(2, true), 2);
+  EXPECT_EQ(holder_after(3, true), 3);
+  EXPECT_EQ(holder_after(9, false), 2);
 }
 
 TEST(Answers, WhoIsSilentLosesTheTokenAfterPatience) {
@@ -453,7 +514,7 @@ TEST(Answers, WhoRefusedAgainstThePredictionIsAskedAgainAfterARest) {
   back.token.holder = 1;
   back.token.visited |= only(2);
   ++back.token.hop;
-  one.robot.hear(1, 2, std::vector{back}, one.now, one.now);
+  one.robot.hear(1, 2, std::vector{back}, one.now, one.now, false);
   const double refused = one.now;
   EXPECT_EQ(one.decide().holder, 1);  // at a threshold that has fallen
   EXPECT_TRUE(one.robot.token(0)->kept);

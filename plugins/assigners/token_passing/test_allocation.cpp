@@ -46,7 +46,7 @@ TEST(TokenPassing, NothingIsAllocatedAfterReserve) {
         write(layout, robot.told(), bytes);
         if (sender != 1 && read(layout, 0, bytes, read_back)) {
           for (Told& each : read_back) ++each.token.hop;
-          robot.hear(1, sender, read_back, 0.1 * tick, 0.1 * tick);
+          robot.hear(1, sender, read_back, 0.1 * tick, 0.1 * tick, true);
         }
         robot.transmitted(robot.told().size());
       });

@@ -145,7 +145,7 @@ TEST(TokenMessage, ATeamRecoversFromAnyBytes) {
       if (random() % 4 == 0) std::ranges::generate(bytes, [&] { return static_cast<std::uint8_t>(random()); });
       if (!read(layout, sender, bytes, told)) continue;
       ++understood;
-      team.robot(number).hear(number, sender, told, team.now - 0.01, team.now);
+      team.robot(number).hear(number, sender, told, team.now - 0.01, team.now, false);
     }
     team.play(25.0);
     bool one_each = true;

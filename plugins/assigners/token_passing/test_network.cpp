@@ -52,6 +52,7 @@ TEST(TokenNetwork, AfterTheLastLossEachTokenHasOneHolderWithinTheBound) {
     settings.takeover = static_cast<Takeover>(random() % 3);
     Team team(robots, tokens, settings, static_cast<std::uint32_t>(round));
     team.tick = 0.2;
+    team.hosts_tell = round % 2 == 0;
     team.tasks = random_tasks(robots, tasks, tokens, random);
     team.radio = {.loss = 0.1 * static_cast<double>(random() % 9),
                   .most_delay = 0.1 * static_cast<double>(random() % 7),

@@ -92,6 +92,56 @@ TEST(TokenPassingPlugin, APassIsSaidUntilItIsAnswered) {
   EXPECT_TRUE(says("supporter with 3"));
 }
 
+// Robot 2 speaks, and has no tokens.
+TEST(TokenPassingPlugin, WhoDoesNotAnswerIsPassedOver) {
+  Instance first(plugin(), EnvironmentBuilder{}.own(1));
+  const auto with_2 = [&] { return first.describe(last_said(first)).find("striker with 2") != std::string::npos; };
+  const auto two_tasks = [](double time) {
+    SceneData data = line(1, time).build().data();
+    data.tasks.pop_back();  // so that robot 3 is free
+    return Scene(data);
+  };
+  for (int tick = 0; tick < 3; ++tick) {
+    first.assign(two_tasks(100.0 + tick), Matrix(3, 2));
+    first.transmitted(first.host().offers.back().handle);
+  }
+  EXPECT_TRUE(with_2());
+  first.host().told.resize(2);
+  regista_told_packet& packet = first.host().told[1].emplace();
+  packet.size = sizeof packet;
+  packet.time_sent = 104.0;
+  first.assign(two_tasks(104.1), Matrix(3, 2));
+  EXPECT_FALSE(with_2());
+}
+
+TEST(TokenPassingPlugin, NothingIsUrgentWhilePacketsRunShort) {
+  Instance first(plugin(), EnvironmentBuilder{}.own(1));
+  first.host().budget.packets_left = 1154;  // as many as the line has
+  first.assign(line(1).build(), Matrix(3, 3));
+  EXPECT_EQ(first.host().offers.back().urgency, 0.0);
+  first.host().budget.packets_left = 1155;
+  first.assign(line(1, 100.1).build(), Matrix(3, 3));
+  EXPECT_EQ(first.host().offers.back().urgency, 1.0);
+}
+
+TEST(TokenPassingPlugin, AtTheReserveRolesGoByRank) {
+  Instance third(plugin(), EnvironmentBuilder{}.own(3)), first(plugin(), EnvironmentBuilder{}.own(1));
+  Matrix utilities(3, 3);
+  utilities(0, 0) = forbidden;
+  EXPECT_EQ(first.assign(line(1).build(), utilities), (Rows{1, 2, 0}));
+  third.receive(1, last_said(first), 100.0, 100.1);
+  EXPECT_EQ(third.assign(line(3, 100.1).build(), utilities), (Rows{1, 2, 0}));
+  for (Instance* each : {&first, &third}) {
+    each->host().budget.packets_left = 30;
+    EXPECT_EQ(each->assign(line(3, 100.2).build(), utilities), (Rows{1, 0, 2}));
+    EXPECT_FALSE(each->host().offers.back().waits());
+    each->host().budget.packets_left = 1200;
+  }
+  EXPECT_EQ(third.assign(line(3, 100.3).build(), utilities)[2], none);  // it holds nothing any more
+  first.assign(line(1, 100.3).build(), utilities);
+  EXPECT_EQ(first.assign(line(1, 103.0).build(), utilities), (Rows{1, 2, 0}));
+}
+
 TEST(TokenPassingPlugin, WrongBytesAndSendersAreIgnored) {
   Instance first(plugin(), EnvironmentBuilder{}.own(1)), second(plugin(), EnvironmentBuilder{}.own(2));
   first.assign(line(1).build(), Matrix(3, 3));

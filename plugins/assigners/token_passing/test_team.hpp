@@ -48,7 +48,8 @@ class Team {
   Robots deaf = 0;                                         // neither hear nor are heard, and are given up at once
   double tick = 0.1;                                       // s
   double now = 0.0;
-  int passes = 0;  // so far
+  int passes = 0;           // so far
+  bool hosts_tell = false;  // of packets without tokens
 
   int size() const { return size_; }
   Robot& robot(int number) { return mind(number).robot; }
@@ -119,7 +120,9 @@ class Team {
 
   void hear(int number, const Arrival& packet) {
     if (read(layout_, packet.sender, packet.bytes, read_)) {
-      mind(number).robot.hear(number, packet.sender, read_, packet.sent, now);
+      mind(number).robot.hear(number, packet.sender, read_, packet.sent, now, true);
+    } else if (packet.bytes.empty()) {
+      mind(number).robot.overhear(number, packet.sender, packet.sent);
     }
   }
 
@@ -152,7 +155,7 @@ class Team {
     const auto told = mind(number).robot.told();
     write(layout_, told, bytes_);
     mind(number).robot.transmitted(told.size());
-    if (told.empty() || ((deaf | radio_off) & only(number)) != 0) return;
+    if ((told.empty() && !hosts_tell) || ((deaf | radio_off) & only(number)) != 0) return;
     for (int other = 1; other <= size_; ++other) {
       if (other == number || (deaf & only(other)) != 0) continue;
       if (std::uniform_real_distribution<double>(0.0, 1.0)(random_) < radio.loss) continue;

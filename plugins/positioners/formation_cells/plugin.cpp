@@ -5,6 +5,10 @@
 // Positions are the tasks that the robots can take: the required ones, then the most important, one for each active
 // robot. Roles named in `left_out` have no cell and get no point, such as the one that goes to the ball. Teammates
 // stand where the world of the call has them; the last target of a position is that of the robot that says to hold it.
+//
+// Each robot climbs for the position that it holds, as in the publication: where the others walk they say themselves.
+// So only its own task gets a point, from the decision after the one in which it took the role. `all_positions` is for
+// assigners that weigh the places, and for pictures.
 #include <algorithm>
 #include <optional>
 #include <sstream>
@@ -27,10 +31,13 @@ struct FormationCells {
 
   Ratings ratings;
   std::string left_out = "striker";
+  bool all_positions = false;
   static constexpr regista::Range deviation{0.01, 20.0};
   static constexpr std::tuple parameters{
       regista::text("left_out", &FormationCells::left_out,
                     "Names of roles without a place in the formation, separated by spaces; assumption"),
+      regista::boolean("all_positions", &FormationCells::all_positions,
+                       "Points for all positions, not for that of the own robot alone; B-Human: false"),
       regista::within(
           &FormationCells::ratings,
           regista::real("base", &Ratings::base, deviation, "m",
@@ -59,6 +66,7 @@ struct FormationCells {
                         "Nearer to its place it stops, where it is; B-Human: 0.6")
               .tunable())};
 
+  int own_number = 1;
   formation_cells::Extent field;
   std::vector<bool> has_place;                   // by row of the table of roles
   std::vector<formation_cells::Place> place_of;  // the same
@@ -68,6 +76,7 @@ struct FormationCells {
   std::vector<std::uint8_t> seen;
 
   void setup(const regista::Environment& environment) {
+    own_number = environment->own_number;
     field = {environment->field_length / 2.0, environment->field_width / 2.0};
     std::vector<std::string> names;
     std::istringstream words(left_out);
@@ -100,8 +109,11 @@ struct FormationCells {
     formation_cells::Surroundings around{field, sites, mates, std::nullopt};
     if (world.ball_known()) around.ball = Point{world.ball().position[0], world.ball().position[1]};
     std::fill(seen.begin(), seen.end(), std::uint8_t{0});
+    const regista::World mine = frame.mine();
+    const std::int32_t own_role = mine.robot(own_number).role;
     for (std::size_t site = 0; site < sites.size(); ++site) {
       const regista::Task& task = frame.tasks()[site_task[site]];
+      if (!all_positions && task.id != own_role) continue;
       const auto row = static_cast<std::size_t>(task.id);
       formation_cells::Position position{site, std::nullopt, holder_of(world, task.id)};
       if (position.holder) position.last_target = last_target(frame, mate_number[*position.holder]);

@@ -36,8 +36,27 @@ std::vector<int> tasks_of(const Placed& placed) {
   return out;
 }
 
+Values all_positions() {
+  Values values(plugin());
+  values.set("all_positions", 1.0);
+  return values;
+}
+
+// The others' places are theirs. Whose role has no cell has none either.
+TEST(FormationCellsPlugin, ThePlaceOfTheOwnRole) {
+  Instance positioner(plugin(), EnvironmentBuilder{}.own(2)),
+      all(plugin(), EnvironmentBuilder{}.own(2), all_positions());
+  EXPECT_EQ(tasks_of(positioner.place(scene().build().before_placing())), std::vector<int>{});
+  const Scene holds = scene().robot(2).role("supporter").robot(4).role("goalkeeper").build().before_placing();
+  const Placed own = positioner.place(holds), both = all.place(holds);
+  ASSERT_EQ(tasks_of(own), (std::vector<int>{2}));
+  EXPECT_EQ(own.points[0].x, both.points[1].x);
+  EXPECT_EQ(own.points[0].y, both.points[1].y);
+  EXPECT_EQ(tasks_of(positioner.place(scene().robot(2).role("striker").build().before_placing())), std::vector<int>{});
+}
+
 TEST(FormationCellsPlugin, AsManyPositionsAsRobots) {
-  Instance positioner(plugin(), EnvironmentBuilder{}.own(2));
+  Instance positioner(plugin(), EnvironmentBuilder{}.own(2), all_positions());
   EXPECT_EQ(tasks_of(positioner.place(scene().build().before_placing())), (std::vector<int>{0, 2}));
   FrameBuilder four = scene();
   four.robot(3).at(0, 2);
@@ -48,7 +67,7 @@ TEST(FormationCellsPlugin, AsManyPositionsAsRobots) {
 }
 
 TEST(FormationCellsPlugin, RolesThatAreLeftOut) {
-  Values values(plugin());
+  Values values = all_positions();
   values.set("left_out", "goalkeeper  supporter");
   Instance positioner(plugin(), EnvironmentBuilder{}.own(2), values);
   EXPECT_EQ(tasks_of(positioner.place(scene().build().before_placing())), (std::vector<int>{1}));
@@ -68,7 +87,8 @@ TEST(FormationCellsPlugin, TheHolderStandsOrWalks) {
 }
 
 TEST(FormationCellsPlugin, OneHistoryOneResult) {
-  Instance a(plugin(), EnvironmentBuilder{}.own(2)), b(plugin(), EnvironmentBuilder{}.own(4));
+  Instance a(plugin(), EnvironmentBuilder{}.own(2), all_positions()),
+      b(plugin(), EnvironmentBuilder{}.own(4), all_positions());
   for (int tick = 0; tick < 200; ++tick) {
     FrameBuilder frame = scene();
     frame.robot(2).at(3.0 - 0.025 * tick, 0.01 * tick).role("supporter").ball(0.02 * tick, 1.0);
@@ -89,7 +109,7 @@ TEST(FormationCellsPlugin, NothingIsAllocated) {
   environment.team_size(22).own(2);
   std::vector<std::string> names;
   for (int k = 0; k < 64; ++k) names.push_back("role_" + std::to_string(k));
-  Instance positioner(plugin(), environment.roles(names));
+  Instance positioner(plugin(), environment.roles(names), all_positions());
   positioner.host().costs = &costs;
   positioner.host().allocated = [] { return allocations; };  // but for the testkit's own
   std::size_t most_points = 0;

@@ -13,6 +13,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -66,13 +67,105 @@ inline double value_at(const Point& p, const Scene& scene, const Lawn& lawn, con
   return value - hill(inside, settings.border_reach);
 }
 
+// A squared distance from which on `weight` times hill() is at most `level`; infinity when there is none. It is so with
+// every rounding: no step of the computation grows with the distance, so what holds at one holds at all beyond.
+inline double squared_until(double level, double weight, double reach) {
+  if (weight <= level) return 0.0;
+  const double distance = reach * (1.0 + 1e-12 - level / weight), squared = distance * distance;
+  return weight * hill(std::sqrt(squared), reach) <= level ? squared : std::numeric_limits<double>::infinity();
+}
+
+// value_at(), with the same bits, for who asks for many points of a rectangle and only for values above a floor. Parts
+// of 0 are left out. All that is subtracted is >= 0, so with some of it left out the same order gives no less: when
+// that is not above the floor, the value is not.
+class FieldAbove {
+ public:
+  void reserve(std::size_t most_robots) {
+    near_.reserve(2 * most_robots);
+    in_row_.reserve(2 * most_robots);
+  }
+
+  // The rectangle from `low` to `high` on the lawn; no floor.
+  void begin(const Scene& scene, const Lawn& lawn, const Settings& settings, const Point& low, const Point& high) {
+    home_ = scene.home;
+    lawn_ = lawn;
+    settings_ = settings;
+    near_.clear();
+    keep_near(scene.mates, low, high, settings.mate_reach);
+    keep_near(scene.opponents, low, high, settings.opponent_reach);
+    floor_ = -std::numeric_limits<double>::infinity();
+    home_until_ = -floor_;
+  }
+
+  void set_floor(double floor) {
+    floor_ = floor;
+    home_until_ = squared_until(floor, settings_.home_weight, settings_.home_reach);
+  }
+
+  // From here on, points with this x. Whether any of them may be above the floor.
+  bool begin_row(double x) {
+    const double dx = x - home_.x;
+    home_squared_ = dx * dx;
+    if (home_squared_ >= home_until_) return false;
+    to_goal_line_ = lawn_.half_length - std::abs(x);
+    in_row_.clear();
+    for (const Repeller& each : near_) {
+      const double d = x - each.x, squared = d * d;
+      if (squared < each.until) in_row_.push_back({squared, each.y, each.reach, each.until});
+    }
+    return true;
+  }
+
+  // The value at (x, y), or, when that is not above the floor, anything that is not.
+  double value(double y) const {
+    const double dy = y - home_.y, squared = home_squared_ + dy * dy;
+    if (squared >= home_until_) return floor_;
+    double value = settings_.home_weight * hill(std::sqrt(squared), settings_.home_reach);
+    const double inside = std::min(to_goal_line_, lawn_.half_width - std::abs(y));
+    const double border = inside < settings_.border_reach ? hill(inside, settings_.border_reach) : 0.0;
+    if (value - border <= floor_) return floor_;
+    for (const InRow& each : in_row_) {
+      const double d = y - each.y, away = each.squared + d * d;
+      if (away >= each.until) continue;
+      value -= hill(std::sqrt(away), each.reach);
+      if (value - border <= floor_) return floor_;
+    }
+    return value - border;
+  }
+
+ private:
+  struct Repeller {
+    double x, y, reach;
+    double until;  // squared distance from which on it counts 0
+  };
+  struct InRow {
+    double squared;  // of its distance from the row
+    double y, reach, until;
+  };
+
+  // Those that count at any point of the rectangle.
+  void keep_near(std::span<const Point> all, const Point& low, const Point& high, double reach) {
+    const double until = squared_until(0.0, 1.0, reach);
+    for (const Point& p : all) {
+      const double dx = std::max(0.0, std::max(low.x - p.x, p.x - high.x));
+      const double dy = std::max(0.0, std::max(low.y - p.y, p.y - high.y));
+      if (dx * dx + dy * dy < until) near_.push_back({p.x, p.y, reach, until});
+    }
+  }
+
+  Point home_{};
+  Lawn lawn_{};
+  Settings settings_;
+  double floor_ = 0.0, home_until_ = 0.0;  // home_until_: squared distance from home that is not above the floor
+  double home_squared_ = 0.0, to_goal_line_ = 0.0;  // of the row
+  std::vector<Repeller> near_;                      // mates, then opponents
+  std::vector<InRow> in_row_;                       // those of them that count at any point of the row
+};
+
 // Finds the best point of a region. Reuse one object: it keeps its memory.
 class Search {
  public:
-  void reserve(std::size_t most_robots) {
-    mates_.reserve(most_robots);
-    opponents_.reserve(most_robots);
-  }
+  void reserve(std::size_t most_robots) { field_.reserve(most_robots); }
 
   // The best of the last pose, the role's own place and the grid's points, if they lie in the region and on the lawn;
   // of equal ones the first in this order, the grid by x, then y.
@@ -80,27 +173,29 @@ class Search {
     assert(settings.step > 0.0);
     const Point low = lawn.nearest({scene.home.x - settings.region, scene.home.y - settings.region});
     const Point high = lawn.nearest({scene.home.x + settings.region, scene.home.y + settings.region});
-    keep_near(scene.mates, low, high, settings.mate_reach, mates_);
-    keep_near(scene.opponents, low, high, settings.opponent_reach, opponents_);
-    const Scene near{mates_, opponents_, scene.home, scene.last};
+    field_.begin(scene, lawn, settings, low, high);
     Point best = scene.home;
-    double most = value_at(best, near, lawn, settings);
+    field_.begin_row(best.x);
+    double most = field_.value(best.y);
     if (scene.last && within(*scene.last, low, high)) {
-      const double value = value_at(*scene.last, near, lawn, settings) + settings.last_bonus;
+      field_.begin_row(scene.last->x);
+      const double value = field_.value(scene.last->y) + settings.last_bonus;
       if (value >= most) {
         best = *scene.last;
         most = value;
       }
     }
-    const double first_y = std::ceil(low.y / settings.step), last_y = std::floor(high.y / settings.step);
-    const double last_x = std::floor(high.x / settings.step);
-    for (double i = std::ceil(low.x / settings.step); i <= last_x; ++i) {
-      for (double j = first_y; j <= last_y; ++j) {
-        const Point p{i * settings.step, j * settings.step};
-        const double value = value_at(p, near, lawn, settings);
-        if (value <= most || !within(p, low, high)) continue;
-        best = p;
+    field_.set_floor(most);
+    const Range rows = steps_within(low.x, high.x, settings.step), columns = steps_within(low.y, high.y, settings.step);
+    for (double i = rows.first; i <= rows.last; ++i) {
+      const double x = i * settings.step;
+      if (!field_.begin_row(x)) continue;
+      for (double j = columns.first; j <= columns.last; ++j) {
+        const double y = j * settings.step, value = field_.value(y);
+        if (value <= most) continue;
+        best = {x, y};
         most = value;
+        field_.set_floor(most);
       }
     }
     return best;
@@ -110,16 +205,19 @@ class Search {
   static bool within(const Point& p, const Point& low, const Point& high) {
     return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
   }
-  // Those that reach into the rectangle.
-  static void keep_near(std::span<const Point> all, const Point& low, const Point& high, double reach,
-                        std::vector<Point>& near) {
-    near.clear();
-    for (const Point& p : all) {
-      if (within(p, {low.x - reach, low.y - reach}, {high.x + reach, high.y + reach})) near.push_back(p);
-    }
+
+  struct Range {
+    double first, last;
+  };
+  // The whole numbers of steps in [low, high]. What the division let in beyond an end is left out.
+  static Range steps_within(double low, double high, double step) {
+    Range out{std::ceil(low / step), std::floor(high / step)};
+    if (out.first * step < low) ++out.first;
+    if (out.last * step > high) --out.last;
+    return out;
   }
 
-  std::vector<Point> mates_, opponents_;
+  FieldAbove field_;
 };
 
 }  // namespace preferred_poses

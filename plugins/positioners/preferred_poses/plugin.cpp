@@ -6,12 +6,13 @@
 // another one of the tasks, for a robot without a role will have one in a moment. The last pose is what the robot that
 // plays the role has last said to walk to, not what this robot has computed: so all who know the same prefer the same,
 // and nothing is remembered. The heading stays that of the role's rule. A role that is bound to one robot, as the
-// goalkeeper's, has no field.
+// goalkeeper's, has no field, nor has one that the offset leaves where it is, as the striker's, where the host tells.
 #include <algorithm>
 #include <optional>
 #include <vector>
 
 #include <regista/positioner.hpp>
+#include <regista/roles.hpp>
 
 #include "field.hpp"
 
@@ -61,14 +62,20 @@ struct PreferredPoses {
   preferred_poses::Lawn lawn{};
   std::vector<Player> players;
   std::vector<preferred_poses::Point> mates, opponents;
+  std::vector<char> stays;  // by id: the offset leaves the role where it is
 
-  void setup(const regista::Environment& environment) {
+  void setup(const regista::Environment& environment, const regista::Host& host) {
     lawn = {environment->field_length / 2.0, environment->field_width / 2.0};
     constexpr std::size_t most_opponents = 64;  // more than a world has; only memory depends on it
     players.reserve(environment->team_size);
     mates.reserve(environment->team_size);
     opponents.reserve(most_opponents);
     search.reserve(std::max<std::size_t>(most_opponents, environment->team_size));
+    const regista::Roles roles(host);
+    for (int role = 0; role < static_cast<int>(environment.roles().size()); ++role) {
+      const std::optional<regista::RoleFacts> facts = roles.role(role);
+      stays.push_back(facts && facts->moves == 0 ? 1 : 0);
+    }
   }
 
   void place(const regista::Frame& frame, regista::Placement out) {
@@ -80,7 +87,7 @@ struct PreferredPoses {
     read_players(frame, world);
     int index = 0;
     for (const regista::Task& task : frame.tasks()) {
-      if (task.robot == 0) {
+      if (task.robot == 0 && stays[static_cast<std::size_t>(task.id)] == 0) {
         const preferred_poses::Point best = search.best(scene_of(task), lawn, settings);
         out.point(best.x, best.y, 1.0, index);
       }

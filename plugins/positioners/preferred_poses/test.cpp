@@ -89,20 +89,56 @@ Point by_definition(const Scene& scene, const Settings& settings) {
   return best;
 }
 
+class Random {
+ public:
+  explicit Random(unsigned seed) : random_(seed) {}
+  double real(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  unsigned below(unsigned count) { return static_cast<unsigned>(random_() % count); }
+  bool chance(double share) { return real(0.0, 1.0) < share; }
+  // On the lawn, or up to so far beyond.
+  Point anywhere(double beyond) { return {real(-4.5 - beyond, 4.5 + beyond), real(-3.0 - beyond, 3.0 + beyond)}; }
+  // Quarters of a metre: distances that are just a reach, equal values at several points.
+  Point in_quarters(double beyond) {
+    const Point p = anywhere(beyond);
+    return {0.25 * std::round(4.0 * p.x), 0.25 * std::round(4.0 * p.y)};
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+Settings any_settings(Random& random) {
+  Settings out;
+  out.region = 0.25 * random.below(5);
+  out.step = random.below(3) == 0 ? 0.25 : 0.17;
+  if (random.chance(0.5)) {
+    for (double* reach : {&out.mate_reach, &out.opponent_reach, &out.border_reach, &out.home_reach}) {
+      *reach = random.chance(0.5) ? 0.25 * (1 + random.below(12)) : random.real(0.05, 3.0);
+    }
+    out.home_weight = 0.5 * random.below(7);
+    out.last_bonus = 0.25 * random.below(3);
+  }
+  return out;
+}
+
 TEST(PreferredPoses, EqualsTryingEveryPointAndStaysInRegionAndField) {
-  std::mt19937 random(12);
-  std::uniform_real_distribution<double> x(-4.5, 4.5), y(-3.0, 3.0), beyond_x(-5.2, 5.2), beyond_y(-3.7, 3.7);
+  Random random(12);
   Search search;  // one for all: nothing may be left over from the scene before
   int moved = 0, kept = 0;
-  for (int round = 0; round < 1000; ++round) {
-    Settings settings;
-    settings.region = 0.25 * static_cast<double>(random() % 5);
-    settings.step = round % 3 == 0 ? 0.25 : 0.17;
+  for (int round = 0; round < 6000; ++round) {
+    const Settings settings = any_settings(random);
+    const bool in_quarters = random.chance(0.5);
+    const auto place = [&](double beyond) {
+      return in_quarters ? random.in_quarters(beyond) : random.anywhere(beyond);
+    };
     std::vector<Point> mates, opponents;
-    for (auto k = random() % 7; k > 0; --k) mates.push_back({beyond_x(random), beyond_y(random)});
-    for (auto k = random() % 8; k > 0; --k) opponents.push_back({beyond_x(random), beyond_y(random)});
-    Scene scene{mates, opponents, {x(random), y(random)}, std::nullopt};
-    if (round % 2 == 0) scene.last = Point{scene.home.x + 0.03 * x(random), scene.home.y + 0.03 * y(random)};
+    for (auto k = random.below(7); k > 0; --k) mates.push_back(place(0.7));
+    for (auto k = random.below(12); k > 0; --k) opponents.push_back(place(0.7));
+    Scene scene{mates, opponents, lawn.nearest(place(0.3)), std::nullopt};
+    if (random.chance(0.5)) {
+      const Point by = random.anywhere(0.0);
+      scene.last = Point{scene.home.x + 0.03 * by.x, scene.home.y + 0.03 * by.y};
+    }
     const Point found = search.best(scene, lawn, settings), truth = by_definition(scene, settings);
     ASSERT_EQ(found.x, truth.x) << round;
     ASSERT_EQ(found.y, truth.y) << round;
@@ -115,8 +151,67 @@ TEST(PreferredPoses, EqualsTryingEveryPointAndStaysInRegionAndField) {
     moved += found.x != scene.home.x ? 1 : 0;
     kept += scene.last && found.x == scene.last->x ? 1 : 0;
   }
-  EXPECT_GT(moved, 300);
-  EXPECT_GT(kept, 50);
+  EXPECT_GT(moved, 2000);
+  EXPECT_GT(kept, 500);
+}
+
+// The same bits above the floor, and nothing above it where the value is not.
+TEST(PreferredPoses, ValuesAboveAFloorAreThoseOfTheDefinition) {
+  Random random(13);
+  FieldAbove field;
+  int above = 0, below = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const Settings settings = any_settings(random);
+    std::vector<Point> mates, opponents;
+    for (auto k = random.below(7); k > 0; --k) mates.push_back(random.in_quarters(0.5));
+    for (auto k = random.below(12); k > 0; --k) opponents.push_back(random.in_quarters(0.5));
+    const Scene scene{mates, opponents, random.in_quarters(0.0), std::nullopt};
+    const Point low{scene.home.x - 1.0, scene.home.y - 1.0}, high{scene.home.x + 1.0, scene.home.y + 1.0};
+    field.begin(scene, lawn, settings, low, high);
+    const bool has_floor = random.chance(0.8);
+    const double floor = 0.25 * random.below(14) - 1.0;
+    if (has_floor) field.set_floor(floor);
+    for (int step = 0; step < 20; ++step) {
+      const Point p{scene.home.x + 0.25 * (random.below(9) - 4.0),
+                    scene.home.y + (step % 2 == 0 ? 0.25 * (random.below(9) - 4.0) : random.real(-1.0, 1.0))};
+      const double truth = value_at(p, scene, lawn, settings);
+      const bool any = field.begin_row(p.x);
+      if (!has_floor || truth > floor) {
+        ASSERT_TRUE(any) << round;
+        ASSERT_EQ(field.value(p.y), truth) << round;
+        ++above;
+      } else if (any) {
+        ASSERT_LE(field.value(p.y), floor) << round;
+        ++below;
+      }
+    }
+  }
+  EXPECT_GT(above, 5000);
+  EXPECT_GT(below, 5000);
+}
+
+TEST(PreferredPoses, FromASquaredDistanceOnAPartIsNoMoreThanItsLevel) {
+  Random random(14);
+  const auto part = [](double squared, double weight, double reach) {
+    return weight * hill(std::sqrt(squared), reach);
+  };
+  for (int round = 0; round < 20000; ++round) {
+    const double weight = random.real(0.01, 10.0), reach = random.real(0.05, 10.0);
+    const double level = round % 4 == 0 ? 0.0 : weight * random.real(0.0, 1.0);
+    double squared = squared_until(level, weight, reach);
+    ASSERT_LT(squared, 1.01 * reach * reach);
+    if (squared > 1e-6) {
+      EXPECT_GE(part(squared * (1.0 - 1e-3), weight, reach), level);  // not for nothing
+    }
+    for (int k = 0; k < 20; ++k) {
+      ASSERT_LE(part(squared, weight, reach), level);
+      squared = k < 10 ? std::nextafter(squared, 1e9) : squared * 1.1;
+    }
+  }
+  EXPECT_EQ(squared_until(1.0, 1.0, 2.0), 0.0);
+  EXPECT_EQ(squared_until(0.0, 0.0, 2.0), 0.0);
+  EXPECT_TRUE(std::isinf(squared_until(-0.1, 1.0, 2.0)));
+  EXPECT_TRUE(std::isinf(squared_until(-0.1, 0.0, 2.0)));
 }
 
 }  // namespace

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include <regista/testkit/contract.hpp>
 #include <regista/testkit/frame_builder.hpp>
 #include <regista/testkit/instance.hpp>
+#include <regista/testkit/recording_host.hpp>
 
 namespace {
 
@@ -69,6 +71,40 @@ TEST(PreferredPosesPlugin, PlacesOffTheFieldComeBackToIt) {
   EXPECT_GE(placed.points[0].x, 3.75);
   EXPECT_GE(placed.points[0].y, -3.0);
   EXPECT_LE(placed.points[0].y, -2.25);
+}
+
+// The host tells when the instance is made, so this one is made by hand.
+TEST(PreferredPosesPlugin, NoPointForARoleThatTheOffsetLeavesAlone) {
+  const Loaded plugin(REGISTA_PLUGIN_FILE, "preferred_poses");
+  const regista_descriptor& descriptor = plugin.descriptor();
+  const Setting setting = EnvironmentBuilder{}.own(2).roles({"goalkeeper", "striker", "jolly"}).build();
+  RecordingHost host;
+  const auto facts = [](int moves) {
+    regista_role_facts out{};
+    out.size = sizeof out;
+    out.moves = moves;
+    return out;
+  };
+  host.roles = {facts(1), facts(0), facts(1)};
+  const Values values(plugin);
+  const std::vector<regista_value> raw = values.raw();
+  regista_error error{};
+  void* const instance = descriptor.create(
+      &setting.raw(), host.raw(), {raw.data(), static_cast<std::uint32_t>(raw.size()), sizeof(regista_value)}, &error);
+  ASSERT_NE(instance, nullptr) << error.text;
+  const Scene scene =
+      FrameBuilder{}.own(2).robot(2).at(-4, -2).task(0).at(-4, 0).task(1).at(0, 0).task(2).at(2, 1).build();
+  std::vector<regista_waypoint> points(256);
+  regista_placement out{};
+  out.size = sizeof out;
+  out.points = {points.data(), 256, 0, sizeof(regista_waypoint), 0};
+  const auto* calls = static_cast<const regista_positioner*>(descriptor.table(REGISTA_KIND_POSITIONER));
+  EXPECT_EQ(calls->place(instance, &scene.before_placing().raw(), &out, &error), REGISTA_OK) << error.text;
+  ASSERT_EQ(out.points.count, 2u);
+  EXPECT_EQ(points[0].task, 0);
+  EXPECT_EQ(points[1].task, 2);
+  EXPECT_EQ(points[1].x, 2.0);
+  descriptor.destroy(instance);
 }
 
 REGISTA_POSITIONER_CONTRACT(REGISTA_PLUGIN_FILE, "preferred_poses");

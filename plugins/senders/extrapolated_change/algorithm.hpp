@@ -11,8 +11,10 @@
 //     cause;
 //   - the first packet of a robot has nothing to differ from and nothing to wait for but the budget;
 //   - without a ball causes must last as long as with a ball far away;
-//   - an urgent offer of another plugin stands in the place of B-Human's proposals.
-// Not here, because the host has no such news for a sender: pass targets, the referee's signals, the indirect kick.
+//   - an urgent offer of another plugin stands in the place of B-Human's proposals;
+//   - a pass target is whom the kick of this decision is meant for, nobody too. Packets do not say it: what goes out is
+//     where the passer and its ball are now. A host that does not tell it has no such cause.
+// Not here, because the host has no such news for a sender: the referee's signals, the indirect kick.
 #pragma once
 
 #include <algorithm>
@@ -32,6 +34,7 @@ enum class Cause {
   whistle,
   first,        // it has not sent yet
   offer,        // another plugin has something urgent to say
+  pass_target,  // its kick is meant for another one than when it sent
   upright,      // it fell, or stands again
   role,         // it has another role than it said
   ball_seen,    // it sees the ball, having said that it does not, or the other way round
@@ -39,7 +42,7 @@ enum class Cause {
   ball,         // the same of the ball that it sees
   ball_is_old,  // nobody has told of the ball for long, and it sees it
 };
-inline constexpr std::size_t causes = 9;
+inline constexpr std::size_t causes = 10;
 
 struct Settings {
   Sense sense;
@@ -79,7 +82,8 @@ struct Situation {
   Point team_ball_rests;
   std::span<const Point> mates;
   bool heard_whistle = false, urgent_offer = false;  // now
-  double since_own = 0.0;                            // s
+  std::optional<int> pass_target;  // number of a teammate, 0 = nobody; nothing: the host does not tell
+  double since_own = 0.0;          // s
   Allowance allowance;
   Purse purse;
 };
@@ -145,6 +149,7 @@ class Sender {
       off_team_ball_since_ = now.time;
     }
     if (!has_sent_) return out;
+    is(Cause::pass_target) = now.pass_target && now.pass_target != told_pass_target_;
     is(Cause::upright) = now.upright != told_upright_;
     is(Cause::role) = now.told_role && now.role != *now.told_role;
     is(Cause::ball_seen) = is_seen(settings, now) != told_seen_;
@@ -175,6 +180,7 @@ class Sender {
     sent_at_ = now.time;
     walk_ = {now.place, now.place, now.speed};
     target_is_missing_ = true;
+    told_pass_target_ = now.pass_target;
     told_upright_ = now.upright;
     told_seen_ = is_seen(settings, now);
     told_ball_.reset();
@@ -193,6 +199,7 @@ class Sender {
   double sent_at_ = 0.0;
   Walk walk_;
   bool target_is_missing_ = false;
+  std::optional<int> told_pass_target_;
   bool told_upright_ = true, told_seen_ = false;
   std::optional<Point> told_ball_;
 };

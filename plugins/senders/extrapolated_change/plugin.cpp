@@ -3,9 +3,9 @@
 //
 // Of the own last packet the sender remembers the pose and the speed that it was given when it sent; role and target it
 // reads from the common world, as the host chooses the target after it. The number of packets left is the controller's,
-// which the host tells at every decision, so that the own count of B-Human is not needed. A frame does not
-// say whether the ball of `mine` is of the own eyes: it counts as seen while its age is below half a decision period
-// (what a teammate told is older). The extension regista.told would say it; this plugin is older and does not use it.
+// which the host tells at every decision, so that the own count of B-Human is not needed. Whether the own eyes see the
+// ball, and whom the next kick is meant for, the extension regista.told says. A host without it tells of no pass; the
+// ball of `mine` then counts as seen while its age is below half a decision period (what a teammate told is older).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +16,7 @@
 
 #include <regista/choose_offers.hpp>
 #include <regista/sender.hpp>
+#include <regista/told.hpp>
 
 #include "algorithm.hpp"
 
@@ -35,7 +36,8 @@ struct ExtrapolatedChange {
                         summary =
                             "A packet when teammates extrapolate the last one wrongly, the budget spread by a line";
   static constexpr unsigned reads = REGISTA_READS_COVARIANCES;
-  static constexpr std::array<const char*, 3> reasons{"first_packet", "ball_seen_or_lost", "ball_news_old"};
+  static constexpr std::array<const char*, 4> reasons{"first_packet", "ball_seen_or_lost", "ball_news_old",
+                                                      "pass_target"};
 
   Settings settings;
   int reserve = 30, whistle_reserve = 15;
@@ -103,6 +105,7 @@ struct ExtrapolatedChange {
   double period = 0.1, deceleration = 0.32;
   Allowance whole;  // of a match
   std::vector<bool> is_active_role;
+  regista::Told told;
   extrapolated_change::Sender sender;
   double ball_seen_at = never, spent_at = never, silent_before = 0.0, line_before = 0.0, line_at_packet = 0.0;
   std::optional<int> left_before;
@@ -110,7 +113,8 @@ struct ExtrapolatedChange {
   std::vector<regista::PendingOffer> pending;
   std::vector<std::size_t> chosen;
 
-  void setup(const regista::Environment& environment) {
+  void setup(const regista::Environment& environment, const regista::Host& host) {
+    told = regista::Told(host);
     own_number = environment->own_number;
     robots = static_cast<int>(environment->team_size);
     period = environment->decision_period;
@@ -140,6 +144,7 @@ struct ExtrapolatedChange {
     for (const regista::Event& event : query.events) {
       if (event.kind == REGISTA_EVENT_WHISTLE) now.heard_whistle = true;
     }
+    now.pass_target = told.receiver();
     pending.clear();
     for (const regista::Offer& offer : query.offers) {
       pending.push_back({offer.bytes, offer.urgency});
@@ -162,6 +167,8 @@ struct ExtrapolatedChange {
         return regista::own_reason(0);
       case Cause::offer:
         return REGISTA_EVENT_OFFER;
+      case Cause::pass_target:
+        return regista::own_reason(3);
       case Cause::upright:
         return upright ? REGISTA_EVENT_GOT_UP : REGISTA_EVENT_FELL;
       case Cause::role:
@@ -180,7 +187,7 @@ struct ExtrapolatedChange {
 
   void describe_robot(const regista::Frame& frame, extrapolated_change::Situation& now) {
     const regista::World mine = frame.mine(), common = frame.common();
-    const regista::Robot &self = mine.robot(own_number), &told = common.robot(own_number);
+    const regista::Robot &self = mine.robot(own_number), &in_common = common.robot(own_number);
     now.time = frame.time();
     now.number = own_number;
     const int phase = mine.game().phase;
@@ -193,9 +200,9 @@ struct ExtrapolatedChange {
     now.role = self.role;
     now.role_is_active = self.role >= 0 && static_cast<std::size_t>(self.role) < is_active_role.size() &&
                          is_active_role[static_cast<std::size_t>(self.role)];
-    if ((told.flags & REGISTA_ROBOT_KNOWN) != 0) {
-      now.told_role = told.role;
-      now.told_target = {told.target[0], told.target[1]};
+    if ((in_common.flags & REGISTA_ROBOT_KNOWN) != 0) {
+      now.told_role = in_common.role;
+      now.told_target = {in_common.target[0], in_common.target[1]};
     }
     mates.clear();
     for (const std::int32_t number : mine.active()) {
@@ -214,7 +221,8 @@ struct ExtrapolatedChange {
   void describe_balls(const regista::Frame& frame, extrapolated_change::Situation& now) {
     const regista::World mine = frame.mine(), common = frame.common();
     if (mine.ball_known()) {
-      if (mine.ball().age < 0.5 * period) ball_seen_at = frame.time();
+      const bool sees = told.sees_ball().value_or(mine.ball().age < 0.5 * period);
+      if (sees) ball_seen_at = frame.time();
       now.knows_ball = ball_seen_at != never;
       now.ball_age = frame.time() - ball_seen_at;
       now.ball = {mine.ball().position[0], mine.ball().position[1]};

@@ -145,6 +145,7 @@ struct Quiet {
     now.upright = true;
     now.role = 4;
     now.told_role = 4;
+    now.pass_target = 0;
     now.knows_ball = now.team_knows_ball = true;
     now.ball_age = 0.0;
     now.team_ball_age = 1.0;
@@ -196,6 +197,7 @@ struct Change {
 const std::vector<Change>& changes() {
   static const std::vector<Change> all{
       {"falls", [](Quiet& q) { q.now.upright = false; }, Cause::upright, true},
+      {"a pass", [](Quiet& q) { q.now.pass_target = 2; }, Cause::pass_target, true},
       {"another role", [](Quiet& q) { q.now.role = 5; }, Cause::role, true},
       {"no role", [](Quiet& q) { q.now.role = -1; }, Cause::role, true},
       {"the ball vanished", [](Quiet& q) { q.now.ball_age = 3.1; }, Cause::ball_seen, true},
@@ -253,6 +255,34 @@ TEST(Causes, ANewActiveRoleIsToldAfterATenth) {
   const auto [time, cause] = quiet.until();
   EXPECT_EQ(cause, Cause::role);
   EXPECT_NEAR(time, 0.1, 1e-6);
+}
+
+// It is told when it is another one than at the last packet, nobody too; whom it was meant for in between is forgotten.
+TEST(Causes, APassIsToldWhenItsTargetChanges) {
+  Quiet quiet;
+  for (const int target : {2, 5, 0, 1, 0}) {
+    quiet.rest(20.0);
+    quiet.now.pass_target = target;
+    EXPECT_EQ(quiet.until().second, Cause::pass_target) << target;
+  }
+  quiet.rest(20.0);
+  quiet.now.pass_target = 2;
+  quiet.rest(0.5);
+  quiet.now.pass_target = 0;
+  quiet.rest(20.0);
+  quiet.now.pass_target.reset();  // the host does not tell
+  quiet.rest(20.0);
+}
+
+// Another packet tells it, too.
+TEST(Causes, APassThatWasToldIsNoNews) {
+  Quiet quiet;
+  quiet.rest(20.0);
+  quiet.now.pass_target = 2;
+  quiet.now.urgent_offer = true;
+  EXPECT_EQ(quiet.step(), Cause::offer);
+  quiet.now.urgent_offer = false;
+  quiet.rest(20.0);
 }
 
 TEST(Causes, ABallThatIsElsewhere) {

@@ -189,6 +189,23 @@ regista_budget plenty(double time, double last) {
   return budget;
 }
 
+// The same plugin on a host that has no extensions.
+const Loaded& plugin_that_is_told_nothing() {
+  static const regista_descriptor alone = [] {
+    regista_descriptor out = plugin().descriptor();
+    out.create = [](const regista_environment* environment, const regista_host* host, regista_span values,
+                    regista_error* error) {
+      static regista_host without;  // lives as long as any instance
+      without = *host;
+      without.extension = [](void*, const char*) -> const void* { return nullptr; };
+      return plugin().descriptor().create(environment, &without, values, error);
+    };
+    return out;
+  }();
+  static const Loaded loaded(alone);
+  return loaded;
+}
+
 // Robot 3 with two mates near; the ball is in sight and known.
 FrameBuilder quiet(double time) {
   FrameBuilder frame;
@@ -208,7 +225,10 @@ struct Robot {
   std::vector<regista_event> events;
   std::vector<regista_offer> offers;
   int left = 1200;
-  explicit Robot(const Values& values = Values(plugin())) : sender(plugin(), EnvironmentBuilder{}.own(3), values) {}
+  explicit Robot(const Values& values = Values(plugin()), const Loaded& loaded = plugin())
+      : sender(loaded, EnvironmentBuilder{}.own(3), values) {
+    sender.host().sees_ball = true;
+  }
 
   // Of the first packet within so many seconds after `from`: time and reason; reason -1: none.
   std::pair<double, int> first(double from, double seconds, const std::function<FrameBuilder(double)>& frame) {
@@ -252,9 +272,56 @@ TEST(ExtrapolatedChangePlugin, ReasonsHaveNames) {
             REGISTA_EVENT_ROLE_CHANGED);
   EXPECT_EQ(reason([](FrameBuilder& f) { f.common([](WorldBuilder& w) { w.ball_age(10.6); }); }),
             REGISTA_REASON_OWN + 2);
-  EXPECT_EQ(reason([](FrameBuilder& f) { f.ball_age(3.2); }), REGISTA_REASON_OWN + 1);
+  robot.sender.host().sees_ball = false;
+  EXPECT_EQ(reason([](FrameBuilder&) {}), REGISTA_REASON_OWN + 1);
+  robot.sender.host().sees_ball = true;
+  EXPECT_EQ(reason([](FrameBuilder&) {}), REGISTA_REASON_OWN + 1);
+  robot.sender.host().receiver = 5;
+  EXPECT_EQ(reason([](FrameBuilder&) {}), REGISTA_REASON_OWN + 3);
+  robot.sender.host().receiver = 0;
+  EXPECT_EQ(reason([](FrameBuilder&) {}), REGISTA_REASON_OWN + 3);
   EXPECT_EQ(reason([](FrameBuilder& f) { f.ball(2, 0.7).common([](WorldBuilder& w) { w.ball(2, 0).ball_age(1.0); }); }),
             REGISTA_EVENT_BALL_MOVED);
+}
+
+// A ball that a teammate has just told of is as new as a seen one; only the host knows which it is.
+TEST(ExtrapolatedChangePlugin, OnlyTheOwnEyesSee) {
+  const auto told_now = [](double time) { return quiet(time).ball_age(0.0); };
+  const auto reason = [&](Robot& robot) {
+    robot.first(10.0, 1.0, told_now);
+    robot.first(20.0, 5.0, told_now);
+    robot.sender.host().sees_ball = !robot.sender.host().sees_ball;
+    return robot.first(30.0, 8.0, told_now).second;
+  };
+  for (const bool sees : {true, false}) {
+    Robot robot;
+    robot.sender.host().sees_ball = sees;
+    EXPECT_EQ(reason(robot), REGISTA_REASON_OWN + 1) << sees;
+  }
+  Robot told_nothing(Values(plugin()), plugin_that_is_told_nothing());
+  EXPECT_EQ(reason(told_nothing), -1);
+}
+
+// Whom a kick is meant for must last as all causes must: 0.75 s with the ball 2 m away.
+TEST(ExtrapolatedChangePlugin, APassIsTold) {
+  for (const double lasts : {0.7, 0.9}) {
+    Robot robot;
+    robot.first(10.0, 1.0, quiet);
+    robot.sender.host().receiver = 5;
+    EXPECT_EQ(robot.first(20.0, lasts, quiet).second, lasts < 0.75 ? -1 : REGISTA_REASON_OWN + 3);
+  }
+}
+
+// As it was before there was the extension: a ball is seen while it is new, and no pass is known.
+TEST(ExtrapolatedChangePlugin, AHostThatTellsNothing) {
+  Robot robot(Values(plugin()), plugin_that_is_told_nothing());
+  robot.sender.host().sees_ball = false;
+  EXPECT_EQ(robot.first(10.0, 1.0, quiet).second, REGISTA_REASON_OWN);
+  robot.sender.host().receiver = 5;
+  EXPECT_EQ(robot.first(10.1, 20.0, quiet).second, -1);
+  EXPECT_EQ(robot.first(40.0, 8.0, [](double time) { return quiet(time).ball_age(3.2); }).second,
+            REGISTA_REASON_OWN + 1);
+  EXPECT_EQ(robot.first(60.0, 8.0, quiet).second, REGISTA_REASON_OWN + 1);
 }
 
 TEST(ExtrapolatedChangePlugin, ARollingBallIsWhereItComesToRest) {
@@ -431,7 +498,9 @@ TEST(ExtrapolatedChangePlugin, NothingIsAllocated) {
     for (int k = 0; k < 100; ++k) {
       const double time = 10.0 + 2.0 * k;
       FrameBuilder frame = quiet(time);
-      frame.robot(3).at(0.1 * (k % 20), 0).ball_age(k % 3 == 0 ? 5.0 : 0.0);
+      frame.robot(3).at(0.1 * (k % 20), 0);
+      robot.sender.host().sees_ball = k % 3 != 0;
+      robot.sender.host().receiver = k % 5;
       const std::vector<regista_offer> offers(static_cast<std::size_t>(k % 3), {1, 9, REGISTA_MEDIUM_RADIO, 1.0, 1e9});
       sent += robot.sender.decide(frame.build(), {}, offers, plenty(time, time - 5.0 * (k % 2))).send == 1 ? 1u : 0u;
     }

@@ -20,7 +20,7 @@
 
 namespace effort_to_pose {
 
-using places::Point, places::Pose;
+using places::Point;
 
 struct Settings {
   double distance_weight = 0.55, turn_weight = 0.15, final_turn_weight = 0.15, obstacles_weight = 0.15;  // each >= 0
@@ -41,35 +41,63 @@ inline double turn(const Direction& from, double dx, double dy, double length) {
   return inverse_distance::angle_between(dx * from.x + dy * from.y, from.x * dy - from.y * dx, length);
 }
 
-// Whether a disc of this radius about `centre` reaches the way from `start` to `start` + (dx, dy).
-inline bool in_the_way(const Point& centre, const Point& start, double dx, double dy, double radius) {
-  const double cx = centre.x - start.x, cy = centre.y - start.y, squared = dx * dx + dy * dy;
-  const double along = squared > 0.0 ? std::clamp((cx * dx + cy * dy) / squared, 0.0, 1.0) : 0.0;
-  const double ex = cx - along * dx, ey = cy - along * dy;
+// Poses to get to, each with its heading as a direction: one array for each number, so that several are computed at
+// once.
+struct Goals {
+  std::span<const double> x, y, facing_x, facing_y;
+};
+
+// Where robots are, seen from another one: m, along the axes of the field.
+struct Offsets {
+  std::span<const double> x, y;
+};
+
+// Whether a disc of this radius about `centre` reaches the way by (dx, dy) from the origin.
+inline bool in_the_way(const Point& centre, double dx, double dy, double radius) {
+  const double squared = dx * dx + dy * dy;
+  const double along = squared > 0.0 ? std::clamp((centre.x * dx + centre.y * dy) / squared, 0.0, 1.0) : 0.0;
+  const double ex = centre.x - along * dx, ey = centre.y - along * dy;
   return ex * ex + ey * ey < radius * radius;
 }
 
-// A pose to get to, with its heading as a direction as well.
-struct Target {
-  Point at;
-  Direction facing;
-};
+// How many of the others are in the way by (dx, dy), counted up to `enough`. Most are farther than a radius from its
+// whole line, by more than any rounding, and are left out by the cross product.
+inline double count_in_the_way(const Offsets& others, double dx, double dy, double radius, double enough) {
+  const double beyond = radius * (1.0 + 1e-9) + 1e-9, far = beyond * beyond * (dx * dx + dy * dy);
+  double count = 0.0;
+  for (std::size_t k = 0; k < others.x.size(); ++k) {
+    const Point at{others.x[k], others.y[k]};
+    const double cross = at.x * dy - at.y * dx;
+    if (cross * cross > far || !in_the_way(at, dx, dy, radius)) continue;
+    count += 1.0;
+    if (count >= enough) break;
+  }
+  return count;
+}
 
-// In [0, 1] for weights whose sum is 1. heading: the robot's. robots: all of both teams but this one.
-inline double effort_to_pose(const Point& robot, const Direction& heading, const Target& target,
-                             std::span<const Point> robots, const Settings& settings) {
-  const double dx = target.at.x - robot.x, dy = target.at.y - robot.y;
-  const double distance = std::sqrt(dx * dx + dy * dy);
-  const double walks = std::min(1.0, distance / settings.near);
-  const double first = walks * turn(heading, dx, dy, distance);
-  const double last = walks * turn(target.facing, dx, dy, distance) +
-                      (1.0 - walks) * turn(heading, target.facing.x, target.facing.y, 1.0);
-  double obstacles = 0.0;
-  for (const Point& each : robots) obstacles += in_the_way(each, robot, dx, dy, settings.clearance) ? 1.0 : 0.0;
-  return settings.distance_weight * std::max(0.0, 1.0 - distance / settings.farthest) +
-         settings.turn_weight * std::max(0.0, 1.0 - first * std::numbers::inv_pi) +
-         settings.final_turn_weight * std::max(0.0, 1.0 - last * std::numbers::inv_pi) +
-         settings.obstacles_weight * (1.0 - std::min(1.0, obstacles / settings.most_obstacles));
+// out[j] in [0, 1] for goal j, for weights whose sum is 1. heading: the robot's. others: the robots of both teams but
+// this one. out: as many as goals.
+inline void score_row(const Point& robot, const Direction& heading, const Goals& goals, const Offsets& others,
+                      const Settings& settings, double* out) {
+  assert(others.x.size() == others.y.size());
+  const std::size_t columns = goals.x.size();
+  for (std::size_t j = 0; j < columns; ++j) {
+    out[j] = count_in_the_way(others, goals.x[j] - robot.x, goals.y[j] - robot.y, settings.clearance,
+                              settings.most_obstacles);
+  }
+  const Settings s = settings;
+  for (std::size_t j = 0; j < columns; ++j) {
+    const double dx = goals.x[j] - robot.x, dy = goals.y[j] - robot.y;
+    const Direction facing{goals.facing_x[j], goals.facing_y[j]};
+    const double distance = std::sqrt(dx * dx + dy * dy);
+    const double walks = std::min(1.0, distance / s.near);
+    const double first = walks * turn(heading, dx, dy, distance);
+    const double last = walks * turn(facing, dx, dy, distance) + (1.0 - walks) * turn(heading, facing.x, facing.y, 1.0);
+    out[j] = s.distance_weight * std::max(0.0, 1.0 - distance / s.farthest) +
+             s.turn_weight * std::max(0.0, 1.0 - first * std::numbers::inv_pi) +
+             s.final_turn_weight * std::max(0.0, 1.0 - last * std::numbers::inv_pi) +
+             s.obstacles_weight * (1.0 - std::min(1.0, out[j] / s.most_obstacles));
+  }
 }
 
 }  // namespace effort_to_pose

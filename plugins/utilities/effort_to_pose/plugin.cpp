@@ -44,39 +44,59 @@ struct EffortToPose {
                     "Opponents whose existence is less probable are no obstacles (assumption)")
           .tunable()};
 
-  std::vector<effort_to_pose::Target> targets;
-  std::vector<effort_to_pose::Point> opponents, others;
+  std::vector<double> goal_x, goal_y, facing_x, facing_y;
+  std::vector<effort_to_pose::Point> opponents, team;
+  std::vector<double> other_x, other_y;
 
   void setup(const regista::Environment& environment) {
     constexpr std::size_t most_opponents = 64;  // more than a world has; only memory depends on it
-    targets.reserve(environment.roles().size());
+    for (auto* each : {&goal_x, &goal_y, &facing_x, &facing_y}) each->reserve(environment.roles().size());
     opponents.reserve(most_opponents);
-    others.reserve(most_opponents + environment->team_size);
+    team.reserve(environment->team_size);
+    for (auto* each : {&other_x, &other_y}) each->reserve(most_opponents + environment->team_size);
   }
 
   void score(const regista::Frame& frame, regista::Utilities out) {
     const regista::World world = frame.world();
-    targets.clear();
-    for (const regista::Task& task : frame.tasks()) {
-      targets.push_back({{task.after[0], task.after[1]}, effort_to_pose::Direction::of(task.after[2])});
-    }
+    read_goals(frame);
     opponents.clear();
     for (const regista::Opponent& opponent : world.opponents()) {
       if (opponent.weight >= likely) opponents.push_back({opponent.position[0], opponent.position[1]});
     }
+    team.clear();
+    for (const int number : world.active()) team.push_back({world.robot(number).pose[0], world.robot(number).pose[1]});
     std::size_t row = 0;
     for (const int number : world.active()) {
-      const regista::Robot& robot = world.robot(number);
-      others.assign(opponents.begin(), opponents.end());
-      for (const int other : world.active()) {
-        if (other != number) others.push_back({world.robot(other).pose[0], world.robot(other).pose[1]});
-      }
-      const effort_to_pose::Point at{robot.pose[0], robot.pose[1]};
-      const auto heading = effort_to_pose::Direction::of(robot.pose[2]);
-      for (std::size_t column = 0; column < targets.size(); ++column) {
-        out(row, column) = effort_to_pose::effort_to_pose(at, heading, targets[column], others, settings);
-      }
+      read_others(row);
+      const auto heading = effort_to_pose::Direction::of(world.robot(number).pose[2]);
+      effort_to_pose::score_row(team[row], heading, {goal_x, goal_y, facing_x, facing_y}, {other_x, other_y}, settings,
+                                out.data() + row * out.stride());
       ++row;
+    }
+  }
+
+ private:
+  void read_goals(const regista::Frame& frame) {
+    for (auto* each : {&goal_x, &goal_y, &facing_x, &facing_y}) each->clear();
+    for (const regista::Task& task : frame.tasks()) {
+      const auto facing = effort_to_pose::Direction::of(task.after[2]);
+      goal_x.push_back(task.after[0]);
+      goal_y.push_back(task.after[1]);
+      facing_x.push_back(facing.x);
+      facing_y.push_back(facing.y);
+    }
+  }
+  // Seen from the robot of this row.
+  void read_others(std::size_t row) {
+    const effort_to_pose::Point& at = team[row];
+    for (auto* each : {&other_x, &other_y}) each->clear();
+    const auto add = [&](const effort_to_pose::Point& other) {
+      other_x.push_back(other.x - at.x);
+      other_y.push_back(other.y - at.y);
+    };
+    for (const effort_to_pose::Point& opponent : opponents) add(opponent);
+    for (std::size_t mate = 0; mate < team.size(); ++mate) {
+      if (mate != row) add(team[mate]);
     }
   }
 };

@@ -15,17 +15,35 @@
 
 namespace {
 
-using effort_to_pose::Direction, effort_to_pose::Point, effort_to_pose::Settings, effort_to_pose::Target;
+using effort_to_pose::Direction, effort_to_pose::Point, effort_to_pose::Settings;
 constexpr double pi = std::numbers::pi, close = 1e-9;
 
 struct PoseOf {
   double x, y, heading;
 };
 
+std::vector<double> scores(const PoseOf& robot, const std::vector<PoseOf>& poses, const std::vector<Point>& robots = {},
+                           const Settings& settings = {}) {
+  std::vector<double> x, y, facing_x, facing_y, other_x, other_y, out(poses.size());
+  for (const PoseOf& pose : poses) {
+    const Direction facing = Direction::of(pose.heading);
+    x.push_back(pose.x);
+    y.push_back(pose.y);
+    facing_x.push_back(facing.x);
+    facing_y.push_back(facing.y);
+  }
+  for (const Point& each : robots) {
+    other_x.push_back(each.x - robot.x);
+    other_y.push_back(each.y - robot.y);
+  }
+  effort_to_pose::score_row({robot.x, robot.y}, Direction::of(robot.heading), {x, y, facing_x, facing_y},
+                            {other_x, other_y}, settings, out.data());
+  return out;
+}
+
 double score(const PoseOf& robot, const PoseOf& pose, const std::vector<Point>& robots = {},
              const Settings& settings = {}) {
-  return effort_to_pose::effort_to_pose({robot.x, robot.y}, Direction::of(robot.heading),
-                                        {{pose.x, pose.y}, Direction::of(pose.heading)}, robots, settings);
+  return scores(robot, {pose}, robots, settings)[0];
 }
 
 TEST(EffortToPose, ByHand) {
@@ -86,6 +104,54 @@ TEST(EffortToPose, AnySceneAgainstTheDefinition) {
     ASSERT_LE(found, 1.0);
     for (Point& each : robots) each.y = -each.y;
     ASSERT_NEAR(score({robot.x, -robot.y, -robot.heading}, {pose.x, -pose.y, -pose.heading}, robots), found, 1e-12);
+  }
+}
+
+// What is left out beforehand would not have counted; also where a disc just touches the way.
+TEST(EffortToPose, AsManyAreInTheWayAsOneByOne) {
+  std::mt19937 random(23);
+  std::uniform_real_distribution<double> anywhere(-3.0, 3.0);
+  const auto place = [&](bool in_tenths) {
+    const Point p{anywhere(random), anywhere(random)};
+    return in_tenths ? Point{std::round(10.0 * p.x) / 10.0, std::round(10.0 * p.y) / 10.0} : p;
+  };
+  int most = 0;
+  for (int round = 0; round < 5000; ++round) {
+    const bool in_tenths = round % 2 == 0;
+    const double radius = in_tenths ? 0.1 * (round % 7) : std::abs(anywhere(random)) / 3.0;
+    Point way = place(in_tenths);
+    if (round % 5 == 0) way.y = 0.0;
+    if (round % 35 == 0) way.x = 0.0;
+    std::vector<double> x, y;
+    int truth = 0;
+    for (int k = 0; k < 12; ++k) {
+      const Point at = place(in_tenths);
+      x.push_back(at.x);
+      y.push_back(at.y);
+      truth += effort_to_pose::in_the_way(at, way.x, way.y, radius) ? 1 : 0;
+    }
+    const auto count = [&](double enough) {
+      return effort_to_pose::count_in_the_way({x, y}, way.x, way.y, radius, enough);
+    };
+    ASSERT_EQ(count(100.0), truth) << round;
+    ASSERT_EQ(std::min(1.0, count(2.5) / 2.5), std::min(1.0, truth / 2.5)) << round;
+    most = std::max(most, truth);
+  }
+  EXPECT_GT(most, 4);
+}
+
+// Several at once or each alone: the same bits.
+TEST(EffortToPose, ARowIsItsGoalsOneByOne) {
+  std::mt19937 random(22);
+  std::uniform_real_distribution<double> x(-4.5, 4.5), y(-3.0, 3.0), angle(-pi, pi);
+  for (int round = 0; round < 500; ++round) {
+    const PoseOf robot{x(random), y(random), angle(random)};
+    std::vector<PoseOf> poses{robot};  // on the spot
+    for (int k = 0; k < round % 13; ++k) poses.push_back({x(random), y(random), angle(random)});
+    std::vector<Point> robots;
+    for (int k = 0; k < round % 14; ++k) robots.push_back({x(random), y(random)});
+    const std::vector<double> row = scores(robot, poses, robots);
+    for (std::size_t j = 0; j < poses.size(); ++j) ASSERT_EQ(row[j], score(robot, poses[j], robots)) << round;
   }
 }
 

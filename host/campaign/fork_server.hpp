@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Workers that need not start the program, open plugins and read teams each: a process that has done that copies itself
+// for each match (a fork server, as fuzzers have them; M. Zalewski, 2014). No instance of a plugin is ever made in that
+// process, so each match finds what a program just started would find, and a result does not depend on what was played
+// before. What it can't prepare, for whatever reason, is left to a worker that starts the program, and says why.
+//
+// The copies are children of the coordinator, not of the server (CLONE_PARENT): they are watched, limited and blamed as
+// all workers are.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "campaign/descriptor.hpp"
+#include "campaign/job.hpp"
+#include "campaign/limits.hpp"
+#include "campaign/worker_process.hpp"
+
+namespace regista::campaign {
+
+// The hidden command of the program that the server runs, with its socket at server_descriptor.
+inline constexpr const char* server_command = "fork-server";
+inline constexpr int server_descriptor = 3;
+
+// What is asked of the server: a datagram of its own kind, with four or five file descriptors: job (a file with a Job),
+// answer, note, output and, where there is one, trail.
+struct ForkRequest {
+  std::int32_t has_trail = 0;
+};
+
+struct ForkReply {
+  enum class State : std::int32_t {
+    ready,  // for the next request
+    stale,  // it ends: a file is not what it was
+    unfit,  // it ends: none is to be started again
+  };
+  std::int32_t process = -1;  // -1: start it otherwise
+  State state = State::ready;
+};
+
+class ForkServer {
+ public:
+  // It is started when it is needed first. end_strays: ends all children of this process that nobody knows of; called
+  // when the server has died, which may have started a worker and not said so.
+  ForkServer(const Limits& limits, std::function<void()> end_strays)
+      : limits_(limits), end_strays_(std::move(end_strays)) {}
+  ~ForkServer() { end(); }
+  ForkServer(const ForkServer&) = delete;
+  ForkServer& operator=(const ForkServer&) = delete;
+
+  // The process of a worker; -1: start it otherwise. Waits until the teams have been read, some 20 ms where they are
+  // new, else one. job_file: a file with the job.
+  pid_t start(const Job& job, int job_file, const WorkerFiles& files);
+
+  pid_t process() const { return process_; }  // -1: it does not run now
+
+ private:
+  void begin();
+  void end();
+  bool ask(int job_file, const WorkerFiles& files) const;
+  std::optional<ForkReply> hear() const;
+
+  Limits limits_;
+  std::function<void()> end_strays_;
+  pid_t process_ = -1;
+  Descriptor socket_;
+  int deaths_ = 0;
+};
+
+}  // namespace regista::campaign

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/prepared_teams.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <array>
+
+#include "campaign/descriptor.hpp"
+#include "campaign/inputs.hpp"
+#include "campaign/job_setup.hpp"
+#include "config/named_files.hpp"
+#include "config/profiles.hpp"
+#include "config/show.hpp"
+#include "plugin/process_state.hpp"
+
+namespace regista::campaign {
+namespace {
+
+// A plan takes some hundred kilobytes, which every copy of the process has in its tables of pages.
+constexpr std::size_t most_teams = 64;
+
+using Files = std::vector<std::pair<std::filesystem::path, plugin::FileStamp>>;
+
+template <class Paths>
+Files stamped(const Paths& paths) {
+  Files out;
+  for (const auto& path : paths) out.emplace_back(path, plugin::stamp_of(path));
+  return out;
+}
+
+void demand_unchanged(const Files& files) {
+  for (const auto& [path, stamp] : files) {
+    if (plugin::stamp_of(path) != stamp) throw Stale(path.string());
+  }
+}
+
+std::vector<std::string> environment() {
+  std::vector<std::string> out;
+  for (char** each = environ; *each != nullptr; ++each) out.emplace_back(*each);
+  return out;
+}
+
+// While it lives, what is written to standard error is kept.
+class KeptErrors {
+ public:
+  KeptErrors()
+      : file_(memfd_create("regista-output", MFD_CLOEXEC)), before_(fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 10)) {
+    dup2(file_.number, STDERR_FILENO);
+  }
+  ~KeptErrors() { dup2(before_.number, STDERR_FILENO); }
+  KeptErrors(const KeptErrors&) = delete;
+  KeptErrors& operator=(const KeptErrors&) = delete;
+
+  // At most what a worker's output keeps in any case.
+  std::string text() const {
+    std::string out(std::size_t{1} << 16, '\0');
+    const ssize_t count = pread(file_.number, out.data(), out.size(), 0);
+    out.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    return out;
+  }
+
+ private:
+  Descriptor file_, before_;
+};
+
+template <class Profile>
+std::string shown(Profile profile) {
+  return config::show(config::declare(profile), config::Node(), {}, config::Remarks::without);
+}
+
+}  // namespace
+
+PreparedTeams::Plugins& PreparedTeams::plugins_of(const Job& job) {
+  auto& opened = plugins_[fmt::format("{}", fmt::join(job.plugin_files, "\n"))];
+  if (opened) {
+    demand_unchanged(opened->files);
+    return *opened;
+  }
+  Files files = stamped(job.plugin_files);
+  const KeptErrors errors;
+  const plugin::ProcessState before = plugin::ProcessState::now();
+  const std::vector<std::string> variables = environment();
+  const std::vector<std::filesystem::path> paths(job.plugin_files.begin(), job.plugin_files.end());
+  plugin::Catalogue catalogue = plugin::Catalogue::of_files(paths, plugin::Catalogue::Looking::here);
+  if (const std::string left = plugin::changes_since(before); !left.empty()) throw Unfit("a plugin " + left);
+  if (environment() != variables) throw Unfit("a plugin changed the environment");
+  if (!catalogue.refused().empty()) throw std::runtime_error(to_string(catalogue.refused().front()));
+  opened.reset(new Plugins{std::move(catalogue), std::move(files), errors.text()});
+  return *opened;
+}
+
+const PreparedTeams::Team& PreparedTeams::team_of(const std::string& key, const std::string& file,
+                                                  const config::Overrides& overrides, const config::Rules& rules,
+                                                  const config::Robot& robot, const plugin::Catalogue& catalogue) {
+  if (const auto known = teams_.find(key); known != teams_.end()) {
+    demand_unchanged(known->second.files);
+    return known->second;
+  }
+  const std::array<std::filesystem::path, 1> document{file};
+  Files files = stamped(config::named_files(document, overrides));
+  TeamSetup setup = team_setup(file, overrides, rules, robot, catalogue);
+  std::vector<Input> inputs = team_inputs(*setup.plan, *setup.document, catalogue);
+  demand_unchanged(files);
+  if (teams_.size() >= most_teams) teams_.clear();
+  return teams_.emplace(key, Team{std::move(setup), std::move(inputs), std::move(files)}).first->second;
+}
+
+PreparedTeams::Match PreparedTeams::prepare(const Job& job) {
+  const Plugins& plugins = plugins_of(job);
+  std::vector<std::vector<Input>> inputs;  // home, away
+  std::string both;                        // what both plans are functions of
+  Match out;
+  out.output = plugins.output;
+  out.setup = match_setup(request_of(job), [&](const std::string& file, const config::Overrides& overrides,
+                                               const config::Rules& rules, const config::Robot& robot) {
+    if (both.empty()) both = fmt::format("{}\n{}\n{}", fmt::join(job.plugin_files, "\n"), shown(rules), shown(robot));
+    const std::string key = fmt::format("{}\n{}\n{}", both, file, fmt::join(overrides, "\n"));
+    const Team& team = team_of(key, file, overrides, rules, robot, plugins.catalogue);
+    inputs.push_back(team.inputs);
+    return team.setup;
+  });
+  if (job.common_inputs.empty()) return out;  // nobody has counted them up
+  // Program and mathematics are the coordinator's own.
+  out.changed = what_changed(
+      job, {inputs.at(0), inputs.at(1),
+            common_inputs(out.setup.setup, input_of(job, program_input), input_of(job, mathematics_input))});
+  return out;
+}
+
+}  // namespace regista::campaign

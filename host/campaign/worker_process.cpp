@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/worker_process.hpp"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+
+#include "config/sanitized.hpp"
+
+namespace regista::campaign {
+namespace {
+
+constexpr rlim_t stack = rlim_t{8} << 20;  // bytes: an endless recursion ends here, whatever the user's own limit is
+
+bool limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
+  rlimit now{};
+  if (getrlimit(resource, &now) == -1) return false;
+  const rlimit wanted{std::min(soft, now.rlim_max), std::min(hard, now.rlim_max)};
+  return setrlimit(resource, &wanted) == 0;
+}
+
+}  // namespace
+
+bool become_worker(const WorkerFiles& given, const Limits& limits, pid_t coordinator) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != coordinator) return false;  // it died before it could be watched
+  // Out of the way of the numbers they are to have, which are not closed at exec.
+  const int answer = fcntl(given.answer, F_DUPFD, 10), note = fcntl(given.note, F_DUPFD, 10),
+            output = fcntl(given.output, F_DUPFD, 10),
+            trail = given.trail == -1 ? open("/dev/null", O_WRONLY) : fcntl(given.trail, F_DUPFD, 10),
+            nothing = open("/dev/null", O_RDWR);
+  if (answer == -1 || note == -1 || output == -1 || trail == -1 || nothing == -1) return false;
+  const bool placed = dup2(nothing, STDIN_FILENO) != -1 && dup2(nothing, STDOUT_FILENO) != -1 &&
+                      dup2(output, STDERR_FILENO) != -1 && dup2(answer, answer_descriptor) != -1 &&
+                      dup2(note, note_descriptor) != -1 && dup2(trail, trail_descriptor) != -1;
+  if (!placed) return false;
+  for (const int each : {answer, note, output, trail, nothing}) {
+    if (each > trail_descriptor) close(each);
+  }
+  const auto seconds = static_cast<rlim_t>(limits.match_seconds());
+  bool limited =
+      limit(RLIMIT_CPU, seconds, seconds + 2) && limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_STACK, stack, stack);
+  // A sanitizer reserves more addresses than there is memory.
+  if (limits.memory != 0 && !addresses_are_reserved())
+    limited = limited && limit(RLIMIT_AS, limits.memory, limits.memory);
+  if (!limited) return false;
+  for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGPIPE, SIGXFSZ, SIGXCPU}) std::signal(each, SIG_DFL);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  return true;
+}
+
+}  // namespace regista::campaign

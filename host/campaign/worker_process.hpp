@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What makes a process a worker: it dies with its coordinator (PR_SET_PDEATHSIG), stands in a process group of its own,
+// so that Ctrl-C on the terminal reaches the coordinator alone, has limits, and answers at fixed file descriptors.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string_view>
+
+#include "campaign/limits.hpp"
+
+namespace regista::campaign {
+
+// File descriptors of a worker.
+inline constexpr int answer_descriptor = 3, note_descriptor = 4, trail_descriptor = 5;
+
+// Stands before the answer: what a plugin may have written there by accident is not taken for it.
+inline constexpr std::string_view answer_mark = "\nregista-answer:";
+
+// The hidden command of the program that a worker runs: a Job on standard input, an Answer to answer_descriptor.
+inline constexpr const char* worker_command = "play-one";
+
+// What a worker is given, by its descriptors elsewhere. trail: -1 for none.
+struct WorkerFiles {
+  int answer, note, output, trail;
+};
+
+// Makes this new process a worker whose standard input is empty. The given descriptors stay open. False when something
+// was not possible: it must end at once. Makes only calls that are safe in a signal handler.
+bool become_worker(const WorkerFiles& given, const Limits& limits, pid_t coordinator);
+
+}  // namespace regista::campaign
