@@ -90,9 +90,9 @@ class Profile:
 def measured(options):
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "callgrind"
-        subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={file}", "--compress-pos=no",
-                        "--toggle-collect=regista::match::play(*", *match_of(options)],
-                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        subprocess.run(["valgrind", "--quiet", "--tool=callgrind", f"--callgrind-out-file={file}", "--compress-pos=no",
+                        "--toggle-collect=regista::match::play(regista::match::Setup const&*", *match_of(options)],
+                       check=True, stdout=subprocess.DEVNULL)
         return Profile(file)
 
 
@@ -107,7 +107,7 @@ def footprint(options):
     entry = re.search(r"Entry point address:\s+0x([0-9a-f]+)", header).group(1)
     reading, writing = os.pipe()
     counting = subprocess.Popen([options.footprint, entry, offset(r"regista::mind::Mind::think\("),
-                                 offset(r"b2World::Step\(")], stdin=reading, stdout=subprocess.PIPE, text=True)
+                                 offset(r"regista::match::Arena::step\(")], stdin=reading, stdout=subprocess.PIPE, text=True)
     os.close(reading)
     subprocess.run(["valgrind", "--tool=lackey", "--trace-mem=yes", "--basic-counts=no", f"--log-fd={writing}",
                     *match_of(options)], check=True, pass_fds=(writing,), stdout=subprocess.DEVNULL)
@@ -140,14 +140,16 @@ def main():
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--footprint", type=pathlib.Path)
     options = parser.parse_args()
+    if options.write and not options.compare:
+        parser.error("--write: needs --compare FILE")
     if options.limit is None:
         options.limit = 4 if options.footprint else 60
     if options.footprint:
         return footprint(options)
     profile = measured(options)
     total = sum(profile.own.values())
-    counts = {"decision": sum(n for each, n in profile.calls.items() if re.search(r"mind::Mind::think\(", each)),
-              "step": sum(n for each, n in profile.calls.items() if re.search(r"b2World::Step\(", each))}
+    counts = {"decision": sum(n for each, n in profile.calls.items() if re.search(r"^regista::mind::Mind::think\(", each)),
+              "step": sum(n for each, n in profile.calls.items() if re.search(r"^b2World::Step\(", each))}
     if not all(counts.values()):
         sys.exit("profile.py: the program has no symbols, or played nothing")
     per_decision = total / counts["decision"]

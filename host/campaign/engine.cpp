@@ -138,10 +138,10 @@ class Engine {
   std::size_t workers_;
   Limits limits_;
   plugin::Descendants descendants_;
-  ForkServer server_;
   std::vector<std::unique_ptr<Run>> runs_;
   std::map<std::uint64_t, Waiting> decided_;  // by index, not yet handed on
   std::uint64_t next_ = 0, due_ = 0;
+  ForkServer server_;  // ends before the runs: it looks for children that are none of theirs
 };
 
 }  // namespace

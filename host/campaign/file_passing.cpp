@@ -41,7 +41,7 @@ bool send_bytes(int socket, std::span<const std::byte> bytes, std::span<const in
   }
 }
 
-bool receive_bytes(int socket, std::span<std::byte> bytes, std::vector<Descriptor>& files) {
+bool receive_bytes(int socket, std::span<std::byte> bytes, std::vector<FileDescriptor>& files) {
   files.clear();
   iovec content{bytes.data(), bytes.size()};
   Control control;

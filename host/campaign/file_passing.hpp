@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "campaign/descriptor.hpp"
+#include "campaign/file_descriptor.hpp"
 
 namespace regista::campaign {
 
@@ -18,7 +18,7 @@ bool send_bytes(int socket, std::span<const std::byte> bytes, std::span<const in
 
 // Waits for a datagram of just so many bytes. False at the end of the connection, and for any other datagram. The files
 // are closed at exec.
-bool receive_bytes(int socket, std::span<std::byte> bytes, std::vector<Descriptor>& files);
+bool receive_bytes(int socket, std::span<std::byte> bytes, std::vector<FileDescriptor>& files);
 
 template <class T>
 requires std::is_trivially_copyable_v<T>
@@ -28,7 +28,7 @@ bool send_with_files(int socket, const T& message, std::span<const int> files) {
 
 template <class T>
 requires std::is_trivially_copyable_v<T>
-bool receive_with_files(int socket, T& message, std::vector<Descriptor>& files) {
+bool receive_with_files(int socket, T& message, std::vector<FileDescriptor>& files) {
   return receive_bytes(socket, std::as_writable_bytes(std::span<T, 1>(&message, 1)), files);
 }
 

@@ -21,15 +21,17 @@
 namespace regista::campaign {
 namespace {
 
-// Who dies so often while teams are read does so again.
+// Who dies so often in a row does so again.
 constexpr int most_deaths = 3;
 
+constexpr double longest_wait = 60.0;  // s, for a plugin that sleeps when it is loaded
+
 // Between fork and exec: only calls that are safe in a signal handler.
-[[noreturn]] void execute_server(int socket, pid_t coordinator) {
+[[noreturn]] void execute_server(int socket, const Limits& limits, pid_t coordinator) {
   constexpr int cannot = 127;
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != coordinator) _exit(cannot);
+  if (getppid() != coordinator || !limit_memory(limits)) _exit(cannot);
   const int kept = fcntl(socket, F_DUPFD, 10), nothing = open("/dev/null", O_RDWR);
   if (kept == -1 || nothing == -1) _exit(cannot);
   for (const int each : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nothing, each);
@@ -50,10 +52,10 @@ void ForkServer::begin() {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) == -1) return;
   socket_.reset(ends[0]);
-  const Descriptor theirs(ends[1]);
+  const FileDescriptor theirs(ends[1]);
   const pid_t coordinator = getpid();
   process_ = fork();
-  if (process_ == 0) execute_server(theirs.number, coordinator);
+  if (process_ == 0) execute_server(theirs.number, limits_, coordinator);
   if (process_ != -1) setpgid(process_, process_);  // whoever of the two comes first
 }
 
@@ -64,28 +66,39 @@ void ForkServer::end() {
   while (waitpid(process_, nullptr, 0) == -1 && errno == EINTR) {
   }
   process_ = -1;
+  end_strays_();
 }
 
-bool ForkServer::ask(int job_file, const WorkerFiles& files) const {
+bool ForkServer::ask(int job_file, const WorkerFiles& files) {
   std::vector<int> passed{job_file, files.answer, files.note, files.output};
   if (files.trail != -1) passed.push_back(files.trail);
-  return send_with_files(socket_.number, ForkRequest{files.trail != -1}, passed);
+  return send_with_files(socket_.number, ForkRequest{++number_, files.trail != -1, 0}, passed);
 }
 
-// Nothing: it has died, or does not come back from loading a plugin.
+// Dead, or held by a signal.
+bool ForkServer::has_stopped() const {
+  siginfo_t found{};
+  return waitid(P_PID, static_cast<id_t>(process_), &found, WEXITED | WSTOPPED | WNOHANG | WNOWAIT) != 0 ||
+         found.si_pid != 0;
+}
+
+// Nothing: it has died, does not come back from loading a plugin, or says what it does not say.
 std::optional<ForkReply> ForkServer::hear() const {
   using Clock = std::chrono::steady_clock;
-  const auto until = Clock::now() + std::chrono::seconds(limits_.processor_seconds);
+  constexpr int patience = 100;  // ms between two looks at it
+  const auto began = Clock::now();
+  const double processor = processor_seconds_of(process_);
   for (;;) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
     pollfd watched{socket_.number, POLLIN, 0};
-    const int ready = poll(&watched, 1, left > 0 ? static_cast<int>(left) : 0);
-    if (ready == -1 && errno == EINTR) continue;
-    if (ready != 1) return std::nullopt;
-    break;
+    const int ready = poll(&watched, 1, patience);
+    if (ready == 1) break;
+    const bool working = processor_seconds_of(process_) - processor > limits_.processor_seconds;
+    const bool waiting = std::chrono::duration<double>(Clock::now() - began).count() > longest_wait;
+    if (working || waiting || has_stopped()) return std::nullopt;
   }
   ForkReply reply;
-  if (recv(socket_.number, &reply, sizeof reply, 0) != static_cast<ssize_t>(sizeof reply)) return std::nullopt;
+  std::vector<FileDescriptor> none;
+  if (!receive_with_files(socket_.number, reply, none) || reply.number != number_) return std::nullopt;
   return reply;
 }
 
@@ -97,10 +110,9 @@ pid_t ForkServer::start(const Job& job, int job_file, const WorkerFiles& files) 
   if (!reply) {
     ++deaths_;
     end();
-    end_strays_();
     return -1;
   }
-  if (reply->state == ForkReply::State::unfit) deaths_ = most_deaths;
+  deaths_ = reply->state == ForkReply::State::unfit ? most_deaths : 0;
   if (reply->state != ForkReply::State::ready) end();
   return reply->process;
 }

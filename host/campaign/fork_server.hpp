@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Workers that need not start the program, open plugins and read teams each: a process that has done that copies itself
 // for each match (a fork server, as fuzzers have them; M. Zalewski, 2014). No instance of a plugin is ever made in that
-// process, so each match finds what a program just started would find, and a result does not depend on what was played
-// before. What it can't prepare, for whatever reason, is left to a worker that starts the program, and says why.
+// process, so each match finds what a program just started would find, as far as a plugin may depend on it, and a
+// result does not depend on what was played before; the second play of a pairing's first match, which starts the
+// program, holds that to account. What it can't prepare, for whatever reason, is left to a worker that starts the
+// program, and says why.
 //
 // The copies are children of the coordinator, not of the server (CLONE_PARENT): they are watched, limited and blamed as
 // all workers are.
@@ -15,7 +17,7 @@
 #include <optional>
 #include <utility>
 
-#include "campaign/descriptor.hpp"
+#include "campaign/file_descriptor.hpp"
 #include "campaign/job.hpp"
 #include "campaign/limits.hpp"
 #include "campaign/worker_process.hpp"
@@ -29,7 +31,9 @@ inline constexpr int server_descriptor = 3;
 // What is asked of the server: a datagram of its own kind, with four or five file descriptors: job (a file with a Job),
 // answer, note, output and, where there is one, trail.
 struct ForkRequest {
+  std::uint64_t number = 0;  // comes back with the reply
   std::int32_t has_trail = 0;
+  std::int32_t reserved = 0;
 };
 
 struct ForkReply {
@@ -38,6 +42,7 @@ struct ForkReply {
     stale,  // it ends: a file is not what it was
     unfit,  // it ends: none is to be started again
   };
+  std::uint64_t number = 0;
   std::int32_t process = -1;  // -1: start it otherwise
   State state = State::ready;
 };
@@ -53,7 +58,7 @@ class ForkServer {
   ForkServer& operator=(const ForkServer&) = delete;
 
   // The process of a worker; -1: start it otherwise. Waits until the teams have been read, some 20 ms where they are
-  // new, else one. job_file: a file with the job.
+  // new, else one, and at most as long as a call of a plugin may take. job_file: a file with the job.
   pid_t start(const Job& job, int job_file, const WorkerFiles& files);
 
   pid_t process() const { return process_; }  // -1: it does not run now
@@ -61,14 +66,16 @@ class ForkServer {
  private:
   void begin();
   void end();
-  bool ask(int job_file, const WorkerFiles& files) const;
+  bool ask(int job_file, const WorkerFiles& files);
   std::optional<ForkReply> hear() const;
+  bool has_stopped() const;
 
   Limits limits_;
   std::function<void()> end_strays_;
   pid_t process_ = -1;
-  Descriptor socket_;
-  int deaths_ = 0;
+  FileDescriptor socket_;
+  int deaths_ = 0;  // one after the other
+  std::uint64_t number_ = 0;
 };
 
 }  // namespace regista::campaign

@@ -16,10 +16,10 @@
 #include <vector>
 
 #include "campaign/decision_trail.hpp"
-#include "campaign/descriptor_text.hpp"
 #include "campaign/isolated_match.hpp"
 #include "campaign/job_setup.hpp"
 #include "campaign/match_json.hpp"
+#include "campaign/whole_text.hpp"
 #include "campaign/worker_process.hpp"
 #include "config/bad_input.hpp"
 #include "match/decision_digest.hpp"

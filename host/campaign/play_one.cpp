@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "campaign/descriptor_text.hpp"
 #include "campaign/inputs.hpp"
 #include "campaign/job_setup.hpp"
 #include "campaign/match_setup.hpp"
 #include "campaign/play_job.hpp"
+#include "campaign/whole_text.hpp"
 #include "campaign/worker_process.hpp"
 #include "config/bad_input.hpp"
 #include "plugin/fatal_signal.hpp"
@@ -38,7 +38,7 @@ plugin::Catalogue plugins_of(const Job& job, const Surroundings& surroundings) {
 }
 
 Answer play(const Surroundings& surroundings, WorkerNote& note) {
-  const Job job = job_from_json(everything_from(STDIN_FILENO));
+  const Job job = job_from_json(everything_in(STDIN_FILENO));
   if (!job.isolated) plugin::note_fatal_signals(note.fatal);
   const plugin::Catalogue catalogue = plugins_of(job, surroundings);
   MatchSetup prepared = match_setup(request_of(job), catalogue);

@@ -8,8 +8,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <cstdlib>
+#include <fstream>
 
-#include "campaign/descriptor.hpp"
+#include "campaign/file_descriptor.hpp"
 #include "campaign/inputs.hpp"
 #include "campaign/job_setup.hpp"
 #include "config/named_files.hpp"
@@ -38,6 +40,12 @@ void demand_unchanged(const Files& files) {
   }
 }
 
+bool has_children() {
+  std::ifstream list("/proc/thread-self/children");
+  pid_t child = 0;
+  return static_cast<bool>(list >> child);
+}
+
 std::vector<std::string> environment() {
   std::vector<std::string> out;
   for (char** each = environ; *each != nullptr; ++each) out.emplace_back(*each);
@@ -55,7 +63,7 @@ class KeptErrors {
   KeptErrors(const KeptErrors&) = delete;
   KeptErrors& operator=(const KeptErrors&) = delete;
 
-  // At most what a worker's output keeps in any case.
+  // Its beginning.
   std::string text() const {
     std::string out(std::size_t{1} << 16, '\0');
     const ssize_t count = pread(file_.number, out.data(), out.size(), 0);
@@ -64,7 +72,7 @@ class KeptErrors {
   }
 
  private:
-  Descriptor file_, before_;
+  FileDescriptor file_, before_;
 };
 
 template <class Profile>
@@ -74,7 +82,7 @@ std::string shown(Profile profile) {
 
 }  // namespace
 
-PreparedTeams::Plugins& PreparedTeams::plugins_of(const Job& job) {
+const PreparedTeams::Plugins& PreparedTeams::plugins_of(const Job& job) {
   auto& opened = plugins_[fmt::format("{}", fmt::join(job.plugin_files, "\n"))];
   if (opened) {
     demand_unchanged(opened->files);
@@ -84,8 +92,11 @@ PreparedTeams::Plugins& PreparedTeams::plugins_of(const Job& job) {
   const KeptErrors errors;
   const plugin::ProcessState before = plugin::ProcessState::now();
   const std::vector<std::string> variables = environment();
+  const pid_t here = getpid();
   const std::vector<std::filesystem::path> paths(job.plugin_files.begin(), job.plugin_files.end());
   plugin::Catalogue catalogue = plugin::Catalogue::of_files(paths, plugin::Catalogue::Looking::here);
+  if (getpid() != here) _exit(EXIT_FAILURE);  // a plugin has doubled the process: one of the two is enough
+  if (has_children()) throw Unfit("a plugin started a process");
   if (const std::string left = plugin::changes_since(before); !left.empty()) throw Unfit("a plugin " + left);
   if (environment() != variables) throw Unfit("a plugin changed the environment");
   if (!catalogue.refused().empty()) throw std::runtime_error(to_string(catalogue.refused().front()));
@@ -101,7 +112,11 @@ const PreparedTeams::Team& PreparedTeams::team_of(const std::string& key, const 
     return known->second;
   }
   const std::array<std::filesystem::path, 1> document{file};
-  Files files = stamped(config::named_files(document, overrides));
+  const std::vector<std::filesystem::path> named = config::named_files(document, overrides);
+  for (const std::filesystem::path& each : named) {
+    if (each.extension() == ".so") throw std::runtime_error(each.string() + " is pinned");
+  }
+  Files files = stamped(named);
   TeamSetup setup = team_setup(file, overrides, rules, robot, catalogue);
   std::vector<Input> inputs = team_inputs(*setup.plan, *setup.document, catalogue);
   demand_unchanged(files);
@@ -112,13 +127,14 @@ const PreparedTeams::Team& PreparedTeams::team_of(const std::string& key, const 
 PreparedTeams::Match PreparedTeams::prepare(const Job& job) {
   const Plugins& plugins = plugins_of(job);
   std::vector<std::vector<Input>> inputs;  // home, away
-  std::string both;                        // what both plans are functions of
+  std::string shared;                      // what both plans are functions of
   Match out;
   out.output = plugins.output;
   out.setup = match_setup(request_of(job), [&](const std::string& file, const config::Overrides& overrides,
                                                const config::Rules& rules, const config::Robot& robot) {
-    if (both.empty()) both = fmt::format("{}\n{}\n{}", fmt::join(job.plugin_files, "\n"), shown(rules), shown(robot));
-    const std::string key = fmt::format("{}\n{}\n{}", both, file, fmt::join(overrides, "\n"));
+    if (shared.empty())
+      shared = fmt::format("{}\n{}\n{}", fmt::join(job.plugin_files, "\n"), shown(rules), shown(robot));
+    const std::string key = fmt::format("{}\n{}\n{}", shared, file, fmt::join(overrides, "\n"));
     const Team& team = team_of(key, file, overrides, rules, robot, plugins.catalogue);
     inputs.push_back(team.inputs);
     return team.setup;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Teams that are read once for many matches: their plugins opened, their pages read, their inputs counted up. No code
-// of a plugin runs for that but what a shared object runs when it is loaded.
+// of a plugin runs for that but what a shared object runs when it is loaded, and the functions by which it declares its
+// plugins.
 #pragma once
 
 #include <filesystem>
@@ -33,13 +34,14 @@ class Unfit : public std::runtime_error {
 class PreparedTeams {
  public:
   struct Match {
-    MatchSetup setup;         // its plans live as long as this object
+    MatchSetup setup;         // must not outlive this object, which has the plugins
     std::string changed;      // as what_changed() of job_setup.hpp
     std::string_view output;  // what plugins wrote to standard error when they were loaded
   };
 
-  // Precondition: the job names its plugin files. Throws Stale, Unfit, config::Error, config::BadInput,
-  // std::runtime_error.
+  // Precondition: the job names its plugin files. Throws Stale, Unfit, config::Error, config::BadInput, and
+  // std::runtime_error also for a team that pins the file of a plugin: another version of a plugin may share variables
+  // with the one that is loaded already.
   Match prepare(const Job& job);
 
  private:
@@ -54,7 +56,7 @@ class PreparedTeams {
     std::vector<Input> inputs;
     Files files;
   };
-  Plugins& plugins_of(const Job& job);
+  const Plugins& plugins_of(const Job& job);
   const Team& team_of(const std::string& key, const std::string& file, const config::Overrides& overrides,
                       const config::Rules& rules, const config::Robot& robot, const plugin::Catalogue& catalogue);
 

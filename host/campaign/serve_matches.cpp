@@ -1,25 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/serve_matches.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
-#include <cstddef>
+#include <cstring>
 #include <exception>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "campaign/descriptor.hpp"
-#include "campaign/descriptor_text.hpp"
+#include "campaign/file_descriptor.hpp"
 #include "campaign/file_passing.hpp"
 #include "campaign/fork_server.hpp"
 #include "campaign/job.hpp"
 #include "campaign/play_job.hpp"
 #include "campaign/prepared_teams.hpp"
 #include "campaign/shared_note.hpp"
+#include "campaign/whole_text.hpp"
 #include "campaign/worker_process.hpp"
 #include "config/bad_input.hpp"
 #include "plugin/fatal_signal.hpp"
@@ -27,18 +31,55 @@
 namespace regista::campaign {
 namespace {
 
-// As fork(), but the copy is a child of this process's parent, which can then wait for it. This process has one thread,
-// and nothing asks the C library to be told of forks.
-pid_t copy_for_parent() { return static_cast<pid_t>(::syscall(SYS_clone, CLONE_PARENT | SIGCHLD, 0, 0, 0, 0)); }
+// Out of the reach of plugins that write to a number which they take for their own file.
+FileDescriptor away_from_plugins(int socket) {
+  const int kept = ::fcntl(socket, F_DUPFD_CLOEXEC, 100);
+  const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+  if (kept == -1 || nothing == -1) throw config::BadInput("cannot keep the connection to the coordinator");
+  ::dup2(nothing, socket);
+  ::close(nothing);
+  return FileDescriptor(kept);
+}
 
-// In the copy. Files that it does not hand to the worker stay open until its end.
-[[noreturn]] void play_in_copy(const Job& job, PreparedTeams::Match match, const WorkerFiles& files, pid_t coordinator,
-                               const std::string& program) {
+// As fork(), but the copy is a child of this process's parent, which can then wait for it. This process has one thread,
+// so that nothing of the C library needs to be told; handlers of forks that libraries of plugins have registered do not
+// run. The number by which the C library knows the thread is set as fork() does.
+pid_t copy_for_parent() {
+  unsigned long flags = CLONE_PARENT | SIGCHLD;
+  int* number = nullptr;
+  if (::prctl(PR_GET_TID_ADDRESS, &number) == 0 && number != nullptr)
+    flags |= CLONE_CHILD_SETTID | CLONE_CHILD_CLEARTID;
+#if defined(__x86_64__)
+  return static_cast<pid_t>(::syscall(SYS_clone, flags, nullptr, nullptr, number, nullptr));
+#else  // the last two the other way round
+  return static_cast<pid_t>(::syscall(SYS_clone, flags, nullptr, nullptr, nullptr, number));
+#endif
+}
+
+// What lists of processes show: the same as of a worker that started the program.
+void be_called_a_worker() {
+  char* const command = program_invocation_name + std::strlen(program_invocation_name) + 1;
+  if (std::string_view(command) != server_command) return;
+  static_assert(std::string_view(worker_command).size() <= std::string_view(server_command).size());
+  std::memset(command, 0, std::strlen(command));
+  std::memcpy(command, worker_command, std::strlen(worker_command));
+}
+
+struct Connection {
+  FileDescriptor socket;
+  pid_t coordinator;
+};
+
+// In the copy, which no destructor leaves: it ends by _exit.
+[[noreturn]] void play_in_copy(const Job& job, PreparedTeams::Match match, const WorkerFiles& files,
+                               const Connection& connection, const std::string& program) {
   constexpr int cannot = 127;
-  if (!become_worker(files, job.limits, coordinator)) ::_exit(cannot);
+  ::close(connection.socket.number);
+  if (!become_worker(files, job.limits, connection.coordinator)) ::_exit(cannot);
   for (const int each : {files.answer, files.note, files.output, files.trail}) {
     if (each > trail_descriptor) ::close(each);
   }
+  be_called_a_worker();
   write_all(STDERR_FILENO, match.output);
   try {
     SharedNote shared(note_descriptor);
@@ -51,6 +92,34 @@ pid_t copy_for_parent() { return static_cast<pid_t>(::syscall(SYS_clone, CLONE_P
   }
 }
 
+// The state that comes of a request; in the copy it does not return.
+ForkReply answer(const ForkRequest& request, std::vector<FileDescriptor>& files, PreparedTeams& teams,
+                 const Connection& connection, const std::string& program) {
+  ForkReply reply;
+  reply.number = request.number;
+  const bool has_trail = request.has_trail != 0;
+  if (files.size() != (has_trail ? 5u : 4u)) return reply;
+  try {
+    const Job job = job_from_json(everything_in(files[0].number));
+    PreparedTeams::Match match = teams.prepare(job);
+    if (!match.changed.empty()) return reply;
+    reply.process = copy_for_parent();
+    if (reply.process == 0) {
+      files[0].reset();
+      play_in_copy(job, std::move(match),
+                   {files[1].number, files[2].number, files[3].number, has_trail ? files[4].number : -1}, connection,
+                   program);
+    }
+    if (reply.process == -1 && errno != EAGAIN && errno != ENOMEM) reply.state = ForkReply::State::unfit;
+  } catch (const Stale&) {
+    reply.state = ForkReply::State::stale;
+  } catch (const Unfit&) {
+    reply.state = ForkReply::State::unfit;
+  } catch (const std::exception&) {  // a worker that starts the program will say it
+  }
+  return reply;
+}
+
 }  // namespace
 
 void serve_matches(const std::string& program) {
@@ -59,36 +128,14 @@ void serve_matches(const std::string& program) {
   if (::getsockopt(server_descriptor, SOL_SOCKET, SO_TYPE, &kind, &size) == -1 || kind != SOCK_SEQPACKET) {
     throw config::BadInput(fmt::format("{}: is for the program itself, which starts it for a study", server_command));
   }
-  const pid_t coordinator = ::getppid();
+  const Connection connection{away_from_plugins(server_descriptor), ::getppid()};
   PreparedTeams teams;
   for (;;) {
     ForkRequest request;
-    std::vector<Descriptor> files;
-    if (!receive_with_files(server_descriptor, request, files)) return;
-    ForkReply reply;
-    const bool has_trail = request.has_trail != 0;
-    if (files.size() == (has_trail ? 5u : 4u)) {
-      try {
-        const Job job = job_from_json(everything_in(files[0].number));
-        PreparedTeams::Match match = teams.prepare(job);
-        if (match.changed.empty()) {
-          reply.process = copy_for_parent();
-          if (reply.process == 0) {
-            files[0].reset();
-            play_in_copy(job, std::move(match),
-                         {files[1].number, files[2].number, files[3].number, has_trail ? files[4].number : -1},
-                         coordinator, program);
-          }
-        }
-      } catch (const Stale&) {
-        reply.state = ForkReply::State::stale;
-      } catch (const Unfit&) {
-        reply.state = ForkReply::State::unfit;
-      } catch (const std::exception&) {  // a worker that starts the program will say it
-      }
-    }
-    const bool heard = ::send(server_descriptor, &reply, sizeof reply, MSG_NOSIGNAL) == sizeof reply;
-    if (!heard || reply.state != ForkReply::State::ready) return;
+    std::vector<FileDescriptor> files;
+    if (!receive_with_files(connection.socket.number, request, files)) return;
+    const ForkReply reply = answer(request, files, teams, connection, program);
+    if (!send_with_files(connection.socket.number, reply, {}) || reply.state != ForkReply::State::ready) return;
   }
 }
 

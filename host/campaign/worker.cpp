@@ -17,8 +17,9 @@
 #include <system_error>
 #include <utility>
 
-#include "campaign/descriptor.hpp"
+#include "campaign/file_descriptor.hpp"
 #include "campaign/process.hpp"
+#include "campaign/whole_text.hpp"
 #include "campaign/worker_process.hpp"
 
 namespace regista::campaign {
@@ -31,14 +32,9 @@ constexpr std::size_t longest_answer = std::size_t{16} << 20;
 
 // The job as a file without a name, from its beginning: unlike a pipe it never fills.
 int file_of(const std::string& text) {
-  Descriptor file(memfd_create("regista-job", MFD_CLOEXEC));
+  FileDescriptor file(memfd_create("regista-job", MFD_CLOEXEC));
   if (file.number == -1) fail("cannot hand over a match");
-  std::string_view rest = text;
-  while (!rest.empty()) {
-    const ssize_t written = write(file.number, rest.data(), rest.size());
-    if (written == -1) fail("cannot hand over a match");
-    rest.remove_prefix(static_cast<std::size_t>(written));
-  }
+  if (!write_all(file.number, text)) fail("cannot hand over a match");
   lseek(file.number, 0, SEEK_SET);
   return file.release();
 }
@@ -90,15 +86,15 @@ double seconds_of(const timeval& time) {
 Worker::Worker(const Job& job, const Limits& limits, SharedNote& note, int trail, ForkServer* server)
     : limits_(limits), note_(note), isolated_(job.isolated) {
   note_.clear();
-  const Descriptor given(file_of(to_json(job)));
+  const FileDescriptor given(file_of(to_json(job)));
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) == -1) fail("cannot make a pipe");
-  Descriptor reading(ends[0]);
-  const Descriptor writing(ends[1]);
+  FileDescriptor reading(ends[0]);
+  const FileDescriptor writing(ends[1]);
   std::array<int, 2> output_ends{};
   if (pipe2(output_ends.data(), O_CLOEXEC) == -1) fail("cannot make a pipe");
-  Descriptor reading_output(output_ends[0]);
-  const Descriptor writing_output(output_ends[1]);
+  FileDescriptor reading_output(output_ends[0]);
+  const FileDescriptor writing_output(output_ends[1]);
   // The reading ends alone: what the worker inherits must block.
   fcntl(reading.number, F_SETFL, O_NONBLOCK);
   fcntl(reading_output.number, F_SETFL, O_NONBLOCK);

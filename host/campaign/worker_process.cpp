@@ -25,30 +25,30 @@ bool limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
 
 }  // namespace
 
+bool limit_memory(const Limits& limits) {
+  if (!limit(RLIMIT_CORE, 0, 0) || !limit(RLIMIT_STACK, stack, stack)) return false;
+  // A sanitizer reserves more addresses than there is memory.
+  return limits.memory == 0 || addresses_are_reserved() || limit(RLIMIT_AS, limits.memory, limits.memory);
+}
+
 bool become_worker(const WorkerFiles& given, const Limits& limits, pid_t coordinator) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != coordinator) return false;  // it died before it could be watched
   // Out of the way of the numbers they are to have, which are not closed at exec.
-  const int answer = fcntl(given.answer, F_DUPFD, 10), note = fcntl(given.note, F_DUPFD, 10),
-            output = fcntl(given.output, F_DUPFD, 10),
-            trail = given.trail == -1 ? open("/dev/null", O_WRONLY) : fcntl(given.trail, F_DUPFD, 10),
-            nothing = open("/dev/null", O_RDWR);
+  const int opened = open("/dev/null", O_RDWR);
+  const int nothing = fcntl(opened, F_DUPFD, 10), answer = fcntl(given.answer, F_DUPFD, 10),
+            note = fcntl(given.note, F_DUPFD, 10), output = fcntl(given.output, F_DUPFD, 10),
+            trail = fcntl(given.trail == -1 ? opened : given.trail, F_DUPFD, 10);
   if (answer == -1 || note == -1 || output == -1 || trail == -1 || nothing == -1) return false;
+  close(opened);
   const bool placed = dup2(nothing, STDIN_FILENO) != -1 && dup2(nothing, STDOUT_FILENO) != -1 &&
                       dup2(output, STDERR_FILENO) != -1 && dup2(answer, answer_descriptor) != -1 &&
                       dup2(note, note_descriptor) != -1 && dup2(trail, trail_descriptor) != -1;
   if (!placed) return false;
-  for (const int each : {answer, note, output, trail, nothing}) {
-    if (each > trail_descriptor) close(each);
-  }
+  for (const int each : {answer, note, output, trail, nothing}) close(each);
   const auto seconds = static_cast<rlim_t>(limits.match_seconds());
-  bool limited =
-      limit(RLIMIT_CPU, seconds, seconds + 2) && limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_STACK, stack, stack);
-  // A sanitizer reserves more addresses than there is memory.
-  if (limits.memory != 0 && !addresses_are_reserved())
-    limited = limited && limit(RLIMIT_AS, limits.memory, limits.memory);
-  if (!limited) return false;
+  if (!limit(RLIMIT_CPU, seconds, seconds + 2) || !limit_memory(limits)) return false;
   for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGPIPE, SIGXFSZ, SIGXCPU}) std::signal(each, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);

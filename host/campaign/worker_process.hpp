@@ -22,11 +22,16 @@ inline constexpr const char* worker_command = "play-one";
 
 // What a worker is given, by its descriptors elsewhere. trail: -1 for none.
 struct WorkerFiles {
-  int answer, note, output, trail;
+  int answer = -1, note = -1, output = -1, trail = -1;
 };
 
-// Makes this new process a worker whose standard input is empty. The given descriptors stay open. False when something
-// was not possible: it must end at once. Makes only calls that are safe in a signal handler.
+// Stack, address space, and no file of what was in memory at its death. False when that was not possible. Makes only
+// calls that are safe in a signal handler.
+bool limit_memory(const Limits& limits);
+
+// Makes this new process a worker whose standard input is empty. Those of the given descriptors that are none of a
+// worker's stay open. False when something was not possible: it must end at once. Makes only calls that are safe in a
+// signal handler.
 bool become_worker(const WorkerFiles& given, const Limits& limits, pid_t coordinator);
 
 }  // namespace regista::campaign

@@ -81,6 +81,28 @@ class ForkServer(tournament.Tournament):
         self.assertIsNotNone(stopped)
         self.assertEqual(self.servers(), [])
 
+    def test_what_a_match_finds_open(self):
+        """Its standard streams, answer, note and trail, and nothing of the server's."""
+        running = self.begin("--play-once", "--workers", "1", pairs=40)
+        found = []
+        while running.poll() is None:
+            for each in processes.processes(self.program):
+                if each == running.pid or command_of(each) != [b"play-one"]:
+                    continue
+                try:
+                    found.append({file.name: os.readlink(file) for file in pathlib.Path(f"/proc/{each}/fd").iterdir()})
+                except OSError:
+                    pass  # it has ended
+            time.sleep(0.002)
+        output, errors = running.communicate()
+        self.assertEqual((running.returncode, errors), (0, ""))
+        whole = [each for each in found if len(each) == 6 and each["2"].startswith("pipe:")]
+        self.assertGreater(len(whole), 5)
+        for each in whole:
+            self.assertEqual(sorted(each), list("012345"))
+            self.assertEqual([each[name] for name in "015"], ["/dev/null"] * 3)
+            self.assertTrue(each["3"].startswith("pipe:") and "regista-note" in each["4"], each)
+
     def test_the_coordinator_is_killed(self):
         running = self.begin(pairs=200)
         while not self.servers():

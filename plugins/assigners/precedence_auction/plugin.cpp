@@ -85,7 +85,7 @@ struct PrecedenceAuction {
         log.warning(list + std::to_string(each.groups.size()) + " groups, and the team can do tasks of " +
                     std::to_string(most_groups()) + ": some stay without a robot");
       }
-      if (!each.without.empty()) log.info(list + "without a group, and so in the last one: " + each.without);
+      if (!each.without.empty()) log.debug(list + "without a group, and so in the last one: " + each.without);
     }
     return true;
   }

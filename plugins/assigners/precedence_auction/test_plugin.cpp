@@ -131,7 +131,7 @@ TEST(PrecedenceAuctionPlugin, SaysAtSetupWhatIsOddAboutGroups) {
   EXPECT_TRUE(says_of_groups({1, 2, 3, -1}, 2, 1).empty());  // robot 1 has said it
   const auto without = says_of_groups({-1, 1, -1, -1}, 1, 1);
   ASSERT_EQ(without.size(), 1u);
-  EXPECT_EQ(without[0].level, REGISTA_LOG_INFO);
+  EXPECT_EQ(without[0].level, REGISTA_LOG_DEBUG);
   EXPECT_EQ(without[0].text, "roles playing: without a group, and so in the last one: striker, jolly");
 }
 

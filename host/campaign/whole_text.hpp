@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole texts through file descriptors.
+// Whole texts of files and pipes.
 #pragma once
 
 #include <unistd.h>
@@ -10,18 +10,6 @@
 #include <string_view>
 
 namespace regista::campaign {
-
-// From where it stands to its end.
-inline std::string everything_from(int descriptor) {
-  std::string out;
-  std::array<char, 4096> buffer;
-  for (;;) {
-    const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
-    if (count == -1 && errno == EINTR) continue;
-    if (count <= 0) return out;
-    out.append(buffer.data(), static_cast<std::size_t>(count));
-  }
-}
 
 // All of a file, wherever it stands: who shares it is not disturbed.
 inline std::string everything_in(int file) {

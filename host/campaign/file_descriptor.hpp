@@ -8,14 +8,14 @@
 
 namespace regista::campaign {
 
-struct Descriptor {
+struct FileDescriptor {
   int number = -1;  // -1: none
 
-  Descriptor() = default;
-  explicit Descriptor(int opened) : number(opened) {}
-  ~Descriptor() { reset(); }
-  Descriptor(Descriptor&& other) noexcept : number(other.release()) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
+  FileDescriptor() = default;
+  explicit FileDescriptor(int opened) : number(opened) {}
+  ~FileDescriptor() { reset(); }
+  FileDescriptor(FileDescriptor&& other) noexcept : number(other.release()) {}
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
     reset(other.release());
     return *this;
   }
