@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: MIT
 """What the fork server gains: the same tournament of short games with it and without, in turns.
 
-    fork_server.py REGISTA TEAM_A TEAM_B [--limit SECONDS] [--pairs N] [--rounds N]
+    fork_server.py REGISTA TEAM_A TEAM_B [--limit SECONDS] [--pairs N] [--rounds N] [--before OTHER_REGISTA]
 
 Without it means that it is killed as often as it is seen: after three deaths nobody starts it again, and each match
-starts the program. Printed: processor time of a game, least of all rounds, both ways, and their ratio. One worker."""
+starts the program. --before: that is done by another program, of an earlier version. Printed: processor time of a game, least of all rounds, both ways, and their ratio. One worker."""
 import argparse
 import os
 import pathlib
@@ -34,13 +34,15 @@ def main():
     parser.add_argument("--limit", default="30")
     parser.add_argument("--pairs", type=int, default=20)
     parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--before", type=pathlib.Path)
     options = parser.parse_args()
 
     def game(without):
         with tempfile.TemporaryDirectory() as folder:
             before = os.times()
             teams = [word for team in options.teams for word in ("--team", team)]
-            running = subprocess.Popen([str(options.regista), "tournament", *teams, "--pairs", str(options.pairs), "--limit",
+            program = options.before if without and options.before else options.regista
+            running = subprocess.Popen([str(program), "tournament", *teams, "--pairs", str(options.pairs), "--limit",
                                         options.limit, "--workers", "1", "--play-once", "--no-page", "--quiet",
                                         "--results", f"{folder}/t.db"], stdout=subprocess.DEVNULL)
             seen = set()
@@ -59,8 +61,8 @@ def main():
     for _ in range(options.rounds):
         for without in (True, False):
             least[without] = min(least[without], game(without))
-    print(f"a game of {options.limit} s: {1e3 * least[True]:.1f} ms of processor time, {1e3 * least[False]:.1f} ms with the fork "
-          f"server; {least[True] / least[False]:.2f} times as many games")
+    print(f"a game of {options.limit} s: {1e3 * least[True]:.1f} ms of processor time, {1e3 * least[False]:.1f} ms with "
+          f"the fork server; {least[True] / least[False]:.2f} times as many games")
 
 
 if __name__ == "__main__":

@@ -42,7 +42,7 @@ constexpr double longest_wait = 60.0;  // s, for a plugin that sleeps when it is
   std::array<char, 16> command{};
   std::strncpy(command.data(), server_command, command.size() - 1);
   char* const arguments[] = {name.data(), command.data(), nullptr};
-  execv("/proc/self/exe", arguments);
+  execve("/proc/self/exe", arguments, environment_with({}));
   _exit(cannot);
 }
 

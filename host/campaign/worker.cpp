@@ -58,15 +58,10 @@ struct Start {
   std::array<char, 16> command{};
   std::strncpy(command.data(), worker_command, command.size() - 1);
   char* const arguments[] = {name.data(), command.data(), nullptr};
-  if (!start.elsewhere) execv("/proc/self/exe", arguments);
   // What a match must not depend on is another than in the first play.
   static char padding[4096] = "REGISTA_SECOND_PLAY=";
   memset(padding + 20, 'x', sizeof padding - 21);
-  static char* variables[1024];
-  std::size_t count = 0;
-  for (char** each = environ; *each != nullptr && count < std::size(variables) - 2; ++each) variables[count++] = *each;
-  variables[count] = padding;
-  execve("/proc/self/exe", arguments, variables);
+  execve("/proc/self/exe", arguments, start.elsewhere ? environment_with({padding}) : environment_with({}));
   _exit(cannot);
 }
 

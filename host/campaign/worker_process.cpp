@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
+#include <cstring>
 
 #include "config/sanitized.hpp"
 
@@ -29,6 +31,22 @@ bool limit_memory(const Limits& limits) {
   if (!limit(RLIMIT_CORE, 0, 0) || !limit(RLIMIT_STACK, stack, stack)) return false;
   // A sanitizer reserves more addresses than there is memory.
   return limits.memory == 0 || addresses_are_reserved() || limit(RLIMIT_AS, limits.memory, limits.memory);
+}
+
+char** environment_with(std::initializer_list<const char*> more) {
+  static char large_pages[] = "GLIBC_TUNABLES=glibc.malloc.hugetlb=1";
+  constexpr std::size_t name = std::string_view("GLIBC_TUNABLES=").size();
+  static std::array<char*, 1024> variables;
+  std::size_t count = 0;
+  bool tuned = false;  // by the user
+  for (char** each = environ; *each != nullptr && count < variables.size() - 8; ++each) {
+    variables[count++] = *each;
+    tuned = tuned || std::strncmp(*each, large_pages, name) == 0;
+  }
+  if (!tuned) variables[count++] = large_pages;
+  for (const char* each : more) variables[count++] = const_cast<char*>(each);
+  variables[count] = nullptr;
+  return variables.data();
 }
 
 bool become_worker(const WorkerFiles& given, const Limits& limits, pid_t coordinator) {

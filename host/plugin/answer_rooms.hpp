@@ -22,6 +22,7 @@ struct AnswerRooms {
   GuardedValue<regista_error> error;  // of every call
   // Predictor
   GuardedValue<regista_room> track_room;
+  GuardedRoom<regista_track> tracks{1};
   // Context
   GuardedValue<std::int32_t> holds;
   // Positioner

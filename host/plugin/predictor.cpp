@@ -42,9 +42,10 @@ bool clearly_sound(const regista_track& t, const regista_track_pose& pose) {
 }  // namespace
 
 Predictor::Predictor(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)),
-      calls_(&instance_->table<regista_predictor>(REGISTA_KIND_PREDICTOR)),
-      tracks_(track_capacity) {
+    : instance_(std::move(instance)), calls_(&instance_->table<regista_predictor>(REGISTA_KIND_PREDICTOR)) {
+  constexpr std::size_t usual = 16;  // more are rare, and allocate once
+  tracks_.reserve(usual);
+  instance_->rooms().tracks.open(track_capacity);
   const std::uint32_t subject = instance_->environment().subject;
   if ((calls_->subjects & subject) == 0) {
     instance_->fail("create", fmt::format("models {}, not {}", subject_names(calls_->subjects),
@@ -82,14 +83,15 @@ void Predictor::absorb(std::span<const regista_track> tracks, double age) {
 
 std::span<const regista_track> Predictor::tracks() {
   GuardedValue<regista_room>& room = instance_->rooms().track_room;
-  *instance_->open(room) = {instance_->open(tracks_, track_capacity), track_capacity, 0, sizeof(regista_track), 0};
+  GuardedRoom<regista_track>& written = instance_->rooms().tracks;
+  *instance_->open(room) = {instance_->open(written, track_capacity), track_capacity, 0, sizeof(regista_track), 0};
   instance_->call("tracks", calls_->tracks, room.data());
-  instance_->check("tracks", Instance::Written{tracks_, "tracks"}, Instance::Written{room, "number of tracks"});
+  instance_->check("tracks", Instance::Written{written, "tracks"}, Instance::Written{room, "number of tracks"});
   // Of the room only the count is read: the plugin may have written over the rest.
   const std::uint32_t count = room.data()->count;
   if (count > track_capacity) [[unlikely]]
     instance_->fail("tracks", fmt::format("wrote {} tracks into room for {}", count, track_capacity));
-  const std::span<const regista_track> out = tracks_.first(count);
+  const std::span<const regista_track> out = written.first(count);
   const bool poses = has_pose(instance_->environment().subject);
   for (const regista_track& track : out) {
     const bool sound = poses ? clearly_sound(track) && clearly_sound(track, track.pose)
@@ -98,7 +100,8 @@ std::span<const regista_track> Predictor::tracks() {
       check(track, poses);
   }
   check_together(out);
-  return out;
+  tracks_.assign(out.begin(), out.end());
+  return tracks_;
 }
 
 void Predictor::check(const regista_track& t, bool has_pose) const {

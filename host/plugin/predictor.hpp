@@ -4,8 +4,8 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
-#include "plugin/guarded_room.hpp"
 #include "plugin/instance.hpp"
 
 namespace regista::plugin {
@@ -34,7 +34,7 @@ class Predictor {
 
   std::shared_ptr<Instance> instance_;
   const regista_predictor* calls_;
-  GuardedRoom<regista_track> tracks_;  // of its own: what was answered last stays readable
+  std::vector<regista_track> tracks_;  // of its own, of the size in use: what was answered last stays readable
 };
 
 }  // namespace regista::plugin
