@@ -78,7 +78,7 @@ inline constexpr std::tuple shared_parameters{
                   "Urgency of a new bid; 1 asks for a packet of its own (assumption)"),
     regista::real("urgent_every", &Settings::urgent_every, {0.0, 120.0}, "s",
                   "Least time since the last packet of this robot after which a bid is urgent, or the budget does not "
-                  "last; none is while the team is below the even line of its packets (assumption)")
+                  "last (assumption)")
         .tunable(),
     negotiation::static_at(&Settings::static_at)};
 
@@ -335,7 +335,7 @@ class Desk {
     std::ranges::sort(told_, {}, &Told::task);
     write_message(format_, participant_.epoch(), told_, bytes_);
     if (std::exchange(has_spoken_, false)) spoke_ = now;
-    const bool is_urgent = participant_.has_unsent() && now - spoke_ >= settings_.urgent_every && reserve_.may_hurry();
+    const bool is_urgent = participant_.has_unsent() && now - spoke_ >= settings_.urgent_every;
     offer_.say(bytes_, now, is_urgent ? settings_.urgency : 0.0);
   }
 

@@ -124,16 +124,6 @@ TEST(DistributedAuctionPlugin, ANewBidIsUrgentNowAndThen) {
   EXPECT_EQ(urgency(7.2, 0.1), 1.0);
 }
 
-TEST(DistributedAuctionPlugin, NoBidIsUrgentWhilePacketsRunShort) {
-  Instance one(plugin(), EnvironmentBuilder{}.own(1), settings());
-  one.host().budget.packets_left = 1154;  // as many as the line has
-  one.assign(scene(1, 1.0), utilities(0.5, 0.6, 0, 0));
-  EXPECT_EQ(one.host().offers.back().urgency, 0.0);
-  one.host().budget.packets_left = 1155;
-  one.assign(scene(1, 1.1), utilities(0.5, 0.6, 0, 0));
-  EXPECT_EQ(one.host().offers.back().urgency, 1.0);
-}
-
 TEST(DistributedAuctionPlugin, AtTheReserveRolesGoByRank) {
   Instance one(plugin(), EnvironmentBuilder{}.own(1), settings());
   const Matrix values = utilities(0.5, 0.9, 0.0, 0.0);

@@ -53,15 +53,6 @@ TEST(Reserve, IsReachedWhenNoMorePacketsAreLeft) {
   EXPECT_FALSE(Kept(-1).is_reached_with(0, 0.5));
 }
 
-TEST(Reserve, NewsMayHurryAboveTheEvenLine) {
-  Kept kept(30);
-  kept.host.budget.line = 599.5;
-  kept.host.budget.packets_left = 600;
-  EXPECT_TRUE(kept.reserve.may_hurry());
-  kept.host.budget.packets_left = 599;
-  EXPECT_FALSE(kept.reserve.may_hurry());
-}
-
 TEST(Reserve, WithoutABudgetThereIsNone) {
   Kept kept(30);
   regista_host old = *kept.host.raw();
@@ -70,7 +61,6 @@ TEST(Reserve, WithoutABudgetThereIsNone) {
   reserve.setup(kept.setting.environment(), regista::Host(&old), 30);
   kept.host.budget.packets_left = 0;
   EXPECT_FALSE(reserve.is_reached());
-  EXPECT_TRUE(reserve.may_hurry());
 }
 
 // Tasks in this order of columns; the striker's is the most important, then the supporter's, then the jolly's.

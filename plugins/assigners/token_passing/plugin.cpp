@@ -61,10 +61,9 @@ struct TokenPassing {
       regista::real("give_up", &TokenPassing::give_up, {0.0, 1.0}, "1",
                     "A robot gives its task up when its capability is this far below the threshold (assumption)")
           .tunable(),
-      regista::boolean(
-          "urgent", &TokenPassing::urgent,
-          "Tokens that were made, passed or taken are worth a packet at once while the team is above the even "
-          "line of its packets; false: they wait for the next one (assumption)"),
+      regista::boolean("urgent", &TokenPassing::urgent,
+                       "Tokens that were made, passed or taken are worth a packet at once; false: they wait for the "
+                       "next one (assumption)"),
       negotiation::static_at(&TokenPassing::static_at),
       regista::within(
           &TokenPassing::settings,
@@ -234,7 +233,7 @@ struct TokenPassing {
     offered = std::min(tokens.size(), most_told);
     if (offered == 0) return offer.withdraw();
     token_passing::write(layout, tokens.first(offered), bytes);
-    offer.say(bytes, now, urgent && robot.is_urgent() && reserve.may_hurry() ? 1.0 : 0.0);
+    offer.say(bytes, now, urgent && robot.is_urgent() ? 1.0 : 0.0);
   }
 };
 

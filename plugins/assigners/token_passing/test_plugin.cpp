@@ -114,16 +114,6 @@ TEST(TokenPassingPlugin, WhoDoesNotAnswerIsPassedOver) {
   EXPECT_FALSE(with_2());
 }
 
-TEST(TokenPassingPlugin, NothingIsUrgentWhilePacketsRunShort) {
-  Instance first(plugin(), EnvironmentBuilder{}.own(1));
-  first.host().budget.packets_left = 1154;  // as many as the line has
-  first.assign(line(1).build(), Matrix(3, 3));
-  EXPECT_EQ(first.host().offers.back().urgency, 0.0);
-  first.host().budget.packets_left = 1155;
-  first.assign(line(1, 100.1).build(), Matrix(3, 3));
-  EXPECT_EQ(first.host().offers.back().urgency, 1.0);
-}
-
 TEST(TokenPassingPlugin, AtTheReserveRolesGoByRank) {
   Instance third(plugin(), EnvironmentBuilder{}.own(3)), first(plugin(), EnvironmentBuilder{}.own(1));
   Matrix utilities(3, 3);
