@@ -6,7 +6,8 @@
 //   footprint ENTRY MARK STEP    offsets in the program, hexadecimal: of its first instruction, of the function that
 //                                 begins a decision, of that which computes a step of physics
 //
-// The program is loaded below the dynamic linker, which runs first: so the first instruction below 0x4000000 is ENTRY.
+// The program is loaded below the dynamic linker, which jumps to ENTRY: so that is the first instruction below
+// 0x4000000 that comes from above and has ENTRY's place in a page.
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
@@ -49,6 +50,7 @@ int main(int argc, char** argv) {
   const std::uint64_t entry = hexadecimal(argv[1]);
   std::uint64_t mark = hexadecimal(argv[2]), step = hexadecimal(argv[3]);
   bool loaded = false, deciding = false;
+  std::uint64_t before = 0;
   Decision now;
   std::vector<std::uint64_t> code, data, written, pages, instructions, references;
   char text[256];
@@ -58,7 +60,9 @@ int main(int argc, char** argv) {
     if (kind == '\0' || std::strchr("ILSM", kind) == nullptr || text[2] != ' ') continue;
     const std::uint64_t address = hexadecimal(std::string_view(text + 3));
     if (kind == 'I') {
-      if (!loaded && address < linker) {
+      const bool jumped = address < linker && before >= linker;
+      before = address;
+      if (!loaded && jumped && address % page == entry % page) {
         loaded = true;
         mark += address - entry;
         step += address - entry;

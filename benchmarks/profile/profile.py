@@ -9,7 +9,7 @@ is. Only what runs inside of match::play() counts.
 
 --compare: holds instructions per decision against the number in FILE and fails when it is more than 3 % larger; --write:
 writes FILE instead. --footprint: what code and data a decision touches, by the program of this name (benchmarks/profile);
-some minutes. Needs valgrind.
+some minutes, for the start of the program is traced, too. Needs valgrind.
 """
 import argparse
 import collections
@@ -133,7 +133,7 @@ def main():
     parser.add_argument("regista")
     parser.add_argument("home")
     parser.add_argument("away")
-    parser.add_argument("--limit", type=float, help="simulated seconds; 60, of a footprint 4")
+    parser.add_argument("--limit", type=float, help="simulated seconds; 60, of a footprint 1")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--json", action="store_true")
     parser.add_argument("--compare", type=pathlib.Path)
@@ -143,7 +143,7 @@ def main():
     if options.write and not options.compare:
         parser.error("--write: needs --compare FILE")
     if options.limit is None:
-        options.limit = 4 if options.footprint else 60
+        options.limit = 1 if options.footprint else 60
     if options.footprint:
         return footprint(options)
     profile = measured(options)
