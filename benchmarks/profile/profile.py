@@ -5,16 +5,13 @@ is. Only what runs inside of match::play() counts.
 
     profile.py REGISTA HOME AWAY [--limit SECONDS] [--seed N] [--json]
     profile.py REGISTA HOME AWAY --compare FILE [--write]
-    profile.py REGISTA HOME AWAY --footprint FOOTPRINT [--limit SECONDS]
 
 --compare: holds instructions per decision against the number in FILE and fails when it is more than 3 % larger; --write:
-writes FILE instead. --footprint: what code and data a decision touches, by the program of this name (benchmarks/profile);
-some minutes, for the start of the program is traced, too. Needs valgrind.
+writes FILE instead. Needs valgrind.
 """
 import argparse
 import collections
 import json
-import os
 import pathlib
 import re
 import subprocess
@@ -96,33 +93,6 @@ def measured(options):
         return Profile(file)
 
 
-def footprint(options):
-    """Traces every memory reference of the program from its start on, so that a short match must do."""
-    symbols = subprocess.run(["nm", "-C", options.regista], check=True, capture_output=True, text=True).stdout
-    header = subprocess.run(["readelf", "-h", options.regista], check=True, capture_output=True, text=True).stdout
-
-    def offset(pattern):
-        return re.search(rf"(?m)^([0-9a-f]+) [Tt] {pattern}", symbols).group(1)
-
-    entry = re.search(r"Entry point address:\s+0x([0-9a-f]+)", header).group(1)
-    reading, writing = os.pipe()
-    counting = subprocess.Popen([options.footprint, entry, offset(r"regista::mind::Mind::think\("),
-                                 offset(r"regista::match::Arena::step\(")], stdin=reading, stdout=subprocess.PIPE, text=True)
-    os.close(reading)
-    subprocess.run(["valgrind", "--tool=lackey", "--trace-mem=yes", "--basic-counts=no", f"--log-fd={writing}",
-                    *match_of(options)], check=True, pass_fds=(writing,), stdout=subprocess.DEVNULL)
-    os.close(writing)
-    counted = json.loads(counting.communicate()[0])
-    if options.json:
-        print(json.dumps(counted))
-        return 0
-    print(f"medians of {counted['decisions']} decisions without a physics step: code "
-          f"{counted['code_bytes'] / 1024:.0f} KB, data {counted['data_bytes'] / 1024:.0f} KB "
-          f"({counted['written_bytes'] / 1024:.0f} KB written), {counted['pages']} pages; "
-          f"{counted['instructions']:,} instructions, {counted['references']:,} references")
-    return 0
-
-
 def match_of(options):
     return [options.regista, "match", options.home, options.away, "--in-process", "--quiet", "--seed", str(options.seed),
             "--limit", str(options.limit)]
@@ -133,19 +103,14 @@ def main():
     parser.add_argument("regista")
     parser.add_argument("home")
     parser.add_argument("away")
-    parser.add_argument("--limit", type=float, help="simulated seconds; 60, of a footprint 1")
+    parser.add_argument("--limit", type=float, default=60, help="simulated seconds; 60")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--json", action="store_true")
     parser.add_argument("--compare", type=pathlib.Path)
     parser.add_argument("--write", action="store_true")
-    parser.add_argument("--footprint", type=pathlib.Path)
     options = parser.parse_args()
     if options.write and not options.compare:
         parser.error("--write: needs --compare FILE")
-    if options.limit is None:
-        options.limit = 1 if options.footprint else 60
-    if options.footprint:
-        return footprint(options)
     profile = measured(options)
     total = sum(profile.own.values())
     counts = {"decision": sum(n for each, n in profile.calls.items() if re.search(r"^regista::mind::Mind::think\(", each)),
