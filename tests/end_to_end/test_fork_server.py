@@ -117,14 +117,18 @@ class ForkServer(tournament.Tournament):
 
     def test_a_file_is_touched(self):
         """It is read anew; as it holds what it held, nothing else happens."""
-        running = self.begin(pairs=20)
+        running = self.begin(pairs=60)
         while not self.servers():
             time.sleep(0.01)
+        seen = set()
         for _ in range(5):
+            seen.update(self.servers())
             os.utime(self.folder / "small.yaml")
             time.sleep(0.05)
+        seen.update(self.servers())
         output, errors = running.communicate()
         self.assertEqual((running.returncode, errors), (0, ""))
+        self.assertGreater(len(seen), 1)
 
     def test_a_file_is_changed(self):
         running = self.begin(pairs=400)
