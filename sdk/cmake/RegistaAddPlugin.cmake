@@ -3,7 +3,7 @@
 #
 # Builds <name>.so as a Regista plugin: everything hidden but the one entry point, no contraction of floating-point
 # expressions, never unloaded. TEST names a GoogleTest source; it is compiled into test_<name>, which finds the shared
-# object through the macro REGISTA_PLUGIN_FILE.
+# object through the macro REGISTA_PLUGIN_FILE (regista/testkit/loaded.hpp).
 
 function(regista_add_plugin name)
   cmake_parse_arguments(PLUGIN "" "TEST" "SOURCES;LINKS" ${ARGN})
@@ -38,7 +38,12 @@ function(regista_add_plugin name)
     if(TARGET regista_flags)
       target_link_libraries(test_${name} PRIVATE regista_flags)
     endif()
-    target_compile_definitions(test_${name} PRIVATE REGISTA_PLUGIN_FILE="$<TARGET_FILE:${name}>")
+    # The path has a file of its own, so that a compiler cache knows the test in every folder.
+    set(path ${CMAKE_CURRENT_BINARY_DIR}/${name}_$<CONFIG>_file.cpp)
+    file(GENERATE OUTPUT ${path} CONTENT
+      "extern const char regista_plugin_file[];\nconst char regista_plugin_file[] = \"$<TARGET_FILE:${name}>\";\n")
+    target_sources(test_${name} PRIVATE ${path})
+    target_compile_definitions(test_${name} PRIVATE REGISTA_PLUGIN_FILE=regista_plugin_file)
     add_dependencies(test_${name} ${name})
     gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST)
   endif()

@@ -13,6 +13,9 @@
 
 #include <regista/abi.h>
 
+// The path of the plugin that a test of regista_add_plugin is for: REGISTA_PLUGIN_FILE.
+extern const char regista_plugin_file[];
+
 namespace regista::testkit {
 
 class Loaded {
