@@ -43,7 +43,8 @@ class MindHost {
            MindChannel& channel)
       : side_(static_cast<int>(match::index(side))), examination_(examination), channel_(channel) {
     minds_ = match::minds(plan, side, seed, {&channel.note().call, side_, examination.closely},
-                          {.log = mind::to_standard_error(REGISTA_LOG_WARNING, mind::most_kept_of_log)});
+                          {.whole_frame = examination.digest_decisions,
+                           .log = mind::to_standard_error(REGISTA_LOG_WARNING, mind::most_kept_of_log)});
   }
 
   void answer() {

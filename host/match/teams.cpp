@@ -36,8 +36,12 @@ Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, cons
             const AfterDecision& after, plugin::Noting noting) {
   std::array<std::vector<mind::Mind>, 2> all;
   std::array<std::vector<mind::Think>, 2> think;
-  const mind::Telling telling =
-      observer == nullptr ? mind::Telling{} : mind::Telling{observer->segments, observer->drawings, observer->log};
+  mind::Telling telling{.whole_frame = static_cast<bool>(after)};
+  if (observer != nullptr) {
+    telling.segments = observer->segments;
+    telling.drawings = observer->drawings;
+    telling.log = observer->log;
+  }
   for (const Side side : both_sides) {
     const mind::TeamPlan& plan = *teams[index(side)];
     setup.roles[index(side)] = roles(plan);

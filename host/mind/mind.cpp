@@ -35,14 +35,15 @@ void tell(const Decision& decision, Outcome& out) {
 struct Mind::Parts {
   Parts(const TeamPlan& team_plan, int own_number, std::uint64_t seed, plugin::Noting noting, Telling telling)
       : plan(team_plan),
+        made(telling.whole_frame ? FrameParts::all() : FrameParts(team_plan)),
         number(own_number),
         caller{team_plan.team().name, own_number, 0, noting, &rooms},
         extensions(caller, std::move(telling.log), telling.drawings),
         mailboxes(static_cast<std::size_t>(team_plan.rules().messages.size), telling.segments),
         assembly(team_plan, own_number, seed, mailboxes, extensions, caller),
         // In braces: the order of evaluation, and so of creating plugins, is that of the text.
-        world{team_plan, own_number, assembly.local_model(), assembly.team_model()},
-        coordination(team_plan, own_number, assembly.contexts()),
+        world{team_plan, own_number, assembly.local_model(), assembly.team_model(), made},
+        coordination(team_plan, own_number, assembly.contexts(), made),
         detector(own_number),
         behaviours(assembly.behaviours()) {
     limits.team_size = plan.rules().team_size;
@@ -70,6 +71,7 @@ struct Mind::Parts {
   void hand_over_metrics(Outcome& out);
 
   const TeamPlan& plan;
+  FrameParts made;
   int number;
   plugin::AnswerRooms rooms;
   plugin::Caller caller;

@@ -24,6 +24,8 @@ namespace regista::mind {
 
 // What a mind tells beside its outcomes. None of it changes what it decides.
 struct Telling {
+  // Makes every part of the frame, also those that no plugin of the team reads (REGISTA_READS_*).
+  bool whole_frame = false;
   // Keeps what recorders want of the last decision, at the cost of memory and time: what became of segments; what
   // plugins logged and drew.
   bool segments = false, drawings = false;

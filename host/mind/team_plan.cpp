@@ -91,6 +91,7 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
   landmarks_ = landmarks(rules_.field);
   name_reasons();
   name_metrics(mistakes);
+  collect_reads();
   for (const config::Kick& kick : robot_.kicks) {
     kicks_.push_back({kick.name.c_str(), kick.minimum_distance, kick.maximum_distance, kick.duration, kick.impact,
                       kick.distance_noise, kick.direction_noise});
@@ -135,6 +136,16 @@ void TeamPlan::name_metrics(config::Mistakes& mistakes) {
       own.indices.push_back(static_cast<int>(metrics_.size()));
       metrics_.push_back({name, each.combine});
     }
+  }
+}
+
+void TeamPlan::collect_reads() {
+  const auto add = [](const Part& part, std::uint32_t& to) {
+    if (part.found != nullptr) to |= part.found->descriptor->reads;
+  };
+  for (const Part* part : parts()) add(*part, reads_);
+  for (const ContextPlan& context : contexts_) {
+    if (context.positioner) add(*context.positioner, positioners_read_);
   }
 }
 

@@ -3,6 +3,7 @@
 // robots. From one plan come as many minds as the team has robots.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -90,6 +91,10 @@ class TeamPlan {
   // All of the above, in a fixed order; a plugin may have several.
   std::vector<const Part*> parts() const;
 
+  // REGISTA_READS_*: the parts of frames that any of these plugins reads; those of positioners alone.
+  std::uint32_t reads() const { return reads_; }
+  std::uint32_t positioners_read() const { return positioners_read_; }
+
   // What packets are sent for: the events of abi.h by their numbers, then those of the team's senders.
   const std::vector<std::string>& reasons() const { return reasons_; }
   const std::string& reason(int of_packet) const { return reasons_.at(static_cast<std::size_t>(of_packet)); }
@@ -110,6 +115,7 @@ class TeamPlan {
            config::Mistakes&& mistakes);
   void name_reasons();
   void name_metrics(config::Mistakes& mistakes);
+  void collect_reads();
 
   config::Team team_;
   config::Rules rules_;
@@ -118,6 +124,7 @@ class TeamPlan {
   std::vector<ContextPlan> contexts_;
   std::vector<BehaviourPlan> behaviours_;
   std::size_t behaviour_without_role_ = 0;
+  std::uint32_t reads_ = REGISTA_READS_NOTHING, positioners_read_ = REGISTA_READS_NOTHING;
   std::vector<RoleRow> roles_;
   std::vector<int> first_role_;
   std::vector<regista_role> role_table_;

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -20,13 +22,24 @@ constexpr double largest_number = std::numeric_limits<double>::max();
 
 bool has_pose(std::uint32_t subject) { return subject == REGISTA_SUBJECT_SELF || subject == REGISTA_SUBJECT_TEAMMATES; }
 
+// The sign bit is set when the number's magnitude is 2^exponent or more, or when it is none. Bits are looked at, not
+// numbers: half the instructions.
+template <int exponent>
+std::uint64_t beyond(double value) {
+  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
+  return (std::bit_cast<std::uint64_t>(value) & ~sign) + (std::uint64_t{1024 - exponent + 1} << 52);
+}
+
 // What ball and opponents have of a track, or all robots. Each is true for nearly every track that keeps all promises,
 // and for no other: one branch instead of twenty.
 bool clearly_sound(const regista_track& t) {
-  const double x = std::abs(t.x), y = std::abs(t.y), vx = std::abs(t.vx), vy = std::abs(t.vy);
-  const bool near = (x <= farthest) & (y <= farthest) & (vx <= farthest) & (vy <= farthest);
-  const bool certain = (t.weight > 0.0) & (t.weight <= 1.0) & (t.age >= 0.0) & (t.age <= largest_number);
-  return near & certain;
+  constexpr int near = 13;  // 8192, a little less than farthest
+  static_assert(1 << near <= farthest);
+  constexpr std::uint64_t one = std::bit_cast<std::uint64_t>(1.0);
+  const auto weight = std::bit_cast<std::uint64_t>(t.weight), age = std::bit_cast<std::uint64_t>(t.age);
+  const std::uint64_t place = beyond<near>(t.x) | beyond<near>(t.y) | beyond<near>(t.vx) | beyond<near>(t.vy);
+  const std::uint64_t certainty = (weight - 1) | (one - weight);  // neither 0 nor above 1
+  return static_cast<std::int64_t>(place | certainty | age | beyond<1024>(t.age)) >= 0;
 }
 bool clearly_sound(const regista_track& t, const regista_track_pose& pose) {
   const bool has_target = (t.flags & REGISTA_TRACK_HAS_TARGET) != 0;
@@ -39,14 +52,27 @@ bool clearly_sound(const regista_track& t, const regista_track_pose& pose) {
   return turned & certain & aimed & clearly_definite(t.covariance);
 }
 
+// More are rare, and allocate once.
+std::size_t usual_tracks(std::uint32_t subject, std::size_t team_size) {
+  switch (subject) {
+    case REGISTA_SUBJECT_SELF:
+      return 1;
+    case REGISTA_SUBJECT_BALL:
+      return 4;
+    case REGISTA_SUBJECT_TEAMMATES:
+      return team_size;
+    default:
+      return team_size + 1;
+  }
+}
+
 }  // namespace
 
 Predictor::Predictor(std::shared_ptr<Instance> instance)
     : instance_(std::move(instance)), calls_(&instance_->table<regista_predictor>(REGISTA_KIND_PREDICTOR)) {
-  constexpr std::size_t usual = 16;  // more are rare, and allocate once
-  tracks_.reserve(usual);
-  instance_->rooms().tracks.open(track_capacity);
   const std::uint32_t subject = instance_->environment().subject;
+  tracks_.reserve(usual_tracks(subject, instance_->environment().team_size));
+  instance_->rooms().tracks.open(track_capacity);
   if ((calls_->subjects & subject) == 0) {
     instance_->fail("create", fmt::format("models {}, not {}", subject_names(calls_->subjects),
                                           subject == 0 ? "nothing" : subject_names(subject)));

@@ -30,16 +30,14 @@ bool suspect(std::span<const double> values) {
   return (seen & sign) != 0;
 }
 
-void check_each(const Instance& instance, const regista_matrix_room& m) {
-  for (std::uint32_t i = 0; i < m.rows; ++i) {
-    for (std::uint32_t j = 0; j < m.columns; ++j) {
-      const double value = m.values[std::size_t{i} * m.stride + j];
-      if (value >= 0.0 && value <= largest) continue;
-      const char* const rule = !std::isfinite(value) ? ""
-                               : value < 0.0         ? "; utilities are at least 0"
-                                                     : "; utilities are at most 1e12";
-      instance.fail("score", fmt::format("row {}, column {} is {}{}", i, j, value, rule));
-    }
+void check_each(const Instance& instance, std::span<const double> values, std::size_t columns) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double value = values[i];
+    if (value >= 0.0 && value <= largest) continue;
+    const char* const rule = !std::isfinite(value) ? ""
+                             : value < 0.0         ? "; utilities are at least 0"
+                                                   : "; utilities are at most 1e12";
+    instance.fail("score", fmt::format("row {}, column {} is {}{}", i / columns, i % columns, value, rule));
   }
 }
 
@@ -52,14 +50,14 @@ Utility::Utility(std::shared_ptr<Instance> instance)
   instance_->rooms().utilities.open(std::size_t{environment.team_size} * environment.roles.count);
 }
 
-void Utility::score(const regista_frame& frame, const regista_matrix_room& out) {
-  if (out.rows == 0 || out.columns == 0) return;
-  const std::size_t count = std::size_t{out.rows - 1} * out.stride + out.columns;
+std::span<const double> Utility::score(const regista_frame& frame, std::size_t rows, std::size_t columns) {
+  const std::size_t count = rows * columns;
+  if (count == 0) return {};
   GuardedRoom<double>& entries = instance_->rooms().utilities;
   double* const room = instance_->open(entries, count);
   std::fill_n(room, count, 0.0);
-  const regista_matrix_room answer{room, out.rows, out.columns, out.stride, 0};
-  const regista_matrix_room shown = answer;  // a plugin that writes over it does not change what is checked
+  const regista_matrix_room shown{room, static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(columns),
+                                  static_cast<std::uint32_t>(columns), 0};
   instance_->call_with(
       [](Inputs& inputs, const regista_frame* seen, const regista_matrix_room* written_to) {
         inputs.add("frame", seen);
@@ -67,14 +65,10 @@ void Utility::score(const regista_frame& frame, const regista_matrix_room& out) 
       },
       "score", calls_->score, instance_->shown(&frame), &shown);
   instance_->check("score", Instance::Written{entries, "utilities"});
-  if (out.stride != out.columns || suspect(entries.first(count))) [[unlikely]]
-    check_each(*instance_, answer);
-  if (out.stride == out.columns) {
-    std::copy_n(room, count, out.values);
-  } else {
-    for (std::size_t i = 0; i < out.rows; ++i)
-      std::copy_n(room + i * out.stride, out.columns, out.values + i * out.stride);
-  }
+  const std::span<const double> answer = entries.first(count);
+  if (suspect(answer)) [[unlikely]]
+    check_each(*instance_, answer, columns);
+  return answer;
 }
 
 }  // namespace regista::plugin

@@ -2,7 +2,9 @@
 // The call of a utility, and the check of the matrix it fills.
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <span>
 
 #include "plugin/instance.hpp"
 
@@ -13,9 +15,10 @@ class Utility {
   // Throws Failure when the plugin is no utility.
   explicit Utility(std::shared_ptr<Instance> instance);
 
-  // out(i, j): utility of active robot i for task j. Clears `out` first; does not call the plugin when there is nothing
-  // to score. Checked: every entry finite and in [0, 1e12].
-  void score(const regista_frame& frame, const regista_matrix_room& out);
+  // rows x columns: the utility of each active robot for each task. Valid until a utility of the same robot is asked
+  // again. 0 where the plugin writes nothing; it is not called when there is nothing to score. Checked: every entry
+  // finite and in [0, 1e12].
+  std::span<const double> score(const regista_frame& frame, std::size_t rows, std::size_t columns);
 
  private:
   std::shared_ptr<Instance> instance_;

@@ -17,17 +17,22 @@ regista_span span(const std::vector<T>& elements) {
 
 void place_task(regista_task& task, const config::TargetRule& rule, const Anchors& anchors) {
   const Vector2d point = target_of(rule, anchors);
-  const Vector2d facing = anchors.at(rule.facing) - point;
   task.before[0] = task.after[0] = point.x();
   task.before[1] = task.after[1] = point.y();
+}
+
+// Of a task that has its place.
+void face_task(regista_task& task, const config::TargetRule& rule, const Anchors& anchors) {
+  const Vector2d facing = anchors.at(rule.facing) - Vector2d(task.before[0], task.before[1]);
   task.before[2] = task.after[2] = facing.isZero() ? 0.0 : angle_of(facing);
 }
 
 }  // namespace
 
-Coordination::Coordination(const TeamPlan& plan, int own_number, std::vector<ContextParts> parts)
+Coordination::Coordination(const TeamPlan& plan, int own_number, std::vector<ContextParts> parts, FrameParts made)
     : plan_(&plan),
       own_number_(own_number),
+      made_(made),
       parts_(std::move(parts)),
       filter_(plan.roles().size(), plugin::Positioner::point_capacity),
       matching_(plan.roles().size(), plugin::Positioner::point_capacity) {
@@ -124,19 +129,24 @@ void Coordination::list_tasks(const Worlds& worlds, config::Knowledge knowledge)
     task.robot = role.robot;
     task.flags = (role.required ? std::uint32_t{REGISTA_TASK_REQUIRED} : 0u) |
                  (context().tasks.walk_along_edges ? std::uint32_t{REGISTA_TASK_ALONG_EDGES} : 0u);
-    place_task(task, context().target_of(i, role), anchors);
+    const config::TargetRule& rule = context().target_of(i, role);
+    place_task(task, rule, anchors);
+    if (made_.facings_of_all_tasks()) face_task(task, rule, anchors);
   }
   decision_.frame.tasks = span(decision_.tasks);
 }
 
-// Those that are kept are played where this world has them.
+// Those that are kept are played where this world has them, and face what it has there.
 void Coordination::place_kept_tasks(const Worlds& worlds, config::Knowledge knowledge) {
-  if (listed_in_ == knowledge) return;
+  const bool listed = listed_in_ == knowledge, face = made_.facings() && !(listed && made_.facings_of_all_tasks());
+  if (listed && !face) return;
   const Anchors anchors(plan_->rules().field, plan_->rules().ball.rolling_deceleration, worlds.of(knowledge));
   for (const std::size_t index : decision_.kept) {
     regista_task& task = decision_.tasks[index];
     const RoleRow& row = plan_->roles()[static_cast<std::size_t>(task.id)];
-    place_task(task, context().target_of(static_cast<std::size_t>(row.priority), *row.role), anchors);
+    const config::TargetRule& rule = context().target_of(static_cast<std::size_t>(row.priority), *row.role);
+    if (!listed) place_task(task, rule, anchors);
+    if (face) face_task(task, rule, anchors);
   }
 }
 
@@ -190,6 +200,7 @@ void Coordination::offset_tasks() {
 // Straight walk at full speed, once the robot stands. Turning is left out: it takes a second at most, and is what the
 // bearing term of a utility weighs.
 void Coordination::estimate_times(const DistributedWorldModel& world) {
+  if (!made_.times()) return;
   const std::size_t rows = world.active.size(), columns = decision_.columns.size();
   const double slowness = 1.0 / plan_->robot().walk.forward;
   decision_.time_to_task.resize(rows * columns);

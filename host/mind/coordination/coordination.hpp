@@ -11,6 +11,7 @@
 #include "mind/coordination/task_filter.hpp"
 #include "mind/coordination/waypoint_matching.hpp"
 #include "mind/coordination/worlds.hpp"
+#include "mind/frame_parts.hpp"
 #include "mind/team_plan.hpp"
 #include "mind/world/world_model.hpp"
 
@@ -19,7 +20,7 @@ namespace regista::mind {
 class Coordination {
  public:
   // `parts` in the order of the team's contexts.
-  Coordination(const TeamPlan& plan, int own_number, std::vector<ContextParts> parts);
+  Coordination(const TeamPlan& plan, int own_number, std::vector<ContextParts> parts, FrameParts made);
 
   const Decision& decide(const WorldModel& world, double time, std::uint64_t tick);
   // As if this context held, and all that the robot believes were common: for scenes that are made up.
@@ -51,6 +52,7 @@ class Coordination {
 
   const TeamPlan* plan_;
   int own_number_;
+  FrameParts made_;
   std::vector<ContextParts> parts_;
   TaskFilter filter_;
   WaypointMatching matching_;

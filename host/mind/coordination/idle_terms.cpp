@@ -102,11 +102,9 @@ std::vector<double> scored(const TeamPlan& plan, const Part& term, const plugin:
   auto instance = std::make_shared<plugin::Instance>(*term.found, term.parameters, plan.environment(caller.robot),
                                                      nullptr, &caller);
   instance->reset(made_up_seed);
-  std::vector<double> out(decision.utility.values().size());
-  const auto rows = static_cast<std::uint32_t>(decision.rows()),
-             columns = static_cast<std::uint32_t>(decision.columns.size());
-  plugin::Utility(std::move(instance)).score(frame, {out.data(), rows, columns, columns, 0});
-  return out;
+  plugin::Utility utility(std::move(instance));
+  const std::span<const double> out = utility.score(frame, decision.rows(), decision.columns.size());
+  return {out.begin(), out.end()};
 }
 
 // "context a", "contexts a and b"
@@ -124,7 +122,7 @@ std::vector<bool> idle_terms(const TeamPlan& plan, plugin::Noting noting) {
   Extensions extensions(caller);
   Mailboxes mailboxes(static_cast<std::size_t>(plan.rules().messages.size));
   Assembly assembly(plan, own, made_up_seed, mailboxes, extensions, caller);
-  Coordination coordination(plan, own, assembly.contexts());
+  Coordination coordination(plan, own, assembly.contexts(), FrameParts(plan));
   Dice dice(made_up_seed);
   std::vector<bool> out;
   for (std::size_t c = 0; c < plan.contexts().size(); ++c) {
@@ -161,7 +159,7 @@ std::vector<bool> terms_without_waypoints(const TeamPlan& plan, plugin::Noting n
   Extensions extensions(caller);
   Mailboxes mailboxes(static_cast<std::size_t>(plan.rules().messages.size));
   Assembly assembly(plan, own, made_up_seed, mailboxes, extensions, caller);
-  Coordination coordination(plan, own, assembly.contexts());
+  Coordination coordination(plan, own, assembly.contexts(), FrameParts(plan));
   Dice dice(made_up_seed);
   std::vector<bool> out;
   for (std::size_t c = 0; c < plan.contexts().size(); ++c) {

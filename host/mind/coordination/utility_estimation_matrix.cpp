@@ -4,6 +4,16 @@
 #include <cassert>
 
 namespace regista::mind {
+namespace {
+
+// sum += weight * term. By plain pointers that do not overlap: two entries at a time.
+void add(double weight, std::span<const double> term, std::span<double> sum) {
+  const double* const __restrict from = term.data();
+  double* const __restrict to = sum.data();
+  for (std::size_t i = 0; i < term.size(); ++i) to[i] += weight * from[i];
+}
+
+}  // namespace
 
 void UtilityEstimationMatrix::estimate(std::span<plugin::Utility> plugins, std::span<const TermPart> terms,
                                        const regista_frame& frame, std::span<const std::int32_t> active,
@@ -13,10 +23,9 @@ void UtilityEstimationMatrix::estimate(std::span<plugin::Utility> plugins, std::
   values_.assign(entries, 0.0);
   terms_.resize(plugins.size());
   for (std::size_t k = 0; k < plugins.size(); ++k) {
-    std::vector<double>& term = terms_[k];
-    term.resize(entries);  // score() sets all to zero first
-    plugins[k].score(frame, matrix_room(term, active.size(), columns.size()));
-    for (std::size_t i = 0; i < entries; ++i) values_[i] += terms[k].weight * term[i];
+    const std::span<const double> scored = plugins[k].score(frame, active.size(), columns.size());
+    terms_[k].assign(scored.begin(), scored.end());
+    add(terms[k].weight, scored, values_);
   }
   forbid(active, columns);
 }

@@ -17,12 +17,8 @@
 
 namespace regista::mind {
 
-// rows x columns values without gaps, to be read or to be written.
+// rows x columns values without gaps.
 inline regista_matrix matrix(const std::vector<double>& values, std::size_t rows, std::size_t columns) {
-  return {values.data(), static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(columns),
-          static_cast<std::uint32_t>(columns), 0};
-}
-inline regista_matrix_room matrix_room(std::vector<double>& values, std::size_t rows, std::size_t columns) {
   return {values.data(), static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(columns),
           static_cast<std::uint32_t>(columns), 0};
 }

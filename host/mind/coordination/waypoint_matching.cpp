@@ -8,11 +8,13 @@
 namespace regista::mind {
 
 WaypointMatching::WaypointMatching(std::size_t most_tasks, std::size_t most_waypoints) {
-  const auto [least, most] = std::minmax(most_tasks, most_waypoints);
+  constexpr std::size_t usual_waypoints = 32;  // more are rare, and allocate once
+  const std::size_t waypoints = std::min(most_waypoints, usual_waypoints);
+  const auto [least, most] = std::minmax(most_tasks, waypoints);
   assignment_.reserve(least, most);
   tasks_.reserve(most_tasks);
-  free_.reserve(most_waypoints);
-  costs_.reserve(most_tasks * most_waypoints);
+  free_.reserve(waypoints);
+  costs_.reserve(most_tasks * waypoints);
 }
 
 void WaypointMatching::match(std::span<const regista_task> tasks, std::span<const std::size_t> wanting,

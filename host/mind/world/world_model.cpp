@@ -24,8 +24,9 @@ void set_covariance(regista_robot& robot, const regista_track& track) {
 
 }  // namespace
 
-WorldModel::WorldModel(const TeamPlan& plan, int own_number, LocalModel local, TeamModel team)
+WorldModel::WorldModel(const TeamPlan& plan, int own_number, LocalModel local, TeamModel team, FrameParts made)
     : plan_(&plan),
+      made_(made),
       own_number_(own_number),
       local_(std::move(local)),
       team_(std::move(team)),
@@ -105,7 +106,7 @@ void WorldModel::fuse_opponents() {
   for (const regista_track& opponent : local_.opponents()) estimates_.push_back({&opponent, own_eyes});
   team_.opponents(estimates_);
   fusion_.fuse(estimates_, mine_.opponents, own_number_);
-  fusion_.fuse(estimates_, common_.opponents, own_eyes);
+  if (made_.common_opponents()) fusion_.fuse(estimates_, common_.opponents, own_eyes);
 }
 
 // The same for both worlds; `mine` gets its own row afterwards.

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "mind/frame_parts.hpp"
 #include "mind/percepts.hpp"
 #include "mind/world/distributed_world_model.hpp"
 #include "mind/world/fusion.hpp"
@@ -25,7 +26,7 @@ struct OwnRole {
 
 class WorldModel {
  public:
-  WorldModel(const TeamPlan& plan, int own_number, LocalModel local, TeamModel team);
+  WorldModel(const TeamPlan& plan, int own_number, LocalModel local, TeamModel team, FrameParts made);
 
   // Order of a decision: sense(), hear() for each report, fuse(). `last` as in LocalModel::update.
   void sense(const Percepts& percepts, double dt, const regista_frame* last);
@@ -48,6 +49,7 @@ class WorldModel {
   regista_game game(const Percepts& percepts) const;
 
   const TeamPlan* plan_;
+  FrameParts made_;
   int own_number_;
   LocalModel local_;
   TeamModel team_;

@@ -5,10 +5,11 @@
 // robots alike and comes from a dot product, so it is the default.
 #pragma once
 
-#include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <span>
 
@@ -17,6 +18,34 @@
 namespace bearing_utility {
 
 using places::Pose, places::Targets;
+
+// Where a heading points: (cosine, sine). Robots that are silent are believed to stand, so most headings are those of
+// the decision before: then nothing is computed.
+class Direction {
+ public:
+  void turn(double heading) {
+    if (std::bit_cast<std::uint64_t>(heading) == std::bit_cast<std::uint64_t>(heading_)) return;
+    heading_ = heading;
+    x_ = std::cos(heading);
+    y_ = std::sin(heading);
+  }
+  double x() const { return x_; }
+  double y() const { return y_; }
+
+ private:
+  double heading_ = 0.0, x_ = 1.0, y_ = 0.0;
+};
+
+struct Robot {
+  double x, y;  // m
+  Direction ahead;
+};
+
+inline Robot robot_at(const Pose& pose) {
+  Robot out{pose.x, pose.y, {}};
+  out.ahead.turn(pose.heading);
+  return out;
+}
 
 enum class Form { cosine, angle };
 
@@ -32,8 +61,8 @@ double from_cosine(double cosine) {
 
 // One robot. Without branches, so that the row is computed in vector registers. out: as many as targets.
 template <Form form>
-void score_row(const Pose& robot, const Targets& targets, double* out) {
-  const double ahead_x = std::cos(robot.heading), ahead_y = std::sin(robot.heading);
+void score_row(const Robot& robot, const Targets& targets, double* out) {
+  const double ahead_x = robot.ahead.x(), ahead_y = robot.ahead.y();
   const std::size_t columns = targets.x.size();
   for (std::size_t j = 0; j < columns; ++j) {
     const double dx = targets.x[j] - robot.x, dy = targets.y[j] - robot.y;
@@ -45,7 +74,7 @@ void score_row(const Pose& robot, const Targets& targets, double* out) {
 }
 
 // out[i * stride + j] in [0, 1] for robot i and target j. stride >= number of targets.
-inline void score(std::span<const Pose> robots, const Targets& targets, Form form, double* out, std::size_t stride) {
+inline void score(std::span<const Robot> robots, const Targets& targets, Form form, double* out, std::size_t stride) {
   assert(targets.x.size() == targets.y.size());
   for (std::size_t i = 0; i < robots.size(); ++i) {
     double* row = out + i * stride;

@@ -25,17 +25,25 @@ struct Bearing {
       regista::choice("towards", &Bearing::towards, aims,
                       "What the robot should face; SPQR 2022 has a term for either, each with weight 0.05")};
 
-  std::vector<bearing_utility::Pose> robots;
+  std::vector<bearing_utility::Direction> directions;  // of robot n at n - 1
+  std::vector<bearing_utility::Robot> robots;
   places::TargetList targets;
   double goal_x = 0.0;
 
   void setup(const regista::Environment& environment) {
+    directions.resize(environment->team_size);
     robots.reserve(environment->team_size);
     targets.reserve(environment.roles().size());
     goal_x = environment->field_length / 2.0;
   }
   void score(const regista::Frame& frame, regista::Utilities out) {
-    read_robots(frame.world(), robots);
+    robots.clear();
+    for (const int number : frame.world().active()) {
+      const regista::Robot& robot = frame.world().robot(number);
+      bearing_utility::Direction& ahead = directions[static_cast<std::size_t>(number - 1)];
+      ahead.turn(robot.pose[2]);
+      robots.push_back({robot.pose[0], robot.pose[1], ahead});
+    }
     if (towards == Towards::task) {
       targets.read_tasks(frame);
     } else {

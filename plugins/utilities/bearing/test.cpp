@@ -20,7 +20,8 @@ constexpr double pi = std::numbers::pi;
 
 double one(const Pose& robot, double x, double y, Form form) {
   double out = -1.0;
-  bearing_utility::score({&robot, 1}, {{&x, 1}, {&y, 1}}, form, &out, 1);
+  const auto placed = bearing_utility::robot_at(robot);
+  bearing_utility::score({&placed, 1}, {{&x, 1}, {&y, 1}}, form, &out, 1);
   return out;
 }
 
@@ -57,6 +58,18 @@ TEST(Bearing, FormsDifferByAtMostWhatIsDocumented) {
   EXPECT_GT(largest, 0.1045);
 }
 
+TEST(Bearing, ADirectionIsThatOfItsLastHeading) {
+  bearing_utility::Direction direction;
+  EXPECT_EQ(direction.x(), std::cos(0.0));
+  EXPECT_EQ(direction.y(), std::sin(0.0));
+  for (const double heading : {-0.0, 0.0, 1.0, 1.0, -2.5, 0.0}) {
+    direction.turn(heading);
+    EXPECT_EQ(direction.x(), std::cos(heading));
+    EXPECT_EQ(direction.y(), std::sin(heading));
+    EXPECT_EQ(std::signbit(direction.y()), std::signbit(std::sin(heading)));
+  }
+}
+
 TEST(Bearing, ARobotOnTheSpotNeedNotTurn) {
   EXPECT_EQ(one({1.0, 1.0, 2.0}, 1.0, 1.0, Form::cosine), 1.0);
   EXPECT_EQ(one({1.0, 1.0, 2.0}, 1.0, 1.0, Form::angle), 1.0);
@@ -77,7 +90,9 @@ TEST(Bearing, ARowIsItsEntries) {
     for (Pose& robot : robots) robot = {anywhere(random), anywhere(random), any_heading(random)};
     robots[1] = {x[0], y[0], 0.3};  // on the spot
     for (const Form form : {Form::cosine, Form::angle}) {
-      bearing_utility::score(robots, {x, y}, form, out.data(), 16);
+      std::vector<bearing_utility::Robot> placed;
+      for (const Pose& robot : robots) placed.push_back(bearing_utility::robot_at(robot));
+      bearing_utility::score(placed, {x, y}, form, out.data(), 16);
       for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < columns; ++j) EXPECT_EQ(out[i * 16 + j], one(robots[i], x[j], y[j], form));
         EXPECT_EQ(out[i * 16 + columns], -1.0) << "wrote behind the row";

@@ -81,7 +81,7 @@ class CoordinationTest : public testing::Test {
   void make(config::Team page, int own_number = 2) {
     own = own_number;
     plan = plan_of(std::move(page));
-    world = world_model(*plan, own);
+    world = world_model(*plan, own, made);
     const regista_environment environment = plan->environment(own);
     std::vector<ContextParts> parts;
     for (std::size_t i = 0; i < plan->contexts().size(); ++i) {
@@ -95,7 +95,7 @@ class CoordinationTest : public testing::Test {
                        plugin::Assigner(in_process<ScriptedAssigner, assigner>(environment)),
                        plugin::Sender(in_process<stubs::Steady, sender>(environment))});
     }
-    coordination = std::make_unique<Coordination>(*plan, own, std::move(parts));
+    coordination = std::make_unique<Coordination>(*plan, own, std::move(parts), made);
   }
 
   std::vector<BallSighting> balls_seen;
@@ -137,6 +137,7 @@ class CoordinationTest : public testing::Test {
   }
 
   int own = 2;
+  FrameParts made = FrameParts::all();
   double now = 0.0;
   std::uint64_t tick = 0;
   std::unique_ptr<TeamPlan> plan;
@@ -214,6 +215,57 @@ TEST_F(CoordinationTest, FrameHoldsWhatItPromisesAtEveryStep) {
   EXPECT_EQ(placed_calls, 1);
   EXPECT_EQ(scored, 1);
   EXPECT_EQ(assigned, 1);
+}
+
+TEST_F(CoordinationTest, MakesOnlyWhatIsRead) {
+  ScriptedContext<0>::answer = true;
+  config::Team page = team();
+  for (config::Role& role : page.role_lists[0].roles) role.target.facing = place(4.5, 0.0);
+  static int turned;  // tasks that the positioner sees facing the goal
+  const auto decided = [&](FrameParts parts) -> const Decision& {
+    made = parts;
+    now = 0.0;
+    make(page);
+    turned = 0;
+    ScriptedPositioner::hook = [](const Frame& frame, Placement out) {
+      out.point(2.4, 1.5);
+      for (const Task& task : frame.tasks()) turned += task.before[2] != 0.0;
+    };
+    Report seeing = report(3, 0.5, 3.0, 0.0);
+    seeing.opponents[seeing.opponent_count++] = {{1.0, 1.0}, 0.1, 0.0};
+    Percepts given = percepts(0.5);
+    given.placed = placed(0.0, 0.0);
+    world->sense(given, 0.5, nullptr);
+    world->hear(seeing, 0.5);
+    now = 0.5;
+    return decide(1.0, {1});
+  };
+  const auto facings = [](const Decision& decision) {
+    std::vector<double> out;
+    for (const regista_task& task : decision.columns) out.push_back(task.after[2]);
+    return out;
+  };
+  const Decision& whole = decided(FrameParts::all());
+  const std::vector<double> faced = facings(whole);
+  const std::vector<int> roles(whole.role_of.begin(), whole.role_of.end());
+  ASSERT_TRUE(std::ranges::any_of(faced, [](double each) { return each != 0.0; }));
+  EXPECT_GT(turned, 0);
+  EXPECT_EQ(whole.frame.time_to_task.rows, 3u);
+  EXPECT_EQ(world->common().opponents.size(), 1u);
+
+  const Decision& kept = decided({REGISTA_READS_FACINGS, REGISTA_READS_NOTHING});
+  EXPECT_EQ(facings(kept), faced);
+  EXPECT_EQ(turned, 0) << "no positioner reads it";
+  EXPECT_EQ(kept.frame.time_to_task.rows, 0u);
+  EXPECT_TRUE(world->common().opponents.empty());
+  EXPECT_EQ(world->mine().opponents.size(), 1u);
+  EXPECT_EQ(kept.role_of, roles);
+
+  const Decision& bare = decided({REGISTA_READS_NOTHING, REGISTA_READS_NOTHING});
+  EXPECT_EQ(facings(bare), std::vector<double>(faced.size()));
+  EXPECT_EQ(bare.role_of, roles);
+
+  EXPECT_EQ(decided({REGISTA_READS_TIMES, REGISTA_READS_NOTHING}).frame.time_to_task.rows, 3u);
 }
 
 TEST_F(CoordinationTest, TimeToTaskWaitsForWhoLies) {

@@ -107,9 +107,7 @@ class MailboxTest : public testing::Test {
     void within(std::function<void(Box&)> body, std::size_t which = 0) {
       Box::in_score = std::move(body);
       regista_frame frame{};
-      double value = 0.0;
-      const regista_matrix_room matrix{&value, 1, 1, 1, 0};
-      plugin::Utility(instances[which]).score(frame, matrix);
+      plugin::Utility(instances[which]).score(frame, 1, 1);
     }
     std::string log(std::size_t which = 0) {
       std::string out;

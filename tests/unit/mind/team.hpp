@@ -92,7 +92,7 @@ inline Percepts percepts(double time, Phase phase = Phase::playing) {
 inline PlacedPose placed(double x, double y, double heading = 0.0) { return {{x, y, heading}, 0.05, 0.05}; }
 
 // A world model of robot `number` whose predictors are the stubs.
-inline std::unique_ptr<WorldModel> world_model(const TeamPlan& plan, int number) {
+inline std::unique_ptr<WorldModel> world_model(const TeamPlan& plan, int number, FrameParts made = FrameParts::all()) {
   const auto still = [&](unsigned subject) {
     return plugin::Predictor(in_process<stubs::Still, predictor>(plan.environment(number, subject)));
   };
@@ -106,7 +106,8 @@ inline std::unique_ptr<WorldModel> world_model(const TeamPlan& plan, int number)
       LocalModel(plan, still(REGISTA_SUBJECT_SELF), still(REGISTA_SUBJECT_BALL), still(REGISTA_SUBJECT_OPPONENTS),
                  still(REGISTA_SUBJECT_OPPONENTS)),
       TeamModel(plan.rules().team_size, plan.robot().camera, still(REGISTA_SUBJECT_TEAMMATES), std::move(balls),
-                std::move(opponents)));
+                std::move(opponents)),
+      made);
 }
 
 inline Report report(int sender, double time, double x = 0.0, double y = 0.0) {

@@ -29,9 +29,7 @@ TEST_F(MailboxTest, SharesTheInstanceWithTheOtherKinds) {
   const regista_message message{2, REGISTA_MEDIUM_RADIO, 1.0, 1.5, bytes.data(), 6, 0};
   Mailbox::of(instance)->receive(message);
   Scene scene(8);
-  Matrix out(1, 8);
-  Utility(instance).score(scene.frame, out.room);
-  EXPECT_EQ(out(0, 7), 6.0);
+  EXPECT_EQ(Utility(instance).score(scene.frame, 1, 8)[7], 6.0);
 }
 
 TEST_F(MailboxTest, TellsWhatBecameOfAnOffer) {

@@ -80,10 +80,7 @@ TEST_F(OverflowTest, OfAUtilitysMatrix) {
     overflow(out->values, std::size_t{out->rows} * out->columns * sizeof(double));
     return Puppet::ok;
   };
-  expect("score", "utilities", [] {
-    std::array<double, rows * columns> values{};
-    Utility(Puppet::instance()).score(Scene().frame, {values.data(), rows, columns, columns, 0});
-  });
+  expect("score", "utilities", [] { Utility(Puppet::instance()).score(Scene().frame, rows, columns); });
 }
 
 TEST_F(OverflowTest, OfAPredictorsTracks) {

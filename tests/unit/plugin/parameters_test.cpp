@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <span>
 #include <string_view>
 
 #include "plugin/content_hash.hpp"
@@ -75,16 +76,15 @@ TEST(Parameters, NullMeansTheDefault) {
 
 TEST(Parameters, ArriveInThePlugin) {
   Scene scene(8);
-  Matrix out(1, 8);
-  Utility(instance_of(open("sound"), 0,
-                      map({{"reach", scalar("7.5")},
-                           {"rounds", scalar("4")},
-                           {"eager", scalar("false")},
-                           {"order", scalar("first")},
-                           {"title", scalar("four")}})))
-      .score(scene.frame, out.room);
+  Utility utility(instance_of(open("sound"), 0,
+                              map({{"reach", scalar("7.5")},
+                                   {"rounds", scalar("4")},
+                                   {"eager", scalar("false")},
+                                   {"order", scalar("first")},
+                                   {"title", scalar("four")}})));
+  const std::span<const double> out = utility.score(scene.frame, 1, 8);
   const double expected[] = {7.5, 0.01, 4.0, 0.0, 0.0, 4.0, 0.0};
-  for (std::uint32_t i = 0; i < 7; ++i) EXPECT_EQ(out(0, i), expected[i]) << i;
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(out[i], expected[i]) << i;
 }
 
 TEST(Parameters, TextsOutliveCopies) {

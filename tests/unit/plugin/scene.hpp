@@ -128,17 +128,14 @@ struct Scene {
   Scene& operator=(const Scene&) = delete;
 };
 
-// rows x columns in memory of its own, with room to spare in each row that must stay untouched.
+// rows x columns in memory of its own, with room to spare in each row.
 struct Matrix {
   static constexpr double spare = -77.0;
   std::vector<double> values;
-  regista_matrix raw;        // to read,
-  regista_matrix_room room;  // and to write
+  regista_matrix raw;
 
   Matrix(std::uint32_t rows, std::uint32_t columns, double value = 0.0)
-      : values(std::size_t{rows} * (columns + 3), spare),
-        raw{values.data(), rows, columns, columns + 3, 0},
-        room{values.data(), rows, columns, columns + 3, 0} {
+      : values(std::size_t{rows} * (columns + 3), spare), raw{values.data(), rows, columns, columns + 3, 0} {
     for (std::uint32_t i = 0; i < rows; ++i) {
       for (std::uint32_t j = 0; j < columns; ++j) (*this)(i, j) = value;
     }

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "plugin/utility.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <algorithm>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "puppet.hpp"
 
 namespace regista::plugin::test {
 namespace {
+
+using testing::Each, testing::IsEmpty;
 
 class UtilityTest : public PuppetTest {
  protected:
@@ -19,20 +24,29 @@ class UtilityTest : public PuppetTest {
       to->values[2 * to->stride + 5] = value;
       return Puppet::ok;
     };
-    return message_of([&] { Utility(Puppet::instance()).score(scene.frame, out.room); });
+    Utility utility(Puppet::instance());
+    return message_of([&] {
+      const std::span<const double> answer = utility.score(scene.frame, 5, 7);
+      out.assign(answer.begin(), answer.end());
+    });
   }
 
   static inline double value;
   Scene scene{7};
-  Matrix out{5, 7, 3.0};
+  std::vector<double> out;
 };
 
-TEST_F(UtilityTest, ClearsFirstAndLeavesTheRestOfEachRowAlone) {
-  EXPECT_EQ(run(0.5), "");
-  for (std::uint32_t i = 0; i < 5; ++i) {
-    for (std::uint32_t j = 0; j < 7; ++j) EXPECT_EQ(out(i, j), i == 2 && j == 5 ? 0.5 : 0.0);
-    for (std::uint32_t j = 7; j < out.raw.stride; ++j) EXPECT_EQ(out(i, j), Matrix::spare);
-  }
+TEST_F(UtilityTest, IsZeroWhereNothingIsWritten) {
+  Puppet::utility.score = [](void*, const regista_frame*, const regista_matrix_room* to, regista_error*) {
+    std::fill_n(to->values, 5 * 7, 3.0);
+    return Puppet::ok;
+  };
+  const auto instance = Puppet::instance();
+  const std::span<const double> before = Utility(instance).score(scene.frame, 5, 7);
+  EXPECT_THAT(before, Each(3.0));
+  ASSERT_EQ(run(0.5), "");
+  ASSERT_EQ(out.size(), 35u);
+  for (std::size_t i = 0; i < out.size(); ++i) EXPECT_EQ(out[i], i == 2 * 7 + 5 ? 0.5 : 0.0) << i;
 }
 
 TEST_F(UtilityTest, RefusesWhatIsNoUtility) {
@@ -52,15 +66,14 @@ TEST_F(UtilityTest, IsNotAskedWhenThereIsNothingToScore) {
     return REGISTA_OK;
   };
   Utility utility(Puppet::instance());
-  Matrix no_tasks(5, 0), no_robots(0, 7);
-  utility.score(scene.frame, no_tasks.room);
-  utility.score(scene.frame, no_robots.room);
+  EXPECT_THAT(utility.score(scene.frame, 5, 0), IsEmpty());
+  EXPECT_THAT(utility.score(scene.frame, 0, 7), IsEmpty());
 }
 
 TEST_F(UtilityTest, ReportsSharedObjectsByTheirFile) {
   const auto run_file = [&](const std::string& name) {
     Utility utility(instance_of(open(name)));
-    return message_of([&] { utility.score(scene.frame, out.room); });
+    return message_of([&] { utility.score(scene.frame, 5, 7); });
   };
   EXPECT_EQ(run_file("returns_nan"), failure("returns_nan", "score: row 2, column 5 is nan"));
   EXPECT_EQ(run_file("throws"), failure("throws", "score: fell in score"));
