@@ -3,7 +3,7 @@
 """Instructions of a match by stage, counted by callgrind: they repeat to the last one on one machine, however busy it
 is. Only what runs inside of match::play() counts.
 
-    profile.py REGISTA HOME AWAY [--limit SECONDS] [--seed N] [--json]
+    profile.py REGISTA HOME AWAY [--limit SECONDS] [--seed N] [--set PATH=VALUE]... [--json]
     profile.py REGISTA HOME AWAY --compare FILE [--write]
 
 --compare: holds instructions per decision against the number in FILE and fails when it is more than 3 % larger; --write:
@@ -95,7 +95,7 @@ def measured(options):
 
 def match_of(options):
     return [options.regista, "match", options.home, options.away, "--in-process", "--quiet", "--seed", str(options.seed),
-            "--limit", str(options.limit)]
+            "--limit", str(options.limit), *(word for each in options.set for word in ("--set", each))]
 
 
 def main():
@@ -105,6 +105,7 @@ def main():
     parser.add_argument("away")
     parser.add_argument("--limit", type=float, default=60, help="simulated seconds; 60")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="as of regista match")
     parser.add_argument("--json", action="store_true")
     parser.add_argument("--compare", type=pathlib.Path)
     parser.add_argument("--write", action="store_true")
