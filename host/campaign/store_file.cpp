@@ -9,8 +9,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 
 namespace regista::campaign {
 namespace {
@@ -103,6 +105,16 @@ std::string reason(const SQLite::Exception& error) {
 
 bool is_of_the_disk(const SQLite::Exception& error) {
   return error.getErrorCode() == SQLITE_FULL || error.getErrorCode() == SQLITE_IOERR;
+}
+
+bool is_store(const std::filesystem::path& file) {
+  // "Database File Format", sqlite.org: the application's number stands at byte 68, most significant byte first.
+  std::array<unsigned char, 72> head{};
+  std::ifstream in(file, std::ios::binary);
+  if (!in.read(reinterpret_cast<char*>(head.data()), head.size())) return false;
+  int number = 0;
+  for (std::size_t i = 68; i < head.size(); ++i) number = number << 8 | head[i];
+  return number == application;
 }
 
 StoreFile::StoreFile(const std::filesystem::path& file, StoreMode mode, const std::string& program_version,

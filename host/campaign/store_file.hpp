@@ -26,6 +26,9 @@ enum class StoreMode {
   read,    // an existing one that is not written to, even while another process does
 };
 
+// Whether a file is a database of this program, as far as its head tells. False for one that cannot be read.
+bool is_store(const std::filesystem::path& file);
+
 class StoreFile {
  public:
   // tables: what a new file begins with. Throws StoreRefusal and StoreDiskError, as Store does.

@@ -76,7 +76,10 @@ void add_commands(Command& program, const Invocation& invocation) {
   add_tournament(program, invocation);
   add_experiment(program, invocation);
   add_tune(program, invocation);
+  add_run(program, invocation);
+  add_resume(program, invocation);
   add_report(program, invocation);
+  add_results(program, invocation);
   add_sprt(program);
   add_rank(program);
   add_evaluate_predictor(program, invocation);

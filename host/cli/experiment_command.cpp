@@ -8,6 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
+#include "cli/study_commands.hpp"
 #include "cli/study_run.hpp"
 #include "output/output.hpp"
 #include "output/output_files.hpp"
@@ -16,11 +17,6 @@
 
 namespace regista::cli {
 namespace {
-
-struct ExperimentOptions : study::ExperimentRequest {
-  std::string csv, summary;  // files; empty: none
-  bool force = false;        // they may replace files of another kind
-};
 
 constexpr auto experiment_examples = R"(Examples:
   regista experiment configs/studies/role_overlap.yaml
@@ -39,6 +35,8 @@ it, too. At its end there are, beside the results NAME.db, the page NAME.html an
 
 Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 bad input; 3 a defect of
 Regista; 130 interrupted.)";
+
+}  // namespace
 
 int experiment(ExperimentOptions options, output::OutputFiles outputs, const Invocation& invocation) {
   campaign::check(options);
@@ -78,8 +76,6 @@ int experiment(ExperimentOptions options, output::OutputFiles outputs, const Inv
   };
   return play_study(*report, options, invocation, store, wishes);
 }
-
-}  // namespace
 
 void add_experiment(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("experiment", "compare arms in numbers of their matches");

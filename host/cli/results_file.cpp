@@ -24,17 +24,6 @@ namespace {
 constexpr auto schedule = "schedule";
 constexpr auto resolved_teams = "documents";
 
-// The kind of study that a plan is of. Throws BadInput for a study that this program does not know.
-const StudyKind& kind_of(const std::string& file, const std::string& plan, std::span<const StudyKind> kinds) {
-  const std::string study = study::study_of(plan);
-  const auto found = std::ranges::find(kinds, study, &StudyKind::name);
-  if (found == kinds.end()) {
-    throw BadInput(
-        fmt::format("{}: {}", file, study.empty() ? "its plan is damaged" : "these are results of another study"));
-  }
-  return *found;
-}
-
 std::vector<std::string> differences(const std::string& file, const std::string& before, const study::Study& now,
                                      std::span<const StudyKind> kinds) {
   const StudyKind &then = kind_of(file, before, kinds), &kind = kind_of(file, now.plan(), kinds);
@@ -60,6 +49,34 @@ auto opening(Open open) {
 }
 
 }  // namespace
+
+const StudyKind& kind_of(const std::string& file, const std::string& plan, std::span<const StudyKind> kinds) {
+  const std::string study = study::study_of(plan);
+  const auto found = std::ranges::find(kinds, study, &StudyKind::name);
+  if (found == kinds.end()) {
+    throw BadInput(
+        fmt::format("{}: {}", file, study.empty() ? "its plan is damaged" : "these are results of another study"));
+  }
+  return *found;
+}
+
+std::string stored_plan(const campaign::Store& store) { return store.meta(schedule); }
+
+void give_pairs(const std::string& file, std::uint64_t pairs, std::span<const StudyKind> kinds) {
+  opening([&] {
+    campaign::Store store(file, campaign::Store::Mode::open, REGISTA_VERSION);
+    const std::string before = store.meta(schedule);
+    const StudyKind& kind = kind_of(file, before, kinds);
+    if (!kind.with_pairs)
+      throw BadInput(fmt::format("--pairs {}: {}: {} has no number of pairs", pairs, file, kind.article));
+    try {
+      const std::string now = kind.with_pairs(before, pairs);
+      if (now != before) store.set_meta(schedule, now);
+    } catch (const std::invalid_argument& error) {
+      throw BadInput(fmt::format("--pairs {}: {}: {}", pairs, file, error.what()));
+    }
+  });
+}
 
 campaign::Store open_results(const std::string& file, bool resume, const study::Study& study,
                              const BegunWith& begun_with, std::span<const StudyKind> kinds) {

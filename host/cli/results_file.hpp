@@ -36,6 +36,15 @@ std::vector<std::string> stored_documents(const campaign::Store& store);
 // A file of results to be read. Throws BadInput.
 campaign::Store read_results(const std::string& file);
 
+// The plan of its study.
+std::string stored_plan(const campaign::Store& store);
+
+// The kind of study that a plan is of; file: its name, for messages. Throws BadInput for one that is not known.
+const StudyKind& kind_of(const std::string& file, const std::string& plan, std::span<const StudyKind> kinds);
+
+// The study of the file gets so many pairs of matches, those it has among them. Throws BadInput where it may not.
+void give_pairs(const std::string& file, std::uint64_t pairs, std::span<const StudyKind> kinds);
+
 // What it holds, as far as its plan says; file: its name, for messages. Throws BadInput.
 std::unique_ptr<report::StudyReport> stored_study(const std::string& file, const campaign::Store& store,
                                                   report::CommandOf again, std::span<const StudyKind> kinds);

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "cli/study_commands.hpp"
 #include "report/experiment_report.hpp"
 #include "report/search_comparison_report.hpp"
 #include "report/tournament_report.hpp"
@@ -21,15 +22,32 @@ std::span<const StudyKind> study_kinds() {
       {study::tournament_study, "a tournament",
        [](const std::string& plan, const campaign::Store&, report::CommandOf again) -> Report {
          return report::tournament_report(study::tournament_plan_from_json(plan), std::move(again));
+       },
+       false,
+       [](const std::string& plan, std::uint64_t pairs) {
+         return study::to_json(study::with_pairs(study::tournament_plan_from_json(plan), pairs));
        }},
       {study::experiment_study, "an experiment",
        [](const std::string& plan, const campaign::Store&, report::CommandOf again) -> Report {
          return report::experiment_report(study::experiment_plan_from_json(plan), std::move(again));
+       },
+       true,
+       [](const std::string& plan, std::uint64_t pairs) {
+         return study::to_json(study::with_pairs(study::experiment_plan_from_json(plan), pairs));
        }},
-      {study::tuning_study, "a tuning",
+      {study::tuning_study,
+       "a tuning",
        [](const std::string& plan, const campaign::Store& store, const report::CommandOf&) -> Report {
          return std::make_unique<report::TuningReport>(study::tuning_plan_from_json(plan),
                                                        study::stored_end_of_search(store));
+       },
+       true,
+       {},
+       [](const std::string& plan, const campaign::Options& options, const output::OutputFiles& outputs,
+          const Invocation& invocation) {
+         TuneOptions tuning;
+         static_cast<campaign::Options&>(tuning) = options;
+         return tune_by_plan(study::tuning_plan_from_json(plan), tuning, outputs, invocation);
        }},
       {study::search_comparison_study, "a comparison of search algorithms",
        [](const std::string& plan, const campaign::Store&, const report::CommandOf&) -> Report {

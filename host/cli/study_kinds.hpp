@@ -6,13 +6,17 @@
 // study with a document of its own needs besides stands in docs/architecture.md.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "campaign/options.hpp"
 #include "campaign/store.hpp"
+#include "cli/invocation.hpp"
+#include "output/output_files.hpp"
 #include "report/study_report.hpp"
 
 namespace regista::cli {
@@ -25,6 +29,14 @@ struct StudyKind {
   std::function<std::unique_ptr<report::StudyReport>(const std::string& plan, const campaign::Store& store,
                                                      report::CommandOf again)>
       report;
+  bool figures = true;  // stand beside its page
+  // Such a plan with so many pairs of matches; empty: a study of this kind has no such number. Throws
+  // std::invalid_argument, one line that says why it may not have them.
+  std::function<std::string(const std::string& plan, std::uint64_t pairs)> with_pairs{};
+  // Goes on with it, as play_study() does; empty: that is all.
+  std::function<int(const std::string& plan, const campaign::Options& options, const output::OutputFiles& outputs,
+                    const Invocation& invocation)>
+      go_on{};
 };
 
 std::span<const StudyKind> study_kinds();

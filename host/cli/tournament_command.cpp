@@ -7,6 +7,7 @@
 #include "cli/commands.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
+#include "cli/study_commands.hpp"
 #include "cli/study_run.hpp"
 #include "output/output_files.hpp"
 #include "report/tournament_report.hpp"
@@ -36,6 +37,8 @@ forfeits its match 0:10. That keeps accidents apart; it is no protection from ma
 Exit codes: 0 played, whatever the verdict; 1 the results could not be written; 2 bad input; 3 a defect of
 Regista; 130 interrupted.)";
 
+}  // namespace
+
 int tournament(study::TournamentRequest options, output::OutputFiles outputs, const Invocation& invocation) {
   campaign::check(options);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
@@ -56,8 +59,6 @@ int tournament(study::TournamentRequest options, output::OutputFiles outputs, co
   wishes.figures = false;
   return play_study(*report, options, invocation, store, wishes);
 }
-
-}  // namespace
 
 void add_tournament(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("tournament", "find out which team is better");

@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
+#include "cli/study_commands.hpp"
 #include "cli/study_run.hpp"
 #include "output/output.hpp"
 #include "output/output_files.hpp"
@@ -27,11 +28,6 @@
 
 namespace regista::cli {
 namespace {
-
-struct TuneOptions : study::SearchComparisonRequest {
-  std::string trace, output;  // files; empty: none, beside the results
-  bool force = false;         // they may replace files of another kind
-};
 
 constexpr auto tune_examples = R"(Examples:
   regista tune configs/studies/tune_paper.yaml
@@ -90,6 +86,24 @@ int tune_team(TuneOptions options, output::OutputFiles outputs, const plugin::Ca
   if (!options.repeats.empty()) throw BadInput("--repeats: belongs to --compare, which is not given");
   study::TuningPlan plan = study::planned_tuning(options, catalogue);
   choose_outputs(options, outputs, catalogue, plan.name + ".db");
+  return tune_by_plan(std::move(plan), options, std::move(outputs), invocation);
+}
+
+int compare_searches(TuneOptions options, output::OutputFiles outputs, const plugin::Catalogue& catalogue,
+                     const Invocation& invocation) {
+  study::SearchComparisonPlan plan = study::planned_search_comparison(options, catalogue);
+  choose_outputs(options, outputs, catalogue, plan.tuning.name + ".compare.db");
+  outputs.check(options.force);
+  const auto report = report::search_comparison_report(std::move(plan));
+  campaign::Store store =
+      open_results(options.results, options.resume, report->study(), {outputs.documents(), {}}, invocation.studies);
+  return play(*report, options, invocation, store, {});
+}
+
+}  // namespace
+
+int tune_by_plan(study::TuningPlan plan, const TuneOptions& options, output::OutputFiles outputs,
+                 const Invocation& invocation) {
   const std::filesystem::path tuned =
       options.output.empty() ? study::tuned_file(options.results) : std::filesystem::path(options.output);
   outputs.write("the tuned team", tuned, Writes::tuned_team);
@@ -121,17 +135,6 @@ int tune_team(TuneOptions options, output::OutputFiles outputs, const plugin::Ca
   return exit;
 }
 
-int compare_searches(TuneOptions options, output::OutputFiles outputs, const plugin::Catalogue& catalogue,
-                     const Invocation& invocation) {
-  study::SearchComparisonPlan plan = study::planned_search_comparison(options, catalogue);
-  choose_outputs(options, outputs, catalogue, plan.tuning.name + ".compare.db");
-  outputs.check(options.force);
-  const auto report = report::search_comparison_report(std::move(plan));
-  campaign::Store store =
-      open_results(options.results, options.resume, report->study(), {outputs.documents(), {}}, invocation.studies);
-  return play(*report, options, invocation, store, {});
-}
-
 int tune(const TuneOptions& options, const output::OutputFiles& outputs, const Invocation& invocation) {
   campaign::check(options);
   if (options.file.empty()) throw BadInput("tune: which one? Name its file; see: regista tune --help");
@@ -139,8 +142,6 @@ int tune(const TuneOptions& options, const output::OutputFiles& outputs, const I
   return options.compare.empty() ? tune_team(options, outputs, catalogue, invocation)
                                  : compare_searches(options, outputs, catalogue, invocation);
 }
-
-}  // namespace
 
 void add_tune(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("tune", "search a team's numbers for better ones, and verify what was found");

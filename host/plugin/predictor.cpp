@@ -54,16 +54,8 @@ bool clearly_sound(const regista_track& t, const regista_track_pose& pose) {
 
 // More are rare, and allocate once.
 std::size_t usual_tracks(std::uint32_t subject, std::size_t team_size) {
-  switch (subject) {
-    case REGISTA_SUBJECT_SELF:
-      return 1;
-    case REGISTA_SUBJECT_BALL:
-      return 4;
-    case REGISTA_SUBJECT_TEAMMATES:
-      return team_size;
-    default:
-      return team_size + 1;
-  }
+  if (subject == REGISTA_SUBJECT_SELF) return 1;
+  return subject == REGISTA_SUBJECT_TEAMMATES ? team_size : 16;
 }
 
 }  // namespace

@@ -28,6 +28,9 @@ class ExperimentReport final : public StudyReport {
   study::Study& study() override { return course_; }
   const study::Study& study() const override { return course_; }
 
+  std::string title() const override { return experiment_title(view()); }
+  std::string question() const override { return plan_.question; }
+  std::string headline() const override { return experiment_headline(view()); }
   std::vector<std::string> notes() const override;
   std::string standing() const override { return experiment_standing(view()); }
   std::string match(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) const override;

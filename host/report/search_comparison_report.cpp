@@ -13,6 +13,7 @@
 #include "report/search_comparison.hpp"
 #include "report/search_comparison_figures.hpp"
 #include "report/search_comparison_page.hpp"
+#include "report/search_comparison_sentences.hpp"
 #include "report/tuning_problem.hpp"
 #include "study/tuning/search_comparison.hpp"
 
@@ -28,6 +29,9 @@ class SearchComparisonReport final : public StudyReport {
   study::Study& study() override { return study_; }
   const study::Study& study() const override { return study_; }
 
+  std::string title() const override { return comparison_title(view()); }
+  std::string question() const override { return plan_.tuning.question; }
+  std::string headline() const override { return comparison_verdict(view()).headline; }
   std::vector<std::string> notes() const override { return problem_notes(plan_.tuning); }
   std::string standing() const override { return search_comparison_standing(view()); }
   std::string match(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) const override {

@@ -40,6 +40,11 @@ class StudyReport {
   virtual study::Study& study() = 0;
   virtual const study::Study& study() const = 0;
 
+  // What it is, what was asked (empty where nothing says it), and what was found as far as it has come: a line each.
+  virtual std::string title() const = 0;
+  virtual std::string question() const { return {}; }
+  virtual std::string headline() const = 0;
+
   // Before its first match: what is worth knowing, lines without their ends.
   virtual std::vector<std::string> notes() const { return {}; }
 

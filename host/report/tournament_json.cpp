@@ -104,6 +104,7 @@ std::string tournament_json(const TournamentView& view) {
   out["teams"] = teams;
   out["format"] = view.plan.format == study::Format::gauntlet ? "gauntlet" : "round_robin";
   out["pairs"] = view.plan.pairs;
+  if (!view.plan.pairs_before.empty()) out["pairs_before"] = view.plan.pairs_before;
   out["first_seed"] = view.plan.first_seed;
   out["openings"] = view.plan.openings.size();
   out["matches"] = course.matches();

@@ -18,6 +18,7 @@
 #include "report/tournament.hpp"
 #include "report/tournament_figures.hpp"
 #include "report/tournament_page.hpp"
+#include "report/verdict_sentence.hpp"
 #include "study/recording_place.hpp"
 #include "study/tournament.hpp"
 
@@ -52,8 +53,11 @@ class TournamentReport final : public StudyReport {
   study::Study& study() override { return course_; }
   const study::Study& study() const override { return course_; }
 
+  std::string title() const override { return report::title(view()); }
+  std::string question() const override { return plan_.question; }
+  std::string headline() const override { return markup::plain(verdict_sentence(view()).sentence); }
   std::vector<std::string> notes() const override;
-  std::string standing() const override { return fmt::format("{}\n{}", title(view()), standing_text(view())); }
+  std::string standing() const override { return fmt::format("{}\n{}", title(), standing_text(view())); }
   std::string match(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) const override;
 
   std::string text() const override { return tournament_text(view()); }

@@ -10,6 +10,7 @@
 #include "report/estimate_text.hpp"
 #include "report/few_uneven.hpp"
 #include "report/match_remarks.hpp"
+#include "report/more_pairs.hpp"
 #include "report/number.hpp"
 #include "report/packets_spent.hpp"
 #include "report/standing.hpp"
@@ -274,6 +275,7 @@ std::string tournament_text(const TournamentView& view) {
   out += standing_text(view);
   if (view.plan.teams.size() > 2) out += pairings_text(view);
   out += packets_text(view);
+  if (!view.plan.pairs_before.empty()) out += more_pairs_sentence(view.plan.pairs_before) + '\n';
   if (const std::uint64_t unplayed = view.course.unplayed_pairs(); unplayed > 0) {
     out += unplayed_sentence(unplayed) + '\n' + unplayed_text(view.course.remarks());
   }

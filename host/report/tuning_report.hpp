@@ -10,6 +10,8 @@
 #include "report/fingerprint.hpp"
 #include "report/study_report.hpp"
 #include "report/tuning.hpp"
+#include "report/tuning_problem.hpp"
+#include "report/tuning_sentences.hpp"
 #include "study/tuning/tuning_study.hpp"
 
 namespace regista::report {
@@ -29,6 +31,9 @@ class TuningReport final : public StudyReport {
   // Where the tuned team was written to, for text and JSON.
   void tuned_file(std::string file) { tuned_file_ = std::move(file); }
 
+  std::string title() const override { return problem_title(plan_); }
+  std::string question() const override { return plan_.question; }
+  std::string headline() const override { return tuning_verdict(view()).headline; }
   std::vector<std::string> notes() const override;
   std::string standing() const override { return tuning_standing(view()); }
   std::string match(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) const override;

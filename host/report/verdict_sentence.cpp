@@ -11,6 +11,7 @@
 #include "report/elo_interval.hpp"
 #include "report/few_uneven.hpp"
 #include "report/match_remarks.hpp"
+#include "report/more_pairs.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
 
@@ -258,6 +259,8 @@ VerdictSentence verdict_sentence(const TournamentView& view) {
     out.beside.push_back(line << text(fmt::format(" was set aside after pair {}: {} failed {} times in a row.",
                                                   each.pair + 1, whose, each.failures)));
   }
+  if (const std::string more = more_pairs_sentence(view.plan.pairs_before); !more.empty())
+    out.beside.push_back(text(more));
   if (view.course.unplayed_pairs() > 0) out.beside.push_back(text(unplayed_sentence(view.course.unplayed_pairs())));
   std::uint64_t forfeits = 0;
   for (const std::uint64_t count : view.course.failures()) forfeits += count;

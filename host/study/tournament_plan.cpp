@@ -10,6 +10,7 @@
 
 #include "campaign/inputs.hpp"
 #include "match/side.hpp"
+#include "study/more_pairs.hpp"
 #include "study/plan_fields.hpp"
 
 namespace regista::study {
@@ -136,6 +137,7 @@ static void fields(Plan& plan, Visit& visit) {
   visit("format", plan.format, "--format");
   visit("openings", plan.openings);
   visit("pairs", plan.pairs, "--pairs");
+  visit.maybe("pairs_before", plan.pairs_before);
   visit("first_seed", plan.first_seed, "--seed");
   visit("objective", plan.objective, "the test", [](const Objective& objective) { return in_words(objective); });
   visit("most_goals", plan.most_goals);
@@ -215,6 +217,16 @@ std::string letter(std::size_t team) {
 bool equal_teams(const TournamentPlan& plan, const Pairing& pairing) {
   const auto &a = plan.teams[pairing.first].inputs, &b = plan.teams[pairing.second].inputs;
   return campaign::fixture_key(a, b, {}) == campaign::fixture_key(b, a, {});
+}
+
+TournamentPlan with_pairs(TournamentPlan plan, std::uint64_t pairs) {
+  if (!std::holds_alternative<FixedNumber>(plan.objective)) {
+    throw std::invalid_argument(
+        "it has a sequential test, whose error rates hold for the number of pairs that was fixed before the first "
+        "match");
+  }
+  raise_pairs(plan.pairs, plan.pairs_before, pairs, plan.first_seed);
+  return plan;
 }
 
 std::string to_json(const TournamentPlan& plan) { return plan_text(tournament_study, tournament_plan_version, plan); }

@@ -62,6 +62,7 @@ struct TournamentPlan {
   Format format = Format::round_robin;
   std::vector<Opening> openings;  // none: from kick-off
   std::uint64_t pairs = 0;        // of each pairing, at most
+  std::string pairs_before;       // numbers that it had before more were asked for: "100, 150"; empty: none
   std::uint64_t first_seed = 1;   // of the first pair; the next one has the next
   Objective objective;
   int most_goals = 0;          // largest goal difference that a match can end with; a forfeit counts as that much
@@ -116,6 +117,10 @@ std::string letter(std::size_t team);
 
 // Both teams are the same to the last byte, so every pair is a draw by construction.
 bool equal_teams(const TournamentPlan& plan, const Pairing& pairing);
+
+// The same with more pairs of matches, which come after those there were. Throws std::invalid_argument, one line, where
+// that may not be: fewer than before, or under a sequential test, whose error rates hold for the number that was fixed.
+TournamentPlan with_pairs(TournamentPlan plan, std::uint64_t pairs);
 
 // JSON; reading throws std::invalid_argument for what writing did not make.
 std::string to_json(const TournamentPlan& plan);

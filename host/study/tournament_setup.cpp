@@ -20,6 +20,7 @@
 #include "match/match.hpp"
 #include "plugin/declarations.hpp"
 #include "study/document_settings.hpp"
+#include "study/more_pairs.hpp"
 #include "study/packets_spent.hpp"
 #include "study/sequential_test_options.hpp"
 #include "study/study_inputs.hpp"
@@ -27,7 +28,6 @@
 namespace regista::study {
 namespace {
 
-constexpr std::uint64_t most_pairs = 10'000'000;
 constexpr std::size_t most_teams = 1000;
 
 // What is asked for, whoever says it, and where a document says it.

@@ -20,7 +20,7 @@ class Planted(program.Case):
 
     @unittest.skipIf(program.SANITIZED, "four hundred matches take too long with sanitizers")
     def test_spoilt_weights_are_mended(self):
-        report = json.loads(self.succeed("tune", STUDY, "--quiet", "--no-page", "--json", timeout=280))
+        report = json.loads(self.succeed("tune", STUDY, "--quiet", "--no-page", "--json", timeout=800))
         matches = report["matches"]
         self.assertLessEqual(sum(matches[each] for each in ("search", "selection", "verification", "slices")), 400)
         candidate, = report["verification"]["candidates"]

@@ -23,6 +23,8 @@ class GoalCountReport final : public StudyReport {
   study::Study& study() override { return study_; }
   const study::Study& study() const override { return study_; }
 
+  std::string title() const override { return "goals of a match"; }
+  std::string headline() const override { return fmt::format("{} matches were counted.", study_.counted()); }
   std::string standing() const override { return text(); }
   std::string match(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) const override {
     return fmt::format("seed {}: {} goals", round.job(index).seed, decided.score[0] + decided.score[1]);

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// `regista resume`: goes on with the study of a file of results, which holds all that it was begun with.
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "campaign/job_setup.hpp"
+#include "cli/commands.hpp"
+#include "cli/plugin_folders.hpp"
+#include "cli/results_file.hpp"
+#include "cli/study_run.hpp"
+#include "config/text.hpp"
+#include "config/typed.hpp"
+#include "output/output_files.hpp"
+#include "study/more_pairs.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr auto resume_examples = R"(Examples:
+  regista resume tournament.db
+  regista resume night.db --workers 1
+  regista resume rivals.db --pairs 200
+
+Plays what is missing, as it was planned: the file holds teams, profiles, seeds, test and limits, and knows what stood in
+the documents and plugins. Where one of them has changed since, nothing is played and the change is named.
+--pairs gives a study more pairs of matches: one that has ended, too, but none whose test was fixed for a number of them.
+
+Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 bad input; 3 a defect of
+Regista; 130 interrupted.)";
+
+struct ResumeOptions : campaign::Options {
+  std::string file, pairs;
+};
+
+// The matches of its first round, once for each team: what plugins they need is known from these.
+std::vector<campaign::Job> jobs_of_teams(study::Study& study) {
+  struct Asked {
+    std::vector<campaign::Job> jobs;
+  };
+  try {
+    study.run([](const study::Round& round) {
+      Asked asked;
+      std::set<std::pair<std::string, std::vector<std::string>>> seen;
+      for (const campaign::Store::Fixture& fixture : round.fixtures) {
+        bool is_new = false;
+        for (const std::string& team : fixture.job.teams) is_new |= seen.emplace(team, fixture.job.overrides).second;
+        if (is_new) asked.jobs.push_back(fixture.job);
+      }
+      throw asked;
+    });
+  } catch (const Asked& asked) {
+    return asked.jobs;
+  }
+  return {};  // it asks for nothing
+}
+
+// Messages name files as the study was begun with them: goes there.
+void enter_folder(const std::string& results, const std::string& folder) {
+  std::error_code error;
+  std::filesystem::current_path(folder, error);
+  if (error) {
+    throw BadInput(fmt::format("resume: {}: the folder it was begun in, {}, cannot be entered: {}", results, folder,
+                               error.message()));
+  }
+}
+
+int play(ResumeOptions options, output::OutputFiles outputs, const Invocation& invocation) {
+  campaign::check(options);
+  if (options.file.empty()) throw BadInput("resume: which results? Name the file; see: regista resume --help");
+  std::optional<std::uint64_t> pairs;
+  if (!options.pairs.empty()) pairs = config::parse_whole("--pairs", options.pairs, 1, study::most_pairs);
+  const std::string file = config::one_line(options.file);
+  options.results = std::filesystem::absolute(options.file).string();
+  options.resume = true;
+  std::vector<campaign::Job> jobs;
+  bool figures = true;
+  {
+    const campaign::Store store = read_results(options.file);
+    figures = kind_of(file, stored_plan(store), invocation.studies).figures;
+    const auto report = stored_study(file, store, {}, invocation.studies);
+    enter_folder(file, report->study().folder());
+    jobs = jobs_of_teams(report->study());
+  }
+  options.plugins = jobs.empty() ? std::vector<std::string>() : jobs.front().plugins;
+  const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
+  for (const campaign::Job& job : jobs) campaign::match_setup(campaign::request_of(job), catalogue);
+  tell_what_is_not_used(catalogue, options.plugins);
+  options.plugin_files = catalogue.used_files();
+  outputs.read(folders_of(catalogue), Reads::plugins);
+  using enum output::OutputFiles::Page;
+  outputs.write_beside(options.results, options.no_page ? none : figures ? with_figures : alone);
+  outputs.check(false);
+  if (pairs) give_pairs(options.results, *pairs, invocation.studies);
+
+  const std::string plan = stored_plan(read_results(options.results));
+  const StudyKind& kind = kind_of(file, plan, invocation.studies);
+  if (kind.go_on) return kind.go_on(plan, options, outputs, invocation);
+  const auto report = stored_study(file, read_results(options.results), play_again(invocation), invocation.studies);
+  campaign::Store store = open_results(options.results, true, report->study(), {}, invocation.studies);
+  StudyWishes wishes;
+  wishes.figures = figures;
+  try {
+    return play_study(*report, options, invocation, store, wishes);
+  } catch (const study::StudyError& error) {
+    throw BadInput(fmt::format("resume: {}: {}", file, error.what()));
+  }
+}
+
+}  // namespace
+
+void add_resume(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("resume", "go on with the study of a file of results");
+  const auto options = std::make_shared<ResumeOptions>();
+  command.take("results", options->file, "RESULTS.db", "file that a tournament, an experiment or a tuning wrote",
+               Writes::results);
+  command.take("--pairs", options->pairs, "N", "play so many pairs of matches in all, of each pairing or arm");
+  command.take("--workers", options->workers, "N", "matches at the same time; default: one for each processor core");
+  command.take("--record-every", options->record_every, "N",
+               "record every N-th match, beside the results in NAME.recordings/ROW.mcap; those that fail always are");
+  command.flag("--no-page", options->no_page, "write no page NAME.html beside the results NAME.db at the end");
+  command.flag("--json", options->json, "write the report as JSON");
+  command.flag("--quiet", options->quiet, "no progress on standard error");
+  command.notes(resume_examples);
+  command.run = [options, &command, &invocation] {
+    return play(*options, output::OutputFiles(command.given(), "study"), invocation);
+  };
+}
+
+}  // namespace regista::cli

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// `regista run`: plays the study of a document, whatever it is.
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "cli/campaign_options.hpp"
+#include "cli/commands.hpp"
+#include "cli/study_commands.hpp"
+#include "config/documents.hpp"
+#include "config/text.hpp"
+
+namespace regista::cli {
+namespace {
+
+constexpr auto run_examples = R"(Examples:
+  regista run configs/studies/rivals.yaml
+  regista run configs/studies/role_overlap.yaml --results night.db
+  regista run configs/studies/tune_paper.yaml --set search.algorithm=spsa
+
+The document is a tournament, an experiment or a tuning, and is played as `regista tournament`, `experiment` or `tune`
+would play it; these have options of their own besides. What was begun is gone on with by: regista resume RESULTS.db
+
+Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 bad input; 3 a defect of
+Regista; 130 interrupted.)";
+
+struct RunOptions : campaign::Options {
+  std::string file;
+  std::vector<std::string> overrides;
+};
+
+template <class Request>
+Request request_of(const RunOptions& options) {
+  Request out;
+  static_cast<campaign::Options&>(out) = options;
+  out.file = options.file;
+  out.overrides = options.overrides;
+  return out;
+}
+
+int play(const RunOptions& options, const output::OutputFiles& outputs, const Invocation& invocation) {
+  if (options.file.empty()) throw BadInput("run: which study? Name its document; see: regista run --help");
+  using enum config::DocumentKind;
+  const config::DocumentKind kind = config::kind_of(config::load(options.file, options.overrides));
+  switch (kind) {
+    case tournament:
+      return cli::tournament(request_of<study::TournamentRequest>(options), outputs, invocation);
+    case experiment:
+      return cli::experiment(request_of<ExperimentOptions>(options), outputs, invocation);
+    case tuning:
+      return cli::tune(request_of<TuneOptions>(options), outputs, invocation);
+    case predictor_study:
+      throw BadInput(fmt::format(
+          "run: {0} is a predictor study, which needs recordings: regista evaluate-predictor {0} --data RECORDING",
+          config::one_line(options.file)));
+    default:
+      throw BadInput(
+          fmt::format("run: {} is no study but of the kind {}; studies are tournament, experiment and tuning",
+                      config::one_line(options.file), config::name_of(kind)));
+  }
+}
+
+}  // namespace
+
+void add_run(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("run", "play the study of a document");
+  const auto options = std::make_shared<RunOptions>();
+  command.take("file", options->file, "STUDY.yaml", "a tournament, an experiment or a tuning", Reads::documents);
+  command.take("--set", options->overrides, "PATH=VALUE", "a value laid over that document; may be repeated");
+  add_campaign_options(command, *options, "the study's name with .db");
+  command.notes(run_examples);
+  command.run = [options, &command, &invocation] {
+    return play(*options, output::OutputFiles(command.given(), "study"), invocation);
+  };
+}
+
+}  // namespace regista::cli

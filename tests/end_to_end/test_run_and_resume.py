@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: MIT
+"""`regista run` plays whatever study a document is, `regista resume` goes on with a file of results alone, with more pairs
+if that may be, and `regista results` lists what lies in a folder."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import unittest
+
+import program
+import tournament
+
+DOCUMENT = """tournament: small_one
+question: Which is better?
+teams:
+  - {team: small.yaml}
+  - {team: other.yaml}
+pairs: PAIRS
+limit: 5
+set: {rules.durations.ready: 1, rules.durations.set: 1}
+"""
+
+
+class RunAndResume(tournament.Tournament):
+    def document(self, pairs):
+        self.write("study.yaml", DOCUMENT.replace("PAIRS", str(pairs)))
+
+    def test_a_tournament_is_run_and_gone_on_with_from_another_folder(self):
+        self.document(4)
+        whole = self.succeed("run", "study.yaml", "--quiet", "--results", "whole.db")
+        self.assertIn("small vs other (4 pairs", whole)
+        self.document(2)
+        self.succeed("run", "study.yaml", "--quiet", "--no-page")
+        os.makedirs(self.folder / "elsewhere")
+        done = subprocess.run([self.program, "resume", "../small_one.db", "--pairs", "4", "--quiet", "--json"], text=True,
+                              cwd=self.folder / "elsewhere", capture_output=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        report = json.loads(done.stdout)
+        self.assertEqual((report["pairs"], report["pairs_before"]), (4, "2"))
+        self.assertEqual(self.rows("small_one.db"), self.rows("whole.db"))
+        self.assertTrue((self.folder / "small_one.html").exists())
+        text = self.succeed("report", "small_one.db")
+        self.assertIn("It had 2 pairs before it was given more.", text)
+        # Nothing is left to be played.
+        self.assertEqual(self.succeed("resume", "small_one.db", "--quiet", "--pairs", 4), text)
+
+    def test_an_interrupted_one_is_gone_on_with(self):
+        self.document(40)
+        running = self.start("run", "study.yaml", "--quiet", "--workers", 1)
+        self.wait_for(lambda: self.count("small_one.db") > 0)
+        running.send_signal(signal.SIGINT)
+        running.communicate()
+        self.assertEqual(running.returncode, 130)
+        self.assertLess(self.count("small_one.db"), 80)
+        self.document(1)  # what stands there now is not asked
+        self.succeed("resume", "small_one.db", "--quiet", "--no-page")
+        self.assertEqual(self.count("small_one.db"), 80)
+
+    def test_more_pairs_are_refused_where_a_test_was_fixed(self):
+        self.document(2)
+        self.succeed("run", "study.yaml", "--quiet", "--no-page", "--set", "test={metric: goals}")
+        refused = self.refused("resume", "small_one.db", "--pairs", 9)
+        self.assertIn("it has a sequential test, whose error rates hold for the number of pairs", refused)
+        self.document(3)
+        self.succeed("run", "study.yaml", "--quiet", "--no-page", "--results", "fixed.db")
+        self.assertIn("it has 3 pairs already", self.refused("resume", "fixed.db", "--pairs", 2))
+        self.assertEqual(len(self.rows("fixed.db")), 6)
+
+    def test_what_has_changed_is_named(self):
+        self.document(2)
+        self.succeed("run", "study.yaml", "--quiet", "--no-page")
+        text = (self.folder / "small.yaml").read_text()
+        self.write("small.yaml", text + "\ndecision_rate: 5\n")
+        before = self.rows("small_one.db")
+        self.refused("resume", "small_one.db", "--pairs", 3)
+        self.assertEqual(self.rows("small_one.db"), before)
+
+    def test_bad_input(self):
+        self.assertIn("which study?", self.refused("run"))
+        self.assertIn("small.yaml is no study but of the kind team", self.refused("run", "small.yaml"))
+        self.assertIn("which results?", self.refused("resume"))
+        self.assertIn("cannot read nothing.db: No such file or directory", self.refused("resume", "nothing.db"))
+        self.assertIn("--pairs", self.refused("resume", "nothing.db", "--pairs", "many"))
+        self.assertIn("No such file or directory", self.refused("results", "nowhere"))
+
+    def test_results_are_listed(self):
+        self.document(2)
+        self.succeed("run", "study.yaml", "--quiet", "--no-page")
+        (self.folder / "notes.db").write_text("no results")
+        pathlib.Path(self.folder / "broken.db").write_bytes((self.folder / "small_one.db").read_bytes()[:4096])
+        text = self.succeed("results")
+        first = next(line for line in text.splitlines() if line.startswith("small_one.db"))
+        self.assertRegex(first, r"^small_one.db: tournament, finished, last stored 20\d\d-\d\d-\d\d \d\d:\d\d UTC$")
+        self.assertIn("  Which is better?\n", text)
+        self.assertIn("broken.db", text)
+        self.assertNotIn("notes.db", text)
+        found = {each["file"]: each for each in json.loads(self.succeed("results", ".", "--json"))["results"]}
+        self.assertTrue(found["small_one.db"]["finished"])
+        self.assertIn("unreadable", found["broken.db"])
+        os.makedirs(self.folder / "empty")
+        nothing = self.run_program("results", "empty")
+        self.assertEqual((nothing.returncode, nothing.stdout), (0, ""))
+        self.assertEqual(nothing.stderr, "regista: no results in empty\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
