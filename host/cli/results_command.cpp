@@ -141,7 +141,8 @@ int list(const ResultsOptions& options, const Invocation& invocation) {
 void add_results(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("results", "the studies whose results lie in a folder");
   const auto options = std::make_shared<ResultsOptions>();
-  command.take("folder", options->folder, "[FOLDER]", "where the results lie; default: the working folder");
+  command.take("folder", options->folder, "[FOLDER]", "where the results lie; default: the working folder",
+               Reads::results);
   command.flag("--json", options->json, "write the list as JSON");
   command.notes(results_examples);
   command.run = [options, &invocation] { return list(*options, invocation); };
