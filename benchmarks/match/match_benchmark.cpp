@@ -3,7 +3,7 @@
 // metrics. Processor time: `us_per_match_second`, and `us_per_decision`, a decision with its share of everything but
 // physics. `r` is the match over Box2D alone on the same scene, body by body and step by step; `r0` the same over a
 // Box2D that reads the clock, as it did in older figures. All are measured in turn in one run, so that the machine's
-// speed moves them alike. `instructions_per_decision` is the committed number, which scripts/check holds within 3 % of
+// speed moves them alike. `committed_instructions_per_decision` is the number, which scripts/check holds within 3 % of
 // what callgrind counts; `peak_mb` is the process's largest memory.
 #include <benchmark/benchmark.h>
 #include <box2d/b2_timer.h>
@@ -93,7 +93,7 @@ void whole_match(benchmark::State& state) {
   state.counters["us_per_match_second"] = 1e6 * whole / matches / recorded.simulated_seconds;
   state.counters["us_per_decision"] = 1e6 * (whole - bare) / matches / static_cast<double>(decisions);
   state.counters["us_per_physics_step"] = 1e6 * bare / matches / static_cast<double>(log.step_ends.size());
-  state.counters["instructions_per_decision"] = committed_instructions();
+  state.counters["committed_instructions_per_decision"] = committed_instructions();
   state.counters["peak_mb"] = static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 

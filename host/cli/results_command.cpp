@@ -2,9 +2,11 @@
 // `regista results`: the studies whose results lie in a folder, and what each of them says.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -29,8 +31,8 @@ constexpr auto results_examples = R"(Examples:
   regista results nights
   regista results nights --json
 
-Each file NAME.db of the folder: what was asked, who played, how far it has come, what it says, and when the last match
-was stored. Other databases are left out.
+Each file NAME.db of the folder: how far it has come and when it was last written, who plays, what was asked, and what
+it says. Other databases are left out.
 
 Exit codes: 0 done; 1 the list could not be written; 2 bad input; 3 a defect of Regista.)";
 
@@ -40,7 +42,8 @@ struct ResultsOptions {
 };
 
 struct Found {
-  std::string file, study, title, question, state, headline, stored;
+  std::string file, study, title, question, state, headline, written;
+  std::vector<std::string> teams;
   std::string unreadable;  // why; then nothing else is known but the file
 };
 
@@ -70,11 +73,13 @@ Found look_at(const fs::path& path, const Invocation& invocation) {
     out.headline = report->headline();
     const std::string incomplete = report->incomplete();
     out.state = incomplete.empty() ? "finished" : incomplete;
-    out.stored = last_written(path);
+    out.teams = report->teams();
+    out.written = last_written(path);
   } catch (const BadInput& error) {
     out.unreadable = error.what();
-  } catch (const campaign::StoreError& error) {
-    out.unreadable = error.what();
+  } catch (
+      const std::exception& error) {  // damaged in a way that was not looked for: the others are listed all the same
+    out.unreadable = fmt::format("{}: {}", out.file, error.what());
   }
   return out;
 }
@@ -97,21 +102,17 @@ std::string text_of(const Found& found) {
     return text.empty() ? std::string() : fmt::format("  {}\n", config::one_line(text));
   };
   if (!found.unreadable.empty()) return fmt::format("{}\n", config::one_line(found.unreadable));
-  return fmt::format("{}: {}, {}, last stored {}\n", config::one_line(found.file), found.study, found.state,
-                     found.stored) +
-         line(found.title) + line(found.question) + line(found.headline);
+  return fmt::format("{}: {}, {}, last written {}\n", config::one_line(found.file), found.study, found.state,
+                     found.written) +
+         line(found.title) + line(found.teams.size() > 2 ? fmt::format("{}", fmt::join(found.teams, ", ")) : "") +
+         line(found.question) + line(found.headline);
 }
 
 Json json_of(const Found& found) {
   if (!found.unreadable.empty()) return {{"file", found.file}, {"unreadable", found.unreadable}};
-  return {{"file", found.file},
-          {"study", found.study},
-          {"title", found.title},
-          {"question", found.question},
-          {"finished", found.state == "finished"},
-          {"state", found.state},
-          {"finding", found.headline},
-          {"stored", found.stored}};
+  return {{"file", found.file},   {"study", found.study},       {"title", found.title},
+          {"teams", found.teams}, {"question", found.question}, {"finished", found.state == "finished"},
+          {"state", found.state}, {"finding", found.headline},  {"written", found.written}};
 }
 
 int list(const ResultsOptions& options, const Invocation& invocation) {

@@ -7,12 +7,16 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "campaign/inputs.hpp"
 #include "campaign/job_setup.hpp"
+#include "campaign/mathematics.hpp"
 #include "cli/commands.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
@@ -31,8 +35,9 @@ constexpr auto resume_examples = R"(Examples:
   regista resume rivals.db --pairs 200
 
 Plays what is missing, as it was planned: the file holds teams, profiles, seeds, test and limits, and knows what stood in
-the documents and plugins. Where one of them has changed since, nothing is played and the change is named.
---pairs gives a study more pairs of matches: one that has ended, too, but none whose test was fixed for a number of them.
+the documents and plugins. Where one of them or the program has changed since, nothing is played and the change is named.
+--pairs gives a tournament more pairs of matches: one that has ended, too, but none whose test was fixed for a number of
+them. A tuning writes its team to NAME.tuned.yaml beside the results.
 
 Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 bad input; 3 a defect of
 Regista; 130 interrupted.)";
@@ -41,8 +46,8 @@ struct ResumeOptions : campaign::Options {
   std::string file, pairs;
 };
 
-// The matches of its first round, once for each team: what plugins they need is known from these.
-std::vector<campaign::Job> jobs_of_teams(study::Study& study) {
+// Of the matches of its first round enough that every team and every scene is among them.
+std::vector<campaign::Job> jobs_with_all(study::Study& study) {
   struct Asked {
     std::vector<campaign::Job> jobs;
   };
@@ -52,7 +57,8 @@ std::vector<campaign::Job> jobs_of_teams(study::Study& study) {
       std::set<std::pair<std::string, std::vector<std::string>>> seen;
       for (const campaign::Store::Fixture& fixture : round.fixtures) {
         bool is_new = false;
-        for (const std::string& team : fixture.job.teams) is_new |= seen.emplace(team, fixture.job.overrides).second;
+        for (const std::string& file : {fixture.job.teams[0], fixture.job.teams[1], fixture.job.opening})
+          is_new |= seen.emplace(file, fixture.job.overrides).second;
         if (is_new) asked.jobs.push_back(fixture.job);
       }
       throw asked;
@@ -61,6 +67,19 @@ std::vector<campaign::Job> jobs_of_teams(study::Study& study) {
     return asked.jobs;
   }
   return {};  // it asks for nothing
+}
+
+// Before anything is played or written: the files hold what they held, and this is the program that began it.
+void require_unchanged(const std::string& results, std::span<const campaign::Job> jobs,
+                       const plugin::Catalogue& catalogue) {
+  const std::string program = campaign::program_hash(), mathematics = campaign::mathematics_fingerprint();
+  for (const campaign::Job& job : jobs) {
+    const campaign::MatchSetup now = campaign::match_setup(campaign::request_of(job), catalogue);
+    const std::string changed = campaign::what_changed(job, now, catalogue, program, mathematics);
+    if (changed.empty()) continue;
+    throw BadInput(fmt::format("resume: {} was begun with something else: {}; its matches would be mixed with others",
+                               results, changed));
+  }
 }
 
 // Messages name files as the study was begun with them: goes there.
@@ -83,19 +102,23 @@ int play(ResumeOptions options, output::OutputFiles outputs, const Invocation& i
   options.resume = true;
   std::vector<campaign::Job> jobs;
   bool figures = true;
-  {
+  try {
     const campaign::Store store = read_results(options.file);
     figures = kind_of(file, stored_plan(store), invocation.studies).figures;
     const auto report = stored_study(file, store, {}, invocation.studies);
     enter_folder(file, report->study().folder());
-    jobs = jobs_of_teams(report->study());
+    jobs = jobs_with_all(report->study());
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(fmt::format("resume: {}: {}", file, error.what()));
   }
   options.plugins = jobs.empty() ? std::vector<std::string>() : jobs.front().plugins;
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  for (const campaign::Job& job : jobs) campaign::match_setup(campaign::request_of(job), catalogue);
+  require_unchanged(file, jobs, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();
   outputs.read(folders_of(catalogue), Reads::plugins);
+  for (const campaign::Job& job : jobs)
+    outputs.read({job.teams.begin(), job.teams.end()}, Reads::documents, job.overrides);
   using enum output::OutputFiles::Page;
   outputs.write_beside(options.results, options.no_page ? none : figures ? with_figures : alone);
   outputs.check(false);
@@ -122,7 +145,8 @@ void add_resume(Command& parent, const Invocation& invocation) {
   const auto options = std::make_shared<ResumeOptions>();
   command.take("results", options->file, "RESULTS.db", "file that a tournament, an experiment or a tuning wrote",
                Writes::results);
-  command.take("--pairs", options->pairs, "N", "play so many pairs of matches in all, of each pairing or arm");
+  command.take("--pairs", options->pairs, "N",
+               "of a tournament: play so many pairs of matches in all, of each pairing");
   command.take("--workers", options->workers, "N", "matches at the same time; default: one for each processor core");
   command.take("--record-every", options->record_every, "N",
                "record every N-th match, beside the results in NAME.recordings/ROW.mcap; those that fail always are");

@@ -30,10 +30,6 @@ std::span<const StudyKind> study_kinds() {
       {study::experiment_study, "an experiment",
        [](const std::string& plan, const campaign::Store&, report::CommandOf again) -> Report {
          return report::experiment_report(study::experiment_plan_from_json(plan), std::move(again));
-       },
-       true,
-       [](const std::string& plan, std::uint64_t pairs) {
-         return study::to_json(study::with_pairs(study::experiment_plan_from_json(plan), pairs));
        }},
       {study::tuning_study,
        "a tuning",

@@ -75,7 +75,6 @@ std::string experiment_json(const ExperimentView& view) {
   out["opponent"] = plan.opponent;
   out["sweep"] = plan.swept() ? Json{{"path", plan.sweep}, {"values", plan.values}} : Json(nullptr);
   out["pairs"] = plan.pairs;
-  if (!plan.pairs_before.empty()) out["pairs_before"] = plan.pairs_before;
   out["first_seed"] = plan.first_seed;
   out["openings"] = plan.openings.size();
   out["matches"] = view.course.taken();

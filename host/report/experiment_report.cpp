@@ -30,6 +30,12 @@ class ExperimentReport final : public StudyReport {
 
   std::string title() const override { return experiment_title(view()); }
   std::string question() const override { return plan_.question; }
+  std::vector<std::string> teams() const override {
+    std::vector<std::string> out;
+    for (const study::Arm& each : plan_.arms) out.push_back(each.name);
+    out.push_back(plan_.opponent);
+    return out;
+  }
   std::string headline() const override { return experiment_headline(view()); }
   std::vector<std::string> notes() const override;
   std::string standing() const override { return experiment_standing(view()); }

@@ -10,7 +10,6 @@
 #include "report/estimate_text.hpp"
 #include "report/experiment.hpp"
 #include "report/match_remarks.hpp"
-#include "report/more_pairs.hpp"
 #include "report/number.hpp"
 #include "report/text_table.hpp"
 #include "report/tournament.hpp"
@@ -160,7 +159,6 @@ std::string experiment_text(const ExperimentView& view) {
   std::string out = irreproducible_text(view.course.remarks()) + experiment_title(view) + '\n';
   if (!plan.question.empty()) out += visible(plan.question) + '\n';
   out += '\n' + experiment_headline(view) + "\n\n" + pairs_text(view) + '\n';
-  if (!plan.pairs_before.empty()) out += more_pairs_sentence(plan.pairs_before) + '\n';
   if (plan.swept()) {
     for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) out += sweep_table(view, measure) + '\n';
   } else {

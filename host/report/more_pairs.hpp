@@ -6,15 +6,17 @@
 
 #include <string>
 
+#include "report/visible_text.hpp"
+
 namespace regista::report {
 
-// `before`: of the plan; empty where no more were asked for, as is then what this gives.
+// `before`: of the plan, which was given more.
 inline std::string more_pairs_sentence(const std::string& before) {
-  if (before.empty()) return {};
   return fmt::format(
-      "It had {} pairs before it was given more. A p value and an interval hold for a number that was "
-      "fixed beforehand: whoever goes on until they please finds too much.",
-      before);
+      "It had {} pairs before it was given more. A p value and an interval hold for a number that was fixed "
+      "beforehand: "
+      "whoever adds pairs until the result pleases finds differences that are not there.",
+      visible(before));
 }
 
 }  // namespace regista::report

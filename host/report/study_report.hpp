@@ -43,6 +43,7 @@ class StudyReport {
   // What it is, what was asked (empty where nothing says it), and what was found as far as it has come: a line each.
   virtual std::string title() const = 0;
   virtual std::string question() const { return {}; }
+  virtual std::vector<std::string> teams() const { return {}; }  // who plays, as the study calls them
   virtual std::string headline() const = 0;
 
   // Before its first match: what is worth knowing, lines without their ends.

@@ -55,6 +55,11 @@ class TournamentReport final : public StudyReport {
 
   std::string title() const override { return report::title(view()); }
   std::string question() const override { return plan_.question; }
+  std::vector<std::string> teams() const override {
+    std::vector<std::string> out;
+    for (const study::Entrant& each : plan_.teams) out.push_back(each.label);
+    return out;
+  }
   std::string headline() const override { return markup::plain(verdict_sentence(view()).sentence); }
   std::vector<std::string> notes() const override;
   std::string standing() const override { return fmt::format("{}\n{}", title(), standing_text(view())); }

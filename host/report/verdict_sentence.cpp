@@ -259,8 +259,10 @@ VerdictSentence verdict_sentence(const TournamentView& view) {
     out.beside.push_back(line << text(fmt::format(" was set aside after pair {}: {} failed {} times in a row.",
                                                   each.pair + 1, whose, each.failures)));
   }
-  if (const std::string more = more_pairs_sentence(view.plan.pairs_before); !more.empty())
-    out.beside.push_back(text(more));
+  if (!view.plan.pairs_before.empty()) {
+    out.sentence << text(" Pairs were added after a look.");
+    out.beside.push_back(text(more_pairs_sentence(view.plan.pairs_before)));
+  }
   if (view.course.unplayed_pairs() > 0) out.beside.push_back(text(unplayed_sentence(view.course.unplayed_pairs())));
   std::uint64_t forfeits = 0;
   for (const std::uint64_t count : view.course.failures()) forfeits += count;

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "campaign/inputs.hpp"
-#include "study/more_pairs.hpp"
 #include "study/plan_differences.hpp"
 #include "study/plan_fields.hpp"
 
@@ -95,7 +94,6 @@ static void fields(Plan& plan, Visit& visit) {
   visit("openings", plan.openings);
   visit("pairs", plan.pairs, "the number of matches for each arm",
         [](std::uint64_t pairs) { return std::to_string(2 * pairs); });
-  visit.maybe("pairs_before", plan.pairs_before);
   visit("first_seed", plan.first_seed, "the first seed");
   visit("measures", plan.measures, "the measures");
   visit("primary", plan.primary);
@@ -156,15 +154,6 @@ bool equal_conditions(const ExperimentPlan& plan, const Comparison& comparison) 
     return campaign::fixture_key(job.home_inputs, job.away_inputs, job.common_inputs);
   };
   return key(comparison.first, 0) == key(comparison.second, 0) && key(comparison.first, 1) == key(comparison.second, 1);
-}
-
-ExperimentPlan with_pairs(ExperimentPlan plan, std::uint64_t pairs) {
-  if (!plan.primary.empty()) {
-    throw std::invalid_argument(fmt::format(
-        "its test of {} holds for the number of matches that was fixed before the first one", plan.primary));
-  }
-  raise_pairs(plan.pairs, plan.pairs_before, pairs, plan.first_seed);
-  return plan;
 }
 
 std::string to_json(const ExperimentPlan& plan) { return plan_text(experiment_study, experiment_plan_version, plan); }

@@ -51,7 +51,6 @@ struct ExperimentPlan {
   std::vector<Condition> conditions;
   std::vector<Opening> openings;  // none: from kick-off
   std::uint64_t pairs = 0;        // of matches, for each condition
-  std::string pairs_before;       // numbers that it had before more were asked for: "100, 150"; empty: none
   std::uint64_t first_seed = 1;
   std::vector<std::string> measures;  // that are shown, in this order; see study/measure.hpp
   std::string primary;                // measure that is tested; empty: none
@@ -94,10 +93,6 @@ std::string label(const ExperimentPlan& plan, std::size_t condition);
 bool equal_conditions(const ExperimentPlan& plan, const Comparison& comparison);
 
 const char* name(PairTest test);
-
-// The same with more pairs of matches for each condition, which come after those there were. Throws
-// std::invalid_argument, one line, where that may not be: fewer than before, or where a measure is tested.
-ExperimentPlan with_pairs(ExperimentPlan plan, std::uint64_t pairs);
 
 // JSON; reading throws std::invalid_argument for what writing did not make.
 std::string to_json(const ExperimentPlan& plan);

@@ -275,6 +275,15 @@ void limit_fields(Limits& limits, Visit& visit) {
   visit("memory", limits.memory, "--memory", [](std::uint64_t bytes) { return std::to_string(bytes >> 20); });
   visit("wall_seconds", limits.wall_seconds);
   visit("match_wall_seconds", limits.match_wall_seconds);
+  // How a match is played changes no result, so that a study may go on in another way.
+  std::string isolation = limits.isolation == campaign::Isolation::always ? "always" : "",
+              plays = limits.play_twice ? "" : "once";
+  visit.maybe("isolation", isolation);
+  visit.maybe("plays", plays);
+  if constexpr (!std::is_const_v<Limits>) {
+    limits.isolation = isolation == "always" ? campaign::Isolation::always : campaign::Isolation::after_a_death;
+    limits.play_twice = plays.empty();
+  }
 }
 
 }  // namespace regista::study

@@ -23,6 +23,17 @@ set: {rules.durations.ready: 1, rules.durations.set: 1}
 """
 
 
+EXPERIMENT = """experiment: arms
+arms:
+  one: {team: small.yaml}
+  two: {team: other.yaml}
+opponent: worse.yaml
+matches: 2
+limit: 5
+measures: [switches]
+"""
+
+
 class RunAndResume(tournament.Tournament):
     def document(self, pairs):
         self.write("study.yaml", DOCUMENT.replace("PAIRS", str(pairs)))
@@ -73,9 +84,31 @@ class RunAndResume(tournament.Tournament):
         self.succeed("run", "study.yaml", "--quiet", "--no-page")
         text = (self.folder / "small.yaml").read_text()
         self.write("small.yaml", text + "\ndecision_rate: 5\n")
-        before = self.rows("small_one.db")
-        self.refused("resume", "small_one.db", "--pairs", 3)
-        self.assertEqual(self.rows("small_one.db"), before)
+        before = self.rows("small_one.db"), self.succeed("report", "small_one.db")
+        self.assertIn("was begun with something else: ", self.refused("resume", "small_one.db", "--pairs", 3))
+        self.assertEqual((self.rows("small_one.db"), self.succeed("report", "small_one.db")), before)
+
+    def test_another_program_does_not_go_on(self):
+        self.document(2)
+        self.succeed("run", "study.yaml", "--quiet", "--no-page")
+        with open(self.program, "ab") as program_file:
+            program_file.write(b"\0")
+        self.assertIn("was begun with something else: ", self.refused("resume", "small_one.db"))
+
+    def test_how_it_was_played_is_kept(self):
+        self.document(1)
+        self.succeed("run", "study.yaml", "--quiet", "--no-page", "--isolation", "always", "--play-once")
+        plan = json.loads(self.stored("SELECT value FROM meta WHERE name = 'schedule'", "small_one.db")[0][0])
+        self.assertEqual((plan["isolation"], plan["plays"]), ("always", "once"))
+        self.succeed("resume", "small_one.db", "--quiet", "--no-page", "--pairs", 2)
+        self.assertEqual(self.count("small_one.db"), 4)
+
+    def test_an_experiment(self):
+        self.write("arms.yaml", EXPERIMENT)
+        text = self.succeed("run", "arms.yaml", "--quiet", "--no-page")
+        self.assertEqual(self.succeed("resume", "arms.db", "--quiet", "--no-page"), text)
+        self.assertIn("an experiment has no number of pairs", self.refused("resume", "arms.db", "--pairs", 8))
+        self.assertEqual(json.loads(self.succeed("results", "--json"))["results"][0]["teams"][:2], ["one", "two"])
 
     def test_bad_input(self):
         self.assertIn("which study?", self.refused("run"))
@@ -92,7 +125,7 @@ class RunAndResume(tournament.Tournament):
         pathlib.Path(self.folder / "broken.db").write_bytes((self.folder / "small_one.db").read_bytes()[:4096])
         text = self.succeed("results")
         first = next(line for line in text.splitlines() if line.startswith("small_one.db"))
-        self.assertRegex(first, r"^small_one.db: tournament, finished, last stored 20\d\d-\d\d-\d\d \d\d:\d\d UTC$")
+        self.assertRegex(first, r"^small_one.db: tournament, finished, last written 20\d\d-\d\d-\d\d \d\d:\d\d UTC$")
         self.assertIn("  Which is better?\n", text)
         self.assertIn("broken.db", text)
         self.assertNotIn("notes.db", text)
