@@ -25,11 +25,12 @@ set: {rules.durations.ready: 1, rules.durations.set: 1}
 
 EXPERIMENT = """experiment: arms
 arms:
-  one: {team: small.yaml}
-  two: {team: other.yaml}
+  - {name: one, team: small.yaml}
+  - {name: two, team: other.yaml}
 opponent: worse.yaml
 matches: 2
 limit: 5
+set: {rules.durations.ready: 1, rules.durations.set: 1}
 measures: [switches]
 """
 
@@ -83,7 +84,7 @@ class RunAndResume(tournament.Tournament):
         self.document(2)
         self.succeed("run", "study.yaml", "--quiet", "--no-page")
         text = (self.folder / "small.yaml").read_text()
-        self.write("small.yaml", text + "\ndecision_rate: 5\n")
+        self.write("small.yaml", text + "\nteammates_forgotten_after: 20\n")
         before = self.rows("small_one.db"), self.succeed("report", "small_one.db")
         self.assertIn("was begun with something else: ", self.refused("resume", "small_one.db", "--pairs", 3))
         self.assertEqual((self.rows("small_one.db"), self.succeed("report", "small_one.db")), before)
