@@ -188,7 +188,7 @@ class Files(PluginCheck):
                               ("cost=distances", 'unknown value "distances" in --set cost; nearest: "distance"; '
                                                  "known: distance, utility"),
                               ("vote_aged=1", f'unknown parameter "vote_aged" in the plugins of {SHIPPED / "scram_vote.so"}; '
-                                              'nearest: "vote_age"; known: criterion, cost, incumbent, vote_age')):
+                                              'nearest: "vote_age"; known: criterion, cost, incumbent, vote_age, static_at')):
             self.assertEqual(self.refused("plugin", "check", SHIPPED / "scram_vote.so", "--set", value), reason)
         self.assertEqual(self.refused("plugin", "check", SHIPPED / "greedy.so", "--set", "reach"),
                          '--set "reach": expected NAME=VALUE')
