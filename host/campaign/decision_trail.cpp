@@ -18,7 +18,7 @@
 namespace regista::campaign {
 namespace {
 
-constexpr std::size_t room = std::size_t{1} << 20;
+constexpr std::size_t room = std::size_t{1} << 16;
 
 struct Entry {
   double time = 0.0;

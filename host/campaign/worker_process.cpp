@@ -33,7 +33,7 @@ bool limit_memory(const Limits& limits) {
   return limits.memory == 0 || addresses_are_reserved() || limit(RLIMIT_AS, limits.memory, limits.memory);
 }
 
-char** environment_with(std::initializer_list<const char*> more) {
+char** environment_with(std::initializer_list<const char*> more, Pages pages) {
   static char large_pages[] = "GLIBC_TUNABLES=glibc.malloc.hugetlb=1";
   constexpr std::size_t name = std::string_view("GLIBC_TUNABLES=").size();
   static std::array<char*, 1024> variables;
@@ -43,7 +43,7 @@ char** environment_with(std::initializer_list<const char*> more) {
     variables[count++] = *each;
     tuned = tuned || std::strncmp(*each, large_pages, name) == 0;
   }
-  if (!tuned) variables[count++] = large_pages;
+  if (!tuned && pages == Pages::large) variables[count++] = large_pages;
   for (const char* each : more) variables[count++] = const_cast<char*>(each);
   variables[count] = nullptr;
   return variables.data();

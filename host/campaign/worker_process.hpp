@@ -31,11 +31,12 @@ struct WorkerFiles {
 bool limit_memory(const Limits& limits);
 
 // The environment of the programs that play matches: that of this process, with these variables in addition
-// ("NAME=VALUE"), and large pages for the C library's memory where the system has them on demand. A match touches some
-// megabytes for the first time, and a page fault costs as much as a thousand instructions: a fifth of a game's
-// processor time that is not the game (benchmarks/campaign/fork_server.py). In static memory, valid until the next
-// call. Makes only calls that are safe in a signal handler.
-char** environment_with(std::initializer_list<const char*> more);
+// ("NAME=VALUE"), and, unless told otherwise, large pages for the C library's memory where the system has them on demand.
+// A match touches some megabytes for the first time, and a page fault costs as much as a thousand instructions: a fifth of
+// a game's processor time that is not the game (benchmarks/campaign/fork_server.py). In static memory, valid until the
+// next call. Makes only calls that are safe in a signal handler.
+enum class Pages { large, usual };
+char** environment_with(std::initializer_list<const char*> more, Pages pages = Pages::large);
 
 // Makes this new process a worker whose standard input is empty. Those of the given descriptors that are none of a
 // worker's stay open. False when something was not possible: it must end at once. Makes only calls that are safe in a

@@ -52,6 +52,8 @@ void require_working_folder() {
 }
 
 int run(const Invocation& invocation, const Addition* addition) {
+  // First: workers are started in numbers, and would only become slower and larger by all the other commands.
+  if (invocation.arguments.size() == 2) run_for_campaign(invocation.arguments[1], invocation);
   Command program("regista", "research on team strategy for robot soccer");
   program.answer_version(fmt::format("regista {} (plugin interface {}.{}, {})", REGISTA_VERSION, REGISTA_ABI_MAJOR,
                                      REGISTA_ABI_MINOR, REGISTA_BUILD));
@@ -84,8 +86,6 @@ void add_commands(Command& program, const Invocation& invocation) {
   add_rank(program);
   add_evaluate_predictor(program, invocation);
   add_metrics(program);
-  add_play_one(program, invocation);
-  add_fork_server(program);
   add_completion(program);
   Command& plugin = program.add("plugin", "the plugins that there are");
   plugin.notes(plugin_examples);

@@ -2,17 +2,21 @@
 // The commands of the program: each declares itself, its options and its examples on its parent.
 #pragma once
 
+#include <string>
+
 #include "cli/common_names.hpp"
 #include "cli/invocation.hpp"
 
 namespace regista::cli {
 
+// What a campaign starts the program for: does it, and ends the process, where name is of such a command; they are none
+// of the command line's, and no help names them.
+void run_for_campaign(const std::string& name, const Invocation& invocation);
+
 void add_match(Command& program, const Invocation& invocation);
 void add_experiment(Command& program, const Invocation& invocation);
 void add_tune(Command& program, const Invocation& invocation);
 void add_evaluate_predictor(Command& program, const Invocation& invocation);
-void add_play_one(Command& program, const Invocation& invocation);
-void add_fork_server(Command& program);
 void add_run(Command& program, const Invocation& invocation);
 void add_resume(Command& program, const Invocation& invocation);
 void add_report(Command& program, const Invocation& invocation);

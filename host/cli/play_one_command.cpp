@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// `regista play-one` and `regista fork-server`, hidden: how a campaign plays its matches. See campaign/play_one.hpp and
-// campaign/fork_server.hpp.
+// `regista play-one` and `regista fork-server`, which no help names: how a campaign plays its matches. See
+// campaign/play_one.hpp and campaign/fork_server.hpp.
 #include <unistd.h>
+
+#include <string>
+#include <vector>
 
 #include "campaign/fork_server.hpp"
 #include "campaign/play_one.hpp"
@@ -17,24 +20,17 @@ constexpr const char* this_program = "regista " REGISTA_VERSION;
 
 }  // namespace
 
-void add_play_one(Command& parent, const Invocation& invocation) {
-  Command& command = parent.add(campaign::worker_command, "one match of a campaign");
-  command.hide();
-  command.run = [&invocation]() -> int {
+void run_for_campaign(const std::string& name, const Invocation& invocation) {
+  if (name == campaign::worker_command) {
     const campaign::Surroundings surroundings{this_program, [&invocation](const std::vector<std::string>& folders) {
                                                 return open_plugins(folders, invocation);
                                               }};
     _exit(campaign::play_one(surroundings) ? exit_done : exit_no);
-  };
-}
-
-void add_fork_server(Command& parent) {
-  Command& command = parent.add(campaign::server_command, "many matches of a campaign");
-  command.hide();
-  command.run = []() -> int {
+  }
+  if (name == campaign::server_command) {
     campaign::serve_matches(this_program);
     _exit(exit_done);
-  };
+  }
 }
 
 }  // namespace regista::cli
