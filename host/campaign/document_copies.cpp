@@ -66,9 +66,22 @@ std::vector<Document> documents_in(std::span<const fs::path> files) {
   return out;
 }
 
+Job in_copies(Job job, const fs::path& root, const fs::path& given_in) {
+  for (std::string* name : {&job.teams[0], &job.teams[1], &job.rules, &job.robot, &job.disturbance,
+                            &job.home_disturbance, &job.away_disturbance, &job.opening}) {
+    const fs::path path = fs::path(*name).lexically_normal();
+    if (!path.is_absolute()) continue;
+    const fs::path copy = root / path.relative_path();
+    std::error_code none;
+    if (fs::exists(copy, none)) *name = copy.string();
+  }
+  for (std::string& each : job.plugins) each = (given_in / each).lexically_normal().string();
+  return job;
+}
+
 DocumentCopies::DocumentCopies(std::vector<Document> documents) {
   require_sound(documents);
-  for (Document& each : documents) {
+  for (const Document& each : documents) {
     const fs::path file = at(each.path);
     fs::create_directories(file.parent_path());
     if (each.content) {
@@ -79,7 +92,6 @@ DocumentCopies::DocumentCopies(std::vector<Document> documents) {
     } else {
       fs::create_symlink(each.path, file);
     }
-    paths_.push_back(std::move(each.path));
   }
 }
 
@@ -92,13 +104,7 @@ fs::path DocumentCopies::folder(const fs::path& given_in) const {
 }
 
 Job DocumentCopies::job(Job job, const fs::path& given_in) const {
-  for (std::string* name : {&job.teams[0], &job.teams[1], &job.rules, &job.robot, &job.disturbance,
-                            &job.home_disturbance, &job.away_disturbance, &job.opening}) {
-    const fs::path path = fs::path(*name).lexically_normal();
-    if (path.is_absolute() && std::ranges::find(paths_, path.string()) != paths_.end()) *name = at(path).string();
-  }
-  for (std::string& each : job.plugins) each = (given_in / each).lexically_normal().string();
-  return job;
+  return in_copies(std::move(job), root_.path(), given_in);
 }
 
 }  // namespace regista::campaign

@@ -18,6 +18,11 @@ namespace regista::campaign {
 // in all only the path: whether they are what they were is seen from the inputs of the match.
 std::vector<Document> documents_in(std::span<const std::filesystem::path> files);
 
+// The job as it is read where copies of its files stand below `root`, as they stand below the root of the file system:
+// what it names by an absolute path is the copy, where there is one; what it names otherwise is the copy where it is
+// read in the copy of `given_in`, the folder in which it was named. Folders of plugins become absolute.
+Job in_copies(Job job, const std::filesystem::path& root, const std::filesystem::path& given_in);
+
 // The documents in a folder of their own, which stands for the root of the file system: a relative name in a document
 // or a job finds the copy, an absolute name in a document finds the file itself.
 class DocumentCopies {
@@ -37,7 +42,6 @@ class DocumentCopies {
 
  private:
   std::filesystem::path at(const std::filesystem::path& path) const;
-  std::vector<std::string> paths_;
   TemporaryFolder root_;
 };
 

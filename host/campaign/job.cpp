@@ -113,6 +113,7 @@ std::string to_json(const Job& job) {
                    {"closely", job.closely},
                    {"trail", job.trail},
                    {"limits", json_of(job.limits)},
+                   {"root", job.root},
                    {"plugin_files", job.plugin_files},
                    {"home_inputs", json_of(job.home_inputs)},
                    {"away_inputs", json_of(job.away_inputs)},
@@ -139,6 +140,7 @@ Job job_from_json(const std::string& text) {
     job.elsewhere = json.value("elsewhere", false);
     job.closely = json.value("closely", false);
     job.trail = json.value("trail", false);
+    job.root = json.value("root", "");
     if (json.contains("limits")) job.limits = limits_of(json.at("limits"));
     if (json.contains("plugin_files")) json.at("plugin_files").get_to(job.plugin_files);
     job.home_inputs = inputs_of(json.at("home_inputs"));

@@ -33,6 +33,10 @@ struct Job {
   bool closely = false;    // see plugin::Noting
   bool trail = false;      // digests of all decisions are written to the worker's trail
   Limits limits;           // of the processes of an isolated match
+  // A folder with copies of the files, which stands for the root of the file system: names are to be read in the copy
+  // of the folder that they were given in. Part of no key, and left out of what is compared with the inputs below;
+  // empty: there are none.
+  std::string root;
   // Files of the plugins that a search of the folders has found for these teams; empty: it is searched anew.
   std::vector<std::string> plugin_files;
   // What is to be played, as inputs.hpp counts it up. A worker that finds something else in the files does not play.

@@ -46,7 +46,7 @@ Answer play(const Surroundings& surroundings, WorkerNote& note) {
   answer.kind = Answer::Kind::changed;
   // Program and mathematics are the coordinator's own.
   answer.message =
-      what_changed(job, prepared, catalogue, input_of(job, program_input), input_of(job, mathematics_input));
+      what_changed(job, prepared, catalogue, input_of(job, program_input), input_of(job, mathematics_input), job.root);
   if (!answer.message.empty()) return answer;
   return play_job(job, std::move(prepared), surroundings.program, note);
 }

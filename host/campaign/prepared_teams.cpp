@@ -106,7 +106,8 @@ const PreparedTeams::Plugins& PreparedTeams::plugins_of(const Job& job) {
 
 const PreparedTeams::Team& PreparedTeams::team_of(const std::string& key, const std::string& file,
                                                   const config::Overrides& overrides, const config::Rules& rules,
-                                                  const config::Robot& robot, const plugin::Catalogue& catalogue) {
+                                                  const config::Robot& robot, const plugin::Catalogue& catalogue,
+                                                  const std::string& root) {
   if (const auto known = teams_.find(key); known != teams_.end()) {
     demand_unchanged(known->second.files);
     return known->second;
@@ -118,7 +119,7 @@ const PreparedTeams::Team& PreparedTeams::team_of(const std::string& key, const 
   }
   Files files = stamped(named);
   TeamSetup setup = team_setup(file, overrides, rules, robot, catalogue);
-  std::vector<Input> inputs = team_inputs(*setup.plan, *setup.document, catalogue);
+  std::vector<Input> inputs = team_inputs(*setup.plan, *setup.document, catalogue, root);
   demand_unchanged(files);
   if (teams_.size() >= most_teams) teams_.clear();
   return teams_.emplace(key, Team{std::move(setup), std::move(inputs), std::move(files)}).first->second;
@@ -133,9 +134,9 @@ PreparedTeams::Match PreparedTeams::prepare(const Job& job) {
   out.setup = match_setup(request_of(job), [&](const std::string& file, const config::Overrides& overrides,
                                                const config::Rules& rules, const config::Robot& robot) {
     if (shared.empty())
-      shared = fmt::format("{}\n{}\n{}", fmt::join(job.plugin_files, "\n"), shown(rules), shown(robot));
+      shared = fmt::format("{}\n{}\n{}\n{}", job.root, fmt::join(job.plugin_files, "\n"), shown(rules), shown(robot));
     const std::string key = fmt::format("{}\n{}\n{}", shared, file, fmt::join(overrides, "\n"));
-    const Team& team = team_of(key, file, overrides, rules, robot, plugins.catalogue);
+    const Team& team = team_of(key, file, overrides, rules, robot, plugins.catalogue, job.root);
     inputs.push_back(team.inputs);
     return team.setup;
   });

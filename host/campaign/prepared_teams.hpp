@@ -58,7 +58,8 @@ class PreparedTeams {
   };
   const Plugins& plugins_of(const Job& job);
   const Team& team_of(const std::string& key, const std::string& file, const config::Overrides& overrides,
-                      const config::Rules& rules, const config::Robot& robot, const plugin::Catalogue& catalogue);
+                      const config::Rules& rules, const config::Robot& robot, const plugin::Catalogue& catalogue,
+                      const std::string& root);
 
   std::map<std::string, std::unique_ptr<Plugins>> plugins_;  // by their files; plans need them
   std::map<std::string, Team> teams_;                        // by all that a plan is a function of

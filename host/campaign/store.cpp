@@ -45,8 +45,8 @@ auto guarded(Parts& parts, Work work) {
 }  // namespace
 
 struct Store::Parts {
-  Parts(const std::filesystem::path& path, Mode mode, const std::string& version)
-      : file(path, mode, version, tables()),
+  Parts(const std::filesystem::path& path, Mode mode, const std::string& version, Journal journal)
+      : file(path, mode, version, tables(), journal),
         fixtures(file.database()),
         documents(file.database()),
         matches(opened(file)) {}
@@ -91,8 +91,8 @@ struct Store::Parts {
   bool reading = false;
 };
 
-Store::Store(const std::filesystem::path& file, Mode mode, const std::string& program_version)
-    : parts_(std::make_unique<Parts>(file, mode, program_version)) {}
+Store::Store(const std::filesystem::path& file, Mode mode, const std::string& program_version, Journal journal)
+    : parts_(std::make_unique<Parts>(file, mode, program_version, journal)) {}
 Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 
@@ -146,6 +146,27 @@ void Store::insert(std::int64_t row, const MatchKey& key, const Decided& decided
     SQLite::Transaction transaction(parts_->file.database());
     parts_->matches.insert(row, key, decided, attempts);
     transaction.commit();
+  });
+}
+
+Taken Store::take(const Store& other) {
+  const std::vector<StoredFixtures::Numbered> theirs = guarded(*other.parts_, [&] {
+    other.parts_->begin_reading();
+    return other.parts_->fixtures.all();
+  });
+  std::vector<std::string> keys;
+  for (const auto& [number, fixture] : theirs) keys.push_back(fixture.key);
+  const std::vector<std::int64_t> ours = numbers(keys);
+  FixtureNumbers mine;
+  for (std::size_t i = 0; i < theirs.size(); ++i) {
+    if (ours[i] != 0) mine.emplace(theirs[i].number, ours[i]);
+  }
+  return guarded(*parts_, [&] {
+    parts_->end_reading();
+    SQLite::Transaction transaction(parts_->file.database());
+    Taken out = parts_->matches.take(other.parts_->matches, mine);
+    transaction.commit();
+    return out;
   });
 }
 

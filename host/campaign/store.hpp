@@ -29,6 +29,7 @@
 #include "campaign/store_file.hpp"
 #include "campaign/stored_documents.hpp"
 #include "campaign/stored_fixtures.hpp"
+#include "campaign/stored_matches.hpp"
 
 namespace regista::campaign {
 
@@ -37,7 +38,8 @@ class Store {
   using Mode = StoreMode;
   // Holds the file for itself until its end, but for Mode::read. Throws StoreRefusal: another program's database,
   // another schema, no permission, in use by another process; StoreDiskError when it cannot be made for lack of room.
-  Store(const std::filesystem::path& file, Mode mode, const std::string& program_version);
+  Store(const std::filesystem::path& file, Mode mode, const std::string& program_version,
+        Journal journal = Journal::log);
   ~Store();
   Store(Store&&) noexcept;
   Store& operator=(Store&&) = delete;
@@ -65,6 +67,9 @@ class Store {
   std::int64_t rows() const;
   // Throws StoreGone when the name does not lead to the file that is written to any more; so does insert().
   void require_file() const;
+
+  // Takes over the matches of another file of the same study that are not here yet, in their rows; all at once.
+  Taken take(const Store& other);
 
   // Paths that the first rows have numbers under, each once, in the order in which they come up.
   match::MetricPaths metric_paths(std::int64_t rows) const;

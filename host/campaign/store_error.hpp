@@ -11,6 +11,11 @@ class StoreRefusal : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Another process writes to the file now.
+class StoreInUse : public StoreRefusal {
+  using StoreRefusal::StoreRefusal;
+};
+
 // Writing or reading failed later on, such as on a full disk.
 class StoreError : public std::runtime_error {
   using std::runtime_error::runtime_error;

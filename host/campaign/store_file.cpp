@@ -75,8 +75,8 @@ class StoreFile::Hold {
     if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
     const int error = errno;
     close(descriptor_);
-    throw StoreRefusal(error == EWOULDBLOCK ? fmt::format("{} is in use by another process", file.string())
-                                            : fmt::format("cannot lock {}: {}", file.string(), std::strerror(error)));
+    if (error == EWOULDBLOCK) throw StoreInUse(fmt::format("{} is in use by another process", file.string()));
+    throw StoreRefusal(fmt::format("cannot lock {}: {}", file.string(), std::strerror(error)));
   }
   ~Hold() { close(descriptor_); }
   Hold(const Hold&) = delete;
@@ -118,8 +118,8 @@ bool is_store(const std::filesystem::path& file) {
 }
 
 StoreFile::StoreFile(const std::filesystem::path& file, StoreMode mode, const std::string& program_version,
-                     const std::string& tables)
-    : name_(file.string()), mode_(mode) {
+                     const std::string& tables, Journal journal)
+    : name_(file.string()), mode_(mode), journal_(journal) {
   open();
   try {
     prepare(program_version, tables);
@@ -188,8 +188,8 @@ void StoreFile::prepare(const std::string& version, const std::string& tables) {
                                    store_schema));
   }
   if (mode_ == StoreMode::read) return;
-  database_->exec("PRAGMA journal_mode=WAL");
-  database_->exec("PRAGMA synchronous=NORMAL");
+  database_->exec(journal_ == Journal::log ? "PRAGMA journal_mode=WAL" : "PRAGMA journal_mode=DELETE");
+  database_->exec(journal_ == Journal::log ? "PRAGMA synchronous=NORMAL" : "PRAGMA synchronous=FULL");
 }
 
 void StoreFile::begin(const std::string& version, const std::string& tables) {

@@ -26,6 +26,12 @@ enum class StoreMode {
   read,    // an existing one that is not written to, even while another process does
 };
 
+// How what is under way is kept apart from what has been written.
+enum class Journal {
+  log,       // a log beside the file (WAL): fastest, and read while it is written
+  rollback,  // what it was before, beside it while a row is written: for file systems that several machines share
+};
+
 // Whether a file is a database of this program, as far as its head tells. False for one that cannot be read.
 bool is_store(const std::filesystem::path& file);
 
@@ -33,7 +39,7 @@ class StoreFile {
  public:
   // tables: what a new file begins with. Throws StoreRefusal and StoreDiskError, as Store does.
   StoreFile(const std::filesystem::path& file, StoreMode mode, const std::string& program_version,
-            const std::string& tables);
+            const std::string& tables, Journal journal);
   ~StoreFile();
   StoreFile(const StoreFile&) = delete;
   StoreFile& operator=(const StoreFile&) = delete;
@@ -64,6 +70,7 @@ class StoreFile {
 
   std::string name_;
   StoreMode mode_;
+  Journal journal_;
   std::unique_ptr<const Hold> hold_;  // until the database is closed
   std::unique_ptr<SQLite::Database> database_;
   std::unique_ptr<const Identity> identity_, log_identity_;

@@ -54,6 +54,17 @@ std::vector<std::int64_t> StoredFixtures::numbers(std::span<const std::string> k
   return out;
 }
 
+std::vector<StoredFixtures::Numbered> StoredFixtures::all() {
+  check();
+  std::vector<Numbered> out;
+  SQLite::Statement each(database_, "SELECT id, key, job FROM fixtures ORDER BY id");
+  while (each.executeStep()) {
+    out.push_back(
+        {each.getColumn(0).getInt64(), {each.getColumn(1).getString(), job_from_json(each.getColumn(2).getString())}});
+  }
+  return out;
+}
+
 Job StoredFixtures::job(std::int64_t number, std::int64_t row) {
   SQLite::Statement select(database_, "SELECT key, job, checksum FROM fixtures WHERE id = ?");
   select.bind(1, number);

@@ -39,6 +39,12 @@ class StoredFixtures {
   // The numbers of those that there are, in this order; 0 for others. Throws std::invalid_argument when any is damaged:
   // one whose key is damaged would not be found, and its matches would count as not played.
   std::vector<std::int64_t> numbers(std::span<const std::string> keys);
+  struct Numbered {
+    std::int64_t number = 0;
+    Fixture fixture;
+  };
+  // All that there are, by their numbers. Throws std::invalid_argument when any is damaged.
+  std::vector<Numbered> all();
   // Throws DamagedRow, which names `row`: the match that it is asked for.
   Job job(std::int64_t number, std::int64_t row);
 

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "campaign/other_file.hpp"
 #include "campaign/row_checksum.hpp"
 #include "campaign/stored_metrics.hpp"
 
@@ -17,6 +18,7 @@ namespace regista::campaign {
 namespace {
 
 constexpr int most_goals = 100'000;  // of a row that can be believed
+constexpr std::size_t most_reasons = 20;
 constexpr auto own_tables = R"(
   CREATE TABLE matches(
     row INTEGER PRIMARY KEY,
@@ -95,6 +97,8 @@ struct StoredMatches::Parts {
         any_remarks(in.execAndGet("SELECT EXISTS(SELECT 1 FROM remarks)").getInt() != 0) {
     if (!written_to) return;
     insert.emplace(in, fmt::format("INSERT INTO matches({}) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", columns));
+    insert_new.emplace(
+        in, fmt::format("INSERT OR IGNORE INTO matches({}) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", columns));
     insert_remark.emplace(in, "INSERT INTO remarks(row, kind, text, checksum) VALUES(?, ?, ?, ?)");
   }
 
@@ -124,8 +128,67 @@ struct StoredMatches::Parts {
       out.metrics = metrics.read(row);
       if (out.metrics.empty()) throw DamagedRow(row, "its metrics are missing");
     }
-    cursor.reset();
     return out;
+  }
+
+  std::optional<Decided> by_its_key(const MatchKey& key, Metrics wanted) {
+    by_key.tryReset();
+    by_key.bind(1, key.fixture);
+    by_key.bind(2, std::bit_cast<std::int64_t>(key.seed));
+    if (!by_key.executeStep()) return std::nullopt;
+    Decided out = decided_of(by_key, wanted);
+    by_key.reset();
+    return out;
+  }
+
+  // With all but its metrics. Whether it was added, which `statement` decides.
+  bool put(SQLite::Statement& statement, std::int64_t row, const MatchKey& key, const Decided& decided,
+           std::int64_t attempts) {
+    const std::string failure = decided.failure ? to_json(*decided.failure) : std::string();
+    statement.tryReset();  // reset would report once more what went wrong last time
+    statement.bind(1, row);
+    statement.bind(2, key.fixture);
+    statement.bind(3, std::bit_cast<std::int64_t>(key.seed));
+    statement.bind(4, decided.score[0]);
+    statement.bind(5, decided.score[1]);
+    statement.bindNoCopy(6, decided.ended);
+    bind_or_null(statement, 7, decided.hash);
+    bind_or_null(statement, 8, failure);
+    statement.bind(9, decided.seconds);
+    statement.bind(10, attempts);
+    statement.bind(11, checksum_of(row, key, decided, failure, attempts));
+    const bool added = statement.exec() == 1;
+    statement.reset();
+    if (added) write_remarks(row, decided);
+    return added;
+  }
+
+  // The match under `cursor` of another file. Throws DamagedRow for one that does not fit, OtherFile.
+  void take(Parts& other, SQLite::Statement& cursor, const FixtureNumbers& fixtures, Taken& out) {
+    std::int64_t row = 0, attempts = 0;
+    MatchKey theirs;
+    Decided decided;
+    OtherFile::reading([&] {
+      row = cursor.getColumn(0).getInt64();
+      theirs = key_of(cursor);
+      attempts = cursor.getColumn(9).getInt64();
+      decided = other.decided_of(cursor, Metrics::left_out);
+    });
+    const auto fixture = fixtures.find(theirs.fixture);
+    if (fixture == fixtures.end()) throw DamagedRow(row, "nothing like it was planned");
+    const MatchKey key{fixture->second, theirs.seed};
+    if (put(*insert_new, row, key, decided, attempts)) {
+      if (!decided.hash.empty()) metrics.take(row, other.metrics);
+      ++out.rows;
+      return;
+    }
+    const std::optional<Decided> ours = by_its_key(key, Metrics::left_out);
+    if (!ours) throw DamagedRow(row, "its row holds another match");
+    // Who forfeits for want of time may not do so elsewhere.
+    if (ours->hash != decided.hash && !ours->hash.empty() && !decided.hash.empty()) {
+      throw DamagedRow(row, fmt::format("the same match has the hash {} there and {} here", decided.hash, ours->hash));
+    }
+    ++out.known;
   }
 
   void read_remarks(std::int64_t row, Decided& out) {
@@ -160,7 +223,7 @@ struct StoredMatches::Parts {
   SQLite::Database& database;
   StoredMetrics metrics;
   SQLite::Statement by_row, by_key, remarks;
-  std::optional<SQLite::Statement> insert, insert_remark;
+  std::optional<SQLite::Statement> insert, insert_new, insert_remark;
   bool any_remarks;
 };
 
@@ -178,14 +241,10 @@ std::optional<Decided> StoredMatches::find(std::int64_t row, const MatchKey& key
     const bool wanted = key_of(first) == key;
     // Another match stands there, or its key is damaged.
     Decided found = parts_->decided_of(first, wanted ? metrics : Metrics::left_out);
+    first.reset();
     if (wanted) return found;
   }
-  SQLite::Statement& second = parts_->by_key;
-  second.tryReset();
-  second.bind(1, key.fixture);
-  second.bind(2, std::bit_cast<std::int64_t>(key.seed));
-  if (!second.executeStep()) return std::nullopt;
-  return parts_->decided_of(second, metrics);
+  return parts_->by_its_key(key, metrics);
 }
 
 std::optional<StoredMatches::Row> StoredMatches::row(std::int64_t row) {
@@ -194,7 +253,9 @@ std::optional<StoredMatches::Row> StoredMatches::row(std::int64_t row) {
   select.bind(1, row);
   if (!select.executeStep()) return std::nullopt;
   const MatchKey key = key_of(select);
-  return Row{key, parts_->decided_of(select, Metrics::wanted)};
+  Row out{key, parts_->decided_of(select, Metrics::wanted)};
+  select.reset();
+  return out;
 }
 
 std::int64_t StoredMatches::rows() { return parts_->database.execAndGet("SELECT count(*) FROM matches").getInt64(); }
@@ -202,24 +263,30 @@ std::int64_t StoredMatches::rows() { return parts_->database.execAndGet("SELECT 
 match::MetricPaths StoredMatches::metric_paths(std::int64_t rows) { return parts_->metrics.paths(rows); }
 
 void StoredMatches::insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts) {
-  const std::string failure = decided.failure ? to_json(*decided.failure) : std::string();
-  SQLite::Statement& insert = *parts_->insert;
-  insert.tryReset();  // reset would report once more what went wrong last time
-  insert.bind(1, row);
-  insert.bind(2, key.fixture);
-  insert.bind(3, std::bit_cast<std::int64_t>(key.seed));
-  insert.bind(4, decided.score[0]);
-  insert.bind(5, decided.score[1]);
-  insert.bindNoCopy(6, decided.ended);
-  bind_or_null(insert, 7, decided.hash);
-  bind_or_null(insert, 8, failure);
-  insert.bind(9, decided.seconds);
-  insert.bind(10, attempts);
-  insert.bind(11, checksum_of(row, key, decided, failure, attempts));
-  insert.exec();
-  insert.reset();
+  parts_->put(*parts_->insert, row, key, decided, attempts);
   if (!decided.metrics.empty()) parts_->metrics.write(row, decided.metrics);
-  parts_->write_remarks(row, decided);
+}
+
+Taken StoredMatches::take(StoredMatches& other, const FixtureNumbers& fixtures) {
+  Taken out;
+  const auto refuse = [&out](const std::string& why) {
+    ++out.refused;
+    if (out.why.size() < most_reasons) out.why.push_back(why);
+  };
+  SQLite::Statement each(other.parts_->database, select_where("row > 0 ORDER BY row"));
+  for (;;) {
+    try {
+      if (!OtherFile::reading([&] { return each.executeStep(); })) return out;
+      parts_->take(*other.parts_, each, fixtures, out);
+    } catch (const DamagedRow& error) {
+      refuse(fmt::format("match {}: {}", error.row(), error.what()));
+    } catch (const std::invalid_argument& error) {
+      refuse(error.what());
+    } catch (const OtherFile& error) {  // what was read before it is sound
+      refuse(fmt::format("the rest cannot be read: {}", error.what()));
+      return out;
+    }
+  }
 }
 
 std::vector<std::int64_t> StoredMatches::damaged_rows() {

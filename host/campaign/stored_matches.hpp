@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,6 +17,19 @@ class Database;
 }
 
 namespace regista::campaign {
+
+// What came of matches that were played elsewhere.
+struct Taken {
+  std::uint64_t rows = 0, known = 0;  // taken over; here already, with the same result
+  // Matches that do not fit, and why the first ones don't, a line each: nothing like them was planned, the row is
+  // damaged or holds another match, or the same match had another result.
+  std::uint64_t refused = 0;
+  std::vector<std::string> why;
+  friend bool operator==(const Taken&, const Taken&) = default;
+};
+
+// Numbers of fixtures in this file, by those in another.
+using FixtureNumbers = std::map<std::int64_t, std::int64_t>;
 
 class StoredMatches {
  public:
@@ -41,6 +55,10 @@ class StoredMatches {
 
   // Within a transaction. Also refuses a key that there is already, and a row that is taken.
   void insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts);
+
+  // Within a transaction: the matches of another file that are not here yet, in their rows. fixtures: the numbers here
+  // of those of the other file; matches of others are refused. What can't be read there is left out, and said.
+  Taken take(StoredMatches& other, const FixtureNumbers& fixtures);
 
   // All that cannot be read, by their rows.
   std::vector<std::int64_t> damaged_rows();

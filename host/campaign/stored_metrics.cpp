@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "campaign/metric_bytes.hpp"
+#include "campaign/other_file.hpp"
 #include "campaign/row_checksum.hpp"
 #include "mcap/compression.hpp"
 #include "mcap/decode.hpp"
@@ -59,6 +60,18 @@ struct StoredMetrics::Parts {
     return database.getLastInsertRowid();
   }
 
+  void put(std::int64_t row, const Names& names, std::int64_t size, std::string_view frame) {
+    const std::int64_t id = id_of(names);
+    insert->tryReset();
+    insert->bind(1, row);
+    insert->bind(2, id);
+    insert->bind(3, size);
+    insert->bindNoCopy(4, frame.data(), static_cast<int>(frame.size()));
+    insert->bind(5, checksum_of(row, id, size, frame));
+    insert->exec();
+    insert->reset();
+  }
+
   SQLite::Database& database;
   SQLite::Statement select;
   std::optional<SQLite::Statement> insert;
@@ -102,6 +115,27 @@ match::MetricNumbers StoredMetrics::read(std::int64_t row) {
   }
 }
 
+void StoredMetrics::take(std::int64_t row, StoredMetrics& other) {
+  SQLite::Statement& select = other.parts_->select;
+  std::int64_t size = 0;
+  Names names;
+  std::string_view frame;
+  OtherFile::reading([&] {
+    select.tryReset();
+    select.bind(1, row);
+    if (!select.executeStep()) throw DamagedRow(row, "its metrics are missing");
+    const std::int64_t id = select.getColumn(0).getInt64();
+    size = select.getColumn(1).getInt64();
+    const SQLite::Column column = select.getColumn(2);
+    frame = {static_cast<const char*>(column.getBlob()), static_cast<std::size_t>(column.getBytes())};
+    if (checksum_of(row, id, size, frame) != select.getColumn(3).getInt64()) {
+      throw DamagedRow(row, "the checksum of its metrics does not fit");
+    }
+    names = other.parts_->names(id);
+  });
+  parts_->put(row, names, size, frame);
+}
+
 match::MetricPaths StoredMetrics::paths(std::int64_t rows) {
   match::MetricPaths out;
   SQLite::Statement each(parts_->database, "SELECT names FROM metrics WHERE row <= ? GROUP BY names ORDER BY min(row)");
@@ -120,20 +154,10 @@ match::MetricPaths StoredMetrics::paths(std::int64_t rows) {
 }
 
 void StoredMetrics::write(std::int64_t row, const match::MetricNumbers& numbers) {
-  const std::int64_t id = parts_->id_of(numbers.shared_names());
   const std::string bytes = number_bytes(numbers.values());
   std::string frame;
   parts_->compressor.append(frame, bytes);
-  const auto size = static_cast<std::int64_t>(bytes.size());
-  SQLite::Statement& insert = *parts_->insert;
-  insert.tryReset();
-  insert.bind(1, row);
-  insert.bind(2, id);
-  insert.bind(3, size);
-  insert.bindNoCopy(4, frame.data(), static_cast<int>(frame.size()));
-  insert.bind(5, checksum_of(row, id, size, frame));
-  insert.exec();
-  insert.reset();
+  parts_->put(row, numbers.shared_names(), static_cast<std::int64_t>(bytes.size()), frame);
 }
 
 }  // namespace regista::campaign

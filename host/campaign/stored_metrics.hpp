@@ -38,6 +38,9 @@ class StoredMetrics {
   match::MetricNumbers read(std::int64_t row);
   // Within a transaction.
   void write(std::int64_t row, const match::MetricNumbers& numbers);
+  // Within a transaction: the numbers of a row of another file, as they stand there. Throws DamagedRow where they are
+  // missing or their checksum does not fit; OtherFile.
+  void take(std::int64_t row, StoredMetrics& other);
   // Paths that the first rows have numbers under, each once, in the order in which they come up.
   match::MetricPaths paths(std::int64_t rows);
   // Lets go of what was read last.

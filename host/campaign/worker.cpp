@@ -61,7 +61,8 @@ struct Start {
   // What a match must not depend on is another than in the first play: where its memory is, too.
   static char padding[4096] = "REGISTA_SECOND_PLAY=";
   memset(padding + 20, 'x', sizeof padding - 21);
-  execve("/proc/self/exe", arguments, start.elsewhere ? environment_with({padding}, Pages::usual) : environment_with({}));
+  execve("/proc/self/exe", arguments,
+         start.elsewhere ? environment_with({padding}, Pages::usual) : environment_with({}));
   _exit(cannot);
 }
 

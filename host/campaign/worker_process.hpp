@@ -31,10 +31,10 @@ struct WorkerFiles {
 bool limit_memory(const Limits& limits);
 
 // The environment of the programs that play matches: that of this process, with these variables in addition
-// ("NAME=VALUE"), and, unless told otherwise, large pages for the C library's memory where the system has them on demand.
-// A match touches some megabytes for the first time, and a page fault costs as much as a thousand instructions: a fifth of
-// a game's processor time that is not the game (benchmarks/campaign/fork_server.py). In static memory, valid until the
-// next call. Makes only calls that are safe in a signal handler.
+// ("NAME=VALUE"), and, unless told otherwise, large pages for the C library's memory where the system has them on
+// demand. A match touches some megabytes for the first time, and a page fault costs as much as a thousand instructions:
+// a fifth of a game's processor time that is not the game (benchmarks/campaign/fork_server.py). In static memory, valid
+// until the next call. Makes only calls that are safe in a signal handler.
 enum class Pages { large, usual };
 char** environment_with(std::initializer_list<const char*> more, Pages pages = Pages::large);
 

@@ -82,6 +82,10 @@ void add_commands(Command& program, const Invocation& invocation) {
   add_resume(program, invocation);
   add_report(program, invocation);
   add_results(program, invocation);
+  add_gather(program, invocation);
+  add_status(program, invocation);
+  add_stop(program);
+  add_cluster_task(program, invocation);
   add_sprt(program);
   add_rank(program);
   add_evaluate_predictor(program, invocation);

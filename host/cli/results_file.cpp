@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "campaign/document_copies.hpp"
 #include "campaign/inputs.hpp"
 #include "cli/common_names.hpp"
+#include "cluster/study_folder.hpp"
 #include "config/json.hpp"
 #include "config/text.hpp"
 #include "output/output.hpp"
@@ -33,6 +35,11 @@ std::vector<std::string> differences(const std::string& file, const std::string&
   } catch (const std::invalid_argument& error) {
     throw BadInput(fmt::format("{}: {}", file, error.what()));
   }
+}
+
+// In a study's folder on a cluster, other machines read it.
+campaign::Journal journal_of(const std::string& file) {
+  return cluster::is_in_study_folder(file) ? campaign::Journal::rollback : campaign::Journal::log;
 }
 
 template <class Open>
@@ -64,7 +71,7 @@ std::string stored_plan(const campaign::Store& store) { return store.meta(schedu
 
 void give_pairs(const std::string& file, std::uint64_t pairs, std::span<const StudyKind> kinds) {
   opening([&] {
-    campaign::Store store(file, campaign::Store::Mode::open, REGISTA_VERSION);
+    campaign::Store store(file, campaign::Store::Mode::open, REGISTA_VERSION, journal_of(file));
     const std::string before = store.meta(schedule);
     const StudyKind& kind = kind_of(file, before, kinds);
     if (!kind.with_pairs)
@@ -85,7 +92,8 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
     throw BadInput(fmt::format("--resume: {}: no such file; without --resume it is begun", config::one_line(file)));
   }
   return opening([&] {
-    campaign::Store store(file, resume ? campaign::Store::Mode::open : campaign::Store::Mode::create, REGISTA_VERSION);
+    campaign::Store store(file, resume ? campaign::Store::Mode::open : campaign::Store::Mode::create, REGISTA_VERSION,
+                          journal_of(file));
     const std::string stored = store.meta(schedule);
     if (stored.empty()) {  // new, or killed before there was one
       using Json = nlohmann::json;
@@ -131,6 +139,28 @@ std::unique_ptr<report::StudyReport> stored_study(const std::string& file, const
       throw BadInput(fmt::format("{}: {}", file, error.what()));
     }
   });
+}
+
+std::vector<campaign::Job> first_jobs(study::Study& study) {
+  struct Asked {
+    std::vector<campaign::Job> jobs;
+  };
+  try {
+    study.run([](const study::Round& round) {
+      Asked asked;
+      std::set<std::pair<std::string, std::vector<std::string>>> seen;
+      for (const campaign::Store::Fixture& fixture : round.fixtures) {
+        bool is_new = false;
+        for (const std::string& file : {fixture.job.teams[0], fixture.job.teams[1], fixture.job.opening})
+          is_new |= seen.emplace(file, fixture.job.overrides).second;
+        if (is_new) asked.jobs.push_back(fixture.job);
+      }
+      throw asked;
+    });
+  } catch (const Asked& asked) {
+    return asked.jobs;
+  }
+  return {};  // it asks for nothing
 }
 
 std::optional<campaign::Store::Row> stored_match(const campaign::Store& store, study::Study& study, std::uint64_t row) {

@@ -49,6 +49,9 @@ void give_pairs(const std::string& file, std::uint64_t pairs, std::span<const St
 std::unique_ptr<report::StudyReport> stored_study(const std::string& file, const campaign::Store& store,
                                                   report::CommandOf again, std::span<const StudyKind> kinds);
 
+// Of the matches of its first round enough that every team and every scene is among them. The study has been run then.
+std::vector<campaign::Job> first_jobs(study::Study& study);
+
 // The match in a row of the file, from 1; nothing when it has not been played. Throws campaign::StoreError.
 std::optional<campaign::Store::Row> stored_match(const campaign::Store& store, study::Study& study, std::uint64_t row);
 

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -17,6 +16,7 @@
 #include "campaign/inputs.hpp"
 #include "campaign/job_setup.hpp"
 #include "campaign/mathematics.hpp"
+#include "cli/cluster_run.hpp"
 #include "cli/commands.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
@@ -46,29 +46,6 @@ struct ResumeOptions : campaign::Options {
   std::string file, pairs;
 };
 
-// Of the matches of its first round enough that every team and every scene is among them.
-std::vector<campaign::Job> jobs_with_all(study::Study& study) {
-  struct Asked {
-    std::vector<campaign::Job> jobs;
-  };
-  try {
-    study.run([](const study::Round& round) {
-      Asked asked;
-      std::set<std::pair<std::string, std::vector<std::string>>> seen;
-      for (const campaign::Store::Fixture& fixture : round.fixtures) {
-        bool is_new = false;
-        for (const std::string& file : {fixture.job.teams[0], fixture.job.teams[1], fixture.job.opening})
-          is_new |= seen.emplace(file, fixture.job.overrides).second;
-        if (is_new) asked.jobs.push_back(fixture.job);
-      }
-      throw asked;
-    });
-  } catch (const Asked& asked) {
-    return asked.jobs;
-  }
-  return {};  // it asks for nothing
-}
-
 // Before anything is played or written: the files hold what they held, and this is the program that began it.
 void require_unchanged(const std::string& results, std::span<const campaign::Job> jobs,
                        const plugin::Catalogue& catalogue) {
@@ -92,9 +69,23 @@ void enter_folder(const std::string& results, const std::string& folder) {
   }
 }
 
+// The folder of a study on a cluster.
+int go_on_with_folder(const ResumeOptions& options, const Invocation& invocation) {
+  const cluster::StudyFolder folder(options.file);
+  for (const auto& [name, value] : {std::pair{"--pairs", &options.pairs},
+                                    {"--workers", &options.workers},
+                                    {"--record-every", &options.record_every}}) {
+    if (!value->empty())
+      throw BadInput(fmt::format("{}: is of a file of results; {} is the folder of a study on a cluster", name,
+                                 config::one_line(options.file)));
+  }
+  return tell_step(folder, take_step(folder, true, invocation), options, invocation);
+}
+
 int play(ResumeOptions options, output::OutputFiles outputs, const Invocation& invocation) {
   campaign::check(options);
   if (options.file.empty()) throw BadInput("resume: which results? Name the file; see: regista resume --help");
+  if (std::filesystem::is_directory(options.file)) return go_on_with_folder(options, invocation);
   std::optional<std::uint64_t> pairs;
   if (!options.pairs.empty()) pairs = config::parse_whole("--pairs", options.pairs, 1, study::most_pairs);
   const std::string file = config::one_line(options.file);
@@ -107,7 +98,7 @@ int play(ResumeOptions options, output::OutputFiles outputs, const Invocation& i
     figures = kind_of(file, stored_plan(store), invocation.studies).figures;
     const auto report = stored_study(file, store, {}, invocation.studies);
     enter_folder(file, report->study().folder());
-    jobs = jobs_with_all(report->study());
+    jobs = first_jobs(report->study());
   } catch (const std::invalid_argument& error) {
     throw BadInput(fmt::format("resume: {}: {}", file, error.what()));
   }

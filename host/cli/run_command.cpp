@@ -4,8 +4,11 @@
 
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/campaign_options.hpp"
+#include "cli/cluster_run.hpp"
 #include "cli/commands.hpp"
 #include "cli/study_commands.hpp"
 #include "config/documents.hpp"
@@ -18,6 +21,7 @@ constexpr auto run_examples = R"(Examples:
   regista run configs/studies/rivals.yaml
   regista run configs/studies/role_overlap.yaml --results night.db
   regista run configs/studies/tune_paper.yaml --set search.algorithm=spsa
+  regista run configs/studies/rivals.yaml --on slurm --array 64 --per-task 200
 
 The document is a tournament, an experiment or a tuning, and is played as `regista tournament`, `experiment` or `tune`
 would play it; these have options of their own besides. What was begun is gone on with by: regista resume RESULTS.db
@@ -28,6 +32,7 @@ Regista; 130 interrupted.)";
 struct RunOptions : campaign::Options {
   std::string file;
   std::vector<std::string> overrides;
+  ClusterOptions cluster;
 };
 
 template <class Request>
@@ -39,7 +44,7 @@ Request request_of(const RunOptions& options) {
   return out;
 }
 
-int play(const RunOptions& options, const output::OutputFiles& outputs, const Invocation& invocation) {
+int play_here(const RunOptions& options, const output::OutputFiles& outputs, const Invocation& invocation) {
   if (options.file.empty()) throw BadInput("run: which study? Name its document; see: regista run --help");
   using enum config::DocumentKind;
   const config::DocumentKind kind = config::kind_of(config::load(options.file, options.overrides));
@@ -61,6 +66,29 @@ int play(const RunOptions& options, const output::OutputFiles& outputs, const In
   }
 }
 
+int play(const RunOptions& options, const output::OutputFiles& outputs, const Invocation& invocation) {
+  const ClusterOptions& cluster = options.cluster;
+  if (!cluster.on.empty()) {
+    campaign::check(options);
+    const auto begin = [&](const campaign::Options& campaign) {
+      RunOptions own = options;
+      static_cast<campaign::Options&>(own) = campaign;
+      play_here(own, outputs, invocation);
+    };
+    return run_on_cluster(cluster, options, options.file, begin, invocation);
+  }
+  for (const auto& [name, given] : {std::pair{"--folder", !cluster.folder.empty()},
+                                    {"--array", !cluster.array.empty()},
+                                    {"--per-task", !cluster.per_task.empty()},
+                                    {"--partition", !cluster.partition.empty()},
+                                    {"--time", !cluster.time.empty()},
+                                    {"--sbatch", !cluster.sbatch.empty()},
+                                    {"--detach", cluster.detach}}) {
+    if (given) throw BadInput(fmt::format("{}: belongs to --on, which is not given", name));
+  }
+  return play_here(options, outputs, invocation);
+}
+
 }  // namespace
 
 void add_run(Command& parent, const Invocation& invocation) {
@@ -69,6 +97,7 @@ void add_run(Command& parent, const Invocation& invocation) {
   command.take("file", options->file, "STUDY.yaml", "a tournament, an experiment or a tuning", Reads::documents);
   command.take("--set", options->overrides, "PATH=VALUE", "a value laid over that document; may be repeated");
   add_campaign_options(command, *options, "the study's name with .db");
+  add_cluster_options(command, options->cluster);
   command.notes(run_examples);
   command.run = [options, &command, &invocation] {
     return play(*options, output::OutputFiles(command.given(), "study"), invocation);

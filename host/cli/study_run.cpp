@@ -132,6 +132,7 @@ report::CommandOf play_again(const Invocation& invocation) {
 
 int play_study(report::StudyReport& report, const campaign::Options& options, const Invocation& invocation,
                campaign::Store& store, const StudyWishes& wishes) {
+  if (options.begin_only) return exit_done;
   {
     StudyProgress progress(report, !options.quiet);
     for (const std::string& each : report.notes()) progress.note(each);

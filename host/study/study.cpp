@@ -39,20 +39,25 @@ PlayRound observed(PlayRound play, AfterMatch after) {
   };
 }
 
+bool answer_from(const campaign::Store& store, const Round& round, campaign::Metrics metrics) {
+  std::vector<std::string> keys;
+  for (const campaign::Store::Fixture& each : round.fixtures) keys.push_back(each.key);
+  const std::vector<std::int64_t> numbers = store.numbers(keys);
+  for (std::uint64_t index = 0; index < round.matches; ++index) {
+    std::optional<campaign::Decided> decided;
+    if (const auto place = round.at(index)) {
+      decided = store.find(static_cast<std::int64_t>(round.first_row + index) + 1,
+                           {numbers[place->fixture], place->seed}, metrics);
+      if (!decided) return false;
+    }
+    if (!round.take(index, decided ? &*decided : nullptr)) return true;
+  }
+  return true;
+}
+
 void read_back(Study& study, const campaign::Store& store, campaign::Metrics metrics, const AfterMatch& after) {
   const PlayRound read = [&](const Round& round) {
-    std::vector<std::string> keys;
-    for (const campaign::Store::Fixture& each : round.fixtures) keys.push_back(each.key);
-    const std::vector<std::int64_t> numbers = store.numbers(keys);
-    for (std::uint64_t index = 0; index < round.matches; ++index) {
-      std::optional<campaign::Decided> decided;
-      if (const auto place = round.at(index)) {
-        decided = store.find(static_cast<std::int64_t>(round.first_row + index) + 1,
-                             {numbers[place->fixture], place->seed}, metrics);
-        if (!decided) throw NotPlayed();
-      }
-      if (!round.take(index, decided ? &*decided : nullptr)) return;
-    }
+    if (!answer_from(store, round, metrics)) throw NotPlayed();
   };
   try {
     study.run(observed(read, after));

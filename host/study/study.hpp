@@ -73,6 +73,10 @@ using AfterMatch = std::function<void(const Round& round, std::uint64_t index, c
 // `play`, with `after` called after each match; as it is where `after` is empty.
 PlayRound observed(PlayRound play, AfterMatch after);
 
+// Answers a round by what a file holds. False: a match is missing, and those from it on were not taken. Throws
+// campaign::StoreError.
+bool answer_from(const campaign::Store& store, const Round& round, campaign::Metrics metrics);
+
 // Takes what a file holds: all matches in their order up to the first one that is missing, or to the study's end.
 // Throws campaign::StoreError.
 void read_back(Study& study, const campaign::Store& store, campaign::Metrics metrics, const AfterMatch& after = {});

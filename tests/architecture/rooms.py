@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Who may know whom: the arrows of docs/architecture.md as data. A change here is a change of the architecture.
 
-    cli -> command -> output -> report -> study -> campaign -> recording -> match -> mind -> plugin -> sdk
+    cli -> cluster, command -> output -> report -> study -> campaign -> recording -> match -> mind -> plugin -> sdk
     config, statistics, mcap, markup are leaves
 
 An arrow may skip rooms (match may include plugin), never run backwards or sideways.
@@ -24,8 +24,9 @@ KNOWS = {
     "report": {"sdk", "config", "plugin", "match", "statistics", "campaign", "study", "recording", "markup"},
     "output": {"config", "mcap", "recording", "study", "report"},
     "command": {"config", "plugin", "output"},
+    "cluster": {"config", "plugin", "campaign", "study", "output"},
     "cli": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "recording", "mcap",
-            "output", "command", "check"},
+            "output", "command", "cluster", "check"},
 }
 
 # What of the SDK the host may include: the interface, and the extensions of it.

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// `regista cluster-task`, hidden: what a task of an array does. See cluster/slice.hpp.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "campaign/inputs.hpp"
+#include "campaign/job_setup.hpp"
+#include "campaign/mathematics.hpp"
+#include "cli/commands.hpp"
+#include "cli/results_file.hpp"
+#include "cluster/parts.hpp"
+#include "cluster/slice.hpp"
+#include "cluster/study_folder.hpp"
+#include "command/interruption.hpp"
+#include "config/file.hpp"
+#include "config/text.hpp"
+#include "config/typed.hpp"
+#include "output/output.hpp"
+#include "study/recording_place.hpp"
+
+namespace regista::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using cluster::StudyFolder;
+using cluster::TaskName;
+
+constexpr std::chrono::minutes patience{2};  // for the same task, which is about to die elsewhere
+constexpr std::chrono::seconds between_courses{2};
+
+std::string node_name() {
+  if (const char* name = std::getenv("SLURMD_NODENAME"); name != nullptr) return name;
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "a node";
+}
+
+// Why this node would play other matches than those that were planned; empty: it would not.
+std::string what_differs(const campaign::Job& planned) {
+  std::vector<std::string> out;
+  if (campaign::input_of(planned, campaign::program_input) != campaign::program_hash())
+    out.emplace_back("its program is another");
+  if (campaign::input_of(planned, campaign::mathematics_input) != campaign::mathematics_fingerprint())
+    out.emplace_back("its mathematics library or processor computes other numbers");
+  return config::join(out);
+}
+
+// Nothing: the task has ended already, elsewhere.
+std::unique_ptr<campaign::Store> part_of(const StudyFolder& folder, const TaskName& name) {
+  using Mode = campaign::Store::Mode;
+  const fs::path file = folder.under_way(name);
+  const auto until = std::chrono::steady_clock::now() + patience;
+  for (;;) {
+    if (fs::exists(folder.part(name))) return nullptr;
+    try {
+      const Mode mode = fs::exists(file) ? Mode::open : Mode::create;
+      return std::make_unique<campaign::Store>(file, mode, REGISTA_VERSION, campaign::Journal::rollback);
+    } catch (const campaign::StoreInUse& error) {
+      if (std::chrono::steady_clock::now() > until) throw BadInput(error.what());
+    } catch (const campaign::StoreRefusal& error) {
+      // Another process has made the file since.
+      if (std::chrono::steady_clock::now() > until || !fs::exists(file)) throw BadInput(error.what());
+    } catch (const campaign::StoreDiskError& error) {
+      throw output::WriteError(error.what());
+    }
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+  }
+}
+
+int play(const StudyFolder& folder, const TaskName& name, const Invocation& invocation) {
+  const cluster::Settings settings = folder.settings();
+  const auto text = config::file_content(folder.batch(name.batch));
+  if (!text) throw BadInput(fmt::format("{}: no such batch", folder.batch(name.batch).string()));
+  const cluster::Batch batch = cluster::batch_from_json(*text);
+  if (name.task >= batch.slices.size()) throw BadInput(fmt::format("batch {} has no task {}", name.batch, name.task));
+
+  const fs::path before = folder.known_before(name.batch);
+  const std::string file = (fs::exists(before) ? before : folder.plan()).string();
+  const campaign::Store known = read_results(file);
+  const std::string plan = stored_plan(known);
+  const std::vector<campaign::Job> jobs = first_jobs(stored_study(file, known, {}, invocation.studies)->study());
+  const std::string node = node_name();
+  if (const std::string different = jobs.empty() ? "" : what_differs(jobs.front()); !different.empty()) {
+    cluster::write_refusal(folder, name, node, different);
+    throw BadInput(fmt::format("node {} plays nothing: {}", node, different));
+  }
+  const std::unique_ptr<campaign::Store> part = part_of(folder, name);
+  if (!part) return exit_done;
+  if (part->meta("schedule").empty()) part->set_meta("schedule", plan);
+
+  const auto report = stored_study(file, known, {}, invocation.studies);
+  study::Study& study = report->study();
+  const std::string given_in = study.folder();
+  fs::current_path(folder.copy_of(given_in));
+  const command::Interruption interruption("regista: the task was ended; what it has played is kept\n");
+  const auto recording = [&](std::uint64_t row) {
+    return study::recording_file(folder.results(), static_cast<std::int64_t>(row)).string();
+  };
+  auto written = std::chrono::steady_clock::now() - between_courses;
+  cluster::SliceOrder order;
+  order.first_row = batch.first_row;
+  order.slice = batch.slices[name.task];
+  order.workers = static_cast<int>(settings.workers);
+  order.job = [&](campaign::Job job, std::uint64_t row) {
+    campaign::Job out = folder.of_copies(std::move(job), given_in, settings);
+    if (settings.record_every > 0 && (row - 1) % settings.record_every == 0) out.record = recording(row);
+    return out;
+  };
+  order.record_failure = recording;
+  order.course = [&](const cluster::Course& course) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!course.ended && now - written < between_courses) return;
+    written = now;
+    cluster::Course named = course;
+    named.node = node;
+    cluster::write_course(folder, name, named);
+  };
+  order.asked_to_stop = [&] { return interruption.requested(); };
+  const campaign::Finish finish = cluster::play_slice(study, known, *part, order);
+  if (finish == campaign::Finish::interrupted)
+    throw Interrupted("the task was ended; what it has played is kept", interruption.signal_number());
+  return exit_done;
+}
+
+int task(const std::string& folder_name, const TaskName& name, const Invocation& invocation) {
+  const StudyFolder folder(folder_name);
+  try {
+    const int exit = play(folder, name, invocation);
+    std::error_code none;  // there is nothing to rename where another process has done it
+    if (!fs::exists(folder.part(name), none)) fs::rename(folder.under_way(name), folder.part(name), none);
+    return exit;
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(error.what());
+  } catch (const study::StudyError& error) {
+    throw BadInput(error.what());
+  } catch (const campaign::CampaignError& error) {
+    if (error.kind() == campaign::CampaignError::Kind::input) throw BadInput(error.what());
+    throw output::WriteError(error.what());
+  } catch (const campaign::StoreError& error) {
+    throw output::WriteError(error.what());
+  } catch (const std::system_error& error) {
+    throw output::WriteError(error.what());
+  }
+}
+
+}  // namespace
+
+void add_cluster_task(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("cluster-task", "a slice of a study on a cluster");
+  command.hide();
+  const auto words = std::make_shared<std::vector<std::string>>();
+  command.take("words", *words, "FOLDER BATCH TASK", "the study's folder, the batch, and the place in its array");
+  command.run = [words, &invocation] {
+    if (words->size() != 3) throw BadInput("cluster-task: is for the program itself, which starts it for an array");
+    constexpr std::uint64_t most = 1'000'000'000;
+    return task((*words)[0],
+                {config::parse_whole("batch", (*words)[1], 1, most), config::parse_whole("task", (*words)[2], 0, most)},
+                invocation);
+  };
+}
+
+}  // namespace regista::cli

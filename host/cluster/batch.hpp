@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Which matches the tasks of an array play.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace regista::cluster {
+
+// Places of a round, from 0 on: from `begin` up to, but without, `end`.
+struct Slice {
+  std::uint64_t begin = 0, end = 0;
+  friend bool operator==(const Slice&, const Slice&) = default;
+};
+
+struct Batch {
+  std::uint64_t first_row = 0;  // of the round: see study::Round
+  std::vector<Slice> slices;    // of each task
+  std::uint64_t matches() const;
+  friend bool operator==(const Batch&, const Batch&) = default;
+};
+
+// The first of these places, ascending, as slices of at most `matches` each, and at most `tasks` of them.
+std::vector<Slice> divided(const std::vector<Slice>& places, std::uint64_t matches, std::uint64_t tasks);
+
+std::string to_json(const Batch& batch);
+// Throws std::invalid_argument for what to_json() did not write.
+Batch batch_from_json(const std::string& text);
+
+}  // namespace regista::cluster
