@@ -82,7 +82,8 @@ void write_script(const fs::path& file, const std::string& command) {
   fs::permissions(file, fs::perms::owner_exec | fs::perms::group_exec, fs::perm_options::add, none);
 }
 
-std::string word(const fs::path& path) { return campaign::shell_line({path.string()}); }
+std::string line_of(const std::vector<std::string>& words) { return campaign::shell_line(words); }
+std::string word(const fs::path& path) { return line_of({path.string()}); }
 
 void write_scripts(const StudyFolder& folder) {
   write_script(folder.root() / "task.sh", fmt::format("exec {} cluster-task {} \"$1\" \"$SLURM_ARRAY_TASK_ID\"",
@@ -91,7 +92,7 @@ void write_scripts(const StudyFolder& folder) {
                fmt::format("exec {} gather {}", word(folder.program()), word(folder.root())));
 }
 
-void copy_file(const fs::path& from, const fs::path& to) {
+void copy_over(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
   if (error)
@@ -113,7 +114,7 @@ void submit_next(const StudyFolder& folder, const Settings& settings, const clus
       std::clamp<std::uint64_t>((left + settings.tasks - 1) / settings.tasks, 1, settings.matches);
   batch.slices = cluster::divided(missing.places, matches, settings.tasks);
   const std::uint64_t number = progress.batches.size() + 1;
-  if (!missing.is_first) copy_file(folder.results(), folder.known_before(number));
+  if (!missing.is_first) copy_over(folder.results(), folder.known_before(number));
   output::write_whole(folder.batch(number), cluster::to_json(batch), output::Existing::replaced);
 
   cluster::JobRequest array;
@@ -206,8 +207,8 @@ ClusterStep step_while_open(const StudyFolder& folder, campaign::Store& results,
   return out;
 }
 
-std::string to_look(const StudyFolder& folder) { return campaign::shell_line({"regista", "status", folder.root()}); }
-std::string to_go_on(const StudyFolder& folder) { return campaign::shell_line({"regista", "resume", folder.root()}); }
+std::string to_look(const StudyFolder& folder) { return line_of({"regista", "status", folder.root().string()}); }
+std::string to_go_on(const StudyFolder& folder) { return line_of({"regista", "resume", folder.root().string()}); }
 
 std::string minutes_text(double seconds) {
   if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
@@ -217,7 +218,7 @@ std::string minutes_text(double seconds) {
 
 }  // namespace
 
-void add_cluster_options(command::Command& command, ClusterOptions& options) {
+void add_cluster_options(Command& command, ClusterOptions& options) {
   command.choose("--on", options.on, {"slurm"}, "play the matches as a job array of this scheduler");
   command.take("--folder", options.folder, "FOLDER",
                "with --on: a new folder that all nodes see, for the study; default: its document's name with .cluster",
@@ -247,6 +248,7 @@ ClusterStep take_step(const StudyFolder& folder, bool restart, const Invocation&
   campaign::Store results = opened(folder);
   const auto failed = [&](const std::string& why) {
     Progress progress = folder.progress();
+    if (progress.batches.empty()) return why;
     progress.state = Progress::State::failed;
     progress.message = why;
     folder.write(progress);
@@ -272,6 +274,7 @@ int run_on_cluster(const ClusterOptions& options, const campaign::Options& campa
   Settings settings = settings_of(options, campaign);
   const StudyFolder folder(options.folder.empty() ? fs::path(file).stem().string() + ".cluster" : options.folder);
   folder.create(settings);
+  ClusterStep step;
   try {
     campaign::Options own = campaign;
     own.results = folder.results().string();
@@ -288,15 +291,15 @@ int run_on_cluster(const ClusterOptions& options, const campaign::Options& campa
     }
     files.insert(files.end(), settings.plugin_files.begin(), settings.plugin_files.end());
     folder.copy_in(files);
-    copy_file(folder.results(), folder.plan());
+    copy_over(folder.results(), folder.plan());
     folder.write(settings);
     write_scripts(folder);
+    step = take_step(folder, false, invocation);
   } catch (...) {
     std::error_code none;
-    fs::remove_all(folder.root(), none);  // there is nothing in it but copies
+    if (folder.progress().batches.empty()) fs::remove_all(folder.root(), none);  // there is nothing in it but copies
     throw;
   }
-  const ClusterStep step = take_step(folder, false, invocation);
   if (!campaign.quiet && step.plays) {
     const cluster::SubmittedBatch& first = step.progress.batches.back();
     command::say(fmt::format("{}: job {}: {} matches in {} tasks\n", name_of(folder), first.array_job, first.matches,
@@ -344,7 +347,7 @@ int follow(const StudyFolder& folder, const campaign::Options& options, const In
     if (interruption.requested()) {
       line.clear();
       throw Interrupted(fmt::format("interrupted; the array plays on; to look: {}; to end it: {}", to_look(folder),
-                                    campaign::shell_line({"regista", "stop", folder.root()})),
+                                    line_of({"regista", "stop", folder.root().string()})),
                         interruption.signal_number());
     }
     if (std::chrono::steady_clock::now() - asked > 5s) {

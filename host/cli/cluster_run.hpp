@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "campaign/options.hpp"
+#include "cli/common_names.hpp"
 #include "cli/invocation.hpp"
 #include "cluster/parts.hpp"
 #include "cluster/study_folder.hpp"
@@ -22,7 +23,7 @@ struct ClusterOptions {
   bool detach = false;
 };
 
-void add_cluster_options(command::Command& command, ClusterOptions& options);
+void add_cluster_options(Command& command, ClusterOptions& options);
 
 // From nothing to the first batch, and to the end of the study unless it is detached: the exit code. begin: plans the
 // study and makes its file of results, which plays nothing. file: the study's document.

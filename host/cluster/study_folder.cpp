@@ -113,7 +113,7 @@ std::string name_of(const TaskName& task, const char* ending) {
   return fmt::format("{}-{}{}", task.batch, task.task, ending);
 }
 
-void copy(const fs::path& from, const fs::path& to) {
+void copy_whole(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::create_directories(to.parent_path(), error);
   if (!error) fs::copy_file(from, to, fs::copy_options::skip_existing, error);
@@ -154,8 +154,8 @@ void StudyFolder::create(const Settings& settings) const {
 }
 
 void StudyFolder::copy_in(const std::vector<fs::path>& given) const {
-  for (const fs::path& each : given) copy(each, copy_of(each));
-  copy("/proc/self/exe", program());
+  for (const fs::path& each : given) copy_whole(each, copy_of(each));
+  copy_whole("/proc/self/exe", program());
 }
 
 Settings StudyFolder::settings() const { return part_of(*this, "settings", settings_of); }

@@ -1,0 +1,286 @@
+# SPDX-License-Identifier: MIT
+"""Studies on a cluster: a Slurm of two nodes on this machine plays them, and what they say equals what one local worker
+says. Skipped where Slurm cannot be started."""
+
+import csv
+import json
+import os
+import random
+import shutil
+import signal
+import sqlite3
+import subprocess
+import time
+import unittest
+
+import experiment
+import program
+import slurm
+import test_tune
+import tournament
+
+DOCUMENT = """tournament: small_one
+question: Which is better?
+teams:
+  - {team: small.yaml}
+  - {team: other.yaml}
+  - {team: worse.yaml}
+pairs: PAIRS
+openings: scenes
+"""
+TEST = """tournament: decided
+teams:
+  - {team: small.yaml}
+  - {team: worse.yaml}
+pairs: 60
+openings: scenes
+test: {metric: goals}
+"""
+
+CLUSTER = None
+
+
+def setUpModule():
+    global CLUSTER
+    why = slurm.why_not()
+    if why:
+        raise unittest.SkipTest(why)
+    CLUSTER = slurm.Slurm()
+    try:
+        CLUSTER.start()
+    except slurm.CannotStart as error:
+        CLUSTER.stop()
+        CLUSTER = None
+        raise unittest.SkipTest(f"Slurm cannot be started here: {error}") from error
+
+
+def tearDownModule():
+    if CLUSTER:
+        CLUSTER.stop()
+
+
+class OnCluster(tournament.Tournament):
+    """Commands find the cluster of this file; the study's folder is study.cluster."""
+
+    def tearDown(self):
+        CLUSTER.run("scancel", "--quiet", f"--user={os.getuid()}", check=False)
+        self.wait_for(lambda: not CLUSTER.jobs())
+        super().tearDown()
+
+    def environment(self, changes=None):
+        return super().environment({**CLUSTER.environment, **(changes or {})})
+
+    def on_slurm(self, document, *more):
+        return ["run", document, "--on", "slurm", "--folder", "study.cluster", "--quiet", *more]
+
+    def begin(self, document, *more):
+        self.succeed(*self.on_slurm(document, "--detach", *more))
+
+    def progress(self):
+        return json.loads((self.folder / "study.cluster" / "cluster.json").read_text())["progress"]
+
+    def wait_for_end(self):
+        self.wait_for(lambda: self.progress()["state"] != "running")
+        self.assertEqual(self.progress()["state"], "complete", self.progress()["message"])
+        self.wait_for(lambda: not CLUSTER.jobs())
+
+    def logs(self):
+        return "\n".join(f"{each.name}: {each.read_text()}" for each in sorted((self.folder / "study.cluster" / "log").iterdir()))
+
+    def assert_same_reports(self, ours, theirs):
+        for form in ((), ("--json",), ("--csv",)):
+            self.assertEqual(self.succeed("report", ours, *form), self.succeed("report", theirs, *form))
+
+
+class Tournaments(OnCluster):
+    def document(self, pairs=3, text=DOCUMENT):
+        self.write("study.yaml", text.replace("PAIRS", str(pairs)))
+
+    def local(self, *more):
+        return self.succeed("run", "study.yaml", "--quiet", "--no-page", "--workers", 1, "--results", "local.db", *more)
+
+    def test_it_says_what_one_worker_says(self):
+        self.document()
+        local = self.local()
+        there = self.succeed(*self.on_slurm("study.yaml", "--array", 4, "--per-task", 3))
+        self.assertEqual(there, local)
+        self.assert_same_reports("study.cluster/results.db", "local.db")
+        self.assertEqual(self.rows("study.cluster/results.db"), self.rows("local.db"))
+        # 18 matches in batches of 12 at most; nothing is left of the parts.
+        self.assertEqual([each["matches"] for each in self.progress()["batches"]], [12, 6])
+        self.assertEqual(list((self.folder / "study.cluster" / "parts").iterdir()), [])
+        self.assertTrue((self.folder / "study.cluster" / "results.html").exists())
+        status = json.loads(self.succeed("status", "study.cluster", "--json"))
+        self.assertEqual((status["state"], status["matches"], status["gathered"]), ("complete", 18, 18))
+        self.assertIn("18 of 18 matches", self.succeed("status", "study.cluster"))
+        # A complete study is reported, and nothing is submitted.
+        self.assertEqual(self.succeed("gather", "study.cluster", "--quiet", "--no-page"), local)
+        self.assertEqual(CLUSTER.jobs(), [])
+
+    def test_what_is_edited_meanwhile_changes_nothing(self):
+        self.document()
+        self.local()
+        self.begin("study.yaml", "--array", 2, "--per-task", 3)
+        for name in ("small.yaml", "other.yaml", "study.yaml", "scenes/left.yaml"):
+            (self.folder / name).write_text("nonsense: true\n")
+        for plugin in self.plugin_folder.iterdir():
+            plugin.unlink()
+        self.wait_for_end()
+        self.assert_same_reports("study.cluster/results.db", "local.db")
+
+    def test_a_test_stops_at_the_same_pair(self):
+        self.document(text=TEST)
+        local = json.loads(self.local("--json"))
+        there = json.loads(self.succeed(*self.on_slurm("study.yaml", "--array", 2, "--per-task", 4, "--json")))
+        self.assertEqual(there, local)
+        self.assertLess(local["matches"], 100)
+        played = self.count("study.cluster/results.db")
+        self.assertLess(played - local["matches"], 8)  # one batch
+        self.assertLess(played, 120)
+        self.assert_same_reports("study.cluster/results.db", "local.db")
+
+    def test_killed_tasks_lose_nothing(self):
+        self.document(pairs=12)
+        self.local()
+        seed = int(os.environ.get("REGISTA_SEED", "1"))
+        chance = random.Random(seed)
+        self.begin("study.yaml", "--array", 4, "--per-task", 18)
+        kills = 0
+        while self.progress()["state"] == "running" and kills < 12:
+            time.sleep(chance.uniform(0.1, 0.8))
+            tasks = self.tasks()
+            if not tasks:
+                continue
+            kills += 1
+            what = chance.randrange(3)
+            if what == 0:
+                try:
+                    os.kill(chance.choice(tasks), signal.SIGKILL)
+                except ProcessLookupError:
+                    pass
+            jobs = [line.split()[0] for line in CLUSTER.jobs() if "RUNNING" in line and "_" in line.split()[0]]
+            if what == 1 and jobs:
+                CLUSTER.run("scancel", "--signal=KILL", "--full", chance.choice(jobs), check=False)
+            if what == 2 and jobs:
+                CLUSTER.run("scontrol", "requeue", chance.choice(jobs), check=False)
+        self.assertGreater(kills, 2, f"seed {seed}: it ended before it was harmed")
+        self.wait_for_end()
+        self.assert_same_reports("study.cluster/results.db", "local.db")
+        self.assertEqual(self.rows("study.cluster/results.db"), self.rows("local.db"))
+
+    def tasks(self):
+        """Processes of tasks of this study."""
+        found = []
+        for name in filter(str.isdigit, os.listdir("/proc")):
+            try:
+                with open(f"/proc/{name}/cmdline", "rb") as file:
+                    words = file.read().split(b"\0")
+            except OSError:
+                continue
+            if len(words) > 2 and words[1] == b"cluster-task" and words[2] == str(self.folder / "study.cluster").encode():
+                found.append(int(name))
+        return found
+
+    def test_a_task_that_runs_twice_at_once(self):
+        self.document()
+        self.local()
+        self.begin("study.yaml", "--array", 1, "--per-task", 18)
+        self.wait_for(self.tasks)
+        twice = self.start("cluster-task", "study.cluster", 1, 0, stderr=subprocess.PIPE)
+        self.wait_for_end()
+        _, error = twice.communicate(timeout=program.PATIENCE)
+        self.assertEqual((twice.returncode, error), (0, ""))
+        self.assertEqual(self.rows("study.cluster/results.db"), self.rows("local.db"))
+
+    def test_a_part_that_is_cut_off_is_named_and_played_again(self):
+        self.document()
+        self.local()
+        self.begin("study.yaml", "--array", 2, "--per-task", 9)
+        parts = self.folder / "study.cluster" / "parts"
+        self.wait_for(lambda: (parts / "1-0.db.part").exists())
+        self.succeed("stop", "study.cluster")
+        self.wait_for(lambda: not CLUSTER.jobs())
+        part = next(parts.glob("1-0.db*"))
+        part.write_bytes(part.read_bytes()[:5000])
+        done = self.run_program("gather", "study.cluster")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("cannot be read", done.stderr)
+        self.assertIn("the study was stopped; to go on: regista resume", done.stderr)
+        self.assertEqual(CLUSTER.jobs(), [])
+        self.succeed("resume", "study.cluster", "--quiet")
+        self.wait_for_end()
+        self.assert_same_reports("study.cluster/results.db", "local.db")
+
+    def test_a_node_with_another_program_plays_nothing(self):
+        self.document()
+        self.begin("study.yaml", "--array", 2, "--per-task", 9, "--sbatch=--begin=now+4")
+        with open(self.folder / "study.cluster" / "bin" / "regista", "ab") as file:
+            file.write(b"another")
+        self.wait_for(lambda: self.progress()["refused_nodes"])
+        self.assertIn("plays nothing: its program is another", self.logs())
+        self.assertIn("node1 plays nothing", self.succeed("status", "study.cluster") + self.logs())
+
+    def test_a_node_with_other_mathematics_plays_nothing(self):
+        self.document()
+        self.begin("study.yaml", "--array", 2, "--per-task", 9,
+                   "--sbatch=--export=ALL,GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2_Usable,-FMA_Usable,-AVX2,-FMA,-FMA4")
+        self.wait_for(lambda: self.progress()["refused_nodes"] or self.progress()["state"] != "running")
+        if self.progress()["state"] == "complete":
+            self.skipTest("this processor computes the same numbers either way")
+        self.assertIn("its mathematics library or processor computes other numbers", self.logs())
+
+    def test_what_slurm_refuses_is_said_in_a_line(self):
+        self.document()
+        refused = self.refused(*self.on_slurm("study.yaml", "--partition", "nobody"))
+        self.assertIn("invalid partition", refused.lower())
+        self.assertFalse((self.folder / "study.cluster").exists())
+        without = self.run_program(*self.on_slurm("study.yaml"), environment={"PATH": "/nowhere"})
+        self.assertEqual(without.returncode, 2)
+        self.assertIn("there is no squeue here", without.stderr.replace("sbatch", "squeue"))
+        self.assertFalse((self.folder / "study.cluster").exists())
+
+    def test_bad_input(self):
+        self.document()
+        self.assertIn("belongs to --on", self.refused("run", "study.yaml", "--array", 4))
+        self.assertIn("--array", self.refused(*self.on_slurm("study.yaml", "--array", 0)))
+        self.assertIn("begins with -", self.refused(*self.on_slurm("study.yaml", "--sbatch", "account")))
+        self.assertIn("no such file", self.refused(*self.on_slurm("nobody.yaml")))
+        self.assertFalse((self.folder / "study.cluster").exists())
+        (self.folder / "study.cluster").mkdir()
+        self.assertIn("exists already", self.refused(*self.on_slurm("study.yaml")))
+        for command in ("gather", "status", "stop", "resume"):
+            self.assertIn("no folder of a study on a cluster", self.refused(command, "study.cluster"))
+            self.assertIn("ame", self.refused(command))
+
+    def test_an_interrupted_wait_leaves_the_array(self):
+        self.document()
+        waiting = self.start(*self.on_slurm("study.yaml", "--array", 2, "--per-task", 9), stderr=subprocess.PIPE)
+        self.wait_for(self.tasks)
+        waiting.send_signal(signal.SIGINT)
+        _, said = waiting.communicate(timeout=30)
+        self.assertEqual(waiting.returncode, 130)
+        self.assertIn("the array plays on; to look: regista status", said)
+        self.wait_for_end()
+
+
+class Experiments(OnCluster, experiment.Experiment):
+    def test_it_says_what_one_worker_says(self):
+        local = self.succeed("run", "e.yaml", "--quiet", "--no-page", "--workers", 1, "--results", "local.db")
+        self.assertEqual(self.succeed(*self.on_slurm("e.yaml", "--array", 3, "--per-task", 2)), local)
+        self.assert_same_reports("study.cluster/results.db", "local.db")
+
+
+class Tunings(OnCluster, test_tune.Tuning):
+    def test_generations_are_played_as_batches(self):
+        self.document(algorithm="sep_cma_es")
+        local = self.succeed("run", "t.yaml", "--quiet", "--no-page", "--workers", 1, "--results", "local.db")
+        there = self.succeed(*self.on_slurm("t.yaml", "--array", 4, "--per-task", 10))
+        self.assertEqual(there.replace("study.cluster/results", "local").replace(str(self.folder) + "/", ""), local)
+        self.assert_same_reports("study.cluster/results.db", "local.db")
+        self.assertGreater(len(self.progress()["batches"]), 3)
+        tuned = (self.folder / "study.cluster" / "results.tuned.yaml").read_text()
+        self.assertEqual(tuned.splitlines()[-1], (self.folder / "local.tuned.yaml").read_text().splitlines()[-1])
+
+
+if __name__ == "__main__":
+    unittest.main()
