@@ -55,12 +55,7 @@ Settings settings_of(const ClusterOptions& options, const campaign::Options& cam
   if (!campaign.workers.empty()) out.workers = static_cast<std::uint64_t>(campaign::number_of_workers(campaign));
   out.partition = options.partition;
   out.time = options.time;
-  for (const std::string& each : options.sbatch) {
-    if (!each.starts_with('-'))
-      throw BadInput(
-          fmt::format("--sbatch {}: an option of sbatch begins with -, as --account=robots", config::in_quotes(each)));
-    out.options.push_back(each);
-  }
+  for (const std::string& each : options.sbatch) out.options.push_back("--" + each);
   out.record_every = campaign::record_every(campaign);
   return out;
 }
@@ -187,6 +182,7 @@ ClusterStep step_while_open(const StudyFolder& folder, campaign::Store& results,
     progress.state = Progress::State::running;
     progress.message.clear();
     progress.fruitless = 0;
+    progress.refused_nodes.clear();
   }
   out.plays = !cluster::alive(array_jobs(progress)).empty();
   if (!out.plays && progress.state == Progress::State::running) {
@@ -228,8 +224,8 @@ void add_cluster_options(Command& command, ClusterOptions& options) {
                "with --on: at most so many matches in a task; default 100. N times --array is what a test can be late");
   command.take("--partition", options.partition, "NAME", "with --on: where the tasks run; default: the cluster's own");
   command.take("--time", options.time, "TIME", "with --on: limit of a task's time, as sbatch understands it");
-  command.take("--sbatch", options.sbatch, "OPTION",
-               "with --on: another option for sbatch, as --sbatch=--account=robots; may be repeated");
+  command.take("--sbatch", options.sbatch, "NAME=VALUE",
+               "with --on: another option for sbatch, without its --, as account=robots; may be repeated");
   command.flag("--detach", options.detach, "with --on: do not wait for the end of the study");
 }
 
