@@ -149,13 +149,16 @@ void Store::insert(std::int64_t row, const MatchKey& key, const Decided& decided
   });
 }
 
-Taken Store::take(const Store& other) {
+Taken Store::take(const Store& other, Unknown unknown) {
   const std::vector<StoredFixtures::Numbered> theirs = guarded(*other.parts_, [&] {
     other.parts_->begin_reading();
     return other.parts_->fixtures.all();
   });
   std::vector<std::string> keys;
-  for (const auto& [number, fixture] : theirs) keys.push_back(fixture.key);
+  for (const auto& [number, fixture] : theirs) {
+    if (unknown == Unknown::planned) add(std::span(&fixture, 1));
+    keys.push_back(fixture.key);
+  }
   const std::vector<std::int64_t> ours = numbers(keys);
   FixtureNumbers mine;
   for (std::size_t i = 0; i < theirs.size(); ++i) {

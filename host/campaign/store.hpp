@@ -69,7 +69,9 @@ class Store {
   void require_file() const;
 
   // Takes over the matches of another file of the same study that are not here yet, in their rows; all at once.
-  Taken take(const Store& other);
+  // unknown: matches of which nothing like them was planned here are refused, or planned from then on.
+  enum class Unknown { refused, planned };
+  Taken take(const Store& other, Unknown unknown = Unknown::refused);
 
   // Paths that the first rows have numbers under, each once, in the order in which they come up.
   match::MetricPaths metric_paths(std::int64_t rows) const;

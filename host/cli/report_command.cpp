@@ -6,6 +6,8 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/results_file.hpp"
@@ -29,17 +31,21 @@ constexpr auto report_examples = R"(Examples:
   regista report tournament.db -o tournament.html
   regista report tournament.db --figures figures --png
   regista report tournament.db --standard-error 17
+  regista report here.db there.db
 
 -o writes one page that needs nothing else, --figures each of its figures as NAME.svg, its data as NAME.csv, and
 NAME.gnuplot, which draws the one from the other. A study that has ended is reported as it was at its end; another one
 as far as its matches have been played without a gap. The table of an experiment has a row for each number of each
 match, that of a tuning one for each point of its search, that of a comparison of search algorithms one for each run.
+Several files are reported as one where they are of one study, begun alike, whose matches were played in several places.
 --standard-error writes what plugins wrote to standard error in a match, as far as it was kept.
 
 Exit codes: 0 done; 1 the report could not be written; 2 bad input; 3 a defect of Regista.)";
 
 struct ReportOptions {
-  std::string file, page, figures, standard_error;  // the last: of this match, from 1
+  std::vector<std::string> files;             // of one study
+  std::string file;                           // the first of them, by which what is made is called
+  std::string page, figures, standard_error;  // the last: of this match, from 1
   bool json = false, csv = false, metrics = false, png = false, force = false;
 };
 
@@ -120,7 +126,8 @@ int tell_standard_error(const std::string& file, const campaign::Store& store, s
   return exit_done;
 }
 
-int run(const ReportOptions& options, const output::OutputFiles& outputs, const Invocation& invocation) {
+int run(ReportOptions options, const output::OutputFiles& outputs, const Invocation& invocation) {
+  if (!options.files.empty()) options.file = options.files.front();
   refuse_what_does_not_go_together(options);
   outputs.check(options.force);
   std::int64_t match = 0;  // none
@@ -128,7 +135,8 @@ int run(const ReportOptions& options, const output::OutputFiles& outputs, const 
     constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
     match = static_cast<std::int64_t>(config::parse_whole("--standard-error", options.standard_error, 1, most));
   }
-  const campaign::Store store = read_results(options.file);
+  const ResultsTogether results(options.files, invocation.studies);
+  const campaign::Store& store = results.store();
   if (match != 0) return tell_standard_error(options.file, store, match);
   if (options.page.empty() && options.figures.empty()) {
     return print_report(options, store, invocation);
@@ -147,7 +155,7 @@ int run(const ReportOptions& options, const output::OutputFiles& outputs, const 
 void add_report(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("report", "what stored results say");
   const auto options = std::make_shared<ReportOptions>();
-  command.take("results", options->file, "RESULTS.db", "file that a tournament, an experiment or a tuning wrote",
+  command.take("results", options->files, "RESULTS.db", "files that a tournament, an experiment or a tuning wrote",
                Reads::results);
   command.flag("--json", options->json, "write the report as JSON");
   command.flag("--csv", options->csv,

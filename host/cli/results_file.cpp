@@ -129,6 +129,41 @@ campaign::Store read_results(const std::string& file) {
   });
 }
 
+ResultsTogether::~ResultsTogether() = default;
+
+ResultsTogether::ResultsTogether(const std::vector<std::string>& files, std::span<const StudyKind> kinds) {
+  using campaign::Store;
+  if (files.size() == 1) {
+    store_ = std::make_unique<Store>(read_results(files.front()));
+    return;
+  }
+  const std::string first = config::one_line(files.front());
+  try {
+    folder_ = std::make_unique<campaign::TemporaryFolder>();
+  } catch (const std::system_error& error) {
+    throw output::WriteError(fmt::format("the results cannot be put together: {}", error.what()));
+  }
+  opening([&] {
+    store_ = std::make_unique<Store>(folder_->path() / "together.db", Store::Mode::create, REGISTA_VERSION);
+    for (const std::string& each : files) {
+      const Store part = read_results(each);
+      const std::string name = config::one_line(each), plan = part.meta(schedule);
+      if (store_->meta(schedule).empty()) {
+        store_->set_meta(resolved_teams, part.meta(resolved_teams));
+        store_->set_meta(schedule, plan);
+        store_->keep(part.documents());
+      } else if (plan != store_->meta(schedule)) {
+        const auto study = stored_study(first, *store_, {}, kinds);
+        const std::vector<std::string> changed = differences(name, plan, study->study(), kinds);
+        throw BadInput(fmt::format("{} and {} are not of one study: {}", first, name,
+                                   changed.empty() ? "they were begun in different folders" : config::join(changed)));
+      }
+      const campaign::Taken taken = store_->take(part, Store::Unknown::planned);
+      if (taken.refused > 0) throw BadInput(fmt::format("{}: {}", name, taken.why.front()));
+    }
+  });
+}
+
 std::unique_ptr<report::StudyReport> stored_study(const std::string& file, const campaign::Store& store,
                                                   report::CommandOf again, std::span<const StudyKind> kinds) {
   return opening([&] {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "campaign/store.hpp"
+#include "campaign/temporary_folder.hpp"
 #include "cli/study_kinds.hpp"
 #include "report/study_report.hpp"
 #include "study/study.hpp"
@@ -35,6 +36,21 @@ std::vector<std::string> stored_documents(const campaign::Store& store);
 
 // A file of results to be read. Throws BadInput.
 campaign::Store read_results(const std::string& file);
+
+// Files of results of one study, read as one: in a temporary file where there are several. Throws BadInput for such as do
+// not fit together, and output::WriteError.
+class ResultsTogether {
+ public:
+  ResultsTogether(const std::vector<std::string>& files, std::span<const StudyKind> kinds);
+  ~ResultsTogether();
+  ResultsTogether(const ResultsTogether&) = delete;
+  ResultsTogether& operator=(const ResultsTogether&) = delete;
+  const campaign::Store& store() const { return *store_; }
+
+ private:
+  std::unique_ptr<campaign::TemporaryFolder> folder_;
+  std::unique_ptr<campaign::Store> store_;
+};
 
 // The plan of its study.
 std::string stored_plan(const campaign::Store& store);

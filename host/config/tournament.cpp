@@ -13,7 +13,9 @@
 namespace regista::config {
 
 static Map declare(Tournament::Team& team) {
-  return {.fields = {required(file("team", team.team, "the team"))}, .where = &team.where};
+  return {.fields = {required(file("team", team.team, "the team")),
+                     file("disturbance", team.disturbance, "of this team alone; without it that of all teams")},
+          .where = &team.where};
 }
 
 static Map declare(TournamentTest& test) {
@@ -60,9 +62,11 @@ Map declare(Tournament& tournament) {
 void check(const Tournament& tournament, const Node& document, Mistakes& mistakes) {
   for (std::size_t i = 0; i < tournament.teams.size(); ++i) {
     const Tournament::Team& team = tournament.teams[i];
-    const bool again = std::any_of(tournament.teams.begin(), tournament.teams.begin() + static_cast<std::ptrdiff_t>(i),
-                                   [&](const auto& other) { return !team.team.empty() && other.team == team.team; });
-    // Two teams of one file can differ by what is set.
+    const bool again = std::any_of(
+        tournament.teams.begin(), tournament.teams.begin() + static_cast<std::ptrdiff_t>(i), [&](const auto& other) {
+          return !team.team.empty() && other.team == team.team && other.disturbance == team.disturbance;
+        });
+    // Two teams of one file can differ by what disturbs them, or by what is set.
     if (again && tournament.set.entries().empty()) {
       mistakes.add(Error(team.where, fmt::format("teams: {} a second time; nothing would tell the two apart",
                                                  document["teams"].elements()[i]["team"].text())),

@@ -28,7 +28,8 @@ struct TournamentTest {
 
 struct Tournament {
   struct Team {
-    std::string team;  // file
+    std::string team;           // file
+    std::string disturbance{};  // file, of this team alone; empty: that of all
     Location where;
   };
   enum class Format { round_robin, gauntlet };

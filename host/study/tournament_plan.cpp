@@ -5,8 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "campaign/inputs.hpp"
 #include "match/side.hpp"
@@ -126,6 +130,13 @@ static void fields(Team& team, Visit& visit) {
   visit("label", team.label);
   visit("file", team.file);
   visit("inputs", team.inputs);
+  visit.maybe("disturbance", team.disturbance);
+  std::string disturbances = team.disturbances.empty() ? "" : campaign::to_json(team.disturbances);
+  visit.maybe("disturbances", disturbances);
+  if constexpr (!std::is_const_v<Team>) {
+    team.disturbances =
+        disturbances.empty() ? std::vector<campaign::Input>() : campaign::inputs_from_json(disturbances);
+  }
 }
 
 template <Like<TournamentPlan> Plan, class Visit>
@@ -195,6 +206,17 @@ campaign::Job job(const TournamentPlan& plan, const Fixture& fixture) {
   out.home_inputs = plan.teams[fixture.home].inputs;
   out.away_inputs = plan.teams[fixture.away].inputs;
   out.common_inputs = plan.common_inputs;
+  const std::array sides{std::pair{&out.home_disturbance, &plan.teams[fixture.home]},
+                         std::pair{&out.away_disturbance, &plan.teams[fixture.away]}};
+  for (std::size_t side = 0; side < sides.size(); ++side) {
+    const auto& [file, team] = sides[side];
+    if (!team->disturbed()) continue;
+    *file = team->disturbance;
+    if (team->disturbances.size() != 2) continue;  // while the tournament is planned
+    for (campaign::Input& each : out.common_inputs) {
+      if (is_disturbance(each, side)) each = team->disturbances[side];
+    }
+  }
   if (!plan.openings.empty()) start_from(plan.openings[fixture.opening], out);
   return out;
 }
@@ -210,13 +232,19 @@ std::vector<campaign::Store::Fixture> fixtures(const TournamentPlan& plan) {
   return out;
 }
 
+bool is_disturbance(const campaign::Input& input, std::size_t side) {
+  return input.name.starts_with(side == 0 ? "home disturbance " : "away disturbance ");
+}
+
 std::string letter(std::size_t team) {
   return team < 26 ? std::string(1, static_cast<char>('a' + static_cast<char>(team))) : std::string();
 }
 
 bool equal_teams(const TournamentPlan& plan, const Pairing& pairing) {
-  const auto &a = plan.teams[pairing.first].inputs, &b = plan.teams[pairing.second].inputs;
-  return campaign::fixture_key(a, b, {}) == campaign::fixture_key(b, a, {});
+  const Entrant &a = plan.teams[pairing.first], &b = plan.teams[pairing.second];
+  return campaign::fixture_key(a.inputs, b.inputs, {}) == campaign::fixture_key(b.inputs, a.inputs, {}) &&
+         campaign::fixture_key(a.disturbances, b.disturbances, {}) ==
+             campaign::fixture_key(b.disturbances, a.disturbances, {});
 }
 
 TournamentPlan with_pairs(TournamentPlan plan, std::uint64_t pairs) {
@@ -234,6 +262,9 @@ std::string to_json(const TournamentPlan& plan) { return plan_text(tournament_st
 TournamentPlan tournament_plan_from_json(const std::string& text) {
   return plan_of<TournamentPlan>(tournament_study, tournament_plan_version, text, [](const TournamentPlan& plan) {
     if (plan.teams.size() < 2) throw std::invalid_argument("its plan has fewer than two teams");
+    for (const Entrant& each : plan.teams) {
+      if (each.disturbances.size() != (each.disturbed() ? 2u : 0u)) return false;
+    }
     return sound(plan);
   });
 }
@@ -241,8 +272,9 @@ TournamentPlan tournament_plan_from_json(const std::string& text) {
 std::vector<std::string> differences(const TournamentPlan& before, const TournamentPlan& now) {
   std::vector<std::string> out = field_differences(before, now);
   for (std::size_t team = 0; team < std::min(before.teams.size(), now.teams.size()); ++team) {
-    for (const std::string& each : campaign::differences(before.teams[team].inputs, now.teams[team].inputs)) {
-      out.push_back(fmt::format("team {}: {}", before.teams[team].label, each));
+    for (const auto inputs : {&Entrant::inputs, &Entrant::disturbances}) {
+      for (const std::string& each : campaign::differences(before.teams[team].*inputs, now.teams[team].*inputs))
+        out.push_back(fmt::format("team {}: {}", before.teams[team].label, each));
     }
   }
   const auto inputs = [](const TournamentPlan& plan) {

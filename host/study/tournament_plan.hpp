@@ -50,7 +50,14 @@ inline constexpr const char* goals_value = "goals";
 struct Entrant {
   std::string label, file;
   std::vector<campaign::Input> inputs;  // campaign::team_inputs
+  std::string disturbance{};            // file, of this team alone; empty: that of all
+  std::vector<campaign::Input>
+      disturbances{};  // what that adds to inputs at home and away; none where it is that of all
+  bool disturbed() const { return !disturbance.empty(); }
 };
+
+// Whether an input of a match is what disturbs this side: 0 home, 1 away.
+bool is_disturbance(const campaign::Input& input, std::size_t side);
 
 struct Pairing {
   std::size_t first, second;  // of the plan's teams

@@ -135,6 +135,14 @@ campaign::MatchSetup setup_of(const TournamentPlan& plan, const Fixture& fixture
   }
 }
 
+// What a disturbance of its own adds to the matches of a team on this side.
+void keep_disturbance(Entrant& team, std::size_t side, const std::vector<campaign::Input>& inputs) {
+  if (!team.disturbed()) return;
+  team.disturbances.resize(2);
+  team.disturbances[side] =
+      *std::ranges::find_if(inputs, [side](const campaign::Input& each) { return is_disturbance(each, side); });
+}
+
 // What teams are called: their names; where these are the same, with their files; where these are too, with letters.
 void label_teams(std::vector<Entrant>& teams) {
   const auto distinguish = [&](auto&& by) {
@@ -239,7 +247,10 @@ Asked asked_by_document(const TournamentRequest& given) {
   out.options = given;
   TournamentRequest& options = out.options;
   options.overrides.clear();
-  for (const config::Tournament::Team& each : tournament.teams) options.teams.push_back(from_here(each.team));
+  for (const config::Tournament::Team& each : tournament.teams) {
+    options.teams.push_back(from_here(each.team));
+    options.disturbances.push_back(from_here(each.disturbance));
+  }
   for (const config::Node::Entry& entry : tournament.set.entries()) {
     if (entry.key.starts_with("opening.") && tournament.openings.empty()) {
       throw config::Error(entry.key_where, entry.key + ": there is no opening; `openings` names some");
@@ -331,6 +342,8 @@ static PlannedTournament plan_of(const TournamentRequest& given, const plugin::C
   plan.common.plugins = options.plugins;
   plan.common.limit = options.limit;
   for (const std::string& file : options.teams) plan.teams.push_back({file, file, {}});
+  for (std::size_t team = 0; team < options.disturbances.size(); ++team)
+    plan.teams[team].disturbance = options.disturbances[team];
 
   const std::string program = campaign::program_hash(), mathematics = campaign::mathematics_fingerprint();
   const std::vector<Scene> scenes = scenes_of(asked);
@@ -348,10 +361,21 @@ static PlannedTournament plan_of(const TournamentRequest& given, const plugin::C
     out.documents.push_back(
         config::show(*prepared.documents[0], plugin::declarations(catalogue.plugins()), config::Remarks::without));
     plan.common_inputs = campaign::common_inputs(without_opening(prepared.setup), program, mathematics);
+    keep_disturbance(plan.teams[fixture.home], 0, plan.common_inputs);
+    keep_disturbance(plan.teams[fixture.away], 1, plan.common_inputs);
     if (scenes.empty()) plan.most_goals = match::most_goal_difference(prepared.setup);
   };
   for (std::size_t team = 0; team < plan.teams.size(); ++team) mistakes.attempt("", [&] { look_at_team(team); });
   if (!mistakes.none()) return out;
+  if (std::ranges::any_of(plan.teams, &Entrant::disturbed)) {
+    // What is common is that of teams that nothing of their own disturbs.
+    TournamentPlan without = plan;
+    for (Entrant& each : without.teams) each.disturbance.clear();
+    Fixture fixture;
+    fixture.away = 1;
+    plan.common_inputs = campaign::common_inputs(without_opening(setup_of(without, fixture, asked, catalogue).setup),
+                                                 program, mathematics);
+  }
   label_teams(plan.teams);
   std::vector<Opening> found;
   const auto look_at_scene = [&](const Scene& scene) {

@@ -17,6 +17,7 @@ struct TournamentRequest : campaign::Options {
   std::string file;                    // the tournament's document; empty: the options below say all
   std::vector<std::string> overrides;  // of the document; without one, of the documents of matches
   std::vector<std::string> teams, openings;
+  std::vector<std::string> disturbances;  // not typed: of each team alone; empty, or a text: that of all
   std::string rules, robot, disturbance, limit;
   // Empty: not given.
   std::string format, pairs, seed, sprt, metric, model, alpha, beta, failures_in_a_row;

@@ -2,22 +2,17 @@
 """Studies on a cluster: a Slurm of two nodes on this machine plays them, and what they say equals what one local worker
 says. Skipped where Slurm cannot be started."""
 
-import csv
 import json
 import os
-import random
-import shutil
 import signal
-import sqlite3
 import subprocess
-import time
 import unittest
 
 import experiment
 import program
-import slurm
 import test_tune
 import tournament
+from cluster import OnCluster, cluster, setUpModule, tearDownModule  # noqa: F401
 
 DOCUMENT = """tournament: small_one
 question: Which is better?
@@ -36,61 +31,6 @@ pairs: 60
 openings: scenes
 test: {metric: goals}
 """
-
-CLUSTER = None
-
-
-def setUpModule():
-    global CLUSTER
-    why = slurm.why_not()
-    if why:
-        raise unittest.SkipTest(why)
-    CLUSTER = slurm.Slurm()
-    try:
-        CLUSTER.start()
-    except slurm.CannotStart as error:
-        CLUSTER.stop()
-        CLUSTER = None
-        raise unittest.SkipTest(f"Slurm cannot be started here: {error}") from error
-
-
-def tearDownModule():
-    if CLUSTER:
-        CLUSTER.stop()
-
-
-class OnCluster(tournament.Tournament):
-    """Commands find the cluster of this file; the study's folder is study.cluster."""
-
-    def tearDown(self):
-        CLUSTER.run("scancel", "--quiet", f"--user={os.getuid()}", check=False)
-        self.wait_for(lambda: not CLUSTER.jobs())
-        super().tearDown()
-
-    def environment(self, changes=None):
-        return super().environment({**CLUSTER.environment, **(changes or {})})
-
-    def on_slurm(self, document, *more):
-        return ["run", document, "--on", "slurm", "--folder", "study.cluster", "--quiet", *more]
-
-    def begin(self, document, *more):
-        self.succeed(*self.on_slurm(document, "--detach", *more))
-
-    def progress(self):
-        return json.loads((self.folder / "study.cluster" / "cluster.json").read_text())["progress"]
-
-    def wait_for_end(self):
-        self.wait_for(lambda: self.progress()["state"] != "running")
-        self.assertEqual(self.progress()["state"], "complete", self.progress()["message"])
-        self.wait_for(lambda: not CLUSTER.jobs())
-
-    def logs(self):
-        return "\n".join(f"{each.name}: {each.read_text()}" for each in sorted((self.folder / "study.cluster" / "log").iterdir()))
-
-    def assert_same_reports(self, ours, theirs):
-        for form in ((), ("--json",), ("--csv",)):
-            self.assertEqual(self.succeed("report", ours, *form), self.succeed("report", theirs, *form))
-
 
 class Tournaments(OnCluster):
     def document(self, pairs=3, text=DOCUMENT):
@@ -115,7 +55,7 @@ class Tournaments(OnCluster):
         self.assertIn("18 of 18 matches", self.succeed("status", "study.cluster"))
         # A complete study is reported, and nothing is submitted.
         self.assertEqual(self.succeed("gather", "study.cluster", "--quiet", "--no-page"), local)
-        self.assertEqual(CLUSTER.jobs(), [])
+        self.assertEqual(cluster().jobs(), [])
 
     def test_what_is_edited_meanwhile_changes_nothing(self):
         self.document()
@@ -142,44 +82,12 @@ class Tournaments(OnCluster):
     def test_killed_tasks_lose_nothing(self):
         self.document(pairs=12)
         self.local()
-        seed = int(os.environ.get("REGISTA_SEED", "1"))
-        chance = random.Random(seed)
         self.begin("study.yaml", "--array", 4, "--per-task", 18)
-        kills = 0
-        while self.progress()["state"] == "running" and kills < 12:
-            time.sleep(chance.uniform(0.1, 0.8))
-            tasks = self.tasks()
-            if not tasks:
-                continue
-            kills += 1
-            what = chance.randrange(3)
-            if what == 0:
-                try:
-                    os.kill(chance.choice(tasks), signal.SIGKILL)
-                except ProcessLookupError:
-                    pass
-            jobs = [line.split()[0] for line in CLUSTER.jobs() if "RUNNING" in line and "_" in line.split()[0]]
-            if what == 1 and jobs:
-                CLUSTER.run("scancel", "--signal=KILL", "--full", chance.choice(jobs), check=False)
-            if what == 2 and jobs:
-                CLUSTER.run("scontrol", "requeue", chance.choice(jobs), check=False)
-        self.assertGreater(kills, 2, f"seed {seed}: it ended before it was harmed")
+        harmed = self.harm(most=12, seed=int(os.environ.get("REGISTA_SEED", "1")))
+        self.assertGreater(sum(harmed.values()), 2, "it ended before it was harmed")
         self.wait_for_end()
         self.assert_same_reports("study.cluster/results.db", "local.db")
         self.assertEqual(self.rows("study.cluster/results.db"), self.rows("local.db"))
-
-    def tasks(self):
-        """Processes of tasks of this study."""
-        found = []
-        for name in filter(str.isdigit, os.listdir("/proc")):
-            try:
-                with open(f"/proc/{name}/cmdline", "rb") as file:
-                    words = file.read().split(b"\0")
-            except OSError:
-                continue
-            if len(words) > 2 and words[1] == b"cluster-task" and words[2] == str(self.folder / "study.cluster").encode():
-                found.append(int(name))
-        return found
 
     def test_a_task_that_runs_twice_at_once(self):
         self.document()
@@ -199,14 +107,14 @@ class Tournaments(OnCluster):
         parts = self.folder / "study.cluster" / "parts"
         self.wait_for(lambda: (parts / "1-0.db.part").exists())
         self.succeed("stop", "study.cluster")
-        self.wait_for(lambda: not CLUSTER.jobs())
+        self.wait_for(lambda: not cluster().jobs())
         part = next(parts.glob("1-0.db*"))
         part.write_bytes(part.read_bytes()[:5000])
         done = self.run_program("gather", "study.cluster")
         self.assertEqual(done.returncode, 0)
         self.assertIn("cannot be read", done.stderr)
         self.assertIn("the study was stopped; to go on: regista resume", done.stderr)
-        self.assertEqual(CLUSTER.jobs(), [])
+        self.assertEqual(cluster().jobs(), [])
         self.succeed("resume", "study.cluster", "--quiet")
         self.wait_for_end()
         self.assert_same_reports("study.cluster/results.db", "local.db")
