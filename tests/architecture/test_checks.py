@@ -98,7 +98,7 @@ BAD_ROOMS = [
     ("host/match/bad.cpp", "/* a\n// */ #include HEADER",
      "2: includes what a macro names; write the header's name"),
     ("host/tools/bad.cpp", "int i;", "1: stands in no room; the rooms are config, statistics, mcap, markup, plugin, "
-                                     "mind, match, recording, campaign, check, study, report, output, command, cli"),
+                                     "mind, match, recording, campaign, check, study, report, output, command, cluster, cli"),
     ("plugins/senders/bad/plugin.cpp", '#include "mind/mind.hpp"',
      "1: includes mind/mind.hpp; room plugins/senders/bad may not know mind"),
     ("plugins/senders/bad/plugin.cpp", "#include <config/node.hpp>",

@@ -5,6 +5,7 @@ if that may be, and `regista results` lists what lies in a folder."""
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import unittest
@@ -69,6 +70,50 @@ class RunAndResume(tournament.Tournament):
         self.document(1)  # what stands there now is not asked
         self.succeed("resume", "small_one.db", "--quiet", "--no-page")
         self.assertEqual(self.count("small_one.db"), 80)
+
+    def test_results_of_several_places_are_reported_as_one(self):
+        self.document(4)
+        self.succeed("run", "study.yaml", "--quiet", "--no-page", "--results", "whole.db")
+        for name, keep in (("here", "row % 3 = 1"), ("there", "row % 3 <> 1")):
+            shutil.copy(self.folder / "whole.db", self.folder / f"{name}.db")
+            self.change(f"DELETE FROM metrics WHERE NOT ({keep})", f"{name}.db", mend=False)
+            self.change(f"DELETE FROM matches WHERE NOT ({keep})", f"{name}.db", mend=False)
+        for form in ((), ("--json",), ("--csv",), ("--csv", "--metrics")):
+            self.assertEqual(self.succeed("report", "here.db", "there.db", *form), self.succeed("report", "whole.db", *form))
+        # In whatever order, and what stands in both stands there once.
+        self.assertEqual(self.succeed("report", "there.db", "whole.db", "here.db"), self.succeed("report", "whole.db"))
+        self.succeed("run", "study.yaml", "--quiet", "--no-page", "--results", "other.db", "--set", "seed=7")
+        refused = self.refused("report", "here.db", "other.db")
+        self.assertIn("here.db and other.db are not of one study: --seed", refused)
+        self.change("UPDATE matches SET hash = 'ff' WHERE row = 1", "there.db")
+        self.change("UPDATE matches SET hash = '00' WHERE row = 2", "whole.db")
+        self.assertIn("match 2: the same match has the hash 00 there and", self.refused("report", "there.db", "whole.db"))
+
+    def test_one_team_alone_is_disturbed(self):
+        self.write("deaf.yaml", "disturbance: deaf\nradio: {loss: 1}\n")
+        self.write("study.yaml", """tournament: disturbed
+teams:
+  - {team: small.yaml}
+  - {team: small.yaml, disturbance: deaf.yaml}
+pairs: 3
+limit: 20
+set: {rules.durations.ready: 1, rules.durations.set: 1}
+""")
+        self.succeed("run", "study.yaml", "--quiet", "--no-page")
+        jobs = [json.loads(job) for (job,) in self.stored("SELECT job FROM fixtures ORDER BY id", "disturbed.db")]
+        self.assertEqual([(job["home_disturbance"], job["away_disturbance"]) for job in jobs],
+                         [("", "deaf.yaml"), ("deaf.yaml", "")])
+        received = [[match["packets_lost"][side] for side in (0, 1)] for match in self.metrics("disturbed.db").values()]
+        self.assertTrue(all((first > 0) == bool(row % 2) and (second > 0) != bool(row % 2)
+                            for row, (first, second) in enumerate(received)), received)
+        # The same by itself, hash for hash; and it is gone on with.
+        self.succeed("match", "--from", "disturbed.db", "--row", 2, "--quiet")
+        text = self.succeed("resume", "disturbed.db", "--pairs", 4, "--quiet", "--no-page")
+        self.assertIn("small (a) vs small (b) (4 pairs", text)
+        self.write("deaf.yaml", "disturbance: deaf\nradio: {loss: 0.5}\n")
+        self.assertIn("away disturbance deaf has changed", self.refused("resume", "disturbed.db", "--pairs", 5))
+        twice = self.refused("run", "study.yaml", "--set", "teams.0.disturbance=deaf.yaml")
+        self.assertIn("a second time; nothing would tell the two apart", twice)
 
     def test_more_pairs_are_refused_where_a_test_was_fixed(self):
         self.document(2)
