@@ -174,10 +174,16 @@ ClusterStep step_while_open(const StudyFolder& folder, campaign::Store& results,
     std::erase_if(rest, [](const std::string& job) { return cluster::is_within({job}); });
     if (progress.state != Progress::State::complete) cluster::cancel(cluster::alive(rest));
     progress.state = Progress::State::complete;
-    progress.message.clear();
+    const auto rows = static_cast<std::uint64_t>(results.rows());
+    progress.message = rows <= missing.taken ? std::string()
+                                             : fmt::format(
+                                                   "{} matches were played beyond the end of the study, and "
+                                                   "are not counted",
+                                                   rows - missing.taken);
     folder.write(progress);
     return out;
   }
+  out.round = missing.round;
   if (restart) {
     progress.state = Progress::State::running;
     progress.message.clear();
@@ -205,6 +211,15 @@ ClusterStep step_while_open(const StudyFolder& folder, campaign::Store& results,
 
 std::string to_look(const StudyFolder& folder) { return line_of({"regista", "status", folder.root().string()}); }
 std::string to_go_on(const StudyFolder& folder) { return line_of({"regista", "resume", folder.root().string()}); }
+
+void tell_of_end(const Progress& progress, const campaign::Options& options) {
+  if (!options.quiet && !progress.message.empty()) command::say(progress.message + '\n');
+}
+
+std::string in_words(const cluster::SubmittedBatch& batch) {
+  return fmt::format("batch {}: job {}, {} matches in {} tasks", batch.number, batch.array_job, batch.matches,
+                     batch.tasks);
+}
 
 std::string minutes_text(double seconds) {
   if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
@@ -297,9 +312,9 @@ int run_on_cluster(const ClusterOptions& options, const campaign::Options& campa
     throw;
   }
   if (!campaign.quiet && step.plays) {
-    const cluster::SubmittedBatch& first = step.progress.batches.back();
-    command::say(fmt::format("{}: job {}: {} matches in {} tasks\n", name_of(folder), first.array_job, first.matches,
-                             first.tasks));
+    command::say(fmt::format("{}: {}\n", name_of(folder), in_words(step.progress.batches.back())));
+    if (step.round < settings.tasks)
+      command::say(fmt::format("the study asks for {} matches at a time: more tasks gain nothing\n", step.round));
   }
   if (options.detach) {
     if (!campaign.quiet) command::say(fmt::format("to look: {}\n", to_look(folder)));
@@ -331,8 +346,13 @@ int follow(const StudyFolder& folder, const campaign::Options& options, const In
       fmt::format("regista: interrupted; the array plays on; to look: {}\n", to_look(folder)));
   command::RewrittenLine line(!options.quiet);
   auto asked = std::chrono::steady_clock::now();
+  std::size_t told = folder.progress().batches.size();
   for (;;) {
     const Progress progress = folder.progress();
+    for (; told < progress.batches.size() && !options.quiet; ++told) {
+      line.clear();
+      command::say(in_words(progress.batches[told]) + '\n');
+    }
     if (progress.state == Progress::State::complete) break;
     if (progress.state != Progress::State::running) {
       line.clear();
@@ -360,6 +380,7 @@ int follow(const StudyFolder& folder, const campaign::Options& options, const In
   line.clear();
   // The job that gathered the last matches may still write the page.
   { const campaign::Store store = opened(folder); }
+  tell_of_end(folder.progress(), options);
   return finish_on_cluster(folder, options, invocation);
 }
 
@@ -369,7 +390,10 @@ int tell_step(const StudyFolder& folder, const ClusterStep& step, const campaign
   if (step.gathered.refused > 0)
     complain(fmt::format("{} matches do not fit; their parts are kept in {}", step.gathered.refused,
                          config::one_line(folder.set_aside().string())));
-  if (step.progress.state == Progress::State::complete) return finish_on_cluster(folder, options, invocation);
+  if (step.progress.state == Progress::State::complete) {
+    tell_of_end(step.progress, options);
+    return finish_on_cluster(folder, options, invocation);
+  }
   if (step.progress.state == Progress::State::failed)
     throw BadInput(fmt::format("{}; to go on: {}", config::one_line(step.progress.message), to_go_on(folder)));
   if (!options.quiet) {

@@ -35,6 +35,7 @@ struct ClusterStep {
   cluster::Gathered gathered;
   cluster::Progress progress;
   std::uint64_t submitted = 0;  // matches
+  std::uint64_t round = 0;      // matches that the study asks for at a time
   bool plays = false;           // an array waits or runs
 };
 

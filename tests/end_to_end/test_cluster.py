@@ -77,6 +77,8 @@ class Tournaments(OnCluster):
         played = self.count("study.cluster/results.db")
         self.assertLess(played - local["matches"], 8)  # one batch
         self.assertLess(played, 120)
+        beyond = f"{played - local['matches']} matches were played beyond the end of the study, and are not counted"
+        self.assertEqual(self.progress()["message"], beyond if played > local["matches"] else "")
         self.assert_same_reports("study.cluster/results.db", "local.db")
 
     def test_killed_tasks_lose_nothing(self):
