@@ -17,7 +17,9 @@ struct Options {
   std::string results, processor_seconds = "10", memory = "2048";
   std::string isolation, wall_seconds, match_seconds = "1800";  // isolation empty: as the study's document says
   bool resume = false, json = false, quiet = false, no_page = false, play_once = false;
-  bool begin_only = false;                // not typed: the file of results is made, and nothing played
+  // Not typed: what is not in the file of results is played; nothing is, but the file made; or nothing is, for all is
+  // there.
+  enum class Plays { what_is_missing, nothing_yet, nothing_more } plays = Plays::what_is_missing;
   std::vector<std::string> plugin_files;  // not typed: what the search of the folders has found
 };
 

@@ -150,24 +150,24 @@ void Store::insert(std::int64_t row, const MatchKey& key, const Decided& decided
 }
 
 Taken Store::take(const Store& other, Unknown unknown) {
-  const std::vector<StoredFixtures::Numbered> theirs = guarded(*other.parts_, [&] {
-    other.parts_->begin_reading();
-    return other.parts_->fixtures.all();
+  Parts& there = *other.parts_;
+  const auto theirs = guarded(there, [&] {
+    there.begin_reading();
+    return there.fixtures.keys();
   });
+  if (unknown == Unknown::planned) add(guarded(there, [&] { return there.fixtures.all(); }));
   std::vector<std::string> keys;
-  for (const auto& [number, fixture] : theirs) {
-    if (unknown == Unknown::planned) add(std::span(&fixture, 1));
-    keys.push_back(fixture.key);
-  }
+  for (const auto& [number, key] : theirs) keys.push_back(key);
   const std::vector<std::int64_t> ours = numbers(keys);
   FixtureNumbers mine;
   for (std::size_t i = 0; i < theirs.size(); ++i) {
-    if (ours[i] != 0) mine.emplace(theirs[i].number, ours[i]);
+    if (ours[i] != 0) mine.emplace(theirs[i].first, ours[i]);
   }
   return guarded(*parts_, [&] {
+    parts_->file.require();
     parts_->end_reading();
     SQLite::Transaction transaction(parts_->file.database());
-    Taken out = parts_->matches.take(other.parts_->matches, mine);
+    Taken out = parts_->matches.take(there.matches, mine);
     transaction.commit();
     return out;
   });

@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <utility>
 
 namespace regista::campaign {
 namespace {
@@ -78,7 +79,34 @@ class StoreFile::Hold {
     if (error == EWOULDBLOCK) throw StoreInUse(fmt::format("{} is in use by another process", file.string()));
     throw StoreRefusal(fmt::format("cannot lock {}: {}", file.string(), std::strerror(error)));
   }
-  ~Hold() { close(descriptor_); }
+  // Of a reader. A file with a log is read while it is written to, and is not held; one without a log is read only
+  // while nobody writes to it.
+  explicit Hold(const std::string& file) {
+    descriptor_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor_ == -1) throw StoreRefusal(fmt::format("cannot read {}: {}", file, std::strerror(errno)));
+    std::array<unsigned char, 1>
+        version{};  // to write: 1 without a log, 2 with one ("Database File Format", sqlite.org)
+    const bool without_log = pread(descriptor_, version.data(), version.size(), 18) == 1 && version[0] == 1;
+    if (!without_log) {
+      close(std::exchange(descriptor_, -1));  // before SQLite has locks on it
+      return;
+    }
+    if (flock(descriptor_, LOCK_SH | LOCK_NB) == -1 && errno == EWOULDBLOCK) {
+      close(descriptor_);
+      throw StoreInUse(fmt::format("{} is written to just now", file));
+    }
+    std::error_code none;
+    if (const auto size = std::filesystem::file_size(file + "-journal", none); !none && size > 0) {
+      close(descriptor_);
+      throw StoreRefusal(
+          fmt::format("{}: who wrote to it was killed; opened for writing, as by regista resume or gather, "
+                      "it is whole again",
+                      file));
+    }
+  }
+  ~Hold() {
+    if (descriptor_ != -1) close(descriptor_);
+  }
   Hold(const Hold&) = delete;
   Hold& operator=(const Hold&) = delete;
 
@@ -147,15 +175,17 @@ void StoreFile::open() {
   if (mode_ != StoreMode::create) refuse_what_is_no_file(name_);
   if (mode_ != StoreMode::read) {
     hold_ = std::make_unique<const Hold>(name_, mode_ == StoreMode::create);
-  } else if (const int descriptor = ::open(name_.c_str(), O_RDONLY | O_CLOEXEC); descriptor != -1) {
-    close(descriptor);  // before SQLite has locks on it
   } else {
-    throw StoreRefusal(fmt::format("cannot read {}: {}", name_, std::strerror(errno)));
+    hold_ = std::make_unique<const Hold>(name_);
   }
   try {
     // A file in the current folder may be called ":memory:", which SQLite takes for no file at all.
     const std::string path = std::filesystem::absolute(name_).string();
-    if (mode_ != StoreMode::read) {
+    if (mode_ != StoreMode::read && journal_ == Journal::rollback) {
+      // We hold the file. SQLite's own locks are of another kind, which some file systems take for the same.
+      database_ = std::make_unique<SQLite::Database>("file:" + in_address(path) + "?nolock=1",
+                                                     SQLite::OPEN_READWRITE | SQLite::OPEN_URI, wait_for_writers);
+    } else if (mode_ != StoreMode::read) {
       database_ = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READWRITE, wait_for_writers);
     } else if (std::filesystem::exists(path + "-wal")) {
       // A log beside it holds what was written last. Where there is none nobody writes, and none need be made.

@@ -54,14 +54,20 @@ std::vector<std::int64_t> StoredFixtures::numbers(std::span<const std::string> k
   return out;
 }
 
-std::vector<StoredFixtures::Numbered> StoredFixtures::all() {
+std::vector<std::pair<std::int64_t, std::string>> StoredFixtures::keys() {
   check();
-  std::vector<Numbered> out;
-  SQLite::Statement each(database_, "SELECT id, key, job FROM fixtures ORDER BY id");
-  while (each.executeStep()) {
-    out.push_back(
-        {each.getColumn(0).getInt64(), {each.getColumn(1).getString(), job_from_json(each.getColumn(2).getString())}});
-  }
+  std::vector<std::pair<std::int64_t, std::string>> out;
+  SQLite::Statement each(database_, "SELECT id, key FROM fixtures ORDER BY id");
+  while (each.executeStep()) out.emplace_back(each.getColumn(0).getInt64(), each.getColumn(1).getString());
+  return out;
+}
+
+std::vector<Fixture> StoredFixtures::all() {
+  check();
+  std::vector<Fixture> out;
+  SQLite::Statement each(database_, "SELECT key, job FROM fixtures ORDER BY id");
+  while (each.executeStep())
+    out.push_back({each.getColumn(0).getString(), job_from_json(each.getColumn(1).getString())});
   return out;
 }
 

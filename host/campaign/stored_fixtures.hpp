@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "campaign/job.hpp"
@@ -39,12 +40,9 @@ class StoredFixtures {
   // The numbers of those that there are, in this order; 0 for others. Throws std::invalid_argument when any is damaged:
   // one whose key is damaged would not be found, and its matches would count as not played.
   std::vector<std::int64_t> numbers(std::span<const std::string> keys);
-  struct Numbered {
-    std::int64_t number = 0;
-    Fixture fixture;
-  };
-  // All that there are, by their numbers. Throws std::invalid_argument when any is damaged.
-  std::vector<Numbered> all();
+  // All that there are, by their numbers: with their keys, or whole. Throw std::invalid_argument when any is damaged.
+  std::vector<std::pair<std::int64_t, std::string>> keys();
+  std::vector<Fixture> all();
   // Throws DamagedRow, which names `row`: the match that it is asked for.
   Job job(std::int64_t number, std::int64_t row);
 

@@ -168,21 +168,28 @@ struct StoredMatches::Parts {
     std::int64_t row = 0, attempts = 0;
     MatchKey theirs;
     Decided decided;
+    std::optional<StoredMetrics::Packed> numbers;
     OtherFile::reading([&] {
       row = cursor.getColumn(0).getInt64();
       theirs = key_of(cursor);
       attempts = cursor.getColumn(9).getInt64();
       decided = other.decided_of(cursor, Metrics::left_out);
+      if (!decided.hash.empty()) numbers = other.metrics.packed(row);
     });
     const auto fixture = fixtures.find(theirs.fixture);
     if (fixture == fixtures.end()) throw DamagedRow(row, "nothing like it was planned");
     const MatchKey key{fixture->second, theirs.seed};
     if (put(*insert_new, row, key, decided, attempts)) {
-      if (!decided.hash.empty()) metrics.take(row, other.metrics);
+      if (numbers) metrics.write(row, *numbers);
       ++out.rows;
       return;
     }
-    const std::optional<Decided> ours = by_its_key(key, Metrics::left_out);
+    std::optional<Decided> ours;
+    try {
+      ours = by_its_key(key, Metrics::left_out);
+    } catch (const DamagedRow& error) {  // here, not there
+      throw std::invalid_argument(fmt::format("match {}: {}", error.row(), error.what()));
+    }
     if (!ours) throw DamagedRow(row, "its row holds another match");
     // Who forfeits for want of time may not do so elsewhere.
     if (ours->hash != decided.hash && !ours->hash.empty() && !decided.hash.empty()) {
@@ -280,8 +287,6 @@ Taken StoredMatches::take(StoredMatches& other, const FixtureNumbers& fixtures) 
       parts_->take(*other.parts_, each, fixtures, out);
     } catch (const DamagedRow& error) {
       refuse(fmt::format("match {}: {}", error.row(), error.what()));
-    } catch (const std::invalid_argument& error) {
-      refuse(error.what());
     } catch (const OtherFile& error) {  // what was read before it is sound
       refuse(fmt::format("the rest cannot be read: {}", error.what()));
       return out;

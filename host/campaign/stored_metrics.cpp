@@ -11,7 +11,6 @@
 #include <string_view>
 
 #include "campaign/metric_bytes.hpp"
-#include "campaign/other_file.hpp"
 #include "campaign/row_checksum.hpp"
 #include "mcap/compression.hpp"
 #include "mcap/decode.hpp"
@@ -60,6 +59,22 @@ struct StoredMetrics::Parts {
     return database.getLastInsertRowid();
   }
 
+  // What stands under the cursor of `select`.
+  Packed packed(std::int64_t row) {
+    const std::int64_t id = select.getColumn(0).getInt64(), size = select.getColumn(1).getInt64();
+    const SQLite::Column column = select.getColumn(2);
+    const std::string_view frame(static_cast<const char*>(column.getBlob()),
+                                 static_cast<std::size_t>(column.getBytes()));
+    if (checksum_of(row, id, size, frame) != select.getColumn(3).getInt64()) {
+      throw DamagedRow(row, "the checksum of its metrics does not fit");
+    }
+    try {
+      return {names(id), size, frame};
+    } catch (const std::invalid_argument& error) {
+      throw DamagedRow(row, std::string("metrics: ") + error.what());
+    }
+  }
+
   void put(std::int64_t row, const Names& names, std::int64_t size, std::string_view frame) {
     const std::int64_t id = id_of(names);
     insert->tryReset();
@@ -97,17 +112,11 @@ match::MetricNumbers StoredMetrics::read(std::int64_t row) {
   select.tryReset();
   select.bind(1, row);
   if (!select.executeStep()) return {};
-  const std::int64_t id = select.getColumn(0).getInt64(), size = select.getColumn(1).getInt64();
-  const SQLite::Column column = select.getColumn(2);
-  const std::string_view frame(static_cast<const char*>(column.getBlob()), static_cast<std::size_t>(column.getBytes()));
-  if (checksum_of(row, id, size, frame) != select.getColumn(3).getInt64()) {
-    throw DamagedRow(row, "the checksum of its metrics does not fit");
-  }
+  const Packed packed = parts_->packed(row);
   try {
-    const Names& known = parts_->names(id);
     std::string bytes;
-    parts_->decompressor.decompress(frame, static_cast<std::uint64_t>(size), bytes);
-    return {known, numbers_of(bytes, known->size())};
+    parts_->decompressor.decompress(packed.frame, static_cast<std::uint64_t>(packed.size), bytes);
+    return {packed.names, numbers_of(bytes, packed.names->size())};
   } catch (const std::invalid_argument& error) {
     throw DamagedRow(row, std::string("metrics: ") + error.what());
   } catch (const mcap::Malformed& error) {
@@ -115,25 +124,16 @@ match::MetricNumbers StoredMetrics::read(std::int64_t row) {
   }
 }
 
-void StoredMetrics::take(std::int64_t row, StoredMetrics& other) {
-  SQLite::Statement& select = other.parts_->select;
-  std::int64_t size = 0;
-  Names names;
-  std::string_view frame;
-  OtherFile::reading([&] {
-    select.tryReset();
-    select.bind(1, row);
-    if (!select.executeStep()) throw DamagedRow(row, "its metrics are missing");
-    const std::int64_t id = select.getColumn(0).getInt64();
-    size = select.getColumn(1).getInt64();
-    const SQLite::Column column = select.getColumn(2);
-    frame = {static_cast<const char*>(column.getBlob()), static_cast<std::size_t>(column.getBytes())};
-    if (checksum_of(row, id, size, frame) != select.getColumn(3).getInt64()) {
-      throw DamagedRow(row, "the checksum of its metrics does not fit");
-    }
-    names = other.parts_->names(id);
-  });
-  parts_->put(row, names, size, frame);
+StoredMetrics::Packed StoredMetrics::packed(std::int64_t row) {
+  SQLite::Statement& select = parts_->select;
+  select.tryReset();
+  select.bind(1, row);
+  if (!select.executeStep()) throw DamagedRow(row, "its metrics are missing");
+  return parts_->packed(row);
+}
+
+void StoredMetrics::write(std::int64_t row, const Packed& numbers) {
+  parts_->put(row, numbers.names, numbers.size, numbers.frame);
 }
 
 match::MetricPaths StoredMetrics::paths(std::int64_t rows) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "match/metric_numbers.hpp"
@@ -38,9 +39,15 @@ class StoredMetrics {
   match::MetricNumbers read(std::int64_t row);
   // Within a transaction.
   void write(std::int64_t row, const match::MetricNumbers& numbers);
-  // Within a transaction: the numbers of a row of another file, as they stand there. Throws DamagedRow where they are
-  // missing or their checksum does not fit; OtherFile.
-  void take(std::int64_t row, StoredMetrics& other);
+  // The numbers of a row as they stand here, for another file. Valid until the next that is read. Throws DamagedRow
+  // where they are missing or their checksum does not fit.
+  struct Packed {
+    std::shared_ptr<const match::MetricNames> names;
+    std::int64_t size = 0;
+    std::string_view frame;
+  };
+  Packed packed(std::int64_t row);
+  void write(std::int64_t row, const Packed& numbers);
   // Paths that the first rows have numbers under, each once, in the order in which they come up.
   match::MetricPaths paths(std::int64_t rows);
   // Lets go of what was read last.

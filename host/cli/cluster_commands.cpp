@@ -6,10 +6,9 @@
 #include <string>
 
 #include "cli/cluster_run.hpp"
+#include "cli/cluster_step.hpp"
 #include "cli/commands.hpp"
-#include "cluster/slurm.hpp"
 #include "cluster/study_folder.hpp"
-#include "command/terminal.hpp"
 #include "config/json.hpp"
 #include "config/text.hpp"
 #include "output/output.hpp"
@@ -73,34 +72,37 @@ const char* name_of(Progress::State state) {
   return "";
 }
 
-int tell_status(const FolderOptions& options, const Invocation& invocation) {
+int tell_status(const FolderOptions& options) {
   const StudyFolder folder = folder_of(options, "status");
-  const ClusterStatus status = status_of(folder, invocation);
+  const ClusterStatus status = status_of(folder);
   const Progress& progress = status.progress;
   if (options.campaign.json) {
     const nlohmann::ordered_json json{{"folder", folder.root().string()},
-                                      {"title", status.title},
+                                      {"title", progress.title},
                                       {"state", name_of(progress.state)},
                                       {"message", progress.message},
-                                      {"matches", status.most},
-                                      {"gathered", status.gathered},
+                                      {"matches", progress.matches},
+                                      {"gathered", progress.rows},
                                       {"in_parts", status.in_parts},
-                                      {"failed_in_parts", status.failed},
+                                      {"failed_in_parts", status.failed_in_parts},
                                       {"tasks_playing", status.running},
                                       {"tasks_ended", status.ended},
                                       {"batches", progress.batches.size()},
                                       {"matches_per_second", status.rate},
                                       {"refused_nodes", progress.refused_nodes},
-                                      {"finding", status.headline}};
+                                      {"remarks", progress.remarks},
+                                      {"finding", progress.finding}};
     output::print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
     return exit_done;
   }
-  std::string text = fmt::format("{}: {}\n", config::one_line(status.title), name_of(progress.state));
-  if (!progress.message.empty()) text += fmt::format("  {}\n", config::one_line(progress.message));
-  text += fmt::format("  {}\n", in_words(status));
-  for (const std::string& each : progress.refused_nodes)
-    text += fmt::format("  node {} plays nothing: it would play other matches\n", config::one_line(each));
-  if (!status.headline.empty()) text += fmt::format("  {}\n", config::one_line(status.headline));
+  std::string text = fmt::format("{}: {}\n", config::one_line(progress.title), name_of(progress.state));
+  const auto line = [&text](const std::string& said) {
+    if (!said.empty()) text += fmt::format("  {}\n", config::one_line(said));
+  };
+  line(progress.message);
+  line(in_words(status));
+  for (const std::string& each : progress.remarks) line(each);
+  line(progress.finding);
   output::print(text);
   return exit_done;
 }
@@ -111,18 +113,7 @@ int gather(const FolderOptions& options, const Invocation& invocation) {
 }
 
 int stop(const FolderOptions& options) {
-  const StudyFolder folder = folder_of(options, "stop");
-  Progress progress = folder.progress();
-  if (progress.state == Progress::State::complete)
-    throw BadInput(fmt::format("stop: {}: the study is complete", config::one_line(options.folder)));
-  try {
-    cluster::cancel(cluster::alive(all_jobs(progress)));
-  } catch (const cluster::SlurmError& error) {
-    throw BadInput(error.what());
-  }
-  progress.state = Progress::State::stopped;
-  progress.message = "it was stopped";
-  folder.write(progress);
+  stop_study(folder_of(options, "stop"));
   return exit_done;
 }
 
@@ -139,13 +130,13 @@ void add_gather(Command& parent, const Invocation& invocation) {
   command.run = [options, &invocation] { return gather(*options, invocation); };
 }
 
-void add_status(Command& parent, const Invocation& invocation) {
+void add_status(Command& parent) {
   Command& command = parent.add("status", "how far a study on a cluster has come");
   const auto options = std::make_shared<FolderOptions>();
   command.take("folder", options->folder, "FOLDER", "the study's folder", Reads::results);
   command.flag("--json", options->campaign.json, "write the status as JSON");
   command.notes(status_examples);
-  command.run = [options, &invocation] { return tell_status(*options, invocation); };
+  command.run = [options] { return tell_status(*options); };
 }
 
 void add_stop(Command& parent) {

@@ -2,15 +2,11 @@
 #include "cli/cluster_run.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <memory>
 #include <optional>
-#include <stdexcept>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -22,8 +18,6 @@
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
 #include "cli/study_run.hpp"
-#include "cluster/batch.hpp"
-#include "cluster/missing.hpp"
 #include "cluster/slurm.hpp"
 #include "command/interruption.hpp"
 #include "command/terminal.hpp"
@@ -40,14 +34,16 @@ namespace fs = std::filesystem;
 using cluster::Progress;
 using cluster::Settings;
 using cluster::StudyFolder;
+using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t most_tasks = 1000;  // of an array, as clusters are usually set (MaxArraySize 1001)
-constexpr std::uint64_t most_fruitless = 3;
-constexpr std::chrono::seconds patience{60};  // for another process that gathers
 
+std::string line_of(const std::vector<std::string>& words) { return campaign::shell_line(words); }
+std::string command_of(const char* name, const StudyFolder& folder) {
+  return line_of({"regista", name, folder.root().string()});
+}
 std::string name_of(const StudyFolder& folder) { return config::one_line(folder.root().string()); }
 
-// What of the options was typed for it.
 Settings settings_of(const ClusterOptions& options, const campaign::Options& campaign) {
   Settings out;
   if (!options.array.empty()) out.tasks = config::parse_whole("--array", options.array, 1, most_tasks);
@@ -77,143 +73,28 @@ void write_script(const fs::path& file, const std::string& command) {
   fs::permissions(file, fs::perms::owner_exec | fs::perms::group_exec, fs::perm_options::add, none);
 }
 
-std::string line_of(const std::vector<std::string>& words) { return campaign::shell_line(words); }
-std::string word(const fs::path& path) { return line_of({path.string()}); }
-
 void write_scripts(const StudyFolder& folder) {
-  write_script(folder.root() / "task.sh", fmt::format("exec {} cluster-task {} \"$1\" \"$SLURM_ARRAY_TASK_ID\"",
-                                                      word(folder.program()), word(folder.root())));
-  write_script(folder.root() / "gather.sh",
-               fmt::format("exec {} gather {}", word(folder.program()), word(folder.root())));
+  const std::string program = line_of({folder.program().string()}), root = line_of({folder.root().string()});
+  write_script(folder.root() / "task.sh",
+               fmt::format("exec {} cluster-task {} \"$1\" \"$SLURM_ARRAY_TASK_ID\"", program, root));
+  write_script(folder.root() / "gather.sh", fmt::format("exec {} gather {}", program, root));
 }
 
-void copy_over(const fs::path& from, const fs::path& to) {
-  std::error_code error;
-  fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
-  if (error)
-    throw output::WriteError(fmt::format("cannot copy {} to {}: {}", from.string(), to.string(), error.message()));
-}
-
-std::vector<std::string> array_jobs(const Progress& progress) {
-  return progress.batches.empty() ? std::vector<std::string>() : std::vector{progress.batches.back().array_job};
-}
-
-void submit_next(const StudyFolder& folder, const Settings& settings, const cluster::Missing& missing,
-                 Progress& progress) {
-  cluster::Batch batch;
-  batch.first_row = missing.first_row;
-  // As many tasks as may be, each with as few matches as then are left for it.
-  std::uint64_t left = 0;
-  for (const cluster::Slice& each : missing.places) left += each.end - each.begin;
-  const std::uint64_t matches =
-      std::clamp<std::uint64_t>((left + settings.tasks - 1) / settings.tasks, 1, settings.matches);
-  batch.slices = cluster::divided(missing.places, matches, settings.tasks);
-  const std::uint64_t number = progress.batches.size() + 1;
-  if (!missing.is_first) copy_over(folder.results(), folder.known_before(number));
-  output::write_whole(folder.batch(number), cluster::to_json(batch), output::Existing::replaced);
-
-  cluster::JobRequest array;
-  array.name = folder.root().filename().string();
-  array.script = folder.root() / "task.sh";
-  array.arguments = {std::to_string(number)};
-  array.output = folder.logs() / fmt::format("{}-%a.txt", number);
-  array.tasks = batch.slices.size();
-  array.processors = settings.workers;
-  if (!settings.partition.empty()) array.options.push_back("--partition=" + settings.partition);
-  if (!settings.time.empty()) array.options.push_back("--time=" + settings.time);
-  array.options.insert(array.options.end(), settings.options.begin(), settings.options.end());
-  cluster::JobRequest gather = array;
-  if (!progress.refused_nodes.empty())
-    array.options.push_back(fmt::format("--exclude={}", fmt::join(progress.refused_nodes, ",")));
-  cluster::SubmittedBatch submitted{number, batch.slices.size(), batch.matches(), cluster::submit(array), ""};
-  progress.batches.push_back(submitted);
-  folder.write(progress);  // so that the array is known, whatever becomes of the next
-  gather.name += "-gather";
-  gather.script = folder.root() / "gather.sh";
-  gather.arguments.clear();
-  gather.output = folder.logs() / fmt::format("{}-gather.txt", number);
-  gather.tasks = 0;
-  gather.processors = 1;
-  gather.after = submitted.array_job;
-  progress.batches.back().gather_job = cluster::submit(gather);
-  folder.write(progress);
-}
-
-campaign::Store opened(const StudyFolder& folder) {
-  const auto until = std::chrono::steady_clock::now() + patience;
-  for (;;) {
-    try {
-      return {folder.results(), campaign::Store::Mode::open, REGISTA_VERSION, campaign::Journal::rollback};
-    } catch (const campaign::StoreInUse& error) {
-      if (std::chrono::steady_clock::now() > until) throw BadInput(error.what());
-    } catch (const campaign::StoreRefusal& error) {
-      throw BadInput(error.what());
-    } catch (const campaign::StoreDiskError& error) {
-      throw output::WriteError(error.what());
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  }
-}
-
-// In a moment that belongs to whoever holds the file of results.
-ClusterStep step_while_open(const StudyFolder& folder, campaign::Store& results, bool restart,
-                            const Invocation& invocation) {
-  const Settings settings = folder.settings();
-  ClusterStep out;
-  out.gathered = cluster::gather(folder, results, REGISTA_VERSION);
-  Progress& progress = out.progress = folder.progress();
-  for (const std::string& each : out.gathered.refused_nodes) {
-    if (std::ranges::find(progress.refused_nodes, each) == progress.refused_nodes.end())
-      progress.refused_nodes.push_back(each);
-  }
-  const auto report = stored_study(folder.results().string(), results, {}, invocation.studies);
-  const cluster::Missing missing = cluster::missing_of(report->study(), results, settings.tasks * settings.matches);
-  if (missing.complete()) {
-    // What plays on is not wanted any more: a test has decided.
-    std::vector<std::string> rest = all_jobs(progress);
-    std::erase_if(rest, [](const std::string& job) { return cluster::is_within({job}); });
-    if (progress.state != Progress::State::complete) cluster::cancel(cluster::alive(rest));
-    progress.state = Progress::State::complete;
-    const auto rows = static_cast<std::uint64_t>(results.rows());
-    progress.message = rows <= missing.taken ? std::string()
-                                             : fmt::format(
-                                                   "{} matches were played beyond the end of the study, and "
-                                                   "are not counted",
-                                                   rows - missing.taken);
-    folder.write(progress);
-    return out;
-  }
-  out.round = missing.round;
-  if (restart) {
-    progress.state = Progress::State::running;
-    progress.message.clear();
-    progress.fruitless = 0;
-    progress.refused_nodes.clear();
-  }
-  out.plays = !cluster::alive(array_jobs(progress)).empty();
-  if (!out.plays && progress.state == Progress::State::running) {
-    const bool fruitless = !progress.batches.empty() && out.gathered.rows == 0 && !restart;
-    progress.fruitless = fruitless ? progress.fruitless + 1 : 0;
-    if (progress.fruitless >= most_fruitless) {
-      progress.state = Progress::State::failed;
-      progress.message =
-          fmt::format("{} batches in a row brought no match; what their tasks wrote stands in {}{}", most_fruitless,
-                      folder.logs().string(), out.gathered.remarks.empty() ? "" : "; " + out.gathered.remarks.back());
-    } else {
-      submit_next(folder, settings, missing, progress);
-      out.submitted = progress.batches.back().matches;
-      out.plays = true;
-    }
-  }
-  folder.write(progress);
-  return out;
-}
-
-std::string to_look(const StudyFolder& folder) { return line_of({"regista", "status", folder.root().string()}); }
-std::string to_go_on(const StudyFolder& folder) { return line_of({"regista", "resume", folder.root().string()}); }
-
-void tell_of_end(const Progress& progress, const campaign::Options& options) {
-  if (!options.quiet && !progress.message.empty()) command::say(progress.message + '\n');
+// All that a study needs to be played, in its folder.
+void lay_out(const StudyFolder& folder, Settings settings, const Invocation& invocation) {
+  const std::string results = folder.results().string();
+  const campaign::Store store = read_results(results);
+  const auto report = stored_study(results, store, {}, invocation.studies);
+  const std::string given_in = report->study().folder();
+  settings.plugin_files = plugin_files_of(report->study(), invocation);
+  std::vector<fs::path> files(settings.plugin_files.begin(), settings.plugin_files.end());
+  for (const campaign::Document& each : store.documents()) files.emplace_back(each.path);
+  std::error_code none;
+  fs::create_directories(folder.copy_of(given_in), none);
+  folder.copy_in(files);
+  folder.write_plan(store, REGISTA_VERSION);
+  folder.write(settings);
+  write_scripts(folder);
 }
 
 std::string in_words(const cluster::SubmittedBatch& batch) {
@@ -226,6 +107,122 @@ std::string minutes_text(double seconds) {
   if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
   return fmt::format("{:.1f} h", seconds / 3600.0);
 }
+
+// The report of a study that is complete, and what stands beside its results. Nothing is played.
+int finish(const StudyFolder& folder, const Progress& progress, const campaign::Options& options,
+           const Invocation& invocation) {
+  if (!options.quiet && !progress.message.empty()) command::say(progress.message + '\n');
+  campaign::Options own = options;
+  own.results = folder.results().string();
+  own.resume = own.quiet = true;
+  own.plays = campaign::Options::Plays::nothing_more;
+  const std::string plan = stored_plan(read_results(own.results));
+  const StudyKind& kind = kind_of(own.results, plan, invocation.studies);
+  const auto report = stored_study(own.results, read_results(own.results), play_again(invocation), invocation.studies);
+  std::error_code none;  // files are named as they were when it was begun; on a node that folder need not be there
+  fs::current_path(report->study().folder(), none);
+  using enum output::OutputFiles::Page;
+  output::OutputFiles outputs({}, "study");
+  outputs.write_beside(own.results, own.no_page ? none : kind.figures ? with_figures : alone);
+  if (!options.quiet) command::say(fmt::format("results: {}\n", config::one_line(own.results)));
+  if (kind.go_on) return kind.go_on(plan, own, outputs, invocation);
+  campaign::Store store = open_results(own.results, true, report->study(), {}, invocation.studies);
+  StudyWishes wishes;
+  wishes.figures = kind.figures;
+  try {
+    return play_study(*report, own, invocation, store, wishes);
+  } catch (const study::StudyError& error) {
+    throw BadInput(fmt::format("{}: {}", name_of(folder), error.what()));
+  }
+}
+
+// Waits for the end of a study, with a line of progress.
+class Follower {
+ public:
+  Follower(const StudyFolder& folder, const campaign::Options& options, const Invocation& invocation)
+      : folder_(folder), options_(options), invocation_(invocation), line_(!options.quiet) {
+    const Progress progress = folder.progress();
+    batches_ = progress.batches.size();
+  }
+
+  int run() {
+    using namespace std::chrono_literals;
+    const std::string to_look = command_of("status", folder_), to_end = command_of("stop", folder_);
+    const command::Interruption interruption(
+        fmt::format("regista: interrupted; the array plays on; to look: {}\n", to_look));
+    for (;;) {
+      const Progress progress = folder_.progress();
+      tell_what_is_new(progress);
+      if (progress.state == Progress::State::complete) break;
+      if (progress.state != Progress::State::running) {
+        line_.clear();
+        throw BadInput(fmt::format("{}: the study has {}: {}; to go on: {}", name_of(folder_),
+                                   progress.state == Progress::State::stopped ? "been stopped" : "failed",
+                                   progress.message, command_to_go_on(folder_)));
+      }
+      if (interruption.requested()) {
+        line_.clear();
+        throw Interrupted(fmt::format("interrupted; the array plays on; to look: {}; to end it: {}", to_look, to_end),
+                          interruption.signal_number());
+      }
+      if (Clock::now() >= next_step_) take_step_if_it_is_time(progress);
+      if (line_.due()) line_.show(cli::in_words(status_of(folder_)));
+      std::this_thread::sleep_for(500ms);
+    }
+    line_.clear();
+    wait_for_jobs(interruption);
+    return finish(folder_, folder_.progress(), options_, invocation_);
+  }
+
+ private:
+  void tell_what_is_new(const Progress& progress) {
+    if (options_.quiet) return;
+    for (; batches_ < progress.batches.size(); ++batches_) say(in_words(progress.batches[batches_]));
+    for (const std::string& each : progress.remarks) {
+      if (std::ranges::find(remarks_, each) == remarks_.end()) say(each);
+    }
+    remarks_ = progress.remarks;
+  }
+  void say(const std::string& text) {
+    line_.clear();
+    command::say(text + '\n');
+  }
+
+  // As soon as tasks have ended: a test may have decided. And when no job is left that would do it.
+  void take_step_if_it_is_time(const Progress& progress) {
+    using namespace std::chrono_literals;
+    const auto began = Clock::now();
+    bool wanted = status_of(folder_).ended > 0;
+    try {
+      wanted = wanted || jobs_alive(progress).empty();
+    } catch (const cluster::SlurmError&) {
+      // Slurm does not answer just now; the files tell how things stand.
+    }
+    if (wanted) take_step(folder_, false, invocation_);
+    // Where looking at all matches takes long, it is done seldom.
+    next_step_ = Clock::now() + std::max<Clock::duration>(5s, 20 * (Clock::now() - began));
+  }
+
+  // The job that gathered the last matches writes the page, too.
+  void wait_for_jobs(const command::Interruption& interruption) const {
+    using namespace std::chrono_literals;
+    const auto until = Clock::now() + 10min;
+    try {
+      while (!interruption.requested() && Clock::now() < until && !jobs_alive(folder_.progress()).empty())
+        std::this_thread::sleep_for(300ms);
+    } catch (const cluster::SlurmError&) {
+      // Then the file of results says whether it is in use.
+    }
+  }
+
+  const StudyFolder& folder_;
+  const campaign::Options& options_;
+  const Invocation& invocation_;
+  command::RewrittenLine line_;
+  std::size_t batches_ = 0;
+  std::vector<std::string> remarks_;
+  Clock::time_point next_step_ = Clock::now() + std::chrono::seconds(5);
+};
 
 }  // namespace
 
@@ -244,67 +241,21 @@ void add_cluster_options(Command& command, ClusterOptions& options) {
   command.flag("--detach", options.detach, "with --on: do not wait for the end of the study");
 }
 
-std::vector<std::string> all_jobs(const Progress& progress) {
-  std::vector<std::string> out;
-  for (const cluster::SubmittedBatch& each : progress.batches) {
-    for (const std::string& job : {each.array_job, each.gather_job}) {
-      if (!job.empty()) out.push_back(job);
-    }
-  }
-  return out;
-}
-
-ClusterStep take_step(const StudyFolder& folder, bool restart, const Invocation& invocation) {
-  folder.settings();  // else the folder is none of a study
-  campaign::Store results = opened(folder);
-  const auto failed = [&](const std::string& why) {
-    Progress progress = folder.progress();
-    if (progress.batches.empty()) return why;
-    progress.state = Progress::State::failed;
-    progress.message = why;
-    folder.write(progress);
-    return fmt::format("{}; to go on: {}", why, to_go_on(folder));
-  };
-  try {
-    return step_while_open(folder, results, restart, invocation);
-  } catch (const cluster::SlurmError& error) {
-    throw BadInput(failed(error.what()));
-  } catch (const study::StudyError& error) {
-    throw BadInput(failed(error.what()));
-  } catch (const campaign::StoreDiskError& error) {
-    throw output::WriteError(fmt::format("{}; to go on: {}", error.what(), to_go_on(folder)));
-  } catch (const campaign::StoreError& error) {
-    throw BadInput(error.what());
-  }
-}
-
 int run_on_cluster(const ClusterOptions& options, const campaign::Options& campaign, const std::string& file,
                    const std::function<void(const campaign::Options& options)>& begin, const Invocation& invocation) {
   if (!campaign.results.empty()) throw BadInput("--results: with --on the results lie in the study's folder: --folder");
   if (campaign.resume) throw BadInput("--resume: a study on a cluster is gone on with by: regista resume FOLDER");
-  Settings settings = settings_of(options, campaign);
+  const Settings settings = settings_of(options, campaign);
   const StudyFolder folder(options.folder.empty() ? fs::path(file).stem().string() + ".cluster" : options.folder);
   folder.create(settings);
   ClusterStep step;
   try {
     campaign::Options own = campaign;
     own.results = folder.results().string();
-    own.begin_only = own.no_page = true;
+    own.plays = campaign::Options::Plays::nothing_yet;
+    own.no_page = true;
     begin(own);
-    std::vector<fs::path> files;
-    {
-      const campaign::Store store = read_results(own.results);
-      const auto report = stored_study(own.results, store, {}, invocation.studies);
-      settings.plugin_files = plugin_files_of(report->study(), invocation);
-      for (const campaign::Document& each : store.documents()) files.emplace_back(each.path);
-      std::error_code none;
-      fs::create_directories(folder.copy_of(report->study().folder()), none);
-    }
-    files.insert(files.end(), settings.plugin_files.begin(), settings.plugin_files.end());
-    folder.copy_in(files);
-    copy_over(folder.results(), folder.plan());
-    folder.write(settings);
-    write_scripts(folder);
+    lay_out(folder, settings, invocation);
     step = take_step(folder, false, invocation);
   } catch (...) {
     std::error_code none;
@@ -317,71 +268,10 @@ int run_on_cluster(const ClusterOptions& options, const campaign::Options& campa
       command::say(fmt::format("the study asks for {} matches at a time: more tasks gain nothing\n", step.round));
   }
   if (options.detach) {
-    if (!campaign.quiet) command::say(fmt::format("to look: {}\n", to_look(folder)));
+    if (!campaign.quiet) command::say(fmt::format("to look: {}\n", command_of("status", folder)));
     return exit_done;
   }
-  return follow(folder, campaign, invocation);
-}
-
-int finish_on_cluster(const StudyFolder& folder, const campaign::Options& options, const Invocation& invocation) {
-  campaign::Options own = options;
-  own.results = folder.results().string();
-  own.resume = true;
-  const std::string plan = stored_plan(read_results(own.results));
-  const StudyKind& kind = kind_of(own.results, plan, invocation.studies);
-  using enum output::OutputFiles::Page;
-  output::OutputFiles outputs({}, "study");
-  outputs.write_beside(own.results, own.no_page ? none : kind.figures ? with_figures : alone);
-  if (kind.go_on) return kind.go_on(plan, own, outputs, invocation);
-  const auto report = stored_study(own.results, read_results(own.results), play_again(invocation), invocation.studies);
-  campaign::Store store = open_results(own.results, true, report->study(), {}, invocation.studies);
-  StudyWishes wishes;
-  wishes.figures = kind.figures;
-  return play_study(*report, own, invocation, store, wishes);
-}
-
-int follow(const StudyFolder& folder, const campaign::Options& options, const Invocation& invocation) {
-  using namespace std::chrono_literals;
-  const command::Interruption interruption(
-      fmt::format("regista: interrupted; the array plays on; to look: {}\n", to_look(folder)));
-  command::RewrittenLine line(!options.quiet);
-  auto asked = std::chrono::steady_clock::now();
-  std::size_t told = folder.progress().batches.size();
-  for (;;) {
-    const Progress progress = folder.progress();
-    for (; told < progress.batches.size() && !options.quiet; ++told) {
-      line.clear();
-      command::say(in_words(progress.batches[told]) + '\n');
-    }
-    if (progress.state == Progress::State::complete) break;
-    if (progress.state != Progress::State::running) {
-      line.clear();
-      throw BadInput(fmt::format("{}: the study has {}: {}; to go on: {}", name_of(folder),
-                                 progress.state == Progress::State::stopped ? "been stopped" : "failed",
-                                 progress.message, to_go_on(folder)));
-    }
-    if (interruption.requested()) {
-      line.clear();
-      throw Interrupted(fmt::format("interrupted; the array plays on; to look: {}; to end it: {}", to_look(folder),
-                                    line_of({"regista", "stop", folder.root().string()})),
-                        interruption.signal_number());
-    }
-    if (std::chrono::steady_clock::now() - asked > 5s) {
-      asked = std::chrono::steady_clock::now();
-      try {
-        if (cluster::alive(all_jobs(progress)).empty()) take_step(folder, false, invocation);
-      } catch (const cluster::SlurmError&) {
-        // Slurm is restarted, perhaps; the files tell how things stand.
-      }
-    }
-    if (line.due()) line.show(in_words(status_of(folder, invocation, Findings::left_out)));
-    std::this_thread::sleep_for(500ms);
-  }
-  line.clear();
-  // The job that gathered the last matches may still write the page.
-  { const campaign::Store store = opened(folder); }
-  tell_of_end(folder.progress(), options);
-  return finish_on_cluster(folder, options, invocation);
+  return Follower(folder, campaign, invocation).run();
 }
 
 int tell_step(const StudyFolder& folder, const ClusterStep& step, const campaign::Options& options,
@@ -390,55 +280,40 @@ int tell_step(const StudyFolder& folder, const ClusterStep& step, const campaign
   if (step.gathered.refused > 0)
     complain(fmt::format("{} matches do not fit; their parts are kept in {}", step.gathered.refused,
                          config::one_line(folder.set_aside().string())));
-  if (step.progress.state == Progress::State::complete) {
-    tell_of_end(step.progress, options);
-    return finish_on_cluster(folder, options, invocation);
-  }
+  if (step.progress.state == Progress::State::complete) return finish(folder, step.progress, options, invocation);
   if (step.progress.state == Progress::State::failed)
-    throw BadInput(fmt::format("{}; to go on: {}", config::one_line(step.progress.message), to_go_on(folder)));
+    throw BadInput(fmt::format("{}; to go on: {}", config::one_line(step.progress.message), command_to_go_on(folder)));
   if (!options.quiet) {
     std::string text = fmt::format("{} matches gathered", step.gathered.rows);
-    if (step.submitted > 0) text += fmt::format(", {} submitted", step.submitted);
+    if (step.submitted > 0) text += ", " + in_words(step.progress.batches.back());
     if (step.progress.state == Progress::State::stopped)
-      text += fmt::format("; the study was stopped; to go on: {}", to_go_on(folder));
+      text += fmt::format("; the study was stopped; to go on: {}", command_to_go_on(folder));
     command::say(text + '\n');
   }
   return exit_done;
 }
 
-ClusterStatus status_of(const StudyFolder& folder, const Invocation& invocation, Findings findings) {
+ClusterStatus status_of(const StudyFolder& folder) {
   ClusterStatus out;
   out.progress = folder.progress();
   for (const cluster::Course& each : cluster::courses(folder)) {
     out.in_parts += each.done;
-    out.failed += each.failed;
+    out.failed_in_parts += each.failed;
     ++(each.ended ? out.ended : out.running);
     if (!each.ended && each.seconds > 0.0) out.rate += static_cast<double>(each.fresh) / each.seconds;
-  }
-  try {
-    const campaign::Store store = read_results(folder.results().string());
-    out.gathered = static_cast<std::uint64_t>(store.rows());
-    const auto report = stored_study(folder.results().string(), store, {}, invocation.studies);
-    out.most = report->study().most_matches();
-    out.title = report->title();
-    if (findings == Findings::wanted) study::read_back(report->study(), store, report->study().metrics());
-    if (report->study().counted() > 0) out.headline = report->headline();
-  } catch (const campaign::StoreError&) {
-    // It is being written to just now.
   }
   return out;
 }
 
 std::string in_words(const ClusterStatus& status) {
-  const std::uint64_t done = status.gathered + status.in_parts;
-  std::string out = fmt::format("{} of {} matches", done, status.most);
-  if (status.failed > 0) out += fmt::format(", {} forfeited or set aside", status.failed);
+  const std::uint64_t done = status.progress.rows + status.in_parts, all = status.progress.matches;
+  std::string out = fmt::format("{} of {} matches", done, all);
+  if (status.failed_in_parts > 0) out += fmt::format(", {} forfeited or set aside lately", status.failed_in_parts);
   if (status.running > 0)
     out += fmt::format(", {} {}", status.running, status.running == 1 ? "task plays" : "tasks play");
   if (status.rate > 0.0) {
     out += fmt::format(", {:.3g} matches a second", status.rate);
-    if (status.most > done)
-      out += fmt::format(", some {} left", minutes_text(static_cast<double>(status.most - done) / status.rate));
+    if (all > done) out += fmt::format(", some {} left", minutes_text(static_cast<double>(all - done) / status.rate));
   }
   return out;
 }

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "campaign/inputs.hpp"
-#include "campaign/job_setup.hpp"
-#include "campaign/mathematics.hpp"
+#include "cli/cluster_step.hpp"
 #include "cli/commands.hpp"
 #include "cli/results_file.hpp"
 #include "cluster/parts.hpp"
@@ -44,16 +42,6 @@ std::string node_name() {
   if (const char* name = std::getenv("SLURMD_NODENAME"); name != nullptr) return name;
   std::array<char, 256> name{};
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "a node";
-}
-
-// Why this node would play other matches than those that were planned; empty: it would not.
-std::string what_differs(const campaign::Job& planned) {
-  std::vector<std::string> out;
-  if (campaign::input_of(planned, campaign::program_input) != campaign::program_hash())
-    out.emplace_back("its program is another");
-  if (campaign::input_of(planned, campaign::mathematics_input) != campaign::mathematics_fingerprint())
-    out.emplace_back("its mathematics library or processor computes other numbers");
-  return config::join(out);
 }
 
 // Nothing: the task has ended already, elsewhere.
@@ -83,7 +71,7 @@ int play(const StudyFolder& folder, const TaskName& name, const Invocation& invo
   const auto text = config::file_content(folder.batch(name.batch));
   if (!text) throw BadInput(fmt::format("{}: no such batch", folder.batch(name.batch).string()));
   const cluster::Batch batch = cluster::batch_from_json(*text);
-  if (name.task >= batch.slices.size()) throw BadInput(fmt::format("batch {} has no task {}", name.batch, name.task));
+  if (name.task >= batch.tasks.size()) throw BadInput(fmt::format("batch {} has no task {}", name.batch, name.task));
 
   const fs::path before = folder.known_before(name.batch);
   const std::string file = (fs::exists(before) ? before : folder.plan()).string();
@@ -91,7 +79,7 @@ int play(const StudyFolder& folder, const TaskName& name, const Invocation& invo
   const std::string plan = stored_plan(known);
   const std::vector<campaign::Job> jobs = first_jobs(stored_study(file, known, {}, invocation.studies)->study());
   const std::string node = node_name();
-  if (const std::string different = jobs.empty() ? "" : what_differs(jobs.front()); !different.empty()) {
+  if (const std::string different = jobs.empty() ? "" : what_differs_here(jobs.front()); !different.empty()) {
     cluster::write_refusal(folder, name, node, different);
     throw BadInput(fmt::format("node {} plays nothing: {}", node, different));
   }
@@ -110,7 +98,7 @@ int play(const StudyFolder& folder, const TaskName& name, const Invocation& invo
   auto written = std::chrono::steady_clock::now() - between_courses;
   cluster::SliceOrder order;
   order.first_row = batch.first_row;
-  order.slice = batch.slices[name.task];
+  order.slices = batch.tasks[name.task];
   order.workers = static_cast<int>(settings.workers);
   order.job = [&](campaign::Job job, std::uint64_t row) {
     campaign::Job out = folder.of_copies(std::move(job), given_in, settings);
@@ -145,7 +133,11 @@ int task(const std::string& folder_name, const TaskName& name, const Invocation&
   } catch (const study::StudyError& error) {
     throw BadInput(error.what());
   } catch (const campaign::CampaignError& error) {
-    if (error.kind() == campaign::CampaignError::Kind::input) throw BadInput(error.what());
+    if (error.kind() == campaign::CampaignError::Kind::input) {
+      // What the node reads is not what was planned.
+      cluster::write_refusal(folder, name, node_name(), error.what());
+      throw BadInput(error.what());
+    }
     throw output::WriteError(error.what());
   } catch (const campaign::StoreError& error) {
     throw output::WriteError(error.what());

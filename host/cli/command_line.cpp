@@ -83,7 +83,7 @@ void add_commands(Command& program, const Invocation& invocation) {
   add_report(program, invocation);
   add_results(program, invocation);
   add_gather(program, invocation);
-  add_status(program, invocation);
+  add_status(program);
   add_stop(program);
   add_cluster_task(program, invocation);
   add_sprt(program);

@@ -22,7 +22,7 @@ void add_resume(Command& program, const Invocation& invocation);
 void add_report(Command& program, const Invocation& invocation);
 void add_results(Command& program, const Invocation& invocation);
 void add_gather(Command& program, const Invocation& invocation);
-void add_status(Command& program, const Invocation& invocation);
+void add_status(Command& program);
 void add_stop(Command& program);
 void add_cluster_task(Command& program, const Invocation& invocation);
 void add_sprt(Command& program);

@@ -154,9 +154,10 @@ ResultsTogether::ResultsTogether(const std::vector<std::string>& files, std::spa
         store_->keep(part.documents());
       } else if (plan != store_->meta(schedule)) {
         const auto study = stored_study(first, *store_, {}, kinds);
+        // The folders in which they were begun may differ.
         const std::vector<std::string> changed = differences(name, plan, study->study(), kinds);
-        throw BadInput(fmt::format("{} and {} are not of one study: {}", first, name,
-                                   changed.empty() ? "they were begun in different folders" : config::join(changed)));
+        if (!changed.empty())
+          throw BadInput(fmt::format("{} and {} are not of one study: {}", first, name, config::join(changed)));
       }
       const campaign::Taken taken = store_->take(part, Store::Unknown::planned);
       if (taken.refused > 0) throw BadInput(fmt::format("{}: {}", name, taken.why.front()));

@@ -37,8 +37,8 @@ std::vector<std::string> stored_documents(const campaign::Store& store);
 // A file of results to be read. Throws BadInput.
 campaign::Store read_results(const std::string& file);
 
-// Files of results of one study, read as one: in a temporary file where there are several. Throws BadInput for such as do
-// not fit together, and output::WriteError.
+// Files of results of one study, read as one: in a temporary file where there are several. Throws BadInput for such as
+// do not fit together, and output::WriteError.
 class ResultsTogether {
  public:
   ResultsTogether(const std::vector<std::string>& files, std::span<const StudyKind> kinds);

@@ -72,12 +72,16 @@ void enter_folder(const std::string& results, const std::string& folder) {
 // The folder of a study on a cluster.
 int go_on_with_folder(const ResumeOptions& options, const Invocation& invocation) {
   const cluster::StudyFolder folder(options.file);
-  for (const auto& [name, value] : {std::pair{"--pairs", &options.pairs},
-                                    {"--workers", &options.workers},
-                                    {"--record-every", &options.record_every}}) {
+  folder.settings();  // else the folder is none of a study
+  for (const auto& [name, value] :
+       {std::pair{"--workers", &options.workers}, {"--record-every", &options.record_every}}) {
     if (!value->empty())
       throw BadInput(fmt::format("{}: is of a file of results; {} is the folder of a study on a cluster", name,
                                  config::one_line(options.file)));
+  }
+  if (!options.pairs.empty()) {
+    const std::uint64_t pairs = config::parse_whole("--pairs", options.pairs, 1, study::most_pairs);
+    give_pairs(folder.results().string(), pairs, invocation.studies);
   }
   return tell_step(folder, take_step(folder, true, invocation), options, invocation);
 }

@@ -84,6 +84,10 @@ void play(study::Study& study, const campaign::Options& options, const Invocatio
   const command::Interruption interruption(fmt::format("regista: interrupted; to go on: {}\n", resume));
   const Playing playing{options, invocation, progress, interruption};
   const study::PlayRound play = [&](const study::Round& round) {
+    if (options.plays == campaign::Options::Plays::nothing_more) {
+      if (!study::answer_from(store, round, study.metrics())) throw study::StudyError("a match is missing");
+      return;
+    }
     const campaign::Schedule schedule = schedule_of(round, playing, store.add(round.fixtures), study.metrics());
     const campaign::Finish finish =
         campaign::run(schedule, store, campaign::number_of_workers(options), study.limits());
@@ -132,7 +136,7 @@ report::CommandOf play_again(const Invocation& invocation) {
 
 int play_study(report::StudyReport& report, const campaign::Options& options, const Invocation& invocation,
                campaign::Store& store, const StudyWishes& wishes) {
-  if (options.begin_only) return exit_done;
+  if (options.plays == campaign::Options::Plays::nothing_yet) return exit_done;
   {
     StudyProgress progress(report, !options.quiet);
     for (const std::string& each : report.notes()) progress.note(each);

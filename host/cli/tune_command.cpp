@@ -114,7 +114,9 @@ int tune_by_plan(study::TuningPlan plan, const TuneOptions& options, output::Out
   campaign::Store store =
       open_results(options.results, options.resume, report.study(), {outputs.documents(), {}}, invocation.studies);
   try {
-    clock = study::search_clock(store, report.plan());
+    // What was played elsewhere was not played by the clock.
+    const bool plays = options.plays != campaign::Options::Plays::nothing_more;
+    clock = plays ? study::search_clock(store, report.plan()) : study::stored_end_of_search(store);
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
   }

@@ -3,24 +3,37 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "config/json.hpp"
 
 namespace regista::cluster {
 
-std::uint64_t Batch::matches() const {
+std::uint64_t matches_of(const Slices& slices) {
   std::uint64_t out = 0;
   for (const Slice& each : slices) out += each.end - each.begin;
   return out;
 }
 
-std::vector<Slice> divided(const std::vector<Slice>& places, std::uint64_t matches, std::uint64_t tasks) {
-  std::vector<Slice> out;
+std::uint64_t Batch::matches() const {
+  std::uint64_t out = 0;
+  for (const Slices& each : tasks) out += matches_of(each);
+  return out;
+}
+
+std::vector<Slices> shared_out(const Slices& places, std::uint64_t matches, std::uint64_t tasks) {
+  std::vector<Slices> out;
+  std::uint64_t room = 0;  // in the last task
   for (Slice rest : places) {
     while (rest.begin < rest.end) {
-      if (out.size() == tasks) return out;
-      const std::uint64_t end = std::min(rest.begin + matches, rest.end);
-      out.push_back({rest.begin, end});
+      if (room == 0) {
+        if (out.size() == tasks) return out;
+        out.emplace_back();
+        room = matches;
+      }
+      const std::uint64_t end = std::min(rest.begin + room, rest.end);
+      out.back().push_back({rest.begin, end});
+      room -= end - rest.begin;
       rest.begin = end;
     }
   }
@@ -28,9 +41,13 @@ std::vector<Slice> divided(const std::vector<Slice>& places, std::uint64_t match
 }
 
 std::string to_json(const Batch& batch) {
-  nlohmann::ordered_json slices = nlohmann::ordered_json::array();
-  for (const Slice& each : batch.slices) slices.push_back({each.begin, each.end});
-  return nlohmann::ordered_json{{"first_row", batch.first_row}, {"slices", slices}}.dump() + '\n';
+  nlohmann::ordered_json tasks = nlohmann::ordered_json::array();
+  for (const Slices& slices : batch.tasks) {
+    nlohmann::ordered_json task = nlohmann::ordered_json::array();
+    for (const Slice& each : slices) task.push_back({each.begin, each.end});
+    tasks.push_back(task);
+  }
+  return nlohmann::ordered_json{{"first_row", batch.first_row}, {"tasks", tasks}}.dump() + '\n';
 }
 
 Batch batch_from_json(const std::string& text) {
@@ -38,10 +55,16 @@ Batch batch_from_json(const std::string& text) {
     const auto json = nlohmann::json::parse(text);
     Batch out;
     json.at("first_row").get_to(out.first_row);
-    for (const auto& each : json.at("slices")) {
-      const Slice slice{each.at(0).get<std::uint64_t>(), each.at(1).get<std::uint64_t>()};
-      if (slice.begin >= slice.end) throw std::invalid_argument("a slice without a match");
-      out.slices.push_back(slice);
+    for (const auto& task : json.at("tasks")) {
+      Slices slices;
+      for (const auto& each : task) {
+        const Slice slice{each.at(0).get<std::uint64_t>(), each.at(1).get<std::uint64_t>()};
+        if (slice.begin >= slice.end || (!slices.empty() && slice.begin < slices.back().end))
+          throw std::invalid_argument("the slices of a task do not ascend");
+        slices.push_back(slice);
+      }
+      if (slices.empty()) throw std::invalid_argument("a task without a match");
+      out.tasks.push_back(std::move(slices));
     }
     return out;
   } catch (const nlohmann::json::exception&) {

@@ -14,15 +14,19 @@ struct Slice {
   friend bool operator==(const Slice&, const Slice&) = default;
 };
 
+using Slices = std::vector<Slice>;  // ascending, none of them empty
+
+std::uint64_t matches_of(const Slices& slices);
+
 struct Batch {
   std::uint64_t first_row = 0;  // of the round: see study::Round
-  std::vector<Slice> slices;    // of each task
+  std::vector<Slices> tasks;
   std::uint64_t matches() const;
   friend bool operator==(const Batch&, const Batch&) = default;
 };
 
-// The first of these places, ascending, as slices of at most `matches` each, and at most `tasks` of them.
-std::vector<Slice> divided(const std::vector<Slice>& places, std::uint64_t matches, std::uint64_t tasks);
+// The first of these places for at most so many tasks, at most `matches` for each.
+std::vector<Slices> shared_out(const Slices& places, std::uint64_t matches, std::uint64_t tasks);
 
 std::string to_json(const Batch& batch);
 // Throws std::invalid_argument for what to_json() did not write.

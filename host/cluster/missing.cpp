@@ -11,10 +11,9 @@ namespace regista::cluster {
 namespace {
 
 // From the first one that is missing on; the study is told nothing of them.
-std::vector<Slice> places_without_result(const study::Round& round, const campaign::Store& store,
-                                         const std::vector<std::int64_t>& numbers, std::uint64_t first,
-                                         std::uint64_t most) {
-  std::vector<Slice> out;
+Slices places_without_result(const study::Round& round, const campaign::Store& store,
+                             const std::vector<std::int64_t>& numbers, std::uint64_t first, std::uint64_t most) {
+  Slices out;
   std::set<std::pair<std::int64_t, std::uint64_t>> seen;
   for (std::uint64_t index = first; index < round.matches && seen.size() < most; ++index) {
     const auto place = round.at(index);
@@ -51,7 +50,7 @@ Missing missing_of(study::Study& study, campaign::Store& store, std::uint64_t mo
           throw NotPlayed();
         }
       }
-      ++out.taken;
+      out.seen += decided ? 1 : 0;
       if (!round.take(index, decided ? &*decided : nullptr)) return;
     }
   };

@@ -13,9 +13,9 @@ namespace regista::cluster {
 
 struct Missing {
   std::uint64_t first_row = 0;  // of the round that goes on: see study::Round
-  std::vector<Slice> places;    // of that round: which have not been played, ascending
+  Slices places;                // of that round: which have not been played, ascending
   std::uint64_t round = 0;      // matches of that round
-  std::uint64_t taken = 0;      // matches that the study has seen, in their order
+  std::uint64_t seen = 0;       // results that the study has taken, in their order
   bool is_first = true;         // of the study's rounds
   bool complete() const { return places.empty(); }
 };

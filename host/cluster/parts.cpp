@@ -72,9 +72,11 @@ class Gathering {
   Gathering(const StudyFolder& folder, campaign::Store& results, std::string version)
       : folder_(folder), results_(results), version_(std::move(version)) {}
 
-  Gathered all() {
+  Gathered all(Tasks tasks) {
     for (const Named& each : files_of(folder_, whole)) take(each);
-    for (const Named& each : files_of(folder_, under_way)) take(each);
+    if (tasks == Tasks::killed_too) {
+      for (const Named& each : files_of(folder_, under_way)) take(each);
+    }
     for (const Named& each : files_of(folder_, refusal_ending)) take_refusal(each);
     return std::move(out_);
   }
@@ -86,38 +88,42 @@ class Gathering {
 
   void take(const Named& part) {
     using campaign::Store;
-    campaign::Taken taken;
     try {
       // Opened for writing: what a killed task left half written is taken back first, and a task that runs is found.
+      // Held until it is out of the way.
       const Store store(part.path, Store::Mode::open, version_, campaign::Journal::rollback);
-      if (store.meta("schedule").empty()) {  // killed before it knew its study
-      } else if (store.meta("schedule") != results_.meta("schedule")) {
-        taken.refused = static_cast<std::uint64_t>(store.rows());
-        taken.why.emplace_back("these are results of another study");
-      } else {
-        taken = results_.take(store);
+      const campaign::Taken taken = taken_of(store);
+      out_.rows += taken.rows;
+      out_.refused += taken.refused;
+      std::error_code none;
+      fs::remove(folder_.course(part.task), none);
+      if (taken.refused == 0) {
+        remove_with_journal(part.path);
+        return;
       }
+      for (const std::string& each : taken.why) remark(part, each);
+      set_aside(folder_, part.path);
     } catch (const campaign::StoreInUse&) {
       ++out_.in_use;
-      return;
     } catch (const campaign::StoreRefusal& error) {
+      if (!fs::exists(part.path)) return;        // its task has ended meanwhile: it has another name
+      if (campaign::is_store(part.path)) throw;  // it is one, but cannot be had now: a lock or a right is missing
       unreadable(part, error.what());
-      return;
+    } catch (const campaign::StoreDiskError&) {
+      throw;
     } catch (const campaign::StoreError& error) {
       if (is_of_results(error)) throw;
       unreadable(part, error.what());
-      return;
     }
-    out_.rows += taken.rows;
-    out_.refused += taken.refused;
-    std::error_code none;
-    fs::remove(folder_.course(part.task), none);
-    if (taken.refused == 0) {
-      remove_with_journal(part.path);
-      return;
-    }
-    for (const std::string& each : taken.why) remark(part, each);
-    set_aside(folder_, part.path);
+  }
+
+  campaign::Taken taken_of(const campaign::Store& store) {
+    if (store.meta("schedule").empty()) return {};  // killed before it knew its study
+    if (store.meta("schedule") == results_.meta("schedule")) return results_.take(store);
+    campaign::Taken out;
+    out.refused = static_cast<std::uint64_t>(store.rows());
+    out.why.emplace_back("these are results of another study");
+    return out;
   }
 
   // An error of the file of results names that file.
@@ -160,8 +166,8 @@ void replace(const fs::path& file, const std::string& text) {
 
 }  // namespace
 
-Gathered gather(const StudyFolder& folder, campaign::Store& results, const std::string& program_version) {
-  return Gathering(folder, results, program_version).all();
+Gathered gather(const StudyFolder& folder, campaign::Store& results, Tasks tasks, const std::string& program_version) {
+  return Gathering(folder, results, program_version).all(tasks);
 }
 
 std::vector<Course> courses(const StudyFolder& folder) {

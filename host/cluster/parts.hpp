@@ -20,9 +20,13 @@ struct Gathered {
   std::vector<std::string> refused_nodes;
 };
 
-// Takes over what has been played, also by tasks that were killed, and removes what was taken over whole. A part that
-// cannot be read is set aside, and what it held is missing then. Throws campaign::StoreError for `results` itself.
-Gathered gather(const StudyFolder& folder, campaign::Store& results, const std::string& program_version);
+// Whose parts are taken: also those of tasks that were killed, once no task is left that would go on with one.
+enum class Tasks { ended, killed_too };
+
+// Takes over what has been played, and removes what was taken over whole. A part that is none, or is damaged, is set
+// aside, and what it held is missing then. Throws campaign::StoreError for `results` itself and for a disk that fails,
+// campaign::StoreRefusal for a part that cannot be opened now.
+Gathered gather(const StudyFolder& folder, campaign::Store& results, Tasks tasks, const std::string& program_version);
 
 // Of tasks whose matches were not gathered yet, by their names.
 std::vector<Course> courses(const StudyFolder& folder);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a task of the array does: plays its slice of a round into a file of its own.
+// What a task of the array does: plays its slices of a round into a file of its own.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace regista::cluster {
 
 // How far a task has come.
 struct Course {
-  std::uint64_t done = 0, all = 0;      // matches of its slice that are decided; all
+  std::uint64_t done = 0, all = 0;      // matches of its slices that are decided; all
   std::uint64_t fresh = 0, failed = 0;  // of those: played since the task was started (again); forfeited or set aside
   double seconds = 0.0;                 // s of this node's steady clock, since the task was started (again)
   bool ended = false;
@@ -28,7 +28,7 @@ Course course_from_json(const std::string& text);
 
 struct SliceOrder {
   std::uint64_t first_row = 0;  // of the round: see study::Round
-  Slice slice;
+  Slices slices;
   int workers = 1;
   // A job of the study as it is to be played here, with the file that it is recorded in, if any.
   std::function<campaign::Job(campaign::Job job, std::uint64_t row)> job;

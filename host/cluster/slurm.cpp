@@ -11,16 +11,20 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <set>
 #include <sstream>
+#include <thread>
 
 #include "campaign/file_descriptor.hpp"
 #include "config/text.hpp"
 
 namespace regista::cluster {
 namespace {
+
+constexpr std::chrono::minutes patience{2};  // with a controller that does not answer
 
 constexpr int not_found = 127;  // exit code of a child that found no program
 
@@ -41,7 +45,7 @@ std::string everything_of(int descriptor) {
 }
 
 // What it says is short, so that the one pipe is not full while the other is read.
-Ended run(std::vector<std::string> words) {
+Ended run_once(std::vector<std::string> words) {
   std::array<int, 2> output{}, errors{};
   if (pipe2(output.data(), O_CLOEXEC) == -1 || pipe2(errors.data(), O_CLOEXEC) == -1)
     throw SlurmError(fmt::format("cannot start {}: {}", words.front(), std::strerror(errno)));
@@ -81,6 +85,23 @@ Ended run(std::vector<std::string> words) {
   return out;
 }
 
+// The controller is restarted, or has too much to do.
+bool is_passing(const Ended& ended) {
+  constexpr std::array signs{"Unable to contact slurm controller", "Socket timed out", "Connection refused",
+                             "Resource temporarily unavailable", "Slurm controller is not responding"};
+  return std::ranges::any_of(signs, [&](const char* each) { return ended.errors.find(each) != std::string::npos; });
+}
+
+Ended run(const std::vector<std::string>& words) {
+  const auto until = std::chrono::steady_clock::now() + patience;
+  for (;;) {
+    Ended out = run_once(words);
+    if ((WIFEXITED(out.status) && WEXITSTATUS(out.status) == 0) || !is_passing(out)) return out;
+    if (std::chrono::steady_clock::now() > until) return out;
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+  }
+}
+
 // Its last line says what was wrong: "sbatch: error: Batch job submission failed: Invalid partition name specified".
 [[noreturn]] void fail(const std::string& command, const Ended& ended) {
   std::istringstream lines(ended.errors);
@@ -95,13 +116,22 @@ bool succeeded(const Ended& ended) { return WIFEXITED(ended.status) && WEXITSTAT
 
 }  // namespace
 
+std::string in_pattern(const std::filesystem::path& path) {
+  std::string out;
+  for (const char c : path.string()) {
+    out += c;
+    if (c == '%') out += c;
+  }
+  return out;
+}
+
 std::string submit(const JobRequest& request) {
   std::vector<std::string> words{"sbatch",
                                  "--parsable",
                                  "--requeue",
                                  "--open-mode=append",
                                  "--job-name=" + request.name,
-                                 "--output=" + request.output.string(),
+                                 "--output=" + request.output,
                                  "--chdir=" + request.script.parent_path().string(),
                                  "--ntasks=1",
                                  fmt::format("--cpus-per-task={}", request.processors)};

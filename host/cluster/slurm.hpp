@@ -22,12 +22,15 @@ struct JobRequest {
   std::string name;
   std::filesystem::path script;  // is executed by the node's shell
   std::vector<std::string> arguments;
-  std::filesystem::path output;  // of its standard output and error; of tasks with %a in it
+  std::string output;            // file for its standard output and error, a pattern of sbatch: see in_pattern()
   std::uint64_t tasks = 0;       // an array with so many tasks, from 0; 0: none
   std::uint64_t processors = 1;  // of each task
   std::string after;             // the job that has to end first, in whatever way; empty: none
   std::vector<std::string> options;
 };
+
+// A path in such a pattern.
+std::string in_pattern(const std::filesystem::path& path);
 
 // The number of the job. Throws SlurmError.
 std::string submit(const JobRequest& request);

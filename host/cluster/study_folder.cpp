@@ -55,6 +55,7 @@ Json json_of(const Progress& progress) {
     batches.push_back({{"number", each.number},
                        {"tasks", each.tasks},
                        {"matches", each.matches},
+                       {"rows_before", each.rows_before},
                        {"array_job", each.array_job},
                        {"gather_job", each.gather_job}});
   }
@@ -66,7 +67,12 @@ Json json_of(const Progress& progress) {
           {"message", progress.message},
           {"batches", batches},
           {"fruitless", progress.fruitless},
-          {"refused_nodes", progress.refused_nodes}};
+          {"refused_nodes", progress.refused_nodes},
+          {"remarks", progress.remarks},
+          {"title", progress.title},
+          {"finding", progress.finding},
+          {"matches", progress.matches},
+          {"rows", progress.rows}};
 }
 
 Progress progress_of(const Json& json) {
@@ -76,11 +82,16 @@ Progress progress_of(const Json& json) {
   }
   json.at("message").get_to(out.message);
   for (const Json& each : json.at("batches")) {
-    out.batches.push_back(
-        {each.at("number"), each.at("tasks"), each.at("matches"), each.at("array_job"), each.at("gather_job")});
+    out.batches.push_back({each.at("number"), each.at("tasks"), each.at("matches"), each.at("rows_before"),
+                           each.at("array_job"), each.at("gather_job")});
   }
   json.at("fruitless").get_to(out.fruitless);
   json.at("refused_nodes").get_to(out.refused_nodes);
+  json.at("remarks").get_to(out.remarks);
+  json.at("title").get_to(out.title);
+  json.at("finding").get_to(out.finding);
+  json.at("matches").get_to(out.matches);
+  json.at("rows").get_to(out.rows);
   return out;
 }
 
@@ -163,6 +174,20 @@ Progress StudyFolder::progress() const { return part_of(*this, "progress", progr
 
 void StudyFolder::write(const Progress& progress) const {
   write_description(*this, json_of(settings()), json_of(progress), output::Existing::replaced);
+}
+
+void StudyFolder::write_plan(const campaign::Store& results, const std::string& program_version) const {
+  using campaign::Store;
+  const fs::path fresh = plan().string() + ".new";
+  std::error_code error;
+  fs::remove(fresh, error);
+  {
+    Store store(fresh, Store::Mode::create, program_version, campaign::Journal::rollback);
+    store.keep(results.documents());
+    for (const char* each : {"documents", "schedule"}) store.set_meta(each, results.meta(each));
+  }
+  fs::rename(fresh, plan(), error);
+  if (error) throw output::WriteError(fmt::format("cannot write {}: {}", plan().string(), error.message()));
 }
 
 void StudyFolder::write(const Settings& settings) const {

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
 // A study that is played by many machines, as a folder that all of them see:
+// clang-format off
 //
-//   cluster.json      how it is played, and how far the array has come
-//   results.db        the file of results: the plan and all matches that were gathered
-//   plan.db           the same without any match, for the tasks
-//   bin/regista       the program, and below files/ all documents, plugins and data that the study reads, each at its
-//                     absolute path: editing one while the study is played changes nothing
-//   batches/B.json    which matches the tasks of a batch play; B.db: what they need to know of earlier ones, if
-//   anything parts/B-T.db      what a task has played, once it has ended; B-T.db.part: while it plays parts/B-T.txt how
-//   far it has come; B-T.refused: why it plays nothing set_aside/        parts with matches that do not fit log/ what
-//   tasks wrote
+//   cluster.json    how it is played, and how far it has come
+//   results.db      the file of results: the plan, and all matches that were gathered
+//   plan.db         the same without any match, for the tasks
+//   bin/regista     the program
+//   files/          documents, plugins and data that the study reads, each at its absolute path: editing one while the
+//                   study is played changes nothing
+//   batches/B.json  which matches the tasks of batch B play
+//   batches/B.db    what they need to know of earlier rounds, if there are any
+//   parts/B-T.db    what task T of batch B has played, once it has ended; B-T.db.part while it plays
+//   parts/B-T.txt   how far it has come; B-T.refused: why it plays nothing
+//   set_aside/      parts with matches that do not fit
+//   log/            what tasks wrote
 //
-// A file has one writer at a time, and what others read of a task appears by renaming: file systems that several
-// machines share promise little more.
+// clang-format on
+// results.db and cluster.json are written by whoever holds results.db, a part by its task. What a task tells of itself
+// appears by renaming: file systems that several machines share promise little more.
 #pragma once
 
 #include <cstdint>
@@ -22,6 +27,7 @@
 #include <vector>
 
 #include "campaign/job.hpp"
+#include "campaign/store.hpp"
 
 namespace regista::cluster {
 
@@ -44,6 +50,7 @@ struct Settings {
 
 struct SubmittedBatch {
   std::uint64_t number = 0, tasks = 0, matches = 0;
+  std::uint64_t rows_before = 0;  // matches in the file of results when it was submitted
   std::string array_job, gather_job;
 };
 
@@ -54,6 +61,10 @@ struct Progress {
   std::vector<SubmittedBatch> batches;
   std::uint64_t fruitless = 0;             // batches in a row that brought no match
   std::vector<std::string> refused_nodes;  // which play nothing, and are left out from then on
+  std::vector<std::string> remarks;        // about parts and nodes, a line each; the last ones
+  // As it was when it was gathered last.
+  std::string title, finding;           // finding: in the matches there were without a gap; empty: none yet
+  std::uint64_t matches = 0, rows = 0;  // of the study; in the file of results
 };
 
 class StudyFolder {
@@ -91,6 +102,9 @@ class StudyFolder {
 
   // The copy of a file.
   std::filesystem::path copy_of(const std::filesystem::path& file) const { return files() / file.relative_path(); }
+  // The study without its matches, from its file of results, for tasks. Throws campaign::StoreError, WriteError.
+  void write_plan(const campaign::Store& results, const std::string& program_version) const;
+
   // A match of the study as a task plays it: of the copies. given_in: the folder in which the study was begun.
   campaign::Job of_copies(campaign::Job job, const std::filesystem::path& given_in, const Settings& settings) const;
 

@@ -96,14 +96,17 @@ class OnCluster(tournament.Tournament):
             what = chance.choice(list(done))
             if not tasks or not jobs:
                 continue
-            done[what] += 1
             if what == "killed":
                 try:
                     os.kill(chance.choice(tasks), signal.SIGKILL)
+                    done[what] += 1
                 except ProcessLookupError:
                     pass
-            elif what == "cancelled":
-                CLUSTER.run("scancel", "--signal=KILL", "--full", chance.choice(jobs), check=False)
-            else:
-                CLUSTER.run("scontrol", "requeue", chance.choice(jobs), check=False)
+                continue
+            words = ("scancel", "--signal=KILL", "--full") if what == "cancelled" else ("scontrol", "requeue")
+            try:
+                CLUSTER.run(*words, chance.choice(jobs))
+                done[what] += 1
+            except slurm.CannotStart:
+                pass  # the job has ended
         return done

@@ -110,7 +110,7 @@ class Tournaments(OnCluster):
         self.wait_for(lambda: (parts / "1-0.db.part").exists())
         self.succeed("stop", "study.cluster")
         self.wait_for(lambda: not cluster().jobs())
-        part = next(parts.glob("1-0.db*"))
+        part = parts / "1-0.db.part" if (parts / "1-0.db.part").exists() else parts / "1-0.db"
         part.write_bytes(part.read_bytes()[:5000])
         done = self.run_program("gather", "study.cluster")
         self.assertEqual(done.returncode, 0)
@@ -126,9 +126,13 @@ class Tournaments(OnCluster):
         self.begin("study.yaml", "--array", 2, "--per-task", 9, "--sbatch", "begin=now+4")
         with open(self.folder / "study.cluster" / "bin" / "regista", "ab") as file:
             file.write(b"another")
-        self.wait_for(lambda: self.progress()["refused_nodes"])
-        self.assertIn("plays nothing: its program is another", self.logs())
-        self.assertIn("node1 plays nothing", self.succeed("status", "study.cluster") + self.logs())
+        self.wait_for(lambda: not cluster().jobs())
+        # The job that was to gather ran with it, too.
+        self.assertIn("this machine is none to go on with the study: its program is another", self.logs())
+        gathered = self.run_program("gather", "study.cluster")
+        self.assertRegex(self.succeed("status", "study.cluster"), r"node node[12] plays nothing: its program is another")
+        self.assertNotEqual(gathered.stderr, "")
+        self.assertEqual(self.progress()["rows"], 0)
 
     def test_a_node_with_other_mathematics_plays_nothing(self):
         self.document()
@@ -159,7 +163,62 @@ class Tournaments(OnCluster):
         self.assertIn("exists already", self.refused(*self.on_slurm("study.yaml")))
         for command in ("gather", "status", "stop", "resume"):
             self.assertIn("no folder of a study on a cluster", self.refused(command, "study.cluster"))
-            self.assertIn("ame", self.refused(command))
+            self.assertRegex(self.refused(command), f"^{command}: which (study|results)[?] Name (its folder|the file)")
+
+    def test_stopped_and_gone_on_with_at_once(self):
+        self.document()
+        self.local()
+        self.begin("study.yaml", "--array", 2, "--per-task", 9)
+        self.wait_for(self.tasks)
+        self.succeed("stop", "study.cluster")
+        self.assertEqual(self.progress()["state"], "stopped")
+        self.succeed("resume", "study.cluster", "--quiet")
+        self.wait_for_end()
+        self.assert_same_reports("study.cluster/results.db", "local.db")
+
+    def test_more_pairs(self):
+        self.document(pairs=4)
+        self.local()
+        self.document(pairs=2)
+        self.succeed(*self.on_slurm("study.yaml", "--array", 2, "--per-task", 9))
+        self.succeed("resume", "study.cluster", "--pairs", 4, "--quiet")
+        self.wait_for_end()
+        self.assertEqual(self.rows("study.cluster/results.db"), self.rows("local.db"))
+
+    def test_a_folder_whose_name_means_something_elsewhere(self):
+        self.document(pairs=1)
+        name = "a study's %a folder"
+        there = self.succeed("run", "study.yaml", "--on", "slurm", "--folder", name + "/", "--quiet", "--no-page")
+        self.assertEqual(there, self.local())
+        self.assertTrue((self.folder / name / "log" / "1-0.txt").exists())
+
+    def test_a_full_disk_loses_nothing(self):
+        if os.geteuid() != 0:
+            self.skipTest("only root can make a small file system")
+        self.document()
+        self.local()
+        small = self.folder / "small_disk"
+        small.mkdir()
+        program_size = program.PROGRAM.stat().st_size // 2**20
+        subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={program_size + 8}m", "none", small], check=True)
+        self.addCleanup(lambda: subprocess.run(["umount", "-l", small], check=True))
+        self.succeed("run", "study.yaml", "--on", "slurm", "--folder", "small_disk/s", "--detach", "--quiet", "--array", 2,
+                     "--per-task", 9, "--sbatch", "begin=now+4")
+        with open(small / "filler", "wb") as filler:
+            try:
+                while True:
+                    filler.write(b"x" * 4096)
+                    filler.flush()
+            except OSError:
+                pass
+        self.wait_for(lambda: not cluster().jobs())
+        self.assertRegex("".join(each.read_text() for each in (small / "s" / "log").iterdir()) + "nothing was written",
+                         "disk is full|No space left|nothing was written")
+        (small / "filler").unlink()
+        self.succeed("resume", "small_disk/s", "--quiet")
+        self.wait_for(lambda: json.loads((small / "s" / "cluster.json").read_text())["progress"]["state"] == "complete")
+        self.wait_for(lambda: not cluster().jobs())
+        self.assert_same_reports("small_disk/s/results.db", "local.db")
 
     def test_an_interrupted_wait_leaves_the_array(self):
         self.document()
@@ -187,8 +246,15 @@ class Tunings(OnCluster, test_tune.Tuning):
         self.assertEqual(there.replace("study.cluster/results", "local").replace(str(self.folder) + "/", ""), local)
         self.assert_same_reports("study.cluster/results.db", "local.db")
         self.assertGreater(len(self.progress()["batches"]), 3)
-        tuned = (self.folder / "study.cluster" / "results.tuned.yaml").read_text()
-        self.assertEqual(tuned.splitlines()[-1], (self.folder / "local.tuned.yaml").read_text().splitlines()[-1])
+        self.succeed("config", "check", "study.cluster/results.tuned.yaml")
+        shown = [self.succeed("config", "show", file) for file in ("study.cluster/results.tuned.yaml", "local.tuned.yaml")]
+        self.assertEqual(shown[0].replace("study.cluster/results", "local"), shown[1])
+
+    def test_who_does_not_wait_gets_the_same_team(self):
+        self.document(algorithm="sep_cma_es")
+        self.begin("t.yaml", "--array", 4, "--per-task", 10)
+        self.wait_for_end()
+        self.succeed("config", "check", "study.cluster/results.tuned.yaml")
 
 
 if __name__ == "__main__":

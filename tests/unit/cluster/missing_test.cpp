@@ -30,14 +30,14 @@ TEST_F(MissingTest, AllOfTheFirstRoundAtFirst) {
   EXPECT_THAT(out.places, ElementsAre(Slice{0, 6}));
   EXPECT_EQ(out.first_row, 0u);
   EXPECT_TRUE(out.is_first);
-  EXPECT_EQ(out.taken, 0u);
+  EXPECT_EQ(out.seen, 0u);
 }
 
 TEST_F(MissingTest, WhatIsThereIsLeftOutAlsoBeyondTheFirstGap) {
   for (const std::int64_t row : {1, 2, 4}) play(row);
   const Missing out = missing();
   EXPECT_THAT(out.places, ElementsAre(Slice{2, 3}, Slice{4, 6}));
-  EXPECT_EQ(out.taken, 2u);
+  EXPECT_EQ(out.seen, 2u);
 }
 
 TEST_F(MissingTest, NoMoreThanIsAskedFor) { EXPECT_THAT(missing(4).places, ElementsAre(Slice{0, 4})); }

@@ -50,7 +50,7 @@ TEST_F(Parts, AreTakenOverAndRemovedAlsoOfTasksThatWereKilled) {
   part({1, 0}, 1);
   part({1, 12}, 2, false);
   EXPECT_EQ(courses(study).size(), 2u);
-  const Gathered out = gather(study, *results, "1.0");
+  const Gathered out = gather(study, *results, Tasks::killed_too, "1.0");
   EXPECT_EQ(out.rows, 2u);
   EXPECT_THAT(out.remarks, IsEmpty());
   EXPECT_THAT(names(study.parts()), IsEmpty());
@@ -58,9 +58,16 @@ TEST_F(Parts, AreTakenOverAndRemovedAlsoOfTasksThatWereKilled) {
   EXPECT_EQ(results->rows(), 2);
 }
 
+TEST_F(Parts, ThatATaskMayGoOnWithStayWithIt) {
+  part({1, 0}, 1, false);
+  part({1, 1}, 2);
+  EXPECT_EQ(gather(study, *results, Tasks::ended, "1.0").rows, 1u);
+  EXPECT_THAT(names(study.parts()), testing::UnorderedElementsAre("1-0.db.part", "1-0.txt"));
+}
+
 TEST_F(Parts, OfATaskThatPlaysStayWithIt) {
   const Store playing = part({1, 0}, 1, false);
-  const Gathered out = gather(study, *results, "1.0");
+  const Gathered out = gather(study, *results, Tasks::killed_too, "1.0");
   EXPECT_EQ(out.in_use, 1u);
   EXPECT_EQ(out.rows, 0u);
   EXPECT_EQ(courses(study).size(), 1u);
@@ -71,7 +78,7 @@ TEST_F(Parts, ThatAreNoneAreSetAsideAndNamed) {
   std::ofstream(study.part({1, 0})) << "nothing of ours";
   part({1, 1}, 1).set_meta("schedule", "of another study");
   part({1, 2}, 2);
-  const Gathered out = gather(study, *results, "1.0");
+  const Gathered out = gather(study, *results, Tasks::killed_too, "1.0");
   EXPECT_EQ(out.rows, 1u);
   EXPECT_EQ(out.refused, 1u);
   ASSERT_EQ(out.remarks.size(), 2u);
@@ -83,10 +90,10 @@ TEST_F(Parts, ThatAreNoneAreSetAsideAndNamed) {
 TEST_F(Parts, NodesThatRefuseAreNamedOnce) {
   write_refusal(study, {1, 0}, "node7", "its program is another");
   write_refusal(study, {1, 1}, "node7", "its program is another");
-  const Gathered out = gather(study, *results, "1.0");
+  const Gathered out = gather(study, *results, Tasks::killed_too, "1.0");
   EXPECT_THAT(out.refused_nodes, ElementsAre("node7"));
   EXPECT_EQ(out.remarks.front(), "node node7 plays nothing: its program is another");
-  EXPECT_THAT(gather(study, *results, "1.0").remarks, IsEmpty());
+  EXPECT_THAT(gather(study, *results, Tasks::killed_too, "1.0").remarks, IsEmpty());
 }
 
 TEST_F(Parts, TheCourseOfATaskComesBackFromItsFile) {
@@ -101,11 +108,14 @@ TEST_F(Parts, TheFolderKnowsItself) {
   EXPECT_FALSE(is_in_study_folder(folder / "results.db"));
   Progress progress = study.progress();
   progress.state = Progress::State::stopped;
-  progress.batches.push_back({1, 2, 3, "17", "18"});
+  progress.batches.push_back({1, 2, 3, 4, "17", "18"});
+  progress.finding = "nothing yet";
   progress.refused_nodes = {"node7"};
   study.write(progress);
   EXPECT_EQ(study.progress().state, Progress::State::stopped);
   EXPECT_EQ(study.progress().batches.front().gather_job, "18");
+  EXPECT_EQ(study.progress().batches.front().rows_before, 4u);
+  EXPECT_EQ(study.progress().finding, "nothing yet");
   EXPECT_EQ(study.settings().tasks, Settings().tasks);
   EXPECT_THROW(study.create({}), std::runtime_error);
   EXPECT_THROW(StudyFolder(folder).settings(), std::runtime_error);

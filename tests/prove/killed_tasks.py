@@ -28,7 +28,7 @@ class Harmed:
         self.assertEqual(self.rows("study.cluster/results.db"), self.rows("local.db"))
         self.assert_same_reports("study.cluster/results.db", "local.db")
         batches = self.progress()["batches"]
-        print(f"{self.id().split('.')[-1]}: {', '.join(f'{each} {count}' for each, count in done.items())}; "
+        print(f"\nof {self.id().split('.')[-1]}: {', '.join(f'{each} {count}' for each, count in done.items())}; "
               f"{len(batches)} batches, {sum(each['tasks'] for each in batches)} tasks, {self.count('local.db')} matches",
               flush=True)
         return local
@@ -46,7 +46,7 @@ class Tournament(Harmed, OnCluster):
         done = self.harm(KILLS, SEED)
         self.wait_for_end()
         self.assertEqual(self.succeed("report", "study.cluster/results.db", "--json"), local)
-        print(f"test_sequential: {done}; {self.count('study.cluster/results.db') - self.count('local.db')} matches beyond "
+        print(f"\nof test_sequential: {', '.join(f'{each} {count}' for each, count in done.items())}; {self.count('study.cluster/results.db') - self.count('local.db')} matches beyond "
               f"the test's end of {self.count('local.db')}", flush=True)
 
 

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+#include "cli/cluster_step.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "campaign/inputs.hpp"
+#include "campaign/job_setup.hpp"
+#include "campaign/mathematics.hpp"
+#include "campaign/shell.hpp"
+#include "cli/common_names.hpp"
+#include "cli/results_file.hpp"
+#include "cluster/batch.hpp"
+#include "cluster/missing.hpp"
+#include "cluster/slurm.hpp"
+#include "config/text.hpp"
+#include "output/output.hpp"
+#include "output/replaced_file.hpp"
+
+namespace regista::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using cluster::Progress;
+using cluster::Settings;
+using cluster::StudyFolder;
+
+constexpr std::uint64_t most_fruitless = 3;
+constexpr std::size_t most_remarks = 20;
+constexpr std::chrono::minutes longest_wait{10};  // for another process that takes a step
+
+campaign::Store opened(const StudyFolder& folder) {
+  const auto until = std::chrono::steady_clock::now() + longest_wait;
+  for (;;) {
+    try {
+      return {folder.results(), campaign::Store::Mode::open, REGISTA_VERSION, campaign::Journal::rollback};
+    } catch (const campaign::StoreInUse& error) {
+      if (std::chrono::steady_clock::now() > until) throw BadInput(error.what());
+    } catch (const campaign::StoreRefusal& error) {
+      throw BadInput(error.what());
+    } catch (const campaign::StoreDiskError& error) {
+      throw output::WriteError(error.what());
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+}
+
+void copy_over(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
+  if (error)
+    throw output::WriteError(fmt::format("cannot copy {} to {}: {}", from.string(), to.string(), error.message()));
+}
+
+// Options of sbatch that say who asks, and those of tasks: theirs, with the nodes that are left out.
+std::vector<std::string> options_of_gather(const Settings& settings) {
+  std::vector<std::string> out;
+  if (!settings.partition.empty()) out.push_back("--partition=" + settings.partition);
+  for (const std::string& each : settings.options) {
+    if (each.starts_with("--account") || each.starts_with("--qos") || each.starts_with("--reservation"))
+      out.push_back(each);
+  }
+  return out;
+}
+
+std::vector<std::string> options_of_tasks(const Settings& settings) {
+  std::vector<std::string> out;
+  if (!settings.partition.empty()) out.push_back("--partition=" + settings.partition);
+  if (!settings.time.empty()) out.push_back("--time=" + settings.time);
+  out.insert(out.end(), settings.options.begin(), settings.options.end());
+  return out;
+}
+
+void leave_out(const std::vector<std::string>& nodes, std::vector<std::string>& options) {
+  if (nodes.empty()) return;
+  const std::string more = fmt::format("{}", fmt::join(nodes, ","));
+  const auto given =
+      std::ranges::find_if(options, [](const std::string& each) { return each.starts_with("--exclude="); });
+  if (given == options.end())
+    options.push_back("--exclude=" + more);
+  else
+    *given += "," + more;
+}
+
+cluster::JobRequest gather_request(const StudyFolder& folder, const Settings& settings, const Progress& progress) {
+  const cluster::SubmittedBatch& batch = progress.batches.back();
+  cluster::JobRequest out;
+  out.name = folder.root().filename().string() + "-gather";
+  out.script = folder.root() / "gather.sh";
+  out.output = cluster::in_pattern(folder.logs()) + fmt::format("/{}-gather.txt", batch.number);
+  out.after = batch.array_job;
+  out.options = options_of_gather(settings);
+  leave_out(progress.refused_nodes, out.options);
+  return out;
+}
+
+void submit_gather(const StudyFolder& folder, const Settings& settings, Progress& progress) {
+  progress.batches.back().gather_job = cluster::submit(gather_request(folder, settings, progress));
+  folder.write(progress);
+}
+
+void submit_next(const StudyFolder& folder, const Settings& settings, const cluster::Missing& missing,
+                 std::uint64_t rows, Progress& progress) {
+  cluster::Batch batch;
+  batch.first_row = missing.first_row;
+  // As many tasks as may be, each with as few matches as then are left for it.
+  const std::uint64_t left = cluster::matches_of(missing.places);
+  batch.tasks = cluster::shared_out(
+      missing.places, std::clamp<std::uint64_t>((left + settings.tasks - 1) / settings.tasks, 1, settings.matches),
+      settings.tasks);
+  cluster::SubmittedBatch submitted;
+  submitted.number = progress.batches.size() + 1;
+  submitted.tasks = batch.tasks.size();
+  submitted.matches = batch.matches();
+  submitted.rows_before = rows;
+  if (!missing.is_first) copy_over(folder.results(), folder.known_before(submitted.number));
+  output::write_whole(folder.batch(submitted.number), cluster::to_json(batch), output::Existing::replaced);
+
+  cluster::JobRequest array;
+  array.name = folder.root().filename().string();
+  array.script = folder.root() / "task.sh";
+  array.arguments = {std::to_string(submitted.number)};
+  array.output = cluster::in_pattern(folder.logs()) + fmt::format("/{}-%a.txt", submitted.number);
+  array.tasks = submitted.tasks;
+  array.processors = settings.workers;
+  array.options = options_of_tasks(settings);
+  leave_out(progress.refused_nodes, array.options);
+  submitted.array_job = cluster::submit(array);
+  progress.batches.push_back(submitted);
+  try {
+    folder.write(progress);  // so that the array is known, whatever becomes of the next
+  } catch (...) {
+    cluster::cancel({submitted.array_job});
+    throw;
+  }
+  submit_gather(folder, settings, progress);
+}
+
+// What this step found about parts and nodes, after what earlier ones did.
+void keep_remarks(const cluster::Gathered& gathered, Progress& progress) {
+  for (const std::string& each : gathered.refused_nodes) {
+    if (std::ranges::find(progress.refused_nodes, each) == progress.refused_nodes.end())
+      progress.refused_nodes.push_back(each);
+  }
+  progress.remarks.insert(progress.remarks.end(), gathered.remarks.begin(), gathered.remarks.end());
+  if (progress.remarks.size() > most_remarks)
+    progress.remarks.erase(progress.remarks.begin(), progress.remarks.end() - most_remarks);
+}
+
+void complete(const StudyFolder& folder, std::uint64_t rows, std::uint64_t seen, Progress& progress) {
+  const bool was = std::exchange(progress.state, Progress::State::complete) == Progress::State::complete;
+  // Equal matches share a row: of these there may be more than is said.
+  progress.message =
+      rows <= seen
+          ? std::string()
+          : fmt::format("{} matches were played beyond the end of the study, and are not counted", rows - seen);
+  folder.write(progress);
+  if (was) return;
+  try {
+    cluster::cancel(jobs_alive(progress));  // what plays on is not wanted any more: a test has decided
+  } catch (const cluster::SlurmError& error) {
+    progress.remarks.push_back(error.what());
+    folder.write(progress);
+  }
+}
+
+void require_same_results_here(const StudyFolder& folder, const campaign::Store& results,
+                               const Invocation& invocation) {
+  const std::vector<campaign::Job> jobs =
+      first_jobs(stored_study(folder.results().string(), results, {}, invocation.studies)->study());
+  if (jobs.empty()) return;
+  const std::string different = what_differs_here(jobs.front());
+  if (different.empty()) return;
+  throw BadInput(fmt::format(
+      "this machine is none to go on with the study: {}; on one of its nodes: {}", different,
+      campaign::shell_line(std::vector<std::string>{folder.program().string(), "gather", folder.root().string()})));
+}
+
+// The file of results is held.
+ClusterStep step(const StudyFolder& folder, campaign::Store& results, bool restart, const Invocation& invocation) {
+  const Settings settings = folder.settings();
+  ClusterStep out;
+  Progress& progress = out.progress = folder.progress();
+  const bool has_batch = !progress.batches.empty();
+  const bool array_lives = has_batch && !cluster::alive({progress.batches.back().array_job}).empty();
+  out.gathered = cluster::gather(folder, results, array_lives ? cluster::Tasks::ended : cluster::Tasks::killed_too,
+                                 REGISTA_VERSION);
+  keep_remarks(out.gathered, progress);
+  const auto report = stored_study(folder.results().string(), results, {}, invocation.studies);
+  const cluster::Missing missing = cluster::missing_of(report->study(), results, settings.tasks * settings.matches);
+  progress.title = report->title();
+  progress.matches = report->study().most_matches();
+  progress.finding = report->study().counted() > 0 ? report->headline() : "";
+  progress.rows = static_cast<std::uint64_t>(results.rows());
+  folder.write(progress);  // whatever Slurm says below
+  if (missing.complete()) {
+    complete(folder, progress.rows, missing.seen, progress);
+    return out;
+  }
+  out.round = missing.round;
+  if (restart) {
+    progress.state = Progress::State::running;
+    progress.message.clear();
+    progress.fruitless = 0;
+    progress.refused_nodes.clear();
+  }
+  out.plays = array_lives;
+  if (progress.state == Progress::State::running && array_lives) {
+    // Nobody comes after it where the job for that was ended, or was refused.
+    const std::string& gather = progress.batches.back().gather_job;
+    if (gather.empty() || (!cluster::is_within({gather}) && cluster::alive({gather}).empty()))
+      submit_gather(folder, settings, progress);
+  } else if (progress.state == Progress::State::running) {
+    const bool fruitless = has_batch && !restart && progress.rows == progress.batches.back().rows_before;
+    progress.fruitless = fruitless ? progress.fruitless + 1 : 0;
+    if (progress.fruitless >= most_fruitless) {
+      progress.state = Progress::State::failed;
+      progress.message =
+          fmt::format("{} batches in a row brought no match; what their tasks wrote stands in {}{}", most_fruitless,
+                      folder.logs().string(), progress.remarks.empty() ? "" : "; " + progress.remarks.back());
+    } else {
+      std::error_code none;
+      if (has_batch) fs::remove(folder.known_before(progress.batches.size()), none);
+      if (stored_plan(read_results(folder.plan().string())) != stored_plan(results))
+        folder.write_plan(results, REGISTA_VERSION);  // it was given more pairs
+      submit_next(folder, settings, missing, progress.rows, progress);
+      out.submitted = progress.batches.back().matches;
+      out.plays = true;
+    }
+  }
+  folder.write(progress);
+  return out;
+}
+
+}  // namespace
+
+std::string command_to_go_on(const StudyFolder& folder) {
+  return campaign::shell_line(std::vector<std::string>{"regista", "resume", folder.root().string()});
+}
+
+std::string what_differs_here(const campaign::Job& planned) {
+  std::vector<std::string> out;
+  if (campaign::input_of(planned, campaign::program_input) != campaign::program_hash())
+    out.emplace_back("its program is another");
+  if (campaign::input_of(planned, campaign::mathematics_input) != campaign::mathematics_fingerprint())
+    out.emplace_back("its mathematics library or processor computes other numbers");
+  return config::join(out);
+}
+
+std::vector<std::string> jobs_alive(const Progress& progress) {
+  std::vector<std::string> all;
+  for (const cluster::SubmittedBatch& each : progress.batches) {
+    for (const std::string& job : {each.array_job, each.gather_job}) {
+      if (!job.empty() && !cluster::is_within({job})) all.push_back(job);
+    }
+  }
+  return cluster::alive(all);
+}
+
+void stop_study(const StudyFolder& folder) {
+  folder.settings();  // else the folder is none of a study
+  const campaign::Store held = opened(folder);
+  Progress progress = folder.progress();
+  if (progress.state == Progress::State::complete)
+    throw BadInput(fmt::format("stop: {}: the study is complete", config::one_line(folder.root().string())));
+  try {
+    cluster::cancel(jobs_alive(progress));
+  } catch (const cluster::SlurmError& error) {
+    throw BadInput(error.what());
+  }
+  progress.state = Progress::State::stopped;
+  progress.message = "it was stopped";
+  folder.write(progress);
+}
+
+ClusterStep take_step(const StudyFolder& folder, bool restart, const Invocation& invocation) {
+  folder.settings();  // else the folder is none of a study
+  campaign::Store results = opened(folder);
+  require_same_results_here(folder, results, invocation);
+  const auto failed = [&](const std::string& why) {
+    Progress progress = folder.progress();
+    if (progress.batches.empty()) return why;
+    progress.state = Progress::State::failed;
+    progress.message = why;
+    folder.write(progress);
+    return fmt::format("{}; to go on: {}", why, command_to_go_on(folder));
+  };
+  try {
+    return step(folder, results, restart, invocation);
+  } catch (const cluster::SlurmError& error) {
+    throw BadInput(failed(error.what()));
+  } catch (const study::StudyError& error) {
+    throw BadInput(failed(error.what()));
+  } catch (const campaign::StoreRefusal& error) {
+    throw BadInput(failed(error.what()));
+  } catch (const campaign::StoreDiskError& error) {
+    throw output::WriteError(fmt::format("{}; to go on: {}", error.what(), command_to_go_on(folder)));
+  } catch (const campaign::StoreError& error) {
+    throw BadInput(failed(error.what()));
+  }
+}
+
+}  // namespace regista::cli
