@@ -119,8 +119,8 @@ int finish(const StudyFolder& folder, const Progress& progress, const campaign::
   const std::string plan = stored_plan(read_results(own.results));
   const StudyKind& kind = kind_of(own.results, plan, invocation.studies);
   const auto report = stored_study(own.results, read_results(own.results), play_again(invocation), invocation.studies);
-  std::error_code none;  // files are named as they were when it was begun; on a node that folder need not be there
-  fs::current_path(report->study().folder(), none);
+  std::error_code no_folder;  // files are named as they were when it was begun; on a node that folder need not be there
+  fs::current_path(report->study().folder(), no_folder);
   using enum output::OutputFiles::Page;
   output::OutputFiles outputs({}, "study");
   outputs.write_beside(own.results, own.no_page ? none : kind.figures ? with_figures : alone);

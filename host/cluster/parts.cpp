@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cluster/parts.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 
 #include <algorithm>
 #include <charconv>
@@ -12,6 +14,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "campaign/file_descriptor.hpp"
 #include "config/file.hpp"
 #include "config/json.hpp"
 #include "config/text.hpp"
@@ -56,6 +59,11 @@ std::vector<Named> files_of(const StudyFolder& folder, std::string_view ending) 
 void remove_with_journal(const fs::path& file) {
   std::error_code none;
   for (const char* each : {"", "-journal", "-wal", "-shm"}) fs::remove(file.string() + each, none);
+}
+
+bool can_be_held(const fs::path& file) {
+  const campaign::FileDescriptor opened(::open(file.c_str(), O_RDWR | O_CLOEXEC));
+  return opened.number != -1 && ::flock(opened.number, LOCK_EX | LOCK_NB) == 0;
 }
 
 void set_aside(const StudyFolder& folder, const fs::path& file) {
@@ -106,8 +114,8 @@ class Gathering {
     } catch (const campaign::StoreInUse&) {
       ++out_.in_use;
     } catch (const campaign::StoreRefusal& error) {
-      if (!fs::exists(part.path)) return;        // its task has ended meanwhile: it has another name
-      if (campaign::is_store(part.path)) throw;  // it is one, but cannot be had now: a lock or a right is missing
+      if (!fs::exists(part.path)) return;  // its task has ended meanwhile: it has another name
+      if (!can_be_held(part.path)) throw;  // a lock or a right is missing: it may be sound
       unreadable(part, error.what());
     } catch (const campaign::StoreDiskError&) {
       throw;

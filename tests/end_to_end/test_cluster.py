@@ -200,17 +200,13 @@ class Tournaments(OnCluster):
         small = self.folder / "small_disk"
         small.mkdir()
         program_size = program.PROGRAM.stat().st_size // 2**20
-        subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={program_size + 8}m", "none", small], check=True)
+        subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={program_size + 16}m", "none", small], check=True)
         self.addCleanup(lambda: subprocess.run(["umount", "-l", small], check=True))
         self.succeed("run", "study.yaml", "--on", "slurm", "--folder", "small_disk/s", "--detach", "--quiet", "--array", 2,
                      "--per-task", 9, "--sbatch", "begin=now+4")
-        with open(small / "filler", "wb") as filler:
-            try:
-                while True:
-                    filler.write(b"x" * 4096)
-                    filler.flush()
-            except OSError:
-                pass
+        with self.assertRaises(OSError), open(small / "filler", "wb", buffering=0) as filler:
+            while True:
+                self.assertGreater(filler.write(b"x" * 4096), 0)
         self.wait_for(lambda: not cluster().jobs())
         self.assertRegex("".join(each.read_text() for each in (small / "s" / "log").iterdir()) + "nothing was written",
                          "disk is full|No space left|nothing was written")
