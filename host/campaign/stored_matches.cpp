@@ -10,12 +10,28 @@
 #include <stdexcept>
 #include <utility>
 
-#include "campaign/other_file.hpp"
 #include "campaign/row_checksum.hpp"
 #include "campaign/stored_metrics.hpp"
 
 namespace regista::campaign {
 namespace {
+
+// Where matches are taken over from one file of results into another, an error of the database may be of either; this
+// is one of the file that is read.
+class OtherFile : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+
+  // Does `work`, which reads the other file. Throws OtherFile for SQLite::Exception, and what else `work` throws.
+  template <class Work>
+  static auto reading(Work work) {
+    try {
+      return work();
+    } catch (const SQLite::Exception& error) {
+      throw OtherFile(error.what());
+    }
+  }
+};
 
 constexpr int most_goals = 100'000;  // of a row that can be believed
 constexpr std::size_t most_reasons = 20;

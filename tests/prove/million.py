@@ -25,7 +25,7 @@ sys.path.insert(0, str(ROOT / "benchmarks" / "campaign"))
 import results_file  # noqa: E402
 from many_rows import largest_memory  # noqa: E402
 
-REAL = 40  # matches that are played
+REAL = 10  # matches that are played
 BARS = {"gather": (120.0, 128.0), "report": (5.0, 128.0), "report --csv --metrics": (180.0, 128.0)}
 
 
@@ -93,7 +93,7 @@ def main():
                         + f"pairs: {options.rows // 2}\n")
     study = folder / "study"
     subprocess.run([regista, "run", document, "--on", "slurm", "--folder", study, "--detach", "--per-task", str(REAL),
-                    "--array", "1", "--sbatch", "ntasks=1", "--quiet"], check=True, env=environment)
+                    "--array", "1", "--workers", "2", "--quiet"], check=True, env=environment)
     print(f"playing {REAL} whole matches", flush=True)
     subprocess.run([regista, "cluster-task", study, "1", "0"], check=True, env=environment)
     write_parts(study, options.rows, options.parts)
