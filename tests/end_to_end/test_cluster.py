@@ -200,7 +200,10 @@ class Tournaments(OnCluster):
         small = self.folder / "small_disk"
         small.mkdir()
         program_size = program.PROGRAM.stat().st_size // 2**20
-        subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={program_size + 16}m", "none", small], check=True)
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={program_size + 16}m", "none", small],
+                                 capture_output=True)
+        if mounted.returncode != 0:
+            self.skipTest("no small file system can be made here")
         self.addCleanup(lambda: subprocess.run(["umount", "-l", small], check=True))
         self.succeed("run", "study.yaml", "--on", "slurm", "--folder", "small_disk/s", "--detach", "--quiet", "--array", 2,
                      "--per-task", 9, "--sbatch", "begin=now+4")
