@@ -61,10 +61,10 @@ def largest_memory(process):
     return most
 
 
-def measured(*words):
+def measured(*words, environment=None):
     began = time.monotonic()
     with open(os.devnull, "w") as nothing:
-        process = subprocess.Popen([str(word) for word in words], stdout=nothing)
+        process = subprocess.Popen([str(word) for word in words], stdout=nothing, env=environment)
         memory = largest_memory(process)
     if process.returncode != 0:
         sys.exit(f"{' '.join(map(str, words))} failed")

@@ -58,20 +58,6 @@ StudyFolder folder_of(const FolderOptions& options, const char* command) {
   return out;
 }
 
-const char* name_of(Progress::State state) {
-  switch (state) {
-    case Progress::State::running:
-      return "running";
-    case Progress::State::complete:
-      return "complete";
-    case Progress::State::stopped:
-      return "stopped";
-    case Progress::State::failed:
-      return "failed";
-  }
-  return "";
-}
-
 int tell_status(const FolderOptions& options) {
   const StudyFolder folder = folder_of(options, "status");
   const ClusterStatus status = status_of(folder);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <system_error>
 #include <utility>
@@ -59,11 +60,7 @@ Json json_of(const Progress& progress) {
                        {"array_job", each.array_job},
                        {"gather_job", each.gather_job}});
   }
-  std::string state;
-  for (const auto& [value, name] : states) {
-    if (value == progress.state) state = name;
-  }
-  return {{"state", state},
+  return {{"state", name_of(progress.state)},
           {"message", progress.message},
           {"batches", batches},
           {"fruitless", progress.fruitless},
@@ -136,6 +133,10 @@ void copy_whole(const fs::path& from, const fs::path& to) {
 }
 
 }  // namespace
+
+const char* name_of(Progress::State state) {
+  return std::ranges::find(states, state, &std::pair<Progress::State, const char*>::first)->second;
+}
 
 StudyFolder::StudyFolder(const fs::path& root) : root_(fs::absolute(root).lexically_normal()) {
   if (!root_.has_filename()) root_ = root_.parent_path();

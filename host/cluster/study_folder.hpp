@@ -67,6 +67,8 @@ struct Progress {
   std::uint64_t matches = 0, rows = 0;  // of the study; in the file of results
 };
 
+const char* name_of(Progress::State state);  // "running"
+
 class StudyFolder {
  public:
   explicit StudyFolder(const std::filesystem::path& root);  // absolute from then on; need not be there
