@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -69,14 +68,14 @@ struct StoredMetrics::Parts {
       throw DamagedRow(row, "the checksum of its metrics does not fit");
     }
     try {
-      return {names(id), size, frame};
+      return {id, names(id), size, frame};
     } catch (const std::invalid_argument& error) {
       throw DamagedRow(row, std::string("metrics: ") + error.what());
     }
   }
 
-  void put(std::int64_t row, const Names& names, std::int64_t size, std::string_view frame) {
-    const std::int64_t id = id_of(names);
+  // id: of the names, here.
+  void put(std::int64_t row, std::int64_t id, std::int64_t size, std::string_view frame) {
     insert->tryReset();
     insert->bind(1, row);
     insert->bind(2, id);
@@ -132,8 +131,10 @@ StoredMetrics::Packed StoredMetrics::packed(std::int64_t row) {
   return parts_->packed(row);
 }
 
-void StoredMetrics::write(std::int64_t row, const Packed& numbers) {
-  parts_->put(row, numbers.names, numbers.size, numbers.frame);
+void StoredMetrics::write(std::int64_t row, const Packed& numbers, NameNumbers& known) {
+  auto id = known.find(numbers.id);
+  if (id == known.end()) id = known.emplace(numbers.id, parts_->id_of(numbers.names)).first;
+  parts_->put(row, id->second, numbers.size, numbers.frame);
 }
 
 match::MetricPaths StoredMetrics::paths(std::int64_t rows) {
@@ -157,7 +158,7 @@ void StoredMetrics::write(std::int64_t row, const match::MetricNumbers& numbers)
   const std::string bytes = number_bytes(numbers.values());
   std::string frame;
   parts_->compressor.append(frame, bytes);
-  parts_->put(row, numbers.shared_names(), static_cast<std::int64_t>(bytes.size()), frame);
+  parts_->put(row, parts_->id_of(numbers.shared_names()), static_cast<std::int64_t>(bytes.size()), frame);
 }
 
 }  // namespace regista::campaign

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -39,15 +40,21 @@ class StoredMetrics {
   match::MetricNumbers read(std::int64_t row);
   // Within a transaction.
   void write(std::int64_t row, const match::MetricNumbers& numbers);
+
   // The numbers of a row as they stand here, for another file. Valid until the next that is read. Throws DamagedRow
   // where they are missing or their checksum does not fit.
   struct Packed {
+    std::int64_t id = 0;  // of the names, here
     std::shared_ptr<const match::MetricNames> names;
     std::int64_t size = 0;
     std::string_view frame;
   };
   Packed packed(std::int64_t row);
-  void write(std::int64_t row, const Packed& numbers);
+  // Numbers of names in this file, by those in another.
+  using NameNumbers = std::map<std::int64_t, std::int64_t>;
+  // Within a transaction. `known` are those that it has met, and grows.
+  void write(std::int64_t row, const Packed& numbers, NameNumbers& known);
+
   // Paths that the first rows have numbers under, each once, in the order in which they come up.
   match::MetricPaths paths(std::int64_t rows);
   // Lets go of what was read last.

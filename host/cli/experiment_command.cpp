@@ -56,14 +56,13 @@ int experiment(ExperimentOptions options, output::OutputFiles outputs, const Inv
   const auto report = report::experiment_report(std::move(plan), play_again(invocation));
   campaign::Store store =
       open_results(options.results, options.resume, report->study(), {outputs.documents(), {}}, invocation.studies);
-  const report::TableWish every{.all_metrics = true};
   std::optional<output::OutputFile> csv;
   StudyWishes wishes;
   if (!options.csv.empty()) {
     csv.emplace(options.csv);
-    csv->write(report->table_head(every));
+    csv->write(report->begin_table({.all_metrics = true}));
     wishes.after = [&](const study::Round& round, std::uint64_t index, const campaign::Decided* decided) {
-      csv->write(report->table_lines(round, index, *decided, every));
+      csv->write(report->table_lines(round, index, *decided));
     };
   }
   wishes.at_end = [&] {

@@ -91,11 +91,11 @@ int print_report(const ReportOptions& options, const campaign::Store& store, con
     report::TableWish wish{.all_metrics = options.metrics};
     if (options.metrics && report->has_a_column_for_each_metric())
       wish.metrics = metric_columns(options, store, invocation);
-    std::string csv = options.csv ? report->table_head(wish) : std::string();
+    std::string csv = options.csv ? report->begin_table(wish) : std::string();
     study::read_back(report->study(), store, options.metrics ? campaign::Metrics::wanted : report->study().metrics(),
                      [&](const study::Round& round, std::uint64_t index, const campaign::Decided* decided) {
                        if (!options.csv || decided == nullptr) return;
-                       csv += report->table_lines(round, index, *decided, wish);
+                       csv += report->table_lines(round, index, *decided);
                        if (csv.size() <= piece) return;
                        output::print(csv);
                        csv.clear();
@@ -103,7 +103,7 @@ int print_report(const ReportOptions& options, const campaign::Store& store, con
     if (const std::string incomplete = report->incomplete(); !incomplete.empty()) {
       complain(fmt::format("{} holds {}", options.file, incomplete));
     }
-    output::print(options.csv ? csv + report->table_end() : options.json ? report->json() : report->text());
+    output::print(options.csv ? csv + report->end_table() : options.json ? report->json() : report->text());
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
   }

@@ -69,7 +69,7 @@ int play(report::StudyReport& report, const TuneOptions& options, const Invocati
   };
   wishes.at_end = [&] {
     if (trace) {
-      trace->write(report.table_end());
+      trace->write(report.end_table());
       trace->close();
     }
     if (at_end) at_end();

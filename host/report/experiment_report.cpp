@@ -49,10 +49,13 @@ class ExperimentReport final : public StudyReport {
                        plan_.matches());
   }
 
-  std::string table_head(const TableWish& /*wish*/) const override { return experiment_csv_head(plan_); }
-  std::string table_lines(const study::Round& /*round*/, std::uint64_t index, const campaign::Decided& decided,
-                          const TableWish& wish) const override {
-    return experiment_csv_lines(plan_, index, decided, wish.all_metrics ? CsvMeasures::all : CsvMeasures::shown);
+  std::string begin_table(const TableWish& wish) override {
+    measures_ = wish.all_metrics ? CsvMeasures::all : CsvMeasures::shown;
+    return experiment_csv_head(plan_);
+  }
+  std::string table_lines(const study::Round& /*round*/, std::uint64_t index,
+                          const campaign::Decided& decided) override {
+    return experiment_csv_lines(plan_, index, decided, measures_);
   }
 
   std::string summary_table() const override { return experiment_summary_csv(view()); }
@@ -75,6 +78,7 @@ class ExperimentReport final : public StudyReport {
   study::ExperimentPlan plan_;
   study::Experiment course_;
   CommandOf again_;
+  CsvMeasures measures_ = CsvMeasures::shown;  // of the table that was begun
   Fingerprint fingerprint_;
 };
 

@@ -47,12 +47,12 @@ class SearchComparisonReport final : public StudyReport {
   }
 
   bool is_table_of_matches() const override { return false; }
-  std::string table_head(const TableWish& /*wish*/) const override { return {}; }
-  std::string table_lines(const study::Round& /*round*/, std::uint64_t /*index*/, const campaign::Decided& /*decided*/,
-                          const TableWish& /*wish*/) const override {
+  std::string begin_table(const TableWish& /*wish*/) override { return {}; }
+  std::string table_lines(const study::Round& /*round*/, std::uint64_t /*index*/,
+                          const campaign::Decided& /*decided*/) override {
     return {};
   }
-  std::string table_end() const override { return search_comparison_csv(view()); }
+  std::string end_table() const override { return search_comparison_csv(view()); }
 
   void take(const study::Round& round, std::uint64_t index, const campaign::Decided* decided) override {
     fingerprint_.take(round.first_row + index, *decided);

@@ -60,13 +60,12 @@ class StudyReport {
   // "3 of 8 matches without a gap: the tournament is not at its end"; empty at its end.
   virtual std::string incomplete() const = 0;
 
-  // The table: head, what it says of each match once the study has taken it, and what it says at the end.
+  // The table: its head, what it says of each match once the study has taken it, and what it says at the end.
   virtual bool is_table_of_matches() const { return true; }
   virtual bool has_a_column_for_each_metric() const { return false; }  // then TableWish::metrics is asked for
-  virtual std::string table_head(const TableWish& wish) const = 0;
-  virtual std::string table_lines(const study::Round& round, std::uint64_t index, const campaign::Decided& decided,
-                                  const TableWish& wish) const = 0;
-  virtual std::string table_end() const { return {}; }
+  virtual std::string begin_table(const TableWish& wish) = 0;
+  virtual std::string table_lines(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) = 0;
+  virtual std::string end_table() const { return {}; }
   // A second, short table of what was found; empty where there is none.
   virtual std::string summary_table() const { return {}; }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "match/metric_columns.hpp"
 #include "study/tournament.hpp"
 #include "study/tournament_plan.hpp"
 
@@ -42,7 +43,7 @@ match::MetricPaths csv_metrics(const study::TournamentPlan& plan);
 // Metrics stand at the end of it, those of the match after those of the teams.
 std::string csv_head(const match::MetricPaths& metrics);
 std::string csv_line(const TournamentView& view, std::uint64_t index, const campaign::Decided& decided,
-                     const match::MetricPaths& metrics);
+                     match::MetricColumns& metrics);
 
 // "plugin hangs"; where only the team is known "a plugin of small"
 std::string plugin_text(const std::string& plugin, const std::string& team);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // A tournament as a table: a line for each match.
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 
 #include "report/csv_text.hpp"
 #include "report/tournament.hpp"
-#include "study/metric.hpp"
 #include "study/packets_spent.hpp"
 
 namespace regista::report {
@@ -29,7 +29,7 @@ std::string csv_head(const match::MetricPaths& metrics) {
 }
 
 std::string csv_line(const TournamentView& view, std::uint64_t index, const campaign::Decided& decided,
-                     const match::MetricPaths& metrics) {
+                     match::MetricColumns& metrics) {
   const study::Fixture fixture = view.course.calendar().at(index);
   const auto& teams = view.plan.teams;
   const std::string opening = view.plan.openings.empty()
@@ -51,27 +51,9 @@ std::string csv_line(const TournamentView& view, std::uint64_t index, const camp
   }
   const auto write = [&out](const std::optional<double>& value) {
     out += ',';
-    if (value) out += fmt::format("{}", *value);
+    if (value) fmt::format_to(std::back_inserter(out), FMT_COMPILE("{}"), *value);
   };
-  if (metrics.empty()) return out + '\n';
-  if (metrics == csv_metrics(view.plan)) {
-    // Of these a table of a million matches is written in seconds.
-    study::PacketMetrics packets;
-    if (!decided.metrics.empty()) packets = study::packet_metrics_of(decided.metrics);
-    for (const auto& of_sides : packets) std::ranges::for_each(of_sides, write);
-  } else {
-    std::array<std::vector<study::NamedValue>, 2> values;
-    for (const std::size_t side : {0u, 1u}) {
-      if (!decided.metrics.empty()) values[side] = study::metric_values(decided.metrics, static_cast<int>(side));
-    }
-    for (const std::string& each : metrics.of_teams) {
-      for (const std::vector<study::NamedValue>& of_side : values) {
-        const auto found = std::ranges::find(of_side, each, &study::NamedValue::path);
-        write(found == of_side.end() ? std::nullopt : std::optional(found->value));
-      }
-    }
-    for (const std::string& each : metrics.of_match) write(decided.metrics.of_match(each));
-  }
+  std::ranges::for_each(metrics.of(decided.metrics), write);
   return out + '\n';
 }
 

@@ -74,10 +74,13 @@ class TournamentReport final : public StudyReport {
   }
 
   bool has_a_column_for_each_metric() const override { return true; }
-  std::string table_head(const TableWish& wish) const override { return csv_head(columns(wish)); }
-  std::string table_lines(const study::Round& /*round*/, std::uint64_t index, const campaign::Decided& decided,
-                          const TableWish& wish) const override {
-    return csv_line(view(), index, decided, columns(wish));
+  std::string begin_table(const TableWish& wish) override {
+    columns_ = match::MetricColumns(wish.all_metrics ? wish.metrics : csv_metrics(plan_));
+    return csv_head(columns_.paths());
+  }
+  std::string table_lines(const study::Round& /*round*/, std::uint64_t index,
+                          const campaign::Decided& decided) override {
+    return csv_line(view(), index, decided, columns_);
   }
 
   campaign::Metrics page_metrics() const override { return campaign::Metrics::wanted; }
@@ -90,9 +93,6 @@ class TournamentReport final : public StudyReport {
   std::string page(PageFrame frame) const override;
 
  private:
-  match::MetricPaths columns(const TableWish& wish) const {
-    return wish.all_metrics ? wish.metrics : csv_metrics(plan_);
-  }
   campaign::Job job(std::uint64_t index) const { return study::job(plan_, course_.calendar().at(index)); }
   TournamentView view() const {
     return {plan_, course_, [this](std::uint64_t index) { return again_(job(index)); }};
@@ -101,6 +101,7 @@ class TournamentReport final : public StudyReport {
   study::TournamentPlan plan_;
   study::Tournament course_;
   CommandOf again_;
+  match::MetricColumns columns_;  // of the table that was begun
   std::optional<CourseRecord> record_;
 };
 

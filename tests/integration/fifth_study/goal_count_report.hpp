@@ -43,9 +43,8 @@ class GoalCountReport final : public StudyReport {
     return study_.over() ? "" : fmt::format("{} matches: the count is not at its end", study_.counted());
   }
 
-  std::string table_head(const TableWish&) const override { return "row,goals\n"; }
-  std::string table_lines(const study::Round&, std::uint64_t index, const campaign::Decided& decided,
-                          const TableWish&) const override {
+  std::string begin_table(const TableWish&) override { return "row,goals\n"; }
+  std::string table_lines(const study::Round&, std::uint64_t index, const campaign::Decided& decided) override {
     return fmt::format("{},{}\n", index + 1, decided.score[0] + decided.score[1]);
   }
 

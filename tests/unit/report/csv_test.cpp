@@ -8,6 +8,12 @@
 namespace regista::report {
 namespace {
 
+// Of a table without metrics.
+std::string line(const Course& course, std::uint64_t index, const campaign::Decided& decided) {
+  match::MetricColumns none;
+  return csv_line(course.view(), index, decided, none);
+}
+
 TEST(CsvText, FieldsThatASpreadsheetWouldRun) {
   for (const char* each : {"=1+1", "+1", "-1", "@x", "\tx"}) EXPECT_EQ(csv_field(each), std::string("'") + each);
   EXPECT_EQ(csv_field("\rx"), "\"'\rx\"");
@@ -27,8 +33,8 @@ TEST(TournamentCsv, ALineForAMatch) {
   Course course({"new", "old"}, 10);
   course.plan.first_seed = 7;
   course.tournament.emplace(course.plan);
-  EXPECT_EQ(csv_line(course.view(), 3, match(2, 1), {}), "4,2,8,,old,new,2,1,full_time,9f2c,,,,\n");
-  EXPECT_EQ(csv_line(course.view(), 2, failed(1), {}),
+  EXPECT_EQ(line(course, 3, match(2, 1)), "4,2,8,,old,new,2,1,full_time,9f2c,,,,\n");
+  EXPECT_EQ(line(course, 2, failed(1)),
             "3,2,8,,new,old,10,0,forfeit,,away,greedy,assign,Segmentation "
             "fault\n");
 }
@@ -37,20 +43,20 @@ TEST(TournamentCsv, OpeningsAreCalledByTheNamesOfTheirFiles) {
   Course course({"new", "old"}, 10);
   course.plan.openings = {{"openings/corner kick.yaml", {}}, {"a,b.yaml", {}}};
   course.tournament.emplace(course.plan);
-  EXPECT_EQ(csv_line(course.view(), 0, match(0, 0), {}), "1,1,1,corner kick,new,old,0,0,full_time,9f2c,,,,\n");
-  EXPECT_EQ(csv_line(course.view(), 2, match(0, 0), {}), "3,2,2,\"a,b\",new,old,0,0,full_time,9f2c,,,,\n");
+  EXPECT_EQ(line(course, 0, match(0, 0)), "1,1,1,corner kick,new,old,0,0,full_time,9f2c,,,,\n");
+  EXPECT_EQ(line(course, 2, match(0, 0)), "3,2,2,\"a,b\",new,old,0,0,full_time,9f2c,,,,\n");
 }
 
 TEST(TournamentCsv, FieldsThatHoldSignsOfATable) {
   Course course({"a, \"b\"", "c\nd"}, 10);
-  EXPECT_EQ(csv_line(course.view(), 0, failed(0, "x\r\ny,\"z\""), {}),
+  EXPECT_EQ(line(course, 0, failed(0, "x\r\ny,\"z\"")),
             "1,1,1,,\"a, \"\"b\"\"\",\"c\nd\",0,10,forfeit,,home,greedy,assign,\"x\r\ny,\"\"z\"\"\"\n");
 }
 
 TEST(TournamentCsv, MetricsOfBothSidesAndNothingWhereThereAreNone) {
   Course course({"a", "b"}, 10);
   const campaign::Decided decided = match(0, 0, R"({"packets":[3,0.1],"agreement":[null,1e300]})");
-  const match::MetricPaths columns{.of_teams = {"packets", "agreement"}, .of_match = {}};
+  match::MetricColumns columns({.of_teams = {"packets", "agreement"}, .of_match = {}});
   EXPECT_EQ(csv_line(course.view(), 0, decided, columns), "1,1,1,,a,b,0,0,full_time,9f2c,,,,,3,0.1,,1e+300\n");
   EXPECT_EQ(csv_line(course.view(), 0, failed(0), columns),
             "1,1,1,,a,b,0,10,forfeit,,home,greedy,assign,Segmentation fault,,,,\n");
@@ -59,8 +65,8 @@ TEST(TournamentCsv, MetricsOfBothSidesAndNothingWhereThereAreNone) {
 TEST(TournamentCsv, MetricsOfTheMatchStandOnceAfterThoseOfTheTeams) {
   Course course({"a", "b"}, 10);
   const campaign::Decided decided = match(0, 0, R"({"packets":[3,4],"ball_rests":17,"ball_rest_seconds":null})");
-  const match::MetricPaths columns{.of_teams = {"packets"},
-                                   .of_match = {"ball_rests", "ball_rest_seconds", "ball_crowd_seconds"}};
+  match::MetricColumns columns(
+      {.of_teams = {"packets"}, .of_match = {"ball_rests", "ball_rest_seconds", "ball_crowd_seconds"}});
   EXPECT_EQ(csv_line(course.view(), 0, decided, columns), "1,1,1,,a,b,0,0,full_time,9f2c,,,,,3,4,17,,\n");
   EXPECT_EQ(csv_line(course.view(), 0, failed(0), columns),
             "1,1,1,,a,b,0,10,forfeit,,home,greedy,assign,Segmentation fault,,,,,\n");

@@ -257,7 +257,7 @@ TEST(SearchComparisonReport, SaysTheSameAsItsParts) {
   EXPECT_THAT(first, testing::StartsWith("search, seed 3: "));
   EXPECT_EQ(report->text(), search_comparison_text(course.view()));
   EXPECT_EQ(report->json(), search_comparison_json(course.view()));
-  EXPECT_EQ(report->table_head({}) + report->table_end(), search_comparison_csv(course.view()));
+  EXPECT_EQ(report->begin_table({}) + report->end_table(), search_comparison_csv(course.view()));
   EXPECT_TRUE(report->incomplete().empty());
   EXPECT_FALSE(report->is_table_of_matches());
 }
