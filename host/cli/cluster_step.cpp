@@ -89,6 +89,21 @@ void leave_out(const std::vector<std::string>& nodes, std::vector<std::string>& 
     *given += "," + more;
 }
 
+// Of the last batch.
+cluster::JobRequest array_request(const StudyFolder& folder, const Settings& settings, const Progress& progress) {
+  const cluster::SubmittedBatch& batch = progress.batches.back();
+  cluster::JobRequest out;
+  out.name = fmt::format("{}-{}", folder.root().filename().string(), batch.number);
+  out.script = folder.root() / "task.sh";
+  out.arguments = {std::to_string(batch.number)};
+  out.output = cluster::in_pattern(folder.logs()) + fmt::format("/{}-%a.txt", batch.number);
+  out.tasks = batch.tasks;
+  out.processors = settings.workers;
+  out.options = options_of_tasks(settings);
+  leave_out(progress.refused_nodes, out.options);
+  return out;
+}
+
 cluster::JobRequest gather_request(const StudyFolder& folder, const Settings& settings, const Progress& progress) {
   const cluster::SubmittedBatch& batch = progress.batches.back();
   cluster::JobRequest out;
@@ -110,6 +125,7 @@ void submit_next(const StudyFolder& folder, const Settings& settings, const clus
                  std::uint64_t rows, Progress& progress) {
   cluster::Batch batch;
   batch.first_row = missing.first_row;
+  batch.may_end_early = missing.may_end_early;
   // As many tasks as may be, each with as few matches as then are left for it.
   const std::uint64_t left = cluster::matches_of(missing.places);
   batch.tasks = cluster::shared_out(
@@ -123,21 +139,20 @@ void submit_next(const StudyFolder& folder, const Settings& settings, const clus
   if (!missing.is_first) copy_over(folder.results(), folder.known_before(submitted.number));
   output::write_whole(folder.batch(submitted.number), cluster::to_json(batch), output::Existing::replaced);
 
-  cluster::JobRequest array;
-  array.name = folder.root().filename().string();
-  array.script = folder.root() / "task.sh";
-  array.arguments = {std::to_string(submitted.number)};
-  array.output = cluster::in_pattern(folder.logs()) + fmt::format("/{}-%a.txt", submitted.number);
-  array.tasks = submitted.tasks;
-  array.processors = settings.workers;
-  array.options = options_of_tasks(settings);
-  leave_out(progress.refused_nodes, array.options);
-  submitted.array_job = cluster::submit(array);
   progress.batches.push_back(submitted);
+  folder.write(progress);  // before: who goes on after a kill asks Slurm for it
+  std::string& job = progress.batches.back().array_job;
+  try {
+    job = cluster::submit(array_request(folder, settings, progress));
+  } catch (const cluster::SlurmError&) {
+    progress.batches.pop_back();
+    folder.write(progress);
+    throw;
+  }
   try {
     folder.write(progress);  // so that the array is known, whatever becomes of the next
   } catch (...) {
-    cluster::cancel({submitted.array_job});
+    cluster::cancel({job});
     throw;
   }
   submit_gather(folder, settings, progress);
@@ -164,7 +179,10 @@ void complete(const StudyFolder& folder, std::uint64_t rows, std::uint64_t seen,
   folder.write(progress);
   if (was) return;
   try {
-    cluster::cancel(jobs_alive(progress));  // what plays on is not wanted any more: a test has decided
+    // What plays on is not wanted any more: a test has decided. A task ends its own array; the job after that one says
+    // what came of the study.
+    const std::string& array = progress.batches.empty() ? "" : progress.batches.back().array_job;
+    cluster::cancel(cluster::is_within({array}) ? std::vector{array} : jobs_alive(progress));
   } catch (const cluster::SlurmError& error) {
     progress.remarks.push_back(error.what());
     folder.write(progress);
@@ -189,6 +207,8 @@ ClusterStep step(const StudyFolder& folder, campaign::Store& results, bool resta
   ClusterStep out;
   Progress& progress = out.progress = folder.progress();
   const bool has_batch = !progress.batches.empty();
+  if (has_batch && progress.batches.back().array_job.empty())  // who submitted it was killed meanwhile
+    progress.batches.back().array_job = cluster::job_of(array_request(folder, settings, progress));
   const bool array_lives = has_batch && !cluster::alive({progress.batches.back().array_job}).empty();
   out.gathered = cluster::gather(folder, results, array_lives ? cluster::Tasks::ended : cluster::Tasks::killed_too,
                                  REGISTA_VERSION);
@@ -278,6 +298,17 @@ void stop_study(const StudyFolder& folder) {
   progress.state = Progress::State::stopped;
   progress.message = "it was stopped";
   folder.write(progress);
+}
+
+void look_whether_it_is_over(const StudyFolder& folder, const Invocation& invocation) {
+  if (folder.progress().state != Progress::State::running) return;
+  try {
+    campaign::Store results(folder.results(), campaign::Store::Mode::open, REGISTA_VERSION,
+                            campaign::Journal::rollback);
+    step(folder, results, false, invocation);
+  } catch (const std::runtime_error&) {
+    // Somebody else takes a step just now, or the next one meets the same and says so.
+  }
 }
 
 ClusterStep take_step(const StudyFolder& folder, bool restart, const Invocation& invocation) {

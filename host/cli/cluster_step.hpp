@@ -26,6 +26,10 @@ struct ClusterStep {
 // and its folder says why, unless this machine is none that may take a step.
 ClusterStep take_step(const cluster::StudyFolder& folder, bool restart, const Invocation& invocation);
 
+// By a task that has ended: a test may have decided, and then nobody need wait for the rest of the array, which is
+// ended, this process too. Does nothing where somebody else takes a step.
+void look_whether_it_is_over(const cluster::StudyFolder& folder, const Invocation& invocation);
+
 // Ends the jobs of the study. Throws BadInput, WriteError.
 void stop_study(const cluster::StudyFolder& folder);
 

@@ -66,13 +66,16 @@ std::unique_ptr<campaign::Store> part_of(const StudyFolder& folder, const TaskNa
   }
 }
 
-int play(const StudyFolder& folder, const TaskName& name, const Invocation& invocation) {
-  const cluster::Settings settings = folder.settings();
+cluster::Batch batch_of(const StudyFolder& folder, const TaskName& name) {
   const auto text = config::file_content(folder.batch(name.batch));
   if (!text) throw BadInput(fmt::format("{}: no such batch", folder.batch(name.batch).string()));
-  const cluster::Batch batch = cluster::batch_from_json(*text);
-  if (name.task >= batch.tasks.size()) throw BadInput(fmt::format("batch {} has no task {}", name.batch, name.task));
+  cluster::Batch out = cluster::batch_from_json(*text);
+  if (name.task >= out.tasks.size()) throw BadInput(fmt::format("batch {} has no task {}", name.batch, name.task));
+  return out;
+}
 
+int play(const StudyFolder& folder, const TaskName& name, const cluster::Batch& batch, const Invocation& invocation) {
+  const cluster::Settings settings = folder.settings();
   const fs::path before = folder.known_before(name.batch);
   const std::string file = (fs::exists(before) ? before : folder.plan()).string();
   const campaign::Store known = read_results(file);
@@ -124,9 +127,11 @@ int play(const StudyFolder& folder, const TaskName& name, const Invocation& invo
 int task(const std::string& folder_name, const TaskName& name, const Invocation& invocation) {
   const StudyFolder folder(folder_name);
   try {
-    const int exit = play(folder, name, invocation);
+    const cluster::Batch batch = batch_of(folder, name);
+    const int exit = play(folder, name, batch, invocation);
     std::error_code none;  // there is nothing to rename where another process has done it
     if (!fs::exists(folder.part(name), none)) fs::rename(folder.under_way(name), folder.part(name), none);
+    if (batch.may_end_early) look_whether_it_is_over(folder, invocation);
     return exit;
   } catch (const std::invalid_argument& error) {
     throw BadInput(error.what());

@@ -47,7 +47,10 @@ std::string to_json(const Batch& batch) {
     for (const Slice& each : slices) task.push_back({each.begin, each.end});
     tasks.push_back(task);
   }
-  return nlohmann::ordered_json{{"first_row", batch.first_row}, {"tasks", tasks}}.dump() + '\n';
+  return nlohmann::ordered_json{
+             {"first_row", batch.first_row}, {"may_end_early", batch.may_end_early}, {"tasks", tasks}}
+             .dump() +
+         '\n';
 }
 
 Batch batch_from_json(const std::string& text) {
@@ -55,6 +58,7 @@ Batch batch_from_json(const std::string& text) {
     const auto json = nlohmann::json::parse(text);
     Batch out;
     json.at("first_row").get_to(out.first_row);
+    json.at("may_end_early").get_to(out.may_end_early);
     for (const auto& task : json.at("tasks")) {
       Slices slices;
       for (const auto& each : task) {

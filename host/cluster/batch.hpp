@@ -20,6 +20,7 @@ std::uint64_t matches_of(const Slices& slices);
 
 struct Batch {
   std::uint64_t first_row = 0;  // of the round: see study::Round
+  bool may_end_early = false;   // that round
   std::vector<Slices> tasks;
   std::uint64_t matches() const;
   friend bool operator==(const Batch&, const Batch&) = default;

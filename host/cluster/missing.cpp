@@ -46,6 +46,7 @@ Missing missing_of(study::Study& study, campaign::Store& store, std::uint64_t mo
         if (!decided) {
           out.first_row = round.first_row;
           out.round = round.matches;
+          out.may_end_early = round.may_end_early;
           out.places = places_without_result(round, store, numbers, index, most);
           throw NotPlayed();
         }

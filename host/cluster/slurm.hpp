@@ -36,10 +36,13 @@ std::string in_pattern(const std::filesystem::path& path);
 std::string submit(const JobRequest& request);
 // Those of these jobs that wait or run. Throws SlurmError.
 std::vector<std::string> alive(const std::vector<std::string>& jobs);
+// The job that this request has become, by its name and folder, if it waits or runs: for who does not know whether it
+// was submitted. Empty: there is none. Throws SlurmError.
+std::string job_of(const JobRequest& request);
 // Ends these jobs; what has ended already is no error. Throws SlurmError.
 void cancel(const std::vector<std::string>& jobs);
 
-// Whether the job of this process is one of them.
+// Whether the job of this process is one of them, or a task of one.
 bool is_within(const std::vector<std::string>& jobs);
 
 }  // namespace regista::cluster

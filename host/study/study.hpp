@@ -34,6 +34,7 @@ struct Round {
   std::function<campaign::Job(std::uint64_t index)> job;
   // To be called in the order of indices; nothing for a match that is not wanted. False: nothing more is needed.
   std::function<bool(std::uint64_t index, const campaign::Decided* decided)> take;
+  bool may_end_early = false;  // a test decides after which match nothing more is needed
   // Whether this match is the first of its pairing, which is played twice. Empty: none is.
   std::function<bool(std::uint64_t index)> first_of_pairing;
 };

@@ -100,6 +100,7 @@ void Tournament::run(const PlayRound& play) {
   };
   round.job = [this](std::uint64_t index) { return job(plan_, calendar_.at(index)); };
   round.take = [this](std::uint64_t, const campaign::Decided* decided) { return take(decided); };
+  round.may_end_early = !std::holds_alternative<FixedNumber>(plan_.objective);
   round.first_of_pairing = [this](std::uint64_t index) {
     const Fixture fixture = calendar_.at(index);
     return fixture.pair == 0 && !fixture.swapped;

@@ -81,6 +81,41 @@ class Tournaments(OnCluster):
         self.assertEqual(self.progress()["message"], beyond if played > local["matches"] else "")
         self.assert_same_reports("study.cluster/results.db", "local.db")
 
+    def test_a_test_ends_its_array_though_nobody_waits(self):
+        self.document(text=TEST)
+        local = json.loads(self.local("--json"))
+        self.begin("study.yaml", "--array", 12, "--per-task", 10)  # all that there may be is one batch
+        self.wait_for_end()
+        self.assertEqual(len(self.progress()["batches"]), 1)
+        played = self.count("study.cluster/results.db")
+        self.assertLess(local["matches"], 100)
+        self.assertLess(played, 120)
+        self.assert_same_reports("study.cluster/results.db", "local.db")
+        self.assertTrue((self.folder / "study.cluster" / "results.html").exists(), self.logs())
+
+    def test_an_array_whose_submitter_was_killed_is_found_again(self):
+        self.document()
+        self.local()
+        path = self.folder / "path"
+        path.mkdir()
+        submit = path / "sbatch"
+        submit.write_text(f"""#!/bin/sh
+"$(PATH={cluster().environment["PATH"]} command -v sbatch)" "$@" || exit
+kill -KILL $PPID
+""")
+        submit.chmod(0o755)
+        killed = self.run_program(*self.on_slurm("study.yaml", "--array", 2, "--per-task", 9, "--sbatch", "begin=now+5"),
+                                  environment={"PATH": f"{path}:{cluster().environment['PATH']}"})
+        self.assertEqual(killed.returncode, -signal.SIGKILL)
+        self.assertEqual([each["array_job"] for each in self.progress()["batches"]], [""])
+        array = cluster().jobs()
+        self.assertEqual(len(array), 1, array)
+        self.succeed("gather", "study.cluster", "--quiet")
+        self.assertEqual([each["array_job"] for each in self.progress()["batches"]], [array[0].split("_")[0]])
+        self.wait_for_end()
+        self.assertEqual(len(self.progress()["batches"]), 1)
+        self.assert_same_reports("study.cluster/results.db", "local.db")
+
     def test_killed_tasks_lose_nothing(self):
         self.document(pairs=12)
         self.local()

@@ -236,6 +236,14 @@ class Played(Tuning):
         self.assertEqual(process.returncode, 130, err)
         self.assertRegex(err.splitlines()[-1], r"interrupted after \d+ of \d+ matches; to go on: .*--resume")
         self.assertIn("not at its end", self.run_program("report", "trial.db").stderr)
+        (self.folder / "t.yaml").unlink()  # the file of results knows what was asked
+        resumed = json.loads(self.succeed("resume", "trial.db", "--quiet", "--json", "--no-page"))
+        self.document()
+        whole = self.tune("--results", "whole.db")
+        tuned = [(self.folder / each.pop("tuned_file")).read_text() for each in (resumed, whole)]
+        self.assertEqual(resumed, whole)
+        self.assertEqual(tuned[0].replace("trial", "whole"), tuned[1])
+        self.assertEqual(self.rows("trial.db"), self.rows("whole.db"))
 
     def test_compare(self):
         told = self.compare("--json", "--trace", "runs.csv")
@@ -279,7 +287,7 @@ class Played(Tuning):
             self.kill_when(lambda: self.count("trial.compare.db") >= wanted,
                            *self.comparison(*resume, repeats=2))
             self.assertIn("the comparison is not at its end", self.run_program("report", "trial.compare.db").stderr)
-        self.assertEqual(self.compare("--json", "--resume", repeats=2), told)
+        self.assertEqual(self.succeed("resume", "trial.compare.db", "--quiet", "--json", "--no-page"), told)
         self.assertEqual(self.rows("trial.compare.db"), self.rows("once.db"))
 
     def test_opponent_that_is_the_base_is_noted(self):

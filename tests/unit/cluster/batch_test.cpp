@@ -26,13 +26,18 @@ TEST(SharedOut, StopsAtTheLastTask) {
 }
 
 TEST(Batch, ComesBackFromItsFile) {
-  const Batch batch{1200, {{{0, 4}, {7, 9}}, {{12, 13}}}};
+  const Batch batch{1200, true, {{{0, 4}, {7, 9}}, {{12, 13}}}};
   EXPECT_EQ(batch.matches(), 7u);
   EXPECT_EQ(batch_from_json(to_json(batch)), batch);
-  for (const char* text : {"", "{}", "[]", R"({"first_row": 0, "tasks": [[[2, 2]]]})",
-                           R"({"first_row": 0, "tasks": [[]]})", R"({"first_row": 0, "tasks": [[[2, 4], [3, 5]]]})",
-                           R"({"first_row": -1, "tasks": "all"})", R"({"first_row": 0, "tasks": [[[1]]]})"}) {
+  for (const char* text : {"", "{}", "[]", R"({"first_row": 0, "tasks": [[[1, 2]]]})"}) {
     EXPECT_THROW(batch_from_json(text), std::invalid_argument) << text;
+  }
+  const auto with_tasks = [](const std::string& tasks) {
+    return batch_from_json(R"({"first_row": 0, "may_end_early": false, "tasks": )" + tasks + "}");
+  };
+  EXPECT_EQ(with_tasks("[[[1, 2]]]"), (Batch{0, false, {{{1, 2}}}}));
+  for (const char* tasks : {"[[[2, 2]]]", "[[]]", "[[[2, 4], [3, 5]]]", R"("all")", "[[[1]]]", "[[[-1, 2]]]"}) {
+    EXPECT_THROW(with_tasks(tasks), std::invalid_argument) << tasks;
   }
 }
 

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// A sequential test whose matches are played in batches: it says what it says where they are played one after the
+// other, and errs no more often than it was asked to.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <random>
+
+#include "cluster/missing.hpp"
+#include "study/tournament.hpp"
+#include "study_of_two_rounds.hpp"
+#include "unit/study/tournament_fixture.hpp"
+
+namespace regista::cluster {
+namespace {
+
+constexpr std::uint64_t most_pairs = 150;
+
+class RoundWise : public FolderTest {
+ protected:
+  // What comes of the plan's matches, in their order. advantage: how much likelier the first team wins than loses.
+  static std::vector<campaign::Decided> results(std::uint64_t seed, double advantage) {
+    std::mt19937_64 chance(seed);
+    std::vector<campaign::Decided> out;
+    for (std::uint64_t i = 0; i < 2 * most_pairs; ++i) {
+      const double u = static_cast<double>(chance() >> 11) * 0x1p-53;
+      const int first = u < 0.35 + advantage / 2 ? 1 : 0, second = u >= 0.65 + advantage / 2 ? 1 : 0;
+      out.push_back(i % 2 == 0 ? study::match(first, second) : study::match(second, first));
+    }
+    return out;
+  }
+
+  struct End {
+    study::Verdict verdict;
+    std::uint64_t matches;
+    bool operator==(const End&) const = default;
+  };
+
+  static End one_by_one(const study::TournamentPlan& plan, const std::vector<campaign::Decided>& results) {
+    study::Tournament course(plan);
+    for (const campaign::Decided& each : results) {
+      if (!course.take(&each)) break;
+    }
+    return {course.verdict(), course.matches()};
+  }
+
+  // Batches of so many matches, in whatever order they end. beyond: matches played that the test did not need.
+  End in_batches(const study::TournamentPlan& plan, const std::vector<campaign::Decided>& results,
+                 std::uint64_t matches, std::uint64_t seed, std::uint64_t& beyond) {
+    std::mt19937_64 chance(seed);
+    const std::filesystem::path file = folder / "results.db";
+    for (const char* const each : {"", "-wal", "-shm"}) std::filesystem::remove(file.string() + each);
+    campaign::Store store(file, campaign::Store::Mode::create, "1.0");
+    for (;;) {
+      study::Tournament course(plan);
+      const Missing missing = missing_of(course, store, matches);
+      if (missing.complete()) {
+        beyond = static_cast<std::uint64_t>(store.rows()) - course.matches();
+        return {course.verdict(), course.matches()};
+      }
+      std::vector<std::uint64_t> places;
+      for (const Slice& each : missing.places) {
+        for (std::uint64_t index = each.begin; index < each.end; ++index) places.push_back(index);
+      }
+      std::shuffle(places.begin(), places.end(), chance);
+      std::vector<std::string> keys;
+      for (const campaign::Fixture& each : study::fixtures(plan)) keys.push_back(each.key);
+      const std::vector<std::int64_t> numbers = store.numbers(keys);
+      for (const std::uint64_t index : places) {
+        const study::Fixture fixture = course.calendar().at(index);
+        store.insert(static_cast<std::int64_t>(index) + 1, {numbers[fixture.number], fixture.seed}, results[index], 1);
+      }
+    }
+  }
+
+  // Of so many tournaments: how many accept that the first team is stronger.
+  int accepted(const study::TournamentPlan& plan, double advantage, int tournaments) {
+    int out = 0;
+    for (int i = 0; i < tournaments; ++i) {
+      const auto seed = static_cast<std::uint64_t>(i);
+      const std::vector<campaign::Decided> played = results(seed, advantage);
+      const std::uint64_t matches = 30 + seed % 70;
+      std::uint64_t beyond = 0;
+      const End end = in_batches(plan, played, matches, seed, beyond);
+      EXPECT_EQ(end, one_by_one(plan, played)) << "tournament " << i;
+      EXPECT_LT(beyond, matches) << "tournament " << i;
+      out += end.verdict == study::Verdict::accept_h1 ? 1 : 0;
+    }
+    return out;
+  }
+};
+
+TEST_F(RoundWise, ErrsAsSeldomAsItWasAskedTo) {
+  study::ScoreTest test;
+  test.design.hypotheses = {0.0, 80.0};  // far apart, so that tests are short
+  test.design.rates = {0.05, 0.05};
+  const study::TournamentPlan plan = study::plan_of(2, most_pairs, test);
+  constexpr int tournaments = 100;
+  EXPECT_LE(accepted(plan, 0.0, tournaments), tournaments / 20);
+}
+
+TEST_F(RoundWise, ATestOnGoalsErrsAsSeldomAsItWasAskedTo) {
+  const study::TournamentPlan plan = study::plan_of(2, most_pairs, study::ValueTest{study::goals_value});
+  constexpr int tournaments = 100;
+  EXPECT_LE(accepted(plan, 0.0, tournaments), tournaments / 20);
+  EXPECT_GE(accepted(plan, 0.3, 20), 19);
+}
+
+}  // namespace
+}  // namespace regista::cluster
