@@ -29,11 +29,13 @@ void write(std::string& out, std::uint64_t number) {
 
 class Reader {
  public:
-  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+  explicit Reader(std::string_view bytes) : at_(bytes.data()), end_(bytes.data() + bytes.size()) {}
 
   std::uint64_t number() {
-    std::uint64_t out = 0;
-    for (int shift = 0; shift < 64; shift += 7) {
+    std::uint64_t out = next();
+    if (out < 0x80) return out;  // most
+    out &= 0x7f;
+    for (int shift = 7; shift < 64; shift += 7) {
       const std::uint64_t byte = next();
       out |= (byte & 0x7f) << shift;
       if (byte < 0x80) return out;
@@ -47,17 +49,15 @@ class Reader {
     return std::bit_cast<double>(bits);
   }
 
-  bool at_end() const { return bytes_.empty(); }
+  bool at_end() const { return at_ == end_; }
 
  private:
   std::uint64_t next() {
-    if (bytes_.empty()) throw std::invalid_argument("fewer numbers than names");
-    const auto out = static_cast<unsigned char>(bytes_.front());
-    bytes_.remove_prefix(1);
-    return out;
+    if (at_ == end_) throw std::invalid_argument("fewer numbers than names");
+    return static_cast<unsigned char>(*at_++);
   }
 
-  std::string_view bytes_;
+  const char *at_, *end_;
 };
 
 }  // namespace
@@ -118,18 +118,15 @@ std::string number_bytes(std::span<const double> values) {
 
 std::vector<double> numbers_of(std::string_view bytes, std::size_t count) {
   Reader reader(bytes);
-  std::vector<double> out;
-  out.reserve(count);
-  while (out.size() < count) {
+  std::vector<double> out(count, nothing);
+  for (double& value : out) {
     const std::uint64_t code = reader.number();
-    if (code == none) {
-      out.push_back(nothing);
-    } else if (code == raw) {
-      out.push_back(reader.real());
-    } else {
+    if (code == raw) {
+      value = reader.real();
+    } else if (code != none) {
       const std::uint64_t zigzag = code - first_code;
       const std::int64_t whole = static_cast<std::int64_t>(zigzag >> 1) ^ -static_cast<std::int64_t>(zigzag & 1);
-      out.push_back(static_cast<double>(whole) / unit);
+      value = static_cast<double>(whole) / unit;
     }
   }
   if (!reader.at_end()) throw std::invalid_argument("more numbers than names");

@@ -101,6 +101,9 @@ std::string select_where(const char* condition) {
   return fmt::format("SELECT {} FROM matches WHERE {}", columns, condition);
 }
 
+// Numbers of names of metrics in this file, by those in another.
+using NameNumbers = std::map<std::int64_t, std::int64_t>;
+
 }  // namespace
 
 struct StoredMatches::Parts {
@@ -197,25 +200,36 @@ struct StoredMatches::Parts {
     return added;
   }
 
+  std::int64_t number_of_names(std::int64_t row, const std::string& text) {
+    try {
+      return metrics.number_of(text);
+    } catch (const std::invalid_argument& error) {
+      throw DamagedRow(row, std::string("metrics: ") + error.what());
+    }
+  }
+
   // The match under `cursor` of another file. Throws DamagedRow for one that does not fit, OtherFile.
-  void take(Parts& other, SQLite::Statement& cursor, const FixtureNumbers& fixtures, StoredMetrics::NameNumbers& names,
-            Taken& out) {
+  void take(Parts& other, SQLite::Statement& cursor, const FixtureNumbers& fixtures, NameNumbers& names, Taken& out) {
     std::int64_t row = 0, attempts = 0;
     MatchKey theirs;
     Decided decided;
     std::optional<StoredMetrics::Packed> numbers;
+    std::string text;  // of their names, where they are new
     OtherFile::reading([&] {
       row = cursor.getColumn(0).getInt64();
       theirs = key_of(cursor);
       attempts = cursor.getColumn(9).getInt64();
       decided = other.decided_of(cursor, Metrics::left_out);
-      if (!decided.hash.empty()) numbers = other.metrics.packed(row);
+      if (decided.hash.empty()) return;
+      numbers = other.metrics.packed(row);
+      if (!names.contains(numbers->names)) text = other.metrics.names_text(row, numbers->names);
     });
     const auto fixture = fixtures.find(theirs.fixture);
     if (fixture == fixtures.end()) throw DamagedRow(row, "nothing like it was planned");
     const MatchKey key{fixture->second, theirs.seed};
+    if (!text.empty()) names.emplace(numbers->names, number_of_names(row, text));
     if (put(*insert_new, row, key, decided, attempts)) {
-      if (numbers) metrics.write(row, *numbers, names);
+      if (numbers) metrics.write(row, *numbers, names.at(numbers->names));
       ++out.rows;
       return;
     }
@@ -312,7 +326,7 @@ Taken StoredMatches::take(StoredMatches& other, const FixtureNumbers& fixtures) 
     ++out.refused;
     if (out.why.size() < most_reasons) out.why.push_back(why);
   };
-  StoredMetrics::NameNumbers names;
+  NameNumbers names;
   SQLite::Statement each(other.parts_->database, select_where("row > 0 ORDER BY row"));
   for (;;) {
     try {

@@ -29,16 +29,34 @@ struct StoredMetrics::Parts {
   explicit Parts(SQLite::Database& in)
       : database(in), select(in, "SELECT names, size, numbers, checksum FROM metrics WHERE row = ?") {}
 
-  const Names& names(std::int64_t id) {
-    if (const auto known = by_id.find(id); known != by_id.end()) return known->second;
+  std::string text(std::int64_t id) {
     SQLite::Statement find(database, "SELECT names, checksum FROM metric_names WHERE id = ?");
     find.bind(1, id);
     if (!find.executeStep()) throw std::invalid_argument(fmt::format("metric names {} are missing", id));
-    const std::string text = find.getColumn(0).getString();
-    if (RowChecksum().bytes(text).value() != find.getColumn(1).getInt64()) {
+    std::string out = find.getColumn(0).getString();
+    if (RowChecksum().bytes(out).value() != find.getColumn(1).getInt64()) {
       throw std::invalid_argument(fmt::format("the checksum of metric names {} does not fit", id));
     }
-    return by_id.emplace(id, names_of(text)).first->second;
+    return out;
+  }
+
+  const Names& names(std::int64_t id) {
+    if (const auto known = by_id.find(id); known != by_id.end()) return known->second;
+    return by_id.emplace(id, names_of(text(id))).first->second;
+  }
+
+  std::optional<std::int64_t> id_of(const std::string& text) {
+    SQLite::Statement find(database, "SELECT id FROM metric_names WHERE names = ?");
+    find.bindNoCopy(1, text);
+    return find.executeStep() ? std::optional(find.getColumn(0).getInt64()) : std::nullopt;
+  }
+
+  std::int64_t add(const std::string& text) {
+    SQLite::Statement insert_names(database, "INSERT INTO metric_names(names, checksum) VALUES(?, ?)");
+    insert_names.bindNoCopy(1, text);
+    insert_names.bind(2, RowChecksum().bytes(text).value());
+    insert_names.exec();
+    return database.getLastInsertRowid();
   }
 
   // The same names come with almost every match. Names that are new are known from the next match on: the transaction
@@ -47,15 +65,9 @@ struct StoredMetrics::Parts {
     const auto known =
         std::ranges::find_if(by_id, [&](const auto& each) { return each.second == names || *each.second == *names; });
     if (known != by_id.end()) return known->first;
-    const std::string text = names_text(*names);
-    SQLite::Statement find(database, "SELECT id FROM metric_names WHERE names = ?");
-    find.bindNoCopy(1, text);
-    if (find.executeStep()) return by_id.emplace(find.getColumn(0).getInt64(), names).first->first;
-    SQLite::Statement add(database, "INSERT INTO metric_names(names, checksum) VALUES(?, ?)");
-    add.bindNoCopy(1, text);
-    add.bind(2, RowChecksum().bytes(text).value());
-    add.exec();
-    return database.getLastInsertRowid();
+    const std::string text = campaign::names_text(*names);
+    if (const auto there = id_of(text)) return by_id.emplace(*there, names).first->first;
+    return add(text);
   }
 
   // What stands under the cursor of `select`.
@@ -67,11 +79,7 @@ struct StoredMetrics::Parts {
     if (checksum_of(row, id, size, frame) != select.getColumn(3).getInt64()) {
       throw DamagedRow(row, "the checksum of its metrics does not fit");
     }
-    try {
-      return {id, names(id), size, frame};
-    } catch (const std::invalid_argument& error) {
-      throw DamagedRow(row, std::string("metrics: ") + error.what());
-    }
+    return {id, size, frame};
   }
 
   // id: of the names, here.
@@ -92,6 +100,7 @@ struct StoredMetrics::Parts {
   std::map<std::int64_t, Names> by_id;
   mcap::Compressor compressor;
   mcap::Decompressor decompressor;
+  std::string bytes;  // of the match that was read last
 };
 
 StoredMetrics::StoredMetrics(SQLite::Database& database, bool written_to) : parts_(std::make_unique<Parts>(database)) {
@@ -113,9 +122,9 @@ match::MetricNumbers StoredMetrics::read(std::int64_t row) {
   if (!select.executeStep()) return {};
   const Packed packed = parts_->packed(row);
   try {
-    std::string bytes;
-    parts_->decompressor.decompress(packed.frame, static_cast<std::uint64_t>(packed.size), bytes);
-    return {packed.names, numbers_of(bytes, packed.names->size())};
+    const Names& names = parts_->names(packed.names);
+    parts_->decompressor.decompress(packed.frame, static_cast<std::uint64_t>(packed.size), parts_->bytes);
+    return {names, numbers_of(parts_->bytes, names->size())};
   } catch (const std::invalid_argument& error) {
     throw DamagedRow(row, std::string("metrics: ") + error.what());
   } catch (const mcap::Malformed& error) {
@@ -131,10 +140,22 @@ StoredMetrics::Packed StoredMetrics::packed(std::int64_t row) {
   return parts_->packed(row);
 }
 
-void StoredMetrics::write(std::int64_t row, const Packed& numbers, NameNumbers& known) {
-  auto id = known.find(numbers.id);
-  if (id == known.end()) id = known.emplace(numbers.id, parts_->id_of(numbers.names)).first;
-  parts_->put(row, id->second, numbers.size, numbers.frame);
+std::string StoredMetrics::names_text(std::int64_t row, std::int64_t names) {
+  try {
+    return parts_->text(names);
+  } catch (const std::invalid_argument& error) {
+    throw DamagedRow(row, std::string("metrics: ") + error.what());
+  }
+}
+
+std::int64_t StoredMetrics::number_of(const std::string& names_text) {
+  if (const auto there = parts_->id_of(names_text)) return *there;
+  names_of(names_text);  // as they are read later
+  return parts_->add(names_text);
+}
+
+void StoredMetrics::write(std::int64_t row, const Packed& numbers, std::int64_t names) {
+  parts_->put(row, names, numbers.size, numbers.frame);
 }
 
 match::MetricPaths StoredMetrics::paths(std::int64_t rows) {

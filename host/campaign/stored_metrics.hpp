@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -44,16 +43,18 @@ class StoredMetrics {
   // The numbers of a row as they stand here, for another file. Valid until the next that is read. Throws DamagedRow
   // where they are missing or their checksum does not fit.
   struct Packed {
-    std::int64_t id = 0;  // of the names, here
-    std::shared_ptr<const match::MetricNames> names;
+    std::int64_t names = 0;  // their number in this file
     std::int64_t size = 0;
     std::string_view frame;
   };
   Packed packed(std::int64_t row);
-  // Numbers of names in this file, by those in another.
-  using NameNumbers = std::map<std::int64_t, std::int64_t>;
-  // Within a transaction. `known` are those that it has met, and grows.
-  void write(std::int64_t row, const Packed& numbers, NameNumbers& known);
+  // What stands here under the number of the names of a row. Throws DamagedRow.
+  std::string names_text(std::int64_t row, std::int64_t names);
+  // Within a transaction: the number of such names in this file, to which they are added. Throws std::invalid_argument
+  // where these are none.
+  std::int64_t number_of(const std::string& names_text);
+  // Within a transaction. names: their number in this file.
+  void write(std::int64_t row, const Packed& numbers, std::int64_t names);
 
   // Paths that the first rows have numbers under, each once, in the order in which they come up.
   match::MetricPaths paths(std::int64_t rows);

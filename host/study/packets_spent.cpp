@@ -4,8 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-
-#include "match/side.hpp"
+#include <span>
 
 namespace regista::study {
 
@@ -16,23 +15,14 @@ std::string why_missing(std::string_view metric, bool short_games) {
       "{}: whole matches have none; only games that a limit or an opening ends before their time have it", metric);
 }
 
-PacketMetrics packet_metrics_of(const match::MetricNumbers& metrics) {
-  PacketMetrics out;
-  for (std::size_t i = 0; i < packet_metrics.size(); ++i) {
-    for (const match::Side side : match::both_sides) {
-      out[i][match::index(side)] = metrics.of_side(side, packet_metrics[i]);
-    }
-  }
-  return out;
-}
+PacketsOfShortGames::PacketsOfShortGames()
+    : columns_({.of_teams = {packet_metrics.begin(), packet_metrics.end()}, .of_match = {}}) {}
 
-std::optional<std::array<ShortGamePackets, 2>> short_game_packets(const match::MetricNumbers& metrics) {
-  const auto [spent, share, over] = packet_metrics_of(metrics);
+std::optional<std::array<ShortGamePackets, 2>> PacketsOfShortGames::of(const match::MetricNumbers& metrics) {
+  const std::span<const std::optional<double>> values = columns_.of(metrics);
+  if (!std::ranges::all_of(values, &std::optional<double>::has_value)) return std::nullopt;
   std::array<ShortGamePackets, 2> out;
-  for (const std::size_t side : {0u, 1u}) {
-    if (!spent[side] || !share[side] || !over[side]) return std::nullopt;
-    out[side] = {*spent[side], *share[side], *over[side]};
-  }
+  for (const std::size_t side : {0u, 1u}) out[side] = {*values[side], *values[2 + side], *values[4 + side]};
   return out;
 }
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "match/metric_numbers.hpp"
+#include "match/metric_columns.hpp"
 #include "statistics/moments.hpp"
 
 namespace regista::study {
@@ -22,18 +22,22 @@ inline constexpr std::array<const char*, 3> packet_metrics{"packets", "packets_s
 // Why the matches of a study have no such metric, in words; empty where they have.
 std::string why_missing(std::string_view metric, bool short_games);
 
-// As they stand, by side; nothing where there is no number.
-using PacketMetrics = std::array<std::array<std::optional<double>, 2>, packet_metrics.size()>;
-PacketMetrics packet_metrics_of(const match::MetricNumbers& metrics);
-
 // Of one team in one such game.
 struct ShortGamePackets {
   double spent = 0.0, share = 0.0;
   double over = 0.0;  // the share; below 0 where less was spent
 };
 
-// By side; nothing for a match that has not all of these.
-std::optional<std::array<ShortGamePackets, 2>> short_game_packets(const match::MetricNumbers& metrics);
+// Reads them of matches, one after the other.
+class PacketsOfShortGames {
+ public:
+  PacketsOfShortGames();
+  // By side; nothing for a match that has not all of these.
+  std::optional<std::array<ShortGamePackets, 2>> of(const match::MetricNumbers& metrics);
+
+ private:
+  match::MetricColumns columns_;
+};
 
 // Of one team in many.
 class PacketsSpent {

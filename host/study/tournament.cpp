@@ -183,7 +183,7 @@ void Tournament::count_match(Meeting& meeting, const Fixture& fixture, const cam
 
 void Tournament::count_packets(const Fixture& fixture, const campaign::Decided& decided) {
   if (!plan_.short_games() || decided.metrics.empty()) return;
-  const auto packets = short_game_packets(decided.metrics);
+  const auto packets = short_games_.of(decided.metrics);
   if (!packets) return;
   packets_[fixture.home].add((*packets)[0]);
   packets_[fixture.away].add((*packets)[1]);

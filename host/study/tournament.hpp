@@ -133,6 +133,7 @@ class Tournament final : public Study {
   BeforePair before_pair_;
   ForfeitList forfeits_;
   MatchRemarks remarks_;
+  PacketsOfShortGames short_games_;
   std::vector<PacketsSpent> packets_;  // by team
   std::vector<Row> rows_;              // by team
   std::vector<SetAside> set_aside_;

@@ -87,7 +87,7 @@ bool PairBatch::take(const campaign::Decided& decided, ForfeitList& forfeits, Ma
   remarks.take(list_.first_row + next_, decided);
   if (decided.set_aside()) broken_ = true;
   if (!decided.metrics.empty()) {
-    if (const auto packets = short_game_packets(decided.metrics)) packets_[candidate].add((*packets)[side]);
+    if (const auto packets = short_games_.of(decided.metrics)) packets_[candidate].add((*packets)[side]);
   }
   if (decided.failure) {
     const bool own = static_cast<std::size_t>(decided.failure->side) == side;

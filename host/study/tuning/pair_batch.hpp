@@ -89,7 +89,8 @@ class PairBatch {
   MatchList list_;
   std::vector<std::vector<double>> scores_;  // by candidate
   std::vector<std::vector<bool>> unplayed_;  // by candidate
-  std::vector<PacketsSpent> packets_;        // by candidate
+  PacketsOfShortGames short_games_;
+  std::vector<PacketsSpent> packets_;  // by candidate
   std::vector<bool> failed_;
   std::uint64_t next_ = 0, pairs_done_ = 0, unplayed_pairs_ = 0;
   campaign::Decided home_;  // of the two matches under way, the first

@@ -19,7 +19,7 @@ std::string metrics(double home, double away, double share = 30.0) {
 }
 
 TEST(PacketsSpent, AreThoseOfTheTeamWhateverRolesHave) {
-  const auto found = short_game_packets(campaign::metrics_from_json(R"({
+  const auto found = PacketsOfShortGames().of(campaign::metrics_from_json(R"({
     "packets_over_share": [-2, 4.5], "packets": [28, 34.5],
     "roles": [{"striker": {"packets_share": 8, "packets": 3}}, {"striker": {"packets": 7}}],
     "packets_share": [30, 30.25], "packets_by_reason": [{"goal": 1}, {"goal": 2}]})"));
@@ -37,9 +37,9 @@ TEST(PacketsSpent, AreNoneOfWholeMatches) {
                                  R"({"packets": [1, 2], "packets_share": [null, null], "packets_over_share": [4, 5]})",
                                  R"({"packets": [1, 2], "packets_share": [null, 3], "packets_over_share": [4, 5]})",
                                  R"({"a": [{"packets": 1, "packets_share": 3, "packets_over_share": 2}, {}]})"}) {
-    EXPECT_FALSE(short_game_packets(campaign::metrics_from_json(text))) << text;
+    EXPECT_FALSE(PacketsOfShortGames().of(campaign::metrics_from_json(text))) << text;
   }
-  EXPECT_FALSE(short_game_packets({}));
+  EXPECT_FALSE(PacketsOfShortGames().of({}));
 }
 
 // The budget of each game is its share, and all of it is spent: a mean of shares that is rounded down must not tell.
