@@ -49,7 +49,7 @@ def main():
                 common = [regista, "run", document, "--quiet", "--no-page"]
                 here = seconds(*common, "--workers", 2, "--results", folder / f"{number}.db", environment={})
                 array = seconds(*common, "--on", "slurm", "--folder", folder / f"{number}.cluster", "--array", 2, "--per-task",
-                                options.pairs, environment=cluster.environment)
+                                2 * options.pairs, environment=cluster.environment)
                 ratios.append(array / here)
                 print(f"{2 * options.pairs} matches: two workers {here:.1f} s, two tasks {array:.1f} s", flush=True)
     finally:

@@ -232,8 +232,10 @@ void add_cluster_options(Command& command, ClusterOptions& options) {
                "with --on: a new folder that all nodes see, for the study; default: its document's name with .cluster",
                Writes::sources);
   command.take("--array", options.array, "N", "with --on: at most so many tasks at a time; default 64");
-  command.take("--per-task", options.per_task, "N",
-               "with --on: at most so many matches in a task; default 100. N times --array is what a test can be late");
+  command.take(
+      "--per-task", options.per_task, "N",
+      "with --on: at most so many matches in a task, one that is played twice counts as six; default 100. N times "
+      "--array is what a test can be late");
   command.take("--partition", options.partition, "NAME", "with --on: where the tasks run; default: the cluster's own");
   command.take("--time", options.time, "TIME", "with --on: limit of a task's time, as sbatch understands it");
   command.take("--sbatch", options.sbatch, "NAME=VALUE",

@@ -126,11 +126,7 @@ void submit_next(const StudyFolder& folder, const Settings& settings, const clus
   cluster::Batch batch;
   batch.first_row = missing.first_row;
   batch.may_end_early = missing.may_end_early;
-  // As many tasks as may be, each with as few matches as then are left for it.
-  const std::uint64_t left = cluster::matches_of(missing.places);
-  batch.tasks = cluster::shared_out(
-      missing.places, std::clamp<std::uint64_t>((left + settings.tasks - 1) / settings.tasks, 1, settings.matches),
-      settings.tasks);
+  batch.tasks = cluster::shared_out(missing.places, missing.twice, settings.matches, settings.tasks);
   cluster::SubmittedBatch submitted;
   submitted.number = progress.batches.size() + 1;
   submitted.tasks = batch.tasks.size();

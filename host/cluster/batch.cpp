@@ -21,20 +21,27 @@ std::uint64_t Batch::matches() const {
   return out;
 }
 
-std::vector<Slices> shared_out(const Slices& places, std::uint64_t matches, std::uint64_t tasks) {
+std::vector<Slices> shared_out(const Slices& places, const std::vector<std::uint64_t>& twice, std::uint64_t most,
+                               std::uint64_t tasks) {
+  const std::uint64_t all = matches_of(places) + (weight_of_twice - 1) * twice.size();
+  const std::uint64_t load = std::min(all, most * tasks);
   std::vector<Slices> out;
-  std::uint64_t room = 0;  // in the last task
-  for (Slice rest : places) {
-    while (rest.begin < rest.end) {
-      if (room == 0) {
-        if (out.size() == tasks) return out;
-        out.emplace_back();
-        room = matches;
-      }
-      const std::uint64_t end = std::min(rest.begin + room, rest.end);
-      out.back().push_back({rest.begin, end});
-      room -= end - rest.begin;
-      rest.begin = end;
+  std::uint64_t before = 0;  // weight of all places before this one
+  std::uint64_t last = 0;    // the task of the one before it
+  auto heavy = twice.begin();
+  for (const Slice& places_in_a_row : places) {
+    for (std::uint64_t place = places_in_a_row.begin; place < places_in_a_row.end; ++place) {
+      if (before >= load) return out;
+      const std::uint64_t task = before * tasks / load;
+      if (out.empty() || task != last) out.emplace_back();
+      last = task;
+      if (!out.back().empty() && out.back().back().end == place)
+        ++out.back().back().end;
+      else
+        out.back().push_back({place, place + 1});
+      const bool is_heavy = heavy != twice.end() && *heavy == place;
+      if (is_heavy) ++heavy;
+      before += is_heavy ? weight_of_twice : 1;
     }
   }
   return out;

@@ -26,8 +26,14 @@ struct Batch {
   friend bool operator==(const Batch&, const Batch&) = default;
 };
 
-// The first of these places for at most so many tasks, at most `matches` for each.
-std::vector<Slices> shared_out(const Slices& places, std::uint64_t matches, std::uint64_t tasks);
+// A match that is played twice, the second time with every mind in a process of its own, takes as long as so many
+// others (benchmarks/README.md, "Clusters").
+inline constexpr std::uint64_t weight_of_twice = 6;
+
+// The first of these places for at most so many tasks, at most `most` for each, so that all tasks last about as long.
+// twice: which of them are played twice, ascending.
+std::vector<Slices> shared_out(const Slices& places, const std::vector<std::uint64_t>& twice, std::uint64_t most,
+                               std::uint64_t tasks);
 
 std::string to_json(const Batch& batch);
 // Throws std::invalid_argument for what to_json() did not write.

@@ -11,9 +11,8 @@ namespace regista::cluster {
 namespace {
 
 // From the first one that is missing on; the study is told nothing of them.
-Slices places_without_result(const study::Round& round, const campaign::Store& store,
-                             const std::vector<std::int64_t>& numbers, std::uint64_t first, std::uint64_t most) {
-  Slices out;
+void find_places(const study::Round& round, const campaign::Store& store, const std::vector<std::int64_t>& numbers,
+                 std::uint64_t first, std::uint64_t most, Missing& out) {
   std::set<std::pair<std::int64_t, std::uint64_t>> seen;
   for (std::uint64_t index = first; index < round.matches && seen.size() < most; ++index) {
     const auto place = round.at(index);
@@ -21,12 +20,12 @@ Slices places_without_result(const study::Round& round, const campaign::Store& s
     const campaign::MatchKey key{numbers[place->fixture], place->seed};
     if (store.find(static_cast<std::int64_t>(round.first_row + index) + 1, key, campaign::Metrics::left_out)) continue;
     if (!seen.emplace(key.fixture, key.seed).second) continue;
-    if (!out.empty() && out.back().end == index)
-      ++out.back().end;
+    if (!out.places.empty() && out.places.back().end == index)
+      ++out.places.back().end;
     else
-      out.push_back({index, index + 1});
+      out.places.push_back({index, index + 1});
+    if (round.first_of_pairing && round.first_of_pairing(index)) out.twice.push_back(index);
   }
-  return out;
 }
 
 }  // namespace
@@ -47,7 +46,8 @@ Missing missing_of(study::Study& study, campaign::Store& store, std::uint64_t mo
           out.first_row = round.first_row;
           out.round = round.matches;
           out.may_end_early = round.may_end_early;
-          out.places = places_without_result(round, store, numbers, index, most);
+          find_places(round, store, numbers, index, most, out);
+          if (!study.limits().play_twice) out.twice.clear();
           throw NotPlayed();
         }
       }

@@ -46,8 +46,8 @@ class Tournaments(OnCluster):
         self.assertEqual(there, local)
         self.assert_same_reports("study.cluster/results.db", "local.db")
         self.assertEqual(self.rows("study.cluster/results.db"), self.rows("local.db"))
-        # 18 matches in batches of 12 at most; nothing is left of the parts.
-        self.assertEqual([each["matches"] for each in self.progress()["batches"]], [12, 6])
+        # 18 matches in batches of 12 at most, of which the first of each pairing counts as six; nothing is left of the parts.
+        self.assertEqual([each["matches"] for each in self.progress()["batches"]], [3, 7, 8])
         self.assertEqual(list((self.folder / "study.cluster" / "parts").iterdir()), [])
         self.assertTrue((self.folder / "study.cluster" / "results.html").exists())
         status = json.loads(self.succeed("status", "study.cluster", "--json"))
@@ -84,7 +84,7 @@ class Tournaments(OnCluster):
     def test_a_test_ends_its_array_though_nobody_waits(self):
         self.document(text=TEST)
         local = json.loads(self.local("--json"))
-        self.begin("study.yaml", "--array", 12, "--per-task", 10)  # all that there may be is one batch
+        self.begin("study.yaml", "--array", 12, "--per-task", 11)  # all that there may be is one batch
         self.wait_for_end()
         self.assertEqual(len(self.progress()["batches"]), 1)
         played = self.count("study.cluster/results.db")
@@ -104,7 +104,7 @@ class Tournaments(OnCluster):
 kill -KILL $PPID
 """)
         submit.chmod(0o755)
-        killed = self.run_program(*self.on_slurm("study.yaml", "--array", 2, "--per-task", 9, "--sbatch", "begin=now+5"),
+        killed = self.run_program(*self.on_slurm("study.yaml", "--array", 2, "--per-task", 20, "--sbatch", "begin=now+5"),
                                   environment={"PATH": f"{path}:{cluster().environment['PATH']}"})
         self.assertEqual(killed.returncode, -signal.SIGKILL)
         self.assertEqual([each["array_job"] for each in self.progress()["batches"]], [""])

@@ -29,6 +29,7 @@ TEST_F(MissingTest, AllOfTheFirstRoundAtFirst) {
   const Missing out = missing();
   EXPECT_THAT(out.places, ElementsAre(Slice{0, 6}));
   EXPECT_EQ(out.first_row, 0u);
+  EXPECT_THAT(out.twice, ElementsAre(0));
   EXPECT_TRUE(out.is_first);
   EXPECT_EQ(out.seen, 0u);
 }
@@ -37,6 +38,7 @@ TEST_F(MissingTest, WhatIsThereIsLeftOutAlsoBeyondTheFirstGap) {
   for (const std::int64_t row : {1, 2, 4}) play(row);
   const Missing out = missing();
   EXPECT_THAT(out.places, ElementsAre(Slice{2, 3}, Slice{4, 6}));
+  EXPECT_THAT(out.twice, testing::IsEmpty());  // what is played twice is there
   EXPECT_EQ(out.seen, 2u);
 }
 

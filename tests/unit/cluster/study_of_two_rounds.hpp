@@ -41,6 +41,7 @@ class TwoRounds : public study::Study {
         const std::uint64_t seed = equal_ && first == 0 && index == 5 ? 0 : index;
         return std::optional(study::Round::Place{0, 100 * first + seed});
       };
+      round.first_of_pairing = [first](std::uint64_t index) { return first == 0 && index == 0; };
       round.job = [](std::uint64_t) { return campaign::Job(); };
       round.take = [this, &more](std::uint64_t, const campaign::Decided*) { return more = ++taken_ < enough_; };
       play(round);
