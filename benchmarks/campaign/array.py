@@ -5,7 +5,8 @@ tests, in turn.
 
     array.py REGISTA TEAM_A TEAM_B [--pairs N] [--rounds N]
 
-Times are of the whole command, with its start, the copies and the gathering. scripts/setup cluster installs Slurm.
+Times are of the whole command, with its start, the copies and the gathering. --pairs: so many that the tasks last some two
+minutes. The aim is 5 %. scripts/setup cluster installs Slurm.
 """
 import argparse
 import os

@@ -20,8 +20,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int no_program = 127;  // exit status of a child that found no program (posix_spawn(3))
-
 struct Pipe {
   FileDescriptor read, write;
 };
@@ -40,7 +38,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   return out;
 }
 
-// What it can do to start a program; freed at the end.
+// How a child is set up; freed at the end.
 struct SpawnSettings {
   posix_spawn_file_actions_t actions{};
   posix_spawnattr_t attributes{};
@@ -70,6 +68,34 @@ int spawn(const ProgramCall& call, const Pipe& output, const Pipe& errors, pid_t
   return posix_spawnp(&child, words.front().c_str(), &settings.actions, &settings.attributes, arguments.data(),
                       call.environment ? own_environment.data() : environ);
 }
+
+// A process with a group of its own. Killed and waited for at the end, where nobody has done so.
+class Child {
+ public:
+  explicit Child(pid_t process) : process_(process) {}
+  ~Child() {
+    if (process_ == -1) return;
+    end();
+    while (waitpid(process_, nullptr, 0) == -1 && errno == EINTR) {
+    }
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  // With all that it has started.
+  void end() const { kill(-process_, SIGKILL); }
+  int wait() {
+    int status = 0;
+    while (waitpid(process_, &status, 0) == -1) {
+      if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "cannot wait for a program");
+    }
+    process_ = -1;
+    return status;
+  }
+
+ private:
+  pid_t process_;
+};
 
 // What it writes, until it has closed both; false where that takes too long.
 bool read_both(const ProgramCall& call, Pipe& output, Pipe& errors, ProgramEnd& out) {
@@ -114,18 +140,18 @@ ProgramEnd run_program(const ProgramCall& call) {
   Pipe output = new_pipe(call.words.front()), errors = new_pipe(call.words.front());
   pid_t child = -1;
   const int error = spawn(call, output, errors, child);
-  if (error == ENOENT) {
+  const bool has_folder = call.folder.empty() || std::filesystem::is_directory(call.folder);
+  if (error == ENOENT && has_folder) {
     out.found = false;
     return out;
   }
   if (error != 0) throw std::system_error(error, std::generic_category(), "cannot start " + call.words.front());
   output.write.reset();
   errors.write.reset();
+  Child running{child};
   out.in_time = read_both(call, output, errors, out);
-  if (!out.in_time) kill(child, SIGKILL);
-  while (waitpid(child, &out.status, 0) == -1 && errno == EINTR) {
-  }
-  out.found = !(WIFEXITED(out.status) && WEXITSTATUS(out.status) == no_program);
+  if (!out.in_time) running.end();
+  out.status = running.wait();
   return out;
 }
 

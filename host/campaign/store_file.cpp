@@ -18,9 +18,9 @@
 namespace regista::campaign {
 namespace {
 
-constexpr int application = 0x52475354;    // "RGST": tells our files from those of other programs
-constexpr int own = SQLITE_OPEN_NOMUTEX;  // each is used by one thread
-constexpr int wait_for_writers = 5000;     // ms to wait for somebody who is writing
+constexpr int application = 0x52475354;          // "RGST": tells our files from those of other programs
+constexpr int one_thread = SQLITE_OPEN_NOMUTEX;  // each is used by one thread
+constexpr int wait_for_writers = 5000;           // ms to wait for somebody who is writing
 constexpr auto gone = "the file is no longer there, or is another one, so nothing more can be kept";
 
 // Before it is opened: a pipe would wait for ever.
@@ -184,16 +184,18 @@ void StoreFile::open() {
     const std::string path = std::filesystem::absolute(name_).string();
     if (mode_ != StoreMode::read && journal_ == Journal::rollback) {
       // We hold the file. SQLite's own locks are of another kind, which some file systems take for the same.
-      database_ = std::make_unique<SQLite::Database>("file:" + in_address(path) + "?nolock=1",
-                                                     SQLite::OPEN_READWRITE | own | SQLite::OPEN_URI, wait_for_writers);
+      database_ =
+          std::make_unique<SQLite::Database>("file:" + in_address(path) + "?nolock=1",
+                                             SQLite::OPEN_READWRITE | one_thread | SQLite::OPEN_URI, wait_for_writers);
     } else if (mode_ != StoreMode::read) {
-      database_ = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READWRITE | own, wait_for_writers);
+      database_ = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READWRITE | one_thread, wait_for_writers);
     } else if (std::filesystem::exists(path + "-wal")) {
       // A log beside it holds what was written last. Where there is none nobody writes, and none need be made.
-      database_ = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READONLY | own, wait_for_writers);
+      database_ = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READONLY | one_thread, wait_for_writers);
     } else {
-      database_ = std::make_unique<SQLite::Database>("file:" + in_address(path) + "?immutable=1",
-                                                     SQLite::OPEN_READONLY | own | SQLite::OPEN_URI, wait_for_writers);
+      database_ =
+          std::make_unique<SQLite::Database>("file:" + in_address(path) + "?immutable=1",
+                                             SQLite::OPEN_READONLY | one_thread | SQLite::OPEN_URI, wait_for_writers);
     }
   } catch (const SQLite::Exception& error) {
     throw StoreRefusal(fmt::format("cannot open {}: {}", name_, reason(error)));

@@ -69,7 +69,7 @@ void bind_or_null(SQLite::Statement& statement, int index, const std::string& te
 
 std::string text_of(const SQLite::Column& column) { return column.isNull() ? std::string() : column.getString(); }
 
-// The match under the cursor of by_row or by_key.
+// The match under a cursor.
 MatchKey key_of(SQLite::Statement& row) {
   return {row.getColumn(1).getInt64(), std::bit_cast<std::uint64_t>(row.getColumn(2).getInt64())};
 }
@@ -202,7 +202,7 @@ struct StoredMatches::Parts {
 
   std::int64_t number_of_names(std::int64_t row, const std::string& text) {
     try {
-      return metrics.number_of(text);
+      return metrics.number_of_names(text);
     } catch (const std::invalid_argument& error) {
       throw DamagedRow(row, std::string("metrics: ") + error.what());
     }
@@ -214,7 +214,7 @@ struct StoredMatches::Parts {
     MatchKey theirs;
     Decided decided;
     std::optional<StoredMetrics::Packed> numbers;
-    std::string text;  // of their names, where they are new
+    std::optional<std::string> text;  // of their names, where they are new
     OtherFile::reading([&] {
       row = cursor.getColumn(0).getInt64();
       theirs = key_of(cursor);
@@ -222,12 +222,12 @@ struct StoredMatches::Parts {
       decided = other.decided_of(cursor, Metrics::left_out);
       if (decided.hash.empty()) return;
       numbers = other.metrics.packed(row);
-      if (!names.contains(numbers->names)) text = other.metrics.names_text(row, numbers->names);
+      if (!names.contains(numbers->names)) text = other.metrics.text_of_names(row, numbers->names);
     });
     const auto fixture = fixtures.find(theirs.fixture);
     if (fixture == fixtures.end()) throw DamagedRow(row, "nothing like it was planned");
     const MatchKey key{fixture->second, theirs.seed};
-    if (!text.empty()) names.emplace(numbers->names, number_of_names(row, text));
+    if (text) names.emplace(numbers->names, number_of_names(row, *text));
     if (put(*insert_new, row, key, decided, attempts)) {
       if (numbers) metrics.write(row, *numbers, names.at(numbers->names));
       ++out.rows;

@@ -45,7 +45,7 @@ struct StoredMetrics::Parts {
     return by_id.emplace(id, names_of(text(id))).first->second;
   }
 
-  std::optional<std::int64_t> id_of(const std::string& text) {
+  std::optional<std::int64_t> id_of_text(const std::string& text) {
     SQLite::Statement find(database, "SELECT id FROM metric_names WHERE names = ?");
     find.bindNoCopy(1, text);
     return find.executeStep() ? std::optional(find.getColumn(0).getInt64()) : std::nullopt;
@@ -65,8 +65,8 @@ struct StoredMetrics::Parts {
     const auto known =
         std::ranges::find_if(by_id, [&](const auto& each) { return each.second == names || *each.second == *names; });
     if (known != by_id.end()) return known->first;
-    const std::string text = campaign::names_text(*names);
-    if (const auto there = id_of(text)) return by_id.emplace(*there, names).first->first;
+    const std::string text = names_text(*names);
+    if (const auto there = id_of_text(text)) return by_id.emplace(*there, names).first->first;
     return add(text);
   }
 
@@ -140,7 +140,7 @@ StoredMetrics::Packed StoredMetrics::packed(std::int64_t row) {
   return parts_->packed(row);
 }
 
-std::string StoredMetrics::names_text(std::int64_t row, std::int64_t names) {
+std::string StoredMetrics::text_of_names(std::int64_t row, std::int64_t names) {
   try {
     return parts_->text(names);
   } catch (const std::invalid_argument& error) {
@@ -148,10 +148,10 @@ std::string StoredMetrics::names_text(std::int64_t row, std::int64_t names) {
   }
 }
 
-std::int64_t StoredMetrics::number_of(const std::string& names_text) {
-  if (const auto there = parts_->id_of(names_text)) return *there;
-  names_of(names_text);  // as they are read later
-  return parts_->add(names_text);
+std::int64_t StoredMetrics::number_of_names(const std::string& text) {
+  if (const auto there = parts_->id_of_text(text)) return *there;
+  names_of(text);  // as they are read later
+  return parts_->add(text);
 }
 
 void StoredMetrics::write(std::int64_t row, const Packed& numbers, std::int64_t names) {

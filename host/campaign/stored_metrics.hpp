@@ -49,10 +49,10 @@ class StoredMetrics {
   };
   Packed packed(std::int64_t row);
   // What stands here under the number of the names of a row. Throws DamagedRow.
-  std::string names_text(std::int64_t row, std::int64_t names);
+  std::string text_of_names(std::int64_t row, std::int64_t names);
   // Within a transaction: the number of such names in this file, to which they are added. Throws std::invalid_argument
-  // where these are none.
-  std::int64_t number_of(const std::string& names_text);
+  // where the text holds none.
+  std::int64_t number_of_names(const std::string& text);
   // Within a transaction. names: their number in this file.
   void write(std::int64_t row, const Packed& numbers, std::int64_t names);
 

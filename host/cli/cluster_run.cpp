@@ -266,8 +266,11 @@ int run_on_cluster(const ClusterOptions& options, const campaign::Options& campa
   }
   if (!campaign.quiet && step.plays) {
     command::say(fmt::format("{}: {}\n", name_of(folder), in_words(step.progress.batches.back())));
-    if (step.round < settings.tasks)
-      command::say(fmt::format("the study asks for {} matches at a time: more tasks gain nothing\n", step.round));
+    if (step.round < step.progress.matches)
+      command::say(
+          fmt::format("the study asks for {} matches at a time, by what came of those before: more tasks than "
+                      "that gain nothing\n",
+                      step.round));
   }
   if (options.detach) {
     if (!campaign.quiet) command::say(fmt::format("to look: {}\n", command_of("status", folder)));
@@ -301,8 +304,11 @@ ClusterStatus status_of(const StudyFolder& folder) {
   for (const cluster::Course& each : cluster::courses(folder)) {
     out.in_parts += each.done;
     out.failed_in_parts += each.failed;
-    ++(each.ended ? out.ended : out.running);
-    if (!each.ended && each.seconds > 0.0) out.rate += static_cast<double>(each.fresh) / each.seconds;
+    if (each.ended) ++out.ended;
+    // Of tasks that were killed or cancelled it still says how far they were.
+    if (each.ended || out.progress.state != Progress::State::running) continue;
+    ++out.running;
+    if (each.seconds > 0.0) out.rate += static_cast<double>(each.fresh) / each.seconds;
   }
   return out;
 }

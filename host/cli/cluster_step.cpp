@@ -34,6 +34,7 @@ using cluster::StudyFolder;
 
 constexpr std::uint64_t most_fruitless = 3;
 constexpr std::size_t most_remarks = 20;
+constexpr int most_looks = 10;                    // of one task, one after the other
 constexpr std::chrono::minutes longest_wait{10};  // for another process that takes a step
 
 campaign::Store opened(const StudyFolder& folder) {
@@ -154,6 +155,14 @@ void submit_next(const StudyFolder& folder, const Settings& settings, const clus
   submit_gather(folder, settings, progress);
 }
 
+// Who submitted the last jobs may have been killed before it noted their numbers.
+void find_unnoted_jobs(const StudyFolder& folder, const Settings& settings, Progress& progress) {
+  if (progress.batches.empty()) return;
+  cluster::SubmittedBatch& batch = progress.batches.back();
+  if (batch.array_job.empty()) batch.array_job = cluster::job_of(array_request(folder, settings, progress));
+  if (batch.gather_job.empty()) batch.gather_job = cluster::job_of(gather_request(folder, settings, progress));
+}
+
 // What this step found about parts and nodes, after what earlier ones did.
 void keep_remarks(const cluster::Gathered& gathered, Progress& progress) {
   for (const std::string& each : gathered.refused_nodes) {
@@ -165,7 +174,24 @@ void keep_remarks(const cluster::Gathered& gathered, Progress& progress) {
     progress.remarks.erase(progress.remarks.begin(), progress.remarks.end() - most_remarks);
 }
 
-void complete(const StudyFolder& folder, std::uint64_t rows, std::uint64_t seen, Progress& progress) {
+// Nobody comes after the array where the job for that was ended, or was refused.
+void require_gather_job(const StudyFolder& folder, const Settings& settings, Progress& progress) {
+  const std::string& job = progress.batches.back().gather_job;
+  if (job.empty() || (!cluster::is_within({job}) && cluster::alive({job}).empty()))
+    submit_gather(folder, settings, progress);
+}
+
+// What plays on is not wanted any more: a test has decided.
+void end_jobs(const StudyFolder& folder, const Settings& settings, Progress& progress) {
+  const std::string& array = progress.batches.back().array_job;
+  if (!cluster::is_within({array})) return cluster::cancel(jobs_alive(progress));
+  // A task ends its own array, and with it this process; the job after that one says what came of the study.
+  require_gather_job(folder, settings, progress);
+  cluster::cancel({array});
+}
+
+void complete(const StudyFolder& folder, const Settings& settings, std::uint64_t rows, std::uint64_t seen,
+              bool array_lives, Progress& progress) {
   const bool was = std::exchange(progress.state, Progress::State::complete) == Progress::State::complete;
   // Equal matches share a row: of these there may be more than is said.
   progress.message =
@@ -173,12 +199,9 @@ void complete(const StudyFolder& folder, std::uint64_t rows, std::uint64_t seen,
           ? std::string()
           : fmt::format("{} matches were played beyond the end of the study, and are not counted", rows - seen);
   folder.write(progress);
-  if (was) return;
+  if (progress.batches.empty() || (was && !array_lives)) return;
   try {
-    // What plays on is not wanted any more: a test has decided. A task ends its own array; the job after that one says
-    // what came of the study.
-    const std::string& array = progress.batches.empty() ? "" : progress.batches.back().array_job;
-    cluster::cancel(cluster::is_within({array}) ? std::vector{array} : jobs_alive(progress));
+    end_jobs(folder, settings, progress);
   } catch (const cluster::SlurmError& error) {
     progress.remarks.push_back(error.what());
     folder.write(progress);
@@ -203,12 +226,12 @@ ClusterStep step(const StudyFolder& folder, campaign::Store& results, bool resta
   ClusterStep out;
   Progress& progress = out.progress = folder.progress();
   const bool has_batch = !progress.batches.empty();
-  if (has_batch && progress.batches.back().array_job.empty())  // who submitted it was killed meanwhile
-    progress.batches.back().array_job = cluster::job_of(array_request(folder, settings, progress));
+  find_unnoted_jobs(folder, settings, progress);
   const bool array_lives = has_batch && !cluster::alive({progress.batches.back().array_job}).empty();
   out.gathered = cluster::gather(folder, results, array_lives ? cluster::Tasks::ended : cluster::Tasks::killed_too,
                                  REGISTA_VERSION);
   keep_remarks(out.gathered, progress);
+  folder.write(progress);  // whatever is met below
   const auto report = stored_study(folder.results().string(), results, {}, invocation.studies);
   const cluster::Missing missing = cluster::missing_of(report->study(), results, settings.tasks * settings.matches);
   progress.title = report->title();
@@ -217,7 +240,7 @@ ClusterStep step(const StudyFolder& folder, campaign::Store& results, bool resta
   progress.rows = static_cast<std::uint64_t>(results.rows());
   folder.write(progress);  // whatever Slurm says below
   if (missing.complete()) {
-    complete(folder, progress.rows, missing.seen, progress);
+    complete(folder, settings, progress.rows, missing.seen, array_lives, progress);
     return out;
   }
   out.round = missing.round;
@@ -229,10 +252,7 @@ ClusterStep step(const StudyFolder& folder, campaign::Store& results, bool resta
   }
   out.plays = array_lives;
   if (progress.state == Progress::State::running && array_lives) {
-    // Nobody comes after it where the job for that was ended, or was refused.
-    const std::string& gather = progress.batches.back().gather_job;
-    if (gather.empty() || (!cluster::is_within({gather}) && cluster::alive({gather}).empty()))
-      submit_gather(folder, settings, progress);
+    require_gather_job(folder, settings, progress);
   } else if (progress.state == Progress::State::running) {
     const bool fruitless = has_batch && !restart && progress.rows == progress.batches.back().rows_before;
     progress.fruitless = fruitless ? progress.fruitless + 1 : 0;
@@ -281,12 +301,13 @@ std::vector<std::string> jobs_alive(const Progress& progress) {
 }
 
 void stop_study(const StudyFolder& folder) {
-  folder.settings();  // else the folder is none of a study
+  const Settings settings = folder.settings();  // else the folder is none of a study
   const campaign::Store held = opened(folder);
   Progress progress = folder.progress();
   if (progress.state == Progress::State::complete)
     throw BadInput(fmt::format("stop: {}: the study is complete", config::one_line(folder.root().string())));
   try {
+    find_unnoted_jobs(folder, settings, progress);
     cluster::cancel(jobs_alive(progress));
   } catch (const cluster::SlurmError& error) {
     throw BadInput(error.what());
@@ -297,13 +318,26 @@ void stop_study(const StudyFolder& folder) {
 }
 
 void look_whether_it_is_over(const StudyFolder& folder, const Invocation& invocation) {
-  if (folder.progress().state != Progress::State::running) return;
+  const auto something_is_left = [&folder] {
+    const std::vector<cluster::Course> courses = cluster::courses(folder);
+    return std::ranges::any_of(courses, &cluster::Course::ended);
+  };
   try {
-    campaign::Store results(folder.results(), campaign::Store::Mode::open, REGISTA_VERSION,
-                            campaign::Journal::rollback);
-    step(folder, results, false, invocation);
-  } catch (const std::runtime_error&) {
-    // Somebody else takes a step just now, or the next one meets the same and says so.
+    int looks = 0;
+    do {
+      const Progress::State state = folder.progress().state;
+      if (state != Progress::State::running && state != Progress::State::complete) return;
+      {
+        campaign::Store results(folder.results(), campaign::Store::Mode::open, REGISTA_VERSION,
+                                campaign::Journal::rollback);
+        step(folder, results, false, invocation);
+      }
+      // Who ended meanwhile met a file in use, and has left its matches to this process.
+    } while (++looks < most_looks && something_is_left());
+  } catch (const campaign::StoreInUse&) {
+    // Somebody else takes a step just now.
+  } catch (const std::exception& error) {
+    complain(fmt::format("whether the study is over was not seen: {}", error.what()));  // the next step looks
   }
 }
 

@@ -19,13 +19,16 @@
 namespace regista::cluster {
 namespace {
 
-constexpr std::chrono::minutes patience{2};  // with a controller that does not answer
+constexpr std::chrono::minutes patience{2};  // with a controller that does not answer, and with one command
 
 using campaign::ProgramEnd;
 
 ProgramEnd run_once(const std::vector<std::string>& words) {
   try {
-    ProgramEnd out = campaign::run_program({.words = words});
+    ProgramEnd out = campaign::run_program({.words = words, .patience = patience});
+    if (!out.in_time)
+      throw SlurmError(
+          fmt::format("{} has not answered for {} s", words.front(), std::chrono::seconds(patience).count()));
     if (out.found) return out;
   } catch (const std::system_error& error) {
     throw SlurmError(error.what());
@@ -91,8 +94,16 @@ std::string submit(const JobRequest& request) {
   words.insert(words.end(), request.options.begin(), request.options.end());
   words.push_back(request.script.string());
   words.insert(words.end(), request.arguments.begin(), request.arguments.end());
-  const ProgramEnd ended = run(words);
-  if (!ended.succeeded()) fail("sbatch", ended);
+  const auto until = std::chrono::steady_clock::now() + patience;
+  ProgramEnd ended = run_once(words);
+  while (!ended.succeeded()) {
+    if (!is_passing(ended)) fail("sbatch", ended);
+    // Who has not answered in time may have taken the job all the same.
+    if (std::string job = job_of(request); !job.empty()) return job;
+    if (std::chrono::steady_clock::now() > until) fail("sbatch", ended);
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    ended = run_once(words);
+  }
   // "123" or "123;cluster"
   const std::string number = ended.output.substr(0, ended.output.find_first_not_of("0123456789"));
   if (number.empty()) throw SlurmError("sbatch names no job: " + config::one_line(ended.output));

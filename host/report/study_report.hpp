@@ -60,7 +60,8 @@ class StudyReport {
   // "3 of 8 matches without a gap: the tournament is not at its end"; empty at its end.
   virtual std::string incomplete() const = 0;
 
-  // The table: its head, what it says of each match once the study has taken it, and what it says at the end.
+  // The table: begin_table() gives its head, table_lines() what it says of each match once the study has taken it,
+  // end_table() what it says at the end. In this order.
   virtual bool is_table_of_matches() const { return true; }
   virtual bool has_a_column_for_each_metric() const { return false; }  // then TableWish::metrics is asked for
   virtual std::string begin_table(const TableWish& wish) = 0;

@@ -93,9 +93,8 @@ class Tournaments(OnCluster):
         self.assert_same_reports("study.cluster/results.db", "local.db")
         self.assertTrue((self.folder / "study.cluster" / "results.html").exists(), self.logs())
 
-    def test_an_array_whose_submitter_was_killed_is_found_again(self):
-        self.document()
-        self.local()
+    def kill_the_submitter(self):
+        """As soon as Slurm has its array. The number of that."""
         path = self.folder / "path"
         path.mkdir()
         submit = path / "sbatch"
@@ -108,13 +107,42 @@ kill -KILL $PPID
                                   environment={"PATH": f"{path}:{cluster().environment['PATH']}"})
         self.assertEqual(killed.returncode, -signal.SIGKILL)
         self.assertEqual([each["array_job"] for each in self.progress()["batches"]], [""])
-        array = cluster().jobs()
-        self.assertEqual(len(array), 1, array)
+        jobs = cluster().jobs()
+        self.assertEqual(len(jobs), 1, jobs)
+        return jobs[0].split("_")[0]
+
+    def test_an_array_whose_submitter_was_killed_is_found_again(self):
+        self.document()
+        self.local()
+        array = self.kill_the_submitter()
         self.succeed("gather", "study.cluster", "--quiet")
-        self.assertEqual([each["array_job"] for each in self.progress()["batches"]], [array[0].split("_")[0]])
+        self.assertEqual([each["array_job"] for each in self.progress()["batches"]], [array])
         self.wait_for_end()
         self.assertEqual(len(self.progress()["batches"]), 1)
         self.assert_same_reports("study.cluster/results.db", "local.db")
+
+    def test_an_array_whose_submitter_was_killed_is_ended(self):
+        self.document()
+        self.kill_the_submitter()
+        self.succeed("stop", "study.cluster")
+        self.wait_for(lambda: not cluster().jobs(), 4)  # before it would have begun
+
+    def test_a_sbatch_that_does_not_answer_may_have_submitted(self):
+        self.document()
+        local = self.local()
+        path = self.folder / "path"
+        path.mkdir()
+        submit = path / "sbatch"
+        submit.write_text(f"""#!/bin/sh
+"$(PATH={cluster().environment["PATH"]} command -v sbatch)" "$@" >/dev/null || exit
+echo "sbatch: error: Batch job submission failed: Socket timed out on send/recv operation" >&2
+exit 1
+""")
+        submit.chmod(0o755)
+        there = self.run_program(*self.on_slurm("study.yaml", "--array", 2, "--per-task", 20, "--no-page"),
+                                 environment={"PATH": f"{path}:{cluster().environment['PATH']}"})
+        self.assertEqual((there.returncode, there.stdout), (0, local), there.stderr)
+        self.assertEqual(len(self.progress()["batches"]), 1)
 
     def test_killed_tasks_lose_nothing(self):
         self.document(pairs=12)
@@ -169,6 +197,23 @@ kill -KILL $PPID
         self.assertNotEqual(gathered.stderr, "")
         self.assertEqual(self.progress()["rows"], 0)
 
+    def test_a_node_that_reads_another_plugin_plays_nothing(self):
+        self.document()
+        self.local()
+        self.begin("study.yaml", "--array", 2, "--per-task", 20, "--sbatch", "begin=now+4")
+        plugin = next((self.folder / "study.cluster" / "files").rglob("*.so"))
+        whole = plugin.read_bytes()
+        plugin.unlink()  # not written over: it may be in use
+        plugin.write_bytes(whole + b"another")
+        self.wait_for(lambda: self.progress()["refused_nodes"])
+        self.assertRegex(self.succeed("status", "study.cluster"), f"node node[12] plays nothing: .*{plugin.name}")
+        self.assertEqual(self.progress()["rows"], 0)
+        self.wait_for(lambda: not cluster().jobs())
+        plugin.write_bytes(whole)
+        self.succeed("resume", "study.cluster", "--quiet")
+        self.wait_for_end()
+        self.assert_same_reports("study.cluster/results.db", "local.db")
+
     def test_a_node_with_other_mathematics_plays_nothing(self):
         self.document()
         self.begin("study.yaml", "--array", 2, "--per-task", 9,
@@ -207,6 +252,7 @@ kill -KILL $PPID
         self.wait_for(self.tasks)
         self.succeed("stop", "study.cluster")
         self.assertEqual(self.progress()["state"], "stopped")
+        self.assertNotRegex(self.succeed("status", "study.cluster"), "plays?|second")
         self.succeed("resume", "study.cluster", "--quiet")
         self.wait_for_end()
         self.assert_same_reports("study.cluster/results.db", "local.db")

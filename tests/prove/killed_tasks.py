@@ -24,6 +24,7 @@ class Harmed:
         local = self.succeed("run", document, "--quiet", "--no-page", "--workers", 1, "--results", "local.db")
         self.begin(document, *more)
         done = self.harm(KILLS, SEED)
+        self.assertGreater(min(done.values()), 0, "it ended before it was harmed in every way")
         self.wait_for_end()
         self.assertEqual(self.rows("study.cluster/results.db"), self.rows("local.db"))
         self.assert_same_reports("study.cluster/results.db", "local.db")
@@ -41,13 +42,15 @@ class Tournament(Harmed, OnCluster):
 
     def test_sequential(self):
         self.write("study.yaml", test_cluster.TEST.replace("worse", "other").replace("pairs: 60", "pairs: 100"))
-        local = self.succeed("run", "study.yaml", "--quiet", "--no-page", "--workers", 1, "--results", "local.db", "--json")
+        self.succeed("run", "study.yaml", "--quiet", "--no-page", "--workers", 1, "--results", "local.db")
         self.begin("study.yaml", "--array", 4, "--per-task", 8)
         done = self.harm(KILLS, SEED)
+        self.assertGreater(sum(done.values()), 0, "it ended before it was harmed")
         self.wait_for_end()
-        self.assertEqual(self.succeed("report", "study.cluster/results.db", "--json"), local)
-        print(f"\nof test_sequential: {', '.join(f'{each} {count}' for each, count in done.items())}; {self.count('study.cluster/results.db') - self.count('local.db')} matches beyond "
-              f"the test's end of {self.count('local.db')}", flush=True)
+        self.assert_same_reports("study.cluster/results.db", "local.db")
+        beyond = self.count("study.cluster/results.db") - self.count("local.db")
+        print(f"\nof test_sequential: {', '.join(f'{each} {count}' for each, count in done.items())}; "
+              f"{beyond} matches beyond the test's end of {self.count('local.db')}", flush=True)
 
 
 class Experiment(Harmed, OnCluster, experiment.Experiment):
@@ -57,9 +60,17 @@ class Experiment(Harmed, OnCluster, experiment.Experiment):
 
 
 class Tuning(Harmed, OnCluster, test_tune.Tuning):
-    def test_tuning(self):
-        self.document(algorithm="sep_cma_es", matches=200)
+    def tune_harmed(self, algorithm):
+        self.document(algorithm=algorithm, matches=200)
         self.harm_until_done("t.yaml", "--array", 4, "--per-task", 10)
+        teams = [(self.folder / file).read_text() for file in ("study.cluster/results.tuned.yaml", "local.tuned.yaml")]
+        self.assertEqual(teams[0].replace("study.cluster/results", "local"), teams[1])
+
+    def test_sep_cma_es(self):
+        self.tune_harmed("sep_cma_es")
+
+    def test_spsa(self):
+        self.tune_harmed("spsa")
 
 
 if __name__ == "__main__":

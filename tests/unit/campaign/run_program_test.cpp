@@ -38,7 +38,15 @@ TEST(RunProgram, OneThatIsNotThere) {
   EXPECT_FALSE(end.succeeded());
 }
 
+TEST(RunProgram, OneThatEndsLikeAShellWithoutAProgramIsThere) {
+  const ProgramEnd end = shell("no-such-program-anywhere");
+  EXPECT_TRUE(end.found);
+  EXPECT_EQ(WEXITSTATUS(end.status), 127);
+  EXPECT_THAT(end.errors, testing::HasSubstr("no-such-program-anywhere"));
+}
+
 TEST(RunProgram, OneThatCannotBeStarted) {
+  EXPECT_THROW(run_program({.words = {"true"}, .folder = "/no/such/folder"}), std::system_error);
   EXPECT_THROW(run_program({.words = {std::filesystem::temp_directory_path().string()}}), std::system_error);
 }
 
@@ -57,7 +65,8 @@ TEST(RunProgram, OnlyTheBeginningOfALongText) {
 }
 
 TEST(RunProgram, OneThatTakesTooLongIsKilled) {
-  const ProgramEnd end = run_program({.words = {"sh", "-c", "echo begun; exec sleep 600"}, .patience = 100ms});
+  // With what it has started, which would keep its texts open.
+  const ProgramEnd end = run_program({.words = {"sh", "-c", "echo begun; sleep 600 & sleep 600"}, .patience = 2s});
   EXPECT_FALSE(end.in_time);
   EXPECT_EQ(end.output, "begun\n");
   EXPECT_EQ(WTERMSIG(end.status), SIGKILL);

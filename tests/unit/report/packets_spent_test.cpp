@@ -93,8 +93,9 @@ TEST(PacketsSpent, JsonOfATournament) {
 TEST(PacketsSpent, TableOfATournament) {
   const ShortGames course;
   match::MetricColumns columns(csv_metrics(course.plan));
-  EXPECT_THAT(csv_head(columns.paths()), EndsWith(",why,home.packets,away.packets,home.packets_share,away.packets_share,"
-                                          "home.packets_over_share,away.packets_over_share\n"));
+  EXPECT_THAT(csv_head(columns.paths()),
+              EndsWith(",why,home.packets,away.packets,home.packets_share,away.packets_share,"
+                       "home.packets_over_share,away.packets_over_share\n"));
   EXPECT_THAT(csv_line(course.view(), 0, course.matches()[0], columns), EndsWith(",,,,,45,20,30,30,15,-10\n"));
   EXPECT_THAT(csv_line(course.view(), 0, failed(0), columns), EndsWith(",Segmentation fault,,,,,,\n"));
 }
