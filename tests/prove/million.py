@@ -81,7 +81,7 @@ class Million:
         self.rows, played = rounds * in_a_round, -(-FEWEST // in_a_round) * in_a_round
         document = folder / "million.yaml"
         document.write_text("tournament: million\nteams:\n" + "".join(f"  - {{team: {team.resolve()}}}\n" for team in teams)
-                            + f"pairs: {rounds}\n{more}")
+                            + f"pairs: {rounds}\nplay_twice: false\n{more}")
         self.run("run", document, "--on", "slurm", "--folder", self.study, "--detach", "--per-task", str(played), "--array",
                  "1", "--workers", "2", "--quiet")
         print(f"{len(teams)} teams: playing {played} matches", flush=True)
