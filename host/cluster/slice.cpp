@@ -13,6 +13,9 @@
 #include "study/study.hpp"
 
 namespace regista::cluster {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Course, done, all, fresh, failed, seconds, ended, node)
+
 namespace {
 
 // The fixtures that these places need, and no others: a league has thousands. Their numbers in the file, by their place
@@ -104,25 +107,12 @@ campaign::Finish play_slice(study::Study& study, const campaign::Store& known, c
 }
 
 std::string to_json(const Course& course) {
-  return nlohmann::ordered_json{{"done", course.done},     {"all", course.all},         {"fresh", course.fresh},
-                                {"failed", course.failed}, {"seconds", course.seconds}, {"ended", course.ended},
-                                {"node", course.node}}
-             .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-         '\n';
+  return nlohmann::json(course).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
 Course course_from_json(const std::string& text) {
   try {
-    const auto json = nlohmann::json::parse(text);
-    Course out;
-    json.at("done").get_to(out.done);
-    json.at("all").get_to(out.all);
-    json.at("fresh").get_to(out.fresh);
-    json.at("failed").get_to(out.failed);
-    json.at("seconds").get_to(out.seconds);
-    json.at("ended").get_to(out.ended);
-    json.at("node").get_to(out.node);
-    return out;
+    return nlohmann::json::parse(text).get<Course>();
   } catch (const nlohmann::json::exception&) {
     throw std::invalid_argument("no course of a task");
   }

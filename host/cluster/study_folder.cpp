@@ -3,10 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <system_error>
-#include <utility>
 
 #include "campaign/document_copies.hpp"
 #include "config/bad_input.hpp"
@@ -17,80 +14,23 @@
 #include "output/replaced_file.hpp"
 
 namespace regista::cluster {
+
+// How these stand in cluster.json.
+NLOHMANN_JSON_SERIALIZE_ENUM(Progress::State, {{Progress::State::running, "running"},
+                                               {Progress::State::complete, "complete"},
+                                               {Progress::State::stopped, "stopped"},
+                                               {Progress::State::failed, "failed"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Settings, scheduler, tasks, matches, workers, partition, time, options, record_every,
+                                   plugin_files)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SubmittedBatch, number, tasks, matches, rows_before, array_job, gather_job)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Progress, state, message, batches, fruitless, refused_nodes, remarks, title, finding,
+                                   matches, rows)
+
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 using config::BadInput;
-
-constexpr std::array<std::pair<Progress::State, const char*>, 4> states{{{Progress::State::running, "running"},
-                                                                         {Progress::State::complete, "complete"},
-                                                                         {Progress::State::stopped, "stopped"},
-                                                                         {Progress::State::failed, "failed"}}};
-
-Json json_of(const Settings& settings) {
-  return {{"scheduler", settings.scheduler},      {"tasks", settings.tasks},
-          {"matches", settings.matches},          {"workers", settings.workers},
-          {"partition", settings.partition},      {"time", settings.time},
-          {"options", settings.options},          {"record_every", settings.record_every},
-          {"plugin_files", settings.plugin_files}};
-}
-
-Settings settings_of(const Json& json) {
-  Settings out;
-  json.at("scheduler").get_to(out.scheduler);
-  json.at("tasks").get_to(out.tasks);
-  json.at("matches").get_to(out.matches);
-  json.at("workers").get_to(out.workers);
-  json.at("partition").get_to(out.partition);
-  json.at("time").get_to(out.time);
-  json.at("options").get_to(out.options);
-  json.at("record_every").get_to(out.record_every);
-  json.at("plugin_files").get_to(out.plugin_files);
-  return out;
-}
-
-Json json_of(const Progress& progress) {
-  Json batches = Json::array();
-  for (const SubmittedBatch& each : progress.batches) {
-    batches.push_back({{"number", each.number},
-                       {"tasks", each.tasks},
-                       {"matches", each.matches},
-                       {"rows_before", each.rows_before},
-                       {"array_job", each.array_job},
-                       {"gather_job", each.gather_job}});
-  }
-  return {{"state", name_of(progress.state)},
-          {"message", progress.message},
-          {"batches", batches},
-          {"fruitless", progress.fruitless},
-          {"refused_nodes", progress.refused_nodes},
-          {"remarks", progress.remarks},
-          {"title", progress.title},
-          {"finding", progress.finding},
-          {"matches", progress.matches},
-          {"rows", progress.rows}};
-}
-
-Progress progress_of(const Json& json) {
-  Progress out;
-  for (const auto& [value, name] : states) {
-    if (json.at("state") == name) out.state = value;
-  }
-  json.at("message").get_to(out.message);
-  for (const Json& each : json.at("batches")) {
-    out.batches.push_back({each.at("number"), each.at("tasks"), each.at("matches"), each.at("rows_before"),
-                           each.at("array_job"), each.at("gather_job")});
-  }
-  json.at("fruitless").get_to(out.fruitless);
-  json.at("refused_nodes").get_to(out.refused_nodes);
-  json.at("remarks").get_to(out.remarks);
-  json.at("title").get_to(out.title);
-  json.at("finding").get_to(out.finding);
-  json.at("matches").get_to(out.matches);
-  json.at("rows").get_to(out.rows);
-  return out;
-}
 
 Json description_of(const StudyFolder& folder) {
   const fs::path file = folder.description();
@@ -102,10 +42,10 @@ Json description_of(const StudyFolder& folder) {
   return json;
 }
 
-template <class Read>
-auto part_of(const StudyFolder& folder, const char* name, Read read) {
+template <class Part>
+Part part_of(const StudyFolder& folder, const char* name) {
   try {
-    return read(description_of(folder).at(name));
+    return description_of(folder).at(name).get<Part>();
   } catch (const nlohmann::json::exception&) {
     throw BadInput(fmt::format("{} is damaged", config::one_line(folder.description().string())));
   }
@@ -134,9 +74,7 @@ void copy_whole(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
-const char* name_of(Progress::State state) {
-  return std::ranges::find(states, state, &std::pair<Progress::State, const char*>::first)->second;
-}
+std::string name_of(Progress::State state) { return Json(state).get<std::string>(); }
 
 StudyFolder::StudyFolder(const fs::path& root) : root_(fs::absolute(root).lexically_normal()) {
   if (!root_.has_filename()) root_ = root_.parent_path();
@@ -162,7 +100,7 @@ void StudyFolder::create(const Settings& settings) const {
     fs::create_directories(each, error);
     if (error) throw BadInput(fmt::format("cannot make the folder {}: {}", each.string(), error.message()));
   }
-  write_description(*this, json_of(settings), json_of(Progress()), output::Existing::refused);
+  write_description(*this, settings, Progress(), output::Existing::refused);
 }
 
 void StudyFolder::copy_in(const std::vector<fs::path>& given) const {
@@ -170,11 +108,11 @@ void StudyFolder::copy_in(const std::vector<fs::path>& given) const {
   copy_whole("/proc/self/exe", program());
 }
 
-Settings StudyFolder::settings() const { return part_of(*this, "settings", settings_of); }
-Progress StudyFolder::progress() const { return part_of(*this, "progress", progress_of); }
+Settings StudyFolder::settings() const { return part_of<Settings>(*this, "settings"); }
+Progress StudyFolder::progress() const { return part_of<Progress>(*this, "progress"); }
 
 void StudyFolder::write(const Progress& progress) const {
-  write_description(*this, json_of(settings()), json_of(progress), output::Existing::replaced);
+  write_description(*this, settings(), progress, output::Existing::replaced);
 }
 
 void StudyFolder::write_plan(const campaign::Store& results, const std::string& program_version) const {
@@ -192,7 +130,7 @@ void StudyFolder::write_plan(const campaign::Store& results, const std::string& 
 }
 
 void StudyFolder::write(const Settings& settings) const {
-  write_description(*this, json_of(settings), json_of(progress()), output::Existing::replaced);
+  write_description(*this, settings, progress(), output::Existing::replaced);
 }
 
 campaign::Job StudyFolder::of_copies(campaign::Job job, const fs::path& given_in, const Settings& settings) const {

@@ -26,7 +26,13 @@ double log_hedged(const HedgedCapital& capital) {
 
 }  // namespace
 
-void Capital::bet(double stake, double value, double mean) { log_ += std::log1p(stake * (value - mean)); }
+double Capital::log() const { return std::log(product_) + static_cast<double>(twos_) * std::numbers::ln2; }
+
+void Capital::fold() {
+  int twos = 0;
+  product_ = std::frexp(product_, &twos);
+  twos_ += twos;
+}
 
 void HedgedCapital::bet(double stake, double value, double mean) {
   above_.bet(std::min(stake, largest_loss / mean), value, mean);

@@ -93,6 +93,28 @@ class Tournaments(OnCluster):
         self.assert_same_reports("study.cluster/results.db", "local.db")
         self.assertTrue((self.folder / "study.cluster" / "results.html").exists(), self.logs())
 
+    def test_a_scancel_that_fails_is_said_and_tried_again(self):
+        self.document(text=TEST)
+        local = self.local()
+        path = self.folder / "path"
+        path.mkdir()
+        cancel = path / "scancel"
+        cancel.write_text(f"""#!/bin/sh
+if mkdir {path}/failed 2>/dev/null; then
+  echo "scancel: error: Kill job error: Unable to contact slurm controller" >&2
+  exit 1
+fi
+exec "$(PATH={cluster().environment["PATH"]} command -v scancel)" "$@"
+""")
+        cancel.chmod(0o755)
+        there = self.run_program(*self.on_slurm("study.yaml", "--array", 12, "--per-task", 11, "--no-page"),
+                                 environment={"PATH": f"{path}:{cluster().environment['PATH']}"})
+        self.assertEqual((there.returncode, there.stdout), (0, local), there.stderr)
+        self.assertTrue((path / "failed").exists(), "nothing was cancelled")
+        self.assertIn("Unable to contact slurm controller", "".join(self.progress()["remarks"]))
+        self.wait_for(lambda: not cluster().jobs())
+        self.assertLess(self.count("study.cluster/results.db"), 120)
+
     def kill_the_submitter(self):
         """As soon as Slurm has its array. The number of that."""
         path = self.folder / "path"
@@ -256,6 +278,21 @@ exit 1
         self.succeed("resume", "study.cluster", "--quiet")
         self.wait_for_end()
         self.assert_same_reports("study.cluster/results.db", "local.db")
+
+    def test_the_clock_of_a_node_does_not_matter(self):
+        self.document()
+        self.local()
+        self.begin("study.yaml", "--array", 2, "--per-task", 9)
+        self.wait_for(lambda: (self.folder / "study.cluster" / "parts" / "1-0.db.part").exists())
+        self.succeed("stop", "study.cluster")
+        self.wait_for(lambda: not cluster().jobs())
+        # As nodes leave them whose clocks are half a century slow and fast.
+        for place, file in enumerate(sorted((self.folder / "study.cluster").rglob("*"))):
+            os.utime(file, (0, 0) if place % 2 else (4_000_000_000, 4_000_000_000))
+        self.succeed("resume", "study.cluster", "--quiet")
+        self.wait_for_end()
+        self.assert_same_reports("study.cluster/results.db", "local.db")
+        self.assertEqual(self.rows("study.cluster/results.db"), self.rows("local.db"))
 
     def test_more_pairs(self):
         self.document(pairs=4)

@@ -4,9 +4,10 @@
 
     million.py REGISTA FOLDER TEAM TEAM [TEAM...] [--rows N] [--parts N]
 
-First whole matches of the first two teams, then of a league of six, then short games of a league of all. The matches of
-the first pairs are really played by a task; their rows, metrics too, are then written again and again under the seeds of
-the following pairs, into parts as tasks leave them. Slurm is not needed: small programs stand for sbatch, squeue and scancel, which say that nothing plays.
+First whole matches of the first two teams, then of a league of all, then short games of that league. The matches of the
+first pairs are really played by a task; their rows, metrics too, are then written again and again under the seeds of the
+following pairs, into parts as tasks leave them. Slurm is not needed: small programs stand for sbatch, squeue and scancel,
+which say that nothing plays.
 Times include the start of the program. The bars: gather 120 s and 128 MiB, verdict or ranking 5 s, all metrics as a
 table 180 s. Of short games the packets are reported, too, for which the numbers of every match are read: it has the
 same bar, and misses it (benchmarks/README.md).
@@ -127,7 +128,7 @@ def main():
     two = Million(regista, folder, options.teams[:2], options.rows, options.parts)
     missed = two.missed("gather", "report", "report --csv --metrics")
     if len(options.teams) > 2:
-        missed += Million(regista, folder, options.teams[:6], options.rows, options.parts).missed("gather", "report")
+        missed += Million(regista, folder, options.teams, options.rows, options.parts).missed("gather", "report")
         league = Million(regista, folder, options.teams, options.rows, options.parts, "limit: 30\n")
         missed += league.missed("gather", "report")
     shutil.rmtree(folder)

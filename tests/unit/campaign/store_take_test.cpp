@@ -4,12 +4,14 @@
 
 #include <fstream>
 
+#include "campaign/row_checksum.hpp"
 #include "campaign/store.hpp"
 #include "store_fixture.hpp"
 
 namespace regista::campaign {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -96,6 +98,38 @@ TEST_F(Take, LeavesOutWhatIsDamaged) {
   // Nothing of them is here, so that they can be played again.
   EXPECT_EQ(store.rows(), 1);
   EXPECT_EQ(store.find(7, {1, 6}, Metrics::wanted), std::nullopt);
+}
+
+TEST_F(Take, LeavesOutNumbersWithoutNames) {
+  struct Harm {
+    const char *done, *said;
+  };
+  for (const Harm& harm : {Harm{"UPDATE metric_names SET names = '[]' WHERE id = 1", "metric names 1 does not fit"},
+                           Harm{"DELETE FROM metric_names WHERE id = 1", "metric names 1 are missing"}}) {
+    SQLite::Database(part_file.string(), SQLite::OPEN_READWRITE).exec(harm.done);
+    std::filesystem::remove(file);
+    Store store = here();
+    const Taken taken = store.take(there());
+    EXPECT_EQ(taken.rows, 2u);
+    ASSERT_EQ(taken.why.size(), 1u);
+    EXPECT_THAT(taken.why[0], AllOf(HasSubstr("match 3: "), HasSubstr(harm.said)));
+    EXPECT_EQ(store.find(3, {1, 5}, Metrics::wanted), std::nullopt);
+    EXPECT_EQ(store.find(7, {1, 6}, Metrics::wanted), said);
+  }
+}
+
+// Names whose checksum fits, but which are none: of another program.
+TEST_F(Take, LeavesOutNamesThatAreNone) {
+  const std::string none = "names";
+  SQLite::Database(part_file.string(), SQLite::OPEN_READWRITE)
+      .exec("UPDATE metric_names SET names = '" + none +
+            "', checksum = " + std::to_string(RowChecksum().bytes(none).value()) + " WHERE id = 1");
+  Store store = here();
+  const Taken taken = store.take(there());
+  EXPECT_EQ(taken.rows, 2u);
+  ASSERT_EQ(taken.why.size(), 1u);
+  EXPECT_THAT(taken.why[0], HasSubstr("match 3: metrics: "));
+  EXPECT_EQ(store.find(3, {1, 5}, Metrics::wanted), std::nullopt);
 }
 
 TEST_F(Take, OneThatIsWrittenToIsInUse) {

@@ -52,6 +52,67 @@ TEST_F(StoreTest, FindsAMatchWhereverItStands) {
   EXPECT_EQ(store.rows(), 3);
 }
 
+// Rows are read by one statement that goes on from row to row: whatever was asked for before, and whatever was written
+// or went wrong meanwhile, what is asked for next is found.
+TEST_F(StoreTest, FindsMatchesInAnyOrder) {
+  Store store(file, Mode::create, "1.0");
+  const auto fixture = number(store, "key");
+  const auto match = [&](std::uint64_t row) {
+    Decided out = played;
+    out.score = {static_cast<int>(row), 0};
+    return out;
+  };
+  const auto insert = [&](std::uint64_t row) {
+    store.insert(static_cast<std::int64_t>(row), {fixture, row}, match(row), 1);
+  };
+  const auto find = [&](std::uint64_t row) {
+    return store.find(static_cast<std::int64_t>(row), {fixture, row}, Metrics::wanted);
+  };
+  for (const std::uint64_t row : {1, 3, 4, 5, 8}) insert(row);
+  for (const std::uint64_t row : {1, 3, 4, 5, 8}) EXPECT_EQ(find(row), match(row)) << row;  // over gaps
+  EXPECT_EQ(find(9), std::nullopt);
+  EXPECT_EQ(find(4), match(4));  // back
+  EXPECT_EQ(find(4), match(4));  // again
+  EXPECT_EQ(find(5), match(5));
+  EXPECT_EQ(find(6), std::nullopt);  // the gap
+  EXPECT_EQ(find(8), match(8));
+
+  // What is added where the statement comes next, and behind its end.
+  EXPECT_EQ(find(1), match(1));
+  insert(2);
+  EXPECT_EQ(find(2), match(2));
+  EXPECT_EQ(find(8), match(8));
+  EXPECT_EQ(find(9), std::nullopt);
+  insert(9);
+  EXPECT_EQ(find(9), match(9));
+
+  // Other questions in between.
+  EXPECT_EQ(find(3), match(3));
+  EXPECT_EQ(store.row(1)->decided, match(1));
+  EXPECT_EQ(store.find(100, {fixture, 8}, Metrics::wanted), match(8));
+  EXPECT_EQ(find(4), match(4));
+}
+
+TEST_F(StoreTest, ADamagedRowHidesNoOther) {
+  {
+    Store store(file, Mode::create, "1.0");
+    const auto fixture = number(store, "key");
+    for (const std::uint64_t row : {1, 2, 3, 4})
+      store.insert(static_cast<std::int64_t>(row), {fixture, row}, played, 1);
+  }
+  execute("UPDATE matches SET home_goals = 9 WHERE row = 2");
+  execute("UPDATE metrics SET numbers = zeroblob(10) WHERE row = 3");
+  const Store store(file, Mode::read, "1.0");
+  const auto fixture = store.numbers(std::vector<std::string>{"key"}).front();
+  EXPECT_EQ(store.find(1, {fixture, 1}, Metrics::wanted), played);
+  EXPECT_THROW(store.find(2, {fixture, 2}, Metrics::wanted), StoreError);
+  EXPECT_THROW(store.find(3, {fixture, 3}, Metrics::wanted), StoreError);
+  EXPECT_EQ(store.find(4, {fixture, 4}, Metrics::wanted), played);
+  EXPECT_THROW(store.find(3, {fixture, 3}, Metrics::wanted), StoreError);
+  EXPECT_TRUE(store.find(3, {fixture, 3}, Metrics::left_out));
+  EXPECT_EQ(store.find(4, {fixture, 4}, Metrics::wanted), played);
+}
+
 TEST_F(StoreTest, LeavesMetricsOutWhereTheyAreNotWanted) {
   Store store(file, Mode::create, "1.0");
   const auto fixture = number(store, "key");
