@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/metric_bytes.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -26,6 +27,20 @@ void write(std::string& out, std::uint64_t number) {
   for (; number >= 0x80; number >>= 7) out += static_cast<char>(number | 0x80);
   out += static_cast<char>(number);
 }
+
+constexpr double value_of(std::uint64_t code) {
+  if (code == none) return nothing;
+  const std::uint64_t zigzag = code - first_code;
+  const std::int64_t whole = static_cast<std::int64_t>(zigzag >> 1) ^ -static_cast<std::int64_t>(zigzag & 1);
+  return static_cast<double>(whole) / unit;
+}
+
+// Of codes of one byte, which most are: a table is faster than to work them out.
+constexpr std::array<double, 0x80> values_of_bytes = [] {
+  std::array<double, 0x80> out{};
+  for (std::uint64_t code = 0; code < out.size(); ++code) out[code] = value_of(code);
+  return out;
+}();
 
 class Reader {
  public:
@@ -118,16 +133,10 @@ std::string number_bytes(std::span<const double> values) {
 
 std::vector<double> numbers_of(std::string_view bytes, std::size_t count) {
   Reader reader(bytes);
-  std::vector<double> out(count, nothing);
+  std::vector<double> out(count);
   for (double& value : out) {
     const std::uint64_t code = reader.number();
-    if (code == raw) {
-      value = reader.real();
-    } else if (code != none) {
-      const std::uint64_t zigzag = code - first_code;
-      const std::int64_t whole = static_cast<std::int64_t>(zigzag >> 1) ^ -static_cast<std::int64_t>(zigzag & 1);
-      value = static_cast<double>(whole) / unit;
-    }
+    value = code == raw ? reader.real() : code < values_of_bytes.size() ? values_of_bytes[code] : value_of(code);
   }
   if (!reader.at_end()) throw std::invalid_argument("more numbers than names");
   return out;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "campaign/row_checksum.hpp"
+#include "campaign/rows_in_order.hpp"
 #include "campaign/stored_metrics.hpp"
 
 namespace regista::campaign {
@@ -111,7 +112,7 @@ struct StoredMatches::Parts {
       : database(in),
         metrics(in, written_to),
         by_row(in, select_where("row = ?")),
-        in_order(in, select_where("row >= ? ORDER BY row")),
+        in_order(in, fmt::format("{} FROM matches", columns)),
         by_key(in, select_where("fixture = ? AND seed = ?")),
         remarks(in, "SELECT kind, text, checksum FROM remarks WHERE row = ?"),
         any_remarks(in.execAndGet("SELECT EXISTS(SELECT 1 FROM remarks)").getInt() != 0) {
@@ -149,23 +150,6 @@ struct StoredMatches::Parts {
       if (out.metrics.empty()) throw DamagedRow(row, "its metrics are missing");
     }
     return out;
-  }
-
-  // Matches are asked for in the order of their rows: a statement that goes on is much faster than one for each. Null
-  // where there is no such row.
-  SQLite::Statement* at(std::int64_t row) {
-    if (next != row) {
-      in_order.tryReset();
-      in_order.bind(1, row);
-    }
-    next.reset();
-    if (!in_order.executeStep()) {
-      in_order.reset();
-      return nullptr;
-    }
-    if (in_order.getColumn(0).getInt64() != row) return nullptr;
-    next = row + 1;
-    return &in_order;
   }
 
   std::optional<Decided> by_its_key(const MatchKey& key, Metrics wanted) {
@@ -278,8 +262,9 @@ struct StoredMatches::Parts {
 
   SQLite::Database& database;
   StoredMetrics metrics;
-  SQLite::Statement by_row, in_order, by_key, remarks;
-  std::optional<std::int64_t> next;  // the row that in_order comes to next
+  SQLite::Statement by_row;
+  RowsInOrder in_order;
+  SQLite::Statement by_key, remarks;
   std::optional<SQLite::Statement> insert, insert_new, insert_remark;
   bool any_remarks;
 };
@@ -291,7 +276,7 @@ StoredMatches::StoredMatches(SQLite::Database& database, bool written_to)
 StoredMatches::~StoredMatches() = default;
 
 std::optional<Decided> StoredMatches::find(std::int64_t row, const MatchKey& key, Metrics metrics) {
-  if (SQLite::Statement* const first = parts_->at(row)) {
+  if (SQLite::Statement* const first = parts_->in_order.at(row)) {
     const bool wanted = key_of(*first) == key;
     // Another match stands there, or its key is damaged.
     Decided found = parts_->decided_of(*first, wanted ? metrics : Metrics::left_out);
@@ -357,8 +342,7 @@ std::vector<std::int64_t> StoredMatches::damaged_rows() {
 
 void StoredMatches::reset() {
   parts_->by_row.tryReset();
-  parts_->in_order.tryReset();
-  parts_->next.reset();
+  parts_->in_order.reset();
   parts_->by_key.tryReset();
   parts_->metrics.reset();
   parts_->remarks.tryReset();

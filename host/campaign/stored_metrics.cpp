@@ -11,6 +11,7 @@
 
 #include "campaign/metric_bytes.hpp"
 #include "campaign/row_checksum.hpp"
+#include "campaign/rows_in_order.hpp"
 #include "mcap/compression.hpp"
 #include "mcap/decode.hpp"
 
@@ -27,7 +28,7 @@ std::int64_t checksum_of(std::int64_t row, std::int64_t names, std::int64_t size
 
 struct StoredMetrics::Parts {
   explicit Parts(SQLite::Database& in)
-      : database(in), select(in, "SELECT names, size, numbers, checksum FROM metrics WHERE row = ?") {}
+      : database(in), rows(in, "row, names, size, numbers, checksum FROM metrics") {}
 
   std::string text(std::int64_t id) {
     SQLite::Statement find(database, "SELECT names, checksum FROM metric_names WHERE id = ?");
@@ -70,16 +71,18 @@ struct StoredMetrics::Parts {
     return add(text);
   }
 
-  // What stands under the cursor of `select`.
-  Packed packed(std::int64_t row) {
-    const std::int64_t id = select.getColumn(0).getInt64(), size = select.getColumn(1).getInt64();
-    const SQLite::Column column = select.getColumn(2);
+  // Nothing where there are none.
+  std::optional<Packed> packed(std::int64_t row) {
+    SQLite::Statement* const found = rows.at(row);
+    if (found == nullptr) return std::nullopt;
+    const std::int64_t id = found->getColumn(1).getInt64(), size = found->getColumn(2).getInt64();
+    const SQLite::Column column = found->getColumn(3);
     const std::string_view frame(static_cast<const char*>(column.getBlob()),
                                  static_cast<std::size_t>(column.getBytes()));
-    if (checksum_of(row, id, size, frame) != select.getColumn(3).getInt64()) {
+    if (checksum_of(row, id, size, frame) != found->getColumn(4).getInt64()) {
       throw DamagedRow(row, "the checksum of its metrics does not fit");
     }
-    return {id, size, frame};
+    return Packed{id, size, frame};
   }
 
   // id: of the names, here.
@@ -95,7 +98,7 @@ struct StoredMetrics::Parts {
   }
 
   SQLite::Database& database;
-  SQLite::Statement select;
+  RowsInOrder rows;
   std::optional<SQLite::Statement> insert;
   std::map<std::int64_t, Names> by_id;
   mcap::Compressor compressor;
@@ -113,17 +116,14 @@ StoredMetrics::StoredMetrics(SQLite::Database& database, bool written_to) : part
 
 StoredMetrics::~StoredMetrics() = default;
 
-void StoredMetrics::reset() { parts_->select.tryReset(); }
+void StoredMetrics::reset() { parts_->rows.reset(); }
 
 match::MetricNumbers StoredMetrics::read(std::int64_t row) {
-  SQLite::Statement& select = parts_->select;
-  select.tryReset();
-  select.bind(1, row);
-  if (!select.executeStep()) return {};
-  const Packed packed = parts_->packed(row);
+  const std::optional<Packed> packed = parts_->packed(row);
+  if (!packed) return {};
   try {
-    const Names& names = parts_->names(packed.names);
-    parts_->decompressor.decompress(packed.frame, static_cast<std::uint64_t>(packed.size), parts_->bytes);
+    const Names& names = parts_->names(packed->names);
+    parts_->decompressor.decompress(packed->frame, static_cast<std::uint64_t>(packed->size), parts_->bytes);
     return {names, numbers_of(parts_->bytes, names->size())};
   } catch (const std::invalid_argument& error) {
     throw DamagedRow(row, std::string("metrics: ") + error.what());
@@ -133,11 +133,9 @@ match::MetricNumbers StoredMetrics::read(std::int64_t row) {
 }
 
 StoredMetrics::Packed StoredMetrics::packed(std::int64_t row) {
-  SQLite::Statement& select = parts_->select;
-  select.tryReset();
-  select.bind(1, row);
-  if (!select.executeStep()) throw DamagedRow(row, "its metrics are missing");
-  return parts_->packed(row);
+  const std::optional<Packed> packed = parts_->packed(row);
+  if (!packed) throw DamagedRow(row, "its metrics are missing");
+  return *packed;
 }
 
 std::string StoredMetrics::text_of_names(std::int64_t row, std::int64_t names) {
