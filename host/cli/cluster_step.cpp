@@ -32,7 +32,7 @@ using cluster::Progress;
 using cluster::Settings;
 using cluster::StudyFolder;
 
-constexpr std::uint64_t most_fruitless = 3;
+constexpr std::uint64_t most_fruitless = 5;  // a batch of few matches may be preempted again and again
 constexpr std::size_t most_remarks = 20;
 constexpr int most_looks = 10;                    // of one task, one after the other
 constexpr std::chrono::minutes longest_wait{10};  // for another process that takes a step

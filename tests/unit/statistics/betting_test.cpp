@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -16,6 +17,29 @@ TEST(Capital, PublishedBets) {
   Capital capital;
   for (const double score : {1.0, 0.5, 0.75, 1.0}) capital.bet(0.5, score, 0.5);
   EXPECT_NEAR(std::exp(capital.log()), 1.7578125, 1e-12);
+}
+
+// Far beyond what a double can hold, either way, and in many small steps: the same as the sum of logarithms.
+TEST(Capital, IsTheProductHoweverLargeOrSmall) {
+  for (const double factor : {0.25, 1.75, 1.0 + 1e-9, 1.0 - 1e-9, 1e12}) {
+    Capital capital;
+    long double log = 0.0L;
+    for (int i = 0; i < 100'000; ++i) {
+      capital.bet(factor - 1.0, 1.0, 0.0);
+      log += std::log1p(static_cast<long double>(factor) - 1.0L);
+    }
+    EXPECT_NEAR(capital.log(), static_cast<double>(log), 1e-9 * std::max(1.0, std::abs(static_cast<double>(log))))
+        << factor;
+  }
+  std::mt19937_64 random(5);
+  Capital capital;
+  long double log = 0.0L;
+  for (int i = 0; i < 1'000'000; ++i) {
+    const double stake = 1.5 * (uniform(random) - 0.5), value = uniform(random);
+    capital.bet(stake, value, 0.3);
+    log += std::log1p(static_cast<long double>(stake * (value - 0.3)));
+  }
+  EXPECT_NEAR(capital.log(), static_cast<double>(log), 1e-7);
 }
 
 TEST(PlugInStake, ByHand) {
