@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,7 +12,10 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <system_error>
 #include <utility>
+
+#include "campaign/file_lock.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -74,11 +76,12 @@ class StoreFile::Hold {
     if (descriptor_ == -1) {
       throw StoreRefusal(fmt::format("cannot write results to {}: {}", file.string(), std::strerror(errno)));
     }
-    if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
-    const int error = errno;
+    const std::error_code error = lock_file(descriptor_, FileLock::exclusive);
+    if (!error) return;
     close(descriptor_);
-    if (error == EWOULDBLOCK) throw StoreInUse(fmt::format("{} is in use by another process", file.string()));
-    throw StoreRefusal(fmt::format("cannot lock {}: {}", file.string(), std::strerror(error)));
+    if (error == std::errc::operation_would_block)
+      throw StoreInUse(fmt::format("{} is in use by another process", file.string()));
+    throw StoreRefusal(fmt::format("cannot lock {}: {}", file.string(), error.message()));
   }
   // Of a reader. A file with a log is read while it is written to, and is not held; one without a log is read only
   // while nobody writes to it.
@@ -92,7 +95,7 @@ class StoreFile::Hold {
       close(std::exchange(descriptor_, -1));  // before SQLite has locks on it
       return;
     }
-    if (flock(descriptor_, LOCK_SH | LOCK_NB) == -1 && errno == EWOULDBLOCK) {
+    if (lock_file(descriptor_, FileLock::shared) == std::errc::operation_would_block) {
       close(descriptor_);
       throw StoreInUse(fmt::format("{} is written to just now", file));
     }
@@ -183,7 +186,7 @@ void StoreFile::open() {
     // A file in the current folder may be called ":memory:", which SQLite takes for no file at all.
     const std::string path = std::filesystem::absolute(name_).string();
     if (mode_ != StoreMode::read && journal_ == Journal::rollback) {
-      // We hold the file. SQLite's own locks are of another kind, which some file systems take for the same.
+      // We hold the file; SQLite's own locks cost a question to the server each.
       database_ =
           std::make_unique<SQLite::Database>("file:" + in_address(path) + "?nolock=1",
                                              SQLite::OPEN_READWRITE | one_thread | SQLite::OPEN_URI, wait_for_writers);

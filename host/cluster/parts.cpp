@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 
 #include <algorithm>
 #include <charconv>
@@ -15,6 +14,7 @@
 #include <system_error>
 
 #include "campaign/file_descriptor.hpp"
+#include "campaign/file_lock.hpp"
 #include "config/file.hpp"
 #include "config/json.hpp"
 #include "config/text.hpp"
@@ -63,7 +63,7 @@ void remove_with_journal(const fs::path& file) {
 
 bool can_be_held(const fs::path& file) {
   const campaign::FileDescriptor opened(::open(file.c_str(), O_RDWR | O_CLOEXEC));
-  return opened.number != -1 && ::flock(opened.number, LOCK_EX | LOCK_NB) == 0;
+  return opened.number != -1 && !campaign::lock_file(opened.number, campaign::FileLock::exclusive);
 }
 
 void set_aside(const StudyFolder& folder, const fs::path& file) {

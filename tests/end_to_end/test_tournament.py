@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """`regista tournament`: what is played, what is said about it, and what is refused."""
 
-import fcntl
 import json
 import os
 import shlex
@@ -353,10 +352,11 @@ class BadInput(tournament.Tournament):
         self.assertIn("was written by a newer Regista", ask("--resume"))
 
     def test_a_file_that_another_process_has(self):
-        self.play()
-        with open(self.folder / "tournament.db", "rb") as held:
-            fcntl.flock(held, fcntl.LOCK_EX)
+        with self.start(*self.arguments("--workers", 1, pairs=400), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as other:
+            other.stderr.readline()  # it plays
             self.assertIn("in use by another process", self.refused(*self.arguments("--quiet", "--resume")))
+            other.kill()
+            other.communicate()
 
     def test_the_worker_is_no_command_for_people(self):
         self.assertIn("is for the program itself", self.refused("play-one"))

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/file_lock.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/wait.h>
+
+#include "campaign/file_descriptor.hpp"
+#include "store_fixture.hpp"
+
+namespace regista::campaign {
+namespace {
+
+class FileLockTest : public StoreTest {
+ protected:
+  FileDescriptor opened() const { return FileDescriptor(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)); }
+};
+
+constexpr auto held = std::errc::operation_would_block;
+
+TEST_F(FileLockTest, OneWritesOrManyRead) {
+  FileDescriptor first = opened(), second = opened(), third = opened();
+  EXPECT_FALSE(lock_file(first.number, FileLock::exclusive));
+  EXPECT_EQ(lock_file(second.number, FileLock::exclusive), held);
+  EXPECT_EQ(lock_file(second.number, FileLock::shared), held);
+  first.reset();
+  EXPECT_FALSE(lock_file(second.number, FileLock::shared));
+  EXPECT_FALSE(lock_file(third.number, FileLock::shared));
+  EXPECT_EQ(lock_file(third.number, FileLock::exclusive), held);
+}
+
+// It is of the open file, not of the process: closing another descriptor of the same file does not end it, and a child
+// has it, too.
+TEST_F(FileLockTest, LastsAsLongAsTheOpenFile) {
+  FileDescriptor first = opened(), second = opened();
+  ASSERT_FALSE(lock_file(first.number, FileLock::exclusive));
+  opened().reset();
+  EXPECT_EQ(lock_file(second.number, FileLock::exclusive), held);
+  const pid_t child = fork();
+  if (child == 0) {
+    pause();
+    _exit(0);
+  }
+  first.reset();
+  EXPECT_EQ(lock_file(second.number, FileLock::exclusive), held);
+  kill(child, SIGKILL);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_FALSE(lock_file(second.number, FileLock::exclusive));
+}
+
+TEST_F(FileLockTest, SaysWhatElseIsWrong) {
+  EXPECT_EQ(lock_file(-1, FileLock::exclusive), std::errc::bad_file_descriptor);
+  FileDescriptor read_only(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  EXPECT_TRUE(lock_file(read_only.number, FileLock::exclusive));
+}
+
+// On network file systems flock() and the locks of SQLite are the same: whoever has both is in its own way.
+TEST_F(FileLockTest, AStoreUsesNoLockOfTheOtherKind) {
+  for (const Journal journal : {Journal::log, Journal::rollback}) {
+    std::filesystem::remove(file);
+    Store store(file, Mode::create, "1.0", journal);
+    store.insert(1, {number(store, "key"), 1}, played, 1);
+    const FileDescriptor other = opened();
+    EXPECT_EQ(::flock(other.number, LOCK_EX | LOCK_NB), 0);
+    store.insert(2, {number(store, "key"), 2}, played, 1);
+    EXPECT_THROW(Store(file, Mode::open, "1.0", journal), StoreInUse);
+  }
+}
+
+}  // namespace
+}  // namespace regista::campaign
