@@ -19,10 +19,10 @@
 #include "cli/commands.hpp"
 #include "cli/results_file.hpp"
 #include "cluster/parts.hpp"
+#include "cluster/shared_file.hpp"
 #include "cluster/slice.hpp"
 #include "cluster/study_folder.hpp"
 #include "command/interruption.hpp"
-#include "config/file.hpp"
 #include "config/text.hpp"
 #include "config/typed.hpp"
 #include "output/output.hpp"
@@ -67,7 +67,7 @@ std::unique_ptr<campaign::Store> part_of(const StudyFolder& folder, const TaskNa
 }
 
 cluster::Batch batch_of(const StudyFolder& folder, const TaskName& name) {
-  const auto text = config::file_content(folder.batch(name.batch));
+  const auto text = cluster::shared_content(folder.batch(name.batch));
   if (!text) throw BadInput(fmt::format("{}: no such batch", folder.batch(name.batch).string()));
   cluster::Batch out = cluster::batch_from_json(*text);
   if (name.task >= out.tasks.size()) throw BadInput(fmt::format("batch {} has no task {}", name.batch, name.task));

@@ -15,7 +15,7 @@
 
 #include "campaign/file_descriptor.hpp"
 #include "campaign/file_lock.hpp"
-#include "config/file.hpp"
+#include "cluster/shared_file.hpp"
 #include "config/json.hpp"
 #include "config/text.hpp"
 
@@ -61,6 +61,15 @@ void remove_with_journal(const fs::path& file) {
   for (const char* each : {"", "-journal", "-wal", "-shm"}) fs::remove(file.string() + each, none);
 }
 
+// What tasks tell of themselves; empty where it is not to be had just now.
+std::string content_of(const fs::path& file) {
+  try {
+    return shared_content(file).value_or("");
+  } catch (const std::system_error&) {
+    return {};
+  }
+}
+
 bool can_be_held(const fs::path& file) {
   const campaign::FileDescriptor opened(::open(file.c_str(), O_RDWR | O_CLOEXEC));
   return opened.number != -1 && !campaign::lock_file(opened.number, campaign::FileLock::exclusive);
@@ -81,9 +90,9 @@ class Gathering {
       : folder_(folder), results_(results), version_(std::move(version)) {}
 
   Gathered all(Tasks tasks) {
-    for (const Named& each : files_of(folder_, whole)) take(each);
+    for (const Named& each : files_of(folder_, whole)) take(each, tasks);
     if (tasks == Tasks::killed_too) {
-      for (const Named& each : files_of(folder_, under_way)) take(each);
+      for (const Named& each : files_of(folder_, under_way)) take(each, tasks);
     }
     for (const Named& each : files_of(folder_, refusal_ending)) take_refusal(each);
     return std::move(out_);
@@ -94,7 +103,7 @@ class Gathering {
     out_.remarks.push_back(config::one_line(fmt::format("{}: {}", part.path.filename().string(), what)));
   }
 
-  void take(const Named& part) {
+  void take(const Named& part, Tasks tasks) {
     using campaign::Store;
     try {
       // Opened for writing: what a killed task left half written is taken back first, and a task that runs is found.
@@ -113,6 +122,7 @@ class Gathering {
       set_aside(folder_, part.path);
     } catch (const campaign::StoreInUse&) {
       ++out_.in_use;
+      if (tasks == Tasks::killed_too) remark(part, "a task that should have ended still holds it; it is taken later");
     } catch (const campaign::StoreRefusal& error) {
       if (!fs::exists(part.path)) return;  // its task has ended meanwhile: it has another name
       if (!can_be_held(part.path)) throw;  // a lock or a right is missing: it may be sound
@@ -147,7 +157,7 @@ class Gathering {
   }
 
   void take_refusal(const Named& file) {
-    const std::string text = config::file_content(file.path).value_or("");
+    const std::string text = content_of(file.path);
     const auto json = nlohmann::json::parse(text, nullptr, false);
     if (json.is_object() && json.contains("node") && json.contains("why") && json["node"].is_string() &&
         json["why"].is_string()) {
@@ -182,7 +192,7 @@ std::vector<Course> courses(const StudyFolder& folder) {
   std::vector<Course> out;
   for (const Named& each : files_of(folder, course_ending)) {
     try {
-      if (const auto text = config::file_content(each.path)) out.push_back(course_from_json(*text));
+      out.push_back(course_from_json(content_of(each.path)));
     } catch (const std::invalid_argument&) {
       // it is written again soon
     }

@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <system_error>
 
 #include "campaign/document_copies.hpp"
+#include "cluster/shared_file.hpp"
 #include "config/bad_input.hpp"
-#include "config/file.hpp"
 #include "config/json.hpp"
 #include "config/text.hpp"
 #include "output/output.hpp"
@@ -32,9 +33,17 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using config::BadInput;
 
+std::optional<std::string> content_of(const fs::path& file) {
+  try {
+    return shared_content(file);
+  } catch (const std::system_error& error) {
+    throw BadInput(fmt::format("{} cannot be read: {}", config::one_line(file.string()), error.code().message()));
+  }
+}
+
 Json description_of(const StudyFolder& folder) {
   const fs::path file = folder.description();
-  const auto text = config::file_content(file);
+  const auto text = content_of(file);
   const std::string name = config::one_line(folder.root().string());
   if (!text) throw BadInput(fmt::format("{} is no folder of a study on a cluster: it has no cluster.json", name));
   Json json = Json::parse(*text, nullptr, false);

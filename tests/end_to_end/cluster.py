@@ -2,6 +2,7 @@
 """Studies on the Slurm of slurm.py: how they are begun, awaited and harmed. A test file that plays there takes
 setUpModule and tearDownModule from here; it is skipped where Slurm cannot be started."""
 
+import errno
 import json
 import os
 import random
@@ -56,7 +57,12 @@ class OnCluster(tournament.Tournament):
         self.succeed(*self.on_slurm(document, "--detach", *more))
 
     def progress(self):
-        return json.loads((self.folder / "study.cluster" / "cluster.json").read_text())["progress"]
+        while True:
+            try:
+                return json.loads((self.folder / "study.cluster" / "cluster.json").read_text())["progress"]
+            except OSError as error:
+                if error.errno != errno.ESTALE:  # it was replaced just now, on a network file system
+                    raise
 
     def wait_for_end(self):
         self.wait_for(lambda: self.progress()["state"] != "running")

@@ -101,7 +101,7 @@ class Tournaments(OnCluster):
         cancel = path / "scancel"
         cancel.write_text(f"""#!/bin/sh
 if mkdir {path}/failed 2>/dev/null; then
-  echo "scancel: error: Kill job error: Unable to contact slurm controller" >&2
+  echo "scancel: error: Kill job error on job id 1: Access/permission denied" >&2
   exit 1
 fi
 exec "$(PATH={cluster().environment["PATH"]} command -v scancel)" "$@"
@@ -111,7 +111,7 @@ exec "$(PATH={cluster().environment["PATH"]} command -v scancel)" "$@"
                                  environment={"PATH": f"{path}:{cluster().environment['PATH']}"})
         self.assertEqual((there.returncode, there.stdout), (0, local), there.stderr)
         self.assertTrue((path / "failed").exists(), "nothing was cancelled")
-        self.assertIn("Unable to contact slurm controller", "".join(self.progress()["remarks"]))
+        self.assertIn("Access/permission denied", "".join(self.progress()["remarks"]))
         self.wait_for(lambda: not cluster().jobs())
         self.assertLess(self.count("study.cluster/results.db"), 120)
 

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "cluster/shared_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <system_error>
+#include <thread>
+
+#include "campaign/file_descriptor.hpp"
+
+namespace regista::cluster {
+namespace {
+
+constexpr int most_tries = 50;
+constexpr std::chrono::milliseconds between_tries{100};
+
+// 0, or why it cannot be read.
+int read_once(const std::filesystem::path& file, std::string& out) {
+  out.clear();
+  const campaign::FileDescriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (opened.number == -1) return errno;
+  std::array<char, 65536> part;
+  for (;;) {
+    const ssize_t size = ::read(opened.number, part.data(), part.size());
+    if (size == 0) return 0;
+    if (size > 0)
+      out.append(part.data(), static_cast<std::size_t>(size));
+    else if (errno != EINTR)
+      return errno;
+  }
+}
+
+}  // namespace
+
+std::optional<std::string> shared_content(const std::filesystem::path& file) {
+  std::string out;
+  for (int i = 1;; ++i) {
+    const int error = read_once(file, out);
+    if (error == 0) return out;
+    if (error == ENOENT || error == ENOTDIR) return std::nullopt;
+    if (error != ESTALE || i == most_tries) throw std::system_error(error, std::generic_category(), file.string());
+    std::this_thread::sleep_for(between_tries);
+  }
+}
+
+}  // namespace regista::cluster

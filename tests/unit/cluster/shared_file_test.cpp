@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "cluster/shared_file.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <fstream>
+#include <system_error>
+#include <thread>
+
+namespace regista::cluster {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SharedFile : public testing::Test {
+ protected:
+  SharedFile() { fs::create_directory(folder); }
+  ~SharedFile() override { fs::remove_all(folder); }
+
+  void replace(const std::string& text) const {
+    std::ofstream(folder / "fresh", std::ios::binary) << text;
+    fs::rename(folder / "fresh", file);
+  }
+
+  fs::path folder = fs::path(testing::TempDir()) / ("shared-" + std::to_string(getpid()));
+  fs::path file = folder / "file";
+};
+
+TEST_F(SharedFile, IsReadWhole) {
+  std::string large(300'000, 'x');
+  large[70'000] = '\0';
+  for (const std::string& text : {std::string(), std::string("text\n"), large}) {
+    replace(text);
+    EXPECT_EQ(shared_content(file), text);
+  }
+}
+
+TEST_F(SharedFile, MissingIsNotUnreadable) {
+  EXPECT_EQ(shared_content(file), std::nullopt);
+  EXPECT_EQ(shared_content(folder / "none" / "file"), std::nullopt);
+  replace("text");
+  EXPECT_EQ(shared_content(file / "below"), std::nullopt);
+  EXPECT_THROW(shared_content(folder), std::system_error);
+}
+
+TEST_F(SharedFile, IsNeverSeenHalfReplaced) {
+  const std::string one(100'000, 'a'), other(200'000, 'b');
+  replace(one);
+  std::atomic<bool> done = false;
+  std::thread writer([&] {
+    for (int i = 0; i < 300; ++i) replace(i % 2 == 0 ? other : one);
+    done = true;
+  });
+  while (!done) {
+    const auto text = shared_content(file);
+    EXPECT_TRUE(text == one || text == other);
+  }
+  writer.join();
+}
+
+}  // namespace
+}  // namespace regista::cluster
