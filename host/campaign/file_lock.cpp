@@ -11,17 +11,23 @@ namespace {
 
 constexpr off_t after_those_of_sqlite = 0x40000000 + 512;
 
-}  // namespace
-
-std::error_code lock_file(int descriptor, FileLock lock) {
+int set(int descriptor, int type) {
   struct flock wanted {};
-  wanted.l_type = lock == FileLock::exclusive ? F_WRLCK : F_RDLCK;
+  wanted.l_type = static_cast<short>(type);
   wanted.l_whence = SEEK_SET;
   wanted.l_start = after_those_of_sqlite;
   wanted.l_len = 1;
-  if (fcntl(descriptor, F_OFD_SETLK, &wanted) == 0) return {};
+  return fcntl(descriptor, F_OFD_SETLK, &wanted);
+}
+
+}  // namespace
+
+std::error_code lock_file(int descriptor, FileLock lock) {
+  if (set(descriptor, lock == FileLock::exclusive ? F_WRLCK : F_RDLCK) == 0) return {};
   if (errno == EAGAIN || errno == EACCES) return std::make_error_code(std::errc::operation_would_block);
   return {errno, std::generic_category()};
 }
+
+void unlock_file(int descriptor) { set(descriptor, F_UNLCK); }
 
 }  // namespace regista::campaign

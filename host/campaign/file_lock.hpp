@@ -13,5 +13,7 @@ enum class FileLock { shared, exclusive };
 // Without waiting; until the descriptor and its copies in other processes are closed. descriptor: open for reading, for
 // an exclusive one for writing. operation_would_block: another holds it.
 std::error_code lock_file(int descriptor, FileLock lock);
+// At once, also for copies of the descriptor. Closing alone ends a lock somewhat later on some network file systems.
+void unlock_file(int descriptor);
 
 }  // namespace regista::campaign

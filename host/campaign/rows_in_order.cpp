@@ -3,6 +3,8 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <limits>
+
 namespace regista::campaign {
 
 RowsInOrder::RowsInOrder(SQLite::Database& database, const std::string& what)
@@ -20,7 +22,7 @@ SQLite::Statement* RowsInOrder::at(std::int64_t row) {
     return nullptr;
   }
   if (statement_->getColumn(0).getInt64() != row) return nullptr;
-  next_ = row + 1;
+  if (row < std::numeric_limits<std::int64_t>::max()) next_ = row + 1;
   return statement_.get();
 }
 

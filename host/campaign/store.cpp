@@ -175,6 +175,7 @@ Taken Store::take(const Store& other, Unknown unknown) {
 
 std::optional<Store::Row> Store::row(std::int64_t row) const {
   return guarded(*parts_, [&]() -> std::optional<Row> {
+    parts_->begin_reading();
     const auto found = parts_->matches.row(row);
     if (!found) return std::nullopt;
     Row out{parts_->fixtures.job(found->key.fixture, row), found->decided};

@@ -109,7 +109,9 @@ class StoreFile::Hold {
     }
   }
   ~Hold() {
-    if (descriptor_ != -1) close(descriptor_);
+    if (descriptor_ == -1) return;
+    unlock_file(descriptor_);
+    close(descriptor_);
   }
   Hold(const Hold&) = delete;
   Hold& operator=(const Hold&) = delete;

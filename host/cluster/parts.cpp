@@ -61,8 +61,8 @@ void remove_with_journal(const fs::path& file) {
   for (const char* each : {"", "-journal", "-wal", "-shm"}) fs::remove(file.string() + each, none);
 }
 
-// What tasks tell of themselves; empty where it is not to be had just now.
-std::string content_of(const fs::path& file) {
+// What a task tells of itself; empty where it is not to be had just now.
+std::string told_in(const fs::path& file) {
   try {
     return shared_content(file).value_or("");
   } catch (const std::system_error&) {
@@ -72,7 +72,9 @@ std::string content_of(const fs::path& file) {
 
 bool can_be_held(const fs::path& file) {
   const campaign::FileDescriptor opened(::open(file.c_str(), O_RDWR | O_CLOEXEC));
-  return opened.number != -1 && !campaign::lock_file(opened.number, campaign::FileLock::exclusive);
+  if (opened.number == -1 || campaign::lock_file(opened.number, campaign::FileLock::exclusive)) return false;
+  campaign::unlock_file(opened.number);
+  return true;
 }
 
 void set_aside(const StudyFolder& folder, const fs::path& file) {
@@ -157,7 +159,7 @@ class Gathering {
   }
 
   void take_refusal(const Named& file) {
-    const std::string text = content_of(file.path);
+    const std::string text = told_in(file.path);
     const auto json = nlohmann::json::parse(text, nullptr, false);
     if (json.is_object() && json.contains("node") && json.contains("why") && json["node"].is_string() &&
         json["why"].is_string()) {
@@ -192,7 +194,7 @@ std::vector<Course> courses(const StudyFolder& folder) {
   std::vector<Course> out;
   for (const Named& each : files_of(folder, course_ending)) {
     try {
-      out.push_back(course_from_json(content_of(each.path)));
+      out.push_back(course_from_json(told_in(each.path)));
     } catch (const std::invalid_argument&) {
       // it is written again soon
     }

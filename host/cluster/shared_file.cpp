@@ -16,9 +16,6 @@ namespace regista::cluster {
 namespace {
 
 constexpr int most_tries = 50;
-constexpr std::chrono::milliseconds between_tries{100};
-
-// 0, or why it cannot be read.
 int read_once(const std::filesystem::path& file, std::string& out) {
   out.clear();
   const campaign::FileDescriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
@@ -37,9 +34,14 @@ int read_once(const std::filesystem::path& file, std::string& out) {
 }  // namespace
 
 std::optional<std::string> shared_content(const std::filesystem::path& file) {
+  return shared_content(file, read_once, std::chrono::milliseconds(100));
+}
+
+std::optional<std::string> shared_content(const std::filesystem::path& file, const ReadOnce& read,
+                                          std::chrono::milliseconds between_tries) {
   std::string out;
   for (int i = 1;; ++i) {
-    const int error = read_once(file, out);
+    const int error = read(file, out);
     if (error == 0) return out;
     if (error == ENOENT || error == ENOTDIR) return std::nullopt;
     if (error != ESTALE || i == most_tries) throw std::system_error(error, std::generic_category(), file.string());

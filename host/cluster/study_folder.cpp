@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <stdexcept>
 #include <system_error>
 
 #include "campaign/document_copies.hpp"
@@ -17,10 +18,16 @@
 namespace regista::cluster {
 
 // How these stand in cluster.json.
-NLOHMANN_JSON_SERIALIZE_ENUM(Progress::State, {{Progress::State::running, "running"},
-                                               {Progress::State::complete, "complete"},
-                                               {Progress::State::stopped, "stopped"},
-                                               {Progress::State::failed, "failed"}})
+static void to_json(nlohmann::json& json, Progress::State state) { json = name_of(state); }
+static void from_json(const nlohmann::json& json, Progress::State& out) {
+  using enum Progress::State;
+  for (const Progress::State each : {running, complete, stopped, failed}) {
+    if (json != name_of(each)) continue;
+    out = each;
+    return;
+  }
+  throw std::invalid_argument("no such state");
+}
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Settings, scheduler, tasks, matches, workers, partition, time, options, record_every,
                                    plugin_files)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SubmittedBatch, number, tasks, matches, rows_before, array_job, gather_job)
@@ -33,6 +40,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using config::BadInput;
 
+constexpr int layout = 1;  // of the folder
+
 std::optional<std::string> content_of(const fs::path& file) {
   try {
     return shared_content(file);
@@ -41,13 +50,19 @@ std::optional<std::string> content_of(const fs::path& file) {
   }
 }
 
+std::string damaged(const StudyFolder& folder) {
+  return fmt::format("{} is damaged", config::one_line(folder.description().string()));
+}
+
 Json description_of(const StudyFolder& folder) {
   const fs::path file = folder.description();
   const auto text = content_of(file);
   const std::string name = config::one_line(folder.root().string());
   if (!text) throw BadInput(fmt::format("{} is no folder of a study on a cluster: it has no cluster.json", name));
   Json json = Json::parse(*text, nullptr, false);
-  if (!json.is_object()) throw BadInput(fmt::format("{} is damaged", config::one_line(file.string())));
+  if (!json.is_object()) throw BadInput(damaged(folder));
+  if (json.value("study_folder", nlohmann::json()) != layout)
+    throw BadInput(fmt::format("{} was written by another version of Regista", config::one_line(file.string())));
   return json;
 }
 
@@ -56,13 +71,15 @@ Part part_of(const StudyFolder& folder, const char* name) {
   try {
     return description_of(folder).at(name).get<Part>();
   } catch (const nlohmann::json::exception&) {
-    throw BadInput(fmt::format("{} is damaged", config::one_line(folder.description().string())));
+    throw BadInput(damaged(folder));
+  } catch (const std::invalid_argument&) {
+    throw BadInput(damaged(folder));
   }
 }
 
 void write_description(const StudyFolder& folder, const Json& settings, const Json& progress,
                        output::Existing existing) {
-  const Json all{{"study_folder", 1}, {"settings", settings}, {"progress", progress}};
+  const Json all{{"study_folder", layout}, {"settings", settings}, {"progress", progress}};
   output::write_whole(folder.description(), all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n', existing);
 }
 
@@ -83,7 +100,19 @@ void copy_whole(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
-std::string name_of(Progress::State state) { return Json(state).get<std::string>(); }
+const char* name_of(Progress::State state) {
+  switch (state) {
+    case Progress::State::running:
+      return "running";
+    case Progress::State::complete:
+      return "complete";
+    case Progress::State::stopped:
+      return "stopped";
+    case Progress::State::failed:
+      break;
+  }
+  return "failed";
+}
 
 StudyFolder::StudyFolder(const fs::path& root) : root_(fs::absolute(root).lexically_normal()) {
   if (!root_.has_filename()) root_ = root_.parent_path();

@@ -67,7 +67,7 @@ struct Progress {
   std::uint64_t matches = 0, rows = 0;  // of the study; in the file of results
 };
 
-std::string name_of(Progress::State state);  // "running"
+const char* name_of(Progress::State state);  // "running"
 
 class StudyFolder {
  public:

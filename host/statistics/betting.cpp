@@ -69,8 +69,9 @@ void BettingTest::add(double value) {
   const double x = in_unit_range(design_, value);
   capital_.bet(stake_.next(), x, mean_);
   stake_.learn(x);
-  most_ = std::max(most_, log_evidence());
-  if (finding_ == Finding::none && log_evidence() >= -std::log(design_.alpha)) {
+  const double evidence = log_evidence();
+  most_ = std::max(most_, evidence);
+  if (finding_ == Finding::none && evidence >= -std::log(design_.alpha)) {
     finding_ = capital_.log_above() > capital_.log_below() ? Finding::above : Finding::below;
   }
 }

@@ -19,11 +19,11 @@
 
 namespace regista::statistics {
 
-// One gambler's capital, from 1 on: the product of 1 + bet (value - mean). Kept as a product: a logarithm for each bet
-// is what took most of the time in long studies.
+// One gambler's capital, from 1 on: the product of 1 + bet (value - mean). Kept as a product, so that a logarithm is
+// taken for each look at it and not for each bet.
 class Capital {
  public:
-  // Precondition: the factor is above 0 and below 1e50.
+  // Precondition: the factor is between 1e-50 and 1e50.
   void bet(double stake, double value, double mean) {
     product_ *= 1.0 + stake * (value - mean);
     if (product_ > most || product_ < 1.0 / most) fold();

@@ -57,12 +57,13 @@ class OnCluster(tournament.Tournament):
         self.succeed(*self.on_slurm(document, "--detach", *more))
 
     def progress(self):
-        while True:
+        for tries_left in reversed(range(100)):
             try:
                 return json.loads((self.folder / "study.cluster" / "cluster.json").read_text())["progress"]
             except OSError as error:
-                if error.errno != errno.ESTALE:  # it was replaced just now, on a network file system
+                if error.errno != errno.ESTALE or not tries_left:  # it was replaced just now, on a network file system
                     raise
+            time.sleep(0.05)
 
     def wait_for_end(self):
         self.wait_for(lambda: self.progress()["state"] != "running")

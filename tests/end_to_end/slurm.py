@@ -70,6 +70,14 @@ def free_ports(count):
     return ports
 
 
+def stand_ins(folder):
+    """Programs in a new folder that stand for those of Slurm: every job is taken, and none plays."""
+    folder.mkdir(parents=True)
+    for name, says in (("sbatch", "echo 1"), ("squeue", "true"), ("scancel", "true")):
+        (folder / name).write_text(f"#!/bin/sh\n{says}\n")
+        (folder / name).chmod(0o755)
+
+
 class CannotStart(Exception):
     pass
 

@@ -100,6 +100,10 @@ class Tournaments(OnCluster):
         path.mkdir()
         cancel = path / "scancel"
         cancel.write_text(f"""#!/bin/sh
+if mkdir {path}/asked 2>/dev/null; then
+  echo "scancel: error: Unable to contact slurm controller (connect failure)" >&2
+  exit 1
+fi
 if mkdir {path}/failed 2>/dev/null; then
   echo "scancel: error: Kill job error on job id 1: Access/permission denied" >&2
   exit 1

@@ -353,10 +353,12 @@ class BadInput(tournament.Tournament):
 
     def test_a_file_that_another_process_has(self):
         with self.start(*self.arguments("--workers", 1, pairs=400), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as other:
-            other.stderr.readline()  # it plays
-            self.assertIn("in use by another process", self.refused(*self.arguments("--quiet", "--resume")))
-            other.kill()
-            other.communicate()
+            try:
+                other.stderr.readline()  # it plays
+                self.assertIn("in use by another process", self.refused(*self.arguments("--quiet", "--resume")))
+            finally:
+                other.kill()
+                other.communicate()
 
     def test_the_worker_is_no_command_for_people(self):
         self.assertIn("is for the program itself", self.refused("play-one"))

@@ -22,16 +22,19 @@ SEED = int(os.environ.get("REGISTA_SEED") or random.randrange(1_000_000))
 class Harmed:
     def harm_to_the_end(self):
         """Where so much harm was done that several batches in a row brought no match, the study is gone on with."""
-        done, resumed = self.harm(KILLS, SEED), 0
+        lately = self.harm(KILLS, SEED)
+        done, resumed = lately, 0
         while True:
             self.wait_for(lambda: self.progress()["state"] != "running")
             if self.progress()["state"] == "complete":
                 break
-            self.assertIn("batches in a row brought no match", self.progress()["message"])
+            message = self.progress()["message"]
+            self.assertIn("batches in a row brought no match", message)
+            self.assertGreater(sum(lately.values()), 4, message)  # else it failed by itself
             resumed += 1
             self.succeed("resume", "study.cluster", "--quiet")
-            for each, count in self.harm(KILLS - sum(done.values()), SEED + resumed).items():
-                done[each] += count
+            lately = self.harm(KILLS - sum(done.values()), SEED + resumed)
+            done = {each: count + lately[each] for each, count in done.items()}
         self.wait_for_end()
         return {**done, "resumed": resumed}
 

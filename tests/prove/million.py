@@ -25,18 +25,12 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "end_to_end"))
 sys.path.insert(0, str(ROOT / "benchmarks" / "campaign"))
 import results_file  # noqa: E402
+import slurm  # noqa: E402
 from many_rows import measured  # noqa: E402
 
 FEWEST = 10  # matches that are played
 MEMORY = 128.0  # MiB
 BARS = {"gather": 120.0, "report": 5.0, "report --csv --metrics": 180.0}  # s
-
-
-def stand_ins(folder):
-    folder.mkdir(parents=True)
-    for name, says in (("sbatch", "echo 1"), ("squeue", "true"), ("scancel", "true")):
-        (folder / name).write_text(f"#!/bin/sh\n{says}\n")
-        (folder / name).chmod(0o755)
 
 
 def write_parts(study, rows, parts, in_a_round):
@@ -75,7 +69,7 @@ class Million:
     def __init__(self, regista, folder, teams, rows, parts, more=""):
         self.regista, self.study = regista, folder / "study"
         shutil.rmtree(folder, ignore_errors=True)
-        stand_ins(folder / "path")
+        slurm.stand_ins(folder / "path")
         self.environment = {**os.environ, "PATH": f"{folder / 'path'}:{os.environ['PATH']}"}
         in_a_round = len(teams) * (len(teams) - 1)
         rounds = rows // in_a_round

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
 
 #include "campaign/file_descriptor.hpp"
 #include "store_fixture.hpp"
@@ -38,6 +41,7 @@ TEST_F(FileLockTest, LastsAsLongAsTheOpenFile) {
   opened().reset();
   EXPECT_EQ(lock_file(second.number, FileLock::exclusive), held);
   const pid_t child = fork();
+  ASSERT_NE(child, -1);
   if (child == 0) {
     pause();
     _exit(0);
@@ -48,6 +52,14 @@ TEST_F(FileLockTest, LastsAsLongAsTheOpenFile) {
   int status = 0;
   waitpid(child, &status, 0);
   EXPECT_FALSE(lock_file(second.number, FileLock::exclusive));
+}
+
+TEST_F(FileLockTest, IsGivenUpForCopiesToo) {
+  const FileDescriptor first = opened(), copy(::dup(first.number)), second = opened();
+  ASSERT_FALSE(lock_file(first.number, FileLock::exclusive));
+  unlock_file(first.number);
+  EXPECT_FALSE(lock_file(second.number, FileLock::exclusive));
+  EXPECT_EQ(lock_file(copy.number, FileLock::exclusive), held);
 }
 
 TEST_F(FileLockTest, SaysWhatElseIsWrong) {

@@ -91,6 +91,13 @@ TEST_F(StoreTest, FindsMatchesInAnyOrder) {
   EXPECT_EQ(store.row(1)->decided, match(1));
   EXPECT_EQ(store.find(100, {fixture, 8}, Metrics::wanted), match(8));
   EXPECT_EQ(find(4), match(4));
+  EXPECT_THROW(insert(4), StoreError);
+  EXPECT_EQ(find(5), match(5));
+  // A row of its own, a row that is written, and that one.
+  EXPECT_EQ(store.row(9)->decided, match(9));
+  insert(10);
+  EXPECT_EQ(find(10), match(10));
+  EXPECT_EQ(store.row(INT64_MAX), std::nullopt);
 }
 
 TEST_F(StoreTest, ADamagedRowHidesNoOther) {

@@ -72,6 +72,9 @@ TEST_F(Parts, OfATaskThatPlaysStayWithIt) {
   EXPECT_EQ(out.rows, 0u);
   EXPECT_EQ(courses(study).size(), 1u);
   EXPECT_TRUE(std::filesystem::exists(study.under_way({1, 0})));
+  ASSERT_EQ(out.remarks.size(), 1u);
+  EXPECT_EQ(out.remarks[0], "1-0.db.part: a task that should have ended still holds it; it is taken later");
+  EXPECT_TRUE(gather(study, *results, Tasks::ended, "1.0").remarks.empty());
 }
 
 TEST_F(Parts, ThatAreNoneAreSetAsideAndNamed) {

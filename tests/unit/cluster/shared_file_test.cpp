@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <fstream>
 #include <system_error>
 #include <thread>
@@ -43,6 +44,30 @@ TEST_F(SharedFile, MissingIsNotUnreadable) {
   replace("text");
   EXPECT_EQ(shared_content(file / "below"), std::nullopt);
   EXPECT_THROW(shared_content(folder), std::system_error);
+}
+
+TEST_F(SharedFile, IsReadAgainWhileItIsStale) {
+  using std::chrono::milliseconds;
+  int left = 3;
+  const ReadOnce stale = [&](const fs::path&, std::string& out) {
+    out = "half";
+    if (left-- > 0) return ESTALE;
+    out = "text";
+    return 0;
+  };
+  EXPECT_EQ(shared_content(file, stale, milliseconds(0)), "text");
+  EXPECT_EQ(left, -1);
+  left = 1'000'000;
+  try {
+    shared_content(file, stale, milliseconds(0));
+    FAIL() << "it was stale for ever";
+  } catch (const std::system_error& error) {
+    EXPECT_EQ(error.code().value(), ESTALE);
+  }
+  int asked = 0;
+  const auto denied = [&](const fs::path&, std::string&) { return ++asked, EACCES; };
+  EXPECT_THROW(shared_content(file, denied, milliseconds(0)), std::system_error);
+  EXPECT_EQ(asked, 1);
 }
 
 TEST_F(SharedFile, IsNeverSeenHalfReplaced) {
