@@ -200,6 +200,7 @@ exit 1
         self.succeed("stop", "study.cluster")
         self.wait_for(lambda: not cluster().jobs())
         part = parts / "1-0.db.part" if (parts / "1-0.db.part").exists() else parts / "1-0.db"
+        self.wait_for(lambda: part.stat().st_size > 5000)  # a network file system shows it somewhat later
         part.write_bytes(part.read_bytes()[:5000])
         done = self.run_program("gather", "study.cluster")
         self.assertEqual(done.returncode, 0)
