@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A lock on a whole file between processes, also of several machines. It is a lock of the open file (fcntl, F_OFD_SETLK)
-// on one byte that SQLite has no lock on ("File Locking And Concurrency", sqlite.org): flock() would be in the way of
-// SQLite's own locks on network file systems, where both kinds are the same.
+// A lock on a whole file between processes, also of several machines. It is a lock of the open file (fcntl,
+// F_OFD_SETLK) on one byte that SQLite has no lock on ("File Locking And Concurrency", sqlite.org): flock() would be in
+// the way of SQLite's own locks on network file systems, where both kinds are the same.
 #pragma once
 
 #include <system_error>

@@ -27,8 +27,7 @@ std::int64_t checksum_of(std::int64_t row, std::int64_t names, std::int64_t size
 }  // namespace
 
 struct StoredMetrics::Parts {
-  explicit Parts(SQLite::Database& in)
-      : database(in), rows(in, "row, names, size, numbers, checksum FROM metrics") {}
+  explicit Parts(SQLite::Database& in) : database(in), rows(in, "row, names, size, numbers, checksum FROM metrics") {}
 
   std::string text(std::int64_t id) {
     SQLite::Statement find(database, "SELECT names, checksum FROM metric_names WHERE id = ?");
