@@ -68,8 +68,8 @@ TEST_F(StoreTest, FindsMatchesInAnyOrder) {
   const auto find = [&](std::uint64_t row) {
     return store.find(static_cast<std::int64_t>(row), {fixture, row}, Metrics::wanted);
   };
-  for (const std::uint64_t row : {1, 3, 4, 5, 8}) insert(row);
-  for (const std::uint64_t row : {1, 3, 4, 5, 8}) EXPECT_EQ(find(row), match(row)) << row;  // over gaps
+  for (const std::uint64_t row : {1u, 3u, 4u, 5u, 8u}) insert(row);
+  for (const std::uint64_t row : {1u, 3u, 4u, 5u, 8u}) EXPECT_EQ(find(row), match(row)) << row;  // over gaps
   EXPECT_EQ(find(9), std::nullopt);
   EXPECT_EQ(find(4), match(4));  // back
   EXPECT_EQ(find(4), match(4));  // again
@@ -104,7 +104,7 @@ TEST_F(StoreTest, ADamagedRowHidesNoOther) {
   {
     Store store(file, Mode::create, "1.0");
     const auto fixture = number(store, "key");
-    for (const std::uint64_t row : {1, 2, 3, 4})
+    for (const std::uint64_t row : {1u, 2u, 3u, 4u})
       store.insert(static_cast<std::int64_t>(row), {fixture, row}, played, 1);
   }
   execute("UPDATE matches SET home_goals = 9 WHERE row = 2");
