@@ -146,6 +146,13 @@ class Follower {
   }
 
   int run() {
+    wait();
+    return finish(folder_, folder_.progress(), options_, invocation_);
+  }
+
+ private:
+  // Its own listening to interruptions ends before that of the report begins.
+  void wait() {
     using namespace std::chrono_literals;
     const std::string to_look = command_of("status", folder_), to_end = command_of("stop", folder_);
     const command::Interruption interruption(
@@ -171,10 +178,8 @@ class Follower {
     }
     line_.clear();
     wait_for_jobs(interruption);
-    return finish(folder_, folder_.progress(), options_, invocation_);
   }
 
- private:
   void tell_what_is_new(const Progress& progress) {
     if (options_.quiet) return;
     for (; batches_ < progress.batches.size(); ++batches_) say(in_words(progress.batches[batches_]));
