@@ -362,7 +362,7 @@ class Experiments(OnCluster, experiment.Experiment):
 
 class Tunings(OnCluster, test_tune.Tuning):
     def test_generations_are_played_as_batches(self):
-        self.document(algorithm="sep_cma_es")
+        self.document(algorithm="sep_cma_es", matches=40)
         local = self.succeed("run", "t.yaml", "--quiet", "--no-page", "--workers", 1, "--results", "local.db")
         there = self.succeed(*self.on_slurm("t.yaml", "--array", 4, "--per-task", 10))
         self.assertEqual(there.replace("study.cluster/results", "local").replace(str(self.folder) + "/", ""), local)
@@ -373,7 +373,7 @@ class Tunings(OnCluster, test_tune.Tuning):
         self.assertEqual(shown[0].replace("study.cluster/results", "local"), shown[1])
 
     def test_who_does_not_wait_gets_the_same_team(self):
-        self.document(algorithm="sep_cma_es")
+        self.document(algorithm="sep_cma_es", matches=40)
         self.begin("t.yaml", "--array", 4, "--per-task", 10)
         self.wait_for_end()
         self.succeed("config", "check", "study.cluster/results.tuned.yaml")
