@@ -10,6 +10,7 @@ ratio is of the time for each second that the matches themselves took, by the cl
 plays slower for some minutes has no part in it. --pairs: so many that the tasks last some two minutes. The aim is 5 %. scripts/setup cluster installs Slurm.
 """
 import argparse
+import contextlib
 import os
 import pathlib
 import sqlite3
@@ -23,21 +24,30 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests" / "
 import slurm  # noqa: E402
 
 
-SLOTS = 2  # of the workers here, and of the cluster
+def start(*words, environment):
+    return subprocess.Popen([str(word) for word in words], stdout=subprocess.DEVNULL, env={**os.environ, **environment})
 
 
-def seconds(*words, environment):
-    began = time.monotonic()
-    subprocess.run([str(word) for word in words], check=True, stdout=subprocess.DEVNULL, env={**os.environ, **environment})
-    return time.monotonic() - began
+def seconds(commands):
+    """What each of the commands takes, which are started together. By name: functions that start them."""
+    began, out = time.monotonic(), {}
+    running = {name: begin() for name, begin in commands.items()}
+    while running:
+        for name, process in list(running.items()):
+            if process.poll() is None:
+                continue
+            if process.returncode != 0:
+                sys.exit(f"{name} ended with {process.returncode}")
+            out[name] = time.monotonic() - began
+            del running[name]
+        time.sleep(0.02)
+    return out
 
 
 def in_matches(results):
     """Seconds that the matches themselves took."""
-    with sqlite3.connect(results) as database:
-        out = database.execute("SELECT sum(seconds) FROM matches").fetchone()[0]
-    database.close()
-    return out
+    with contextlib.closing(sqlite3.connect(results)) as database:
+        return database.execute("SELECT sum(seconds) FROM matches").fetchone()[0]
 
 
 def percent(ratio):
@@ -48,14 +58,17 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("regista", type=pathlib.Path)
     parser.add_argument("teams", nargs=2, type=pathlib.Path)
-    parser.add_argument("--pairs", type=int, default=48)
-    parser.add_argument("--tasks", type=int, default=4, help="of the array; two run at a time")
+    parser.add_argument("--at-once", action="store_true", help="one worker and one slot, at the same time")
+    parser.add_argument("--pairs", type=int, help="of matches; default: 48, with --at-once 24")
+    parser.add_argument("--tasks", type=int, help="of the array; default: 4, with --at-once 2")
     parser.add_argument("--rounds", type=int, default=4)
     options = parser.parse_args()
     if slurm.why_not():
         sys.exit(slurm.why_not())
+    slots = 1 if options.at_once else 2  # of the workers here, and of the cluster
+    pairs, tasks = options.pairs or 24 * slots, options.tasks or 2 * slots
     regista, walls, overheads = options.regista.resolve(), [], []
-    cluster = slurm.Slurm(slots=1)
+    cluster = slurm.Slurm(slots=1, nodes=slots)
     try:
         cluster.start()
         with tempfile.TemporaryDirectory() as name:
@@ -63,24 +76,26 @@ def main():
             document = folder / "array.yaml"
             document.write_text("tournament: array\nteams:\n" +
                                 "".join(f"  - {{team: {team.resolve()}}}\n" for team in options.teams) +
-                                f"pairs: {options.pairs}\n")
+                                f"pairs: {pairs}\n")
             common = [regista, "run", document, "--quiet", "--no-page"]
             for number in range(options.rounds):
-                wall, share = {}, {}
-                for what in ("here", "array") if number % 2 == 0 else ("array", "here"):
-                    if what == "here":
-                        results = folder / f"{number}.db"
-                        wall[what] = seconds(*common, "--workers", SLOTS, "--results", results, environment={})
-                    else:
-                        results = folder / f"{number}.cluster" / "results.db"
-                        wall[what] = seconds(*common, "--on", "slurm", "--folder", results.parent, "--array", options.tasks,
-                                             "--per-task", 2 * options.pairs, environment=cluster.environment)
-                    share[what] = SLOTS * wall[what] / in_matches(results)
+                results = {"here": folder / f"{number}.db", "array": folder / f"{number}.cluster" / "results.db"}
+                commands = {
+                    "here": lambda: start(*common, "--workers", slots, "--results", results["here"], environment={}),
+                    "array": lambda: start(*common, "--on", "slurm", "--folder", results["array"].parent, "--array", tasks,
+                                           "--per-task", 2 * pairs, environment=cluster.environment)}
+                if options.at_once:
+                    wall = seconds(commands)
+                else:
+                    wall = {}
+                    for name in ("here", "array") if number % 2 == 0 else ("array", "here"):
+                        wall |= seconds({name: commands[name]})
+                share = {name: slots * wall[name] / in_matches(results[name]) for name in commands}
                 walls.append(wall["array"] / wall["here"])
                 overheads.append(share["array"] / share["here"])
-                print(f"{2 * options.pairs} matches: two workers {wall['here']:.1f} s, {options.tasks} tasks "
-                      f"{wall['array']:.1f} s, {percent(walls[-1])}; for each second of a match {percent(overheads[-1])}",
-                      flush=True)
+                print(f"{2 * pairs} matches: {slots} {'worker' if slots == 1 else 'workers'} {wall['here']:.1f} s, "
+                      f"{tasks} tasks {wall['array']:.1f} s, {percent(walls[-1])}; for each second of a match "
+                      f"{percent(overheads[-1])}", flush=True)
     finally:
         cluster.stop()
     print(f"the array takes {percent(statistics.median(walls))}; for each second of a match "

@@ -13,6 +13,8 @@ struct MatchKey {
   friend bool operator==(const MatchKey&, const MatchKey&) = default;
 };
 
-enum class Metrics { wanted, left_out };  // they are some kilobytes a match
+// What is read of the numbers of a match, which are some kilobytes. packets: at least those of match/packet_metrics.hpp,
+// of a match that has them all.
+enum class Metrics { wanted, packets, left_out };
 
 }  // namespace regista::campaign

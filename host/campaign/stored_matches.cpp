@@ -13,6 +13,7 @@
 #include "campaign/row_checksum.hpp"
 #include "campaign/rows_in_order.hpp"
 #include "campaign/stored_metrics.hpp"
+#include "campaign/stored_packets.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -111,6 +112,7 @@ struct StoredMatches::Parts {
   Parts(SQLite::Database& in, bool written_to)
       : database(in),
         metrics(in, written_to),
+        packets(in, written_to),
         by_row(in, select_where("row = ?")),
         in_order(in, fmt::format("{} FROM matches", columns)),
         by_key(in, select_where("fixture = ? AND seed = ?")),
@@ -145,10 +147,17 @@ struct StoredMatches::Parts {
     }
     if (any_remarks) read_remarks(row, out);
     if ((out.ended == "set_aside") != out.set_aside()) throw DamagedRow(row, "a match set aside without a reason");
-    if (wanted == Metrics::wanted && !out.hash.empty()) {
-      out.metrics = metrics.read(row);
-      if (out.metrics.empty()) throw DamagedRow(row, "its metrics are missing");
+    if (wanted != Metrics::left_out && !out.hash.empty()) out.metrics = numbers_of(row, wanted);
+    return out;
+  }
+
+  // Of a match played to its end.
+  match::MetricNumbers numbers_of(std::int64_t row, Metrics wanted) {
+    if (wanted == Metrics::packets) {
+      if (auto found = packets.read(row)) return *std::move(found);
     }
+    match::MetricNumbers out = metrics.read(row);
+    if (out.empty()) throw DamagedRow(row, "its metrics are missing");
     return out;
   }
 
@@ -198,6 +207,7 @@ struct StoredMatches::Parts {
     MatchKey theirs;
     Decided decided;
     std::optional<StoredMetrics::Packed> numbers;
+    std::optional<std::string_view> spent;
     std::optional<std::string> text;  // of their names, where they are new
     OtherFile::reading([&] {
       row = cursor.getColumn(0).getInt64();
@@ -206,6 +216,7 @@ struct StoredMatches::Parts {
       decided = other.decided_of(cursor, Metrics::left_out);
       if (decided.hash.empty()) return;
       numbers = other.metrics.packed(row);
+      spent = other.packets.packed(row);
       if (!names.contains(numbers->names)) text = other.metrics.text_of_names(row, numbers->names);
     });
     const auto fixture = fixtures.find(theirs.fixture);
@@ -214,6 +225,7 @@ struct StoredMatches::Parts {
     if (text) names.emplace(numbers->names, number_of_names(row, *text));
     if (put(*insert_new, row, key, decided, attempts)) {
       if (numbers) metrics.write(row, *numbers, names.at(numbers->names));
+      if (spent) packets.write(row, *spent);
       ++out.rows;
       return;
     }
@@ -262,6 +274,7 @@ struct StoredMatches::Parts {
 
   SQLite::Database& database;
   StoredMetrics metrics;
+  StoredPackets packets;
   SQLite::Statement by_row;
   RowsInOrder in_order;
   SQLite::Statement by_key, remarks;
@@ -269,7 +282,7 @@ struct StoredMatches::Parts {
   bool any_remarks;
 };
 
-std::string StoredMatches::tables() { return std::string(own_tables) + StoredMetrics::tables; }
+std::string StoredMatches::tables() { return std::string(own_tables) + StoredMetrics::tables + StoredPackets::table; }
 
 StoredMatches::StoredMatches(SQLite::Database& database, bool written_to)
     : parts_(std::make_unique<Parts>(database, written_to)) {}
@@ -302,7 +315,9 @@ match::MetricPaths StoredMatches::metric_paths(std::int64_t rows) { return parts
 
 void StoredMatches::insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts) {
   parts_->put(*parts_->insert, row, key, decided, attempts);
-  if (!decided.metrics.empty()) parts_->metrics.write(row, decided.metrics);
+  if (decided.metrics.empty()) return;
+  parts_->metrics.write(row, decided.metrics);
+  parts_->packets.write(row, decided.metrics);
 }
 
 Taken StoredMatches::take(StoredMatches& other, const FixtureNumbers& fixtures) {
@@ -333,6 +348,7 @@ std::vector<std::int64_t> StoredMatches::damaged_rows() {
     const std::int64_t place = each.getColumn(0).getInt64();
     try {
       row(place);
+      parts_->packets.read(place);
     } catch (const DamagedRow&) {
       out.push_back(place);
     }
@@ -345,6 +361,7 @@ void StoredMatches::reset() {
   parts_->in_order.reset();
   parts_->by_key.tryReset();
   parts_->metrics.reset();
+  parts_->packets.reset();
   parts_->remarks.tryReset();
 }
 

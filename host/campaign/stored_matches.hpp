@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Matches in a file of results: the tables matches, remarks, metric_names and metrics.
+// Matches in a file of results: the tables matches, remarks, metric_names, metrics and packets.
 #pragma once
 
 #include <cstdint>

@@ -16,7 +16,7 @@ namespace regista::report {
 
 match::MetricPaths csv_metrics(const study::TournamentPlan& plan) {
   if (!plan.short_games()) return {};
-  return {.of_teams = {study::packet_metrics.begin(), study::packet_metrics.end()}, .of_match = {}};
+  return {.of_teams = {match::packet_metrics.begin(), match::packet_metrics.end()}, .of_match = {}};
 }
 
 std::string csv_head(const match::MetricPaths& metrics) {

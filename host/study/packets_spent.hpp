@@ -11,13 +11,12 @@
 #include <string_view>
 
 #include "match/metric_columns.hpp"
+#include "match/packet_metrics.hpp"
 #include "statistics/moments.hpp"
 
 namespace regista::study {
 
-// Metrics of a match. But for the first, only games have them that are ended before their time and have the whole
-// budget.
-inline constexpr std::array<const char*, 3> packet_metrics{"packets", "packets_share", "packets_over_share"};
+using match::packet_metrics;
 
 // Why the matches of a study have no such metric, in words; empty where they have.
 std::string why_missing(std::string_view metric, bool short_games);

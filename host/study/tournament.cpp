@@ -84,9 +84,8 @@ Tournament::Tournament(const TournamentPlan& plan)
 }
 
 campaign::Metrics Tournament::metrics() const {
-  // Its test is one of them, or its games are short, see packets().
-  const bool looks = tested_metric(plan_.objective) != nullptr || plan_.short_games();
-  return looks ? campaign::Metrics::wanted : campaign::Metrics::left_out;
+  if (tested_metric(plan_.objective) != nullptr) return campaign::Metrics::wanted;
+  return plan_.short_games() ? campaign::Metrics::packets : campaign::Metrics::left_out;
 }
 
 void Tournament::run(const PlayRound& play) {

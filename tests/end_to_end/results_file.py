@@ -89,6 +89,7 @@ TABLES = {"fixtures": ("id", ("key", "job")),
                               "seconds", "attempts")),
           "metric_names": ("id", ("names",)),
           "metrics": ("row", ("row", "names", "size", "numbers")),
+          "packets": ("row", ("row", "numbers")),
           "remarks": ("row, kind", ("row", "kind", "text"))}
 
 

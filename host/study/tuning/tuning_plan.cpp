@@ -166,8 +166,8 @@ campaign::Metrics wanted_metrics(const TuningPlan& plan) {
   const auto of_score = [](const ObjectiveTerm& each) {
     return std::ranges::find(measures_of_score, each.measure) != measures_of_score.end();
   };
-  const bool of_scores = std::ranges::all_of(plan.objective.terms, of_score);
-  return of_scores && !plan.short_games() ? campaign::Metrics::left_out : campaign::Metrics::wanted;
+  if (!std::ranges::all_of(plan.objective.terms, of_score)) return campaign::Metrics::wanted;
+  return plan.short_games() ? campaign::Metrics::packets : campaign::Metrics::left_out;
 }
 
 std::uint64_t most_matches(const TuningPlan& plan, TuningStage stage) {

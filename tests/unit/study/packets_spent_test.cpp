@@ -63,7 +63,7 @@ TEST(PacketsSpent, OfATournamentAreThoseOfThePairsThatCount) {
     else
       plan.common.limit = "30";
     Tournament course(plan);
-    EXPECT_EQ(course.metrics(), campaign::Metrics::wanted);
+    EXPECT_EQ(course.metrics(), campaign::Metrics::packets);
     const auto take = [&course](const campaign::Decided& decided) { course.take(&decided); };
     // 0 against 1, 0 against 2, 1 against 2; each at home, then away.
     take(match(0, 0, metrics(40, 10)));
