@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""What a job array costs besides its matches: the same matches by two workers here and by tasks on the two nodes of
-the Slurm of the tests, in turn.
+"""What a job array costs besides its matches: the same matches by local workers and by tasks of the Slurm of the tests.
 
-    array.py REGISTA TEAM_A TEAM_B [--pairs N] [--tasks N] [--rounds N]
+    array.py REGISTA TEAM_A TEAM_B [--at-once] [--pairs N] [--tasks N] [--rounds N]
 
-Times are of the whole command, with its start, the copies and the gathering; which comes first alternates. The second
-ratio is of the time for each second that the matches themselves took, by the clock of their own process: a machine that
-plays slower for some minutes has no part in it. --pairs: so many that the tasks last some two minutes. The aim is 5 %. scripts/setup cluster installs Slurm.
+Two workers here and two nodes with a slot each, in turn; which comes first alternates. With --at-once one worker here and
+one node with one slot, at the same time: what makes the machine slower for some minutes is in both times.
+
+Times are of the whole command, with its start, the copies and the gathering. The second ratio is of the time for each
+second that the matches themselves took, by the clock of their own process. --pairs: so many that the tasks last some
+two minutes. The aim is 5 %. scripts/setup cluster installs Slurm.
 """
 import argparse
 import contextlib
@@ -32,15 +34,20 @@ def seconds(commands):
     """What each of the commands takes, which are started together. By name: functions that start them."""
     began, out = time.monotonic(), {}
     running = {name: begin() for name, begin in commands.items()}
-    while running:
-        for name, process in list(running.items()):
-            if process.poll() is None:
-                continue
-            if process.returncode != 0:
-                sys.exit(f"{name} ended with {process.returncode}")
-            out[name] = time.monotonic() - began
-            del running[name]
-        time.sleep(0.02)
+    try:
+        while running:
+            for name, process in list(running.items()):
+                if process.poll() is None:
+                    continue
+                out[name] = time.monotonic() - began
+                del running[name]
+                if process.returncode != 0:
+                    sys.exit(f"{name} ended with {process.returncode}")
+            time.sleep(0.02)
+    finally:
+        for process in running.values():  # where another has failed
+            process.terminate()
+            process.wait()
     return out
 
 
@@ -71,8 +78,8 @@ def main():
     cluster = slurm.Slurm(slots=1, nodes=slots)
     try:
         cluster.start()
-        with tempfile.TemporaryDirectory() as name:
-            folder = pathlib.Path(name)
+        with tempfile.TemporaryDirectory() as temporary:
+            folder = pathlib.Path(temporary)
             document = folder / "array.yaml"
             document.write_text("tournament: array\nteams:\n" +
                                 "".join(f"  - {{team: {team.resolve()}}}\n" for team in options.teams) +

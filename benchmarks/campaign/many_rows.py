@@ -30,17 +30,20 @@ def fill(file, rows):
         database.execute("PRAGMA synchronous=OFF")
         have = database.execute("SELECT max(row) FROM matches").fetchone()[0]
         have -= have % 2
-        database.execute("DELETE FROM matches WHERE row > ?", (have,))
-        database.execute("DELETE FROM metrics WHERE row > ?", (have,))
+        for table in ("packets", "metrics", "matches"):
+            database.execute(f"DELETE FROM {table} WHERE row > ?", (have,))
         copies = """WITH RECURSIVE place(row) AS (SELECT ? UNION ALL SELECT row + 1 FROM place WHERE row < ?)"""
         database.execute(copies + """
             INSERT INTO matches SELECT place.row, fixture, 1 + (place.row - 1) / 2, home_goals, away_goals, ended, hash,
             failure, seconds, attempts, 0 FROM place JOIN matches ON matches.row = 1 + (place.row - 1) % ?""",
                          (have + 1, rows - 2, have))
-        database.execute(copies + """
-            INSERT INTO metrics SELECT place.row, names, size, numbers, 0 FROM place JOIN metrics ON metrics.row = 1 + (place.row - 1) % ?""",
-                         (have + 1, rows - 2, have))
-        for table, columns in (("matches", results_file.TABLES["matches"][1]), ("metrics", results_file.TABLES["metrics"][1])):
+        for table in ("metrics", "packets"):
+            others = ", ".join(results_file.TABLES[table][1][1:])
+            database.execute(copies + f"""
+                INSERT INTO {table} SELECT place.row, {others}, 0 FROM place JOIN {table} ON {table}.row = 1 + (place.row - 1) % ?""",
+                             (have + 1, rows - 2, have))
+        for table in ("matches", "metrics", "packets"):
+            columns = results_file.TABLES[table][1]
             sums = ((results_file.checksum(*row), row[0]) for row in
                     database.execute(f"SELECT {', '.join(columns)} FROM {table} WHERE row > ?", (have,)).fetchall())
             database.executemany(f"UPDATE {table} SET checksum = ? WHERE row = ?", sums)

@@ -13,8 +13,8 @@ struct MatchKey {
   friend bool operator==(const MatchKey&, const MatchKey&) = default;
 };
 
-// What is read of the numbers of a match, which are some kilobytes. packets: at least those of match/packet_metrics.hpp,
-// of a match that has them all.
+// What is read of the numbers of a match, which are some kilobytes. packets: those of match/packet_metrics.hpp, and
+// perhaps others.
 enum class Metrics { wanted, packets, left_out };
 
 }  // namespace regista::campaign

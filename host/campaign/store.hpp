@@ -6,7 +6,7 @@
 //   matches(row, fixture, seed, ...)  one row per fixture and seed, never two; row: its place in the schedule, from 1
 //   metric_names(id, names, ...)      what numbers of matches are called: see metric_bytes.hpp
 //   metrics(row, names, size, ...)    numbers of matches played to their end, under such names
-//   packets(row, numbers, ...)       those of them that reports of short games need: see stored_packets.hpp
+//   packets(row, numbers, ...)        those of them that reports of short games need: see stored_packets.hpp
 //   documents(path, size, content)    the files that the study was begun with
 //   remarks(row, kind, text)          why a match was set aside, where it was not reproducible, what plugins wrote
 //   meta(name, value)                 "program": version that made the file; "schedule": JSON, whatever the study says

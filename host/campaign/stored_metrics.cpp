@@ -40,9 +40,14 @@ struct StoredMetrics::Parts {
     return out;
   }
 
-  const Names& names(std::int64_t id) {
+  // row: that has them.
+  const Names& names(std::int64_t row, std::int64_t id) {
     if (const auto known = by_id.find(id); known != by_id.end()) return known->second;
-    return by_id.emplace(id, names_of(text(id))).first->second;
+    try {
+      return by_id.emplace(id, names_of(text(id))).first->second;
+    } catch (const std::invalid_argument& error) {
+      throw DamagedRow(row, std::string("metrics: ") + error.what());
+    }
   }
 
   std::optional<std::int64_t> id_of_text(const std::string& text) {
@@ -120,8 +125,8 @@ void StoredMetrics::reset() { parts_->rows.reset(); }
 match::MetricNumbers StoredMetrics::read(std::int64_t row) {
   const std::optional<Packed> packed = parts_->packed(row);
   if (!packed) return {};
+  const Names& names = parts_->names(row, packed->names);
   try {
-    const Names& names = parts_->names(packed->names);
     parts_->decompressor.decompress(packed->frame, static_cast<std::uint64_t>(packed->size), parts_->bytes);
     return {names, numbers_of(parts_->bytes, names->size())};
   } catch (const std::invalid_argument& error) {
@@ -157,10 +162,11 @@ void StoredMetrics::write(std::int64_t row, const Packed& numbers, std::int64_t 
 
 match::MetricPaths StoredMetrics::paths(std::int64_t rows) {
   match::MetricPaths out;
-  SQLite::Statement each(parts_->database, "SELECT names FROM metrics WHERE row <= ? GROUP BY names ORDER BY min(row)");
+  SQLite::Statement each(parts_->database,
+                         "SELECT min(row), names FROM metrics WHERE row <= ? GROUP BY names ORDER BY min(row)");
   each.bind(1, rows);
   while (each.executeStep()) {
-    const Names& names = parts_->names(each.getColumn(0).getInt64());
+    const Names& names = parts_->names(each.getColumn(0).getInt64(), each.getColumn(1).getInt64());
     const auto take = [&names](std::vector<std::string>& paths, const std::vector<std::size_t>& places) {
       for (const std::size_t place : places) {
         if (std::ranges::find(paths, names->path(place)) == paths.end()) paths.push_back(names->path(place));

@@ -56,7 +56,7 @@ class StoredMetrics {
   // Within a transaction. names: their number in this file.
   void write(std::int64_t row, const Packed& numbers, std::int64_t names);
 
-  // Paths that the first rows have numbers under, each once, in the order in which they come up.
+  // Paths that the first rows have numbers under, each once, in the order in which they come up. Throws DamagedRow.
   match::MetricPaths paths(std::int64_t rows);
   // Lets go of what was read last.
   void reset();

@@ -3,7 +3,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
-#include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,7 +12,6 @@
 #include "campaign/metric_bytes.hpp"
 #include "campaign/row_checksum.hpp"
 #include "campaign/rows_in_order.hpp"
-#include "match/metric_columns.hpp"
 #include "match/packet_metrics.hpp"
 #include "match/side.hpp"
 
@@ -23,11 +22,6 @@ std::int64_t checksum_of(std::int64_t row, std::string_view numbers) {
   return RowChecksum().whole(row).bytes(numbers).value();
 }
 
-match::MetricPaths paths() {
-  return {.of_teams = {match::packet_metrics.begin(), match::packet_metrics.end()}, .of_match = {}};
-}
-
-// In the order of match::MetricColumns.
 std::shared_ptr<const match::MetricNames> names() {
   std::vector<match::MetricName> out;
   for (const char* const name : match::packet_metrics) {
@@ -47,7 +41,6 @@ struct StoredPackets::Parts {
   RowsInOrder rows;
   std::optional<SQLite::Statement> insert;
   std::shared_ptr<const match::MetricNames> names = campaign::names();
-  match::MetricColumns columns{paths()};
 };
 
 StoredPackets::StoredPackets(SQLite::Database& database, bool written_to)
@@ -79,9 +72,10 @@ std::optional<match::MetricNumbers> StoredPackets::read(std::int64_t row) {
 void StoredPackets::write(std::int64_t row, const match::MetricNumbers& numbers) {
   if (!parts_) return;
   std::vector<double> values;
-  for (const std::optional<double>& each : parts_->columns.of(numbers)) {
-    if (!each) return;
-    values.push_back(*each);
+  for (std::size_t i = 0; i < parts_->names->size(); ++i) {
+    const match::MetricName& name = (*parts_->names)[i];
+    const std::optional<std::size_t> place = numbers.names().find(name.side, name.name);
+    values.push_back(place ? numbers.values()[*place] : std::numeric_limits<double>::quiet_NaN());
   }
   write(row, number_bytes(values));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What teams spent in short games, in a file of results: the table packets. The same numbers stand among all numbers of
-// a match, but reports of scores read these of every match, and to unpack all for them takes most of the time. A file
+// What teams spent, in a file of results: the table packets. The same numbers stand among all numbers of a match. But
+// reports of short games read these of every match, and to unpack all numbers for them took most of the time. A file
 // that was begun before there was this table has none, and gets none.
 #pragma once
 
@@ -32,9 +32,9 @@ class StoredPackets {
   StoredPackets(const StoredPackets&) = delete;
   StoredPackets& operator=(const StoredPackets&) = delete;
 
-  // The metrics of match/packet_metrics.hpp of both sides; nothing where the file has none of this match.
+  // The metrics of match/packet_metrics.hpp, of both sides; nothing where the table has no such row.
   std::optional<match::MetricNumbers> read(std::int64_t row);
-  // Within a transaction. Of a match that has not all of them nothing is written.
+  // Within a transaction. numbers: all of the match, not empty.
   void write(std::int64_t row, const match::MetricNumbers& numbers);
 
   // A row as it stands here, for another file. Valid until the next that is read.

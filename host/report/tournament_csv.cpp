@@ -16,7 +16,7 @@ namespace regista::report {
 
 match::MetricPaths csv_metrics(const study::TournamentPlan& plan) {
   if (!plan.short_games()) return {};
-  return {.of_teams = {match::packet_metrics.begin(), match::packet_metrics.end()}, .of_match = {}};
+  return match::packet_paths();
 }
 
 std::string csv_head(const match::MetricPaths& metrics) {

@@ -18,9 +18,9 @@ double value_of(const std::optional<MatchMeasures>& match, const std::string& me
 }
 
 std::optional<ShortGamePackets> packets_of(const MatchMeasures& match) {
-  std::array<double, packet_metrics.size()> numbers{};
+  std::array<double, match::packet_metrics.size()> numbers{};
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const auto value = match.value(packet_metrics[i]);
+    const auto value = match.value(match::packet_metrics[i]);
     if (!value) return std::nullopt;
     numbers[i] = *value;
   }

@@ -9,14 +9,13 @@
 namespace regista::study {
 
 std::string why_missing(std::string_view metric, bool short_games) {
-  if (short_games || metric == packet_metrics[0]) return {};
-  if (std::ranges::find(packet_metrics, metric) == packet_metrics.end()) return {};
+  if (short_games || metric == match::packet_metrics[0]) return {};
+  if (std::ranges::find(match::packet_metrics, metric) == match::packet_metrics.end()) return {};
   return fmt::format(
       "{}: whole matches have none; only games that a limit or an opening ends before their time have it", metric);
 }
 
-PacketsOfShortGames::PacketsOfShortGames()
-    : columns_({.of_teams = {packet_metrics.begin(), packet_metrics.end()}, .of_match = {}}) {}
+PacketsOfShortGames::PacketsOfShortGames() : columns_(match::packet_paths()) {}
 
 std::optional<std::array<ShortGamePackets, 2>> PacketsOfShortGames::of(const match::MetricNumbers& metrics) {
   const std::span<const std::optional<double>> values = columns_.of(metrics);

@@ -16,8 +16,6 @@
 
 namespace regista::study {
 
-using match::packet_metrics;
-
 // Why the matches of a study have no such metric, in words; empty where they have.
 std::string why_missing(std::string_view metric, bool short_games);
 

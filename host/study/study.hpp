@@ -49,7 +49,7 @@ class Study {
   virtual const char* what() const = 0;                // "tournament", for messages
   virtual std::uint64_t most_matches() const = 0;      // of all rounds
   virtual std::uint64_t counted() const = 0;           // matches that were taken and count
-  virtual campaign::Metrics metrics() const = 0;       // whether it looks at them
+  virtual campaign::Metrics metrics() const = 0;       // what it looks at of them
   virtual const campaign::Limits& limits() const = 0;  // of each match
   virtual const std::string& folder() const = 0;       // in which it was begun, absolute: paths are relative to it
 

@@ -219,12 +219,17 @@ class Report(tournament.Tournament):
                  "match 3: the checksum of its packets does not fit; match 4 cannot be read either")):
             (self.folder / "tournament.db").write_bytes(whole)
             self.change(statement, mend=False)
-            # The numbers are read where they are told.
-            in_words = () if re.match("UPDATE (matches|packets)", statement) else None
-            in_a_table = None if "packets" in statement else ("--csv", "--metrics")
-            for more in (each for each in (in_words, in_a_table) if each is not None):
+            # The numbers are read where they are told; packets of these games by every report.
+            table = ("--csv", "--metrics")
+            for more in ((), table) if re.match("UPDATE (matches|packets)", statement) else (table,):
                 self.assertEqual(self.refused("report", "tournament.db", *more),
                                  "results in tournament.db are damaged: " + line)
+        # Without a table of packets these are read among all numbers.
+        (self.folder / "tournament.db").write_bytes(whole)
+        self.change("DROP TABLE packets", mend=False)
+        self.change("UPDATE metrics SET size = size + 1 WHERE row = 3", mend=False)
+        self.assertEqual(self.refused("report", "tournament.db"), "results in tournament.db are damaged: match 3: the "
+                         "checksum of its metrics does not fit")
         (self.folder / "tournament.db").write_bytes(whole)
         self.change("UPDATE fixtures SET job = replace(job, 'small', 'other')", mend=False)
         self.assertIn("match 1: the checksum of what was to be played does not fit",

@@ -301,6 +301,19 @@ class Played(Tuning):
         self.assertEqual(self.succeed("resume", "trial.compare.db", "--quiet", "--json", "--no-page"), told)
         self.assertEqual(self.rows("trial.compare.db"), self.rows("once.db"))
 
+    def test_packets_of_short_games_are_told_again(self):
+        """By who reads no other numbers, because the scores decide."""
+        for name, y in (("left", 0.3), ("right", -0.3)):  # where most kicks are goals
+            text = tournament.SCENE.format(name=name, y=y)
+            self.write(f"scenes/{name}.yaml", text.replace("at: [3, ", "at: [4.2, ").replace("at: [2.7, ", "at: [3.9, "))
+        self.document(parameters="[behaviours.play_ball.params.creep_speed]", matches=40,
+                      objective="{minimise: goal_difference}")
+        told = self.tune()
+        reported = json.loads(self.succeed("report", "trial.db", "--json"))
+        packets = [[each["packets_of_short_games"] for each in report["verification"]["candidates"]] for report in (told, reported)]
+        self.assertEqual(*packets)
+        self.assertTrue(packets[0] and all(each["per_match"] > 0 for each in packets[0]), packets)
+
     def test_opponent_that_is_the_base_is_noted(self):
         self.document(changes=(("other.yaml", "small.yaml"),))
         done = self.run_program(*self.arguments())

@@ -40,12 +40,12 @@ def write_parts(study, rows, parts, in_a_round):
     with sqlite3.connect(template) as database:
         matches = database.execute(f"SELECT {', '.join(results_file.TABLES['matches'][1])} FROM matches ORDER BY row").fetchall()
         numbers = database.execute(f"SELECT {', '.join(results_file.TABLES['metrics'][1])} FROM metrics ORDER BY row").fetchall()
-        packets = dict(database.execute("SELECT row, numbers FROM packets"))
+        packets = [each for each, in database.execute("SELECT numbers FROM packets ORDER BY row")]
         for table in ("packets", "metrics", "matches"):
             database.execute(f"DELETE FROM {table}")
     database.close()
     real = len(matches)
-    assert real % in_a_round == 0 and len(numbers) == real
+    assert real % in_a_round == 0 and len(numbers) == len(packets) == real
     for part in range(parts):
         file = study / "parts" / f"1-{part}.db"
         shutil.copy(template, file)
@@ -59,8 +59,8 @@ def write_parts(study, rows, parts, in_a_round):
             database.execute("INSERT INTO matches VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                              [*match, results_file.checksum(*match)])
             database.execute("INSERT INTO metrics VALUES(?, ?, ?, ?, ?)", [*metric, results_file.checksum(*metric)])
-            if spent := packets.get((row - 1) % real + 1):
-                database.execute("INSERT INTO packets VALUES(?, ?, ?)", [row, spent, results_file.checksum(row, spent)])
+            spent = packets[(row - 1) % real]
+            database.execute("INSERT INTO packets VALUES(?, ?, ?)", [row, spent, results_file.checksum(row, spent)])
         database.execute("COMMIT")
         database.close()
 

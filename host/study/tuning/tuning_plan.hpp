@@ -145,7 +145,7 @@ std::uint64_t least_verification_pairs(const TuningPlan& plan);
 // At most, of so many candidates: what fewer of them leave over goes to these.
 std::uint64_t verification_pairs_of(const TuningPlan& plan, std::size_t candidates);
 
-// Whether the matches' metrics are looked at: by the objective, or for the packets of short games.
+// What is looked at of the matches' metrics: by the objective, or for the packets of short games.
 campaign::Metrics wanted_metrics(const TuningPlan& plan);
 
 // How many matches each stage can take at most, and all of them.

@@ -300,5 +300,18 @@ TEST(TuningPlan, InWords) {
   EXPECT_EQ(in_words({{{"packets", -1.0}, {"points", 2.0}}, true}), "-1 packets + 2 points");
 }
 
+TEST(TuningPlan, AsksForTheMetricsThatItLooksAt) {
+  TuningPlan plan = tuning_of(2, 1);
+  const std::vector<Opening> scenes{{"scene.yaml", {"scene", "hash"}}};
+  for (const bool short_games : {false, true}) {
+    plan.openings = short_games ? scenes : std::vector<Opening>();
+    ASSERT_EQ(plan.short_games(), short_games);
+    plan.objective = {{{"points", 1.0}, {"goal_difference", 2.0}}, true};
+    EXPECT_EQ(wanted_metrics(plan), short_games ? campaign::Metrics::packets : campaign::Metrics::left_out);
+    plan.objective.terms.push_back({"touches", 1.0});
+    EXPECT_EQ(wanted_metrics(plan), campaign::Metrics::wanted);
+  }
+}
+
 }  // namespace
 }  // namespace regista::study
