@@ -310,7 +310,8 @@ class Played(Tuning):
                       objective="{minimise: goal_difference}")
         told = self.tune()
         reported = json.loads(self.succeed("report", "trial.db", "--json"))
-        packets = [[each["packets_of_short_games"] for each in report["verification"]["candidates"]] for report in (told, reported)]
+        packets = [[each["packets_of_short_games"] for each in report["verification"]["candidates"]]
+                   for report in (told, reported)]
         self.assertEqual(*packets)
         self.assertTrue(packets[0] and all(each["per_match"] > 0 for each in packets[0]), packets)
 
