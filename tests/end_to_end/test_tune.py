@@ -240,6 +240,7 @@ class Played(Tuning):
         self.assertFalse((self.folder / "trial.db").exists())
 
     def test_interrupted_says_how_to_go_on(self):
+        self.document(matches=40)  # with fewer it finds no other team
         with self.start(*self.arguments("--quiet"), stdout=-1, stderr=-1) as process:
             self.wait_for(lambda: self.count("trial.db") >= 3)
             process.send_signal(2)
@@ -249,7 +250,7 @@ class Played(Tuning):
         self.assertIn("not at its end", self.run_program("report", "trial.db").stderr)
         (self.folder / "t.yaml").unlink()  # the file of results knows what was asked
         resumed = json.loads(self.succeed("resume", "trial.db", "--quiet", "--json", "--no-page"))
-        self.document()
+        self.document(matches=40)
         whole = self.tune("--results", "whole.db", "--workers", 1)
         tuned = [(self.folder / each.pop("tuned_file")).read_text() for each in (resumed, whole)]
         self.assertEqual(resumed, whole)
