@@ -9,6 +9,7 @@ following pairs, until all rows but the last two are there. What is measured is 
 all and plays the last pair, and `report` in its forms. Times include the start of the program.
 """
 import argparse
+import contextlib
 import os
 import pathlib
 import sqlite3
@@ -40,8 +41,8 @@ def fill(file, rows):
         for table in ("metrics", "packets"):
             others = ", ".join(results_file.TABLES[table][1][1:])
             database.execute(copies + f"""
-                INSERT INTO {table} SELECT place.row, {others}, 0 FROM place JOIN {table} ON {table}.row = 1 + (place.row - 1) % ?""",
-                             (have + 1, rows - 2, have))
+                INSERT INTO {table} SELECT place.row, {others}, 0
+                FROM place JOIN {table} ON {table}.row = 1 + (place.row - 1) % ?""", (have + 1, rows - 2, have))
         for table in ("matches", "metrics", "packets"):
             columns = results_file.TABLES[table][1]
             sums = ((results_file.checksum(*row), row[0]) for row in
@@ -86,7 +87,7 @@ def main():
 
         def tournament(pairs):
             return [regista, "tournament", "--team", options.teams[0].resolve(), "--team", options.teams[1].resolve(),
-                    "--pairs", pairs, "--limit", LIMIT, "--results", file, "--quiet"]
+                    "--pairs", pairs, "--limit", LIMIT, "--results", file, "--quiet", "--no-page"]
 
         words = tournament(options.rows // 2)
         with subprocess.Popen([str(word) for word in words], stdout=subprocess.DEVNULL,
@@ -94,7 +95,7 @@ def main():
             while True:
                 time.sleep(0.2)
                 try:
-                    with sqlite3.connect(f"file:{file}?mode=ro", uri=True) as database:
+                    with contextlib.closing(sqlite3.connect(f"file:{file}?mode=ro", uri=True)) as database:
                         if database.execute("SELECT count(*) FROM matches").fetchone()[0] >= 2 * REAL:
                             break
                 except sqlite3.OperationalError:
