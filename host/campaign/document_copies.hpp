@@ -10,7 +10,7 @@
 
 #include "campaign/job.hpp"
 #include "campaign/stored_documents.hpp"
-#include "campaign/temporary_folder.hpp"
+#include "process/temporary_folder.hpp"
 
 namespace regista::campaign {
 
@@ -42,7 +42,7 @@ class DocumentCopies {
 
  private:
   std::filesystem::path at(const std::filesystem::path& path) const;
-  TemporaryFolder root_;
+  process::TemporaryFolder root_;
 };
 
 }  // namespace regista::campaign

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "campaign/match_run.hpp"
-#include "plugin/descendants.hpp"
+#include "process/descendants.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -137,7 +137,7 @@ class Engine {
   Store& store_;
   std::size_t workers_;
   Limits limits_;
-  plugin::Descendants descendants_;
+  process::Descendants descendants_;
   std::vector<std::unique_ptr<Run>> runs_;
   std::map<std::uint64_t, Waiting> decided_;  // by index, not yet handed on
   std::uint64_t next_ = 0, due_ = 0;
@@ -151,7 +151,7 @@ Finish run(const Schedule& schedule, Store& store, int workers, const Limits& li
 }
 
 Decided play_alone(const Job& job, const Limits& limits, bool twice) {
-  const plugin::Descendants descendants;
+  const process::Descendants descendants;
   MatchRun match(job, limits, twice, {});
   while (!match.advance()) {
     std::vector<pollfd> watched;

@@ -10,17 +10,16 @@
 // all workers are.
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <utility>
 
-#include "campaign/file_descriptor.hpp"
 #include "campaign/job.hpp"
 #include "campaign/limits.hpp"
 #include "campaign/worker_process.hpp"
+#include "process/child.hpp"
+#include "process/descriptor.hpp"
 
 namespace regista::campaign {
 
@@ -57,23 +56,24 @@ class ForkServer {
   ForkServer(const ForkServer&) = delete;
   ForkServer& operator=(const ForkServer&) = delete;
 
-  // The process of a worker; -1: start it otherwise. Waits until the teams have been read, some 20 ms where they are
-  // new, else one, and at most as long as a call of a plugin may take. job_file: a file with the job.
-  pid_t start(const Job& job, int job_file, const WorkerFiles& files);
+  // A worker, of which this process is the parent; none that runs: start it otherwise. Waits until the teams have been
+  // read, some 20 ms where they are new, else one, and at most as long as a call of a plugin may take. files.job: a
+  // file with the job.
+  process::Child start(const Job& job, const WorkerFiles& files);
 
-  pid_t process() const { return process_; }  // -1: it does not run now
+  pid_t process() const { return server_.process(); }  // -1: it does not run now
 
  private:
   void begin();
   void end();
-  bool ask(int job_file, const WorkerFiles& files);
-  std::optional<ForkReply> hear() const;
-  bool has_stopped() const;
+  bool ask(const WorkerFiles& files);
+  std::optional<ForkReply> hear();
 
   Limits limits_;
   std::function<void()> end_strays_;
-  pid_t process_ = -1;
-  FileDescriptor socket_;
+  process::Child server_;
+  bool begun_ = false;  // since it was ended last
+  process::FileDescriptor socket_;
   int deaths_ = 0;  // one after the other
   std::uint64_t number_ = 0;
 };

@@ -1,41 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/isolated_match.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <chrono>
 #include <csignal>
-#include <cstring>
-#include <ctime>
 #include <optional>
 #include <span>
-#include <system_error>
 #include <utility>
 
 #include "campaign/belief_wire.hpp"
 #include "campaign/mind_channel.hpp"
 #include "campaign/mind_host.hpp"
-#include "campaign/process.hpp"
 #include "match/outcome.hpp"
 #include "mind/wire.hpp"
+#include "process/child.hpp"
+#include "process/watch.hpp"
 
 namespace regista::campaign {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double look_again_after = 0.1;  // s between two looks at a process that has not replied
 
 // The process of a side's minds.
 struct Team {
   MindChannel channel;
-  pid_t process = -1;
+  process::Child process;
   double waited = 0.0;  // s that the match has waited for it
 };
 
@@ -66,7 +57,7 @@ class IsolatedMatch {
     sigaction(SIGCHLD, &action, &before_);
   }
   ~IsolatedMatch() {
-    for (Team& team : teams_) end(team);
+    for (Team& team : teams_) team.process = {};
     note_.groups = {};
     sigaction(SIGCHLD, &before_, nullptr);
   }
@@ -100,31 +91,15 @@ class IsolatedMatch {
   Team& team(match::Side side) { return teams_[match::index(side)]; }
 
   void start(match::Side side) {
-    const pid_t match = ::getpid();
-    const pid_t process = ::fork();
-    if (process == -1) throw std::system_error(errno, std::generic_category(), "cannot start a process for minds");
-    if (process == 0) {
-      ::setpgid(0, 0);
-      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-      if (::getppid() != match) ::_exit(1);
-      std::signal(SIGCHLD, SIG_DFL);
+    const process::Setting setting{.keeps_streams = true};
+    team(side).process = process::Child::copy(setting, [&]() -> int {
       close_all_but_standard_streams();
       // Nothing that the match or the other team's minds read is left in reach of plugins.
       team(match::opposite(side)).channel.forget();
       ::munmap(&note_, sizeof note_);
       serve_minds(*plans_[match::index(side)], side, setup_.seed, examination_, team(side).channel);
-    }
-    ::setpgid(process, process);  // whoever of the two comes first
-    team(side).process = process;
-    note_.groups[match::index(side)] = process;
-  }
-
-  static void end(Team& team) {
-    if (team.process == -1) return;
-    end_group(team.process);
-    while (::waitpid(team.process, nullptr, 0) == -1 && errno == EINTR) {
-    }
-    team.process = -1;
+    });
+    note_.groups[match::index(side)] = team(side).process.process();
   }
 
   void decide(match::Side side, int number, const mind::Percepts& percepts, std::span<const mind::HeardPacket> heard,
@@ -173,7 +148,8 @@ class IsolatedMatch {
     if (asked.channel.reply() == Reply::done) return config::BytesIn(asked.channel.bytes());
     if (asked.channel.reply() == Reply::no_memory) {
       // Below half of what it may have, it is the machine that has no more.
-      const bool of_the_machine = limits_.memory == 0 || address_space_of(asked.process) < limits_.memory / 2;
+      const bool of_the_machine =
+          limits_.memory == 0 || process::address_space_of(asked.process.process()) < limits_.memory / 2;
       throw Fault(noted(side, "no memory is left"), of_the_machine);
     }
     const auto bytes = asked.channel.bytes();
@@ -189,26 +165,23 @@ class IsolatedMatch {
 
   void wait_for(match::Side side) {
     Team& asked = team(side);
-    const auto began = Clock::now();
-    std::optional<double> processor;  // of it, when it was looked at first
+    process::CallWatch<int> watch({limits_.processor_seconds, limits_.wall_seconds});
     for (;;) {
       asked.channel.wait_for_reply(look_again_after);
       if (asked.channel.replied()) break;
       for (const match::Side each : match::both_sides) look_after(each);
       if (asked.channel.replied()) break;
-      const double waited = std::chrono::duration<double>(Clock::now() - began).count();
-      const double now = processor_seconds_of(asked.process);
-      if (!processor) processor = now;
-      if (now - *processor > static_cast<double>(limits_.processor_seconds)) {
-        throw Fault(noted(side, fmt::format("used more than {} s of processor time", limits_.processor_seconds)),
-                    false);
+      switch (watch.look(0, true, asked.process.process())) {
+        case process::Exceeded::processor_time:
+          throw Fault(noted(side, process::used_processor_time(limits_.processor_seconds)), false);
+        case process::Exceeded::wall_time:
+          throw Fault(noted(side, process::did_not_return(limits_.wall_seconds)), false);
+        case process::Exceeded::nothing:
+          break;
       }
-      if (waited > limits_.wall_seconds) {
-        throw Fault(noted(side, fmt::format("did not return within {:.0f} s", limits_.wall_seconds)), false);
-      }
-      check_match_time(side, waited);
+      check_match_time(side, watch.wall_seconds());
     }
-    asked.waited += std::chrono::duration<double>(Clock::now() - began).count();
+    asked.waited += watch.wall_seconds();
     check_match_time(side, 0.0);
   }
 
@@ -229,31 +202,16 @@ class IsolatedMatch {
 
   void look_after(match::Side side) {
     Team& looked_at = team(side);
-    int status = 0;
-    const pid_t waited = ::waitpid(looked_at.process, &status, WNOHANG | WUNTRACED);
-    if (waited != looked_at.process) return;
-    if (WIFSTOPPED(status)) {
-      throw Fault(noted(side, fmt::format("was stopped ({})", strsignal(WSTOPSIG(status)))), true);
-    }
-    ::kill(-looked_at.process, SIGKILL);
-    looked_at.process = -1;
-    if (WIFEXITED(status)) {
-      throw Fault(noted(side, fmt::format("ended the process (exit code {})", WEXITSTATUS(status))), false);
-    }
-    const int number = WTERMSIG(status);
-    if (number == SIGXCPU) {
-      throw Fault(
-          noted(side, fmt::format("used more than {} s of processor time in one match", limits_.match_seconds())),
-          false);
-    }
-    throw Fault(noted(side, strsignal(number)), comes_from_outside(number));
+    const std::optional<process::ProcessEnd> end = looked_at.process.look();
+    if (!end) return;
+    if (end->out_of_processor_time())
+      throw Fault(noted(side, process::used_processor_time(limits_.match_seconds()) + " in one match"), false);
+    throw Fault(noted(side, end->in_words()), end->was_stopped() || end->from_outside());
   }
 
   // A failure of the call that was under way last.
   Failure noted(match::Side side, const std::string& what) {
-    WorkerNote note = team(side).channel.note();
-    note.call.plugin.back() = note.call.call.back() = '\0';
-    note.fatal.thread.back() = note.fatal.object.back() = '\0';
+    const WorkerNote note = team(side).channel.note().sound();
     return {static_cast<int>(match::index(side)),
             note.call.plugin.data(),
             note.call.call.data(),

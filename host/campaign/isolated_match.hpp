@@ -13,7 +13,7 @@
 
 #include "campaign/job.hpp"
 #include "campaign/limits.hpp"
-#include "campaign/shared_note.hpp"
+#include "campaign/worker_note.hpp"
 #include "match/decision_digest.hpp"
 #include "match/match.hpp"
 #include "match/teams.hpp"

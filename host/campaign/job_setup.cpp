@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "campaign/inputs.hpp"
-#include "campaign/shell.hpp"
 #include "config/text.hpp"
+#include "process/program.hpp"
 
 namespace regista::campaign {
 
@@ -45,7 +45,7 @@ Job job_of(const MatchRequest& request, const std::vector<std::string>& plugins)
 std::string plain_command(const Job& job) {
   std::vector<std::string> words = match_arguments(job);
   words.insert(words.begin(), "regista");
-  return shell_line(words);
+  return process::shell_line(words);
 }
 
 std::string input_of(const Job& job, const std::string& name) {

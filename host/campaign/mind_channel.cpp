@@ -2,7 +2,6 @@
 #include "campaign/mind_channel.hpp"
 
 #include <linux/futex.h>
-#include <sys/mman.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -11,8 +10,6 @@
 #include <cerrno>
 #include <cstring>
 #include <ctime>
-#include <memory>
-#include <system_error>
 
 namespace regista::campaign {
 namespace {
@@ -26,19 +23,7 @@ void wake(std::atomic<std::uint32_t>& word) { syscall(SYS_futex, &word, FUTEX_WA
 
 }  // namespace
 
-MindChannel::MindChannel() {
-  void* const memory =
-      mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (memory == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "cannot share memory");
-  shared_ = new (memory) Shared;
-}
-
-MindChannel::~MindChannel() { forget(); }
-
-void MindChannel::forget() {
-  if (shared_ != nullptr) munmap(shared_, sizeof(Shared));
-  shared_ = nullptr;
-}
+MindChannel::MindChannel() { shared_.close_descriptor(); }
 
 void MindChannel::hand_over(std::uint32_t turn, std::uint32_t kind, std::span<const std::uint8_t> bytes) {
   assert(bytes.size() <= most_bytes);

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "campaign/shared_note.hpp"
+#include "campaign/worker_note.hpp"
 
 namespace regista::campaign {
 
@@ -26,13 +26,10 @@ enum class Reply : std::uint32_t {
 class MindChannel {
  public:
   MindChannel();  // throws std::system_error
-  ~MindChannel();
-  MindChannel(const MindChannel&) = delete;
-  MindChannel& operator=(const MindChannel&) = delete;
 
-  WorkerNote& note() { return shared_->note; }
+  WorkerNote& note() const { return shared_->note; }
   // Takes it away from this process; a copy may still have it. Nothing may be asked of it afterwards.
-  void forget();
+  void forget() { shared_.forget(); }
 
   // --- The match's side
 
@@ -66,7 +63,7 @@ class MindChannel {
     std::uint8_t bytes[most_bytes];
   };
   void hand_over(std::uint32_t turn, std::uint32_t kind, std::span<const std::uint8_t> bytes);
-  Shared* shared_;
+  process::SharedMemory<Shared> shared_;
 };
 
 }  // namespace regista::campaign

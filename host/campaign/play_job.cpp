@@ -19,7 +19,6 @@
 #include "campaign/isolated_match.hpp"
 #include "campaign/job_setup.hpp"
 #include "campaign/match_json.hpp"
-#include "campaign/whole_text.hpp"
 #include "campaign/worker_process.hpp"
 #include "config/bad_input.hpp"
 #include "match/decision_digest.hpp"
@@ -28,6 +27,7 @@
 #include "mcap/error.hpp"
 #include "plugin/failure.hpp"
 #include "plugin/process_state.hpp"
+#include "process/descriptor.hpp"
 #include "recording/match_recording.hpp"
 
 namespace regista::campaign {
@@ -223,7 +223,7 @@ Answer answer_of(const std::function<Answer()>& play) {
 }
 
 bool hand_over(const Answer& answer) {
-  return write_all(answer_descriptor, std::string(answer_mark) + to_json(answer) + '\n');
+  return process::write_all(answer_descriptor, std::string(answer_mark) + to_json(answer) + '\n');
 }
 
 }  // namespace regista::campaign

@@ -7,7 +7,7 @@
 
 #include "campaign/job.hpp"
 #include "campaign/match_setup.hpp"
-#include "campaign/shared_note.hpp"
+#include "campaign/worker_note.hpp"
 
 namespace regista::campaign {
 

@@ -15,10 +15,10 @@
 #include "campaign/job_setup.hpp"
 #include "campaign/match_setup.hpp"
 #include "campaign/play_job.hpp"
-#include "campaign/whole_text.hpp"
 #include "campaign/worker_process.hpp"
 #include "config/bad_input.hpp"
 #include "plugin/fatal_signal.hpp"
+#include "process/descriptor.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -38,7 +38,7 @@ plugin::Catalogue plugins_of(const Job& job, const Surroundings& surroundings) {
 }
 
 Answer play(const Surroundings& surroundings, WorkerNote& note) {
-  const Job job = job_from_json(everything_in(STDIN_FILENO));
+  const Job job = job_from_json(process::everything_in(STDIN_FILENO));
   if (!job.isolated) plugin::note_fatal_signals(note.fatal);
   const plugin::Catalogue catalogue = plugins_of(job, surroundings);
   MatchSetup prepared = match_setup(request_of(job), catalogue);
@@ -56,12 +56,12 @@ Answer play(const Surroundings& surroundings, WorkerNote& note) {
 bool play_one(const Surroundings& surroundings) {
   std::optional<SharedNote> note;
   try {
-    note.emplace(note_descriptor);
+    note.emplace(process::FileDescriptor(note_descriptor));
   } catch (const std::system_error&) {
     throw config::BadInput(
         fmt::format("{}: is for the program itself, which starts it for each match of a tournament", worker_command));
   }
-  return hand_over(answer_of([&] { return play(surroundings, note->note()); }));
+  return hand_over(answer_of([&] { return play(surroundings, **note); }));
 }
 
 }  // namespace regista::campaign

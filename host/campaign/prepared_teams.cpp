@@ -11,13 +11,13 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "campaign/file_descriptor.hpp"
 #include "campaign/inputs.hpp"
 #include "campaign/job_setup.hpp"
 #include "config/named_files.hpp"
 #include "config/profiles.hpp"
 #include "config/show.hpp"
 #include "plugin/process_state.hpp"
+#include "process/descriptor.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -72,7 +72,7 @@ class KeptErrors {
   }
 
  private:
-  FileDescriptor file_, before_;
+  process::FileDescriptor file_, before_;
 };
 
 template <class Profile>

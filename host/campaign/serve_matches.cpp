@@ -16,29 +16,26 @@
 #include <utility>
 #include <vector>
 
-#include "campaign/file_descriptor.hpp"
-#include "campaign/file_passing.hpp"
 #include "campaign/fork_server.hpp"
 #include "campaign/job.hpp"
 #include "campaign/play_job.hpp"
 #include "campaign/prepared_teams.hpp"
-#include "campaign/shared_note.hpp"
-#include "campaign/whole_text.hpp"
+#include "campaign/worker_note.hpp"
 #include "campaign/worker_process.hpp"
 #include "config/bad_input.hpp"
 #include "plugin/fatal_signal.hpp"
+#include "process/descriptor.hpp"
 
 namespace regista::campaign {
 namespace {
 
 // Out of the reach of plugins that write to a number which they take for their own file.
-FileDescriptor away_from_plugins(int socket) {
-  const int kept = ::fcntl(socket, F_DUPFD_CLOEXEC, 100);
-  const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
-  if (kept == -1 || nothing == -1) throw config::BadInput("cannot keep the connection to the coordinator");
-  ::dup2(nothing, socket);
-  ::close(nothing);
-  return FileDescriptor(kept);
+process::FileDescriptor away_from_plugins(int socket) {
+  process::FileDescriptor kept(::fcntl(socket, F_DUPFD_CLOEXEC, 100));
+  const process::FileDescriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
+  if (!kept.is_open() || !nothing.is_open()) throw config::BadInput("cannot keep the connection to the coordinator");
+  ::dup2(nothing.number, socket);
+  return kept;
 }
 
 // As fork(), but the copy is a child of this process's parent, which can then wait for it. This process has one thread,
@@ -66,7 +63,7 @@ void be_called_a_worker() {
 }
 
 struct Connection {
-  FileDescriptor socket;
+  process::FileDescriptor socket;
   pid_t coordinator;
 };
 
@@ -75,15 +72,15 @@ struct Connection {
                                const Connection& connection, const std::string& program) {
   constexpr int cannot = 127;
   ::close(connection.socket.number);
-  if (!become_worker(files, job.limits, connection.coordinator)) ::_exit(cannot);
+  if (!process::become_child(worker_setting(files, job.limits), connection.coordinator)) ::_exit(cannot);
   for (const int each : {files.answer, files.note, files.output, files.trail}) {
     if (each > trail_descriptor) ::close(each);
   }
   be_called_a_worker();
-  write_all(STDERR_FILENO, match.output);
+  process::write_all(STDERR_FILENO, match.output);
   try {
-    SharedNote shared(note_descriptor);
-    WorkerNote& note = shared.note();
+    const SharedNote shared{process::FileDescriptor(note_descriptor)};
+    WorkerNote& note = *shared;
     plugin::note_fatal_signals(note.fatal);
     const Answer answer = answer_of([&] { return play_job(job, std::move(match.setup), program, note); });
     ::_exit(hand_over(answer) ? 0 : 1);
@@ -93,22 +90,22 @@ struct Connection {
 }
 
 // The state that comes of a request; in the copy it does not return.
-ForkReply answer(const ForkRequest& request, std::vector<FileDescriptor>& files, PreparedTeams& teams,
+ForkReply answer(const ForkRequest& request, std::vector<process::FileDescriptor>& files, PreparedTeams& teams,
                  const Connection& connection, const std::string& program) {
   ForkReply reply;
   reply.number = request.number;
   const bool has_trail = request.has_trail != 0;
   if (files.size() != (has_trail ? 5u : 4u)) return reply;
   try {
-    const Job job = job_from_json(everything_in(files[0].number));
+    const Job job = job_from_json(process::everything_in(files[0].number));
     PreparedTeams::Match match = teams.prepare(job);
     if (!match.changed.empty()) return reply;
     reply.process = copy_for_parent();
     if (reply.process == 0) {
       files[0].reset();
       play_in_copy(job, std::move(match),
-                   {files[1].number, files[2].number, files[3].number, has_trail ? files[4].number : -1}, connection,
-                   program);
+                   {files[1].number, files[2].number, files[3].number, has_trail ? files[4].number : -1, -1},
+                   connection, program);
     }
     if (reply.process == -1 && errno != EAGAIN && errno != ENOMEM) reply.state = ForkReply::State::unfit;
   } catch (const Stale&) {
@@ -132,10 +129,11 @@ void serve_matches(const std::string& program) {
   PreparedTeams teams;
   for (;;) {
     ForkRequest request;
-    std::vector<FileDescriptor> files;
-    if (!receive_with_files(connection.socket.number, request, files)) return;
+    std::vector<process::FileDescriptor> files;
+    if (!process::receive_with_files(connection.socket.number, request, files)) return;
     const ForkReply reply = answer(request, files, teams, connection, program);
-    if (!send_with_files(connection.socket.number, reply, {}) || reply.state != ForkReply::State::ready) return;
+    if (!process::send_with_files(connection.socket.number, reply, {}) || reply.state != ForkReply::State::ready)
+      return;
   }
 }
 

@@ -15,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-#include "campaign/file_lock.hpp"
+#include "process/file_lock.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -76,7 +76,7 @@ class StoreFile::Hold {
     if (descriptor_ == -1) {
       throw StoreRefusal(fmt::format("cannot write results to {}: {}", file.string(), std::strerror(errno)));
     }
-    const std::error_code error = lock_file(descriptor_, FileLock::exclusive);
+    const std::error_code error = process::lock_file(descriptor_, process::FileLock::exclusive);
     if (!error) return;
     close(descriptor_);
     if (error == std::errc::operation_would_block)
@@ -95,7 +95,7 @@ class StoreFile::Hold {
       close(std::exchange(descriptor_, -1));  // before SQLite has locks on it
       return;
     }
-    if (lock_file(descriptor_, FileLock::shared) == std::errc::operation_would_block) {
+    if (process::lock_file(descriptor_, process::FileLock::shared) == std::errc::operation_would_block) {
       close(descriptor_);
       throw StoreInUse(fmt::format("{} is written to just now", file));
     }
@@ -110,7 +110,7 @@ class StoreFile::Hold {
   }
   ~Hold() {
     if (descriptor_ == -1) return;
-    unlock_file(descriptor_);
+    process::unlock_file(descriptor_);
     close(descriptor_);
   }
   Hold(const Hold&) = delete;

@@ -22,7 +22,7 @@ std::int64_t checksum_of(std::int64_t row, std::string_view numbers) {
   return RowChecksum().whole(row).bytes(numbers).value();
 }
 
-std::shared_ptr<const match::MetricNames> names() {
+std::shared_ptr<const match::MetricNames> packet_names() {
   std::vector<match::MetricName> out;
   for (const char* const name : match::packet_metrics) {
     for (const match::Side side : match::both_sides) out.push_back({.side = side, .name = name});
@@ -40,7 +40,7 @@ struct StoredPackets::Parts {
 
   RowsInOrder rows;
   std::optional<SQLite::Statement> insert;
-  std::shared_ptr<const match::MetricNames> names = campaign::names();
+  std::shared_ptr<const match::MetricNames> names = packet_names();
 };
 
 StoredPackets::StoredPackets(SQLite::Database& database, bool written_to)

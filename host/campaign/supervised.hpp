@@ -7,7 +7,7 @@
 #include <string>
 
 #include "campaign/limits.hpp"
-#include "campaign/shared_note.hpp"
+#include "campaign/worker_note.hpp"
 
 namespace regista::campaign {
 

@@ -4,17 +4,18 @@
 // accidents, not from malice: a plugin can do whatever its user can.
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
 #include <optional>
 #include <string>
 
 #include "campaign/fork_server.hpp"
 #include "campaign/job.hpp"
-#include "campaign/kept_output.hpp"
 #include "campaign/limits.hpp"
-#include "campaign/shared_note.hpp"
+#include "campaign/worker_note.hpp"
+#include "process/child.hpp"
+#include "process/descriptor.hpp"
+#include "process/kept_output.hpp"
+#include "process/watch.hpp"
 
 namespace regista::campaign {
 
@@ -50,9 +51,9 @@ class Worker {
   Worker& operator=(const Worker&) = delete;
 
   // Becomes readable when there is something to do; -1 once the worker has closed it.
-  int descriptor() const { return pipe_; }
-  pid_t process() const { return process_; }              // -1 when it has ended
-  int output_descriptor() const { return output_pipe_; }  // likewise
+  int descriptor() const { return pipe_.number; }
+  pid_t process() const { return child_.process(); }             // -1 when it has ended
+  int output_descriptor() const { return output_pipe_.number; }  // likewise
 
   // Reads what there is; true when the worker has ended. To be called when the descriptor is readable and every now
   // and then.
@@ -63,26 +64,23 @@ class Worker {
 
  private:
   void read();
-  void read_output();
   void kill();
   void watch_call();
+  double seconds() const;
   double match_wall_seconds() const;
-  void ended(int status, double processor_seconds);
+  void ended(const process::ProcessEnd& end);
 
   using Clock = std::chrono::steady_clock;
   Limits limits_;
   SharedNote& note_;
   bool isolated_;
-  pid_t process_ = -1;
-  int pipe_ = -1, output_pipe_ = -1;
+  process::Child child_;
+  process::FileDescriptor pipe_, output_pipe_;
   std::optional<End::How> killed_for_;
   Clock::time_point began_ = Clock::now();
-  // The call that was under way when it was looked at last, and since when.
-  plugin::CallNote call_;
-  Clock::time_point call_began_ = began_;
-  double processor_at_call_ = 0.0;
+  process::CallWatch<plugin::CallNote> watch_;
   std::string answer_;
-  KeptOutput output_;
+  process::KeptOutput output_;
   End end_;
 };
 

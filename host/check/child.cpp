@@ -4,9 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,7 +11,6 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -26,97 +22,54 @@
 
 #include "config/bad_input.hpp"
 #include "config/bytes.hpp"
-#include "config/sanitized.hpp"
 #include "config/text.hpp"
 #include "config/typed.hpp"
 #include "config/visible_text.hpp"
-#include "plugin/descendants.hpp"
-#include "plugin/idle_process.hpp"
+#include "process/child.hpp"
+#include "process/descendants.hpp"
+#include "process/descriptor.hpp"
+#include "process/watch.hpp"
 
 namespace regista::check {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr rlim_t most_memory = rlim_t{2} << 30;
+constexpr std::uint64_t most_memory = std::uint64_t{2} << 30;
 constexpr std::size_t most_bytes = std::size_t{1} << 20;  // of an outcome
 constexpr std::size_t most_text = std::size_t{64} << 20;  // bytes that it may write
 constexpr std::size_t much_text = std::size_t{64} << 10;  // of which a warning tells
 constexpr int out_of_memory = 91;                         // exit code of a child
 constexpr int own_descriptor = 700;                       // above what a plugin would close or write to by guessing
 constexpr std::size_t kept_text = 2000;                   // bytes of the end of what it wrote
-constexpr std::size_t note_bytes = 512;
-constexpr int patience = 100;  // ms between two looks at a child that says nothing
-constexpr std::array<std::uint8_t, 8> mark{'o', 'u', 't', 'c', 'o', 'm', 'e', ':'};
+constexpr int patience = 100;                             // ms between two looks at a child that says nothing
+constexpr std::string_view mark = "outcome:";
 
 // --- In the child ----------------------------------------------------------------------------------------------------
-
-void limit(__rlimit_resource what, rlim_t most) {
-  rlimit now{};
-  ::getrlimit(what, &now);
-  now.rlim_cur = std::min(most, now.rlim_max);
-  ::setrlimit(what, &now);
-}
-
-void write_all(int pipe, std::span<const std::uint8_t> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(pipe, bytes.data(), bytes.size());
-    if (count == -1 && errno == EINTR) continue;
-    if (count <= 0) ::_exit(1);
-    bytes = bytes.subspan(static_cast<std::size_t>(count));
-  }
-}
 
 // Files that a plugin may write into by guessing their numbers: they are caught here.
 class DescriptorTrap {
  public:
   DescriptorTrap() {
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) == -1) return;
-    reading_ = ::fcntl(ends[0], F_DUPFD_CLOEXEC, own_descriptor);
-    const int writing = ::fcntl(ends[1], F_DUPFD_CLOEXEC, own_descriptor);
-    ::close(ends[0]);
-    ::close(ends[1]);
+    process::Pipe pipe = process::make_pipe();
+    caught_ = process::moved_up(std::move(pipe.read), own_descriptor);
+    pipe.write = process::moved_up(std::move(pipe.write), own_descriptor);
+    ::fcntl(pipe.write.number, F_SETFL, O_NONBLOCK);
     constexpr int guessed = 32;
     for (int each = STDERR_FILENO + 1; each < guessed; ++each) {
-      if (::fcntl(each, F_GETFD) == -1) ::dup3(writing, each, O_CLOEXEC);
+      if (::fcntl(each, F_GETFD) == -1) ::dup3(pipe.write.number, each, O_CLOEXEC);
     }
-    ::close(writing);
   }
   bool has_caught() const {
     char byte;
-    return reading_ != -1 && ::read(reading_, &byte, 1) == 1;
+    return ::read(caught_.number, &byte, 1) == 1;
   }
 
  private:
-  int reading_ = -1;  // ends with the process
+  process::FileDescriptor caught_;
 };
 
-// Of the child's own, with limits. Returns the number of the file for its answer, out of the way.
-int become_a_child(const Deadline& deadline, int answer, int text, pid_t parent) {
-  ::setpgid(0, 0);
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(1);
-  const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
-  ::dup2(nothing, STDIN_FILENO);
-  ::dup2(text, STDOUT_FILENO);
-  ::dup2(text, STDERR_FILENO);
-  ::close(nothing);
-  ::close(text);
-  if (const int higher = ::fcntl(answer, F_DUPFD_CLOEXEC, own_descriptor); higher != -1) {
-    ::close(answer);
-    answer = higher;
-  }
-  limit(RLIMIT_CORE, 0);
-  rusage used{};
-  ::getrusage(RUSAGE_SELF, &used);
-  limit(RLIMIT_CPU, static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1 + deadline.processor_seconds));
-  if (!addresses_are_reserved()) limit(RLIMIT_AS, most_memory);  // more than there is memory
-  return answer;
-}
-
 [[noreturn]] void answer_and_end(const std::function<Outcome()>& check, int answer, Ending ending) noexcept {
-  for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGPIPE, SIGXCPU}) std::signal(each, SIG_DFL);
   const pid_t here = ::getpid();
   const DescriptorTrap trap;
   Outcome outcome;
@@ -132,49 +85,39 @@ int become_a_child(const Deadline& deadline, int answer, int text, pid_t parent)
   }
   config::BytesOut bytes;
   bytes(outcome.status, outcome.lines);
-  write_all(answer, mark);
-  write_all(answer, bytes.bytes());
+  if (!process::write_all(answer, mark) || !process::write_all(answer, bytes.bytes())) ::_exit(1);
   if (ending == Ending::as_programs_do) std::exit(0);
   ::_exit(0);
 }
 
-// Their strings must live until then.
-std::vector<char*> pointers_to(std::vector<std::string>& texts) {
-  std::vector<char*> out;
-  for (std::string& each : texts) out.push_back(each.data());
-  out.push_back(nullptr);
-  return out;
-}
-
 // --- In the parent ---------------------------------------------------------------------------------------------------
 
-// Reads what is there, without waiting, and counts it. False at the end of the pipe. keep: bytes of the end that are
-// kept.
-bool take(int pipe, std::vector<std::uint8_t>& into, std::size_t keep, std::size_t& taken) {
-  std::array<std::uint8_t, 4096> buffer;
-  for (int i = 0; i < 64; ++i) {  // a plugin may write without end
-    const ssize_t count = ::read(pipe, buffer.data(), buffer.size());
-    if (count == -1 && errno == EINTR) continue;
-    if (count == -1) return errno == EAGAIN;
-    if (count == 0) return false;
-    taken += static_cast<std::size_t>(count);
-    into.insert(into.end(), buffer.begin(), buffer.begin() + count);
-    if (into.size() > keep) into.erase(into.begin(), into.end() - static_cast<std::ptrdiff_t>(keep));
-  }
-  return true;
-}
+// What came through a pipe: the bytes of its end, and how many there were.
+struct Text {
+  process::FileDescriptor pipe;
+  std::size_t kept;  // bytes of the end
+  std::string end = {};
+  std::size_t bytes = 0;
 
-std::string last_line(const std::vector<std::uint8_t>& text) {
-  std::string_view all(reinterpret_cast<const char*>(text.data()), text.size());
+  void read() {
+    process::read_available(pipe, [this](std::string_view piece) {
+      bytes += piece.size();
+      end += piece;
+      if (end.size() > kept) end.erase(0, end.size() - kept);
+    });
+  }
+};
+
+std::string last_line(std::string_view all) {
   while (all.ends_with('\n')) all.remove_suffix(1);
   return config::visible_at_most(all.substr(all.rfind('\n') + 1), 200);
 }
 
-std::optional<Outcome> outcome_of(const std::vector<std::uint8_t>& answer) {
-  if (answer.size() < mark.size() || !std::equal(mark.begin(), mark.end(), answer.begin())) return std::nullopt;
+std::optional<Outcome> outcome_of(std::string_view answer) {
+  if (!answer.starts_with(mark)) return std::nullopt;
+  answer.remove_prefix(mark.size());
   try {
-    const std::span<const std::uint8_t> all(answer);
-    config::BytesIn bytes(all.subspan(mark.size()));
+    config::BytesIn bytes({reinterpret_cast<const std::uint8_t*>(answer.data()), answer.size()});
     Outcome out;
     bytes(out.status, out.lines);
     if (!bytes.empty() || out.status > Status::skip) return std::nullopt;
@@ -185,79 +128,37 @@ std::optional<Outcome> outcome_of(const std::vector<std::uint8_t>& answer) {
   }
 }
 
-struct Pipe {
-  Pipe() {
-    if (::pipe2(ends.data(), O_CLOEXEC) == -1) throw std::system_error(errno, std::generic_category(), "pipe");
-    ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
-  }
-  ~Pipe() {
-    ::close(ends[0]);
-    if (ends[1] != -1) ::close(ends[1]);
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-  void close_writing_end() {
-    ::close(ends[1]);
-    ends[1] = -1;
-  }
-  std::array<int, 2> ends{};
-};
-
-std::string how_it_ended(int status, const Deadline& deadline) {
-  if (WIFEXITED(status) && WEXITSTATUS(status) == out_of_memory) {
-    return fmt::format("took all of its {} GiB of memory", most_memory >> 30);
-  }
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
-    return fmt::format("took more than {} s of processor time", deadline.processor_seconds);
-  }
-  if (WIFSIGNALED(status)) return ::strsignal(WTERMSIG(status));
-  return fmt::format("ended the process (exit code {})", WEXITSTATUS(status));
+std::string how_it_ended(const process::ProcessEnd& end, const Deadline& deadline) {
+  if (end.exited_with(out_of_memory)) return fmt::format("took all of its {} GiB of memory", most_memory >> 30);
+  return end.out_of_processor_time() ? process::used_processor_time(deadline.processor_seconds) : end.in_words();
 }
 
 // Of one that had nothing to do but to end; empty when all is well, and when its time was up.
-std::string ended_badly(int status) {
-  if (WIFSIGNALED(status) && WTERMSIG(status) != SIGXCPU) {
-    return fmt::format("the process ends by {}", ::strsignal(WTERMSIG(status)));
-  }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) == 0) return {};
-  return fmt::format("the process ends with exit code {}", WEXITSTATUS(status));
+std::string ended_badly(const process::ProcessEnd& end) {
+  if (end.signal_number() && !end.out_of_processor_time()) return "the process ends by " + end.in_words();
+  if (end.signal_number() || end.exited_with(0)) return {};
+  return fmt::format("the process ends with exit code {}", WEXITSTATUS(end.status));
 }
 
-int new_file_for_a_note() {
-  const int low = ::memfd_create("regista", MFD_CLOEXEC);
-  const int out = low == -1 ? -1 : ::fcntl(low, F_DUPFD_CLOEXEC, own_descriptor);
-  if (out == -1 || ::ftruncate(out, note_bytes) == -1) throw std::system_error(errno, std::generic_category(), "memfd");
-  ::close(low);
-  return out;
-}
-
-char* page_of(int number) {
-  void* const page = ::mmap(nullptr, note_bytes, PROT_READ | PROT_WRITE, MAP_SHARED, number, 0);
-  if (page == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "mmap");
-  return static_cast<char*>(page);
-}
-
-using InTheChild = std::function<void(int answer, int text, pid_t parent)>;  // does not return
-Outcome of_a_child(const InTheChild& become, const Deadline& deadline, SharedNote& note, Ending ending);
+// In the child, with the number of the file for its answer; returns its exit code.
+using InTheChild = std::function<int(int answer)>;
+Outcome of_a_child(const InTheChild& work, const Deadline& deadline, Underway& note, Ending ending);
 
 }  // namespace
 
-SharedNote::SharedNote() : number_(new_file_for_a_note()), page_(page_of(number_)) {}
-SharedNote::SharedNote(int number) : number_(number), page_(page_of(number)) {}
-SharedNote::~SharedNote() {
-  ::munmap(page_, note_bytes);
-  ::close(number_);
+Underway::Underway() { text_.move_descriptor_up(own_descriptor); }
+Underway::Underway(int number) : text_(process::FileDescriptor(number)) {}
+
+void Underway::write(std::string_view text) {
+  const std::size_t length = std::min(text.size(), text_->size() - 1);
+  std::memcpy(text_->data(), text.data(), length);
+  (*text_)[length] = '\0';
 }
 
-void SharedNote::write(std::string_view text) {
-  const std::size_t length = std::min(text.size(), note_bytes - 1);
-  std::memcpy(page_, text.data(), length);
-  page_[length] = '\0';
-}
-
-std::string SharedNote::read() const {
+std::string Underway::read() const {
   // A plugin may have written here, too.
-  return config::visible_at_most(std::string_view(page_, ::strnlen(page_, note_bytes)), note_bytes);
+  return config::visible_at_most(std::string_view(text_->data(), ::strnlen(text_->data(), text_->size())),
+                                 text_->size());
 }
 
 Outcome without_exceptions(const std::function<Outcome()>& check) {
@@ -272,21 +173,16 @@ Outcome without_exceptions(const std::function<Outcome()>& check) {
   }
 }
 
-Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline, SharedNote& note, Ending ending) {
-  const auto become = [&](int answer, int text, pid_t parent) {
-    answer_and_end(check, become_a_child(deadline, answer, text, parent), ending);
-  };
-  return of_a_child(become, deadline, note, ending);
+Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline, Underway& note, Ending ending) {
+  return of_a_child([&](int answer) -> int { answer_and_end(check, answer, ending); }, deadline, note, ending);
 }
 
 Outcome in_another_program(std::vector<std::string> words, const std::vector<std::string>& environment,
-                           const Deadline& deadline, SharedNote& note) {
-  const auto become = [&](int answer, int text, pid_t parent) {
-    answer = become_a_child(deadline, answer, text, parent);
+                           const Deadline& deadline, Underway& note) {
+  const auto become = [&](int answer) -> int {
     for (const int kept : {answer, note.number()}) ::fcntl(kept, F_SETFD, 0);
     words.insert(words.end(), {std::to_string(answer), std::to_string(note.number())});
-    std::vector<std::string> own = environment;
-    ::execve("/proc/self/exe", pointers_to(words).data(), pointers_to(own).data());
+    ::execve(process::Child::this_program, process::pointers(words).data(), process::pointers(environment).data());
     const std::string reason = std::generic_category().message(errno);
     answer_and_end(
         [&] {
@@ -298,7 +194,7 @@ Outcome in_another_program(std::vector<std::string> words, const std::vector<std
 }
 
 void answer_as_a_child(const std::string& answer, const std::string& note,
-                       const std::function<Outcome(SharedNote&)>& check) {
+                       const std::function<Outcome(Underway&)>& check) {
   constexpr std::uint64_t most = 1'000'000;
   const auto number = [](const std::string& text) {
     return static_cast<int>(config::parse_whole("number", text, own_descriptor, most));
@@ -308,84 +204,83 @@ void answer_as_a_child(const std::string& answer, const std::string& note,
   for (const int each : {to, about}) {
     if (::fcntl(each, F_GETFD) == -1) throw config::BadInput("this command is for the program itself");
   }
-  SharedNote shared(about);
+  Underway shared(about);
   for (const int each : {to, shared.number()}) ::fcntl(each, F_SETFD, FD_CLOEXEC);
   answer_and_end([&] { return check(shared); }, to, Ending::at_once);
 }
 
 namespace {
 
-Outcome of_a_child(const InTheChild& become, const Deadline& deadline, SharedNote& note, Ending ending) {
+Outcome of_a_child(const InTheChild& work, const Deadline& deadline, Underway& note, Ending ending) {
   note.write("");
-  const plugin::Descendants descendants;
-  Pipe answer, text;
-  const pid_t parent = ::getpid();
-  const pid_t child = ::fork();
-  if (child == -1) throw std::system_error(errno, std::generic_category(), "cannot start a process for a check");
-  if (child == 0) {
-    for (const int parents : {answer.ends[0], text.ends[0]}) ::close(parents);
-    become(answer.ends[1], text.ends[1], parent);
-    ::_exit(1);
-  }
-  ::setpgid(child, child);  // whoever of the two comes first
-  answer.close_writing_end();
-  text.close_writing_end();
+  const process::Descendants descendants;
+  process::Pipe answer_pipe = process::make_pipe(), text_pipe = process::make_pipe();
+  answer_pipe.write = process::moved_up(std::move(answer_pipe.write), own_descriptor);
+  Text answer{std::move(answer_pipe.read), most_bytes}, text{std::move(text_pipe.read), kept_text};
+  const process::Setting setting{
+      .files = {{text_pipe.write.number, STDOUT_FILENO}, {text_pipe.write.number, STDERR_FILENO}},
+      .limits = {.processor_seconds = 1 + deadline.processor_seconds, .memory = most_memory}};
+  process::Child child = process::Child::copy(setting, [&] {
+    for (process::FileDescriptor* each : {&answer.pipe, &text.pipe, &text_pipe.write}) each->reset();
+    return work(answer_pipe.write.number);
+  });
+  answer_pipe.write.reset();
+  text_pipe.write.reset();
 
-  std::vector<std::uint8_t> answered, written;
-  std::size_t answered_bytes = 0, written_bytes = 0;
   std::string ended;  // by this function, and why
-  int status = 0;
+  process::ProcessEnd end;
   const auto began = Clock::now();
-  plugin::IdleProcess idle(child);
-  bool answers = true, writes = true;
+  process::IdleProcess idle(child.process());
   std::string last_place;
   for (;;) {
-    std::array<pollfd, 2> watched{pollfd{answers ? answer.ends[0] : -1, POLLIN, 0},
-                                  pollfd{writes ? text.ends[0] : -1, POLLIN, 0}};
-    ::poll(watched.data(), watched.size(), answers || writes ? patience : 10);
-    if (writes) writes = take(text.ends[0], written, kept_text, written_bytes);
-    if (answers) answers = take(answer.ends[0], answered, most_bytes, answered_bytes);
-    const pid_t over = ::waitpid(child, &status, WNOHANG | WUNTRACED);
-    if (over == child && !WIFSTOPPED(status)) break;
-    if (over == child && ended.empty()) ended = fmt::format("was stopped ({})", ::strsignal(WSTOPSIG(status)));
+    std::array<pollfd, 2> watched{pollfd{answer.pipe.number, POLLIN, 0}, pollfd{text.pipe.number, POLLIN, 0}};
+    ::poll(watched.data(), watched.size(), answer.pipe.is_open() || text.pipe.is_open() ? patience : 10);
+    text.read();
+    answer.read();
+    if (const auto over = child.look()) {
+      end = *over;
+      if (!end.was_stopped()) break;
+      if (ended.empty()) ended = end.in_words();
+    }
     // Who goes from scene to scene is not idle, however often it sleeps.
     if (const std::string place = note.read(); place != last_place) {
       last_place = place;
-      idle = plugin::IdleProcess(child);
+      idle = process::IdleProcess(child.process());
     }
     const std::chrono::duration<double> waited = Clock::now() - began;
     if (ended.empty() && idle.idle_seconds() > deadline.idle_seconds) {
       ended = fmt::format("did nothing for {:.0f} s", deadline.idle_seconds);
-    } else if (ended.empty() && written_bytes > most_text) {
+    } else if (ended.empty() && text.bytes > most_text) {
       ended = fmt::format("wrote more than {} MiB to standard output and standard error", most_text >> 20);
     } else if (ended.empty() && waited.count() > deadline.wall_seconds()) {
       ended = fmt::format("did not end within {:.0f} s", deadline.wall_seconds());
     }
-    if (!ended.empty()) ::kill(-child, SIGKILL);
+    if (!ended.empty()) child.kill();
   }
-  ::kill(-child, SIGKILL);  // what a plugin may have started
   descendants.end_all();
-  take(answer.ends[0], answered, most_bytes, answered_bytes);
-  take(text.ends[0], written, kept_text, written_bytes);
-  if (auto outcome = outcome_of(answered); outcome && ended.empty() && ending == Ending::as_programs_do) {
-    if (const std::string wrong = ended_badly(status); !wrong.empty()) return {Status::fail, {wrong}};
+  answer.read();
+  text.read();
+  std::optional<Outcome> outcome = outcome_of(answer.end);
+  if (outcome && ended.empty() && ending == Ending::as_programs_do) {
+    if (const std::string wrong = ended_badly(end); !wrong.empty()) return {Status::fail, {wrong}};
   }
-  if (ended.empty() && WIFEXITED(status)) {
-    if (auto outcome = outcome_of(answered)) {
-      if (outcome->status == Status::pass && written_bytes > much_text) {
+  if (ended.empty() && !end.signal_number()) {
+    if (outcome) {
+      if (outcome->status == Status::pass && text.bytes > much_text) {
         outcome->status = Status::warn;
         outcome->lines.push_back(
-            fmt::format("wrote {} bytes to standard output and standard error: the log is for that", written_bytes));
+            fmt::format("wrote {} bytes to standard output and standard error: the log is for that", text.bytes));
       }
       return *outcome;
     }
-    if (!answered.empty()) ended = "wrote into a file that is not its own";
+    if (answer.bytes > 0) ended = "wrote into a file that is not its own";
   }
-  const bool out_of_time = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
-  Outcome out{Status::crash, {ended.empty() ? how_it_ended(status, deadline) : ended}, !ended.empty() || out_of_time};
+  Outcome out{Status::crash,
+              {ended.empty() ? how_it_ended(end, deadline) : ended},
+              !ended.empty() || end.out_of_processor_time()};
   if (const std::string place = note.read(); !place.empty()) out.lines.push_back("at: " + place);
   constexpr std::string_view of_memory = "memory: ";  // what the testkit says of a fault
-  if (const std::string last = last_line(written); last.starts_with(of_memory)) {
+  if (const std::string last = last_line(text.end); last.starts_with(of_memory)) {
     out.lines.push_back(last.substr(of_memory.size()));
   } else if (!last.empty()) {
     out.lines.push_back("it wrote: " + last);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "check/verdict.hpp"
+#include "process/shared_memory.hpp"
 
 namespace regista::check {
 
@@ -30,22 +32,18 @@ struct Deadline {
 };
 
 // What a child is about to do, for its parent to read when it died of that.
-class SharedNote {
+class Underway {
  public:
-  SharedNote();
+  Underway();
   // That of the process which has started this program: its number() there, for a program that was let have it.
-  explicit SharedNote(int number);
-  ~SharedNote();
-  SharedNote(const SharedNote&) = delete;
-  SharedNote& operator=(const SharedNote&) = delete;
+  explicit Underway(int number);
   // What is too long is cut.
   void write(std::string_view text);
   std::string read() const;
-  int number() const { return number_; }
+  int number() const { return text_.descriptor(); }  // of the file, which ends with the process that has made it
 
  private:
-  int number_;  // of the file, which ends with the process that has made it
-  char* page_;
+  process::SharedMemory<std::array<char, 512>> text_;
 };
 
 // Calls `check`. An exception that it throws is a failure, and its text the line; only std::bad_alloc goes on.
@@ -60,16 +58,16 @@ enum class Ending : std::uint8_t {
 // Calls `check` in a child of this process. A child that dies, hangs or ends early is a crash, with the reason and the
 // last line that it wrote to standard error, and with the note. Throws std::system_error when no process can be
 // started.
-Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline, SharedNote& note,
+Outcome in_a_child(const std::function<Outcome()>& check, const Deadline& deadline, Underway& note,
                    Ending ending = Ending::at_once);
 
 // The same, but the child becomes this program once more, so that nothing in it is where it is here. It is given these
 // words, the two numbers of answer_as_a_child() behind them, and this environment ("NAME=VALUE" each).
 Outcome in_another_program(std::vector<std::string> words, const std::vector<std::string>& environment,
-                           const Deadline& deadline, SharedNote& note);
+                           const Deadline& deadline, Underway& note);
 
 // What a program does that was started so: calls `check`, answers, and ends.
 [[noreturn]] void answer_as_a_child(const std::string& answer, const std::string& note,
-                                    const std::function<Outcome(SharedNote&)>& check);
+                                    const std::function<Outcome(Underway&)>& check);
 
 }  // namespace regista::check

@@ -37,7 +37,7 @@ bool needs_a_file(const plugin::Description& plugin) {
 }
 
 // Another plugin was here before: the first one of the folder that can be played as it is.
-void let_a_visitor_play(const Elsewhere& what, SharedNote& note) {
+void let_a_visitor_play(const Elsewhere& what, Underway& note) {
   std::error_code none;
   std::vector<fs::path> files;
   for (fs::directory_iterator entry(what.visitors, none), end; !none && entry != end; entry.increment(none)) {
@@ -108,7 +108,7 @@ std::vector<std::string> environment_elsewhere() {
   return out;
 }
 
-Outcome play_elsewhere(const Elsewhere& what, SharedNote& note) {
+Outcome play_elsewhere(const Elsewhere& what, Underway& note) {
   // A parameter may name a file of the folder where the user is.
   const plugin::Surveyed surveyed = std::move(plugin::survey(std::array{what.file}).front());
   if (!surveyed.refusal.empty()) return {Status::fail, {surveyed.refusal}};

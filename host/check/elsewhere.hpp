@@ -32,6 +32,6 @@ struct Elsewhere {
 std::vector<std::string> environment_elsewhere();
 
 // A number for all that the plugin answers, as the only line. Changes the working folder, and draws from rand().
-Outcome play_elsewhere(const Elsewhere& what, SharedNote& note);
+Outcome play_elsewhere(const Elsewhere& what, Underway& note);
 
 }  // namespace regista::check

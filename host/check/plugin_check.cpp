@@ -87,7 +87,7 @@ std::vector<std::string> checks_of(std::int32_t kind) {
 class FileCheck {
  public:
   // note: of whatever is checked.
-  FileCheck(const fs::path& file, const Options& options, const Listener& listener, SharedNote& note)
+  FileCheck(const fs::path& file, const Options& options, const Listener& listener, Underway& note)
       : file_(fs::absolute(file)), options_(options), listener_(listener), object_(read_object(file_)), note_(note) {
     report_.file = config::visible(file.string());
     testkit_options_.may_idle = options_.may_idle;
@@ -331,7 +331,7 @@ class FileCheck {
   GivenValues given_;
   testkit::Options testkit_options_;
   std::string plugin_;
-  SharedNote& note_;
+  Underway& note_;
   bool hung_ = false;  // a check of this plugin
   Report report_;
 };
@@ -411,7 +411,7 @@ std::vector<Report> check_files(const std::vector<fs::path>& files, const Option
     std::error_code none;
     if (!fs::exists(file, none)) throw config::BadInput(fmt::format("{}: no such file", file.string()));
   }
-  SharedNote note;
+  Underway note;
   std::deque<FileCheck> checks;  // they stay where they are
   for (const fs::path& file : files) checks.emplace_back(file, options, listener, note);
   Asked(checks, options).refuse_what_nobody_has();

@@ -13,7 +13,6 @@
 
 #include "campaign/job_setup.hpp"
 #include "campaign/match_setup.hpp"
-#include "campaign/shell.hpp"
 #include "cli/commands.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
@@ -26,6 +25,7 @@
 #include "output/output.hpp"
 #include "output/output_files.hpp"
 #include "output/replaced_file.hpp"
+#include "process/program.hpp"
 
 namespace regista::cli {
 namespace {
@@ -38,7 +38,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t most_tasks = 1000;  // of an array, as clusters are usually set (MaxArraySize 1001)
 
-std::string line_of(const std::vector<std::string>& words) { return campaign::shell_line(words); }
+std::string line_of(const std::vector<std::string>& words) { return process::shell_line(words); }
 std::string command_of(const char* name, const StudyFolder& folder) {
   return line_of({"regista", name, folder.root().string()});
 }

@@ -14,7 +14,6 @@
 #include "campaign/inputs.hpp"
 #include "campaign/job_setup.hpp"
 #include "campaign/mathematics.hpp"
-#include "campaign/shell.hpp"
 #include "cli/common_names.hpp"
 #include "cli/results_file.hpp"
 #include "cluster/batch.hpp"
@@ -23,6 +22,7 @@
 #include "config/text.hpp"
 #include "output/output.hpp"
 #include "output/replaced_file.hpp"
+#include "process/program.hpp"
 
 namespace regista::cli {
 namespace {
@@ -217,7 +217,7 @@ void require_same_results_here(const StudyFolder& folder, const campaign::Store&
   if (different.empty()) return;
   throw BadInput(fmt::format(
       "this machine is none to go on with the study: {}; on one of its nodes: {}", different,
-      campaign::shell_line(std::vector<std::string>{folder.program().string(), "gather", folder.root().string()})));
+      process::shell_line(std::vector<std::string>{folder.program().string(), "gather", folder.root().string()})));
 }
 
 // The file of results is held.
@@ -278,7 +278,7 @@ ClusterStep step(const StudyFolder& folder, campaign::Store& results, bool resta
 }  // namespace
 
 std::string command_to_go_on(const StudyFolder& folder) {
-  return campaign::shell_line(std::vector<std::string>{"regista", "resume", folder.root().string()});
+  return process::shell_line(std::vector<std::string>{"regista", "resume", folder.root().string()});
 }
 
 std::string what_differs_here(const campaign::Job& planned) {

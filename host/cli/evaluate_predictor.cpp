@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <memory>
 
-#include "campaign/shell.hpp"
 #include "cli/commands.hpp"
 #include "cli/plugin_folders.hpp"
 #include "command/interruption.hpp"
 #include "command/terminal.hpp"
 #include "config/documents.hpp"
 #include "output/output.hpp"
+#include "process/program.hpp"
 #include "report/evaluation_report.hpp"
 
 namespace regista::cli {
@@ -42,7 +42,7 @@ int evaluate(const EvaluatePredictorOptions& options, const Invocation& invocati
   if (options.data.empty()) throw BadInput("evaluate-predictor: which recording? Say --data FILE");
   const config::PredictorStudy study = config::read_predictor_study(options.studies.front(), options.overrides);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  const std::string again = campaign::shell_line(invocation.arguments);
+  const std::string again = process::shell_line(invocation.arguments);
   const command::Interruption interruption(
       fmt::format("regista: interrupted while a plugin did not return; the same study again: {}\n", again));
   command::RewrittenLine progress(!options.quiet);

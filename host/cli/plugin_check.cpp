@@ -135,7 +135,7 @@ void add_elsewhere(Command& parent) {
     words->pop_back();
     const check::Elsewhere what = check::Elsewhere::of(*words);
     check::answer_as_a_child(answer, note,
-                             [&](check::SharedNote& shared) { return check::play_elsewhere(what, shared); });
+                             [&](check::Underway& shared) { return check::play_elsewhere(what, shared); });
   };
 }
 

@@ -15,7 +15,6 @@
 #include "campaign/job_setup.hpp"
 #include "campaign/match_json.hpp"
 #include "campaign/mathematics.hpp"
-#include "campaign/shell.hpp"
 #include "cli/common_names.hpp"
 #include "cli/live_line.hpp"
 #include "cli/replayed_match.hpp"
@@ -27,6 +26,7 @@
 #include "output/output.hpp"
 #include "output/replaced_file.hpp"
 #include "plugin/process_state.hpp"
+#include "process/program.hpp"
 #include "recording/decision_log.hpp"
 #include "recording/match_recording.hpp"
 #include "report/match_summary.hpp"
@@ -55,7 +55,7 @@ int play_prepared(const MatchOptions& options, std::vector<std::string> words, c
                   campaign::MatchSetup prepared, campaign::WorkerNote& note) {
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
   if (!options.record.empty() && !options.force) words.push_back("--force");  // for there is a recording now
-  const std::string again = campaign::shell_line(words);
+  const std::string again = process::shell_line(words);
 
   campaign::PlayedMatch played;
   played.seed = prepared.setup.seed;

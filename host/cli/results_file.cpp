@@ -139,7 +139,7 @@ ResultsTogether::ResultsTogether(const std::vector<std::string>& files, std::spa
   }
   const std::string first = config::one_line(files.front());
   try {
-    folder_ = std::make_unique<campaign::TemporaryFolder>();
+    folder_ = std::make_unique<process::TemporaryFolder>();
   } catch (const std::system_error& error) {
     throw output::WriteError(fmt::format("the results cannot be put together: {}", error.what()));
   }

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "campaign/store.hpp"
-#include "campaign/temporary_folder.hpp"
 #include "cli/study_kinds.hpp"
+#include "process/temporary_folder.hpp"
 #include "report/study_report.hpp"
 #include "study/study.hpp"
 
@@ -48,7 +48,7 @@ class ResultsTogether {
   const campaign::Store& store() const { return *store_; }
 
  private:
-  std::unique_ptr<campaign::TemporaryFolder> folder_;
+  std::unique_ptr<process::TemporaryFolder> folder_;
   std::unique_ptr<campaign::Store> store_;
 };
 

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <system_error>
 
-#include "campaign/shell.hpp"
 #include "cli/common_names.hpp"
 #include "cli/results_file.hpp"
 #include "output/output.hpp"
+#include "process/program.hpp"
 #include "report/page_parts.hpp"
 #include "study/recording_place.hpp"
 
@@ -36,7 +36,7 @@ void write_page(const StoredResults& results, const PageWishes& wishes) {
     // A page is read on any machine, where the program is called as it is.
     const auto report = stored_study(
         results.file.string(), results.store,
-        [](const campaign::Job& job) { return campaign::command_line(campaign::match_arguments(job)); }, results.kinds);
+        [](const campaign::Job& job) { return process::command_line(campaign::match_arguments(job)); }, results.kinds);
     report->begin_page(results.file);
     study::read_back(report->study(), results.store, report->page_metrics(),
                      [&](const study::Round& round, std::uint64_t index, const campaign::Decided* decided) {

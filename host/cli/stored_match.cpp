@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "campaign/shell.hpp"
 #include "cli/common_names.hpp"
 #include "cli/results_file.hpp"
 #include "config/typed.hpp"
 #include "output/output.hpp"
+#include "process/program.hpp"
 
 namespace regista::cli {
 
@@ -51,7 +51,7 @@ std::unique_ptr<campaign::StoredSetup> set_up(const StoredMatch& stored, const p
   std::vector<std::string> words = campaign::match_arguments(stored.job);
   words.insert(words.begin(), program);
   throw BadInput(fmt::format("--row {}: was played with something else: {}; as things are now it would be: {}",
-                             stored.row, out->missing(), campaign::shell_line(words)));
+                             stored.row, out->missing(), process::shell_line(words)));
 } catch (const std::system_error& error) {
   throw output::WriteError(fmt::format("the files of the match cannot be laid out again: {}", error.what()));
 } catch (const std::invalid_argument& error) {

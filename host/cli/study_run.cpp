@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "campaign/engine.hpp"
-#include "campaign/shell.hpp"
 #include "cli/common_names.hpp"
 #include "cli/results_page.hpp"
 #include "cli/study_progress.hpp"
@@ -18,6 +17,7 @@
 #include "command/terminal.hpp"
 #include "config/text.hpp"
 #include "output/output.hpp"
+#include "process/program.hpp"
 #include "study/recording_place.hpp"
 
 namespace regista::cli {
@@ -26,7 +26,7 @@ namespace {
 std::string resume_line(const campaign::Options& options, const Invocation& invocation) {
   std::vector<std::string> words = invocation.arguments;
   if (!options.resume) words.push_back("--resume");
-  return campaign::shell_line(words);
+  return process::shell_line(words);
 }
 
 struct Playing {
@@ -130,7 +130,7 @@ report::CommandOf play_again(const Invocation& invocation) {
   return [&invocation](const campaign::Job& job) {
     std::vector<std::string> words = campaign::match_arguments(job);
     words.insert(words.begin(), invocation.arguments.front());
-    return campaign::shell_line(words);
+    return process::shell_line(words);
   };
 }
 

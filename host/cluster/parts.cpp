@@ -13,11 +13,11 @@
 #include <string_view>
 #include <system_error>
 
-#include "campaign/file_descriptor.hpp"
-#include "campaign/file_lock.hpp"
 #include "cluster/shared_file.hpp"
 #include "config/json.hpp"
 #include "config/text.hpp"
+#include "process/descriptor.hpp"
+#include "process/file_lock.hpp"
 
 namespace regista::cluster {
 namespace {
@@ -71,9 +71,9 @@ std::string told_in(const fs::path& file) {
 }
 
 bool can_be_held(const fs::path& file) {
-  const campaign::FileDescriptor opened(::open(file.c_str(), O_RDWR | O_CLOEXEC));
-  if (opened.number == -1 || campaign::lock_file(opened.number, campaign::FileLock::exclusive)) return false;
-  campaign::unlock_file(opened.number);
+  const process::FileDescriptor opened(::open(file.c_str(), O_RDWR | O_CLOEXEC));
+  if (opened.number == -1 || process::lock_file(opened.number, process::FileLock::exclusive)) return false;
+  process::unlock_file(opened.number);
   return true;
 }
 

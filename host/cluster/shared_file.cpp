@@ -10,7 +10,7 @@
 #include <system_error>
 #include <thread>
 
-#include "campaign/file_descriptor.hpp"
+#include "process/descriptor.hpp"
 
 namespace regista::cluster {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 constexpr int most_tries = 50;
 int read_once(const std::filesystem::path& file, std::string& out) {
   out.clear();
-  const campaign::FileDescriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  const process::FileDescriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   if (opened.number == -1) return errno;
   std::array<char, 65536> part;
   for (;;) {

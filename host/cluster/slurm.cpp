@@ -13,19 +13,19 @@
 #include <system_error>
 #include <thread>
 
-#include "campaign/run_program.hpp"
 #include "config/text.hpp"
+#include "process/program.hpp"
 
 namespace regista::cluster {
 namespace {
 
 constexpr std::chrono::minutes patience{2};  // with a controller that does not answer, and with one command
 
-using campaign::ProgramEnd;
+using process::ProgramEnd;
 
 ProgramEnd run_once(const std::vector<std::string>& words) {
   try {
-    ProgramEnd out = campaign::run_program({.words = words, .patience = patience});
+    ProgramEnd out = process::run_program({.words = words, .patience = patience});
     if (!out.in_time)
       throw SlurmError(
           fmt::format("{} has not answered for {} s", words.front(), std::chrono::seconds(patience).count()));

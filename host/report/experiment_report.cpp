@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "campaign/shell.hpp"
 #include "config/text.hpp"
+#include "process/program.hpp"
 #include "report/experiment.hpp"
 #include "report/experiment_figures.hpp"
 #include "report/experiment_page.hpp"
@@ -66,7 +66,7 @@ class ExperimentReport final : public StudyReport {
   std::vector<Figure> figures() const override { return experiment_figures(view()); }
   std::string page(PageFrame frame) const override {
     return experiment_page({view(), std::move(frame.figures), frame.program, fingerprint_.text(),
-                            campaign::command_line(experiment_arguments(plan_))});
+                            process::command_line(experiment_arguments(plan_))});
   }
 
  private:

@@ -2,7 +2,6 @@
 #include "report/gnuplot.hpp"
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -11,9 +10,9 @@
 #include <system_error>
 #include <utility>
 
-#include "campaign/run_program.hpp"
-#include "campaign/temporary_folder.hpp"
 #include "config/file.hpp"
+#include "process/program.hpp"
+#include "process/temporary_folder.hpp"
 #include "report/visible_text.hpp"
 
 namespace regista::report {
@@ -31,9 +30,9 @@ bool write(const fs::path& file, const std::string& bytes) {
   return out.good();
 }
 
-campaign::ProgramEnd run_gnuplot(const fs::path& folder, const std::string& script) {
+process::ProgramEnd run_gnuplot(const fs::path& folder, const std::string& script) {
   const char* const path = std::getenv("PATH");
-  campaign::ProgramCall call;
+  process::ProgramCall call;
   call.words = {"gnuplot", "-d", script};  // -d: no files of settings
   call.folder = folder;
   // No locale, font or terminal of the user's: the same picture everywhere.
@@ -41,7 +40,7 @@ campaign::ProgramEnd run_gnuplot(const fs::path& folder, const std::string& scri
       {"LC_ALL=C.UTF-8", "HOME=" + folder.string(), fmt::format("PATH={}", path == nullptr ? "" : path)}};
   call.patience = patience;
   call.longest_text = longest_complaint;
-  return campaign::run_program(call);
+  return process::run_program(call);
 }
 
 // What went wrong stands last, after warnings.
@@ -56,21 +55,21 @@ std::string last_line(const std::string& text) {
 std::string picture(const fs::path& folder, Drawing& drawing, Picture kind) {
   const std::string script = drawing.figure.name + (kind == Picture::svg ? ".gnuplot" : ".png.gnuplot");
   if (!write(folder / script, gnuplot_script(drawing.figure, kind))) return "temporary files cannot be written";
-  const campaign::ProgramEnd ended = run_gnuplot(folder, script);
+  const process::ProgramEnd ended = run_gnuplot(folder, script);
   if (!ended.found) {
     drawing.no_gnuplot = true;
     return "gnuplot is not installed";
   }
   if (!ended.in_time) return fmt::format("gnuplot took more than {} s", patience.count());
-  if (!WIFEXITED(ended.status)) return fmt::format("gnuplot was stopped by signal {}", WTERMSIG(ended.status));
-  if (WEXITSTATUS(ended.status) != 0) return "gnuplot: " + last_line(ended.errors);
+  if (ended.end.signal_number()) return "gnuplot: " + ended.end.in_words();
+  if (!ended.succeeded()) return "gnuplot: " + last_line(ended.errors);
   std::string& bytes = kind == Picture::svg ? drawing.svg : drawing.png;
   bytes = config::file_content(folder / (drawing.figure.name + (kind == Picture::svg ? ".svg" : ".png"))).value_or("");
   return bytes.empty() ? "gnuplot wrote no picture" : "";
 }
 
 void draw_into(Drawing& out, Png png) {
-  const campaign::TemporaryFolder folder;
+  const process::TemporaryFolder folder;
   if (!write(folder.path() / (out.figure.name + ".csv"), out.figure.csv)) {
     out.why_not = "temporary files cannot be written";
     return;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "campaign/shell.hpp"
+#include "process/program.hpp"
 #include "report/fingerprint.hpp"
 #include "report/search_comparison.hpp"
 #include "report/search_comparison_figures.hpp"
@@ -62,7 +62,7 @@ class SearchComparisonReport final : public StudyReport {
     return search_comparison_page(
         {view(),
          std::move(frame.figures),
-         {frame.program, fingerprint_.text(), campaign::command_line(search_comparison_arguments(plan_))}});
+         {frame.program, fingerprint_.text(), process::command_line(search_comparison_arguments(plan_))}});
   }
 
  private:

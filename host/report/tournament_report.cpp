@@ -10,8 +10,8 @@
 #include <system_error>
 #include <utility>
 
-#include "campaign/shell.hpp"
 #include "config/text.hpp"
+#include "process/program.hpp"
 #include "report/course_record.hpp"
 #include "report/page_recordings.hpp"
 #include "report/reproduction.hpp"
@@ -138,11 +138,11 @@ std::string TournamentReport::page(PageFrame frame) const {
     const std::string shown = study::beside(frame.results, fmt::format("-{}.html", match + 1)).filename().string();
     const auto word = [](const std::string& path) { return path.starts_with('-') ? "./" + path : path; };
     return RecordingLink{from_page,
-                         campaign::command_line(std::vector<std::string>{"view", word(from_page), "-o", word(shown)})};
+                         process::command_line(std::vector<std::string>{"view", word(from_page), "-o", word(shown)})};
   };
   const TournamentView view = this->view();
   return tournament_page({view, *record_, std::move(frame.figures), std::move(frame.documents), frame.program,
-                          campaign::command_line(tournament_arguments(plan_)),
+                          process::command_line(tournament_arguments(plan_)),
                           page_recordings(view, *record_, frame.results), link});
 }
 

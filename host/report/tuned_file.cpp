@@ -9,8 +9,8 @@
 #include <system_error>
 #include <vector>
 
-#include "campaign/shell.hpp"
 #include "config/text.hpp"
+#include "process/program.hpp"
 #include "report/number.hpp"
 #include "report/tuning_problem.hpp"
 #include "study/tuning/tuned_team.hpp"
@@ -59,7 +59,7 @@ std::string header(const study::TuningPlan& plan, const study::TuningRecord& rec
       tuned_file_begin, program, config::one_line(plan.team), verdict(plan, record),
       plan.objective.minimise ? "minimise" : "maximise", study::in_words(plan.objective), fmt::join(opponents, ", "),
       study::name(plan.algorithm), record.trace.size(), plan.seed, fingerprint, config::one_line(plan.folder),
-      config::one_line(campaign::command_line(words)));
+      config::one_line(process::command_line(words)));
 }
 
 // The base team's file as the new one is to name it.

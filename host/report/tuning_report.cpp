@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "campaign/shell.hpp"
+#include "process/program.hpp"
 #include "report/tuning_figures.hpp"
 #include "report/tuning_page.hpp"
 #include "report/tuning_problem.hpp"
@@ -34,7 +34,7 @@ std::vector<Figure> TuningReport::figures() const { return tuning_figures(view()
 std::string TuningReport::page(PageFrame frame) const {
   return tuning_page({view(),
                       std::move(frame.figures),
-                      {frame.program, fingerprint_.text(), campaign::command_line(tuning_arguments(plan_))}});
+                      {frame.program, fingerprint_.text(), process::command_line(tuning_arguments(plan_))}});
 }
 
 }  // namespace regista::report

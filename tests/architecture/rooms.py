@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Who may know whom: the arrows of docs/architecture.md as data. A change here is a change of the architecture.
 
-    cli -> cluster, command -> output -> report -> study -> campaign -> recording -> match -> mind -> plugin -> sdk
+    cli -> cluster, command -> output -> report -> study -> campaign -> recording -> match -> mind -> plugin -> process, sdk
     config, statistics, mcap, markup are leaves
 
 An arrow may skip rooms (match may include plugin), never run backwards or sideways.
@@ -14,18 +14,19 @@ KNOWS = {
     "statistics": set(),
     "mcap": set(),
     "markup": {"config"},
-    "plugin": {"sdk", "config"},
+    "process": {"config"},
+    "plugin": {"sdk", "config", "process"},
     "mind": {"sdk", "config", "plugin"},
     "match": {"sdk", "config", "plugin", "mind"},
     "recording": {"sdk", "config", "plugin", "mind", "match", "mcap", "markup"},
-    "campaign": {"sdk", "config", "plugin", "mind", "match", "statistics", "recording", "mcap"},
-    "check": {"sdk", "config", "plugin"},
+    "campaign": {"sdk", "config", "process", "plugin", "mind", "match", "statistics", "recording", "mcap"},
+    "check": {"sdk", "config", "process", "plugin"},
     "study": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign"},
-    "report": {"sdk", "config", "plugin", "match", "statistics", "campaign", "study", "recording", "markup"},
+    "report": {"sdk", "config", "process", "plugin", "match", "statistics", "campaign", "study", "recording", "markup"},
     "output": {"config", "mcap", "recording", "study", "report"},
     "command": {"config", "plugin", "output"},
-    "cluster": {"config", "plugin", "campaign", "study", "output"},
-    "cli": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "recording", "mcap",
+    "cluster": {"config", "process", "plugin", "campaign", "study", "output"},
+    "cli": {"sdk", "config", "process", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "recording", "mcap",
             "output", "command", "cluster", "check"},
 }
 

@@ -97,7 +97,7 @@ BAD_ROOMS = [
     ("host/report/bad.cpp", '#include "cli/main.hpp"', "1: includes cli/main.hpp; room report may not know cli"),
     ("host/match/bad.cpp", "/* a\n// */ #include HEADER",
      "2: includes what a macro names; write the header's name"),
-    ("host/tools/bad.cpp", "int i;", "1: stands in no room; the rooms are config, statistics, mcap, markup, plugin, "
+    ("host/tools/bad.cpp", "int i;", "1: stands in no room; the rooms are config, statistics, mcap, markup, process, plugin, "
                                      "mind, match, recording, campaign, check, study, report, output, command, cluster, cli"),
     ("plugins/senders/bad/plugin.cpp", '#include "mind/mind.hpp"',
      "1: includes mind/mind.hpp; room plugins/senders/bad may not know mind"),

@@ -13,7 +13,7 @@ REASONS = {
     "crash": "died when it was opened: Segmentation fault",
     "leave": "ended the process when it was opened (exit code 0)",
     "sleep_on": "slept for 2 s when it was opened",
-    "spin": "took more than 2 s of processor time when it was opened",
+    "spin": "used more than 2 s of processor time when it was opened",
     "start_a_thread": "starts a thread when it is opened",
 }
 if program.SANITIZED:

@@ -248,7 +248,7 @@ class Faults(PluginCheck):
         crash = "ended the process" if program.SANITIZED else "died when it was opened: Segmentation fault"
         for name, reason in (("crash", crash),
                              ("leave", "ended the process when it was opened"),
-                             ("spin", "took more than 2 s of processor time when it was opened"),
+                             ("spin", "used more than 2 s of processor time when it was opened"),
                              ("sleep_on", "slept for 2 s when it was opened"),
                              ("start_a_thread", "starts a thread when it is opened")):
             with self.subTest(name):
@@ -289,7 +289,7 @@ class Faults(PluginCheck):
     def test_what_ends_or_holds_the_process(self):
         found = self.found(PLUGINS / "hangs" / "hangs.so", "--processor-seconds", "1")
         self.assertEqual(found["context.promises"],
-                         ("crash", ["took more than 1 s of processor time", "at: defaults; 3 robots: usual"]))
+                         ("crash", ["used more than 1 s of processor time", "at: defaults; 3 robots: usual"]))
         self.assertNotIn("context.growth", found, "nobody waits twice")
         checks = self.check(PLUGINS / "deaths" / "deaths.so", "--only", "promises", "--processor-seconds", "1", code=1)
         crashed = {check["plugin"]: check["lines"][0] for check in checks if check["status"] == "crash"}
@@ -298,7 +298,7 @@ class Faults(PluginCheck):
 
     def test_when_the_process_ends(self):
         found = self.found(PLUGINS / "when_closed_spin" / "spin.so", "--processor-seconds", "1")
-        self.assertEqual(found, {"ending": ("crash", ["took more than 1 s of processor time", "at: the end of the process"])})
+        self.assertEqual(found, {"ending": ("crash", ["used more than 1 s of processor time", "at: the end of the process"])})
         found = self.found(PLUGINS / "when_closed_sleep_on" / "sleep_on.so")
         self.assertEqual(found["ending"], ("crash", ["did nothing for 5 s", "at: the end of the process"]))
         found = self.found(PLUGINS / "when_closed_leave" / "leave.so")

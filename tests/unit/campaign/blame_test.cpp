@@ -157,5 +157,10 @@ TEST(Blame, AForfeitIsLostByTen) {
   EXPECT_EQ(forfeit(failure_of(home), 2.0).score, (std::array<int, 2>{0, 10}));
 }
 
+TEST(Note, LongIdsAreCutOff) {
+  const auto noted = plugin::note_of_id(std::string(100, 'x'));
+  EXPECT_EQ(std::string(noted.data()), std::string(63, 'x'));
+}
+
 }  // namespace
 }  // namespace regista::campaign

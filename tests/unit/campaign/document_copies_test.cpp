@@ -68,7 +68,7 @@ TEST(DocumentCopies, EveryDocumentOfAMatchIsACopy) {
 }
 
 TEST(DocumentCopies, OfSharedObjectsThePathAlone) {
-  const TemporaryFolder folder;
+  const process::TemporaryFolder folder;
   const fs::path object = folder.path() / "plugin.so", text = folder.path() / "text";
   std::ofstream(object) << "\x7f"
                            "ELF and more";

@@ -2,13 +2,16 @@
 // What a file of results gives back: to the process that writes it, to the next one, and to those who only read.
 #include "campaign/store.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 
 #include <csignal>
 #include <fstream>
 #include <iterator>
 
+#include "process/descriptor.hpp"
 #include "store_fixture.hpp"
 
 namespace regista::campaign {
@@ -305,6 +308,19 @@ TEST_F(StoreTest, NoNameInTheCurrentFolderMeansSomethingElse) {
     { EXPECT_EQ(Store(name, Mode::read, "1.0").rows(), 1) << name; }
   }
   std::filesystem::current_path(before);
+}
+
+// On network file systems flock() and the locks of SQLite are the same: whoever has both is in its own way.
+TEST_F(StoreTest, UsesNoLockOfTheOtherKind) {
+  for (const Journal journal : {Journal::log, Journal::rollback}) {
+    std::filesystem::remove(file);
+    Store store(file, Mode::create, "1.0", journal);
+    store.insert(1, {number(store, "key"), 1}, played, 1);
+    const process::FileDescriptor other(::open(file.c_str(), O_RDWR | O_CLOEXEC));
+    EXPECT_EQ(::flock(other.number, LOCK_EX | LOCK_NB), 0);
+    store.insert(2, {number(store, "key"), 2}, played, 1);
+    EXPECT_THROW(Store(file, Mode::open, "1.0", journal), StoreInUse);
+  }
 }
 
 }  // namespace

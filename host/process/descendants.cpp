@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugin/descendants.hpp"
+#include "process/descendants.hpp"
 
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -9,7 +9,7 @@
 #include <csignal>
 #include <fstream>
 
-namespace regista::plugin {
+namespace regista::process {
 namespace {
 
 std::vector<pid_t> children() {
@@ -44,4 +44,4 @@ void Descendants::end_all_but(std::span<const pid_t> those) const {
   }
 }
 
-}  // namespace regista::plugin
+}  // namespace regista::process

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "plugin/idle_process.hpp"
+#include "process/watch.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <optional>
 #include <sstream>
 #include <string>
 
-namespace regista::plugin {
+namespace regista::process {
 namespace {
 
 struct Activity {
@@ -36,6 +37,20 @@ std::optional<Activity> activity_of(pid_t process) {
 
 }  // namespace
 
+double processor_seconds_of(pid_t process) {
+  clockid_t clock{};
+  timespec time{};
+  if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0.0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+std::uint64_t address_space_of(pid_t process) {
+  std::ifstream file(fmt::format("/proc/{}/statm", process));
+  std::uint64_t pages = 0;
+  file >> pages;
+  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
 double IdleProcess::idle_seconds() {
   const std::optional<Activity> now = activity_of(process_);
   const bool idle = now && now->state != 'R' && now->state != 'D' && now->used == used_;
@@ -44,4 +59,4 @@ double IdleProcess::idle_seconds() {
   return std::chrono::duration<double>(Clock::now() - since_).count();
 }
 
-}  // namespace regista::plugin
+}  // namespace regista::process

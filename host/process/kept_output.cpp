@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/kept_output.hpp"
+#include "process/kept_output.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace regista::campaign {
+namespace regista::process {
 
 void KeptOutput::add(std::string_view text) {
   const std::size_t room = most_each - first_.size();
@@ -23,4 +23,4 @@ std::string KeptOutput::text() const {
   return fmt::format("{}\n[{} bytes are left out]\n{}", first_, left_out_, last_);
 }
 
-}  // namespace regista::campaign
+}  // namespace regista::process

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/file_passing.hpp"
+#include "process/descriptor.hpp"
 
+#include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 
 #include <array>
 #include <cassert>
-#include <cerrno>
 #include <cstring>
+#include <system_error>
 
-namespace regista::campaign {
+namespace regista::process {
 namespace {
+
+[[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
 // Room for control data, aligned as its header wants it.
 struct alignas(cmsghdr) Control {
@@ -17,6 +21,51 @@ struct alignas(cmsghdr) Control {
 };
 
 }  // namespace
+
+FileDescriptor moved_up(FileDescriptor file, int lowest) {
+  FileDescriptor out(::fcntl(file.number, F_DUPFD_CLOEXEC, lowest));
+  if (!out.is_open()) fail("cannot keep a file open");
+  return out;
+}
+
+Pipe make_pipe() {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) == -1) fail("cannot make a pipe");
+  ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
+  return {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
+}
+
+FileDescriptor memory_file(std::string_view text) {
+  FileDescriptor file(::memfd_create("regista", MFD_CLOEXEC));
+  if (!file.is_open() || !write_all(file.number, text)) fail("cannot hand over a text");
+  ::lseek(file.number, 0, SEEK_SET);
+  return file;
+}
+
+std::string everything_in(int file) {
+  std::string out;
+  std::array<char, 4096> buffer;
+  for (;;) {
+    const ssize_t count = ::pread(file, buffer.data(), buffer.size(), static_cast<off_t>(out.size()));
+    if (count == -1 && errno == EINTR) continue;
+    if (count <= 0) return out;
+    out.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+}
+
+bool write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(descriptor, text.data(), text.size());
+    if (count == -1 && errno == EINTR) continue;
+    if (count == -1) return false;
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+bool write_all(int descriptor, std::span<const std::uint8_t> bytes) {
+  return write_all(descriptor, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
 
 bool send_bytes(int socket, std::span<const std::byte> bytes, std::span<const int> files) {
   assert(files.size() <= most_passed_files);
@@ -64,4 +113,4 @@ bool receive_bytes(int socket, std::span<std::byte> bytes, std::vector<FileDescr
   return received == static_cast<ssize_t>(bytes.size()) && (message.msg_flags & (MSG_TRUNC | MSG_CTRUNC)) == 0;
 }
 
-}  // namespace regista::campaign
+}  // namespace regista::process

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace regista::plugin {
+namespace regista::process {
 
 class Descendants {
  public:
@@ -24,4 +24,4 @@ class Descendants {
   std::vector<pid_t> strangers_, groups_;
 };
 
-}  // namespace regista::plugin
+}  // namespace regista::process

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace regista::campaign {
+namespace regista::process {
 
 class TemporaryFolder {
  public:
@@ -19,4 +19,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace regista::campaign
+}  // namespace regista::process

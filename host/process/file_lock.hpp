@@ -6,7 +6,7 @@
 
 #include <system_error>
 
-namespace regista::campaign {
+namespace regista::process {
 
 enum class FileLock { shared, exclusive };
 
@@ -16,4 +16,4 @@ std::error_code lock_file(int descriptor, FileLock lock);
 // At once, also for copies of the descriptor. Closing alone ends a lock somewhat later on some network file systems.
 void unlock_file(int descriptor);
 
-}  // namespace regista::campaign
+}  // namespace regista::process

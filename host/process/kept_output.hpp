@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace regista::campaign {
+namespace regista::process {
 
 class KeptOutput {
  public:
@@ -20,4 +20,4 @@ class KeptOutput {
   std::uint64_t left_out_ = 0;
 };
 
-}  // namespace regista::campaign
+}  // namespace regista::process

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/file_lock.hpp"
+#include "process/file_lock.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
 
-namespace regista::campaign {
+namespace regista::process {
 namespace {
 
 constexpr off_t after_those_of_sqlite = 0x40000000 + 512;
@@ -30,4 +30,4 @@ std::error_code lock_file(int descriptor, FileLock lock) {
 
 void unlock_file(int descriptor) { set(descriptor, F_UNLCK); }
 
-}  // namespace regista::campaign
+}  // namespace regista::process

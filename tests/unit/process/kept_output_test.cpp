@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Compared with the whole text, cut by hand.
-#include "campaign/kept_output.hpp"
+#include "process/kept_output.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <string>
 
-namespace regista::campaign {
+namespace regista::process {
 namespace {
 
 constexpr std::size_t most = 4096;
@@ -55,4 +55,4 @@ TEST(KeptOutput, ItDoesNotMatterInWhichPiecesItComes) {
 }
 
 }  // namespace
-}  // namespace regista::campaign
+}  // namespace regista::process

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/run_program.hpp"
+#include "process/program.hpp"
 
 #include <gmock/gmock.h>
-#include <sys/wait.h>
 
+#include <array>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
+#include <string>
 #include <system_error>
+#include <vector>
 
-namespace regista::campaign {
+namespace regista::process {
 namespace {
 
 using namespace std::chrono_literals;
@@ -20,10 +23,10 @@ TEST(RunProgram, WhatItSaysAndHowItEnds) {
   EXPECT_TRUE(end.found && end.in_time);
   EXPECT_EQ(end.output, "said\n");
   EXPECT_EQ(end.errors, "complained\n");
-  EXPECT_EQ(WEXITSTATUS(end.status), 3);
+  EXPECT_TRUE(end.end.exited_with(3));
   EXPECT_FALSE(end.succeeded());
   EXPECT_TRUE(shell("true").succeeded());
-  EXPECT_EQ(WTERMSIG(shell("kill -TERM $$").status), SIGTERM);
+  EXPECT_EQ(shell("kill -TERM $$").end.signal_number(), SIGTERM);
 }
 
 TEST(RunProgram, WordsAreNoShellLines) {
@@ -41,7 +44,7 @@ TEST(RunProgram, OneThatIsNotThere) {
 TEST(RunProgram, OneThatEndsLikeAShellWithoutAProgramIsThere) {
   const ProgramEnd end = shell("no-such-program-anywhere");
   EXPECT_TRUE(end.found);
-  EXPECT_EQ(WEXITSTATUS(end.status), 127);
+  EXPECT_TRUE(end.end.exited_with(127));
   EXPECT_THAT(end.errors, testing::HasSubstr("no-such-program-anywhere"));
 }
 
@@ -69,7 +72,7 @@ TEST(RunProgram, OneThatTakesTooLongIsKilled) {
   const ProgramEnd end = run_program({.words = {"sh", "-c", "echo begun; sleep 600 & sleep 600"}, .patience = 2s});
   EXPECT_FALSE(end.in_time);
   EXPECT_EQ(end.output, "begun\n");
-  EXPECT_EQ(WTERMSIG(end.status), SIGKILL);
+  EXPECT_EQ(end.end.signal_number(), SIGKILL);
 }
 
 TEST(RunProgram, FolderAndEnvironmentOfItsOwn) {
@@ -81,5 +84,28 @@ TEST(RunProgram, FolderAndEnvironmentOfItsOwn) {
   EXPECT_THAT(end.output, testing::Not(testing::HasSubstr("HOME=")));
 }
 
+// The shell is the judge of what a shell reads: what `printf '%s\n'` of the shell makes of the words of a line.
+std::string read_by_shell(const std::string& line) {
+  std::FILE* const shell = popen(("printf '%s\\n' " + line).c_str(), "r");
+  std::string out;
+  std::array<char, 256> buffer;
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), shell)) out.append(buffer.data(), count);
+  EXPECT_EQ(pclose(shell), 0);
+  return out;
+}
+
+TEST(ShellLine, IsReadBackAsTheSameWords) {
+  const std::vector<std::string> words{"plain", "with space", "it's", "",    "$HOME", "`id`", "a;b",  "*",
+                                       "\\",    "\"quoted\"", "''",   "a=b", "~",     "#",    "{a,b}"};
+  std::string expected;
+  for (const std::string& word : words) expected += word + '\n';
+  EXPECT_EQ(read_by_shell(shell_line(words)), expected);
+}
+
+TEST(ShellLine, LeavesPlainWordsAlone) {
+  const std::vector<std::string> words{"regista", "match", "configs/teams/paper.yaml", "--set", "rules.team_size=5"};
+  EXPECT_EQ(shell_line(words), "regista match configs/teams/paper.yaml --set rules.team_size=5");
+}
+
 }  // namespace
-}  // namespace regista::campaign
+}  // namespace regista::process

@@ -9,6 +9,7 @@
 
 #include "plugin/call_note.hpp"
 #include "plugin/fatal_signal.hpp"
+#include "process/shared_memory.hpp"
 
 namespace regista::campaign {
 
@@ -17,27 +18,16 @@ struct WorkerNote {
   plugin::CallNote call;
   plugin::FatalNote fatal;
   std::array<pid_t, 2> groups{};  // of the minds' processes of an isolated match, by side; 0: none
+
+  // A copy whose texts end, whatever a plugin has written there.
+  WorkerNote sound() const {
+    WorkerNote out = *this;
+    out.call.plugin.back() = out.call.call.back() = '\0';
+    out.fatal.thread.back() = out.fatal.object.back() = '\0';
+    return out;
+  }
 };
 
-class SharedNote {
- public:
-  // New, for a coordinator. Throws std::system_error.
-  SharedNote();
-  // A worker's view of one that it inherited, by its file descriptor. Throws std::system_error.
-  explicit SharedNote(int descriptor);
-  ~SharedNote();
-  SharedNote(SharedNote&&) noexcept;
-  SharedNote& operator=(SharedNote&&) = delete;
-
-  WorkerNote& note() { return *note_; }
-  const WorkerNote& note() const { return *note_; }
-  int descriptor() const { return descriptor_; }  // closed at exec
-  void clear() { *note_ = {}; }
-
- private:
-  void map();
-  int descriptor_;
-  WorkerNote* note_ = nullptr;
-};
+using SharedNote = process::SharedMemory<WorkerNote>;
 
 }  // namespace regista::campaign

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/temporary_folder.hpp"
+#include "process/temporary_folder.hpp"
 
 #include <stdlib.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <system_error>
 
-namespace regista::campaign {
+namespace regista::process {
 
 namespace fs = std::filesystem;
 
@@ -27,4 +27,4 @@ TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(path_, ignored);
 }
 
-}  // namespace regista::campaign
+}  // namespace regista::process

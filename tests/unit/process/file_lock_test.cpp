@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/file_lock.hpp"
+#include "process/file_lock.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <filesystem>
 
-#include "campaign/file_descriptor.hpp"
-#include "store_fixture.hpp"
+#include "process/descriptor.hpp"
+#include "process/temporary_folder.hpp"
 
-namespace regista::campaign {
+namespace regista::process {
 namespace {
 
-class FileLockTest : public StoreTest {
+class FileLockTest : public testing::Test {
  protected:
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "file";
   FileDescriptor opened() const { return FileDescriptor(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)); }
 };
 
@@ -68,18 +70,5 @@ TEST_F(FileLockTest, SaysWhatElseIsWrong) {
   EXPECT_TRUE(lock_file(read_only.number, FileLock::exclusive));
 }
 
-// On network file systems flock() and the locks of SQLite are the same: whoever has both is in its own way.
-TEST_F(FileLockTest, AStoreUsesNoLockOfTheOtherKind) {
-  for (const Journal journal : {Journal::log, Journal::rollback}) {
-    std::filesystem::remove(file);
-    Store store(file, Mode::create, "1.0", journal);
-    store.insert(1, {number(store, "key"), 1}, played, 1);
-    const FileDescriptor other = opened();
-    EXPECT_EQ(::flock(other.number, LOCK_EX | LOCK_NB), 0);
-    store.insert(2, {number(store, "key"), 2}, played, 1);
-    EXPECT_THROW(Store(file, Mode::open, "1.0", journal), StoreInUse);
-  }
-}
-
 }  // namespace
-}  // namespace regista::campaign
+}  // namespace regista::process
