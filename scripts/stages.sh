@@ -44,31 +44,16 @@ trap 'exit 143' TERM HUP
 # Where there is no home folder to keep ccache's store in, keep it beside the builds.
 if [[ ! -w ${HOME:-/nonexistent} ]]; then export CCACHE_DIR="$PWD/build/ccache"; fi
 
-# Every script configures a preset through these two: with different options they would rebuild each other's files for ever.
-#
-# A build of this preset begins with nothing: no folder, and no compiler cache that could know what it needs.
-begins_with_nothing() {
-  if [[ -e build/$1/CMakeCache.txt ]]; then return 1; fi
-  if ! command -v ccache >/dev/null || [[ -n ${CCACHE_DISABLE-} ]]; then return 0; fi
-  [[ $(ccache --print-stats | awk '$1 == "files_in_cache" { print $2 }') -eq 0 ]]
-}
-
-# configure PRESET: with everything that the preset has, tests too. One that begins with nothing is built in batches of
-# files, which is faster, and stays so.
+# configure PRESET [OPTION...]: with these parts in addition to what the folder was configured with before (REGISTA_TESTS,
+# REGISTA_BENCHMARKS), so that scripts that need more or less do not rebuild each other's files.
 configure() {
-  local everything=(-DREGISTA_WERROR=ON)
-  if begins_with_nothing "$1"; then everything+=(-DREGISTA_BATCHES=ON); fi
-  if [[ $1 == release ]]; then everything+=(-DREGISTA_TESTS=ON -DREGISTA_BENCHMARKS=ON); fi
-  cmake --preset "$1" "${everything[@]}"
-}
-
-# The program of the release build, for which the packages of the tests need not be there. A folder that was configured with
-# tests keeps them.
-configure_program() {
-  local cache=build/release/CMakeCache.txt options=(-DREGISTA_WERROR=ON)
-  if ! grep -qs '^REGISTA_TESTS:[A-Z]*=ON' "$cache"; then options+=(-DREGISTA_TESTS=OFF -DREGISTA_BENCHMARKS=OFF); fi
-  if begins_with_nothing release; then
-    options+=(-DREGISTA_BATCHES=ON -DREGISTA_PRECOMPILE=ON)
-  fi
-  cmake --preset release "${options[@]}"
+  local options=(-DREGISTA_WERROR=ON) part cache="build/$1/CMakeCache.txt"
+  for part in REGISTA_TESTS REGISTA_BENCHMARKS; do
+    if [[ " ${*:2} " == *" $part "* ]]; then
+      options+=("-D$part=ON")
+    elif ! grep -qs "^$part:[A-Z]*=" "$cache"; then
+      options+=("-D$part=OFF")
+    fi
+  done
+  cmake --preset "$1" "${options[@]}"
 }

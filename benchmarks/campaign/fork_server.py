@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """What the fork server gains: the same tournament of short games with it and without, in turns.
 
-    fork_server.py REGISTA TEAM_A TEAM_B [--limit SECONDS] [--pairs N] [--rounds N] [--before OTHER_REGISTA]
+    fork_server.py REGISTA TEAM_A TEAM_B [--limit SECONDS] [--openings FOLDER] [--pairs N] [--rounds N] [--before OTHER_REGISTA]
 
 Without it means that it is killed as often as it is seen: after three deaths nobody starts it again, and each match
 starts the program. --before: that is done by another program, of an earlier version. Printed: processor time of a game, least of all rounds, both ways, and their ratio. One worker."""
@@ -32,7 +32,8 @@ def main():
     parser.add_argument("regista", type=pathlib.Path)
     parser.add_argument("teams", nargs=2)
     parser.add_argument("--limit", default="30")
-    parser.add_argument("--pairs", type=int, default=20)
+    parser.add_argument("--openings", default="configs/openings")  # without scenes nobody plays in so short a game
+    parser.add_argument("--pairs", type=int, default=43)
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--before", type=pathlib.Path)
     options = parser.parse_args()
@@ -43,7 +44,7 @@ def main():
             teams = [word for team in options.teams for word in ("--team", team)]
             program = options.before if without and options.before else options.regista
             running = subprocess.Popen([str(program), "tournament", *teams, "--pairs", str(options.pairs), "--limit",
-                                        options.limit, "--workers", "1", "--play-once", "--no-page", "--quiet",
+                                        options.limit, "--openings", options.openings, "--workers", "1", "--play-once", "--no-page", "--quiet",
                                         "--results", f"{folder}/t.db"], stdout=subprocess.DEVNULL)
             seen = set()
             while without and len(seen) < DEATHS and running.poll() is None:

@@ -85,9 +85,11 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "many.db"
 
+        openings = options.teams[0].resolve().parent.parent / "openings"  # without them nobody plays in so short a game
+
         def tournament(pairs):
             return [regista, "tournament", "--team", options.teams[0].resolve(), "--team", options.teams[1].resolve(),
-                    "--pairs", pairs, "--limit", LIMIT, "--results", file, "--quiet", "--no-page"]
+                    "--pairs", pairs, "--limit", LIMIT, "--openings", openings, "--results", file, "--quiet", "--no-page"]
 
         words = tournament(options.rows // 2)
         with subprocess.Popen([str(word) for word in words], stdout=subprocess.DEVNULL,

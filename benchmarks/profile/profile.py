@@ -1,16 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Instructions of a match by stage, counted by callgrind: they repeat to the last one on one machine, however busy it
-is. Only what runs inside of match::play() counts.
+"""Instructions of a match by stage, in open play: counted by callgrind, they repeat to the last one on one machine, however
+busy it is. Only what runs inside of match::play() counts, of the seconds from --from to --limit: what the whole costs less
+what the same match costs that ends at --from. In the first 50 s of a match robots walk to their places.
 
-    profile.py REGISTA HOME AWAY [--limit SECONDS] [--seed N] [--set PATH=VALUE]... [--json]
-    profile.py REGISTA HOME AWAY --compare FILE [--write]
+    profile.py REGISTA HOME AWAY [--from SECONDS] [--limit SECONDS] [--seed N] [--set PATH=VALUE]... [--json]
+    profile.py REGISTA --compare FILE [--write]
 
---compare: holds instructions per decision against the number in FILE and fails when it is more than 3 % larger; --write:
-writes FILE instead. Needs valgrind.
+--compare: counts each pairing of FILE (home, away and a number a line), two at once, and fails where instructions per decision
+are more than 3 % above the number; --write: writes the numbers anew instead. Needs valgrind.
 """
 import argparse
 import collections
+import concurrent.futures
 import json
 import pathlib
 import re
@@ -25,10 +27,10 @@ STAGES = (
     ("a mind", r"mind::Mind::think\(", "decision"),
     ("  predict and correct own models", r"LocalModel::update\(", "decision"),
     ("  predict teammates' models", r"TeamModel::predict\(", "decision"),
-    ("  hear", r"WorldModel::hear\(|TeamModel::hear\(", "decision"),
+    ("  hear", r"TeamModel::absorb\(", "decision"),
     ("  read teammates' models", r"TeamModel::refresh\(", "decision"),
     ("  fuse balls", r"fuse_ball\(", "decision"),
-    ("  fuse opponents", r"fuse_opponents\(", "decision"),
+    ("  fuse opponents", r"WorldModel::fuse_opponents\(", "decision"),
     ("  list tasks", r"list_tasks\(", "decision"),
     ("  place", r"plugin::Positioner::place\(", "decision"),
     ("  utilities", r"UtilityEstimationMatrix::", "decision"),
@@ -84,26 +86,78 @@ class Profile:
                    for each in found)
 
 
-def measured(options):
+class Window:
+    """The difference of two profiles of one match: that of all of it, and that of its beginning."""
+
+    def __init__(self, whole, beginning):
+        self.whole, self.beginning = whole, beginning
+        self.own = whole.own.copy()
+        self.own.subtract(beginning.own)
+        self.total = sum(self.own.values())
+        self.decisions = self.calls(r"^regista::mind::Mind::think\(")
+        self.steps = self.calls(r"^b2World::Step\(")
+        if not self.decisions or not self.steps:
+            sys.exit("profile.py: the program has no symbols, or played nothing")
+
+    def calls(self, pattern):
+        return sum(profile.calls[each] * sign for profile, sign in ((self.whole, 1), (self.beginning, -1))
+                   for each in profile.calls if re.search(pattern, each))
+
+    def of(self, stage, pattern):
+        if not any(re.search(pattern, each) for each in self.whole.inclusive):
+            sys.exit(f"profile.py: no function is the stage \"{stage.strip()}\": {pattern}")
+        return self.whole.of(pattern) - self.beginning.of(pattern)
+
+    def per_decision(self):
+        return self.total / self.decisions
+
+
+def profile_of(options, home, away, limit):
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "callgrind"
         subprocess.run(["valgrind", "--quiet", "--tool=callgrind", f"--callgrind-out-file={file}", "--compress-pos=no",
-                        "--toggle-collect=regista::match::play(regista::match::Setup const&*", *match_of(options)],
+                        "--toggle-collect=regista::match::play(regista::match::Setup const&*", options.regista, "match",
+                        home, away, "--in-process", "--quiet", "--seed", str(options.seed), "--limit", str(limit),
+                        *(word for each in options.set for word in ("--set", each))],
                        check=True, stdout=subprocess.DEVNULL)
         return Profile(file)
 
 
-def match_of(options):
-    return [options.regista, "match", options.home, options.away, "--in-process", "--quiet", "--seed", str(options.seed),
-            "--limit", str(options.limit), *(word for each in options.set for word in ("--set", each))]
+def window_of(options, home, away):
+    return Window(profile_of(options, home, away, options.limit), profile_of(options, home, away, getattr(options, "from")))
+
+
+def compare(options):
+    """The committed numbers of all pairings; whether none has grown."""
+    lines = [line for line in options.compare.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
+    heads = [line for line in options.compare.read_text(encoding="utf-8").splitlines() if line.startswith("#")]
+    pairings = [line.split() for line in lines]
+    with concurrent.futures.ThreadPoolExecutor(2) as both:
+        counted = [window.per_decision() for window in
+                   both.map(lambda pairing: window_of(options, f"configs/teams/{pairing[0]}.yaml",
+                                                      f"configs/teams/{pairing[1]}.yaml"), pairings)]
+    grown = []
+    for (home, away, committed), now in zip(pairings, counted):
+        change = 100 * (now / float(committed) - 1)
+        print(f"{home} {away}: {now:.0f} instructions per decision, {change:+.1f} % of {committed}")
+        if now > (1 + TOLERANCE) * float(committed):
+            grown.append(f"{home}/{away}")
+    if options.write:
+        options.compare.write_text("\n".join(heads + [f"{home} {away} {now:.0f}" for (home, away, _), now in
+                                                      zip(pairings, counted)]) + "\n", encoding="utf-8")
+        grown = []
+    print(f"{len(pairings)} pairings in seconds {getattr(options, 'from'):.0f} to {options.limit:.0f}; more than "
+          f"{100 * TOLERANCE:.0f} % dearer: {', '.join(grown) or 'none'}")
+    return 1 if grown else 0
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("regista")
-    parser.add_argument("home")
-    parser.add_argument("away")
-    parser.add_argument("--limit", type=float, default=60, help="simulated seconds; 60")
+    parser.add_argument("home", nargs="?")
+    parser.add_argument("away", nargs="?")
+    parser.add_argument("--from", type=float, default=60, help="simulated seconds; 60")
+    parser.add_argument("--limit", type=float, default=300, help="simulated seconds; 300")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="as of regista match")
     parser.add_argument("--json", action="store_true")
@@ -112,22 +166,14 @@ def main():
     options = parser.parse_args()
     if options.write and not options.compare:
         parser.error("--write: needs --compare FILE")
-    profile = measured(options)
-    total = sum(profile.own.values())
-    counts = {"decision": sum(n for each, n in profile.calls.items() if re.search(r"^regista::mind::Mind::think\(", each)),
-              "step": sum(n for each, n in profile.calls.items() if re.search(r"^b2World::Step\(", each))}
-    if not all(counts.values()):
-        sys.exit("profile.py: the program has no symbols, or played nothing")
-    per_decision = total / counts["decision"]
     if options.compare:
-        if options.write:
-            options.compare.write_text(f"{per_decision:.0f}\n", encoding="utf-8")
-        committed = float(options.compare.read_text(encoding="utf-8"))
-        print(f"{per_decision:.0f} instructions per decision, {100 * (per_decision / committed - 1):+.1f} % of "
-              f"{committed:.0f} ({options.compare})")
-        return 1 if per_decision > (1 + TOLERANCE) * committed else 0
-    rows = [("everything, Box2D included", total, "decision"),
-            *((name, profile.of(pattern), per) for name, pattern, per in STAGES)]
+        return compare(options)
+    if not options.away:
+        parser.error("which teams? HOME AWAY, or --compare FILE")
+    window = window_of(options, options.home, options.away)
+    counts = {"decision": window.decisions, "step": window.steps}
+    rows = [("everything, Box2D included", window.total, "decision"),
+            *((name, window.of(name, pattern), per) for name, pattern, per in STAGES)]
     if options.json:
         print(json.dumps({"decisions": counts["decision"], "steps": counts["step"],
                           "instructions": {name.strip(): {"per": per, "instructions": cost / counts[per]}
@@ -138,7 +184,7 @@ def main():
     for name, cost, per in rows:
         print(f"{name:40}{cost / counts[per]:>10,.0f}")
     print("most of their own:")
-    for name, cost in profile.own.most_common(25):
+    for name, cost in window.own.most_common(25):
         print(f"  {cost / counts['decision']:>8,.0f}  {name[:120]}")
     return 0
 

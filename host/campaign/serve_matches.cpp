@@ -53,13 +53,13 @@ pid_t copy_for_parent() {
 #endif
 }
 
-// What lists of processes show: the same as of a worker that started the program.
-void be_called_a_worker() {
+// What lists of processes show. Where this program was started as something else, it stays.
+void be_called(std::string_view name) {
   char* const command = program_invocation_name + std::strlen(program_invocation_name) + 1;
-  if (std::string_view(command) != server_command) return;
+  if (std::string_view(command) != server_command && std::string_view(command) != worker_command) return;
   static_assert(std::string_view(worker_command).size() <= std::string_view(server_command).size());
-  std::memset(command, 0, std::strlen(command));
-  std::memcpy(command, worker_command, std::strlen(worker_command));
+  std::memset(command, 0, std::string_view(server_command).size());
+  std::memcpy(command, name.data(), name.size());
 }
 
 struct Connection {
@@ -76,7 +76,6 @@ struct Connection {
   for (const int each : {files.answer, files.note, files.output, files.trail}) {
     if (each > trail_descriptor) ::close(each);
   }
-  be_called_a_worker();
   process::write_all(STDERR_FILENO, match.output);
   try {
     const SharedNote shared{process::FileDescriptor(note_descriptor)};
@@ -100,7 +99,10 @@ ForkReply answer(const ForkRequest& request, std::vector<process::FileDescriptor
     const Job job = job_from_json(process::everything_in(files[0].number));
     PreparedTeams::Match match = teams.prepare(job);
     if (!match.changed.empty()) return reply;
+    // A copy has the name of a worker from its first moment: whoever ends the server by its name does not end a match.
+    be_called(worker_command);
     reply.process = copy_for_parent();
+    if (reply.process != 0) be_called(server_command);
     if (reply.process == 0) {
       files[0].reset();
       play_in_copy(job, std::move(match),

@@ -16,7 +16,7 @@ namespace {
 }  // namespace
 
 FileDescriptor shared_file(std::size_t bytes) {
-  FileDescriptor file(::memfd_create("regista-shared", MFD_CLOEXEC));
+  FileDescriptor file(::memfd_create("regista-note", MFD_CLOEXEC));
   if (!file.is_open() || ::ftruncate(file.number, static_cast<off_t>(bytes)) == -1)
     fail_to_share("cannot make shared memory");
   return file;

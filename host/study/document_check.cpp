@@ -5,8 +5,13 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
+#include <sstream>
+#include <string_view>
 
+#include "config/file.hpp"
 #include "config/team_size.hpp"
+#include "config/text.hpp"
 #include "mind/mind.hpp"
 #include "mind/team_plan.hpp"
 #include "plugin/failure.hpp"
@@ -27,6 +32,18 @@ DocumentMistake of_file(const std::string& file, const std::string& message, con
   return out;
 }
 
+// What a document says of itself in its head: "# Sketch: what is not right yet".
+std::optional<config::Warning> sketch_remark(const std::string& file) {
+  std::istringstream head(config::file_content(file).value_or(""));
+  constexpr std::string_view mark = "# Sketch: ";
+  std::string line;
+  for (int number = 1; std::getline(head, line) && line.starts_with('#'); ++number) {
+    if (line.starts_with(mark))
+      return config::Warning{{file, number, 1}, "a sketch: " + config::one_line(line.substr(mark.size()))};
+  }
+  return std::nullopt;
+}
+
 class Checker {
  public:
   Checker(const Profiles& by, const plugin::Catalogue& catalogue, const std::vector<std::string>& plugins)
@@ -35,6 +52,7 @@ class Checker {
   DocumentCheck check(const std::string& file) const {
     DocumentCheck out;
     out.file = file;
+    if (const auto remark = sketch_remark(file)) out.warnings.push_back(*remark);
     config::Mistakes mistakes(config::Mistakes::After::go_on);
     std::vector<DocumentMistake> others;
     try {
@@ -110,7 +128,7 @@ class Checker {
     const mind::TeamPlan plan(team, by_.rules, by_.robots[0], catalogue_, mistakes);  // what is wrong with plugins
     if (!mistakes.none()) return;
     const mind::Mind first(plan, 1, 0);  // and what they refuse, files too
-    out.warnings = config::warnings(team, by_.rules, document);
+    std::ranges::move(config::warnings(team, by_.rules, document), std::back_inserter(out.warnings));
     std::ranges::move(scenes_check(plan), std::back_inserter(out.warnings));
   }
 

@@ -18,7 +18,7 @@ if(NOT TARGET regista_testkit)
   set_target_properties(regista_testkit PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   target_compile_features(regista_testkit PUBLIC cxx_std_20)
   # The same scenes on every processor. It runs for seconds, so no time is spent on making it faster than -O1 does.
-  target_compile_options(regista_testkit PRIVATE -ffp-contract=off $<$<NOT:$<CONFIG:Debug>>:-O1>)
+  target_compile_options(regista_testkit PRIVATE -ffp-contract=off $<$<NOT:$<CONFIG:Debug>>:$<IF:$<BOOL:${REGISTA_SANITIZE}>,-O2,-O1>>)
   if(REGISTA_TESTKIT_INCLUDE)
     target_include_directories(regista_testkit PUBLIC ${REGISTA_TESTKIT_INCLUDE})
   endif()

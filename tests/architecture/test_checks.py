@@ -7,6 +7,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import check_left_out
 import check_licences
 import check_rooms
 import exported_symbols
@@ -194,6 +195,12 @@ class ExportedSymbols(unittest.TestCase):
     def test_an_empty_folder_is_a_violation(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(exported_symbols.main([folder]), 1)
+
+
+class LeftOut(unittest.TestCase):
+    def test_what_nobody_decided_is_named(self):
+        listed = "# a remark\nend_to_end.tune 300 long\ndocs.tour 20 long\n"
+        self.assertEqual(check_left_out.undecided(listed, "`end_to_end.tune` is long; docs.tour"), ["docs.tour"])
 
 
 if __name__ == "__main__":

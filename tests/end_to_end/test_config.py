@@ -35,6 +35,15 @@ class Config(program.Case):
                          f"{files[0]}: rules, sound\n{files[1]}: robot, sound\n{files[2]}: disturbance, sound\n"
                          "small.yaml: team, sound\n")
 
+    def test_a_sketch_says_so(self):
+        rules = program.SOURCE / "configs" / "rules" / "hsl2026.yaml"
+        done = self.run_program("config", "check", rules)
+        self.assertEqual((done.returncode, done.stdout), (0, f"{rules}: rules, sound\n"))
+        self.assertRegex(done.stderr, rf"^regista: {rules}:2:1: warning: a sketch: half of these numbers [^\n]+\n$")
+        # In the head alone, and only as a line of its own.
+        self.write("own.yaml", "# no Sketch: here\nrules: own\n# Sketch: below the head\n")
+        self.assertEqual(self.succeed("config", "check", "own.yaml"), "own.yaml: rules, sound\n")
+
     def test_check_goes_on_after_what_is_not_sound(self):
         self.write("bad.yaml", "team: bad\nroles: 3\n")
         done = self.run_program("config", "check", "bad.yaml", "small.yaml", "missing.yaml")

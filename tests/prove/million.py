@@ -125,7 +125,8 @@ def main():
     missed = two.missed("gather", "report", "report --csv --metrics")
     if len(options.teams) > 2:
         missed += Million(regista, folder, options.teams, options.rows, options.parts).missed("gather", "report")
-        league = Million(regista, folder, options.teams, options.rows, options.parts, "limit: 30\n")
+        league = Million(regista, folder, options.teams, options.rows, options.parts,
+                         f"limit: 30\nopenings: {options.teams[0].resolve().parent.parent / 'openings'}\n")
         missed += league.missed("gather", "report")
     shutil.rmtree(folder)
     print(f"{options.rows} matches: " + (f"{missed} bars are missed" if missed else "all bars are met"))

@@ -23,7 +23,7 @@ class TeamModel {
   TeamModel(int team_size, const config::Camera& camera, plugin::Predictor teammates,
             std::vector<plugin::Predictor> balls, std::vector<plugin::Predictor> opponents);
 
-  void predict(double dt, const regista_frame* last);
+  [[gnu::noinline]] void predict(double dt, const regista_frame* last);  // a stage of benchmarks/profile
   // A packet that left report.time_sent <= now. One older than the newest of its sender changes nothing.
   void absorb(const Report& report, double now);
   // Reads the predictors once; everything below is as of the last call.
