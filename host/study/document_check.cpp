@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <sstream>
@@ -34,6 +35,7 @@ DocumentMistake of_file(const std::string& file, const std::string& message, con
 
 // What a document says of itself in its head: "# Sketch: what is not right yet".
 std::optional<config::Warning> sketch_remark(const std::string& file) {
+  if (!std::filesystem::is_regular_file(file)) return std::nullopt;  // a pipe is read once
   std::istringstream head(config::file_content(file).value_or(""));
   constexpr std::string_view mark = "# Sketch: ";
   std::string line;
