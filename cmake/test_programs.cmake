@@ -11,6 +11,7 @@ target_link_libraries(regista_headers_TEST PRIVATE regista_test_flags GTest::gmo
 
 # What must pass before every commit: scripts/test builds this target and runs the tests with the label `commit`.
 add_custom_target(regista_commit_tests)
+file(REMOVE_RECURSE ${CMAKE_BINARY_DIR}/test_inputs)
 
 # regista_commit_test(NAME [BUILDS TARGETS...] [READS FILES_AND_FOLDERS...]): makes a test one of these. It needs the targets.
 # scripts/test runs it again where something that it reads has changed; one that says nothing is run each time.

@@ -14,6 +14,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import xml.etree.ElementTree
@@ -48,7 +49,8 @@ def digest_of(test, inputs, digests):
     """Nothing for a test that does not say what it reads."""
     if not inputs.exists():
         return None
-    parts = [json.dumps(test.get("command")), json.dumps(test["properties"])]
+    # Tests skip where the program that draws figures is not there.
+    parts = [json.dumps(test.get("command")), json.dumps(test["properties"]), str(shutil.which("gnuplot"))]
     for line in inputs.read_text().splitlines():
         path = re.search(r"/[^\"]*", line)  # of a definition: what stands between the quotes
         parts.append(f"{line} {digests.of(pathlib.Path(path[0])) if path else ''}")
@@ -70,6 +72,12 @@ def run(build, names, jobs):
     return passed, status
 
 
+def write(notes, passed):
+    temporary = notes.with_suffix(".new")
+    temporary.write_text(json.dumps(passed, indent=1, sort_keys=True))
+    os.replace(temporary, notes)
+
+
 def main(build, label, jobs, everything):
     build = pathlib.Path(build)
     notes = build / "passed_tests.json"
@@ -80,17 +88,16 @@ def main(build, label, jobs, everything):
     digests = Digests()
     tests = {name: digest_of(test, build / "test_inputs" / name, digests)
              for name, test in described_tests(build, label).items()}
+    if not tests:
+        sys.exit(f"no test has the label {label}")
     wanted = [name for name, digest in tests.items() if everything or digest is None or passed.get(name) != digest]
     print(f"{len(wanted)} of {len(tests)} tests are run; of the others nothing has changed since they passed", flush=True)
     status = 0
     if wanted:
-        for name in wanted:
-            passed.pop(name, None)
+        passed = {name: digest for name, digest in passed.items() if name not in wanted}
+        write(notes, passed)  # who interrupts this has seen none of them pass
         now_passed, status = run(build, wanted, jobs)
-        passed.update({name: tests[name] for name in now_passed if tests.get(name)})
-        temporary = notes.with_suffix(".new")
-        temporary.write_text(json.dumps(passed, indent=1, sort_keys=True))
-        os.replace(temporary, notes)
+        write(notes, {**passed, **{name: tests[name] for name in now_passed if tests.get(name)}})
     return 1 if status else 0
 
 

@@ -91,8 +91,9 @@ class IsolatedMatch {
   Team& team(match::Side side) { return teams_[match::index(side)]; }
 
   void start(match::Side side) {
-    const process::Setting setting{.keeps_streams = true};
+    const process::Setting setting{.keeps_streams = true, .keeps_signals = true};
     team(side).process = process::Child::copy(setting, [&]() -> int {
+      std::signal(SIGCHLD, SIG_DFL);
       close_all_but_standard_streams();
       // Nothing that the match or the other team's minds read is left in reach of plugins.
       team(match::opposite(side)).channel.forget();

@@ -170,7 +170,7 @@ int run_supervised(const Limits& limits, const SupervisedWork& supervised) {
   process::ProcessEnd end;
   {
     PassedSignals signals;
-    const process::Setting setting{.keeps_streams = true, .keeps_signals = true};
+    const process::Setting setting{.limits = {.core_file = true}, .keeps_streams = true, .keeps_signals = true};
     process::Child child = process::Child::copy(setting, [&] {
       signals.release();
       return work_in_copy(supervised.work, *shared);

@@ -195,6 +195,7 @@ Outcome in_another_program(std::vector<std::string> words, const std::vector<std
 
 void answer_as_a_child(const std::string& answer, const std::string& note,
                        const std::function<Outcome(Underway&)>& check) {
+  process::default_signals();  // this program has begun anew since
   constexpr std::uint64_t most = 1'000'000;
   const auto number = [](const std::string& text) {
     return static_cast<int>(config::parse_whole("number", text, own_descriptor, most));

@@ -113,6 +113,7 @@ int run(int argc, char** argv, const Addition* addition) {
   // A reader who goes away is found when something is written, not by a signal.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error of writing like any other
+  std::signal(SIGCHLD, SIG_DFL);  // who started this may have ignored it; then nobody could say how a child ended
   try {
     Invocation invocation = invocation_of(argc, argv);
     invocation.studies = addition == nullptr ? study_kinds() : addition->studies;

@@ -65,14 +65,6 @@ bool place_files(const Setting& setting) {
   return true;
 }
 
-void default_signals() {
-  for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGPIPE, SIGXFSZ, SIGXCPU, SIGCHLD})
-    std::signal(each, SIG_DFL);
-  sigset_t none;
-  ::sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
-}
-
 // Starts a process. In the child it returns 0.
 pid_t forked() {
   const pid_t process = ::fork();
@@ -91,7 +83,7 @@ std::vector<char*> pointers(const std::vector<std::string>& words) {
 }
 
 bool set_limits(const Limits& limits) {
-  if (!limit(RLIMIT_CORE, 0, 0)) return false;
+  if (!limits.core_file && !limit(RLIMIT_CORE, 0, 0)) return false;
   if (limits.small_stack && !limit(RLIMIT_STACK, small_stack, small_stack)) return false;
   const auto seconds = static_cast<rlim_t>(limits.processor_seconds);
   if (seconds > 0 && !limit(RLIMIT_CPU, seconds, seconds + 2)) return false;
@@ -106,6 +98,14 @@ void limit_processor_time(int seconds) {
   const double until = seconds_of(used.ru_utime) + seconds_of(used.ru_stime) + seconds;
   now.rlim_cur = std::min(static_cast<rlim_t>(until), now.rlim_max);
   ::setrlimit(RLIMIT_CPU, &now);
+}
+
+void default_signals() {
+  for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGPIPE, SIGXFSZ, SIGXCPU, SIGCHLD})
+    std::signal(each, SIG_DFL);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
 bool become_child(const Setting& setting, pid_t parent) {
@@ -146,11 +146,13 @@ std::string did_not_return(double wall_seconds) { return fmt::format("did not re
 Child::~Child() {
   if (process_ == -1) return;
   kill();
-  wait();
+  while (::waitpid(process_, nullptr, 0) == -1 && errno == EINTR) {
+  }
 }
 
 Child& Child::operator=(Child&& other) noexcept {
   std::swap(process_, other.process_);
+  std::swap(ends_group_, other.ends_group_);
   return *this;
 }
 
@@ -182,6 +184,7 @@ Child Child::program(const Setting& setting, const Program& program) {
     ::_exit(cannot);
   }
   Child out(process);
+  out.ends_group_ = !setting.outlives_parent;
   reason.write.reset();
   int error = 0;
   ssize_t count = 0;
@@ -193,31 +196,26 @@ Child Child::program(const Setting& setting, const Program& program) {
   throw std::system_error(error, std::generic_category(), "cannot start " + program.words.front());
 }
 
-std::optional<ProcessEnd> Child::look() {
-  if (process_ == -1) return std::nullopt;
+std::optional<ProcessEnd> Child::reaped(int options) {
+  assert(process_ != -1);
   int status = 0;
   rusage usage{};
   pid_t waited = -1;
   do {
-    waited = ::wait4(process_, &status, WNOHANG | WUNTRACED, &usage);
+    waited = ::wait4(process_, &status, options, &usage);
   } while (waited == -1 && errno == EINTR);
   if (waited == 0) return std::nullopt;
-  assert(waited == process_);
-  if (WIFSTOPPED(status)) return ProcessEnd{status, 0.0};
-  ::kill(-process_, SIGKILL);
-  process_ = -1;
+  if (waited == process_ && WIFSTOPPED(status)) return ProcessEnd{status, 0.0};
+  const int error = errno;
+  const pid_t process = std::exchange(process_, -1);
+  if (waited == -1) throw std::system_error(error, std::generic_category(), "cannot wait for a process");
+  if (ends_group_) ::kill(-process, SIGKILL);
   return ProcessEnd{status, seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime)};
 }
 
-ProcessEnd Child::wait() {
-  int status = 0;
-  rusage usage{};
-  while (::wait4(process_, &status, 0, &usage) == -1 && errno == EINTR) {
-  }
-  ::kill(-process_, SIGKILL);
-  process_ = -1;
-  return {status, seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime)};
-}
+std::optional<ProcessEnd> Child::look() { return process_ == -1 ? std::nullopt : reaped(WNOHANG | WUNTRACED); }
+
+ProcessEnd Child::wait() { return *reaped(0); }
 
 void Child::kill() const {
   // Itself, too: it may not have its group yet, or have gone to another.

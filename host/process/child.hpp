@@ -20,10 +20,11 @@ namespace regista::process {
 // Texts as exec() wants them, with a null at the end. The texts must live on.
 std::vector<char*> pointers(const std::vector<std::string>& texts);
 
-// What a process may use up; 0: no limit of ours. No file is ever made of what was in memory at its death.
+// What a process may use up; 0: no limit of ours.
 struct Limits {
   int processor_seconds = 0;  // from its start; then SIGXCPU, and two seconds later SIGKILL
   std::uint64_t memory = 0;   // bytes of addresses; none where a sanitizer reserves more of them than there is memory
+  bool core_file = false;     // of what was in memory at its death; false: none is ever made
   bool small_stack = false;   // 8 MiB: an endless recursion ends there, whatever the user's own limit is
 };
 // Of this process, from now on. False when that was not possible. Makes only calls that are safe in a signal handler.
@@ -42,14 +43,17 @@ struct Setting {
   // Beside those that are not closed at exec. Standard streams that are not among them are /dev/null.
   std::vector<HandedFile> files = {};
   Limits limits = {};
-  bool keeps_streams = false;  // standard streams are those of the parent
-  bool keeps_signals = false;  // handlers and mask of signals are those of the parent; else the system's
-  bool outlives_parent = false;
+  bool keeps_streams = false;    // standard streams are those of the parent
+  bool keeps_signals = false;    // handlers and mask of signals are those of the parent; else the system's
+  bool outlives_parent = false;  // and what it starts outlives it
 };
 
 // Makes this new process a child in such a setting. False when something was not possible: it must end at once. Makes
 // only calls that are safe in a signal handler.
 bool become_child(const Setting& setting, pid_t parent);
+
+// Handlers and mask of signals as of a program just started. Makes only calls that are safe in a signal handler.
+void default_signals();
 
 // How a process ended, or that it was stopped.
 struct ProcessEnd {
@@ -78,7 +82,7 @@ class Child {
   explicit Child(pid_t process) : process_(process) {}
   // Kills and waits for it where nobody has.
   ~Child();
-  Child(Child&& other) noexcept : process_(std::exchange(other.process_, -1)) {}
+  Child(Child&& other) noexcept : process_(std::exchange(other.process_, -1)), ends_group_(other.ends_group_) {}
   Child& operator=(Child&& other) noexcept;
 
   // A copy of this process that does `work` and ends with the code that it returns, at once and without destructors.
@@ -99,14 +103,16 @@ class Child {
   pid_t process() const { return process_; }  // -1 when it has ended
 
   // Without waiting: how it ended; or, every time that it was stopped, that it was. What it has started is killed when
-  // it has ended.
+  // it has ended. Both throw std::system_error where nobody can say how it ended.
   std::optional<ProcessEnd> look();
   ProcessEnd wait();
   // With all in its group. It is still to be waited for.
   void kill() const;
 
  private:
+  std::optional<ProcessEnd> reaped(int options);
   pid_t process_ = -1;
+  bool ends_group_ = true;
 };
 
 }  // namespace regista::process

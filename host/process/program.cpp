@@ -68,7 +68,9 @@ ProgramEnd run_program(const ProgramCall& call) {
     variables = pointers(*call.environment);
     program.variables = variables;
   }
-  Setting setting{.files = {{output.write.number, 1}, {errors.write.number, 2}}, .outlives_parent = true};
+  Setting setting{.files = {{output.write.number, 1}, {errors.write.number, 2}},
+                  .limits = {.core_file = true},
+                  .outlives_parent = true};
   Child running;
   try {
     running = Child::program(setting, program);
