@@ -43,7 +43,7 @@ class Version(unittest.TestCase):
 
 class Lists(unittest.TestCase):
     def test_no_package_is_listed_twice(self):
-        listed = packages("build") + packages("test")
+        listed = packages("build") + packages("test") + packages("check")
         self.assertEqual(sorted(listed), sorted(set(listed)))
 
     def test_the_demo_first_builds_the_plugins_of_its_teams(self):
