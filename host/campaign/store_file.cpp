@@ -15,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-#include "process/file_lock.hpp"
+#include "process/descriptor.hpp"
 
 namespace regista::campaign {
 namespace {

@@ -17,7 +17,6 @@
 #include "config/json.hpp"
 #include "config/text.hpp"
 #include "process/descriptor.hpp"
-#include "process/file_lock.hpp"
 
 namespace regista::cluster {
 namespace {

@@ -20,6 +20,17 @@ struct alignas(cmsghdr) Control {
   std::array<char, CMSG_SPACE(most_passed_files * sizeof(int))> bytes{};
 };
 
+constexpr off_t after_those_of_sqlite = 0x40000000 + 512;
+
+int set_lock(int descriptor, int type) {
+  struct flock wanted {};
+  wanted.l_type = static_cast<short>(type);
+  wanted.l_whence = SEEK_SET;
+  wanted.l_start = after_those_of_sqlite;
+  wanted.l_len = 1;
+  return fcntl(descriptor, F_OFD_SETLK, &wanted);
+}
+
 }  // namespace
 
 FileDescriptor moved_up(FileDescriptor file, int lowest) {
@@ -112,5 +123,13 @@ bool receive_bytes(int socket, std::span<std::byte> bytes, std::vector<FileDescr
   }
   return received == static_cast<ssize_t>(bytes.size()) && (message.msg_flags & (MSG_TRUNC | MSG_CTRUNC)) == 0;
 }
+
+std::error_code lock_file(int descriptor, FileLock lock) {
+  if (set_lock(descriptor, lock == FileLock::exclusive ? F_WRLCK : F_RDLCK) == 0) return {};
+  if (errno == EAGAIN || errno == EACCES) return std::make_error_code(std::errc::operation_would_block);
+  return {errno, std::generic_category()};
+}
+
+void unlock_file(int descriptor) { set_lock(descriptor, F_UNLCK); }
 
 }  // namespace regista::process

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// File descriptors: owned, made to pipes, read and written whole, and handed to other processes.
+// File descriptors: owned, made to pipes, read and written whole, handed to other processes, and locked.
 #pragma once
 
 #include <sys/types.h>
@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -94,5 +95,16 @@ requires std::is_trivially_copyable_v<T>
 bool receive_with_files(int socket, T& message, std::vector<FileDescriptor>& files) {
   return receive_bytes(socket, std::as_writable_bytes(std::span<T, 1>(&message, 1)), files);
 }
+
+// A lock on a whole file between processes, also of several machines. It is a lock of the open file (fcntl,
+// F_OFD_SETLK) on one byte that SQLite has no lock on ("File Locking And Concurrency", sqlite.org): flock() would be in
+// the way of SQLite's own locks on network file systems, where both kinds are the same.
+enum class FileLock { shared, exclusive };
+
+// Without waiting; until the descriptor and its copies in other processes are closed. descriptor: open for reading, for
+// an exclusive one for writing. operation_would_block: another holds it.
+std::error_code lock_file(int descriptor, FileLock lock);
+// At once, also for copies of the descriptor. Closing alone ends a lock somewhat later on some network file systems.
+void unlock_file(int descriptor);
 
 }  // namespace regista::process

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "process/file_lock.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
