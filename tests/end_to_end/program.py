@@ -156,3 +156,14 @@ class Case(unittest.TestCase):
         self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
         self.assertTrue(done.stderr.endswith("\n"), done.stderr)
         return done.stderr.removeprefix("regista: ").removesuffix("\n")
+
+
+class ShippedCase(Case):
+    """The same with the plugins that are shipped."""
+
+    plugins = ()
+
+    def setUp(self):
+        super().setUp()
+        self.plugin_folder.rmdir()
+        self.plugin_folder.symlink_to(TEST_PLUGINS.parent / "plugins")

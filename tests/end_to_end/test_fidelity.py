@@ -8,7 +8,6 @@ import unittest
 import program
 
 TEAMS = program.SOURCE / "configs" / "teams"
-SHIPPED = program.PROGRAM.parent.parent / "lib" / "regista" / "plugins"
 PAGE = (program.SOURCE / "docs" / "fidelity.md").read_text()
 
 
@@ -20,14 +19,7 @@ def elements():
         yield cells[0], cells[-1]
 
 
-class Fidelity(program.Case):
-    plugins = ()
-
-    def setUp(self):
-        super().setUp()
-        self.plugin_folder.rmdir()
-        self.plugin_folder.symlink_to(SHIPPED)
-
+class Fidelity(program.ShippedCase):
     def state_hash(self, *options):
         limit = "90" if program.SANITIZED else "300"
         played = self.run_program("match", TEAMS / "paper.yaml", TEAMS / "spqr2023.yaml", "--seed", "7", "--limit", limit,

@@ -8,20 +8,12 @@ import unittest
 import program
 
 TEAMS = program.SOURCE / "configs" / "teams"
-SHIPPED = program.PROGRAM.parent.parent / "lib" / "regista" / "plugins"
 
 # Matches of two short halves, with as many packets for their length as a whole match has. They begin as those do.
 SHORT = ("--set", "rules.durations.half=60", "--set", "rules.messages.budget=203")
 
 
-class KickOff(program.Case):
-    plugins = ()
-
-    def setUp(self):
-        super().setUp()
-        self.plugin_folder.rmdir()
-        self.plugin_folder.symlink_to(SHIPPED)
-
+class KickOff(program.ShippedCase):
     def roles_at_the_whistle(self, team, seed):
         """For each half and side, the roles of the robots that play."""
         self.succeed("match", TEAMS / f"{team}.yaml", TEAMS / f"{team}.yaml", "--seed", seed, *SHORT, "--decisions",

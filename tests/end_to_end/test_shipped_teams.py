@@ -10,21 +10,9 @@ import program
 
 TEAMS = program.SOURCE / "configs" / "teams"
 OTHER_TEAMS = program.SOURCE / "tests" / "fixtures" / "teams"
-SHIPPED = program.PROGRAM.parent.parent / "lib" / "regista" / "plugins"
 
 
-class Shipped(program.Case):
-    """With the plugins that are shipped."""
-
-    plugins = ()
-
-    def setUp(self):
-        super().setUp()
-        self.plugin_folder.rmdir()
-        self.plugin_folder.symlink_to(SHIPPED)
-
-
-class ShippedTeams(Shipped):
+class ShippedTeams(program.ShippedCase):
     def test_every_team_is_sound(self):
         files = sorted(TEAMS.rglob("*.yaml"))
         self.assertTrue(files)

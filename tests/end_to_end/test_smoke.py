@@ -38,13 +38,9 @@ verification: {{candidates: 1, matches: 20, against: base}}
 RECORDING = "event,t,x_mm,y_mm\n" + "".join(f"1,{i / 70:.4f},{1000 * i / 70:.3f},0\n" for i in range(210))
 
 
-class Smoke(program.Case):
-    plugins = ()
-
+class Smoke(program.ShippedCase):
     def setUp(self):
         super().setUp()
-        self.plugin_folder.rmdir()
-        self.plugin_folder.symlink_to(SHIPPED)
         self.folder.joinpath("share").symlink_to(program.PROGRAM.parent.parent / "share")
 
     def commands(self, *group):
