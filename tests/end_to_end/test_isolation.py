@@ -10,7 +10,6 @@ import unittest
 
 import experiment
 import program
-import test_shipped_teams
 import tournament
 
 THREADS = program.TEST_PLUGINS / "threads"
@@ -47,7 +46,7 @@ class Equality(tournament.Tournament):
                          'unknown value "allways" in --isolation; nearest: "always"; known: after-death, always')
 
 
-class ShippedTeams(test_shipped_teams.Shipped):
+class ShippedTeams(program.ShippedCase):
     def test_an_isolated_match_is_the_ordinary_one(self):
         teams = [word for name in ("paper", "fixed_rate")
                  for word in ("--team", program.SOURCE / "configs" / "teams" / f"{name}.yaml")]
