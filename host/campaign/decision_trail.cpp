@@ -7,13 +7,19 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <map>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <system_error>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "config/bytes.hpp"
+#include "match/digest.hpp"
+#include "match/outcome.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -23,46 +29,94 @@ constexpr std::size_t room = std::size_t{1} << 16;
 struct Entry {
   double time = 0.0;
   std::int32_t side = 0, robot = 0;
-  match::DecisionDigest steps{};
+  std::uint64_t outcome = 0;  // what came of the decision
+  std::uint32_t answers = 0;
 };
 
 template <class Archive>
 void visit(Archive& archive, Entry& entry) {
-  archive(entry.time, entry.side, entry.robot);
-  for (std::uint64_t& each : entry.steps) archive(each);
+  archive(entry.time, entry.side, entry.robot, entry.outcome, entry.answers);
 }
 
-std::span<const std::uint8_t> bytes_of(const std::string& text) {
+std::span<const std::uint8_t> bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-using Plugins = std::array<std::vector<std::string>, 2>;  // by side, then step
+using Name = std::pair<std::string, std::string>;  // of a plugin and its call
 
-Plugins read_plugins(config::BytesIn& bytes) {
-  Plugins out;
-  for (std::vector<std::string>& side : out) bytes(side);
-  for (std::vector<std::string>& side : out) side.resize(match::decision_steps);
+template <std::size_t N>
+std::string text_of(const std::array<char, N>& raw) {
+  return {raw.data(), strnlen(raw.data(), N)};
+}
+
+class TrailReader {
+ public:
+  explicit TrailReader(std::string_view trail) : bytes_(bytes_of(trail)) {}
+  bool at_end() const { return bytes_.empty(); }
+
+  // The next decision, then as many answers as it says.
+  Entry entry() {
+    Entry out;
+    bytes_(out);
+    return out;
+  }
+  std::pair<Name, std::uint64_t> answer() {
+    std::uint32_t name = 0;
+    std::uint64_t digest = 0;
+    bytes_(name, digest);
+    if (name == names_.size()) {
+      Name& added = names_.emplace_back();
+      bytes_(added.first, added.second);
+    }
+    return {names_.at(name), digest};
+  }
+
+ private:
+  config::BytesIn bytes_;
+  std::vector<Name> names_;
+};
+
+constexpr bool is_use_of_the_host(std::string_view call) { return call == "offer" || call == "withdraw"; }
+
+// Of the same decision in two plays: who answered otherwise first. Empty where all is equal.
+std::string difference(TrailReader& first, const Entry& one, TrailReader& second, const Entry& other) {
+  std::string out;
+  for (std::uint32_t i = 0; i < std::max(one.answers, other.answers); ++i) {
+    std::optional<std::pair<Name, std::uint64_t>> a, b;
+    if (i < one.answers) a = first.answer();
+    if (i < other.answers) b = second.answer();
+    if (a == b || !out.empty()) continue;
+    // Where one play has a call that the other lacks, some plugin has done something with the host in one of them.
+    const Name& name = a && (!b || a->first == b->first || is_use_of_the_host(a->first.second)) ? a->first : b->first;
+    const auto& [plugin, call] = name;
+    out = is_use_of_the_host(call) ? fmt::format("plugin {} made another {}", plugin, call == "offer" ? "offer" : "withdrawal")
+                                   : fmt::format("plugin {} answered {} otherwise", plugin, call);
+  }
+  if (out.empty() && one.outcome != other.outcome) out = "what it did differed, though its plugins answered the same";
   return out;
 }
 
 }  // namespace
 
-TrailWriter::TrailWriter(int descriptor, const std::array<const mind::TeamPlan*, 2>& plans) : descriptor_(descriptor) {
-  config::BytesOut head;
-  for (const mind::TeamPlan* plan : plans) {
-    std::vector<std::string> plugins;
-    for (std::size_t step = 0; step < match::decision_steps; ++step) {
-      plugins.push_back(match::plugins_of_step(*plan, step));
-    }
-    head(plugins);
+void TrailWriter::add(const match::Decision& decision, std::span<const plugin::CallAnswer> answers) {
+  match::Digest outcome;
+  match::add(outcome, decision.outcome);
+  for (const mind::MetricReport& each : decision.outcome.metrics) {
+    outcome.add(each.metric);
+    outcome.add(each.count);
+    outcome.add(each.sum);
+    outcome.add(each.last);
   }
-  waiting_.assign(head.bytes().begin(), head.bytes().end());
-}
-
-void TrailWriter::add(const match::Decision& decision, const match::DecisionDigest& digest) {
   config::BytesOut bytes;
-  Entry entry{decision.time, static_cast<std::int32_t>(match::index(decision.side)), decision.number, digest};
+  Entry entry{decision.time, static_cast<std::int32_t>(match::index(decision.side)), decision.number, outcome.value(),
+              static_cast<std::uint32_t>(answers.size())};
   bytes(entry);
+  for (const plugin::CallAnswer& each : answers) {
+    Name name{text_of(each.plugin), text_of(each.call)};
+    const auto [known, is_new] = names_.try_emplace(name, static_cast<std::uint32_t>(names_.size()));
+    bytes(known->second, each.digest);
+    if (is_new) bytes(name.first, name.second);
+  }
   waiting_.append(bytes.bytes().begin(), bytes.bytes().end());
   if (waiting_.size() >= room) flush();
 }
@@ -77,8 +131,6 @@ void TrailWriter::flush() {
   }
   waiting_.clear();
 }
-
-void TrailWriter::close() { flush(); }
 
 TrailFile::TrailFile() : descriptor_(memfd_create("regista-trail", MFD_CLOEXEC)) {
   if (descriptor_ == -1) throw std::system_error(errno, std::generic_category(), "cannot make a trail");
@@ -103,29 +155,19 @@ std::string TrailFile::content() const {
   return out;
 }
 
-std::string first_difference(const std::string& first, const std::string& second) {
+std::string first_difference(std::string_view first, std::string_view second) {
   if (first == second) return {};
-  config::BytesIn a(bytes_of(first)), b(bytes_of(second));
+  TrailReader a(first), b(second);
   try {
-    const Plugins plugins = read_plugins(a);
-    if (read_plugins(b) != plugins) return "the teams differ";
     std::map<std::pair<std::int32_t, std::int32_t>, std::uint64_t> decisions;  // of each robot so far
-    while (!a.empty() && !b.empty()) {
-      Entry one, other;
-      a(one);
-      b(other);
+    while (!a.at_end() && !b.at_end()) {
+      const Entry one = a.entry(), other = b.entry();
       const std::uint64_t tick = decisions[{one.side, one.robot}]++;
       const std::string who =
           fmt::format("{}, robot {}, tick {} ({:.2f} s)", one.side == 0 ? "home" : "away", one.robot, tick, one.time);
-      if (one.time != other.time || one.side != other.side || one.robot != other.robot) {
+      if (one.time != other.time || one.side != other.side || one.robot != other.robot)
         return fmt::format("{}: it was not its turn in the second play", who);
-      }
-      for (std::size_t step = 0; step < match::decision_steps; ++step) {
-        if (one.steps[step] == other.steps[step]) continue;
-        const std::string& ids = plugins[one.side == 0 ? 0 : 1][step];
-        return fmt::format("{}: {} first differed{}", who, match::step_name(step),
-                           ids.empty() ? "" : ", computed by " + ids);
-      }
+      if (const std::string what = difference(a, one, b, other); !what.empty()) return fmt::format("{}: {}", who, what);
     }
   } catch (const std::out_of_range&) {
   }

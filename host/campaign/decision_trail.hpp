@@ -1,32 +1,31 @@
 // SPDX-License-Identifier: MIT
-// The digests of all decisions of a match, in a file without a name that a worker writes and its coordinator reads: of
-// two plays of the same match they show where the second first went another way.
+// What plugins answered in all decisions of a match, in a file without a name that a worker writes and its coordinator
+// reads: of two plays of the same match it shows the first call that was answered otherwise.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <cstdio>
-#include <optional>
+#include <map>
+#include <span>
 #include <string>
-#include <vector>
+#include <string_view>
+#include <utility>
 
-#include "match/decision_digest.hpp"
 #include "match/match.hpp"
+#include "plugin/call_trail.hpp"
 
 namespace regista::campaign {
 
 // The worker's end: writes to a descriptor that it inherited, through memory of its own.
 class TrailWriter {
  public:
-  // The teams' plugins stand at the beginning.
-  TrailWriter(int descriptor, const std::array<const mind::TeamPlan*, 2>& plans);
-  void add(const match::Decision& decision, const match::DecisionDigest& digest);
-  void close();
+  explicit TrailWriter(int descriptor) : descriptor_(descriptor) {}
+  void add(const match::Decision& decision, std::span<const plugin::CallAnswer> answers);
+  void close() { flush(); }
 
  private:
   void flush();
   int descriptor_;
   std::string waiting_;
+  std::map<std::pair<std::string, std::string>, std::uint32_t> names_;  // of plugin and call, by their first use
 };
 
 // The coordinator's end.
@@ -44,8 +43,7 @@ class TrailFile {
   int descriptor_;
 };
 
-// "home, robot 3, tick 41 (4.12 s): the utilities first differed, computed by distance, bearing"; empty when the trails
-// are equal.
-std::string first_difference(const std::string& first, const std::string& second);
+// "home, robot 3, tick 41 (4.12 s): plugin greedy answered assign otherwise"; empty when the trails are equal.
+std::string first_difference(std::string_view first, std::string_view second);
 
 }  // namespace regista::campaign

@@ -73,7 +73,7 @@ std::optional<ForkReply> ForkServer::hear() {
 
 process::Child ForkServer::start(const Job& job, const WorkerFiles& files) {
   // Minds in processes of their own, or a match that is to be played elsewhere: these need a program of their own.
-  if (job.isolated || job.elsewhere || job.plugin_files.empty() || deaths_ >= most_deaths) return {};
+  if (job.is_apart() || job.elsewhere || job.plugin_files.empty() || deaths_ >= most_deaths) return {};
   if (!server_.runs()) begin();
   const std::optional<ForkReply> reply = server_.runs() && ask(files) ? hear() : std::optional<ForkReply>();
   if (!reply) {

@@ -2,14 +2,17 @@
 #include "campaign/isolated_match.hpp"
 
 #include <fmt/format.h>
+#include <sched.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <optional>
 #include <span>
 #include <utility>
 
+#include "campaign/answers_wire.hpp"
 #include "campaign/belief_wire.hpp"
 #include "campaign/mind_channel.hpp"
 #include "campaign/mind_host.hpp"
@@ -23,8 +26,10 @@ namespace {
 
 constexpr double look_again_after = 0.1;  // s between two looks at a process that has not replied
 
-// The process of a side's minds.
-struct Team {
+// A process of minds.
+struct Thinkers {
+  explicit Thinkers(const MindPlace& in) : place(in) {}
+  MindPlace place;
   MindChannel channel;
   process::Child process;
   double waited = 0.0;  // s that the match has waited for it
@@ -35,29 +40,48 @@ void close_all_but_standard_streams() {
   for (int each = STDERR_FILENO + 1; each < 1024; ++each) ::close(each);
 }
 
+// Who asks and who answers take turns for every decision. On one processor that is a switch between two processes, on
+// two of them each turn wakes a processor that has begun to sleep, which takes longer than the decision.
+void stay_on_this_processor() {
+  const int here = ::sched_getcpu();
+  if (here < 0 || here >= CPU_SETSIZE) return;
+  cpu_set_t only;
+  CPU_ZERO(&only);
+  CPU_SET(static_cast<unsigned>(here), &only);
+  ::sched_setaffinity(0, sizeof only, &only);
+}
+
 class IsolatedMatch {
  public:
-  IsolatedMatch(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, const Limits& limits,
-                bool closely, const AfterDigest& after, WorkerNote& note)
+  IsolatedMatch(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, Separation separation,
+                const Limits& limits, const Examination& examination, const AfterAnswers& after, WorkerNote& note)
       : setup_(std::move(setup)),
         plans_(plans),
         limits_(limits),
-        examination_{closely, static_cast<bool>(after)},
+        examination_(examination),
         after_(after),
         note_(note) {
     for (const match::Side side : match::both_sides) {
       setup_.roles[match::index(side)] = match::roles(*plans[match::index(side)]);
       setup_.reasons[match::index(side)] = plans[match::index(side)]->reasons();
       setup_.plugin_metrics[match::index(side)] = plans[match::index(side)]->metrics();
+      const int size = plans[match::index(side)]->rules().team_size;
+      std::vector<std::size_t>& of_robot = of_robot_[match::index(side)];
+      for (int number = 1; number <= size; ++number) {
+        if (number == 1 || separation == Separation::robots)
+          thinkers_.emplace_back(MindPlace{side, separation == Separation::robots ? number : 0});
+        of_robot.push_back(thinkers_.size() - 1);
+      }
     }
-    // A death of either interrupts the sleep for the other.
+    // A death of any of them interrupts the sleep for another.
     struct sigaction action {};
     action.sa_handler = [](int) {};
     sigemptyset(&action.sa_mask);
     sigaction(SIGCHLD, &action, &before_);
   }
   ~IsolatedMatch() {
-    for (Team& team : teams_) team.process = {};
+    for (Thinkers& each : thinkers_) each.process = {};
+    for (const Thinkers& each : thinkers_) note_first(each.channel.note().outside);
     note_.groups = {};
     sigaction(SIGCHLD, &before_, nullptr);
   }
@@ -65,8 +89,9 @@ class IsolatedMatch {
   IsolatedMatch& operator=(const IsolatedMatch&) = delete;
 
   match::Result play() {
-    for (const match::Side side : match::both_sides) start(side);
-    for (const match::Side side : match::both_sides) hear(side);  // that the minds have been created
+    stay_on_this_processor();
+    for (Thinkers& each : thinkers_) start(each);
+    for (Thinkers& each : thinkers_) hear(each);  // that the minds have been created
     std::array<std::vector<mind::Think>, 2> think;
     for (const match::Side side : match::both_sides) {
       for (int number = 1; number <= plans_[match::index(side)]->rules().team_size; ++number) {
@@ -76,31 +101,37 @@ class IsolatedMatch {
       }
     }
     const match::Beliefs beliefs = [this](match::Side side, int number, match::Belief& out) {
-      read(side, ask(side, Question::believe, number, {}), out);
+      Thinkers& asked = thinkers(side, number);
+      read(asked, ask(asked, Question::believe, number, {}), out);
     };
     match::Observer observer;
     if (after_) {
-      observer.decision = [this](const match::Decision& decision) { after_(decision, digest_); };
+      observer.decision = [this](const match::Decision& decision) { after_(decision, answers_); };
     }
     const match::Result result = match::play(setup_, think[0], think[1], &observer, beliefs);
-    for (const match::Side side : match::both_sides) ask(side, Question::finish, 0, {});
+    for (Thinkers& each : thinkers_) ask(each, Question::finish, 0, {});
     return result;
   }
 
  private:
-  Team& team(match::Side side) { return teams_[match::index(side)]; }
+  Thinkers& thinkers(match::Side side, int number) {
+    return thinkers_[of_robot_[match::index(side)][static_cast<std::size_t>(number - 1)]];
+  }
 
-  void start(match::Side side) {
+  void start(Thinkers& started) {
     const process::Setting setting{.keeps_streams = true, .keeps_signals = true};
-    team(side).process = process::Child::copy(setting, [&]() -> int {
+    const match::Side side = started.place.side;
+    started.process = process::Child::copy(setting, [&]() -> int {
       std::signal(SIGCHLD, SIG_DFL);
       close_all_but_standard_streams();
-      // Nothing that the match or the other team's minds read is left in reach of plugins.
-      team(match::opposite(side)).channel.forget();
+      // Nothing that the match or other minds read is left in reach of plugins.
+      for (Thinkers& each : thinkers_) {
+        if (&each != &started) each.channel.forget();
+      }
       ::munmap(&note_, sizeof note_);
-      serve_minds(*plans_[match::index(side)], side, setup_.seed, examination_, team(side).channel);
+      serve_minds(*plans_[match::index(side)], started.place, setup_.seed, examination_, started.channel);
     });
-    note_.groups[match::index(side)] = team(side).process.process();
+    note_.groups[static_cast<std::size_t>(&started - thinkers_.data())] = started.process.process();
   }
 
   void decide(match::Side side, int number, const mind::Percepts& percepts, std::span<const mind::HeardPacket> heard,
@@ -108,88 +139,89 @@ class IsolatedMatch {
     question_.clear();
     question_(percepts);
     mind::write_heard(question_, heard);
-    config::BytesIn answer = ask(side, Question::decide, number, question_.bytes());
+    Thinkers& asked = thinkers(side, number);
+    config::BytesIn answer = ask(asked, Question::decide, number, question_.bytes());
     try {
       answer(out);
-      if (examination_.digest_decisions) {
-        for (std::uint64_t& each : digest_) answer(each);
-      }
+      if (examination_.answers) answer(answers_);
     } catch (const std::out_of_range&) {
-      damaged(side, number);
+      damaged(asked, number);
     }
     const std::string why =
         match::unsound(out, setup_.robots[match::index(side)],
                        {setup_.roles[match::index(side)].size(), setup_.reasons[match::index(side)].size(),
                         setup_.plugin_metrics[match::index(side)].size()});
-    if (!why.empty()) throw Fault(noted(side, "its mind handed over an outcome that is not sound: " + why), false);
+    if (!why.empty()) throw Fault(noted(asked, "its mind handed over an outcome that is not sound: " + why), false);
   }
 
   template <class T>
-  void read(match::Side side, config::BytesIn answer, T& out) {
+  void read(const Thinkers& asked, config::BytesIn answer, T& out) {
     try {
       answer(out);
     } catch (const std::out_of_range&) {
-      damaged(side, 0);
+      damaged(asked, asked.place.robot);
     }
   }
 
-  [[noreturn]] void damaged(match::Side side, int robot) {
-    throw Fault({static_cast<int>(match::index(side)), "", "", robot, 0, "the memory of its minds is damaged"}, false);
+  [[noreturn]] void damaged(const Thinkers& asked, int robot) {
+    throw Fault({number_of(asked), "", "", robot, 0, "the memory of its minds is damaged"}, false);
   }
 
-  config::BytesIn ask(match::Side side, Question question, int robot, std::span<const std::uint8_t> bytes) {
+  static int number_of(const Thinkers& one) { return static_cast<int>(match::index(one.place.side)); }
+
+  config::BytesIn ask(Thinkers& asked, Question question, int robot, std::span<const std::uint8_t> bytes) {
     if (bytes.size() > MindChannel::most_bytes) throw std::length_error("percepts too long for a channel");
-    team(side).channel.ask(question, robot, bytes);
-    return hear(side);
+    asked.channel.ask(question, robot, bytes);
+    return hear(asked);
   }
 
-  config::BytesIn hear(match::Side side) {
-    Team& asked = team(side);
-    if (!asked.channel.replied()) wait_for(side);
+  config::BytesIn hear(Thinkers& asked) {
+    if (!asked.channel.replied()) wait_for(asked);
     if (asked.channel.reply() == Reply::done) return config::BytesIn(asked.channel.bytes());
     if (asked.channel.reply() == Reply::no_memory) {
       // Below half of what it may have, it is the machine that has no more.
       const bool of_the_machine =
           limits_.memory == 0 || process::address_space_of(asked.process.process()) < limits_.memory / 2;
-      throw Fault(noted(side, "no memory is left"), of_the_machine);
+      throw Fault(noted(asked, "no memory is left"), of_the_machine);
     }
     const auto bytes = asked.channel.bytes();
     Failure failure;
     try {
       failure = failure_from_json(std::string(bytes.begin(), bytes.end()));
     } catch (const std::invalid_argument&) {
-      damaged(side, 0);
+      damaged(asked, asked.place.robot);
     }
-    failure.side = static_cast<int>(match::index(side));
+    failure.side = number_of(asked);
     throw Fault(failure, false);
   }
 
-  void wait_for(match::Side side) {
-    Team& asked = team(side);
+  void wait_for(Thinkers& asked) {
     process::CallWatch<int> watch({limits_.processor_seconds, limits_.wall_seconds});
     for (;;) {
       asked.channel.wait_for_reply(look_again_after);
       if (asked.channel.replied()) break;
-      for (const match::Side each : match::both_sides) look_after(each);
+      for (Thinkers& each : thinkers_) look_after(each);
       if (asked.channel.replied()) break;
       switch (watch.look(0, true, asked.process.process())) {
         case process::Exceeded::processor_time:
-          throw Fault(noted(side, process::used_processor_time(limits_.processor_seconds)), false);
+          throw Fault(noted(asked, process::used_processor_time(limits_.processor_seconds)), false);
         case process::Exceeded::wall_time:
-          throw Fault(noted(side, process::did_not_return(limits_.wall_seconds)), false);
+          throw Fault(noted(asked, process::did_not_return(limits_.wall_seconds)), false);
         case process::Exceeded::nothing:
           break;
       }
-      check_match_time(side, watch.wall_seconds());
+      check_match_time(asked, watch.wall_seconds());
     }
     asked.waited += watch.wall_seconds();
-    check_match_time(side, 0.0);
+    check_match_time(asked, 0.0);
   }
 
-  // The one that has been waited for longer has used up the time of the match.
-  void check_match_time(match::Side side, double waiting) {
-    const auto waited = [&](match::Side each) { return team(each).waited + (each == side ? waiting : 0.0); };
-    const double home = waited(match::Side::home), away = waited(match::Side::away);
+  // The side that has been waited for longer has used up the time of the match.
+  void check_match_time(const Thinkers& asked, double waiting) {
+    std::array<double, 2> waited{};
+    waited[match::index(asked.place.side)] = waiting;
+    for (const Thinkers& each : thinkers_) waited[match::index(each.place.side)] += each.waited;
+    const auto [home, away] = waited;
     if (home + away <= limits_.match_wall_seconds) return;
     const match::Side slower = home >= away ? match::Side::home : match::Side::away;
     // Where both are slow, it may be the machine.
@@ -201,19 +233,18 @@ class IsolatedMatch {
                 both);
   }
 
-  void look_after(match::Side side) {
-    Team& looked_at = team(side);
+  void look_after(Thinkers& looked_at) {
     const std::optional<process::ProcessEnd> end = looked_at.process.look();
     if (!end) return;
     if (end->out_of_processor_time())
-      throw Fault(noted(side, process::used_processor_time(limits_.match_seconds()) + " in one match"), false);
-    throw Fault(noted(side, end->in_words()), end->was_stopped() || end->from_outside());
+      throw Fault(noted(looked_at, process::used_processor_time(limits_.match_seconds()) + " in one match"), false);
+    throw Fault(noted(looked_at, end->in_words()), end->was_stopped() || end->from_outside());
   }
 
   // A failure of the call that was under way last.
-  Failure noted(match::Side side, const std::string& what) {
-    const WorkerNote note = team(side).channel.note().sound();
-    return {static_cast<int>(match::index(side)),
+  Failure noted(const Thinkers& failed, const std::string& what) {
+    const WorkerNote note = failed.channel.note().sound();
+    return {number_of(failed),
             note.call.plugin.data(),
             note.call.call.data(),
             note.call.robot,
@@ -221,23 +252,34 @@ class IsolatedMatch {
             what + where(note.fatal) + (note.call.inside == 1 ? "" : ", between two calls")};
   }
 
+  // Of several tries to reach outside, the first in the match.
+  void note_first(const OutsideNote& outside) {
+    note_.outside.unconfined |= outside.unconfined;
+    if (outside.what.front() == '\0') return;
+    if (note_.outside.what.front() != '\0' && note_.outside.call.tick <= outside.call.tick) return;
+    note_.outside.what = outside.what;
+    note_.outside.call = outside.call;
+  }
+
   match::Setup setup_;
   std::array<const mind::TeamPlan*, 2> plans_;
   Limits limits_;
   Examination examination_;
-  const AfterDigest& after_;
+  const AfterAnswers& after_;
   WorkerNote& note_;
-  std::array<Team, 2> teams_;
+  std::vector<Thinkers> thinkers_;
+  std::array<std::vector<std::size_t>, 2> of_robot_;  // by side, then number
   struct sigaction before_ {};
   config::BytesOut question_;
-  match::DecisionDigest digest_{};
+  plugin::CallTrail answers_;
 };
 
 }  // namespace
 
-match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, const Limits& limits,
-                            bool closely, const AfterDigest& after, WorkerNote& note) {
-  return IsolatedMatch(std::move(setup), plans, limits, closely, after, note).play();
+match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans,
+                            Separation separation, const Limits& limits, const Examination& examination,
+                            const AfterAnswers& after, WorkerNote& note) {
+  return IsolatedMatch(std::move(setup), plans, separation, limits, examination, after, note).play();
 }
 
 }  // namespace regista::campaign

@@ -108,9 +108,9 @@ std::string to_json(const Job& job) {
                    {"seed", job.seed},
                    {"record", job.record},
                    {"expects_failure", job.expects_failure},
-                   {"isolated", job.isolated},
+                   {"separation", static_cast<int>(job.separation)},
                    {"elsewhere", job.elsewhere},
-                   {"closely", job.closely},
+                   {"look", static_cast<int>(job.look)},
                    {"trail", job.trail},
                    {"limits", json_of(job.limits)},
                    {"root", job.root},
@@ -136,9 +136,10 @@ Job job_from_json(const std::string& text) {
     job.seed = whole_number(json.at("seed"));
     job.record = json.value("record", "");  // nor this
     job.expects_failure = json.value("expects_failure", false);
-    job.isolated = json.value("isolated", false);
+    if (json.contains("separation"))
+      job.separation = static_cast<Separation>(whole_number(json.at("separation"), 2));
     job.elsewhere = json.value("elsewhere", false);
-    job.closely = json.value("closely", false);
+    if (json.contains("look")) job.look = static_cast<plugin::Look>(whole_number(json.at("look"), 2));
     job.trail = json.value("trail", false);
     job.root = json.value("root", "");
     if (json.contains("limits")) job.limits = limits_of(json.at("limits"));

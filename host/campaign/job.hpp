@@ -11,8 +11,16 @@
 #include "campaign/input.hpp"
 #include "campaign/limits.hpp"
 #include "match/metric_numbers.hpp"
+#include "plugin/call_note.hpp"
 
 namespace regista::campaign {
+
+// How far the minds of a match are kept apart. The result is the same.
+enum class Separation {
+  none,    // one process for all
+  teams,   // one for each team
+  robots,  // one for each robot
+};
 
 // A match as the command line of `regista match` says it. Paths are relative to the folder the campaign was started in.
 struct Job {
@@ -28,11 +36,12 @@ struct Job {
   std::string record;  // file that the worker records the match in, replacing it; empty: none. Part of no key.
   bool expects_failure = false;  // then as much as possible is to stand in that file when the worker dies
   // How it is played. Part of no key: the result is the same.
-  bool isolated = false;   // each team's minds in a process of their own
-  bool elsewhere = false;  // in memory and in the file system, and with another environment
-  bool closely = false;    // see plugin::Noting
-  bool trail = false;      // digests of all decisions are written to the worker's trail
-  Limits limits;           // of the processes of an isolated match
+  Separation separation = Separation::none;
+  bool elsewhere = false;  // in memory and in the file system, with another environment and at another date
+  plugin::Look look = plugin::Look::seldom;
+  bool trail = false;  // what plugins answered is written to the worker's trail
+  Limits limits;       // of the processes of minds that are kept apart
+  bool is_apart() const { return separation != Separation::none; }
   // A folder with copies of the files, which stands for the root of the file system: names are to be read in the copy
   // of the folder that they were given in. Part of no key, and left out of what is compared with the inputs below;
   // empty: there are none.
@@ -66,7 +75,9 @@ struct Decided {
   std::optional<Failure> failure;  // of a forfeit
   double seconds = 0.0;            // s of wall time
   std::string why_set_aside{};     // how its workers died, one line; else empty
-  std::string irreproducible{};    // where a second play of the same match first differed, one line; else empty
+  std::string irreproducible{};    // where another play of the same match first differed, one line; else empty
+  std::string shared{};            // who answers by more than what its own robot knows, one line; else empty
+  std::string unproven{};          // why it is not known that robots decide alone, though it was asked; mostly empty
   std::string output{};            // what plugins wrote to standard error, cut in the middle; mostly empty
   bool set_aside() const { return !why_set_aside.empty(); }
   friend bool operator==(const Decided&, const Decided&) = default;

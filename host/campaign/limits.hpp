@@ -8,7 +8,7 @@ namespace regista::campaign {
 
 enum class Isolation {
   after_a_death,  // minds share a process; a match that died is played again with each team's in one of its own
-  always,
+  always,         // each team's minds have one of their own
 };
 
 struct Limits {
@@ -17,7 +17,11 @@ struct Limits {
   double wall_seconds = 200.0;                    // of one call: a far back-stop, for a plugin that sleeps
   double match_wall_seconds = 1800.0;             // of a whole match
   Isolation isolation = Isolation::after_a_death;
-  bool play_twice = true;  // the first match of a pairing, to find out what is not reproducible
+  // The first match of a pairing is played again with each mind in a process of its own, to find out what is not
+  // reproducible and which robots do not decide alone.
+  bool play_twice = true;
+  // Robots of a team may share memory: each team's minds have one process, also in that second play.
+  bool allow_shared_memory = false;
 
   // Processor time of the whole match, RLIMIT_CPU.
   int match_seconds() const { return 100 * processor_seconds; }

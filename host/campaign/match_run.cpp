@@ -14,6 +14,19 @@
 namespace regista::campaign {
 namespace {
 
+bool same_match(const Decided& one, const Decided& other) {
+  return one.score == other.score && one.ended == other.ended && one.hash == other.hash &&
+         one.metrics == other.metrics;
+}
+
+// How a play failed: the worker's end, or what it answered.
+std::string what_failed(const std::string& end, const std::optional<Answer>& answer) {
+  if (!answer) return end;
+  if (answer->kind != Answer::Kind::failed) return answer->message;
+  const Failure& failure = *answer->decided.failure;
+  return fmt::format("plugin {}, {}: {}", failure.plugin, failure.call, failure.what);
+}
+
 void remove(const std::string& file) {
   std::error_code none;
   if (!file.empty()) std::filesystem::remove(file, none);
@@ -28,33 +41,55 @@ MatchRun::MatchRun(Job job, const Limits& limits, bool twice, std::string failur
       failure_record_(std::move(failure_record)),
       server_(server) {
   for (const std::string& file : job_.plugin_files) plugin_files_.emplace_back(file, plugin::stamp_of(file));
-  if (twice_) trail_ = std::make_unique<TrailFile>();
   start(Stage::first);
 }
 
+// Whether that play is one of those in which each team's process answers for itself.
 bool MatchRun::isolated(Stage stage) const {
-  return stage == Stage::isolated || (stage != Stage::recording && limits_.isolation == Isolation::always);
+  return stage == Stage::isolated ||
+         (stage == Stage::first && (limits_.isolation == Isolation::always || limits_.allow_shared_memory));
+}
+
+Separation MatchRun::separation(Stage stage) const {
+  const bool apart = limits_.isolation == Isolation::always || limits_.allow_shared_memory;
+  const Separation usual = apart ? Separation::teams : Separation::none;
+  const Separation alone = limits_.allow_shared_memory ? Separation::teams : Separation::robots;
+  switch (stage) {
+    case Stage::second:
+      return alone;
+    case Stage::traced_again:
+      return deterministic_ ? alone : usual;
+    case Stage::isolated:
+      return Separation::teams;
+    case Stage::recording:  // needs the minds in the match's own process
+      return Separation::none;
+    default:
+      return usual;
+  }
 }
 
 void MatchRun::start(Stage stage) {
   stage_ = stage;
   Job job = job_;
   job.limits = limits_;
-  job.isolated = isolated(stage);
-  // Another folder, environment and addresses, to see whether the match depends on them. Whoever failed there may do so
-  // for want of a file: whether that is a fault, a play where the first one was decides.
-  job.elsewhere = stage == Stage::second;
-  job.closely = stage == Stage::second || stage == Stage::isolated;
-  job.trail = twice_ && (stage == Stage::first || stage == Stage::second || (stage == Stage::isolated && first_));
-  // A recording needs the minds in the match's own process.
-  if (stage != Stage::first || job.isolated) job.record.clear();
+  job.separation = separation(stage);
+  // Another folder, environment, date and addresses, to see whether the match depends on them. Whoever failed there may
+  // do so for want of a file: whether that is a fault, a play where the first one was decides.
+  job.elsewhere = stage == Stage::second || stage == Stage::traced || (stage == Stage::traced_again && deterministic_);
+  job.trail = stage == Stage::traced || stage == Stage::traced_again;
+  if (stage == Stage::second) job.look = plugin::Look::often;
+  if (stage == Stage::isolated || job.trail) job.look = plugin::Look::always;
+  if (stage != Stage::first || job.is_apart()) job.record.clear();
   if (stage == Stage::recording) {
     job.expects_failure = decided_->failure.has_value();
     job.record = job_.record.empty() ? failure_record_ : job_.record;
   } else {
     ++plays_;
   }
-  if (job.trail) trail_->clear();
+  if (job.trail) {
+    if (!trail_) trail_ = std::make_unique<TrailFile>();
+    trail_->clear();
+  }
   worker_ = std::make_unique<Worker>(job, limits_, note_, job.trail ? trail_->descriptor() : -1, server_);
 }
 
@@ -89,7 +124,9 @@ void MatchRun::settle() {
     return;
   }
   seconds_ += end.seconds;
-  if (stage_ != Stage::second || output_.empty()) output_ = end.output;
+  const bool again = stage_ != Stage::first && stage_ != Stage::isolated;
+  if (!again || output_.empty()) output_ = end.output;
+  if (again) note_outside(end.outside);
   if (answer && (answer->kind == Answer::Kind::changed || answer->kind == Answer::Kind::refused)) {
     throw CampaignError(CampaignError::Kind::input, answer->message);
   }
@@ -97,35 +134,45 @@ void MatchRun::settle() {
     played(*answer);
     return;
   }
+  // What is not played again in the same way does not depend on its robots alone.
+  if (stage_ == Stage::traced || stage_ == Stage::traced_again) {
+    first_->irreproducible = "the results of two plays differ; a third one failed: " + what_failed(what, answer);
+    decide_first();
+    return;
+  }
   blame_nobody_for_overwritten_files(answer && answer->kind == Answer::Kind::failed ? answer->decided.failure->what
                                                                                     : what);
   Attempt attempt{isolated(stage_), false, from_outside, {}, what};
-  if (!answer) {
-    if (!isolated(stage_)) attempt.what = in_words(what, end.note);
-  } else if (answer->kind == Answer::Kind::failed) {
-    const Failure& failure = *answer->decided.failure;
+  attempt.what = what_failed(what, answer);
+  if (!answer && separation(stage_) == Separation::none) attempt.what = in_words(what, end.note);
+  if (answer && answer->kind == Answer::Kind::failed) {
     attempt.from_outside = answer->from_outside;
-    attempt.what = fmt::format("plugin {}, {}: {}", failure.plugin, failure.call, failure.what);
-    if (isolated(stage_)) attempt.failure = failure;
-  } else {
-    attempt.what = answer->message;
+    if (isolated(stage_)) attempt.failure = *answer->decided.failure;
   }
   failed(std::move(attempt));
 }
 
 void MatchRun::played(const Answer& answer) {
-  if (stage_ == Stage::first) {
-    not_recorded_ = answer.message;
-    if (twice_) {
+  switch (stage_) {
+    case Stage::first:
+      not_recorded_ = answer.message;
+      if (!twice_) break;
       first_ = answer.decided;
-      first_trail_ = trail_->content();
       start(Stage::second);
       return;
-    }
-  }
-  if (stage_ == Stage::second) {
-    compare(answer.decided);
-    return;
+    case Stage::second:
+      compare(answer.decided);
+      return;
+    case Stage::traced:
+      deterministic_ = same_match(*first_, answer.decided);
+      first_trail_ = trail_->content();
+      start(Stage::traced_again);
+      return;
+    case Stage::traced_again:
+      decide_not_alone();
+      return;
+    default:
+      break;
   }
   attempts_.push_back({isolated(stage_), true, false, {}, {}});
   if (first_) {
@@ -164,23 +211,42 @@ void MatchRun::failed(Attempt attempt) {
   }
 }
 
+// A play that was to hold the first one to account has been played to its end.
 void MatchRun::compare(const Decided& again) {
-  Decided out = *first_;
-  const bool same =
-      out.score == again.score && out.ended == again.ended && out.hash == again.hash && out.metrics == again.metrics;
-  out.irreproducible = first_difference(first_trail_, trail_->content());
-  if (!same && out.irreproducible.empty()) {
-    out.irreproducible = "the results of two plays differ, though all decisions are the same";
+  if (same_match(*first_, again) || !first_->shared.empty()) {
+    decide_first();
+    return;
   }
-  // The second play itself failed. That says nothing about the first one, which was played to its end.
+  start(Stage::traced);
+}
+
+void MatchRun::decide_not_alone() {
+  std::string where = first_difference(first_trail_, trail_->content());
+  if (where.empty()) where = "the results of two plays differ, though all plugins answered the same when it was played again";
+  (deterministic_ ? first_->shared : first_->irreproducible) = where;
+  decide_first();
+}
+
+// The first play counts, whatever came of those that held it to account.
+void MatchRun::decide_first() {
+  // That the second play failed says nothing about the first one, which was played to its end.
   const auto failed = std::ranges::find(attempts_, false, &Attempt::played);
   if (failed != attempts_.end()) {
     if (failed->from_outside)
       accident_ = failed->what;
-    else if (out.irreproducible.empty())
-      out.irreproducible = "the second play failed, in another process and folder: " + failed->what;
+    else if (first_->irreproducible.empty() && first_->shared.empty())
+      first_->irreproducible = "the second play failed, in another process and folder: " + failed->what;
   }
-  decide(out);
+  decide(Decided(*first_));
+}
+
+void MatchRun::note_outside(const OutsideNote& outside) {
+  if (!first_) return;
+  if (outside.unconfined != 0) first_->unproven = "this system does not confine processes (seccomp)";
+  if (outside.what.front() == '\0' || !first_->shared.empty()) return;
+  first_->shared = fmt::format("{}, robot {}, tick {}: plugin {} tried to {} in {}", outside.call.side == 0 ? "home" : "away",
+                               outside.call.robot, outside.call.tick, outside.call.plugin.data(), outside.what.data(),
+                               outside.call.call.data());
 }
 
 void MatchRun::decide(Decided decided) {
@@ -195,7 +261,7 @@ void MatchRun::decide(Decided decided) {
   // In the file of a match that failed in its first play, or was played with its minds elsewhere, is not what counts.
   const bool first_counts = attempts_.empty() || (attempts_.size() == 1 && attempts_.front().played);
   const bool wanted = decided_->failure ? !failure_record_.empty() || !job_.record.empty() : !job_.record.empty();
-  if (!wanted || (first_counts && limits_.isolation != Isolation::always)) return;
+  if (!wanted || (first_counts && separation(Stage::first) == Separation::none)) return;
   remove(job_.record);
   complete_ = false;
   start(Stage::recording);

@@ -43,15 +43,25 @@ class MatchRun {
   const std::string& not_recorded() const { return not_recorded_; }  // why not, though it should be; else empty
 
  private:
-  enum class Stage { first, second, isolated, recording };
-  // Whether the minds of that play are in processes of their own.
+  enum class Stage {
+    first,
+    second,        // holds the first one to account, where that is asked for
+    traced,        // where they differ: as the first, but elsewhere. What plugins answer is kept
+    traced_again,  // and once more as whichever of them differs from that one
+    isolated,      // finds out whose fault a death was
+    recording,
+  };
   bool isolated(Stage stage) const;
+  Separation separation(Stage stage) const;
   void start(Stage stage);
   void settle();
   void blame_nobody_for_overwritten_files(const std::string& what) const;
   void played(const Answer& answer);
   void failed(Attempt attempt);
   void compare(const Decided& again);
+  void decide_not_alone();
+  void decide_first();
+  void note_outside(const OutsideNote& outside);
   void decide(Decided decided);
   void recorded(const End& end, const std::optional<Answer>& answer);
 
@@ -65,9 +75,10 @@ class MatchRun {
   SharedNote note_;
   std::unique_ptr<TrailFile> trail_;
   std::string first_trail_;
+  bool deterministic_ = false;  // played elsewhere in the same processes, the match was the same
   std::unique_ptr<Worker> worker_;
   std::vector<Attempt> attempts_;
-  std::optional<Decided> first_;  // the first play, while another is under way that holds it to account
+  std::optional<Decided> first_;  // the first play, and what was found when it was held to account
   std::optional<Decided> decided_;
   bool complete_ = false;
   int plays_ = 0;

@@ -4,21 +4,25 @@
 #include <regista/extensions/log.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "campaign/answers_wire.hpp"
 #include "campaign/belief_wire.hpp"
 #include "campaign/job.hpp"
-#include "match/decision_digest.hpp"
 #include "match/mind_belief.hpp"
 #include "match/teams.hpp"
 #include "mind/wire.hpp"
 #include "plugin/failure.hpp"
 #include "plugin/fatal_signal.hpp"
 #include "plugin/process_state.hpp"
+#include "process/confinement.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -39,12 +43,16 @@ Failure failure_of(const plugin::CallNote& note, int side, const char* what) {
 
 class MindHost {
  public:
-  MindHost(const mind::TeamPlan& plan, match::Side side, std::uint64_t seed, const Examination& examination,
+  MindHost(const mind::TeamPlan& plan, const MindPlace& place, std::uint64_t seed, const Examination& examination,
            MindChannel& channel)
-      : side_(static_cast<int>(match::index(side))), examination_(examination), channel_(channel) {
-    minds_ = match::minds(plan, side, seed, {&channel.note().call, side_, examination.closely},
-                          {.whole_frame = examination.digest_decisions,
-                           .log = mind::to_standard_error(REGISTA_LOG_WARNING, mind::most_kept_of_log)});
+      : first_(std::max(place.robot, 1)), answers_wanted_(examination.answers), channel_(channel) {
+    const plugin::Noting noting{&channel.note().call, static_cast<std::int32_t>(match::index(place.side)),
+                                examination.look, answers_wanted_ ? &answers_ : nullptr};
+    const mind::Telling telling{.log = mind::to_standard_error(REGISTA_LOG_WARNING, mind::most_kept_of_log)};
+    if (place.robot == 0)
+      minds_ = match::minds(plan, place.side, seed, noting, telling);
+    else
+      minds_.push_back(match::mind(plan, place.side, place.robot, seed, noting, telling));
   }
 
   void answer() {
@@ -66,22 +74,23 @@ class MindHost {
   std::span<const std::uint8_t> bytes() const { return out_.bytes(); }
 
  private:
-  mind::Mind& mind() { return minds_.at(static_cast<std::size_t>(channel_.robot() - 1)); }
+  mind::Mind& mind() { return minds_.at(static_cast<std::size_t>(channel_.robot() - first_)); }
 
   void decide() {
     config::BytesIn in(channel_.bytes());
     in(percepts_);
     mind::read_heard(in, heard_);
     outcome_.clear();
+    answers_.clear();
     mind().think(percepts_, heard_, outcome_);
     out_(outcome_);
-    if (!examination_.digest_decisions) return;
-    for (const std::uint64_t each : match::digest_of(mind(), outcome_)) out_(each);
+    if (answers_wanted_) out_(answers_);
   }
 
-  int side_;
-  Examination examination_;
+  int first_;  // number of the first mind
+  bool answers_wanted_;
   MindChannel& channel_;
+  plugin::CallTrail answers_;
   std::vector<mind::Mind> minds_;
   mind::Percepts percepts_;
   std::vector<mind::HeardPacket> heard_;
@@ -89,6 +98,21 @@ class MindHost {
   match::Belief belief_;
   config::BytesOut out_;
 };
+
+// Handlers of signals take no arguments of ours.
+std::atomic<WorkerNote*> tries{nullptr};
+
+void note_try(const char* what) {
+  WorkerNote& note = *tries;
+  if (note.outside.what.front() != '\0') return;
+  note.outside.call = note.call;
+  std::strncpy(note.outside.what.data(), what, note.outside.what.size() - 1);
+}
+
+void confine(WorkerNote& note) {
+  tries = &note;
+  if (!process::confine(note_try)) note.outside.unconfined = 1;
+}
 
 void answer_failed(MindChannel& channel, const Failure& failure) {
   const std::string text = to_json(failure);
@@ -112,20 +136,23 @@ void answer_what_was_thrown(MindChannel& channel, int number) {
 
 }  // namespace
 
-void serve_minds(const mind::TeamPlan& plan, match::Side side, std::uint64_t seed, const Examination& examination,
-                 MindChannel& channel) noexcept {
-  const int number = static_cast<int>(match::index(side));
+void serve_minds(const mind::TeamPlan& plan, const MindPlace& place, std::uint64_t seed,
+                 const Examination& examination, MindChannel& channel) noexcept {
+  const int number = static_cast<int>(match::index(place.side));
   plugin::note_fatal_signals(channel.note().fatal);
+  if (examination.confined) confine(channel.note());
   const plugin::ProcessState before = plugin::ProcessState::now();
+  const pid_t here = ::getpid();
   try {
     // Never destroyed but by the last question: what a plugin has damaged must not end this process before it has said
     // which one it was.
-    MindHost& host = *new MindHost(plan, side, seed, examination, channel);
+    MindHost& host = *new MindHost(plan, place, seed, examination, channel);
     for (;;) {
       channel.answer(Reply::done, host.bytes());
       channel.wait_for_question();
       const bool last = channel.question() == Question::finish;
       host.answer();
+      if (::getpid() != here) ::_exit(1);  // a plugin has doubled the process: one of the two is enough
       if (!last) continue;
       const std::string left = plugin::changes_since(before);
       if (left.empty()) {

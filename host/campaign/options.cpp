@@ -25,7 +25,7 @@ std::uint64_t record_every(const Options& options) {
   return options.record_every.empty() ? 0 : config::parse_whole("--record-every", options.record_every, 1, UINT64_MAX);
 }
 
-Limits limits_of(const Options& options, config::Isolation isolation, bool play_twice) {
+Limits limits_of(const Options& options, config::Isolation isolation, bool play_twice, bool allow_shared_memory) {
   Limits limits;
   limits.processor_seconds =
       static_cast<int>(config::parse_whole("--processor-seconds", options.processor_seconds, 1, 1'000'000));
@@ -39,6 +39,7 @@ Limits limits_of(const Options& options, config::Isolation isolation, bool play_
   limits.match_wall_seconds =
       static_cast<double>(config::parse_whole("--match-seconds", options.match_seconds, 1, 1'000'000));
   limits.play_twice = play_twice && !options.play_once;
+  limits.allow_shared_memory = allow_shared_memory;
   if (!options.isolation.empty()) {
     const std::vector<std::string>& known = config::isolation_names();
     const auto named = std::ranges::find(known, options.isolation);

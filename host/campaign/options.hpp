@@ -31,6 +31,6 @@ int number_of_workers(const Options& options);
 std::uint64_t record_every(const Options& options);  // 0: none but those that fail
 // What the study's document says may be overruled by an option.
 Limits limits_of(const Options& options, config::Isolation isolation = config::Isolation::after_death,
-                 bool play_twice = true);
+                 bool play_twice = true, bool allow_shared_memory = false);
 
 }  // namespace regista::campaign

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <new>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -21,12 +22,12 @@
 #include "campaign/match_json.hpp"
 #include "campaign/worker_process.hpp"
 #include "config/bad_input.hpp"
-#include "match/decision_digest.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
 #include "mcap/error.hpp"
 #include "plugin/failure.hpp"
 #include "plugin/process_state.hpp"
+#include "process/date.hpp"
 #include "process/descriptor.hpp"
 #include "recording/match_recording.hpp"
 
@@ -97,27 +98,33 @@ class JobRecording {
   match::AfterDecision after_;
 };
 
-// Where the second play of a match goes: nothing that a match depends on is there.
+// To another place and time: nothing that a match may depend on is there.
 void go_elsewhere() {
   std::error_code none;
   std::filesystem::current_path("/", none);
   // Whatever is allocated from now on lies elsewhere.
   static const std::vector<char> padding(300'007);
+  // Another year, month, day of the week and hour.
+  constexpr std::int64_t earlier = (((417 * 24) + 7) * 60 + 23) * 60 + 19;  // s
+  process::set_date_back(earlier);
 }
 
 match::Result play_here(const Job& job, MatchSetup& prepared, const std::array<const mind::TeamPlan*, 2>& plans,
                         JobRecording& recording, std::optional<TrailWriter>& trail, WorkerNote& note) {
   match::AfterDecision after = recording.after();
+  plugin::CallTrail answers;
   if (trail) {
-    after = [&trail, recorded = recording.after()](const mind::Mind& mind, const match::Decision& decision) {
+    after = [&trail, &answers, recorded = recording.after()](const mind::Mind& mind, const match::Decision& decision) {
       if (recorded) recorded(mind, decision);
-      trail->add(decision, match::digest_of(mind, decision.outcome));
+      trail->add(decision, answers);
+      answers.clear();
     };
   }
   const plugin::ProcessState before = plugin::ProcessState::now();
   const pid_t here = getpid();
   const match::Result result =
-      match::play(std::move(prepared.setup), plans, recording.observer(), after, {&note.call, 0, job.closely});
+      match::play(std::move(prepared.setup), plans, recording.observer(), after,
+                  {&note.call, 0, job.look, trail ? &answers : nullptr});
   if (getpid() != here) _exit(1);  // a plugin has doubled the process: one of the two is enough
   note.call = {};                  // whatever dies from now on dies in no plugin's call
   if (const std::string left = plugin::changes_since(before); !left.empty()) {
@@ -128,13 +135,15 @@ match::Result play_here(const Job& job, MatchSetup& prepared, const std::array<c
 
 match::Result play_isolated(const Job& job, MatchSetup& prepared, const std::array<const mind::TeamPlan*, 2>& plans,
                             std::optional<TrailWriter>& trail, WorkerNote& note) {
-  AfterDigest after;
+  AfterAnswers after;
   if (trail) {
-    after = [&trail](const match::Decision& decision, const match::DecisionDigest& digest) {
-      trail->add(decision, digest);
+    after = [&trail](const match::Decision& decision, std::span<const plugin::CallAnswer> answers) {
+      trail->add(decision, answers);
     };
   }
-  return play_isolated(std::move(prepared.setup), plans, job.limits, job.closely, after, note);
+  const bool alone = job.separation == Separation::robots;
+  return play_isolated(std::move(prepared.setup), plans, job.separation, job.limits,
+                       {job.look, trail.has_value(), alone}, after, note);
 }
 
 Answer failed(const plugin::Failure& failure) {
@@ -177,11 +186,11 @@ Answer play_job(const Job& job, MatchSetup prepared, const std::string& program,
   }
   JobRecording recording(job, prepared, plans, program);
   std::optional<TrailWriter> trail;
-  if (job.trail) trail.emplace(trail_descriptor, plans);
+  if (job.trail) trail.emplace(trail_descriptor);
   if (job.elsewhere) go_elsewhere();
   try {
-    played.result = job.isolated ? play_isolated(job, prepared, plans, trail, note)
-                                 : play_here(job, prepared, plans, recording, trail, note);
+    played.result = job.is_apart() ? play_isolated(job, prepared, plans, trail, note)
+                                   : play_here(job, prepared, plans, recording, trail, note);
   } catch (const std::invalid_argument& error) {
     throw config::BadInput(error.what());  // profiles and teams that do not go together
   }

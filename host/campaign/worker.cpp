@@ -32,7 +32,7 @@ process::Child start_program(const WorkerFiles& files, const Limits& limits, boo
 }  // namespace
 
 Worker::Worker(const Job& job, const Limits& limits, SharedNote& note, int trail, ForkServer* server)
-    : limits_(limits), note_(note), isolated_(job.isolated), watch_({limits.processor_seconds, limits.wall_seconds}) {
+    : limits_(limits), note_(note), apart_(job.is_apart()), watch_({limits.processor_seconds, limits.wall_seconds}) {
   note_.clear();
   const process::FileDescriptor given = process::memory_file(to_json(job));
   process::Pipe answer = process::make_pipe(), output = process::make_pipe();
@@ -54,9 +54,9 @@ Worker::~Worker() {
 }
 
 void Worker::kill() {
-  // The whole group: a plugin may have started processes of its own. So may the minds of an isolated match.
+  // The whole group: a plugin may have started processes of its own. So may minds that are kept apart.
   child_.kill();
-  if (!isolated_) return;  // plugins can write that note; where minds are apart, they have lost sight of it
+  if (!apart_) return;  // plugins can write that note; where minds are apart, they have lost sight of it
   for (const pid_t each : note_->groups) {
     if (each > 1) ::kill(-each, SIGKILL);
   }
@@ -92,13 +92,13 @@ bool Worker::advance() {
 
 double Worker::seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
 
-// Who plays an isolated match watches its minds, and knows whose fault it is.
+// Who plays with minds that are apart watches them, and knows whose fault it is.
 double Worker::match_wall_seconds() const {
-  return isolated_ ? 2.0 * limits_.match_wall_seconds + limits_.wall_seconds : limits_.match_wall_seconds;
+  return apart_ ? 2.0 * limits_.match_wall_seconds + limits_.wall_seconds : limits_.match_wall_seconds;
 }
 
 void Worker::watch_call() {
-  if (!isolated_) {  // which notes no calls of its own
+  if (!apart_) {  // which notes no calls of its own
     const plugin::CallNote call = note_->call;
     const process::Exceeded exceeded = watch_.look(call, call.inside == 1, child_.process());
     if (exceeded == process::Exceeded::processor_time) killed_for_ = End::How::processor_time;
@@ -112,6 +112,7 @@ void Worker::ended(const process::ProcessEnd& end) {
   end_.seconds = seconds();
   const WorkerNote note = note_->sound();
   end_.note = note.call;
+  end_.outside = note.outside;
   end_.output = output_.text();
   const bool complete = answer_.ends_with('\n') && answer_.size() < longest_answer;
   // What stands before the mark is not the worker's: a plugin wrote to a descriptor that it took for its own.

@@ -35,6 +35,7 @@ struct End {
   std::string text;       // the answer, or in words how it ended: "Segmentation fault, in crashes.so"
   std::string output;     // what was written to standard error, cut in the middle
   plugin::CallNote note;  // the last one; its plugin is empty when no plugin was called
+  OutsideNote outside;    // what a confined mind tried to do
   double seconds = 0.0;   // s of wall time
 };
 
@@ -73,7 +74,7 @@ class Worker {
   using Clock = std::chrono::steady_clock;
   Limits limits_;
   SharedNote& note_;
-  bool isolated_;
+  bool apart_;
   process::Child child_;
   process::FileDescriptor pipe_, output_pipe_;
   std::optional<End::How> killed_for_;

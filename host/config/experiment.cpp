@@ -170,6 +170,7 @@ Map declare(Experiment& experiment) {
               real("confidence", experiment.confidence, {0.5, 0.9999}, "1", "of every interval, and of the test"),
               choice("isolation", experiment.isolation, isolation_names(), isolation_doc),
               boolean("play_twice", experiment.play_twice, play_twice_doc),
+              boolean("allow_shared_memory", experiment.allow_shared_memory, allow_shared_memory_doc),
           },
       .exactly_one = {"minutes", "matches"}};
 }

@@ -63,6 +63,7 @@ struct Experiment {
   double confidence = 0.95;
   Isolation isolation = Isolation::after_death;
   bool play_twice = true;
+  bool allow_shared_memory = false;
 };
 
 Map declare(Experiment& experiment);

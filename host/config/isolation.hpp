@@ -21,6 +21,10 @@ inline const std::vector<std::string>& isolation_names() {
 inline constexpr const char* isolation_doc =
     "after-death: a match that died is played again with each team in a process of its own; always: every match is "
     "played so";
-inline constexpr const char* play_twice_doc = "the first match of each pairing, to see whether it is reproducible";
+inline constexpr const char* play_twice_doc =
+    "the first match of each pairing, again with each robot in a process of its own: whether it is reproducible, and "
+    "whether robots decide alone";
+inline constexpr const char* allow_shared_memory_doc =
+    "plugins may keep what all robots of a team know: a team thinks in one process, and the report says so";
 
 }  // namespace regista::config

@@ -56,6 +56,7 @@ Map declare(Tournament& tournament) {
               "forfeits by the same plugin after which a team is set aside; 0: never"),
       choice("isolation", tournament.isolation, isolation_names(), isolation_doc),
       boolean("play_twice", tournament.play_twice, play_twice_doc),
+      boolean("allow_shared_memory", tournament.allow_shared_memory, allow_shared_memory_doc),
   }};
 }
 

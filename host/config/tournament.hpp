@@ -48,6 +48,7 @@ struct Tournament {
   int failures_in_a_row = 10;
   Isolation isolation = Isolation::after_death;
   bool play_twice = true;
+  bool allow_shared_memory = false;
 };
 
 Map declare(Tournament& tournament);

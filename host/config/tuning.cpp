@@ -206,6 +206,7 @@ Map declare(Tuning& tuning) {
       section("slices", tuning.slices, "what each parameter does around the tuned point"),
       choice("isolation", tuning.isolation, isolation_names(), isolation_doc),
       boolean("play_twice", tuning.play_twice, play_twice_doc),
+      boolean("allow_shared_memory", tuning.allow_shared_memory, allow_shared_memory_doc),
   }};
 }
 

@@ -81,6 +81,7 @@ struct Tuning {
   Slices slices;
   Isolation isolation = Isolation::after_death;
   bool play_twice = true;
+  bool allow_shared_memory = false;
 };
 
 Map declare(Tuning& tuning);

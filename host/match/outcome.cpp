@@ -58,14 +58,6 @@ std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, co
   return {};
 }
 
-void add(Digest& digest, const mind::Command& command) {
-  const mind::KickRequest kick = command.kick.value_or(mind::KickRequest{-1, 0.0, 0.0});
-  const std::array<double, 6> values{command.walk.forward, command.walk.sideways, command.walk.turn,
-                                     command.head_yaw,     kick.direction,        kick.distance};
-  digest.add(std::as_bytes(std::span(values)));
-  digest.add(std::int32_t{kick.kind});
-}
-
 void add(Digest& digest, const mind::Outcome& outcome) {
   const mind::Command& command = outcome.command;
   const mind::KickRequest kick = command.kick.value_or(mind::KickRequest{-1, 0.0, 0.0});

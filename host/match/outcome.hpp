@@ -20,8 +20,7 @@ struct TeamCounts {
 // Empty when it is.
 std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, const TeamCounts& team);
 
-// The command, and all of the outcome that a match acts on.
-void add(Digest& digest, const mind::Command& command);
+// All of the outcome that a match acts on.
 void add(Digest& digest, const mind::Outcome& outcome);
 
 }  // namespace regista::match

@@ -9,14 +9,19 @@
 
 namespace regista::match {
 
-std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed, plugin::Noting noting,
-                              const mind::Telling& telling) {
+mind::Mind mind(const mind::TeamPlan& plan, Side side, int number, std::uint64_t seed, plugin::Noting noting,
+                const mind::Telling& telling) {
   const r123::Philox2x64 philox;
   const auto words = philox({{static_cast<std::uint64_t>(index(side)), 0}}, {{seed}});
   noting.side = static_cast<std::int32_t>(index(side));
+  return {plan, number, words[0], noting, telling};
+}
+
+std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed, plugin::Noting noting,
+                              const mind::Telling& telling) {
   std::vector<mind::Mind> out;
   for (int number = 1; number <= plan.rules().team_size; ++number) {
-    out.emplace_back(plan, number, words[0], noting, telling);
+    out.push_back(mind(plan, side, number, seed, noting, telling));
   }
   return out;
 }

@@ -45,6 +45,7 @@ void Assigner::assign(const regista_frame& frame, const regista_matrix& utilitie
     }
     row_of_column_[index] = static_cast<std::int32_t>(row);
   }
+  instance_->answered(std::span<const std::int32_t>(out));
 }
 
 }  // namespace regista::plugin

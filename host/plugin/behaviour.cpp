@@ -37,7 +37,23 @@ const regista_action& Behaviour::act(const regista_frame& frame, const regista_b
       "act", calls_->act, instance_->shown(&frame), &body, &out);
   instance_->check("act", Instance::Written{answer, "the action"});
   check(out);
+  note_answer(out);
   return out;
+}
+
+// What a motion does not use may be anything.
+void Behaviour::note_answer(const regista_action& action) const {
+  if (!instance_->is_traced()) [[likely]]
+    return;
+  AnswerDigest used;
+  used(action.motion, action.gaze, action.kick);
+  const bool walks = action.motion == REGISTA_MOTION_WALK_TO;
+  if (walks) used(action.walk, action.pose, std::span<const regista_disc>(action.avoid).first(action.avoid_count));
+  if (action.motion == REGISTA_MOTION_VELOCITY || (walks && (action.walk & REGISTA_WALK_CREEP) != 0))
+    used(action.velocity);
+  if (action.kick != REGISTA_NO_KICK) used(action.kick_direction, action.kick_distance);
+  if ((action.flags & REGISTA_ACTION_TARGET) != 0) used(action.target);
+  instance_->answered(used.value());
 }
 
 void Behaviour::check(const regista_action& action) const {

@@ -19,6 +19,7 @@ class Behaviour {
   const regista_action& act(const regista_frame& frame, const regista_body& body);
 
  private:
+  void note_answer(const regista_action& action) const;
   void check(const regista_action& action) const;
   void check_kick(const regista_action& action) const;
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string_view>
+#include <vector>
 
 namespace regista::plugin {
 
@@ -24,12 +25,21 @@ struct CallNote {
   friend bool operator==(const CallNote&, const CallNote&) = default;
 };
 
+struct CallAnswer;
+
+// How often calls are looked at closely: all that stands around their answers, and whether they wrote to their inputs.
+enum class Look : std::uint8_t {
+  seldom,  // at one decision in 127, and never at inputs
+  often,   // at one decision in 7, of another robot at each tick
+  always,
+};
+
 // A note and on which side's behalf it is written.
 struct Noting {
   CallNote* note = nullptr;  // null: nobody listens
   std::int32_t side = 0;
-  // Whether all is looked at in every call: see AnswerRooms, and inputs that are const, before and after it.
-  bool closely = false;
+  Look look = Look::seldom;
+  std::vector<CallAnswer>* trail = nullptr;  // of what is answered; null: nobody asks. Needs a note and Look::always
 };
 
 // An id as a note holds it.

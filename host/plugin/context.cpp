@@ -17,6 +17,7 @@ bool Context::holds(const regista_frame& frame) {
   const std::int32_t out = *answer.data();
   if (out != 0 && out != 1) [[unlikely]]
     instance_->fail("holds", fmt::format("{} is neither 0 nor 1", out));
+  instance_->answered(out);
   return out == 1;
 }
 

@@ -23,12 +23,16 @@ struct Caller {
   Noting noting{};               // where its calls are noted
   AnswerRooms* rooms = nullptr;  // of its plugins; null: each has its own
 
-  // At the beginning of each decision. One of so many is looked at closely; a prime, so that no plugin's period keeps
-  // it away from all of them.
+  // At the beginning of each decision.
   void begin_decision() {
-    constexpr std::uint64_t one_of = 127;
-    if (rooms != nullptr) rooms->closely = noting.closely || tick % one_of == 0;
+    if (rooms != nullptr) rooms->closely = looks_closely();
     note();
+  }
+  // Primes, so that no plugin's period keeps it away from all of these decisions.
+  bool looks_closely() const {
+    constexpr std::uint64_t seldom = 127, often = 7;
+    if (noting.look == Look::seldom) return tick % seldom == 0;
+    return noting.look == Look::always || (tick + static_cast<std::uint64_t>(robot)) % often == 0;
   }
 
   // Notes for whom the next calls are, whichever plugin's.

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -18,6 +19,7 @@
 
 #include "plugin/answer_rooms.hpp"
 #include "plugin/call_note.hpp"
+#include "plugin/call_trail.hpp"
 #include "plugin/declared_reads.hpp"
 #include "plugin/descriptor.hpp"
 #include "plugin/failure.hpp"
@@ -51,7 +53,7 @@ class alignas(64) Instance {
   // The frame as this plugin is to see it: without what it does not declare to read where inputs are compared, as it is
   // elsewhere. Null stays null. Valid until the next.
   const regista_frame* shown(const regista_frame* frame) {
-    if (declared_reads_ == nullptr || frame == nullptr) [[likely]]
+    if (declared_reads_ == nullptr || !rooms_->closely || frame == nullptr) [[likely]]
       return frame;
     return declared_reads_->of(*frame);
   }
@@ -106,6 +108,23 @@ class alignas(64) Instance {
     const std::uint64_t wrong = (std::uint64_t{rooms_->closely} | ... | written.room.difference_at_edges());
     if (wrong != 0) [[unlikely]]
       (check(call, written.room.overflow(), written.what), ...);
+  }
+
+  // Whether somebody keeps what calls answer.
+  bool is_traced() const {
+    return rooms_->closely && caller_ != nullptr && caller_->noting.trail != nullptr;
+  }
+  // What the last call answered, once it is known to keep its promises.
+  template <class... Values>
+  void answered(const Values&... values) const {
+    if (is_traced()) [[unlikely]]
+      add(*caller_->noting.trail, *note_, AnswerDigest{}(values...).value());
+  }
+  // And what a plugin does with the host of this instance.
+  template <class... Values>
+  void used(std::string_view what, const Values&... values) const {
+    if (is_traced()) [[unlikely]]
+      add(*caller_->noting.trail, *note_, what, AnswerDigest{}(values...).value());
   }
 
   // The table of this kind; throws Failure when the plugin has none.

@@ -52,6 +52,8 @@ void Positioner::place(const regista_frame& frame, Placement& out) {
   check_points(frame, points);
   check_edges(edges, points.size());
   check_cells(cells, vertices);
+  instance_->answered(std::span<const regista_waypoint>(points), std::span<const regista_edge>(edges),
+                      std::span<const regista_cell>(cells), std::span<const regista_vertex>(vertices));
   const auto take = [](auto& to, const auto& from, std::uint32_t capacity) {
     to.reserve(capacity);  // at the first call, so that none allocates later
     to.assign(from.begin(), from.end());

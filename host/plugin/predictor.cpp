@@ -118,8 +118,24 @@ std::span<const regista_track> Predictor::tracks() {
       check(track, poses);
   }
   check_together(out);
+  note_answer(out, poses);
   tracks_.assign(out.begin(), out.end());
   return tracks_;
+}
+
+void Predictor::note_answer(std::span<const regista_track> tracks, bool poses) const {
+  if (!instance_->is_traced()) [[likely]]
+    return;
+  AnswerDigest rest;
+  for (const regista_track& each : tracks) {
+    if (!poses) {
+      rest(each.motion);
+      continue;
+    }
+    rest(each.pose.heading, each.pose.turn_rate, each.pose.heading_variance, each.pose.velocity_variance);
+    if ((each.flags & REGISTA_TRACK_HAS_TARGET) != 0) rest(each.pose.target);
+  }
+  instance_->answered(tracks, rest.value());
 }
 
 void Predictor::check(const regista_track& t, bool has_pose) const {

@@ -30,6 +30,7 @@ class Predictor {
 
  private:
   void check(const regista_track& track, bool has_pose) const;
+  void note_answer(std::span<const regista_track> tracks, bool poses) const;
   void check_together(std::span<const regista_track> tracks) const;
 
   std::shared_ptr<Instance> instance_;

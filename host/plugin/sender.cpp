@@ -39,7 +39,10 @@ SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_
   if (out.granted_count > offers.size()) [[unlikely]] {
     instance_->fail("decide", fmt::format("granted {} offers of {}", out.granted_count, offers.size()));
   }
-  if (out.send == 0) return {};
+  if (out.send == 0) {
+    instance_->answered(out.send);
+    return {};
+  }
   const bool own = out.reason >= REGISTA_REASON_OWN &&
                    static_cast<std::uint32_t>(out.reason - REGISTA_REASON_OWN) < calls_->reason_count;
   if (!own && (out.reason < 0 || out.reason >= REGISTA_EVENT_COUNT)) [[unlikely]]
@@ -52,6 +55,7 @@ SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_
     if (std::ranges::find(earlier, granted[i]) != earlier.end()) [[unlikely]]
       instance_->fail("decide", fmt::format("granted handle {} twice", granted[i]));
   }
+  instance_->answered(out.send, out.reason, granted);
   return {true, out.reason, granted};
 }
 

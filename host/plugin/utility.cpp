@@ -68,6 +68,7 @@ std::span<const double> Utility::score(const regista_frame& frame, std::size_t r
   const std::span<const double> answer = entries.first(count);
   if (suspect(answer)) [[unlikely]]
     check_each(*instance_, answer, columns);
+  instance_->answered(answer);
   return answer;
 }
 

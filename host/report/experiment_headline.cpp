@@ -247,9 +247,7 @@ std::string rest(const study::ExperimentPlan& plan, const Sorted& of) {
   return out;
 }
 
-}  // namespace
-
-std::string experiment_headline(const ExperimentView& view) {
+std::string headline_of_experiment(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   if (!view.course.complete()) {
     return fmt::format("Not at its end: {} of {} matches. Nothing is tested yet.", view.course.taken(), plan.matches());
@@ -268,6 +266,12 @@ std::string experiment_headline(const ExperimentView& view) {
   }
   out += rest(plan, of);
   return out.front() == ' ' ? out.substr(1) : out;
+}
+
+}  // namespace
+
+std::string experiment_headline(const ExperimentView& view) {
+  return caution(view.course.remarks(), view.plan.limits) + headline_of_experiment(view);
 }
 
 }  // namespace regista::report

@@ -191,7 +191,7 @@ std::string experiment_page(const ExperimentPageSource& source) {
   const ExperimentView& view = source.view;
   const std::vector<std::string> sentences = finding_sentences(view);
   Html page = page_begin(experiment_title(view));
-  page << irreproducible_note(view.course.remarks()) << head(view) << tiles(view) << findings_section(sentences)
+  page << doubts_note(view.course.remarks()) << head(view) << tiles(view) << findings_section(sentences)
        << figures_section(source) << means_section(view) << differences_section(view)
        << unplayed_section(view.course.unplayed_pairs(), view.course.remarks()) << failures_section(view)
        << configuration_section(view.plan) << reproduction_section(source, source.command)

@@ -156,7 +156,7 @@ std::string experiment_standing(const ExperimentView& view) {
 
 std::string experiment_text(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
-  std::string out = irreproducible_text(view.course.remarks()) + experiment_title(view) + '\n';
+  std::string out = doubts_text(view.course.remarks()) + experiment_title(view) + '\n';
   if (!plan.question.empty()) out += visible(plan.question) + '\n';
   out += '\n' + experiment_headline(view) + "\n\n" + pairs_text(view) + '\n';
   if (plan.swept()) {

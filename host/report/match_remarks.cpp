@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+
 #include "config/json.hpp"
 #include "config/text.hpp"
 #include "report/html_table.hpp"
@@ -29,6 +33,17 @@ Json listed(const study::RemarkList& list) {
   return out;
 }
 
+// What is held against the matches of a study, the gravest first.
+struct Doubt {
+  const study::RemarkList& list;
+  const char *words, *key;
+};
+std::array<Doubt, 3> doubts_of(const study::MatchRemarks& remarks) {
+  return {{{remarks.shared(), "robots do not decide alone", "not_alone"},
+           {remarks.irreproducible(), "not reproducible", "not_reproducible"},
+           {remarks.unproven(), "not proven that robots decide alone", "not_proven"}}};
+}
+
 }  // namespace
 
 std::string pairs_in_words(std::uint64_t count) { return config::counted(count, "pair", "pairs"); }
@@ -45,13 +60,19 @@ std::string unplayed_sentence(std::uint64_t pairs) {
       pairs_in_words(pairs), pairs == 1 ? "is" : "are", pairs == 1 ? "it" : "them", pairs == 1 ? "it is" : "they are");
 }
 
-std::string irreproducible_text(const study::MatchRemarks& remarks) {
+std::string caution(const study::MatchRemarks& remarks, const campaign::Limits& limits) {
+  if (limits.allow_shared_memory) return "Robots of a team may share memory here: ";
+  return remarks.shared().count() > 0 ? "Not a result of robots that decide alone: " : "";
+}
+
+std::string doubts_text(const study::MatchRemarks& remarks) {
   std::string out;
-  const study::RemarkList& list = remarks.irreproducible();
-  for (const study::MatchRemark& each : list.listed()) {
-    out += fmt::format("not reproducible: match {}: {}\n", each.match + 1, visible(each.text));
+  for (const Doubt& doubt : doubts_of(remarks)) {
+    for (const study::MatchRemark& each : doubt.list.listed())
+      out += fmt::format("{}: match {}: {}\n", doubt.words, each.match + 1, visible(each.text));
+    if (doubt.list.unlisted() > 0)
+      out += fmt::format("{}: {} more\n", doubt.words, matches_in_words(doubt.list.unlisted()));
   }
-  if (list.unlisted() > 0) out += fmt::format("not reproducible: {} more\n", matches_in_words(list.unlisted()));
   return out;
 }
 
@@ -69,8 +90,9 @@ std::string written_text(const study::MatchRemarks& remarks) {
   return remarks.written_count() == 0 ? std::string() : written_sentence(remarks) + '\n';
 }
 
-Json irreproducible_json(const study::MatchRemarks& remarks) {
-  return {{"matches", remarks.irreproducible().count()}, {"listed", listed(remarks.irreproducible())}};
+void add_doubts(const study::MatchRemarks& remarks, Json& out) {
+  for (const Doubt& doubt : doubts_of(remarks))
+    out[doubt.key] = {{"matches", doubt.list.count()}, {"listed", listed(doubt.list)}};
 }
 
 Json unplayed_json(std::uint64_t pairs, const study::MatchRemarks& remarks) {
@@ -83,18 +105,24 @@ Json written_json(const study::MatchRemarks& remarks) {
   return {{"matches", remarks.written_count()}, {"listed", matches}};
 }
 
-Html irreproducible_note(const study::MatchRemarks& remarks) {
-  const study::RemarkList& list = remarks.irreproducible();
-  if (list.count() == 0) return {};
-  Html out = "<div id=\"not-reproducible\">\n"_html;
-  for (const study::MatchRemark& each : list.listed()) {
-    out << "<p><strong>Not reproducible:</strong> "_html << text(fmt::format("match {}: {}", each.match + 1, each.text))
-        << "</p>\n"_html;
+Html doubts_note(const study::MatchRemarks& remarks) {
+  Html out;
+  for (const Doubt& doubt : doubts_of(remarks)) {
+    if (doubt.list.count() == 0) continue;
+    std::string words = doubt.words, id = doubt.key;
+    words.front() = static_cast<char>(std::toupper(words.front()));
+    std::ranges::replace(id, '_', '-');
+    out << "<div id=\""_html << text(id) << "\">\n"_html;
+    for (const study::MatchRemark& each : doubt.list.listed()) {
+      out << "<p><strong>"_html << text(words) << ":</strong> "_html
+          << text(fmt::format("match {}: {}", each.match + 1, each.text)) << "</p>\n"_html;
+    }
+    if (doubt.list.unlisted() > 0) {
+      out << "<p>"_html << text(fmt::format("And {} more.", matches_in_words(doubt.list.unlisted()))) << "</p>\n"_html;
+    }
+    out << "</div>\n"_html;
   }
-  if (list.unlisted() > 0) {
-    out << "<p>"_html << text(fmt::format("And {} more.", matches_in_words(list.unlisted()))) << "</p>\n"_html;
-  }
-  return out << "</div>\n"_html;
+  return out;
 }
 
 Html unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks) {

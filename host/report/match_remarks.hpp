@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the reports of all studies say of single matches besides their results: those that came out otherwise when they
-// were played a second time stand at the top, those that could not be played beside the verdict, those in which plugins
+// What the reports of all studies say of single matches besides their results: those in which robots did not decide
+// alone, and those that came out otherwise when they were played a second time, stand at the top; those that could not be played beside the verdict, those in which plugins
 // wrote to standard error at the end. Matches are counted from 1.
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "campaign/limits.hpp"
 #include "report/html.hpp"
 #include "study/match_remarks.hpp"
 
@@ -21,18 +22,23 @@ std::string prevented_headline(std::uint64_t pairs);
 // "1 pair could not be played and counts nowhere: ..."; empty without one. In one sentence.
 std::string unplayed_sentence(std::uint64_t pairs);
 
+// What stands before the headline where robots did not decide alone, or need not: "Not a result of robots that decide
+// alone: ". Mostly empty.
+std::string caution(const study::MatchRemarks& remarks, const campaign::Limits& limits);
+
 // Lines, each ended; empty where there is nothing to report.
-std::string irreproducible_text(const study::MatchRemarks& remarks);  // "not reproducible: match 1: ..."
+std::string doubts_text(const study::MatchRemarks& remarks);          // "not reproducible: match 1: ..."
 std::string unplayed_text(const study::MatchRemarks& remarks);        // "  match 5: ..."
 std::string written_text(const study::MatchRemarks& remarks);         // where plugins wrote to standard error
 
-// {"matches", "listed": [{"match", "what"}]}
-nlohmann::ordered_json irreproducible_json(const study::MatchRemarks& remarks);
+// Adds "not_alone", "not_reproducible" and "not_proven", each {"matches", "listed": [{"match", "what"}]}.
+void add_doubts(const study::MatchRemarks& remarks, nlohmann::ordered_json& out);
+// The same, with "pairs".
 nlohmann::ordered_json unplayed_json(std::uint64_t pairs, const study::MatchRemarks& remarks);
 nlohmann::ordered_json written_json(const study::MatchRemarks& remarks);
 
 // The same for a page; empty where there is nothing to report.
-Html irreproducible_note(const study::MatchRemarks& remarks);
+Html doubts_note(const study::MatchRemarks& remarks);
 Html unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks);
 Html written_note(const study::MatchRemarks& remarks);
 

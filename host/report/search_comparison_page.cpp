@@ -85,7 +85,7 @@ std::string search_comparison_page(const SearchComparisonPage& page) {
   const ComparisonVerdict verdict = comparison_verdict(view);
   const std::string title = comparison_title(view);
   Html out = page_begin(title);
-  out << irreproducible_note(tally.remarks)
+  out << doubts_note(tally.remarks)
       << verdict_header(title, verdict.headline, unfinished_sentence(view), plan.question) << tiles(view)
       << section("findings", "What was found"_html, sentence_list(verdict.beside)) << algorithms_section(page)
       << setup_section(plan, setup_sentences(view)) << unplayed_section(tally.unplayed_pairs, tally.remarks)

@@ -66,7 +66,7 @@ std::vector<std::string> setup_sentences(const SearchComparisonView& view) {
 }
 
 ComparisonVerdict comparison_verdict(const SearchComparisonView& view) {
-  ComparisonVerdict out{headline_of(view), {}};
+  ComparisonVerdict out{caution(view.record.tally.remarks, view.plan.tuning.limits) + headline_of(view), {}};
   if (view.record.stage) return out;
   out.beside.push_back(
       fmt::format("All had the same budget, {}, and were judged on the same {} with held-out seeds. A search that "

@@ -70,7 +70,7 @@ std::string search_comparison_standing(const SearchComparisonView& view) {
 std::string search_comparison_text(const SearchComparisonView& view) {
   const study::TuningPlan& plan = view.plan.tuning;
   const study::MatchTally& tally = view.record.tally;
-  std::string out = irreproducible_text(tally.remarks) + comparison_title(view) + '\n';
+  std::string out = doubts_text(tally.remarks) + comparison_title(view) + '\n';
   if (!plan.question.empty()) out += visible(plan.question) + '\n';
   if (const std::string unfinished = unfinished_sentence(view); !unfinished.empty()) out += unfinished + '\n';
   const ComparisonVerdict verdict = comparison_verdict(view);

@@ -84,7 +84,7 @@ Html team_name(const PageSource& source, std::size_t team) { return name(source.
 std::string tournament_page(const PageSource& source) {
   const VerdictSentence verdict = verdict_sentence(source.view);
   Html page = page_begin(title(source.view));
-  page << irreproducible_note(source.view.course.remarks()) << "<header>\n<p class=\"kicker\">Tournament: "_html
+  page << doubts_note(source.view.course.remarks()) << "<header>\n<p class=\"kicker\">Tournament: "_html
        << text(title(source.view)) << "</p>\n<h1 id=\"verdict\">"_html << verdict.sentence << "</h1>\n"_html
        << "<p class=\"beside\">"_html;
   for (const Html& each : verdict.beside) page << each << " "_html;

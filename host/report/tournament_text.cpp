@@ -263,7 +263,7 @@ std::string standing_text(const TournamentView& view) {
 }
 
 std::string tournament_text(const TournamentView& view) {
-  std::string out = irreproducible_text(view.course.remarks());
+  std::string out = doubts_text(view.course.remarks());
   if (!view.plan.question.empty()) out += fmt::format("{}: {}\n", visible(view.plan.name), visible(view.plan.question));
   out += fmt::format("Results of {}:\n", title(view));
   for (const study::Pairing& pairing : view.course.calendar().pairings()) {

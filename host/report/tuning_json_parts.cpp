@@ -90,10 +90,10 @@ Json budget_json(const study::TuningPlan& plan) {
 }
 
 Json tally_json(const study::TuningPlan& plan, const study::MatchTally& tally) {
-  return {{"forfeits", forfeits(plan, tally)},
-          {"unplayed", unplayed_json(tally.unplayed_pairs, tally.remarks)},
-          {"not_reproducible", irreproducible_json(tally.remarks)},
-          {"standard_error", written_json(tally.remarks)}};
+  Json out{{"forfeits", forfeits(plan, tally)}, {"unplayed", unplayed_json(tally.unplayed_pairs, tally.remarks)}};
+  add_doubts(tally.remarks, out);
+  out["standard_error"] = written_json(tally.remarks);
+  return out;
 }
 
 }  // namespace regista::report

@@ -162,7 +162,7 @@ std::string tuning_page(const TuningPage& page) {
   const TuningVerdict verdict = tuning_verdict(view);
   const std::string title = problem_title(view.plan);
   Html out = page_begin(title);
-  out << irreproducible_note(tally.remarks)
+  out << doubts_note(tally.remarks)
       << verdict_header(title, verdict.headline, unfinished_sentence(view), view.plan.question) << tiles(view)
       << findings_section(view, verdict) << setup_section(view.plan, setup_sentences(view)) << convergence_section(page)
       << values_section(page) << slices_section(page) << finalists_section(view) << trace_section(view)

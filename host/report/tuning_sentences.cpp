@@ -214,7 +214,7 @@ std::vector<std::string> search_sentences(const TuningView& view) {
 
 TuningVerdict tuning_verdict(const TuningView& view) {
   const std::vector<CandidateVerdict> candidates = candidate_verdicts(view);
-  TuningVerdict out{headline_of_tuning(view, candidates), {}};
+  TuningVerdict out{caution(view.record.tally.remarks, view.plan.limits) + headline_of_tuning(view, candidates), {}};
   for (const CandidateVerdict& each : candidates) {
     out.beside.push_back(candidate_sentence(view, each, candidates.size()));
   }

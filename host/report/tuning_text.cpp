@@ -130,7 +130,7 @@ std::string tuning_standing(const TuningView& view) {
 }
 
 std::string tuning_text(const TuningView& view) {
-  std::string out = irreproducible_text(view.record.tally.remarks) + problem_title(view.plan) + '\n';
+  std::string out = doubts_text(view.record.tally.remarks) + problem_title(view.plan) + '\n';
   if (!view.plan.question.empty()) out += visible(view.plan.question) + '\n';
   if (const std::string unfinished = unfinished_sentence(view); !unfinished.empty()) out += unfinished + '\n';
   const TuningVerdict verdict = tuning_verdict(view);

@@ -253,6 +253,7 @@ VerdictSentence verdict_sentence(const TournamentView& view) {
     of_two(view, out);
   else
     of_several(view, out);
+  out.sentence = text(caution(view.course.remarks(), view.plan.limits)) << out.sentence;
   for (const study::SetAside& each : view.course.set_aside()) {
     Html line = team(view, each.team);
     const std::string whose = each.plugin.empty() ? "a plugin of it" : "its plugin " + each.plugin;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is to be reported of single matches of a study besides their results: which could not be played, which came out
-// otherwise when they were played a second time, and in which plugins wrote to standard error. In memory that does not
+// otherwise when they were played a second time, in which robots did not decide alone, and in which plugins wrote to
+// standard error. In memory that does not
 // grow with the number of matches.
 #pragma once
 
@@ -43,12 +44,14 @@ class MatchRemarks {
 
   const RemarkList& unplayed() const { return unplayed_; }              // and why
   const RemarkList& irreproducible() const { return irreproducible_; }  // and where two plays first differed
+  const RemarkList& shared() const { return shared_; }      // whose plugin used what its robot alone does not know
+  const RemarkList& unproven() const { return unproven_; }  // why it is not known that robots decide alone
   // Matches in which plugins wrote to standard error: the first ones, and how many there are.
   const std::vector<std::uint64_t>& written() const { return written_; }
   std::uint64_t written_count() const { return written_count_; }
 
  private:
-  RemarkList unplayed_, irreproducible_;
+  RemarkList unplayed_, irreproducible_, shared_, unproven_;
   std::vector<std::uint64_t> written_;
   std::uint64_t written_count_ = 0;
 };

@@ -277,12 +277,14 @@ void limit_fields(Limits& limits, Visit& visit) {
   visit("match_wall_seconds", limits.match_wall_seconds);
   // How a match is played changes no result, so that a study may go on in another way.
   std::string isolation = limits.isolation == campaign::Isolation::always ? "always" : "",
-              plays = limits.play_twice ? "" : "once";
+              plays = limits.play_twice ? "" : "once", shared = limits.allow_shared_memory ? "allowed" : "";
   visit.maybe("isolation", isolation);
   visit.maybe("plays", plays);
+  visit.maybe("shared_memory", shared);
   if constexpr (!std::is_const_v<Limits>) {
     limits.isolation = isolation == "always" ? campaign::Isolation::always : campaign::Isolation::after_a_death;
     limits.play_twice = plays.empty();
+    limits.allow_shared_memory = !shared.empty();
   }
 }
 

@@ -38,7 +38,7 @@ struct Asked {
   std::vector<config::NamedPath> scenes;
   std::string name, question;
   config::Isolation isolation = config::Isolation::after_death;
-  bool play_twice = true;
+  bool play_twice = true, allow_shared_memory = false;
 
   bool by_document() const { return !options.file.empty(); }
 };
@@ -244,6 +244,7 @@ Asked asked_by_document(const TournamentRequest& given) {
   out.scenes = tournament.openings;
   out.isolation = tournament.isolation;
   out.play_twice = tournament.play_twice;
+  out.allow_shared_memory = tournament.allow_shared_memory;
   out.options = given;
   TournamentRequest& options = out.options;
   options.overrides.clear();
@@ -327,7 +328,7 @@ static PlannedTournament plan_of(const TournamentRequest& given, const plugin::C
   }
   plan.failures_in_a_row =
       static_cast<int>(config::parse_whole("--failures-in-a-row", options.failures_in_a_row, 0, 1'000'000));
-  plan.limits = campaign::limits_of(options, asked.isolation, asked.play_twice);
+  plan.limits = campaign::limits_of(options, asked.isolation, asked.play_twice, asked.allow_shared_memory);
   plan.folder = std::filesystem::current_path().string();
   try {
     check_overrides(options);

@@ -12,7 +12,8 @@ What zoo.json expects of an animal:
   either   whatever its team loses; also that matches of it could not be played
 An animal that needs longer matches says so, by `limit`; `match: false` is one that `regista match` cannot tell from
 its user, who ends it by a signal, or that writes to the terminal what it likes.
-`said` is what standard error says of it, and one that `differs` is found not to be reproducible.
+`said` is what standard error says of it, and one that `differs` is found not to be reproducible. Of one that `shares`
+it is found that its robots do not decide alone, by this call of it; of no other animal.
 `what` is a regular expression for the report's reason, `call` the call in which its team is to be blamed, and then the
 plugin that is named is the animal itself. Of all of them holds what `Animals.holds` says, above all: the innocent team
 forfeits nothing, a match that was played is that of the sound twin, and no match ends better than that. An animal that
@@ -49,8 +50,11 @@ PLACES = {
     "positioner": ("positioner: {plugin: at_the_ball}", "positioner: {{plugin: {}}}"),
     "sender": ("sender: {plugin: every_second}", "sender: {{plugin: {}}}"),
     "context": ("plugin: ball_seen", "plugin: {}"),
-    "utility": ("{plugin: nearness, weight: 1, params: {scale: 2}}", "{{plugin: {}, weight: 1}}"),
+    # With an assigner that looks at utilities.
+    "utility": ("{plugin: nearness, weight: 1, params: {scale: 2}}}}\nassigner: {plugin: first_free}",
+                "{{plugin: {}, weight: 1}}}}}}\nassigner: {{plugin: greedy}}"),
     "predictor": ("ball:      {plugin: last_news}", "ball:      {{plugin: {}}}"),
+    "behaviour": ("target: {at: [", "behaviour: {}, target: {{at: ["),
 }
 LONGEST = 120  # s that a command may take: a call that hangs is given up after one or a few
 MOST_TEXT = 8 << 20  # bytes that a command may write: plugins write at most one megabyte, or without end
@@ -68,6 +72,8 @@ def unplayed(report):
 
 
 class Zoo(tournament.Tournament):
+    plugins = (*tournament.Tournament.plugins, program.TEST_PLUGINS.parent / "plugins" / "greedy.so")
+
     def setUp(self):
         super().setUp()
         self.addCleanup(self.kill_all)
@@ -250,6 +256,13 @@ class Animals(Zoo):
             self.assertRegex(done.stderr, animal["said"])
         if animal.get("differs"):
             self.assertGreater(report["not_reproducible"]["matches"], 0, report)
+        if "shares" in animal:
+            self.assertEqual(report["not_reproducible"]["matches"], 0, report)
+            self.assertEqual([each["match"] for each in report["not_alone"]["listed"]], [1], report)
+            self.assertRegex(report["not_alone"]["listed"][0]["what"],
+                             rf"robot \d, tick \d+.*: plugin {animal['name']} .*\b{animal['shares']}\b")
+        elif not animal.get("differs"):
+            self.assertEqual(report["not_alone"]["matches"], 0, report)
         for each in report["forfeits"]:
             if "call" in animal:
                 self.assertEqual((each["plugin"], each["call"]), (animal["name"], animal["call"]), each)

@@ -5,11 +5,13 @@
 #ifndef REGISTA_TESTS_ZOO_H
 #define REGISTA_TESTS_ZOO_H
 
+#include <string.h>
+
 #include <regista/abi.h>
 
 /* Buffers that the host lends to a call. A kind has those that its call has. */
 enum {
-  ZOO_ANSWER, /* columns, matrix, points, tracks, granted handles, whether a context holds */
+  ZOO_ANSWER, /* columns, matrix, points, tracks, granted handles, the action, whether a context holds */
   ZOO_EDGES,  /* the other three of a positioner */
   ZOO_CELLS,
   ZOO_VERTICES,
@@ -18,8 +20,11 @@ enum {
   ZOO_BUFFERS
 };
 
+struct zoo_instance;
+
 /* One call of an animal, after its sound part. */
 typedef struct zoo_moment {
+  struct zoo_instance* self;
   int asked;                  /* calls of this instance so far, this one included */
   int robot;                  /* that it works for */
   const regista_frame* frame; /* null for a predictor */
@@ -41,6 +46,7 @@ typedef struct zoo_instance {
   int asked, robot;
   double x_limit, y_limit; /* half the field */
   const regista_host* host;
+  int heard; /* what its robot has said last: what the honest twins of faults/sharing.c use */
   int known; /* predictor: has a track */
   regista_track track;
 } zoo_instance;
@@ -60,7 +66,9 @@ static inline void* zoo_element(const regista_room* room, uint32_t index) {
 
 /* The moment of a call that has this frame. */
 static inline zoo_moment zoo_now(zoo_instance* self, const regista_frame* frame, regista_error* error) {
-  zoo_moment now = {0};
+  zoo_moment now;
+  memset(&now, 0, sizeof now);
+  now.self = self;
   now.asked = ++self->asked;
   now.robot = self->robot;
   now.frame = frame;

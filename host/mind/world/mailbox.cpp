@@ -23,6 +23,7 @@ struct Mailboxes::Endpoint {
   regista_host host{};
   const char* plugin = "";
   const InstanceExtensions* extensions = nullptr;
+  const plugin::Instance* instance = nullptr;
   std::optional<plugin::Mailbox> mailbox;  // none when the plugin takes no messages
 };
 
@@ -47,11 +48,17 @@ const regista_host* Mailboxes::open(const InstanceExtensions* extensions) {
                            std::int32_t medium, std::uint64_t replaces) {
     const auto* self = static_cast<Endpoint*>(context);
     if (self->owner->describing_) return std::uint64_t{0};
-    return self->owner->offer(self->place, {bytes, count}, urgency, expiry, medium, replaces);
+    const std::span<const std::uint8_t> offered(bytes, count);
+    const std::uint64_t handle = self->owner->offer(self->place, offered, urgency, expiry, medium, replaces);
+    // Only what was taken is known to be as long as it says.
+    if (self->instance != nullptr)
+      self->instance->used("offer", handle, offered.first(handle == 0 ? 0 : count), urgency, expiry);
+    return handle;
   };
   endpoint.host.withdraw = [](void* context, std::uint64_t handle) {
     const auto* self = static_cast<Endpoint*>(context);
     if (self->owner->describing_) return;
+    if (self->instance != nullptr) self->instance->used("withdraw", handle);
     auto& waiting = self->owner->waiting_;
     const auto found = std::ranges::find_if(
         waiting, [&](const Waiting& each) { return each.offer.handle == handle && each.place == self->place; });
@@ -70,6 +77,7 @@ const regista_host* Mailboxes::open(const InstanceExtensions* extensions) {
 void Mailboxes::connect(const std::shared_ptr<plugin::Instance>& instance) {
   assert(!endpoints_.empty());
   endpoints_.back()->plugin = instance->plugin().descriptor->id;
+  endpoints_.back()->instance = instance.get();
   endpoints_.back()->mailbox = plugin::Mailbox::of(instance);
 }
 

@@ -130,7 +130,7 @@ void TuningPlanner::describe() {
   plan_.head_to_head = tuning_.verification.against == config::Tuning::Against::base;
   plan_.symmetric = tuning_.verification.test == config::Tuning::Test::symmetric;
   plan_.confidence = tuning_.verification.confidence;
-  plan_.limits = campaign::limits_of(options_, tuning_.isolation, tuning_.play_twice);
+  plan_.limits = campaign::limits_of(options_, tuning_.isolation, tuning_.play_twice, tuning_.allow_shared_memory);
   plan_.folder = std::filesystem::current_path().string();
   plan_.file = options_.file;
   plan_.overrides = overrides_;

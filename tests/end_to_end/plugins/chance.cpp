@@ -1,55 +1,33 @@
 // SPDX-License-Identifier: MIT
-// Contexts whose answers depend on what is no input of a match: the number of the process, an address, the folder. Each
-// of them tells two processes apart for sure, so that a test need not be lucky.
+// Contexts whose answers depend on what is no input of a match: the number of the process, an address, the folder.
 #include <link.h>
 #include <unistd.h>
 
 #include <array>
 #include <csignal>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <string>
 
 #include <regista/context.hpp>
 
 namespace {
 
-// What the first process was, for the second to be another; in the folder that the variable names.
-constexpr auto folder = "CHANCE_FOLDER";
-
-// The name of a file there; empty when there is no such folder.
-std::string file_of(const char* name) {
-  const char* const place = std::getenv(folder);
-  return place == nullptr ? std::string() : std::string(place) + '/' + name;
+// All bits depend on all bits of the source (the finaliser of SplitMix64).
+std::uint64_t mixed(std::uint64_t source) {
+  source = (source ^ source >> 30) * 0xbf58476d1ce4e5b9u;
+  source = (source ^ source >> 27) * 0x94d049bb133111ebu;
+  return source ^ source >> 31;
 }
 
-// Whether this process is another than the one that asked first.
-bool is_another_one(std::uint64_t mine) {
-  const std::string path = file_of("first");
-  if (path.empty()) return false;
-  std::FILE* file = std::fopen(path.c_str(), "r");
-  unsigned long long first = 0;
-  if (file != nullptr) {
-    const bool read = std::fscanf(file, "%llu", &first) == 1;
-    std::fclose(file);
-    return read && first != mine;
-  }
-  file = std::fopen(path.c_str(), "w");
-  std::fprintf(file, "%llu", static_cast<unsigned long long>(mine));
-  std::fclose(file);
-  return false;
-}
-
+// From its 30th answer on the source decides, bit by bit: two that differ answer otherwise before long.
 template <class Source>
 struct Chance {
   static constexpr auto version = "1.0.0";
   int asked = 0;
-  bool other = false;
-  // From its 30th answer on it depends on the process.
+  std::uint64_t drawn = 0;
   bool holds(const regista::Frame&) {
-    if (++asked == 30) other = is_another_one(static_cast<Source*>(this)->source());
-    return !other;
+    if (++asked < 30) return true;
+    if (asked == 30) drawn = mixed(static_cast<Source*>(this)->source());
+    return (drawn >> (asked % 64) & 1) == 0;
   }
 };
 
@@ -65,20 +43,16 @@ struct AsksForAnAddress : Chance<AsksForAnAddress> {
   std::uint64_t source() const { return reinterpret_cast<std::uintptr_t>(this); }
 };
 
-// The second process is killed as if somebody else had done it; those that come after it tell the difference.
+// A robot that is alone in its process is killed as if somebody else had done it.
 struct AsksForTheProcessAndIsKilled : Chance<AsksForTheProcessAndIsKilled> {
   static constexpr auto id = "asks_for_the_process_and_is_killed",
-                        summary = "Decides by the number of the process; the second process is killed";
+                        summary = "Decides by the number of the process; who is alone in one is killed";
+  static inline int robots = 0;
+  void reset(std::uint64_t) { ++robots; }
   std::uint64_t source() const { return static_cast<std::uint64_t>(getpid()); }
   bool holds(const regista::Frame& frame) {
-    const bool out = Chance::holds(frame);
-    if (other) {
-      if (std::FILE* const file = std::fopen(file_of("killed").c_str(), "wx"); file != nullptr) {
-        std::fclose(file);
-        kill(getpid(), SIGKILL);
-      }
-    }
-    return out;
+    if (asked == 20 && robots == 1) kill(getpid(), SIGKILL);
+    return Chance::holds(frame);
   }
 };
 
