@@ -9,6 +9,7 @@
 #include <deque>
 #include <iterator>
 #include <new>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <system_error>
@@ -28,6 +29,7 @@
 #include "config/text.hpp"
 #include "config/visible_text.hpp"
 #include "plugin/descriptor.hpp"
+#include "plugin/own_memory.hpp"
 #include "plugin/survey.hpp"
 
 namespace regista::check {
@@ -79,6 +81,7 @@ std::vector<std::string> checks_of(std::int32_t kind) {
     if (check.name != "descriptor") out.push_back(kind_and(kind, check.name));
   }
   out.push_back(kind_and(kind, "elsewhere"));
+  out.push_back(kind_and(kind, "alone"));
   out.push_back(kind_and(kind, "cost"));
   return out;
 }
@@ -195,6 +198,7 @@ class FileCheck {
         if (check.name == "determinism") determined = !last_failed(kind_and(kind, check.name));
       }
       check_elsewhere(kind);
+      check_alone(kind, determined);
       apart(kind_and(kind, "cost"), "what a call costs", [&] { return cost_of(kind); });
     }
     plugin_.clear();
@@ -264,6 +268,61 @@ class FileCheck {
               {"the same calls give another result in another process: it depends on addresses, the folder, the "
                "environment, or on what others do"}};
     });
+  }
+
+  void check_alone(std::int32_t kind, bool determined) {
+    const std::string name = kind_and(kind, "alone");
+    if (!is_wanted(options_.only, name)) return;
+    judge(name, "answers each of a team's robots as if it were alone", [&]() -> Outcome {
+      if (options_.in_process || hung_) return {Status::skip, {}};
+      if (!determined) return {Status::skip, {"the same calls do not give the same bytes: mend that first"}};
+      Outcome changed = in_a_child([&] { return changes_own_memory(kind); }, options_.deadline, note_);
+      if (changed.status != Status::pass) return changed;
+      const Outcome team = in_a_child([&] { return digests(kind, std::nullopt); }, options_.deadline, note_);
+      if (team.status != Status::pass) return team;
+      for (std::size_t robot = 0; robot < testkit::robots_of_a_team; ++robot) {
+        const Outcome alone = in_a_child([&] { return digests(kind, robot); }, options_.deadline, note_);
+        if (alone.status != Status::pass) return alone;
+        if (robot < team.lines.size() && alone.lines == std::vector{team.lines[robot]}) continue;
+        return {Status::fail,
+                {fmt::format("robot {} is answered otherwise when six others are asked in the same process: they share "
+                             "something that is in no instance",
+                             robot + 1)}};
+      }
+      return {};
+    });
+  }
+
+  // Lines: what a team's robots were answered, or the only one of them.
+  Outcome digests(std::int32_t kind, std::optional<std::size_t> only) const {
+    Outcome out;
+    const std::vector<std::uint64_t> all = testkit::team_digests(kind, loaded(), testkit_options_, only);
+    for (std::size_t robot = 0; robot < all.size(); ++robot) {
+      if (only.value_or(robot) == robot) out.lines.push_back(fmt::format("{:016x}", all[robot]));
+    }
+    return out;
+  }
+
+  // What is made once, at the first use, is no news.
+  Outcome changes_own_memory(std::int32_t kind) const {
+    const auto counts_its_lines = [](const std::string& name) { return name.starts_with("__gcov"); };
+    if (std::ranges::any_of(object_.imports, counts_its_lines)) return {};
+    const testkit::Loaded own = loaded();
+    testkit::play_course(kind, own, testkit_options_, [](const std::string&) {});
+    plugin::OwnMemory memory(reinterpret_cast<const void*>(own.descriptor().create));
+    Outcome out;
+    memory.remember();
+    testkit::play_course(kind, own, testkit_options_, [&](const std::string& step) {
+      const auto change = memory.change();
+      if (!change || out.status != Status::pass) return;
+      const std::string variable = plugin::variable_at(file_, *change);
+      out.status = Status::fail;
+      out.lines = {fmt::format("changed {} that all its instances share{}",
+                               change->of_thread ? "a variable of the thread" : "a variable",
+                               variable.empty() ? "" : ": " + variable),
+                   "first at: " + step};
+    });
+    return out;
   }
 
   Outcome cost_of(std::int32_t kind) const {

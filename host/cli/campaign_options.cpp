@@ -28,7 +28,7 @@ void add_campaign_options(Command& command, campaign::Options& options, const st
                  "always: all matches are played so");
   command.flag("--play-once", options.play_once,
                "do not play the first match of each pairing a second time, in which it is seen whether it is "
-               "reproducible, and whether plugins change their inputs");
+               "reproducible, whether robots decide alone, and whether plugins change their inputs");
   command.flag("--no-page", options.no_page, "write no page NAME.html beside the results NAME.db at the end");
   command.flag("--json", options.json, "write the report as JSON");
   command.flag("--quiet", options.quiet, "no progress on standard error");

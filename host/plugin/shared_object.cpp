@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plugin/shared_object.hpp"
 
+#include <cxxabi.h>
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
+#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <string_view>
@@ -55,6 +57,38 @@ bool exports(Elf* elf, std::string_view wanted) {
   });
 }
 
+constexpr const char* remedy = "build it with -fvisibility=hidden, or -fno-gnu-unique";
+
+std::string readable(const std::string& name) {
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> demangled(
+      abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), &std::free);
+  return status == 0 && demangled ? demangled.get() : name;
+}
+
+bool is_writable(Elf* elf, std::uint64_t address) {
+  GElf_Phdr segment;
+  for (int i = 0; gelf_getphdr(elf, i, &segment) != nullptr; ++i) {
+    if (segment.p_type == PT_LOAD && address >= segment.p_vaddr && address - segment.p_vaddr < segment.p_memsz)
+      return (segment.p_flags & PF_W) != 0;
+  }
+  return false;
+}
+
+// A variable of which there is one in the process, however many files have it (STB_GNU_UNIQUE): of two builds of a
+// plugin the second would run with the first one's. Those of the C++ library are meant so. Empty when there is none.
+std::string variable_of_all_files(Elf* elf) {
+  for (const DynamicPart::Symbol& each : DynamicPart(elf).symbols()) {
+    if (GELF_ST_BIND(each.entry.st_info) != STB_GNU_UNIQUE || each.entry.st_shndx == SHN_UNDEF) continue;
+    if (!is_writable(elf, each.entry.st_value)) continue;
+    const std::string name = readable(each.name);
+    std::string_view of = name;
+    if (constexpr std::string_view guard = "guard variable for "; of.starts_with(guard)) of.remove_prefix(guard.size());
+    if (!of.starts_with("std::") && !of.starts_with("__gnu_cxx::")) return name;
+  }
+  return {};
+}
+
 // Why the file is no plugin, as far as that can be known without running it; empty when it may be one.
 std::string why_no_plugin(const std::filesystem::path& path) {
   const OpenFile file(path);
@@ -75,6 +109,10 @@ std::string why_no_plugin(const std::filesystem::path& path) {
   if (header.e_type != ET_DYN) return "is not a shared object";
   if (!complete(elf.get(), header, static_cast<std::uint64_t>(about.st_size))) return truncated;
   if (!exports(elf.get(), REGISTA_ENTRY_NAME)) return "is no Regista plugin: it does not export " REGISTA_ENTRY_NAME;
+  if (const std::string name = variable_of_all_files(elf.get()); !name.empty()) {
+    return fmt::format("shares a variable with every other build of it that is loaded: {} (STB_GNU_UNIQUE); {}", name,
+                       remedy);
+  }
   return {};
 }
 
@@ -94,6 +132,12 @@ bool share_a_kind(const regista_descriptor& a, const regista_descriptor& b) {
   return false;
 }
 
+// Where another object has it, two files would be one plugin. Memory of nobody's is the file's own.
+bool lies_elsewhere(const void* descriptor, const void* entry) {
+  Dl_info there{}, here{};
+  return ::dladdr(descriptor, &there) != 0 && ::dladdr(entry, &here) != 0 && there.dli_fbase != here.dli_fbase;
+}
+
 SharedObject refuse(const std::string& reason) { return {{}, config::one_line(reason), {}}; }
 
 SharedObject shake_hands(decltype(&regista_plugin_entry) entry) {
@@ -105,6 +149,8 @@ SharedObject shake_hands(decltype(&regista_plugin_entry) entry) {
       return out;
     }
     if (const std::string wrong = what_is_wrong(*next, i); !wrong.empty()) return refuse(wrong);
+    if (lies_elsewhere(next, reinterpret_cast<const void*>(entry)))
+      return refuse(fmt::format("its plugin \"{}\" lies in another file: {}", next->id, remedy));
     for (const regista_descriptor* other : out.descriptors) {
       if (std::string_view(other->id) == next->id && share_a_kind(*other, *next)) {
         return refuse(fmt::format("contains two plugins \"{}\" of the same kind", next->id));

@@ -346,6 +346,25 @@ class Verdicts(Zoo):
                         self.assertGreaterEqual(found, second)
 
 
+class Centralised(Zoo):
+    """A team whose robots may share memory, because the document of the study says so."""
+
+    def test_it_is_said_on_purpose(self):
+        animal, = (each for each in ANIMALS if each["name"] == "shares_a_table")
+        self.team_of(animal)
+        self.write("t.yaml", "tournament: centralised\nteams: [{team: bad.yaml}, {team: small.yaml}]\npairs: 1\nseed: 5\n"
+                             "openings: [scenes]\nplay_twice: true\n")
+        words = ("tournament", "t.yaml", "--no-page", "--quiet", "--plugins", "bad")
+        said = self.run_it(*words, "--results", "alone.db").stdout
+        self.assertRegex(said, r"^robots do not decide alone: .*\n[^$]*\nNot a result of robots that decide alone: ")
+        with (self.folder / "t.yaml").open("a") as document:
+            document.write("allow_shared_memory: true\n")
+        shared = self.run_it(*words, "--results", "shared.db").stdout
+        self.assertNotIn("decide alone", shared)
+        self.assertRegex(shared, r"\nRobots of a team may share memory here: .*\n$")
+        self.assertEqual(self.decided("shared.db"), self.decided("alone.db"))
+
+
 class Visitors(Zoo):
     """Teams that use none of the animals, with all of them in a folder of plugins."""
 

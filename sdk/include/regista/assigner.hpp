@@ -49,6 +49,7 @@ class Assignment {
   std::size_t rows_;
 };
 
+#pragma GCC visibility push(hidden)  // see plugin.hpp
 struct assigner {
   static constexpr std::int32_t kind = REGISTA_KIND_ASSIGNER;
 
@@ -75,5 +76,6 @@ struct assigner {
     return &calls;
   }
 };
+#pragma GCC visibility pop
 
 }  // namespace regista

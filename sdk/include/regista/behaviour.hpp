@@ -42,6 +42,7 @@ inline void avoid(Action& action, double x, double y, double radius) {
   action.avoid[action.avoid_count++] = {x, y, radius};
 }
 
+#pragma GCC visibility push(hidden)  // see plugin.hpp
 struct behaviour {
   static constexpr std::int32_t kind = REGISTA_KIND_BEHAVIOUR;
 
@@ -64,5 +65,6 @@ struct behaviour {
     return &calls;
   }
 };
+#pragma GCC visibility pop
 
 }  // namespace regista

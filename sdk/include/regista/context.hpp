@@ -9,6 +9,7 @@
 
 namespace regista {
 
+#pragma GCC visibility push(hidden)  // see plugin.hpp
 struct context {
   static constexpr std::int32_t kind = REGISTA_KIND_CONTEXT;
 
@@ -22,5 +23,6 @@ struct context {
     return &calls;
   }
 };
+#pragma GCC visibility pop
 
 }  // namespace regista

@@ -97,6 +97,7 @@ constexpr Describe describe_call() {
 }
 }  // namespace detail
 
+#pragma GCC visibility push(hidden)  // see plugin.hpp
 template <takes_messages Class>
 const regista_mailbox* mailbox_table() {
   static constexpr regista_mailbox table{
@@ -122,5 +123,6 @@ const regista_mailbox* mailbox_table() {
       detail::describe_call<Class>()};
   return &table;
 }
+#pragma GCC visibility pop
 
 }  // namespace regista

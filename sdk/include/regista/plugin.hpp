@@ -74,6 +74,10 @@ std::int32_t guarded(regista_error* error, Body&& body) noexcept {
 
 }  // namespace detail
 
+// Hidden, also where a file is built by hand: a static object that others see is one for the whole process
+// (STB_GNU_UNIQUE), so that of two builds of a plugin the second would run the first one's code.
+#pragma GCC visibility push(hidden)
+
 // The descriptor of `Class`, which implements the kinds `Kinds`.
 template <class Class, class... Kinds>
 struct Plugin {
@@ -183,6 +187,8 @@ struct Plugin {
   }
 };
 
+#pragma GCC visibility pop
+
 }  // namespace regista
 
 #define REGISTA_PLUGINS(...)                                                               \
@@ -195,11 +201,13 @@ struct Plugin {
 
 namespace regista::detail {
 
+#pragma GCC visibility push(hidden)
 template <class... Plugins>
 const regista_descriptor* nth_descriptor(std::uint32_t index) {
   using Descriptor = const regista_descriptor* (*)();
   constexpr std::array<Descriptor, sizeof...(Plugins)> all{&Plugins::descriptor...};
   return index < all.size() ? all[index]() : nullptr;
 }
+#pragma GCC visibility pop
 
 }  // namespace regista::detail

@@ -37,6 +37,7 @@ class Placement {
   Room<Vertex> vertices_;
 };
 
+#pragma GCC visibility push(hidden)  // see plugin.hpp
 struct positioner {
   static constexpr std::int32_t kind = REGISTA_KIND_POSITIONER;
 
@@ -50,5 +51,6 @@ struct positioner {
     return &calls;
   }
 };
+#pragma GCC visibility pop
 
 }  // namespace regista

@@ -42,6 +42,7 @@ class Tracks {
   Room<Track> room_;
 };
 
+#pragma GCC visibility push(hidden)  // see plugin.hpp
 struct predictor {
   static constexpr std::int32_t kind = REGISTA_KIND_PREDICTOR;
 
@@ -85,5 +86,6 @@ struct predictor {
     return &calls;
   }
 };
+#pragma GCC visibility pop
 
 }  // namespace regista

@@ -55,6 +55,7 @@ class Grants {
 
 constexpr int own_reason(std::size_t index) { return REGISTA_REASON_OWN + static_cast<int>(index); }
 
+#pragma GCC visibility push(hidden)  // see plugin.hpp
 struct sender {
   static constexpr std::int32_t kind = REGISTA_KIND_SENDER;
 
@@ -93,5 +94,6 @@ struct sender {
     return &calls;
   }
 };
+#pragma GCC visibility pop
 
 }  // namespace regista

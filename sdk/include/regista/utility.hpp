@@ -29,6 +29,7 @@ class Utilities {
   regista_matrix_room raw_;
 };
 
+#pragma GCC visibility push(hidden)  // see plugin.hpp
 struct utility {
   static constexpr std::int32_t kind = REGISTA_KIND_UTILITY;
 
@@ -42,5 +43,6 @@ struct utility {
     return &calls;
   }
 };
+#pragma GCC visibility pop
 
 }  // namespace regista

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <exception>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <optional>
 
@@ -31,9 +32,18 @@ std::vector<Course> courses(std::int32_t kind, const Loaded& plugin, const Optio
   }
 }
 
+namespace {
+
+// FNV-1a, 64 bits.
+constexpr std::uint64_t empty_digest = 0xcbf29ce484222325u;
+void add(std::uint64_t& digest, const Trail& trail) {
+  for (const char byte : trail.bytes()) digest = (digest ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+}
+
+}  // namespace
+
 std::uint64_t course_digest(std::int32_t kind, const Loaded& plugin, const Options& options) {
-  // FNV-1a, 64 bits.
-  std::uint64_t hash = 0xcbf29ce484222325u;
+  std::uint64_t digest = empty_digest;
   Values values(plugin);
   options.base(values);
   Findings elsewhere(options.underway);
@@ -41,13 +51,52 @@ std::uint64_t course_digest(std::int32_t kind, const Loaded& plugin, const Optio
     Instance instance(plugin, course.environment, values);
     for (std::size_t i = 0; i < course.steps; ++i) {
       elsewhere.where("", course.name(i));
-      const Trail trail = detail::step(course, instance, i, {}, elsewhere);
-      for (const char byte : trail.bytes()) {
-        hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+      add(digest, detail::step(course, instance, i, {}, elsewhere));
+    }
+  }
+  return digest;
+}
+
+std::vector<std::uint64_t> team_digests(std::int32_t kind, const Loaded& plugin, const Options& options,
+                                        std::optional<std::size_t> only) {
+  std::vector<std::uint64_t> out(robots_of_a_team, 0);
+  Values values(plugin);
+  options.base(values);
+  Findings elsewhere(options.underway);
+  for (const Course& course : courses(kind, plugin, options)) {
+    std::vector<std::unique_ptr<Instance>> team(robots_of_a_team);
+    for (std::size_t robot = 0; robot < team.size(); ++robot) {
+      if (only.value_or(robot) != robot) continue;
+      EnvironmentBuilder environment = course.environment;
+      team[robot] = std::make_unique<Instance>(plugin, environment.own(static_cast<int>(robot) + 1), values);
+    }
+    for (const std::size_t apart : {std::size_t{0}, std::size_t{1}}) {
+      for (std::size_t i = 0; i < course.steps; ++i) {
+        for (std::size_t robot = 0; robot < team.size(); ++robot) {
+          if (!team[robot]) continue;
+          const std::size_t index = (i + apart * robot) % course.steps;
+          elsewhere.where("", course.name(index));
+          add(out[robot], detail::step(course, *team[robot], index, {}, elsewhere));
+        }
       }
     }
   }
-  return hash;
+  return out;
+}
+
+void play_course(std::int32_t kind, const Loaded& plugin, const Options& options,
+                 const std::function<void(const std::string& step)>& after) {
+  Values values(plugin);
+  options.base(values);
+  Findings elsewhere(options.underway);
+  for (const Course& course : courses(kind, plugin, options)) {
+    Instance instance(plugin, course.environment, values);
+    for (std::size_t i = 0; i < course.steps; ++i) {
+      elsewhere.where("", course.name(i));
+      detail::step(course, instance, i, {}, elsewhere);
+      after(course.name(i));
+    }
+  }
 }
 
 std::vector<Cost> cost_of_calls(std::int32_t kind, const Loaded& plugin, const Options& options,

@@ -164,6 +164,31 @@ TEST(Remarks, StandAtTheTopAndAtTheEnd) {
                                                    Not(HasSubstr("could not be played"))));
 }
 
+TEST(Remarks, TheHeadlineSaysThatRobotsDoNotDecideAlone) {
+  Course course({"a", "b"}, 2);
+  campaign::Decided shared = match(1, 0), unproven = match(1, 0);
+  shared.shared = "home, robot 2, tick 19 (1.94 s): plugin table answered assign otherwise";
+  unproven.unproven = "this system does not confine processes (seccomp)";
+  for (const campaign::Decided* each : {&shared, &unproven, &unproven, &unproven}) course.take(*each);
+  const std::string text = tournament_text(course.view());
+  EXPECT_THAT(text, StartsWith("robots do not decide alone: match 1: home, robot 2, tick 19 (1.94 s): plugin table "
+                               "answered assign otherwise\nnot proven that robots decide alone: match 2: "));
+  EXPECT_THAT(text, HasSubstr("\nNot a result of robots that decide alone: 2 pairs do not show which "));
+  const auto json = nlohmann::json::parse(tournament_json(course.view()));
+  EXPECT_EQ(json["not_alone"]["matches"], 1);
+  EXPECT_EQ(json["not_alone"]["listed"][0]["what"], shared.shared);
+  EXPECT_EQ(json["not_proven"]["matches"], 3);
+  EXPECT_EQ(json["not_reproducible"]["matches"], 0);
+  const std::string page = page_of(course);
+  EXPECT_LT(page.find("<strong>Robots do not decide alone:</strong>"), page.find("id=\"verdict\""));
+  EXPECT_THAT(page, HasSubstr("<h1 id=\"verdict\">Not a result of robots that decide alone: "));
+}
+
+TEST(Remarks, TheHeadlineSaysThatRobotsMayShareMemory) {
+  EXPECT_EQ(caution({}, {}), "");
+  EXPECT_EQ(caution({}, {.allow_shared_memory = true}), "Robots of a team may share memory here: ");
+}
+
 TEST(Remarks, AForfeitOfATeamWhosePluginIsNotKnown) {
   const campaign::Failure failure{0, "", "", 0, 0, "left 2 threads behind"};
   EXPECT_EQ(forfeit_text("small", failure), "forfeited by small: a plugin of small: left 2 threads behind");
