@@ -88,6 +88,9 @@ class IsolatedMatch {
   IsolatedMatch(const IsolatedMatch&) = delete;
   IsolatedMatch& operator=(const IsolatedMatch&) = delete;
 
+  // See play_isolated.
+  const std::string& kept() const { return kept_; }
+
   match::Result play() {
     stay_on_this_processor();
     for (Thinkers& each : thinkers_) start(each);
@@ -109,7 +112,13 @@ class IsolatedMatch {
       observer.decision = [this](const match::Decision& decision) { after_(decision, answers_); };
     }
     const match::Result result = match::play(setup_, think[0], think[1], &observer, beliefs);
-    for (Thinkers& each : thinkers_) ask(each, Question::finish, 0, {});
+    for (Thinkers& each : thinkers_) {
+      std::string kept;
+      read(each, ask(each, Question::finish, 0, {}), kept);
+      if (kept.empty() || !kept_.empty()) continue;
+      kept_ = fmt::format("{}: plugins keep in memory that all their instances share: {}",
+                          each.place.side == match::Side::home ? "home" : "away", kept);
+    }
     return result;
   }
 
@@ -272,14 +281,18 @@ class IsolatedMatch {
   struct sigaction before_ {};
   config::BytesOut question_;
   plugin::CallTrail answers_;
+  std::string kept_;
 };
 
 }  // namespace
 
 match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans,
                             Separation separation, const Limits& limits, const Examination& examination,
-                            const AfterAnswers& after, WorkerNote& note) {
-  return IsolatedMatch(std::move(setup), plans, separation, limits, examination, after, note).play();
+                            const AfterAnswers& after, WorkerNote& note, std::string& kept) {
+  IsolatedMatch match(std::move(setup), plans, separation, limits, examination, after, note);
+  const match::Result result = match.play();
+  kept = match.kept();
+  return result;
 }
 
 }  // namespace regista::campaign

@@ -177,6 +177,7 @@ std::string to_json(const Answer& answer) {
     add_metrics(json["metrics"], decided.metrics);
   }
   if (decided.failure) json["failure"] = json_of(*decided.failure);
+  if (!decided.kept.empty()) json["kept"] = decided.kept;
   return dump(json);
 }
 
@@ -193,6 +194,7 @@ Answer answer_from_json(const std::string& text) {
     if (json.contains("metrics")) answer.decided.metrics = metrics_from_json(json.at("metrics"));
     json.at("seconds").get_to(answer.decided.seconds);
     answer.from_outside = json.value("from_outside", false);
+    answer.decided.kept = json.value("kept", "");
     if (json.contains("failure")) answer.decided.failure = failure_of(json.at("failure"));
     if ((answer.kind == Answer::Kind::failed) != answer.decided.failure.has_value()) {
       throw std::invalid_argument("a failure belongs to an answer that says so");

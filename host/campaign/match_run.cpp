@@ -213,6 +213,7 @@ void MatchRun::failed(Attempt attempt) {
 
 // A play that was to hold the first one to account has been played to its end.
 void MatchRun::compare(const Decided& again) {
+  first_->kept = again.kept;
   if (same_match(*first_, again) || !first_->shared.empty()) {
     decide_first();
     return;

@@ -20,7 +20,9 @@
 #include "match/teams.hpp"
 #include "mind/wire.hpp"
 #include "plugin/failure.hpp"
+#include "plugin/address_ranges.hpp"
 #include "plugin/fatal_signal.hpp"
+#include "plugin/own_memory.hpp"
 #include "plugin/process_state.hpp"
 #include "process/confinement.hpp"
 
@@ -45,7 +47,10 @@ class MindHost {
  public:
   MindHost(const mind::TeamPlan& plan, const MindPlace& place, std::uint64_t seed, const Examination& examination,
            MindChannel& channel)
-      : first_(std::max(place.robot, 1)), answers_wanted_(examination.answers), channel_(channel) {
+      : first_(std::max(place.robot, 1)),
+        answers_wanted_(examination.answers),
+        looks_at_memory_(examination.confined),
+        channel_(channel) {
     const plugin::Noting noting{&channel.note().call, static_cast<std::int32_t>(match::index(place.side)),
                                 examination.look, answers_wanted_ ? &answers_ : nullptr};
     const mind::Telling telling{.log = mind::to_standard_error(REGISTA_LOG_WARNING, mind::most_kept_of_log)};
@@ -65,10 +70,13 @@ class MindHost {
         match::belief_of(mind(), belief_);
         out_(belief_);
         break;
-      case Question::finish:
+      case Question::finish: {
+        std::string kept = kept_in_files();
         minds_.clear();
         channel_.note().call = {};
+        out_(kept);
         break;
+      }
     }
   }
   std::span<const std::uint8_t> bytes() const { return out_.bytes(); }
@@ -82,13 +90,33 @@ class MindHost {
     mind::read_heard(in, heard_);
     outcome_.clear();
     answers_.clear();
+    if (looks_at_memory_ && decisions_++ == decisions_before_memory) remember_memory();
     mind().think(percepts_, heard_, outcome_);
     out_(outcome_);
     if (answers_wanted_) out_(answers_);
   }
 
+  // What is made once, at its first use, is no news.
+  void remember_memory() {
+    for (const void* const object : plugin::noted_objects()) memory_.emplace_back(object).remember();
+  }
+  // "greedy.so: taken, worst.so"; mostly empty.
+  std::string kept_in_files() const {
+    std::string out;
+    for (const plugin::OwnMemory& each : memory_) {
+      const auto change = each.change();
+      if (!change) continue;
+      const std::string variable = plugin::variable_at(each.file(), *change);
+      out += (out.empty() ? "" : ", ") + each.file().filename().string() + (variable.empty() ? "" : ": " + variable);
+    }
+    return out;
+  }
+
+  static constexpr int decisions_before_memory = 50;
   int first_;  // number of the first mind
-  bool answers_wanted_;
+  bool answers_wanted_, looks_at_memory_;
+  int decisions_ = 0;
+  std::vector<plugin::OwnMemory> memory_;
   MindChannel& channel_;
   plugin::CallTrail answers_;
   std::vector<mind::Mind> minds_;
@@ -156,7 +184,7 @@ void serve_minds(const mind::TeamPlan& plan, const MindPlace& place, std::uint64
       if (!last) continue;
       const std::string left = plugin::changes_since(before);
       if (left.empty()) {
-        channel.answer(Reply::done, {});
+        channel.answer(Reply::done, host.bytes());
       } else {
         answer_failed(channel, {number, "", "", 0, 0, left});
       }

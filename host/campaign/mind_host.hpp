@@ -16,7 +16,8 @@ namespace regista::campaign {
 struct Examination {
   plugin::Look look = plugin::Look::seldom;
   bool answers = false;   // what plugins answered is handed over with each outcome
-  bool confined = false;  // see process/confinement.hpp; what is tried is noted
+  // See process/confinement.hpp; what is tried is noted. At the end it is said what plugins keep in their files' memory.
+  bool confined = false;
 };
 
 // Whose minds a process has: all of a side, or one.

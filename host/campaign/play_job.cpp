@@ -134,7 +134,7 @@ match::Result play_here(const Job& job, MatchSetup& prepared, const std::array<c
 }
 
 match::Result play_isolated(const Job& job, MatchSetup& prepared, const std::array<const mind::TeamPlan*, 2>& plans,
-                            std::optional<TrailWriter>& trail, WorkerNote& note) {
+                            std::optional<TrailWriter>& trail, WorkerNote& note, std::string& kept) {
   AfterAnswers after;
   if (trail) {
     after = [&trail](const match::Decision& decision, std::span<const plugin::CallAnswer> answers) {
@@ -143,7 +143,7 @@ match::Result play_isolated(const Job& job, MatchSetup& prepared, const std::arr
   }
   const bool alone = job.separation == Separation::robots;
   return play_isolated(std::move(prepared.setup), plans, job.separation, job.limits,
-                       {job.look, trail.has_value(), alone}, after, note);
+                       {job.look, trail.has_value(), alone}, after, note, kept);
 }
 
 Answer failed(const plugin::Failure& failure) {
@@ -188,8 +188,9 @@ Answer play_job(const Job& job, MatchSetup prepared, const std::string& program,
   std::optional<TrailWriter> trail;
   if (job.trail) trail.emplace(trail_descriptor);
   if (job.elsewhere) go_elsewhere();
+  std::string kept;
   try {
-    played.result = job.is_apart() ? play_isolated(job, prepared, plans, trail, note)
+    played.result = job.is_apart() ? play_isolated(job, prepared, plans, trail, note, kept)
                                    : play_here(job, prepared, plans, recording, trail, note);
   } catch (const std::invalid_argument& error) {
     throw config::BadInput(error.what());  // profiles and teams that do not go together
@@ -202,6 +203,7 @@ Answer play_job(const Job& job, MatchSetup prepared, const std::string& program,
   answer.decided.ended = match::name(played.result.ended);
   answer.decided.hash = match::hash_text(played.result.hash);
   answer.decided.metrics = numbers_of(played);
+  answer.decided.kept = kept;
   return answer;
 }
 

@@ -93,10 +93,11 @@ std::int64_t checksum_of(std::int64_t row, const MatchKey& key, const Decided& d
 }
 
 // Texts of the table remarks, by their kind.
-std::array<std::pair<const char*, std::string*>, 5> remarks_of(Decided& decided) {
+std::array<std::pair<const char*, std::string*>, 6> remarks_of(Decided& decided) {
   return {{{"set_aside", &decided.why_set_aside},
            {"irreproducible", &decided.irreproducible},
            {"shared", &decided.shared},
+           {"kept", &decided.kept},
            {"unproven", &decided.unproven},
            {"output", &decided.output}}};
 }

@@ -57,6 +57,12 @@ void note_address_range(void* handle) {
   dl_iterate_phdr(look, &wanted);
 }
 
+std::vector<const void*> noted_objects() {
+  std::vector<const void*> out;
+  for (std::size_t i = 0; i < known_ranges.load(); ++i) out.push_back(reinterpret_cast<const void*>(ranges[i].first));
+  return out;
+}
+
 const ObjectName* object_at(std::uintptr_t address) {
   const std::size_t count = known_ranges.load();
   for (std::size_t i = 0; i < count; ++i) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace regista::plugin {
 
@@ -14,6 +15,9 @@ using ObjectName = std::array<char, 64>;  // "voronoi.so", cut off; ends with a 
 
 // Notes where the shared object that `handle` (of dlopen) stands for lies. Those beyond the 256th are left out.
 void note_address_range(void* handle);
+
+// An address in each noted object, in the order in which they were noted. Not for handlers.
+std::vector<const void*> noted_objects();
 
 // Null when no noted object has this address. Safe in a handler of signals.
 const ObjectName* object_at(std::uintptr_t address);

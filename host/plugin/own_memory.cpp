@@ -33,7 +33,8 @@ OwnMemory::OwnMemory(const void* inside) {
   struct Wanted {
     std::uintptr_t address;
     std::vector<Part>* out;
-  } wanted{reinterpret_cast<std::uintptr_t>(inside), &parts_};
+    std::filesystem::path* file;
+  } wanted{reinterpret_cast<std::uintptr_t>(inside), &parts_, &file_};
   const auto look = [](dl_phdr_info* object, std::size_t, void* raw) -> int {
     const auto& want = *static_cast<const Wanted*>(raw);
     std::vector<Interval> writable;
@@ -52,6 +53,7 @@ OwnMemory::OwnMemory(const void* inside) {
       want.out->clear();
       return 0;
     }
+    *want.file = object->dlpi_name;
     // What is behind the end of the read-only part on its last page stays writable, and belongs to nobody.
     const auto add = [&](Interval part) {
       if (part.begin < part.end)

@@ -18,6 +18,7 @@ class OwnMemory {
   // Of the object that has this address; empty when none has.
   explicit OwnMemory(const void* inside);
 
+  const std::filesystem::path& file() const { return file_; }  // of the object
   void remember();
   // A byte that is not what it was: its address in the file's own numbers, and whether that counts in the TLS segment.
   struct Change {
@@ -33,6 +34,7 @@ class OwnMemory {
     std::uint64_t address;
     bool of_thread;
   };
+  std::filesystem::path file_;
   std::vector<Part> parts_;
   std::vector<std::byte> remembered_;
 };

@@ -114,7 +114,7 @@ std::string experiment_json(const ExperimentView& view) {
   out["forfeits"] = forfeits;
   out["unplayed"] = unplayed_json(view.course.unplayed_pairs(), view.course.remarks());
   add_doubts(view.course.remarks(), out);
-  out["standard_error"] = written_json(view.course.remarks());
+  add_notes(view.course.remarks(), out);
   return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -195,7 +195,7 @@ std::string experiment_page(const ExperimentPageSource& source) {
        << figures_section(source) << means_section(view) << differences_section(view)
        << unplayed_section(view.course.unplayed_pairs(), view.course.remarks()) << failures_section(view)
        << configuration_section(view.plan) << reproduction_section(source, source.command)
-       << written_note(view.course.remarks()) << page_end();
+       << remarks_note(view.course.remarks()) << page_end();
   return page.str();
 }
 

@@ -173,7 +173,7 @@ std::string experiment_text(const ExperimentView& view) {
   for (const std::string& sentence : notes) out += sentence + '\n';
   if (!notes.empty()) out += '\n';
   for (const std::string& sentence : finding_sentences(view)) out += sentence + '\n';
-  return out + left_out_text(view) + failures_text(view) + written_text(view.course.remarks());
+  return out + left_out_text(view) + failures_text(view) + notes_text(view.course.remarks());
 }
 
 }  // namespace regista::report

@@ -27,6 +27,11 @@ std::string written_sentence(const study::MatchRemarks& remarks) {
       matches_in_words(remarks.written_count()), first, first);
 }
 
+std::string kept_sentence(const study::MatchRemarks& remarks) {
+  const study::MatchRemark& first = remarks.kept().listed().front();
+  return fmt::format("match {}: {}; nothing came of it in this match", first.match + 1, visible(first.text));
+}
+
 Json listed(const study::RemarkList& list) {
   Json out = Json::array();
   for (const study::MatchRemark& each : list.listed()) out.push_back({{"match", each.match + 1}, {"what", each.text}});
@@ -86,8 +91,9 @@ std::string unplayed_text(const study::MatchRemarks& remarks) {
   return out;
 }
 
-std::string written_text(const study::MatchRemarks& remarks) {
-  return remarks.written_count() == 0 ? std::string() : written_sentence(remarks) + '\n';
+std::string notes_text(const study::MatchRemarks& remarks) {
+  std::string out = remarks.kept().count() == 0 ? std::string() : kept_sentence(remarks) + '\n';
+  return remarks.written_count() == 0 ? out : out + written_sentence(remarks) + '\n';
 }
 
 void add_doubts(const study::MatchRemarks& remarks, Json& out) {
@@ -99,10 +105,11 @@ Json unplayed_json(std::uint64_t pairs, const study::MatchRemarks& remarks) {
   return {{"pairs", pairs}, {"matches", remarks.unplayed().count()}, {"listed", listed(remarks.unplayed())}};
 }
 
-Json written_json(const study::MatchRemarks& remarks) {
+void add_notes(const study::MatchRemarks& remarks, Json& out) {
+  out["kept_outside"] = {{"matches", remarks.kept().count()}, {"listed", listed(remarks.kept())}};
   Json matches = Json::array();
   for (const std::uint64_t each : remarks.written()) matches.push_back(each + 1);
-  return {{"matches", remarks.written_count()}, {"listed", matches}};
+  out["standard_error"] = {{"matches", remarks.written_count()}, {"listed", matches}};
 }
 
 Html doubts_note(const study::MatchRemarks& remarks) {
@@ -142,12 +149,15 @@ Html unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks) {
   return section("unplayed", "Matches that could not be played"_html, out);
 }
 
-Html written_note(const study::MatchRemarks& remarks) {
-  if (remarks.written_count() == 0) return {};
-  Html out = "<p class=\"note\" id=\"standard-error\">"_html;
-  std::string sentence = written_sentence(remarks);
-  sentence.front() = 'P';
-  return out << text(sentence) << "</p>\n"_html;
+Html remarks_note(const study::MatchRemarks& remarks) {
+  Html out;
+  const auto add = [&out](const char* id, std::string sentence) {
+    sentence.front() = static_cast<char>(std::toupper(sentence.front()));
+    out << "<p class=\"note\" id=\""_html << text(id) << "\">"_html << text(sentence) << "</p>\n"_html;
+  };
+  if (remarks.kept().count() > 0) add("kept-outside", kept_sentence(remarks));
+  if (remarks.written_count() > 0) add("standard-error", written_sentence(remarks));
+  return out;
 }
 
 }  // namespace regista::report

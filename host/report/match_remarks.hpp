@@ -29,17 +29,18 @@ std::string caution(const study::MatchRemarks& remarks, const campaign::Limits& 
 // Lines, each ended; empty where there is nothing to report.
 std::string doubts_text(const study::MatchRemarks& remarks);          // "not reproducible: match 1: ..."
 std::string unplayed_text(const study::MatchRemarks& remarks);        // "  match 5: ..."
-std::string written_text(const study::MatchRemarks& remarks);         // where plugins wrote to standard error
+std::string notes_text(const study::MatchRemarks& remarks);           // where plugins wrote to standard error, ...
 
 // Adds "not_alone", "not_reproducible" and "not_proven", each {"matches", "listed": [{"match", "what"}]}.
 void add_doubts(const study::MatchRemarks& remarks, nlohmann::ordered_json& out);
 // The same, with "pairs".
 nlohmann::ordered_json unplayed_json(std::uint64_t pairs, const study::MatchRemarks& remarks);
-nlohmann::ordered_json written_json(const study::MatchRemarks& remarks);
+// Adds "kept_outside", as those of add_doubts, and "standard_error", {"matches", "listed": [1, 2]}.
+void add_notes(const study::MatchRemarks& remarks, nlohmann::ordered_json& out);
 
 // The same for a page; empty where there is nothing to report.
 Html doubts_note(const study::MatchRemarks& remarks);
 Html unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks);
-Html written_note(const study::MatchRemarks& remarks);
+Html remarks_note(const study::MatchRemarks& remarks);
 
 }  // namespace regista::report

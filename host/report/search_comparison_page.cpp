@@ -90,7 +90,7 @@ std::string search_comparison_page(const SearchComparisonPage& page) {
       << section("findings", "What was found"_html, sentence_list(verdict.beside)) << algorithms_section(page)
       << setup_section(plan, setup_sentences(view)) << unplayed_section(tally.unplayed_pairs, tally.remarks)
       << failures_section(plan, tally.forfeits) << reproduction_section(plan, page.played)
-      << written_note(tally.remarks) << page_end();
+      << remarks_note(tally.remarks) << page_end();
   return out.str();
 }
 

@@ -78,7 +78,7 @@ std::string search_comparison_text(const SearchComparisonView& view) {
   for (const std::string& each : verdict.beside) out += fmt::format("  {}\n", each);
   out += algorithms_table(view) + paragraph("How it was tuned", setup_sentences(view));
   return out + parameters_table(plan) + matches_text(view) + left_out_text(tally) + forfeits_text(plan, tally) +
-         written_text(tally.remarks);
+         notes_text(tally.remarks);
 }
 
 }  // namespace regista::report

@@ -95,7 +95,7 @@ std::string tournament_page(const PageSource& source) {
                           configuration_section, reproduction_section}) {
     page << part(source);
   }
-  page << written_note(source.view.course.remarks()) << page_end();
+  page << remarks_note(source.view.course.remarks()) << page_end();
   return page.str();
 }
 

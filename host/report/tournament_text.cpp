@@ -279,7 +279,7 @@ std::string tournament_text(const TournamentView& view) {
   if (const std::uint64_t unplayed = view.course.unplayed_pairs(); unplayed > 0) {
     out += unplayed_sentence(unplayed) + '\n' + unplayed_text(view.course.remarks());
   }
-  out += verdict_text(view) + failures_text(view) + written_text(view.course.remarks());
+  out += verdict_text(view) + failures_text(view) + notes_text(view.course.remarks());
   return out + '\n' + markup::plain(verdict_sentence(view).sentence) + '\n';
 }
 

@@ -92,7 +92,7 @@ Json budget_json(const study::TuningPlan& plan) {
 Json tally_json(const study::TuningPlan& plan, const study::MatchTally& tally) {
   Json out{{"forfeits", forfeits(plan, tally)}, {"unplayed", unplayed_json(tally.unplayed_pairs, tally.remarks)}};
   add_doubts(tally.remarks, out);
-  out["standard_error"] = written_json(tally.remarks);
+  add_notes(tally.remarks, out);
   return out;
 }
 

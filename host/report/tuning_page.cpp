@@ -167,7 +167,7 @@ std::string tuning_page(const TuningPage& page) {
       << findings_section(view, verdict) << setup_section(view.plan, setup_sentences(view)) << convergence_section(page)
       << values_section(page) << slices_section(page) << finalists_section(view) << trace_section(view)
       << unplayed_section(tally.unplayed_pairs, tally.remarks) << failures_section(view.plan, tally.forfeits)
-      << reproduction_section(view.plan, page.played) << written_note(tally.remarks) << page_end();
+      << reproduction_section(view.plan, page.played) << remarks_note(tally.remarks) << page_end();
   return out.str();
 }
 

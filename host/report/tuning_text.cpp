@@ -143,7 +143,7 @@ std::string tuning_text(const TuningView& view) {
   out += tuned_table(view) + importance_table(view) + finalists_table(view);
   out += paragraph("Search", search_sentences(view)) + paragraph("How it was tuned", setup_sentences(view));
   return out + parameters_table(view.plan) + matches_text(view) + left_out_text(view.record.tally) +
-         forfeits_text(view.plan, view.record.tally) + written_text(view.record.tally.remarks);
+         forfeits_text(view.plan, view.record.tally) + notes_text(view.record.tally.remarks);
 }
 
 }  // namespace regista::report

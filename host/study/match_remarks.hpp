@@ -45,13 +45,14 @@ class MatchRemarks {
   const RemarkList& unplayed() const { return unplayed_; }              // and why
   const RemarkList& irreproducible() const { return irreproducible_; }  // and where two plays first differed
   const RemarkList& shared() const { return shared_; }      // whose plugin used what its robot alone does not know
+  const RemarkList& kept() const { return kept_; }          // what plugins keep outside, though nothing came of it
   const RemarkList& unproven() const { return unproven_; }  // why it is not known that robots decide alone
   // Matches in which plugins wrote to standard error: the first ones, and how many there are.
   const std::vector<std::uint64_t>& written() const { return written_; }
   std::uint64_t written_count() const { return written_count_; }
 
  private:
-  RemarkList unplayed_, irreproducible_, shared_, unproven_;
+  RemarkList unplayed_, irreproducible_, shared_, kept_, unproven_;
   std::vector<std::uint64_t> written_;
   std::uint64_t written_count_ = 0;
 };

@@ -13,7 +13,8 @@ What zoo.json expects of an animal:
 An animal that needs longer matches says so, by `limit`; `match: false` is one that `regista match` cannot tell from
 its user, who ends it by a signal, or that writes to the terminal what it likes.
 `said` is what standard error says of it, and one that `differs` is found not to be reproducible. Of one that `shares`
-it is found that its robots do not decide alone, by this call of it; of no other animal.
+it is found that its robots do not decide alone, by this call of it; of no other animal. One that `keeps` a variable of
+this name outside of its instances is remarked on, though nothing comes of it.
 `what` is a regular expression for the report's reason, `call` the call in which its team is to be blamed, and then the
 plugin that is named is the animal itself. Of all of them holds what `Animals.holds` says, above all: the innocent team
 forfeits nothing, a match that was played is that of the sound twin, and no match ends better than that. An animal that
@@ -263,6 +264,8 @@ class Animals(Zoo):
                              rf"robot \d, tick \d+.*: plugin {animal['name']} .*\b{animal['shares']}\b")
         elif not animal.get("differs"):
             self.assertEqual(report["not_alone"]["matches"], 0, report)
+        if "keeps" in animal:
+            self.assertRegex(report["kept_outside"]["listed"][0]["what"], rf"\b{animal['name']}\.so: {animal['keeps']}$")
         for each in report["forfeits"]:
             if "call" in animal:
                 self.assertEqual((each["plugin"], each["call"]), (animal["name"], animal["call"]), each)

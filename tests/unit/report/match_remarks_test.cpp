@@ -143,17 +143,20 @@ TEST(Remarks, StandAtTheTopAndAtTheEnd) {
   campaign::Decided odd = match(1, 0), noisy = match(0, 1);
   odd.irreproducible = "tick 7 of robot 2: plugin dice";
   noisy.output = "hello";
+  noisy.kept = "home: plugins keep in memory that all their instances share: greedy.so: taken";
   for (const campaign::Decided* each : {&odd, &noisy, &noisy, &odd}) course.take(*each);
   const std::string text = tournament_text(course.view());
   EXPECT_THAT(text,
               StartsWith("not reproducible: match 1: tick 7 of robot 2: plugin dice\nnot reproducible: match 4: "));
   EXPECT_THAT(text,
-              EndsWith("\nplugins wrote to standard error in 2 matches, first in match 2; see: regista report FILE "
+              EndsWith("\nmatch 2: home: plugins keep in memory that all their instances share: greedy.so: taken; nothing "
+                       "came of it in this match\nplugins wrote to standard error in 2 matches, first in match 2; see: regista report FILE "
                        "--standard-error 2\n\n"
                        "2 pairs do not show which of a and b is stronger.\n"));
   const auto json = nlohmann::json::parse(tournament_json(course.view()));
   EXPECT_EQ(json["not_reproducible"]["listed"][1]["match"], 4);
   EXPECT_EQ(json["standard_error"], nlohmann::json::parse(R"({"matches": 2, "listed": [2, 3]})"));
+  EXPECT_EQ(json["kept_outside"]["matches"], 2);
   const std::string page = page_of(course);
   EXPECT_LT(page.find("id=\"not-reproducible\""), page.find("id=\"verdict\""));
   EXPECT_THAT(page, HasSubstr("Plugins wrote to standard error in 2 matches"));

@@ -66,6 +66,14 @@ int static_counter(zoo_moment* now, int said) {
   return ++calls_of_all == now->asked ? said : -said;
 }
 
+/* Nobody asks how many there were. */
+volatile int counted;
+int counts_alone(zoo_moment* now, int said) {
+  ++counted;
+  (void)now;
+  return said;
+}
+
 int static_in_a_function(zoo_moment* now, int said) {
   static int last;
   const int heard = last;
