@@ -22,6 +22,7 @@
 #include "config/text.hpp"
 #include "config/typed.hpp"
 #include "output/output_files.hpp"
+#include "plugin/failure.hpp"
 #include "plugin/plugin_file.hpp"
 
 namespace regista::cli {
@@ -97,14 +98,17 @@ campaign::Limits limits_of(const MatchOptions& options) {
   return out;
 }
 
-// Something went wrong where both teams share a process. Which team's it was is found out as studies do it: each thinks
-// in a process of its own, and one of these goes wrong again. Throws BadInput that names it; returns when none does.
-void blame(campaign::Job job, campaign::Limits limits) {
+// Something went wrong where both teams share a process: a death, or a broken promise, and then `said` is who seems to
+// have broken it. Which team's it was is found out as studies do it: each thinks in a process of its own, and one of
+// these goes wrong again. Throws BadInput that names it; returns when none does.
+void blame(campaign::Job job, campaign::Limits limits, const std::string& said) {
   limits.isolation = campaign::Isolation::always;
   job.record.clear();
   try {
     const campaign::Decided again = campaign::play_alone(job, limits);
-    if (again.failure) throw BadInput(failure_text(job, *again.failure));
+    if (!again.failure) return;
+    const bool as_said = said.ends_with(fmt::format("{}: {}", again.failure->call, again.failure->what));
+    throw BadInput(as_said ? said : failure_text(job, *again.failure));
   } catch (const campaign::CampaignError& error) {
     throw BadInput(error.what());
   }
@@ -138,7 +142,7 @@ int explain_loss(const MatchOptions& options, campaign::Job job, const campaign:
     }
   }
   const std::string died = campaign::in_words(loss.what, loss.note.call);
-  blame(std::move(job), limits);
+  blame(std::move(job), limits, loss.what);
   // People and systems send signals; whatever else ended the process, a plugin has done.
   if (loss.from_outside) {
     complain(fmt::format("the match was ended: {}", died));
@@ -215,6 +219,8 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
       return work(note);
     } catch (const campaign::Disorder&) {
       throw;  // reported by the program itself, as what ends the copy is
+    } catch (const plugin::Failure& failure) {
+      throw campaign::Disorder(failure.what());  // another team's plugin may have made it fail
     } catch (const std::bad_alloc&) {
       throw;
     } catch (...) {

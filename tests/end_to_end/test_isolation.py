@@ -4,6 +4,7 @@ for, whatever killed it and whoever's call was under way."""
 
 import itertools
 import json
+import platform
 import shlex
 import subprocess
 import unittest
@@ -120,6 +121,18 @@ class Blame(tournament.Tournament):
                 self.assertEqual(failures["small"], 0, report["forfeits"])
                 self.assertGreater(failures["bad"], 0)
             (self.folder / "tournament.db").unlink()
+
+    @unittest.skipUnless(platform.machine() == "x86_64", "it writes code of that processor")
+    def test_whose_code_was_written_over_is_not_blamed(self):
+        """Neither by a match nor by a tournament, though it is the one that breaks a promise."""
+        text = program.TEAM.format(name="bad")
+        self.assertIn("plugin: every_second", text)
+        self.write("bad.yaml", text.replace("plugin: every_second", "plugin: patches_sound_plugins"))
+        line = self.refused("match", "bad.yaml", "small.yaml", "--plugins", TRESPASS, "--limit", 12)
+        self.assertRegex(line, r"\bbad\b")
+        self.assertNotIn("small", line)
+        report = self.only("--plugins", TRESPASS, *self.LIMITS, teams=("bad.yaml", "small.yaml"), pairs=1)
+        self.assertEqual({team["name"]: team["failures"] for team in report["teams"]}, {"bad": 2, "small": 0})
 
     def test_no_process_of_others_is_ended(self):
         """Whatever a plugin writes into the note that its coordinator reads."""

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contexts that reach for what is not theirs.
+// Plugins that reach for what is not theirs.
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -7,10 +8,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 
 #include <regista/context.hpp>
+#include <regista/sender.hpp>
 
 namespace {
 
@@ -73,5 +76,34 @@ struct ReadsAFileHere {
   }
 };
 
-REGISTA_PLUGINS(regista::Plugin<WipesSharedMemory, regista::context>, regista::Plugin<NamesAStranger, regista::context>,
+// The last call of robot 6's decision makes all code of the sound plugins return at once, without an answer. Whose turn
+// is next, robot 3 of the other team in a match, breaks a promise by it.
+struct PatchesSoundPlugins {
+  static constexpr auto id = "patches_sound_plugins", version = "1.0.0", summary = "Writes over the code of others";
+  int asked = 0;
+  std::optional<int> decide(const regista::Frame& frame, const regista::SendQuery&, regista::Grants) {
+    if (++asked == 20 && frame.own_number() == 6) patch();
+    return asked % 10 == 0 ? std::optional<int>(REGISTA_EVENT_PERIOD) : std::nullopt;
+  }
+  static void patch() {
+    std::FILE* const maps = std::fopen("/proc/self/maps", "r");
+    char line[512];
+    while (maps != nullptr && std::fgets(line, sizeof line, maps) != nullptr) {
+      unsigned long begin = 0, end = 0;
+      char rights[8] = {};
+      if (std::strstr(line, "contract_good") == nullptr) continue;
+      if (std::sscanf(line, "%lx-%lx %7s", &begin, &end, rights) != 3 || std::strcmp(rights, "r-xp") != 0) continue;
+      auto* const code = reinterpret_cast<unsigned char*>(begin);
+      if (mprotect(code, end - begin, PROT_READ | PROT_WRITE | PROT_EXEC) != 0) continue;
+#if defined(__x86_64__)
+      constexpr unsigned char nothing = 0x90, return_zero[] = {0x31, 0xc0, 0xc3};
+      std::memset(code, nothing, end - begin);
+      std::memcpy(code + (end - begin) - sizeof return_zero, return_zero, sizeof return_zero);
+#endif
+    }
+    if (maps != nullptr) std::fclose(maps);
+  }
+};
+
+REGISTA_PLUGINS(regista::Plugin<PatchesSoundPlugins, regista::sender>, regista::Plugin<WipesSharedMemory, regista::context>, regista::Plugin<NamesAStranger, regista::context>,
                 regista::Plugin<ReadsAFileHere, regista::context>)
