@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -91,6 +92,16 @@ void Positioner::check_edges(std::span<const regista_edge> edges, std::size_t po
     if (edge.from >= point_count || edge.to >= point_count) [[unlikely]] {
       instance_->fail("place", fmt::format("edge {} joins points {} and {} of {}", i, edge.from, edge.to, point_count));
     }
+    if (edge.from == edge.to) [[unlikely]]
+      instance_->fail("place", fmt::format("edge {} joins point {} to itself", i, edge.from));
+  }
+  if (!instance_->rooms().closely) return;
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    const auto earlier = std::ranges::find_if(edges.first(i), [&](const regista_edge& each) {
+      return std::minmax(each.from, each.to) == std::minmax(edges[i].from, edges[i].to);
+    });
+    if (earlier != edges.begin() + static_cast<std::ptrdiff_t>(i)) [[unlikely]]
+      instance_->fail("place", fmt::format("edge {} joins points {} and {} a second time", i, edges[i].from, edges[i].to));
   }
 }
 

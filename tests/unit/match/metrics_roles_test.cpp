@@ -73,6 +73,8 @@ TEST_F(Coordination, CountsRolesTaken) {
   EXPECT_EQ(role(2).all.switches, 1);
   measures.decided(2, 3, {}, false);
   EXPECT_EQ(role(3).all.switches, 0) << "not in play";
+  decide(2, 3);
+  EXPECT_EQ(role(3).all.switches, 0) << "it has had it since before play";
 }
 
 TEST_F(Coordination, AgreementIsTheShareOfEqualAssignments) {

@@ -80,6 +80,28 @@ TEST(Radio, LosesByBothCauses) {
   EXPECT_NEAR(both / double(packets), 0.16, 0.012);  // per receiver, independently
 }
 
+// Whether it sends or receives: a slow radio is slow both ways.
+TEST(Radio, ARobotsOwnDelayIsOfWhatItSendsAndOfWhatItHears) {
+  config::Disturbance disturbance;
+  config::Incident& slow = disturbance.incidents.emplace_back();
+  slow.kind = config::Incident::Kind::radio_delay;
+  slow.robots = {config::Incident::Whom::Choice::listed, {2}};
+  slow.at = {0.0};
+  slow.delay = 0.5;
+  Trouble trouble(disturbance, {}, 3, 1, Side::home);
+  trouble.update(0.0);
+  const auto heard_after = [&](int sender, int receiver) {
+    Radio radio({0.1, 0.0, 0.0}, trouble, 3, 1, Side::home);
+    radio.send(sender, Bytes{1}, 0.0, 0);
+    std::vector<mind::HeardPacket> heard;
+    radio.deliver(receiver, 2.0, 100, heard);
+    return heard.size() == 1 ? heard.front().time_heard : -1.0;
+  };
+  EXPECT_DOUBLE_EQ(heard_after(1, 3), 0.1);
+  EXPECT_DOUBLE_EQ(heard_after(1, 2), 0.6);
+  EXPECT_DOUBLE_EQ(heard_after(2, 1), 0.6);
+}
+
 TEST(Radio, OrdersByTimeHeardThenSender) {
   const Trouble trouble = none(4);
   Radio radio({0.1, 0.0, 0.0}, trouble, 4, 1, Side::home);

@@ -102,6 +102,10 @@ TEST_F(PositionerTest, RefusesScoresTasksAndRobotsThatCannotBe) {
 TEST_F(PositionerTest, RefusesEdgesOfPointsThatDoNotExist) {
   written.edges[1] = {1, 4};
   EXPECT_EQ(run(), Puppet::failure("place: edge 1 joins points 1 and 4 of 4"));
+  written.edges[1] = {2, 2};
+  EXPECT_EQ(run(), Puppet::failure("place: edge 1 joins point 2 to itself"));
+  written.edges[1] = {1, 0};
+  EXPECT_EQ(run(), Puppet::failure("place: edge 1 joins points 1 and 0 a second time"));
 }
 
 TEST_F(PositionerTest, RefusesCellsThatCannotBe) {
