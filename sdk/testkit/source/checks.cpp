@@ -68,7 +68,8 @@ std::vector<std::uint64_t> team_digests(std::int32_t kind, const Loaded& plugin,
     for (std::size_t robot = 0; robot < team.size(); ++robot) {
       if (only.value_or(robot) != robot) continue;
       EnvironmentBuilder environment = course.environment;
-      team[robot] = std::make_unique<Instance>(plugin, environment.own(static_cast<int>(robot) + 1), values);
+      const std::size_t size = environment.raw().team_size;  // some scenes are of smaller teams
+      team[robot] = std::make_unique<Instance>(plugin, environment.own(static_cast<int>(robot % size) + 1), values);
     }
     for (const std::size_t apart : {std::size_t{0}, std::size_t{1}}) {
       for (std::size_t i = 0; i < course.steps; ++i) {
