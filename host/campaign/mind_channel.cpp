@@ -23,8 +23,6 @@ void wake(std::atomic<std::uint32_t>& word) { syscall(SYS_futex, &word, FUTEX_WA
 
 }  // namespace
 
-MindChannel::MindChannel() { shared_.close_descriptor(); }
-
 void MindChannel::hand_over(std::uint32_t turn, std::uint32_t kind, std::span<const std::uint8_t> bytes) {
   assert(bytes.size() <= most_bytes);
   shared_->kind = kind;

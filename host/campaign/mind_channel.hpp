@@ -23,10 +23,9 @@ enum class Reply : std::uint32_t {
   no_memory,  // nothing more could be said
 };
 
+// To be made before the process is copied; throws std::system_error.
 class MindChannel {
  public:
-  MindChannel();  // throws std::system_error
-
   WorkerNote& note() const { return shared_->note; }
   // Takes it away from this process; a copy may still have it. Nothing may be asked of it afterwards.
   void forget() { shared_.forget(); }
@@ -63,7 +62,7 @@ class MindChannel {
     std::uint8_t bytes[most_bytes];
   };
   void hand_over(std::uint32_t turn, std::uint32_t kind, std::span<const std::uint8_t> bytes);
-  process::SharedMemory<Shared> shared_;
+  process::SharedMemory<Shared> shared_{process::for_copies};
 };
 
 }  // namespace regista::campaign

@@ -162,8 +162,7 @@ StandardOutputKept::~StandardOutputKept() {
 }
 
 int run_supervised(const Limits& limits, const SupervisedWork& supervised) {
-  process::SharedMemory<Shared> shared;
-  shared.close_descriptor();
+  process::SharedMemory<Shared> shared(process::for_copies);
   std::fflush(nullptr);  // or both would write what waits to be written
   const process::Descendants descendants;
   std::string too_long;

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <memory>
 
+#include "config/sanitized.hpp"
 #include "plugin/elf_file.hpp"
 
 namespace regista::plugin {
@@ -30,6 +31,7 @@ std::string readable(const char* name) {
 }  // namespace
 
 OwnMemory::OwnMemory(const void* inside) {
+  if (addresses_are_reserved()) return;  // a sanitizer keeps what is its own there, and lets nobody look at it
   struct Wanted {
     std::uintptr_t address;
     std::vector<Part>* out;

@@ -15,7 +15,7 @@ namespace regista::plugin {
 
 class OwnMemory {
  public:
-  // Of the object that has this address; empty when none has.
+  // Of the object that has this address; empty when none has, and where an address sanitizer is at work.
   explicit OwnMemory(const void* inside);
 
   const std::filesystem::path& file() const { return file_; }  // of the object

@@ -34,6 +34,13 @@ void* map_shared_file(const FileDescriptor& file, std::size_t bytes) {
   return memory;
 }
 
+void* map_for_copies(std::size_t bytes) {
+  void* const memory =
+      ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (memory == MAP_FAILED) fail_to_share("cannot map shared memory");
+  return memory;
+}
+
 void unmap(void* memory, std::size_t bytes) { ::munmap(memory, bytes); }
 
 }  // namespace regista::process

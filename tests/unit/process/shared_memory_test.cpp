@@ -36,8 +36,8 @@ TEST(SharedMemory, OutlivesTheProcessThatWroteIt) {
 
 // A copy of the process needs no descriptor, and what is forgotten there is still here.
 TEST(SharedMemory, IsSeenByCopiesWithoutADescriptor) {
-  SharedMemory<Pair> shared, other;
-  shared.close_descriptor();
+  SharedMemory<Pair> shared(for_copies), other(for_copies);
+  EXPECT_EQ(shared->first, 3);
   const pid_t child = fork();
   if (child == 0) {
     shared->first = 5;
