@@ -12,8 +12,8 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
-#include <system_error>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -89,8 +89,9 @@ std::string difference(TrailReader& first, const Entry& one, TrailReader& second
     // Where one play has a call that the other lacks, some plugin has done something with the host in one of them.
     const Name& name = a && (!b || a->first == b->first || is_use_of_the_host(a->first.second)) ? a->first : b->first;
     const auto& [plugin, call] = name;
-    out = is_use_of_the_host(call) ? fmt::format("plugin {} made another {}", plugin, call == "offer" ? "offer" : "withdrawal")
-                                   : fmt::format("plugin {} answered {} otherwise", plugin, call);
+    out = is_use_of_the_host(call)
+              ? fmt::format("plugin {} made another {}", plugin, call == "offer" ? "offer" : "withdrawal")
+              : fmt::format("plugin {} answered {} otherwise", plugin, call);
   }
   if (out.empty() && one.outcome != other.outcome) out = "what it did differed, though its plugins answered the same";
   return out;

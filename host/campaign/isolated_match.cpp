@@ -253,12 +253,9 @@ class IsolatedMatch {
   // A failure of the call that was under way last.
   Failure noted(const Thinkers& failed, const std::string& what) {
     const WorkerNote note = failed.channel.note().sound();
-    return {number_of(failed),
-            note.call.plugin.data(),
-            note.call.call.data(),
-            note.call.robot,
-            note.call.tick,
-            what + where(note.fatal) + (note.call.inside == 1 ? "" : ", between two calls")};
+    return {number_of(failed),     note.call.plugin.data(),
+            note.call.call.data(), note.call.robot,
+            note.call.tick,        what + where(note.fatal) + (note.call.inside == 1 ? "" : ", between two calls")};
   }
 
   // Of several tries to reach outside, the first in the match.

@@ -43,8 +43,8 @@ using AfterAnswers = std::function<void(const match::Decision&, std::span<const 
 
 // Plays `setup` as match::play(setup, plans) does. To be called by a process without threads that has loaded no plugin:
 // it is copied. `note`: the process groups are written into it, and the first try of a confined mind to reach outside
-// of its process. `kept`: what plugins of confined minds have changed in their files' own memory, one line; mostly empty.
-// Throws Fault, and what match::play throws.
+// of its process. `kept`: what plugins of confined minds have changed in their files' own memory, one line; mostly
+// empty. Throws Fault, and what match::play throws.
 match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans,
                             Separation separation, const Limits& limits, const Examination& examination,
                             const AfterAnswers& after, WorkerNote& note, std::string& kept);

@@ -136,8 +136,7 @@ Job job_from_json(const std::string& text) {
     job.seed = whole_number(json.at("seed"));
     job.record = json.value("record", "");  // nor this
     job.expects_failure = json.value("expects_failure", false);
-    if (json.contains("separation"))
-      job.separation = static_cast<Separation>(whole_number(json.at("separation"), 2));
+    if (json.contains("separation")) job.separation = static_cast<Separation>(whole_number(json.at("separation"), 2));
     job.elsewhere = json.value("elsewhere", false);
     if (json.contains("look")) job.look = static_cast<plugin::Look>(whole_number(json.at("look"), 2));
     job.trail = json.value("trail", false);

@@ -15,8 +15,7 @@ namespace regista::campaign {
 namespace {
 
 bool same_match(const Decided& one, const Decided& other) {
-  return one.score == other.score && one.ended == other.ended && one.hash == other.hash &&
-         one.metrics == other.metrics;
+  return one.score == other.score && one.ended == other.ended && one.hash == other.hash && one.metrics == other.metrics;
 }
 
 // How a play failed: the worker's end, or what it answered.
@@ -223,7 +222,8 @@ void MatchRun::compare(const Decided& again) {
 
 void MatchRun::decide_not_alone() {
   std::string where = first_difference(first_trail_, trail_->content());
-  if (where.empty()) where = "the results of two plays differ, though all plugins answered the same when it was played again";
+  if (where.empty())
+    where = "the results of two plays differ, though all plugins answered the same when it was played again";
   (deterministic_ ? first_->shared : first_->irreproducible) = where;
   decide_first();
 }
@@ -245,9 +245,9 @@ void MatchRun::note_outside(const OutsideNote& outside) {
   if (!first_) return;
   if (outside.unconfined != 0) first_->unproven = "this system does not confine processes (seccomp)";
   if (outside.what.front() == '\0' || !first_->shared.empty()) return;
-  first_->shared = fmt::format("{}, robot {}, tick {}: plugin {} tried to {} in {}", outside.call.side == 0 ? "home" : "away",
-                               outside.call.robot, outside.call.tick, outside.call.plugin.data(), outside.what.data(),
-                               outside.call.call.data());
+  first_->shared = fmt::format("{}, robot {}, tick {}: plugin {} tried to {} in {}",
+                               outside.call.side == 0 ? "home" : "away", outside.call.robot, outside.call.tick,
+                               outside.call.plugin.data(), outside.what.data(), outside.call.call.data());
 }
 
 void MatchRun::decide(Decided decided) {

@@ -19,8 +19,8 @@
 #include "match/mind_belief.hpp"
 #include "match/teams.hpp"
 #include "mind/wire.hpp"
-#include "plugin/failure.hpp"
 #include "plugin/address_ranges.hpp"
+#include "plugin/failure.hpp"
 #include "plugin/fatal_signal.hpp"
 #include "plugin/own_memory.hpp"
 #include "plugin/process_state.hpp"
@@ -164,8 +164,8 @@ void answer_what_was_thrown(MindChannel& channel, int number) {
 
 }  // namespace
 
-void serve_minds(const mind::TeamPlan& plan, const MindPlace& place, std::uint64_t seed,
-                 const Examination& examination, MindChannel& channel) noexcept {
+void serve_minds(const mind::TeamPlan& plan, const MindPlace& place, std::uint64_t seed, const Examination& examination,
+                 MindChannel& channel) noexcept {
   const int number = static_cast<int>(match::index(place.side));
   plugin::note_fatal_signals(channel.note().fatal);
   if (examination.confined) confine(channel.note());

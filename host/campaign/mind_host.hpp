@@ -15,8 +15,9 @@ namespace regista::campaign {
 // What a play looks at beyond what it needs itself.
 struct Examination {
   plugin::Look look = plugin::Look::seldom;
-  bool answers = false;   // what plugins answered is handed over with each outcome
-  // See process/confinement.hpp; what is tried is noted. At the end it is said what plugins keep in their files' memory.
+  bool answers = false;  // what plugins answered is handed over with each outcome
+  // See process/confinement.hpp; what is tried is noted. At the end it is said what plugins keep in their files'
+  // memory.
   bool confined = false;
 };
 

@@ -122,9 +122,8 @@ match::Result play_here(const Job& job, MatchSetup& prepared, const std::array<c
   }
   const plugin::ProcessState before = plugin::ProcessState::now();
   const pid_t here = getpid();
-  const match::Result result =
-      match::play(std::move(prepared.setup), plans, recording.observer(), after,
-                  {&note.call, 0, job.look, trail ? &answers : nullptr});
+  const match::Result result = match::play(std::move(prepared.setup), plans, recording.observer(), after,
+                                           {&note.call, 0, job.look, trail ? &answers : nullptr});
   if (getpid() != here) _exit(1);  // a plugin has doubled the process: one of the two is enough
   note.call = {};                  // whatever dies from now on dies in no plugin's call
   if (const std::string left = plugin::changes_since(before); !left.empty()) {

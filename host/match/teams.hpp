@@ -14,8 +14,9 @@
 
 namespace regista::match {
 
-// One mind of a side, and all of them by their numbers. Their luck belongs to (seed, side), so that it stays when teams swap sides.
-// Throws plugin::Failure when a plugin cannot be created. noting: see plugin/call_note.hpp; its side is set here.
+// One mind of a side, and all of them by their numbers. Their luck belongs to (seed, side), so that it stays when teams
+// swap sides. Throws plugin::Failure when a plugin cannot be created. noting: see plugin/call_note.hpp; its side is set
+// here.
 mind::Mind mind(const mind::TeamPlan& plan, Side side, int number, std::uint64_t seed, plugin::Noting noting = {},
                 const mind::Telling& telling = {});
 std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed, plugin::Noting noting = {},

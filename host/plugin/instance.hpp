@@ -111,9 +111,7 @@ class alignas(64) Instance {
   }
 
   // Whether somebody keeps what calls answer.
-  bool is_traced() const {
-    return rooms_->closely && caller_ != nullptr && caller_->noting.trail != nullptr;
-  }
+  bool is_traced() const { return rooms_->closely && caller_ != nullptr && caller_->noting.trail != nullptr; }
   // What the last call answered, once it is known to keep its promises.
   template <class... Values>
   void answered(const Values&... values) const {

@@ -101,7 +101,8 @@ void Positioner::check_edges(std::span<const regista_edge> edges, std::size_t po
       return std::minmax(each.from, each.to) == std::minmax(edges[i].from, edges[i].to);
     });
     if (earlier != edges.begin() + static_cast<std::ptrdiff_t>(i)) [[unlikely]]
-      instance_->fail("place", fmt::format("edge {} joins points {} and {} a second time", i, edges[i].from, edges[i].to));
+      instance_->fail("place",
+                      fmt::format("edge {} joins points {} and {} a second time", i, edges[i].from, edges[i].to));
   }
 }
 

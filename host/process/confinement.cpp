@@ -40,16 +40,16 @@ struct Refused {
 
 constexpr Refused always_refused[] = {
 #ifdef SYS_creat  // architectures of later days have only the calls that end in "at"
-    {SYS_creat, writing},   {SYS_mkdir, names},  {SYS_mknod, names},  {SYS_link, names},
-    {SYS_symlink, names},   {SYS_rename, names}, {SYS_unlink, names}, {SYS_rmdir, names},
+    {SYS_creat, writing},      {SYS_mkdir, names},     {SYS_mknod, names},    {SYS_link, names},
+    {SYS_symlink, names},      {SYS_rename, names},    {SYS_unlink, names},   {SYS_rmdir, names},
 #endif
 #ifdef SYS_renameat
     {SYS_renameat, names},
 #endif
     {SYS_openat2, writing},  // its flags cannot be looked at
-    {SYS_truncate, writing}, {SYS_mkdirat, names},   {SYS_mknodat, names},  {SYS_linkat, names},
-    {SYS_symlinkat, names},  {SYS_renameat2, names}, {SYS_unlinkat, names}, {SYS_socket, sockets},
-    {SYS_socketpair, sockets}, {SYS_shmget, objects}, {SYS_semget, objects}, {SYS_msgget, objects},
+    {SYS_truncate, writing},   {SYS_mkdirat, names},   {SYS_mknodat, names},  {SYS_linkat, names},
+    {SYS_symlinkat, names},    {SYS_renameat2, names}, {SYS_unlinkat, names}, {SYS_socket, sockets},
+    {SYS_socketpair, sockets}, {SYS_shmget, objects},  {SYS_semget, objects}, {SYS_msgget, objects},
     {SYS_mq_open, objects},
 };
 

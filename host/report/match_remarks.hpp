@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the reports of all studies say of single matches besides their results: those in which robots did not decide
-// alone, and those that came out otherwise when they were played a second time, stand at the top; those that could not be played beside the verdict, those in which plugins
-// wrote to standard error at the end. Matches are counted from 1.
+// alone, and those that came out otherwise when they were played a second time, stand at the top; those that could not
+// be played beside the verdict, those in which plugins wrote to standard error at the end. Matches are counted from 1.
 #pragma once
 
 #include <cstdint>
@@ -27,9 +27,9 @@ std::string unplayed_sentence(std::uint64_t pairs);
 std::string caution(const study::MatchRemarks& remarks, const campaign::Limits& limits);
 
 // Lines, each ended; empty where there is nothing to report.
-std::string doubts_text(const study::MatchRemarks& remarks);          // "not reproducible: match 1: ..."
-std::string unplayed_text(const study::MatchRemarks& remarks);        // "  match 5: ..."
-std::string notes_text(const study::MatchRemarks& remarks);           // where plugins wrote to standard error, ...
+std::string doubts_text(const study::MatchRemarks& remarks);    // "not reproducible: match 1: ..."
+std::string unplayed_text(const study::MatchRemarks& remarks);  // "  match 5: ..."
+std::string notes_text(const study::MatchRemarks& remarks);     // where plugins wrote to standard error, ...
 
 // Adds "not_alone", "not_reproducible" and "not_proven", each {"matches", "listed": [{"match", "what"}]}.
 void add_doubts(const study::MatchRemarks& remarks, nlohmann::ordered_json& out);

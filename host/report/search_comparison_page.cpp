@@ -85,12 +85,11 @@ std::string search_comparison_page(const SearchComparisonPage& page) {
   const ComparisonVerdict verdict = comparison_verdict(view);
   const std::string title = comparison_title(view);
   Html out = page_begin(title);
-  out << doubts_note(tally.remarks)
-      << verdict_header(title, verdict.headline, unfinished_sentence(view), plan.question) << tiles(view)
-      << section("findings", "What was found"_html, sentence_list(verdict.beside)) << algorithms_section(page)
-      << setup_section(plan, setup_sentences(view)) << unplayed_section(tally.unplayed_pairs, tally.remarks)
-      << failures_section(plan, tally.forfeits) << reproduction_section(plan, page.played)
-      << remarks_note(tally.remarks) << page_end();
+  out << doubts_note(tally.remarks) << verdict_header(title, verdict.headline, unfinished_sentence(view), plan.question)
+      << tiles(view) << section("findings", "What was found"_html, sentence_list(verdict.beside))
+      << algorithms_section(page) << setup_section(plan, setup_sentences(view))
+      << unplayed_section(tally.unplayed_pairs, tally.remarks) << failures_section(plan, tally.forfeits)
+      << reproduction_section(plan, page.played) << remarks_note(tally.remarks) << page_end();
   return out.str();
 }
 

@@ -119,7 +119,8 @@ class Planner {
     plan_.opponent = from_here(experiment_.opponent);
     plan_.first_seed = static_cast<std::uint64_t>(experiment_.seed);
     plan_.confidence = experiment_.confidence;
-    plan_.limits = campaign::limits_of(options_, experiment_.isolation, experiment_.play_twice, experiment_.allow_shared_memory);
+    plan_.limits =
+        campaign::limits_of(options_, experiment_.isolation, experiment_.play_twice, experiment_.allow_shared_memory);
     plan_.folder = fs::current_path().string();
     plan_.file = options_.file;
     plan_.overrides = overrides_;

@@ -105,5 +105,6 @@ struct PatchesSoundPlugins {
   }
 };
 
-REGISTA_PLUGINS(regista::Plugin<PatchesSoundPlugins, regista::sender>, regista::Plugin<WipesSharedMemory, regista::context>, regista::Plugin<NamesAStranger, regista::context>,
+REGISTA_PLUGINS(regista::Plugin<PatchesSoundPlugins, regista::sender>,
+                regista::Plugin<WipesSharedMemory, regista::context>, regista::Plugin<NamesAStranger, regista::context>,
                 regista::Plugin<ReadsAFileHere, regista::context>)

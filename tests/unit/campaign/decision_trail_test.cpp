@@ -20,11 +20,13 @@ std::string raw(T value) {
 std::string text(const std::string& value) { return raw(static_cast<std::uint32_t>(value.size())) + value; }
 
 // An answer. `name`: which of the names so far, or a new one that is defined here.
-std::string answer(std::uint32_t name, std::uint64_t digest, const std::string& plugin = "", const std::string& call = "") {
+std::string answer(std::uint32_t name, std::uint64_t digest, const std::string& plugin = "",
+                   const std::string& call = "") {
   return raw(name) + raw(digest) + (plugin.empty() ? "" : text(plugin) + text(call));
 }
 
-std::string decision(double time, int side, int robot, const std::vector<std::string>& answers, std::uint64_t outcome = 9) {
+std::string decision(double time, int side, int robot, const std::vector<std::string>& answers,
+                     std::uint64_t outcome = 9) {
   std::string out = raw(time) + raw(std::int32_t{side}) + raw(std::int32_t{robot}) + raw(outcome) +
                     raw(static_cast<std::uint32_t>(answers.size()));
   for (const std::string& each : answers) out += each;
@@ -55,9 +57,9 @@ TEST(DecisionTrail, NamesTheFirstCallThatWasAnsweredOtherwise) {
   EXPECT_EQ(first_difference(before + later(0.3, 1, 4, 5, 6) + after, before + later(0.3, 1, 4, 5, 8) + after),
             "away, robot 4, tick 1 (0.30 s): plugin greedy answered assign otherwise");
   // What follows from it does not matter.
-  EXPECT_EQ(first_difference(before + later(0.3, 0, 1, 5, 6) + after,
-                             before + later(0.3, 0, 1, 0, 8) + later(9, 1, 9, 0, 0)),
-            "home, robot 1, tick 2 (0.30 s): plugin window answered holds otherwise");
+  EXPECT_EQ(
+      first_difference(before + later(0.3, 0, 1, 5, 6) + after, before + later(0.3, 0, 1, 0, 8) + later(9, 1, 9, 0, 0)),
+      "home, robot 1, tick 2 (0.30 s): plugin window answered holds otherwise");
   EXPECT_EQ(first_difference(beginning(1, 2), beginning(1, 3)),
             "home, robot 1, tick 0 (0.10 s): plugin greedy answered assign otherwise");
 }

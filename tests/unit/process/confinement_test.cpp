@@ -122,7 +122,8 @@ TEST_F(Confinement, WaysToOthersFailAndAreReported) {
 
 TEST_F(Confinement, CopiesAreConfined) {
   const Seen saw = confined([this] {
-    Child copy = Child::copy({.keeps_streams = true, .keeps_signals = true}, [this] { return ::creat(file().c_str(), 0600) == -1 ? 7 : 0; });
+    Child copy = Child::copy({.keeps_streams = true, .keeps_signals = true},
+                             [this] { return ::creat(file().c_str(), 0600) == -1 ? 7 : 0; });
     return copy.wait().exited_with(7);
   });
   EXPECT_TRUE(saw.done);

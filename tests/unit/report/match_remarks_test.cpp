@@ -148,11 +148,13 @@ TEST(Remarks, StandAtTheTopAndAtTheEnd) {
   const std::string text = tournament_text(course.view());
   EXPECT_THAT(text,
               StartsWith("not reproducible: match 1: tick 7 of robot 2: plugin dice\nnot reproducible: match 4: "));
-  EXPECT_THAT(text,
-              EndsWith("\nmatch 2: home: plugins keep in memory that all their instances share: greedy.so: taken; nothing "
-                       "came of it in this match\nplugins wrote to standard error in 2 matches, first in match 2; see: regista report FILE "
-                       "--standard-error 2\n\n"
-                       "2 pairs do not show which of a and b is stronger.\n"));
+  EXPECT_THAT(
+      text,
+      EndsWith("\nmatch 2: home: plugins keep in memory that all their instances share: greedy.so: taken; nothing "
+               "came of it in this match\nplugins wrote to standard error in 2 matches, first in match 2; see: regista "
+               "report FILE "
+               "--standard-error 2\n\n"
+               "2 pairs do not show which of a and b is stronger.\n"));
   const auto json = nlohmann::json::parse(tournament_json(course.view()));
   EXPECT_EQ(json["not_reproducible"]["listed"][1]["match"], 4);
   EXPECT_EQ(json["standard_error"], nlohmann::json::parse(R"({"matches": 2, "listed": [2, 3]})"));

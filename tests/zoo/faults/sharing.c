@@ -62,9 +62,7 @@ int static_matrix(zoo_moment* now, int said) {
 
 /* Says nothing but that somebody was here. */
 static int calls_of_all;
-int static_counter(zoo_moment* now, int said) {
-  return ++calls_of_all == now->asked ? said : -said;
-}
+int static_counter(zoo_moment* now, int said) { return ++calls_of_all == now->asked ? said : -said; }
 
 /* Nobody asks how many there were. */
 volatile int counted;
@@ -249,5 +247,6 @@ void offers_as_a_teammate(zoo_moment* now) {
   others[now->robot] = now->self;
   zoo_instance* const other = others[now->robot == 1 ? 2 : 1];
   if (now->asked < ZOO_WHEN || now->asked % 10 != 0 || other == NULL || now->frame == NULL) return;
-  (void)other->host->offer(other->host->context, said, sizeof said, 0.9, now->frame->time + 5.0, REGISTA_MEDIUM_RADIO, 0);
+  (void)other->host->offer(other->host->context, said, sizeof said, 0.9, now->frame->time + 5.0, REGISTA_MEDIUM_RADIO,
+                           0);
 }
