@@ -13,7 +13,8 @@ from processes import processes
 
 LONG = ("--limit", "600")
 
-# What meets it is a process that plays, one that opens its plugins, or one that has opened them and compares them.
+# What meets it is a process that plays, one that opens its plugins, or one that has opened them and compares them: on a
+# busy machine whichever has them just then.
 CHANGED = (r"(\S+: was overwritten while a match was played \(.*\)|\S+: .*; that was not so at the beginning|"
            r"(plugin \w+ \(\S+\) has changed(, )?)+)")
 
@@ -78,14 +79,13 @@ class OverwrittenPlugins(tournament.Tournament):
 
     def test_tournament(self):
         for overwrite in truncated, garbage:
-            for more, what in (("--workers", "1"), r".*: was overwritten while a match was played \(.*\)"), (
-                    ("--isolation", "always"), CHANGED):
+            for more in ("--workers", "1"), ("--isolation", "always"):
                 with self.subTest(overwrite.__name__, more=more):
                     results = f"{overwrite.__name__}{more[1]}.db"
                     words = self.arguments("--quiet", *LONG, "--results", results, *more)
                     code, lines = self.overwritten(overwrite, *words)
                     self.assertEqual((code, len(lines)), (2, 1), lines)
-                    self.assertRegex(lines[0], rf"^regista: while the tournament was played: {what}$")
+                    self.assertRegex(lines[0], rf"^regista: while the tournament was played: {CHANGED}$")
                     self.assertIn(str(self.file), lines[0])
                     # No team forfeits a match by it.
                     self.assertEqual(self.stored("SELECT count(*) FROM matches", results), [(0,)])
