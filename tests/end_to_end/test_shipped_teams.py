@@ -2,8 +2,10 @@
 """The teams that are shipped, with the plugins that are shipped, as a user meets them first."""
 
 import collections
+import contextlib
 import json
 import re
+import sqlite3
 import unittest
 
 import program
@@ -18,6 +20,21 @@ class ShippedTeams(program.ShippedCase):
         self.assertTrue(files)
         done = self.run_program("config", "check", *files)  # there are warnings, see below
         self.assertEqual((done.returncode, done.stdout), (0, "".join(f"{file}: team, sound\n" for file in files)))
+
+    @unittest.skipIf(program.SANITIZED, "it plays a hundred times")
+    def test_robots_of_every_team_decide_alone(self):
+        """The first match comes out the same with a process for each robot, and nothing is kept between them."""
+        files = sorted(TEAMS.rglob("*.yaml"))
+        for team, other in zip(files, files[1:] + files[:1]):
+            with self.subTest(team.stem):
+                results = f"{team.parent.stem}_{team.stem}.db"
+                report = json.loads(self.succeed("tournament", "--team", team, "--team", other, "--pairs", 1, "--limit", 60,
+                                                 "--no-page", "--quiet", "--json", "--results", results))
+                for doubt in ("not_alone", "not_reproducible", "not_proven", "kept_outside"):
+                    self.assertEqual(report[doubt]["matches"], 0, report[doubt])
+                with contextlib.closing(sqlite3.connect(self.folder / results)) as database:
+                    played = database.execute("SELECT attempts FROM matches ORDER BY row").fetchall()
+                self.assertEqual(played, [(2,), (1,)])
 
     def idle_terms(self, page):
         """The names of the terms that a team is warned of, of a page that extends paper.yaml."""
