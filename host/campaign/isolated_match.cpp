@@ -41,7 +41,8 @@ void close_all_but_standard_streams() {
 }
 
 // Who asks and who answers take turns for every decision. On one processor that is a switch between two processes, on
-// two of them each turn wakes a processor that has begun to sleep, which takes longer than the decision.
+// two of them each turn wakes a processor that has begun to sleep, which takes longer than the decision. For the one
+// match of a pairing whose robots are apart; all matches of a study would crowd on some processors.
 void stay_on_this_processor() {
   const int here = ::sched_getcpu();
   if (here < 0 || here >= CPU_SETSIZE) return;
@@ -92,7 +93,7 @@ class IsolatedMatch {
   const std::string& kept() const { return kept_; }
 
   match::Result play() {
-    stay_on_this_processor();
+    if (thinkers_.size() > 2) stay_on_this_processor();
     for (Thinkers& each : thinkers_) start(each);
     for (Thinkers& each : thinkers_) hear(each);  // that the minds have been created
     std::array<std::vector<mind::Think>, 2> think;
@@ -115,9 +116,9 @@ class IsolatedMatch {
     for (Thinkers& each : thinkers_) {
       std::string kept;
       read(each, ask(each, Question::finish, 0, {}), kept);
-      if (kept.empty() || !kept_.empty()) continue;
-      kept_ = fmt::format("{}: plugins keep in memory that all their instances share: {}",
-                          each.place.side == match::Side::home ? "home" : "away", kept);
+      if (kept.empty() || kept_.find(kept) != std::string::npos) continue;
+      kept_ += fmt::format("{}{}: plugins keep in memory that all their instances share: {}", kept_.empty() ? "" : "; ",
+                           each.place.side == match::Side::home ? "home" : "away", kept);
     }
     return result;
   }

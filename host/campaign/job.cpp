@@ -111,6 +111,7 @@ std::string to_json(const Job& job) {
                    {"separation", static_cast<int>(job.separation)},
                    {"elsewhere", job.elsewhere},
                    {"look", static_cast<int>(job.look)},
+                   {"hides", job.hides},
                    {"trail", job.trail},
                    {"limits", json_of(job.limits)},
                    {"root", job.root},
@@ -139,6 +140,7 @@ Job job_from_json(const std::string& text) {
     if (json.contains("separation")) job.separation = static_cast<Separation>(whole_number(json.at("separation"), 2));
     job.elsewhere = json.value("elsewhere", false);
     if (json.contains("look")) job.look = static_cast<plugin::Look>(whole_number(json.at("look"), 2));
+    job.hides = json.value("hides", false);
     job.trail = json.value("trail", false);
     job.root = json.value("root", "");
     if (json.contains("limits")) job.limits = limits_of(json.at("limits"));

@@ -15,7 +15,7 @@
 
 namespace regista::campaign {
 
-// How far the minds of a match are kept apart. The result is the same.
+// How far the minds of a match are kept apart. Where robots decide alone, the result is the same.
 enum class Separation {
   none,    // one process for all
   teams,   // one for each team
@@ -35,10 +35,11 @@ struct Job {
   std::uint64_t seed = 1;
   std::string record;  // file that the worker records the match in, replacing it; empty: none. Part of no key.
   bool expects_failure = false;  // then as much as possible is to stand in that file when the worker dies
-  // How it is played. Part of no key: the result is the same.
+  // How it is played. Part of no key.
   Separation separation = Separation::none;
   bool elsewhere = false;  // in memory and in the file system, with another environment and at another date
   plugin::Look look = plugin::Look::seldom;
+  bool hides = false;  // see plugin::Noting
   bool trail = false;  // what plugins answered is written to the worker's trail
   Limits limits;       // of the processes of minds that are kept apart
   bool is_apart() const { return separation != Separation::none; }

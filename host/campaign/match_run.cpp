@@ -23,6 +23,7 @@ std::string what_failed(const std::string& end, const std::optional<Answer>& ans
   if (!answer) return end;
   if (answer->kind != Answer::Kind::failed) return answer->message;
   const Failure& failure = *answer->decided.failure;
+  if (failure.plugin.empty()) return "a plugin " + failure.what;
   return fmt::format("plugin {}, {}: {}", failure.plugin, failure.call, failure.what);
 }
 
@@ -51,19 +52,17 @@ bool MatchRun::isolated(Stage stage) const {
 
 Separation MatchRun::separation(Stage stage) const {
   const bool apart = limits_.isolation == Isolation::always || limits_.allow_shared_memory;
-  const Separation usual = apart ? Separation::teams : Separation::none;
-  const Separation alone = limits_.allow_shared_memory ? Separation::teams : Separation::robots;
   switch (stage) {
     case Stage::second:
-      return alone;
-    case Stage::traced_again:
-      return deterministic_ ? alone : usual;
+    case Stage::alone:
+    case Stage::traced_alone:
+      return limits_.allow_shared_memory ? Separation::teams : Separation::robots;
     case Stage::isolated:
       return Separation::teams;
     case Stage::recording:  // needs the minds in the match's own process
       return Separation::none;
     default:
-      return usual;
+      return apart ? Separation::teams : Separation::none;
   }
 }
 
@@ -74,8 +73,10 @@ void MatchRun::start(Stage stage) {
   job.separation = separation(stage);
   // Another folder, environment, date and addresses, to see whether the match depends on them. Whoever failed there may
   // do so for want of a file: whether that is a fault, a play where the first one was decides.
-  job.elsewhere = stage == Stage::second || stage == Stage::traced || (stage == Stage::traced_again && deterministic_);
-  job.trail = stage == Stage::traced || stage == Stage::traced_again;
+  job.elsewhere =
+      stage == Stage::second || stage == Stage::traced || stage == Stage::traced_alone || stage == Stage::traced_hiding;
+  job.trail = is_traced(stage);
+  job.hides = stage == Stage::second || stage == Stage::traced_hiding || stage == Stage::isolated;
   if (stage == Stage::second) job.look = plugin::Look::often;
   if (stage == Stage::isolated || job.trail) job.look = plugin::Look::always;
   if (stage != Stage::first || job.is_apart()) job.record.clear();
@@ -133,22 +134,18 @@ void MatchRun::settle() {
     played(*answer);
     return;
   }
-  // What is not played again in the same way does not depend on its robots alone.
-  if (stage_ == Stage::traced || stage_ == Stage::traced_again) {
-    first_->irreproducible = "the results of two plays differ; a third one failed: " + what_failed(what, answer);
-    decide_first();
-    return;
-  }
   blame_nobody_for_overwritten_files(answer && answer->kind == Answer::Kind::failed ? answer->decided.failure->what
                                                                                     : what);
-  Attempt attempt{isolated(stage_), false, from_outside, {}, what};
-  attempt.what = what_failed(what, answer);
+  Attempt attempt{isolated(stage_), false, from_outside, {}, what_failed(what, answer)};
   if (!answer && separation(stage_) == Separation::none) attempt.what = in_words(what, end.note);
   if (answer && answer->kind == Answer::Kind::failed) {
     attempt.from_outside = answer->from_outside;
     if (isolated(stage_)) attempt.failure = *answer->decided.failure;
   }
-  failed(std::move(attempt));
+  if (is_traced(stage_) || stage_ == Stage::alone)
+    explanation_failed(attempt, answer);
+  else
+    failed(std::move(attempt));
 }
 
 void MatchRun::played(const Answer& answer) {
@@ -162,13 +159,32 @@ void MatchRun::played(const Answer& answer) {
     case Stage::second:
       compare(answer.decided);
       return;
-    case Stage::traced:
-      deterministic_ = same_match(*first_, answer.decided);
-      first_trail_ = trail_->content();
-      start(Stage::traced_again);
+    case Stage::alone:
+      decide_first();
       return;
-    case Stage::traced_again:
-      decide_not_alone();
+    case Stage::traced: {
+      const bool same = same_match(*first_, answer.decided);
+      first_trail_ = trail_->content();
+      start(same ? Stage::traced_alone : Stage::traced_here);
+      return;
+    }
+    case Stage::traced_here:
+      first_->irreproducible = first_difference(first_trail_, trail_->content());
+      decide_different();
+      return;
+    case Stage::traced_alone:
+      if (same_match(*first_, answer.decided)) {
+        start(Stage::traced_hiding);
+        return;
+      }
+      first_->shared = first_difference(first_trail_, trail_->content());
+      decide_different();
+      return;
+    case Stage::traced_hiding:
+      first_->irreproducible = first_difference(first_trail_, trail_->content());
+      if (!first_->irreproducible.empty())
+        first_->irreproducible += ", where what it does not declare to read is left out";
+      decide_different();
       return;
     default:
       break;
@@ -179,10 +195,13 @@ void MatchRun::played(const Answer& answer) {
     return;
   }
   switch (judge(attempts_)) {
-    case Judgement::counts:
+    case Judgement::counts: {
+      Decided out = answer.decided;
       if (attempts_.size() > 1) accident_ = attempts_.front().what;
-      decide(answer.decided);
+      if (twice_ && !limits_.allow_shared_memory) out.unproven = "the first play died: " + attempts_.front().what;
+      decide(out);
       break;
+    }
     case Judgement::set_aside: {
       Decided out;
       out.ended = "set_aside";
@@ -210,26 +229,48 @@ void MatchRun::failed(Attempt attempt) {
   }
 }
 
-// A play that was to hold the first one to account has been played to its end.
+// A play that was to hold the first one to account has been played to its end: the second one, or that of each team by
+// itself where the second one failed.
 void MatchRun::compare(const Decided& again) {
   first_->kept = again.kept;
-  if (same_match(*first_, again) || !first_->shared.empty()) {
-    decide_first();
+  alone_ = alone_ || stage_ == Stage::second;
+  if (!same_match(*first_, again) && first_->shared.empty()) {
+    start(Stage::traced);
     return;
   }
-  start(Stage::traced);
+  // Elsewhere a plugin may have missed a file. Here it may miss its teammates.
+  const bool second_failed = stage_ == Stage::isolated && !attempts_.front().from_outside;
+  if (second_failed && first_->shared.empty() && !limits_.allow_shared_memory)
+    start(Stage::alone);
+  else
+    decide_first();
 }
 
-void MatchRun::decide_not_alone() {
-  std::string where = first_difference(first_trail_, trail_->content());
-  if (where.empty())
-    where = "the results of two plays differ, though all plugins answered the same when it was played again";
-  (deterministic_ ? first_->shared : first_->irreproducible) = where;
+void MatchRun::decide_different() {
+  if (first_->shared.empty() && first_->irreproducible.empty())
+    first_->irreproducible = "the results of two plays differ, and it did not come back when they were played again";
+  decide_first();
+}
+
+// A play that was to say why two plays differ, or why the second one failed.
+void MatchRun::explanation_failed(const Attempt& attempt, const std::optional<Answer>& answer) {
+  if (attempt.from_outside) {
+    accident_ = attempt.what;
+  } else if (stage_ != Stage::alone) {
+    first_->irreproducible = "the results of two plays differ; a third one failed: " + attempt.what;
+  } else if (answer && answer->kind == Answer::Kind::failed && first_->shared.empty()) {
+    const Failure& failure = *answer->decided.failure;
+    first_->shared = fmt::format(
+        "{}, robot {}, tick {}: plugin {} fails in {} where its robot is alone in a process: {}",
+        failure.side == 0 ? "home" : "away", failure.robot, failure.tick, failure.plugin, failure.call, failure.what);
+  }
   decide_first();
 }
 
 // The first play counts, whatever came of those that held it to account.
 void MatchRun::decide_first() {
+  if (!alone_ && first_->shared.empty() && !limits_.allow_shared_memory)
+    first_->unproven = "no play with each robot in a process of its own came to its end";
   // That the second play failed says nothing about the first one, which was played to its end.
   const auto failed = std::ranges::find(attempts_, false, &Attempt::played);
   if (failed != attempts_.end()) {

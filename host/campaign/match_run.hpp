@@ -45,12 +45,17 @@ class MatchRun {
  private:
   enum class Stage {
     first,
-    second,        // holds the first one to account, where that is asked for
-    traced,        // where they differ: as the first, but elsewhere. What plugins answer is kept
-    traced_again,  // and once more as whichever of them differs from that one
-    isolated,      // finds out whose fault a death was
+    second,         // holds the first one to account, where that is asked for: each robot in a process, and elsewhere
+    isolated,       // each team in a process: whose fault a death was
+    alone,          // each robot in a process, here: whether it was that which made the second play fail
+    traced,         // where two plays differ: as the first one, but elsewhere. If that is the first one once more:
+    traced_alone,   //   each robot in a process, elsewhere. If that is the first one, too:
+    traced_hiding,  //   as the first one, elsewhere, without what plugins do not declare to read
+    traced_here,    // else: as the first one
     recording,
   };
+  // Whether what plugins answer is kept in that play.
+  static bool is_traced(Stage stage) { return stage >= Stage::traced && stage <= Stage::traced_here; }
   bool isolated(Stage stage) const;
   Separation separation(Stage stage) const;
   void start(Stage stage);
@@ -59,7 +64,8 @@ class MatchRun {
   void played(const Answer& answer);
   void failed(Attempt attempt);
   void compare(const Decided& again);
-  void decide_not_alone();
+  void explanation_failed(const Attempt& attempt, const std::optional<Answer>& answer);
+  void decide_different();
   void decide_first();
   void note_outside(const OutsideNote& outside);
   void decide(Decided decided);
@@ -75,7 +81,7 @@ class MatchRun {
   SharedNote note_;
   std::unique_ptr<TrailFile> trail_;
   std::string first_trail_;
-  bool deterministic_ = false;  // played elsewhere in the same processes, the match was the same
+  bool alone_ = false;  // a play with each robot in a process of its own has come to its end
   std::unique_ptr<Worker> worker_;
   std::vector<Attempt> attempts_;
   std::optional<Decided> first_;  // the first play, and what was found when it was held to account

@@ -52,7 +52,7 @@ class MindHost {
         looks_at_memory_(examination.confined),
         channel_(channel) {
     const plugin::Noting noting{&channel.note().call, static_cast<std::int32_t>(match::index(place.side)),
-                                examination.look, answers_wanted_ ? &answers_ : nullptr};
+                                examination.look, answers_wanted_ ? &answers_ : nullptr, examination.hides};
     const mind::Telling telling{.log = mind::to_standard_error(REGISTA_LOG_WARNING, mind::most_kept_of_log)};
     if (place.robot == 0)
       minds_ = match::minds(plan, place.side, seed, noting, telling);

@@ -15,6 +15,7 @@ namespace regista::campaign {
 // What a play looks at beyond what it needs itself.
 struct Examination {
   plugin::Look look = plugin::Look::seldom;
+  bool hides = false;    // see plugin::Noting
   bool answers = false;  // what plugins answered is handed over with each outcome
   // See process/confinement.hpp; what is tried is noted. At the end it is said what plugins keep in their files'
   // memory.

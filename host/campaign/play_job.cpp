@@ -41,6 +41,7 @@ class JobRecording {
                const std::string& program) {
     // Whoever started this process keeps it with the match.
     observer_.log = mind::to_standard_error(REGISTA_LOG_WARNING, mind::most_kept_of_log);
+    observer_.outcomes_alone = job.record.empty();
     if (job.record.empty()) return;
     place_ = job.record;
     const std::string opening = prepared.setup.opening ? prepared.setup.opening->name : "";
@@ -123,7 +124,7 @@ match::Result play_here(const Job& job, MatchSetup& prepared, const std::array<c
   const plugin::ProcessState before = plugin::ProcessState::now();
   const pid_t here = getpid();
   const match::Result result = match::play(std::move(prepared.setup), plans, recording.observer(), after,
-                                           {&note.call, 0, job.look, trail ? &answers : nullptr});
+                                           {&note.call, 0, job.look, trail ? &answers : nullptr, job.hides});
   if (getpid() != here) _exit(1);  // a plugin has doubled the process: one of the two is enough
   note.call = {};                  // whatever dies from now on dies in no plugin's call
   if (const std::string left = plugin::changes_since(before); !left.empty()) {
@@ -142,7 +143,7 @@ match::Result play_isolated(const Job& job, MatchSetup& prepared, const std::arr
   }
   const bool alone = job.separation == Separation::robots;
   return play_isolated(std::move(prepared.setup), plans, job.separation, job.limits,
-                       {job.look, trail.has_value(), alone}, after, note, kept);
+                       {job.look, job.hides, trail.has_value(), alone}, after, note, kept);
 }
 
 Answer failed(const plugin::Failure& failure) {

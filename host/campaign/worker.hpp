@@ -42,7 +42,7 @@ struct End {
 // A running worker. Never blocks.
 class Worker {
  public:
-  // `note` is cleared and outlives the worker. trail: a descriptor that the worker writes digests of decisions to, or
+  // `note` is cleared and outlives the worker. trail: a descriptor that the worker writes answers of plugins to, or
   // -1. server: who may start it more cheaply; null: nobody. Throws std::system_error when the process cannot be
   // started.
   Worker(const Job& job, const Limits& limits, SharedNote& note, int trail = -1, ForkServer* server = nullptr);

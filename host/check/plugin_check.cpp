@@ -198,7 +198,7 @@ class FileCheck {
         if (check.name == "determinism") determined = !last_failed(kind_and(kind, check.name));
       }
       check_elsewhere(kind);
-      check_alone(kind, determined);
+      check_alone(kind, determined && !last_failed(kind_and(kind, "elsewhere")));
       apart(kind_and(kind, "cost"), "what a call costs", [&] { return cost_of(kind); });
     }
     plugin_.clear();
@@ -275,7 +275,8 @@ class FileCheck {
     if (!is_wanted(options_.only, name)) return;
     judge(name, "answers each of a team's robots as if it were alone", [&]() -> Outcome {
       if (options_.in_process || hung_) return {Status::skip, {}};
-      if (!determined) return {Status::skip, {"the same calls do not give the same bytes: mend that first"}};
+      if (!determined)
+        return {Status::skip, {"the same calls do not give the same bytes, here or elsewhere: mend that first"}};
       Outcome changed = in_a_child([&] { return changes_own_memory(kind); }, options_.deadline, note_);
       if (changed.status != Status::pass) return changed;
       const Outcome team = in_a_child([&] { return digests(kind, std::nullopt); }, options_.deadline, note_);

@@ -98,17 +98,20 @@ campaign::Limits limits_of(const MatchOptions& options) {
   return out;
 }
 
-// Something went wrong where both teams share a process: a death, or a broken promise, and then `said` is who seems to
-// have broken it. Which team's it was is found out as studies do it: each thinks in a process of its own, and one of
+// Something went wrong where both teams share a process: a death, or a broken promise, and then the loss says who seems
+// to have broken it. Which team's it was is found out as studies do it: each thinks in a process of its own, and one of
 // these goes wrong again. Throws BadInput that names it; returns when none does.
-void blame(campaign::Job job, campaign::Limits limits, const std::string& said) {
+void blame(campaign::Job job, campaign::Limits limits, const campaign::Loss& loss) {
   limits.isolation = campaign::Isolation::always;
   job.record.clear();
   try {
     const campaign::Decided again = campaign::play_alone(job, limits);
     if (!again.failure) return;
-    const bool as_said = said.ends_with(fmt::format("{}: {}", again.failure->call, again.failure->what));
-    throw BadInput(as_said ? said : failure_text(job, *again.failure));
+    const campaign::Failure& failure = *again.failure;
+    const plugin::CallNote& call = loss.note.call;
+    const bool as_said = failure.side == call.side && failure.robot == call.robot && failure.tick == call.tick &&
+                         loss.what.ends_with(fmt::format("{}: {}", failure.call, failure.what));
+    throw BadInput(as_said ? loss.what : failure_text(job, failure));
   } catch (const campaign::CampaignError& error) {
     throw BadInput(error.what());
   }
@@ -142,7 +145,7 @@ int explain_loss(const MatchOptions& options, campaign::Job job, const campaign:
     }
   }
   const std::string died = campaign::in_words(loss.what, loss.note.call);
-  blame(std::move(job), limits, loss.what);
+  blame(std::move(job), limits, loss);
   // People and systems send signals; whatever else ended the process, a plugin has done.
   if (loss.from_outside) {
     complain(fmt::format("the match was ended: {}", died));

@@ -96,6 +96,7 @@ struct Observer {
   PhysicsLog* physics_log = nullptr;  // of what is done to the bodies, for Replay
   // Minds that this match creates (teams.hpp) keep these for AfterDecision: see mind::Telling.
   bool segments = false, drawings = false;
+  bool outcomes_alone = false;  // AfterDecision reads no frames: parts that no plugin reads need not be made for it
   // Told each line that a plugin of such a mind writes, at once.
   mind::LogSink log;
 };

@@ -46,6 +46,7 @@ Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, cons
     telling.segments = observer->segments;
     telling.drawings = observer->drawings;
     telling.log = observer->log;
+    if (observer->outcomes_alone) telling.whole_frame = false;
   }
   for (const Side side : both_sides) {
     const mind::TeamPlan& plan = *teams[index(side)];

@@ -40,6 +40,7 @@ struct Noting {
   std::int32_t side = 0;
   Look look = Look::seldom;
   std::vector<CallAnswer>* trail = nullptr;  // of what is answered; null: nobody asks. Needs a note and Look::always
+  bool hides = false;  // where a call is looked at closely: what a plugin does not declare to read
 };
 
 // An id as a note holds it.

@@ -69,14 +69,18 @@ class AnswerDigest {
 // The answers of a decision, in their order.
 using CallTrail = std::vector<CallAnswer>;
 
+// More of them are left out: a plugin may make offers without end.
+inline constexpr std::size_t most_answers = 4096;
+
 // Adds what the call of this note was answered.
 inline void add(CallTrail& trail, const CallNote& note, std::uint64_t digest) {
-  trail.push_back({note.plugin, note.call, digest});
+  if (trail.size() < most_answers) trail.push_back({note.plugin, note.call, digest});
 }
 
 // Adds what a plugin did with the host while the call of this note was under way: "offer". Whose mailbox it was does
 // not matter: who has got hold of another robot's is the one that is named.
 inline void add(CallTrail& trail, const CallNote& note, std::string_view done, std::uint64_t digest) {
+  if (trail.size() >= most_answers) return;
   CallAnswer& out = trail.emplace_back(CallAnswer{note.plugin, {}, digest});
   std::memcpy(out.call.data(), done.data(), std::min(done.size(), out.call.size() - 1));
 }

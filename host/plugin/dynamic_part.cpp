@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "plugin/dynamic_part.hpp"
 
+#include <cxxabi.h>
+
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
+#include <memory>
 
 namespace regista::plugin {
 
@@ -114,6 +118,13 @@ std::string DynamicPart::text_at(std::uint64_t offset) const {
   if (strings_ == nullptr || offset >= strings_->d_size) return {};
   const char* const begin = static_cast<const char*>(strings_->d_buf) + offset;
   return {begin, ::strnlen(begin, strings_->d_size - static_cast<std::size_t>(offset))};
+}
+
+std::string readable_name(const char* name) {
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> demangled(abi::__cxa_demangle(name, nullptr, nullptr, &status),
+                                                              &std::free);
+  return status == 0 && demangled ? demangled.get() : name;
 }
 
 }  // namespace regista::plugin

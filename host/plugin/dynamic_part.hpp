@@ -45,4 +45,7 @@ class DynamicPart {
   Elf_Data* strings_ = nullptr;
 };
 
+// A name of the linker's as a programmer writes it: "Table<int>::taken".
+std::string readable_name(const char* name);
+
 }  // namespace regista::plugin

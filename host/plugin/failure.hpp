@@ -22,10 +22,12 @@ struct Caller {
   std::uint64_t tick = 0;
   Noting noting{};               // where its calls are noted
   AnswerRooms* rooms = nullptr;  // of its plugins; null: each has its own
+  bool decides = false;          // since its first decision began
 
   // At the beginning of each decision.
   void begin_decision() {
     if (rooms != nullptr) rooms->closely = looks_closely();
+    decides = true;
     note();
   }
   // Primes, so that no plugin's period keeps it away from all of these decisions.

@@ -57,7 +57,7 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
       plugin_(plugin),
       environment_(environment),
       noted_id_(note_of_id(plugin.descriptor->id)) {
-  if (compares_inputs_ && plugin.descriptor->reads != REGISTA_READS_ALL) {
+  if (caller != nullptr && caller->noting.hides && plugin.descriptor->reads != REGISTA_READS_ALL) {
     declared_reads_ = std::make_unique<DeclaredReads>(plugin.descriptor->reads);
   }
   if (rooms_ == nullptr) {

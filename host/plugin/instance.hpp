@@ -110,8 +110,10 @@ class alignas(64) Instance {
       (check(call, written.room.overflow(), written.what), ...);
   }
 
-  // Whether somebody keeps what calls answer.
-  bool is_traced() const { return rooms_->closely && caller_ != nullptr && caller_->noting.trail != nullptr; }
+  // Whether somebody keeps what calls answer; only of decisions.
+  bool is_traced() const {
+    return rooms_->closely && caller_ != nullptr && caller_->noting.trail != nullptr && caller_->decides;
+  }
   // What the last call answered, once it is known to keep its promises.
   template <class... Values>
   void answered(const Values&... values) const {

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "plugin/own_memory.hpp"
 
-#include <cxxabi.h>
 #include <gelf.h>
 #include <libelf.h>
 #include <link.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
-#include <memory>
 
 #include "config/sanitized.hpp"
+#include "plugin/dynamic_part.hpp"
 #include "plugin/elf_file.hpp"
 
 namespace regista::plugin {
@@ -20,13 +18,6 @@ namespace {
 struct Interval {
   std::uintptr_t begin = 0, end = 0;
 };
-
-std::string readable(const char* name) {
-  int status = 0;
-  const std::unique_ptr<char, decltype(&std::free)> demangled(abi::__cxa_demangle(name, nullptr, nullptr, &status),
-                                                              &std::free);
-  return status == 0 && demangled ? demangled.get() : name;
-}
 
 }  // namespace
 
@@ -104,7 +95,7 @@ std::string variable_at(const std::filesystem::path& path, const OwnMemory::Chan
       if (GELF_ST_TYPE(symbol.st_info) != (change.of_thread ? STT_TLS : STT_OBJECT)) continue;
       if (change.address < symbol.st_value || change.address - symbol.st_value >= symbol.st_size) continue;
       const char* const name = elf_strptr(elf.get(), header.sh_link, symbol.st_name);
-      if (name != nullptr) return readable(name);
+      if (name != nullptr) return readable_name(name);
     }
   }
   return {};

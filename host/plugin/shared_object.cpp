@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "plugin/shared_object.hpp"
 
-#include <cxxabi.h>
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,7 +12,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
-#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <string_view>
@@ -59,13 +57,6 @@ bool exports(Elf* elf, std::string_view wanted) {
 
 constexpr const char* remedy = "build it with -fvisibility=hidden, or -fno-gnu-unique";
 
-std::string readable(const std::string& name) {
-  int status = 0;
-  const std::unique_ptr<char, decltype(&std::free)> demangled(
-      abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), &std::free);
-  return status == 0 && demangled ? demangled.get() : name;
-}
-
 bool is_writable(Elf* elf, std::uint64_t address) {
   GElf_Phdr segment;
   for (int i = 0; gelf_getphdr(elf, i, &segment) != nullptr; ++i) {
@@ -80,8 +71,9 @@ bool is_writable(Elf* elf, std::uint64_t address) {
 std::string variable_of_all_files(Elf* elf) {
   for (const DynamicPart::Symbol& each : DynamicPart(elf).symbols()) {
     if (GELF_ST_BIND(each.entry.st_info) != STB_GNU_UNIQUE || each.entry.st_shndx == SHN_UNDEF) continue;
-    if (!is_writable(elf, each.entry.st_value)) continue;
-    const std::string name = readable(each.name);
+    const bool of_thread = GELF_ST_TYPE(each.entry.st_info) == STT_TLS;  // its value is no address
+    if (!of_thread && !is_writable(elf, each.entry.st_value)) continue;
+    const std::string name = readable_name(each.name.c_str());
     std::string_view of = name;
     if (constexpr std::string_view guard = "guard variable for "; of.starts_with(guard)) of.remove_prefix(guard.size());
     if (!of.starts_with("std::") && !of.starts_with("__gnu_cxx::")) return name;

@@ -157,6 +157,7 @@ std::string tournament_json(const TournamentView& view) {
   out["set_aside"] = set_aside;
   out["unplayed"] = unplayed_json(course.unplayed_pairs(), course.remarks());
   add_doubts(course.remarks(), out);
+  out["allow_shared_memory"] = view.plan.limits.allow_shared_memory;
   add_notes(course.remarks(), out);
   return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -12,7 +12,7 @@ void MatchRemarks::take(std::uint64_t match, const campaign::Decided& decided) {
   if (decided.set_aside()) unplayed_.add(match, decided.why_set_aside);
   if (!decided.irreproducible.empty()) irreproducible_.add(match, decided.irreproducible);
   if (!decided.shared.empty()) shared_.add(match, decided.shared);
-  if (!decided.kept.empty() && decided.shared.empty()) kept_.add(match, decided.kept);
+  if (!decided.kept.empty() && decided.shared.empty() && decided.irreproducible.empty()) kept_.add(match, decided.kept);
   if (!decided.unproven.empty()) unproven_.add(match, decided.unproven);
   if (decided.output.empty()) return;
   ++written_count_;

@@ -281,6 +281,8 @@ void limit_fields(Limits& limits, Visit& visit) {
   visit.maybe("isolation", isolation);
   visit.maybe("plays", plays);
   visit.maybe("shared_memory", shared);
+  // But what is allowed changes what is found.
+  if constexpr (requires { visit.lines(); }) visit("shared_memory", limits.allow_shared_memory, "allow_shared_memory");
   if constexpr (!std::is_const_v<Limits>) {
     limits.isolation = isolation == "always" ? campaign::Isolation::always : campaign::Isolation::after_a_death;
     limits.play_twice = plays.empty();

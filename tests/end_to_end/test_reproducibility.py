@@ -72,6 +72,12 @@ class Reproducibility(tournament.Tournament):
         self.assertRegex(report["not_reproducible"]["listed"][0]["what"],
                          r"^the second play failed, in another process and folder: .*weights\.txt is not there")
 
+    def test_reading_more_than_it_says(self):
+        """At some decisions of the second play what it does not declare to read is not there."""
+        text, found = self.played(plugin="reads_more_than_it_says")
+        self.assertRegex(text, r"^not reproducible: match 1: home, robot \d, tick \d+ .*: plugin reads_more_than_it_says "
+                               "answered holds otherwise, where what it does not declare to read is left out\n")
+
     def test_each_pairing(self):
         text, found = self.played(teams=("small.yaml", "other.yaml", "bad.yaml"), plugin="asks_for_the_folder",
                                   pairs=1)

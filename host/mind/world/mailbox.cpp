@@ -52,7 +52,7 @@ const regista_host* Mailboxes::open(const InstanceExtensions* extensions) {
     const std::uint64_t handle = self->owner->offer(self->place, offered, urgency, expiry, medium, replaces);
     // Only what was taken is known to be as long as it says.
     if (self->instance != nullptr)
-      self->instance->used("offer", handle, offered.first(handle == 0 ? 0 : count), urgency, expiry);
+      self->instance->used("offer", handle, offered.first(handle == 0 ? 0 : count), urgency, expiry, replaces);
     return handle;
   };
   endpoint.host.withdraw = [](void* context, std::uint64_t handle) {

@@ -78,7 +78,15 @@ struct AsksWhoElseIsThere {
   }
 };
 
-REGISTA_PLUGINS(regista::Plugin<AsksForTheProcess, regista::context>,
+// Whether any opponent is known, of which it does not say that it reads them.
+struct ReadsMoreThanItSays {
+  static constexpr auto id = "reads_more_than_it_says", version = "1.0.0", summary = "Declares to read nothing";
+  static constexpr unsigned reads = REGISTA_READS_NOTHING;
+  bool holds(const regista::Frame& frame) { return frame.raw().mine->opponents.count == 0; }
+};
+
+REGISTA_PLUGINS(regista::Plugin<ReadsMoreThanItSays, regista::context>,
+                regista::Plugin<AsksForTheProcess, regista::context>,
                 regista::Plugin<AsksForAnAddress, regista::context>,
                 regista::Plugin<AsksForTheProcessAndIsKilled, regista::context>,
                 regista::Plugin<AsksForTheFolder, regista::context>,

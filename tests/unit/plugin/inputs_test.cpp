@@ -70,7 +70,8 @@ struct FullScene {
 class InputsTest : public PuppetTest {
  protected:
   static std::shared_ptr<Instance> instance(bool compares, const regista_descriptor& descriptor, unsigned subject = 0) {
-    static const Caller watched{"paper", 3, 417, {nullptr, 0, Look::always}}, unwatched{"paper", 3, 417, {nullptr, 0}};
+    static const Caller watched{"paper", 3, 417, {nullptr, 0, Look::always, nullptr, true}},
+        unwatched{"paper", 3, 417, {nullptr, 0}};
     const Parameters parameters = resolve(descriptor, use(descriptor.id));
     auto out = std::make_shared<Instance>(Found{"puppet.so", &descriptor}, parameters, environment(subject), nullptr,
                                           compares ? &watched : &unwatched);

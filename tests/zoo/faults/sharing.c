@@ -239,6 +239,13 @@ void listens_to_all(zoo_moment* now) {
   if (now->asked >= ZOO_WHEN && heard != 0 && heard != now->robot) answer_otherwise(now);
 }
 
+/* What robot 1 has prepared for all. Who is alone has nobody that did. */
+static int prepared;
+void needs_robot_1(zoo_moment* now) {
+  if (now->robot == 1) prepared = 1;
+  if (now->asked >= ZOO_WHEN && prepared == 0) abort();
+}
+
 /* An offer of a team-mate's, through what the host has given to that one. */
 static zoo_instance* others[256];
 void forgets_its_teammates(void) { memset(others, 0, sizeof others); }
