@@ -223,6 +223,12 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
     } catch (const campaign::Disorder&) {
       throw;  // reported by the program itself, as what ends the copy is
     } catch (const plugin::Failure& failure) {
+      // What was destroyed since has noted its own calls.
+      if (const auto& caller = failure.caller()) {
+        note.call.side = caller->noting.side;
+        note.call.robot = caller->robot;
+        note.call.tick = caller->tick;
+      }
       throw campaign::Disorder(failure.what());  // another team's plugin may have made it fail
     } catch (const std::bad_alloc&) {
       throw;

@@ -57,6 +57,11 @@ std::uint64_t course_digest(std::int32_t kind, const Loaded& plugin, const Optio
   return digest;
 }
 
+namespace {
+// Of each course, so that slow plugins are not asked for minutes: what needs longer to show is for a match to find.
+constexpr std::size_t most_steps_of_a_team = 20;
+}  // namespace
+
 std::vector<std::uint64_t> team_digests(std::int32_t kind, const Loaded& plugin, const Options& options,
                                         std::optional<std::size_t> only) {
   std::vector<std::uint64_t> out(robots_of_a_team, 0);
@@ -71,8 +76,9 @@ std::vector<std::uint64_t> team_digests(std::int32_t kind, const Loaded& plugin,
       const std::size_t size = environment.raw().team_size;  // some scenes are of smaller teams
       team[robot] = std::make_unique<Instance>(plugin, environment.own(static_cast<int>(robot % size) + 1), values);
     }
+    const std::size_t steps = std::min(course.steps, most_steps_of_a_team);
     for (const std::size_t apart : {std::size_t{0}, std::size_t{1}}) {
-      for (std::size_t i = 0; i < course.steps; ++i) {
+      for (std::size_t i = 0; i < steps; ++i) {
         for (std::size_t robot = 0; robot < team.size(); ++robot) {
           if (!team[robot]) continue;
           const std::size_t index = (i + apart * robot) % course.steps;
@@ -92,7 +98,7 @@ void play_course(std::int32_t kind, const Loaded& plugin, const Options& options
   Findings elsewhere(options.underway);
   for (const Course& course : courses(kind, plugin, options)) {
     Instance instance(plugin, course.environment, values);
-    for (std::size_t i = 0; i < course.steps; ++i) {
+    for (std::size_t i = 0; i < std::min(course.steps, most_steps_of_a_team); ++i) {
       elsewhere.where("", course.name(i));
       detail::step(course, instance, i, {}, elsewhere);
       after(course.name(i));

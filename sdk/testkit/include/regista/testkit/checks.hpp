@@ -45,15 +45,16 @@ std::vector<Course> courses(std::int32_t kind, const Loaded& plugin, const Optio
 // the plugin depends on what it must not depend on.
 std::uint64_t course_digest(std::int32_t kind, const Loaded& plugin, const Options& options);
 
-// The same for each robot of a team whose robots are asked in turns, as in a match: once all the same, and once more
-// each something else. `only`: that robot alone, from 0, and then the others' are 0. Robots that decide alone have the
-// same numbers either way, where nothing of the plugin was called before in the process.
+// The same, of the beginnings of those courses, for each robot of a team whose robots are asked in turns, as in a
+// match: once all the same, and once more each something else. `only`: that robot alone, from 0, and then the others'
+// are 0. Robots that decide alone have the same numbers either way, where nothing of the plugin was called before in
+// the process.
 std::vector<std::uint64_t> team_digests(std::int32_t kind, const Loaded& plugin, const Options& options,
                                         std::optional<std::size_t> only = std::nullopt);
 inline constexpr std::size_t robots_of_a_team = 7;
 
-// Plays that course with one instance; `after` is told the name of each step that it has played. For what plugins leave
-// in memory, for example.
+// Plays these beginnings with one instance; `after` is told the name of each step that it has played. For what plugins
+// leave in memory, for example.
 void play_course(std::int32_t kind, const Loaded& plugin, const Options& options,
                  const std::function<void(const std::string& step)>& after);
 
