@@ -171,7 +171,7 @@ exit 1
         self.assertEqual(len(self.progress()["batches"]), 1)
 
     def test_killed_tasks_lose_nothing(self):
-        self.document(pairs=12)
+        self.document(pairs=24)
         self.local()
         self.begin("study.yaml", "--array", 4, "--per-task", 18)
         harmed = self.harm(most=12, seed=int(os.environ.get("REGISTA_SEED", "1")))
