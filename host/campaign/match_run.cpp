@@ -139,6 +139,7 @@ void MatchRun::settle() {
   Attempt attempt{isolated(stage_), false, from_outside, {}, what_failed(what, answer)};
   if (!answer && separation(stage_) == Separation::none) attempt.what = in_words(what, end.note);
   if (answer && answer->kind == Answer::Kind::failed) {
+    if (stage_ == Stage::second) second_failure_ = answer->decided.failure;
     attempt.from_outside = answer->from_outside;
     if (isolated(stage_)) attempt.failure = *answer->decided.failure;
   }
@@ -260,9 +261,11 @@ void MatchRun::explanation_failed(const Attempt& attempt, const std::optional<An
     first_->irreproducible = "the results of two plays differ; a third one failed: " + attempt.what;
   } else if (answer && answer->kind == Answer::Kind::failed && first_->shared.empty()) {
     const Failure& failure = *answer->decided.failure;
-    first_->shared = fmt::format(
-        "{}, robot {}, tick {}: plugin {} fails in {} where its robot is alone in a process: {}",
-        failure.side == 0 ? "home" : "away", failure.robot, failure.tick, failure.plugin, failure.call, failure.what);
+    // What fails by chance fails elsewhere or otherwise.
+    if (failure == second_failure_)
+      first_->shared = fmt::format(
+          "{}, robot {}, tick {}: plugin {} fails in {} where its robot is alone in a process: {}",
+          failure.side == 0 ? "home" : "away", failure.robot, failure.tick, failure.plugin, failure.call, failure.what);
   }
   decide_first();
 }

@@ -81,6 +81,7 @@ class MatchRun {
   SharedNote note_;
   std::unique_ptr<TrailFile> trail_;
   std::string first_trail_;
+  std::optional<Failure> second_failure_;
   bool alone_ = false;  // a play with each robot in a process of its own has come to its end
   std::unique_ptr<Worker> worker_;
   std::vector<Attempt> attempts_;

@@ -262,7 +262,7 @@ class Animals(Zoo):
             self.assertEqual([each["match"] for each in report["not_alone"]["listed"]], [1], report)
             self.assertRegex(report["not_alone"]["listed"][0]["what"],
                              rf"robot \d, tick \d+.*: plugin {animal['name']} .*\b{animal['shares']}\b")
-        else:
+        elif expected not in ("either", "dies"):  # chance may look like anything
             self.assertEqual(report["not_alone"]["matches"], 0, report)
         if "keeps" in animal:
             self.assertRegex(report["kept_outside"]["listed"][0]["what"], rf"\b{animal['name']}\.so: {animal['keeps']}$")
