@@ -143,6 +143,12 @@ void MatchRun::settle() {
     attempt.from_outside = answer->from_outside;
     if (isolated(stage_)) attempt.failure = *answer->decided.failure;
   }
+  // A play that only holds the first one to account is begun once more: whoever killed it changes no report.
+  if (again && attempt.from_outside && killed_++ < isolated_plays) {
+    accident_ = attempt.what;
+    start(stage_);
+    return;
+  }
   if (is_traced(stage_) || stage_ == Stage::alone)
     explanation_failed(attempt, answer);
   else

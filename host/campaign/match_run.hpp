@@ -82,7 +82,8 @@ class MatchRun {
   std::unique_ptr<TrailFile> trail_;
   std::string first_trail_;
   std::optional<Failure> second_failure_;
-  bool alone_ = false;  // a play with each robot in a process of its own has come to its end
+  std::size_t killed_ = 0;  // plays after the first one, from outside
+  bool alone_ = false;      // a play with each robot in a process of its own has come to its end
   std::unique_ptr<Worker> worker_;
   std::vector<Attempt> attempts_;
   std::optional<Decided> first_;  // the first play, and what was found when it was held to account
