@@ -205,7 +205,9 @@ void MatchRun::played(const Answer& answer) {
     case Judgement::counts: {
       Decided out = answer.decided;
       if (attempts_.size() > 1) accident_ = attempts_.front().what;
-      if (twice_ && !limits_.allow_shared_memory) out.unproven = "the first play died: " + attempts_.front().what;
+      // Whoever killed it changes no report.
+      if (twice_ && !limits_.allow_shared_memory && !attempts_.front().from_outside)
+        out.unproven = "the first play died: " + attempts_.front().what;
       decide(out);
       break;
     }
