@@ -12,7 +12,6 @@
 #include <span>
 #include <utility>
 
-#include "campaign/answers_wire.hpp"
 #include "campaign/belief_wire.hpp"
 #include "campaign/mind_channel.hpp"
 #include "campaign/mind_host.hpp"

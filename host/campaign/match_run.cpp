@@ -143,7 +143,7 @@ void MatchRun::settle() {
     attempt.from_outside = answer->from_outside;
     if (isolated(stage_)) attempt.failure = *answer->decided.failure;
   }
-  // A play that only holds the first one to account is begun once more: whoever killed it changes no report.
+  // A play that only holds the first one to account is begun once more: a kill changes no report.
   if (again && attempt.from_outside && killed_++ < isolated_plays) {
     accident_ = attempt.what;
     start(stage_);
@@ -205,7 +205,7 @@ void MatchRun::played(const Answer& answer) {
     case Judgement::counts: {
       Decided out = answer.decided;
       if (attempts_.size() > 1) accident_ = attempts_.front().what;
-      // Whoever killed it changes no report.
+      // A kill changes no report.
       if (twice_ && !limits_.allow_shared_memory && !attempts_.front().from_outside)
         out.unproven = "the first play died: " + attempts_.front().what;
       decide(out);

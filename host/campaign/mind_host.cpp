@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "campaign/answers_wire.hpp"
 #include "campaign/belief_wire.hpp"
 #include "campaign/job.hpp"
 #include "match/mind_belief.hpp"

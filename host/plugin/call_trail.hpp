@@ -26,6 +26,14 @@ struct CallAnswer {
   friend bool operator==(const CallAnswer&, const CallAnswer&) = default;
 };
 
+// As bytes between processes: see config/bytes.hpp.
+template <class Archive>
+void visit(Archive& archive, CallAnswer& answer) {
+  for (char& each : answer.plugin) archive(each);
+  for (char& each : answer.call) archive(each);
+  archive(answer.digest);
+}
+
 // XXH3 over values, field by field: the padding of a struct may hold anything.
 class AnswerDigest {
  public:
@@ -78,7 +86,7 @@ inline void add(CallTrail& trail, const CallNote& note, std::uint64_t digest) {
 }
 
 // Adds what a plugin did with the host while the call of this note was under way: "offer". Whose mailbox it was does
-// not matter: who has got hold of another robot's is the one that is named.
+// not matter: a plugin that uses another robot's is the one that is named.
 inline void add(CallTrail& trail, const CallNote& note, std::string_view done, std::uint64_t digest) {
   if (trail.size() >= most_answers) return;
   CallAnswer& out = trail.emplace_back(CallAnswer{note.plugin, {}, digest});

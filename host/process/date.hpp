@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The date that this process is told, whoever in it asks: time(), gettimeofday(), timespec_get() and clock_gettime() of
-// the clocks that tell a date. The program has these functions in the place of the C library's. What is measured from
+// The date that this process gets from time(), gettimeofday(), timespec_get() and clock_gettime() of the clocks that
+// have a date. The program has these functions in the place of the C library's. What is measured from
 // an unknown moment on (CLOCK_MONOTONIC) and processor time stay as they are.
 #pragma once
 

@@ -53,7 +53,7 @@ std::vector<std::uint64_t> team_digests(std::int32_t kind, const Loaded& plugin,
                                         std::optional<std::size_t> only = std::nullopt);
 inline constexpr std::size_t robots_of_a_team = 7;
 
-// Plays these beginnings with one instance; `after` is told the name of each step that it has played. For what plugins
+// Plays these beginnings with one instance; `after` gets the name of each step that it has played. For what plugins
 // leave in memory, for example.
 void play_course(std::int32_t kind, const Loaded& plugin, const Options& options,
                  const std::function<void(const std::string& step)>& after);
